@@ -1,0 +1,42 @@
+# make demo    walk the island, or render its main views where there is no screen
+# make test    check style and types, then run the tests
+# Both set up all they need first, once.
+
+SHELL := /bin/bash
+BIN := .venv/bin
+OUT ?= out
+VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
+# More options for the program, for instance: make demo ARGS="--preset 2006"
+ARGS ?=
+
+.PHONY: demo test lint bench assets clean
+
+demo:
+	@scripts/setup.sh demo
+	@if scripts/setup.sh screen; then \
+	    exec $(BIN)/landscape walk $(ARGS); \
+	else \
+	    echo "No screen: rendering $(words $(VIEWS)) views to $(OUT)/"; \
+	    $(BIN)/landscape render $(VIEWS) --out $(OUT) $(ARGS) && ls -1 $(VIEWS:%=$(OUT)/%.png); \
+	fi
+
+test: lint
+	@$(BIN)/pytest -q
+
+lint:
+	@scripts/setup.sh test
+	@$(BIN)/ruff check .
+	@$(BIN)/ruff format --check .
+	@$(BIN)/mypy landscape
+
+bench:
+	@scripts/setup.sh demo
+	@$(BIN)/landscape bench $(ARGS)
+
+assets:
+	@scripts/setup.sh studio
+	@$(BIN)/landscape assets build $(ARGS)
+
+clean:
+	rm -rf .venv $(OUT) build dist .pytest_cache .mypy_cache .ruff_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

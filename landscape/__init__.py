@@ -1,0 +1,10 @@
+"""A natural landscape in classic fixed-function OpenGL: the 2006 report brought back.
+
+>>> import landscape
+>>> image = landscape.render("fig35e", size=(1280, 720))
+"""
+
+from landscape.render import Offscreen, render
+
+__version__ = "0.1.0"
+__all__ = ["Offscreen", "render"]

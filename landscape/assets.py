@@ -1,0 +1,38 @@
+"""Finding the files the island is made of: the user's own first, then those that came with it."""
+
+from pathlib import Path
+
+from landscape.errors import InputError
+
+PACKAGE = Path(__file__).resolve().parent
+
+
+def shipped() -> Path:
+    """Return the folder of the shipped assets, in a wheel or in a checkout."""
+    inside = PACKAGE / "assets"
+    return inside if inside.is_dir() else PACKAGE.parent / "assets"
+
+
+class Assets:
+    """File names to paths."""
+
+    def __init__(self, folder: Path | None = None) -> None:
+        """Look in ``folder`` before the shipped assets; InputError where it is no folder."""
+        if folder is not None and not folder.is_dir():
+            raise InputError(f"--assets {folder}: expected a folder")
+        self._folders = ([folder] if folder is not None else []) + [shipped()]
+
+    def path(self, name: str, key: str = "") -> Path:
+        """Return the path of a file; a name with no folder is looked up in the asset folders.
+
+        InputError names the file, and the settings ``key`` it came from.
+        """
+        given = Path(name).expanduser()
+        candidates = [given]
+        if given.name == name:
+            candidates = [folder / name for folder in self._folders] + [given]
+        for path in candidates:
+            if path.exists():
+                return path
+        where = f"setting {key}: " if key else ""
+        raise InputError(f"{where}{name}: no such file")

@@ -1,0 +1,74 @@
+"""Which OpenGL backends work here, each tried in a process of its own (PyOpenGL binds to one)."""
+
+import json
+import platform
+import subprocess
+import sys
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+from landscape.gl.context import BACKENDS
+
+PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh")
+SECONDS = 60  # chosen: a backend that takes longer hangs
+
+_PROBE = """
+import json, sys
+from landscape.errors import NoOpenGLError
+from landscape.gl.calls import gl
+from landscape.gl.context import open_context
+try:
+    context = open_context(sys.argv[1])
+    names = gl.GL_RENDERER, gl.GL_VERSION
+    renderer, version = (gl.glGetString(name).decode() for name in names)
+    context.release()
+    print(json.dumps({"ok": True, "renderer": renderer, "version": version}))
+except NoOpenGLError as error:
+    print(json.dumps({"ok": False, "reason": str(error)}))
+"""
+
+
+def examine() -> dict[str, Any]:
+    """Return what `landscape doctor --json` prints: backends, the one `auto` takes, versions."""
+    backends = {name: probe(name) for name in BACKENDS}
+    chosen = next((name for name in BACKENDS if backends[name]["ok"]), None)
+    packages = {}
+    for name in PACKAGES:
+        try:
+            packages[name] = version(name)
+        except PackageNotFoundError:
+            packages[name] = "missing"
+    return {
+        "backends": backends,
+        "chosen": chosen,
+        "python": platform.python_version(),
+        "packages": packages,
+    }
+
+
+def probe(backend: str) -> dict[str, Any]:
+    """Open a context in another process and return ok, and renderer and version or a reason."""
+    command = [sys.executable, "-c", _PROBE, backend]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
+        result: dict[str, Any] = json.loads(done.stdout.strip().splitlines()[-1])
+        return result
+    except subprocess.TimeoutExpired:
+        return {"ok": False, "reason": f"no answer in {SECONDS} seconds"}
+    except (IndexError, json.JSONDecodeError):
+        last = (done.stderr.strip().splitlines() or ["no message"])[-1]
+        return {"ok": False, "reason": f"the process ended with {done.returncode}: {last}"}
+
+
+def report(found: dict[str, Any]) -> str:
+    """Write the examination for a reader."""
+    lines = []
+    for name, state in found["backends"].items():
+        if state["ok"]:
+            lines.append(f"{name:8} ok   {state['renderer']}, OpenGL {state['version']}")
+        else:
+            lines.append(f"{name:8} no   {state['reason']}")
+    lines.append(f"`auto` takes {found['chosen'] or 'none: install one of the packages above'}")
+    lines.append(f"Python {found['python']}")
+    lines += [f"{name} {number}" for name, number in found["packages"].items()]
+    return "\n".join(lines)

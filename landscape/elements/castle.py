@@ -1,0 +1,215 @@
+"""The castle: walls, towers, a gate lit by torches (Castle, section 6).
+
+Techniques: a few meshes built once and drawn several times; a door texture with transparent
+surround laid over the bricks; a light texture multiplied over both with
+glBlendFunc(GL_ZERO, GL_SRC_COLOR), whose far texture coordinates flicker; torches as parametric
+cylinder and cone; fire as a 4x4 sprite sheet on a quad.
+Own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
+State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset.
+"""
+
+import numpy as np
+
+from landscape.assets import Assets
+from landscape.elements.ground import HeightField
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.mesh_tool import Mesh, revolve, vertex_normals
+from landscape.gl.state import attrib, matrix
+from landscape.gl.texture import Texture, read_image
+from landscape.settings import Settings
+
+ELEMENT = "castle"
+
+FOOT = 0.35  # chosen: units the walls reach into the ground, so that no slope shows under them
+TOWER_RADIUS = 0.13  # chosen
+TOWER_TOP = 1.22  # chosen
+MERLON = 0.07  # chosen: height of the battlements
+TORCHES = (0.27, 0.75)  # section 6.1: 0.27, and 0.48 farther
+FLAME_Z = -0.07  # section 6.1
+TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
+
+
+def wall_boxes() -> list[tuple[float, float, float, float, float, float]]:
+    """Return the battlements as boxes (x0, y0, z0, x1, y1, z1) standing on the four walls."""
+    boxes = []
+    depth, width = 0.045, 0.075
+    for k in range(5):
+        a = 0.17 + k * (0.66 - width) / 4
+        b = a + width
+        boxes += [
+            (a, 1.0, 0.0, b, 1.0 + MERLON, depth),
+            (a, 1.0, 1.0 - depth, b, 1.0 + MERLON, 1.0),
+            (0.0, 1.0, a, depth, 1.0 + MERLON, b),
+            (1.0 - depth, 1.0, a, 1.0, 1.0 + MERLON, b),
+        ]
+    return boxes
+
+
+def quads_mesh(quads: np.ndarray, repeat: float) -> Mesh:
+    """Return flat-shaded quads (n, 4, 3) with the brick texture laid ``repeat`` times per unit.
+
+    Corners counter-clockwise seen from outside. The texture runs along the horizontal edge and
+    down the vertical one, so courses line up from quad to quad.
+    """
+    corners = quads.reshape(-1, 3)
+    base = 4 * np.arange(len(quads))[:, None]
+    triangles = (base + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3).astype(np.uint32)
+    normals = vertex_normals(corners, triangles)
+    flat = np.abs(normals[:, 1]) > 0.5
+    facing_x = np.abs(normals[:, 0]) > 0.5
+    s = np.where(facing_x, corners[:, 2], corners[:, 0])
+    t = np.where(flat, corners[:, 2], 1.0 - corners[:, 1])
+    coordinates = np.ascontiguousarray(np.stack([s, t], axis=1) * repeat, np.float32)
+    return Mesh(np.ascontiguousarray(corners, np.float32), normals, triangles, (coordinates,))
+
+
+def box_quads(x0: float, y0: float, z0: float, x1: float, y1: float, z1: float) -> np.ndarray:
+    """Return a box's five faces but the bottom one, (5, 4, 3)."""
+    a, b, c, d = (x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1)
+    e, f, g, h = (x0, y1, z0), (x1, y1, z0), (x1, y1, z1), (x0, y1, z1)
+    faces = [(b, a, e, f), (c, b, f, g), (d, c, g, h), (a, d, h, e), (h, g, f, e)]
+    return np.array(faces, np.float64)
+
+
+def walls_mesh(repeat: float) -> Mesh:
+    """Return the four walls, as thick as their battlements, with those."""
+    thick = 0.045
+    walls = [
+        (0.0, -FOOT, 0.0, 1.0, 1.0, thick),
+        (0.0, -FOOT, 1.0 - thick, 1.0, 1.0, 1.0),
+        (0.0, -FOOT, thick, thick, 1.0, 1.0 - thick),
+        (1.0 - thick, -FOOT, thick, 1.0, 1.0, 1.0 - thick),
+    ]
+    return quads_mesh(np.concatenate([box_quads(*box) for box in walls + wall_boxes()]), repeat)
+
+
+def tower_mesh(repeat: float) -> Mesh:
+    """Return a tower about the y axis: a cylinder that widens to a parapet with a sunken floor."""
+    r, top = TOWER_RADIUS, TOWER_TOP
+    profile = [(r, -FOOT), (r, top - 0.16), (r + 0.025, top - 0.11), (r + 0.025, top)]
+    profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
+    height = sum(np.hypot(*np.subtract(b, a)) for a, b in zip(profile, profile[1:], strict=False))
+    round_ = max(1, round(2 * np.pi * r * repeat))
+    return revolve(profile, 24, (round_, float(height) * repeat))
+
+
+def flame_frame(kt: float) -> tuple[int, int]:
+    """Return column and row of the sprite sheet's frame: int(kt * 0.5) mod 16 (section 6.1)."""
+    number = int(kt * 0.5)
+    return number % 4, (number // 4) % 4
+
+
+def light_shift(kt: float) -> tuple[float, float]:
+    """Return how far the halo's far texture coordinates move in s and t (section 6.1)."""
+    return 0.01 * np.sin(kt / 10.8) ** 2, 0.01 * np.cos(kt / 7.2) ** 2
+
+
+class Castle:
+    """The castle on its hill."""
+
+    def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
+        """Build the meshes and the display list of all that does not move."""
+        castle = settings.castle
+        corners = np.array([(-0.6, -0.6), (-0.6, 0.6), (0.6, -0.6), (0.6, 0.6), (0, 0)])
+        stands = field.height(castle.x + corners[:, 0], castle.z + corners[:, 1])
+        self.base = (castle.x, float(stands.min()), castle.z)
+        self._yaw = castle.yaw
+        names = ("castle_brick.png", "torch_stone.png")
+        self._brick, self._stone = (Texture(read_image(assets.path(name), "RGB")) for name in names)
+        self._door, self._fire = (
+            Texture(read_image(assets.path(name)), repeat=False)
+            for name in ("castle_door.png", "fire.png")
+        )
+        # Repeated: the light texture's moving coordinates leave 0..1 by a hair.
+        self._light = Texture(read_image(assets.path("castle_light.png"), "RGB"))
+        walls, tower = walls_mesh(castle.brick_repeat), tower_mesh(castle.brick_repeat)
+        holder = revolve([(0.008, 0.0), (0.008, 0.075)], 10, (1, 1))
+        cone = revolve([(0.008, 0.0), (0.024, 0.04), (0.014, 0.04)], 10, (2, 1))
+        self._list = DisplayList(lambda: self._send(walls, tower, holder, cone))
+
+    def _send(self, walls: Mesh, tower: Mesh, holder: Mesh, cone: Mesh) -> None:
+        """What the display list holds: bricks, then stone; each mesh drawn where it stands."""
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._brick.bind()
+        walls.draw()
+        for x in (0.0, 1.0):
+            for z in (0.0, 1.0):
+                with matrix():
+                    gl.glTranslatef(x, 0.0, z)
+                    tower.draw()
+        self._stone.bind()
+        for x in TORCHES:
+            for mesh, y in ((holder, TORCH_BASE), (cone, TORCH_TOP - 0.04)):
+                with matrix():
+                    gl.glTranslatef(x, y, FLAME_Z)
+                    mesh.draw()
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        gl.glDisable(gl.GL_TEXTURE_2D)
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the castle, the door, the light on the wall, and the fire."""
+        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
+        with matrix(), attrib(groups | gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT):
+            gl.glTranslatef(*self.base)
+            gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
+            gl.glTranslatef(-0.5, 0.0, -0.5)
+            gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+            gl.glEnable(gl.GL_LIGHTING)
+            self._list.call()
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glEnable(gl.GL_BLEND)
+            # The layers lie closer to the wall than the depth buffer can tell from afar.
+            gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
+            gl.glNormal3f(0.0, 0.0, -1.0)
+            gl.glPolygonOffset(-1.0, -2.0)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            self._door.bind()
+            self._gate_quad(-0.001, 0.0, 0.0)
+            gl.glDisable(gl.GL_LIGHTING)
+            gl.glPolygonOffset(-2.0, -4.0)
+            gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_COLOR)
+            self._light.bind()
+            self._gate_quad(-0.002, *light_shift(frame.kt))
+            gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glDepthMask(gl.GL_FALSE)
+            self._fire.bind()
+            self._draw_fire(frame.kt)
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def _gate_quad(self, z: float, shift_s: float, shift_t: float) -> None:
+        """A layer over the gate wall; the far texture coordinates may move."""
+        gl.glBegin(gl.GL_QUADS)
+        for s, t, x, y in (
+            (0.0, 1.0, 0.0, 0.0),
+            (0.0, -shift_t, 0.0, 1.0),
+            (1.0 - shift_s, -shift_t, 1.0, 1.0),
+            (1.0 - shift_s, 1.0, 1.0, 0.0),
+        ):
+            gl.glTexCoord2f(s, t)
+            gl.glVertex3f(x, y, z)
+        gl.glEnd()
+
+    def _draw_fire(self, kt: float) -> None:
+        """Two quads with the sprite sheet's current frame (section 6.1)."""
+        column, row = flame_frame(kt)
+        s, t = 0.25 * column, 0.25 * row
+        gl.glBegin(gl.GL_QUADS)
+        for x in TORCHES:
+            for ds, dt, dx, y in (
+                (0.0, 0.25, -0.03, 0.21),
+                (0.0, 0.0, -0.03, 0.31),
+                (0.25, 0.0, 0.03, 0.31),
+                (0.25, 0.25, 0.03, 0.21),
+            ):
+                gl.glTexCoord2f(s + ds, t + dt)
+                gl.glVertex3f(x + dx, y, FLAME_Z)
+        gl.glEnd()
+
+    def release(self) -> None:
+        """Delete the list and the textures; may be called twice."""
+        self._list.release()
+        for texture in (self._brick, self._stone, self._door, self._fire, self._light):
+            texture.release()

@@ -1,0 +1,39 @@
+"""The sea dragon: a triangle mesh half in the water (Dragon, section 7).
+
+Technique: as the rabbit, with the vertices' own (x, z) as texture coordinates, which gives vertical
+lines; the mirrored scene draws it a second time.
+State used: as the rabbit.
+"""
+
+import numpy as np
+
+from landscape.assets import Assets
+from landscape.elements.rabbit import Animal, read_animal
+from landscape.gl.mesh_tool import Mesh
+from landscape.gl.texture import Texture, read_image
+from landscape.settings import Settings
+
+ELEMENT = "dragon"
+
+
+def planar(vertices: np.ndarray) -> np.ndarray:
+    """Return texture coordinates (s, t) = (x, z), float32 (n, 2) (section 7.2)."""
+    return np.ascontiguousarray(vertices[:, [0, 2]], np.float32)
+
+
+class Dragon(Animal):
+    """The dragon, its water line at the water's level."""
+
+    elements = ("dragon",)
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Read the mesh and sink it to its water line."""
+        dragon = settings.dragon
+        vertices, normals, triangles = read_animal(assets, dragon.mesh, "dragon.mesh")
+        y = settings.water.level - dragon.sink * dragon.scale
+        super().__init__(
+            Mesh(vertices, normals, triangles, (planar(vertices),)),
+            Texture(read_image(assets.path("animal.png"), "RGB")),
+            (dragon.x, y, dragon.z, dragon.scale),
+            dragon.yaw,
+        )

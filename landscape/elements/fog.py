@@ -1,0 +1,31 @@
+"""Fog: haze that grows with distance (section 10).
+
+Technique: GL_FOG in mode GL_EXP2, f = exp(-(density * distance)^2), enabled once for all elements.
+Squared, the fog leaves the near scene clear and then thickens fast. Llvmpipe and most hardware take
+the distance along the line of sight or the eye-space depth: both are allowed.
+State: GL_FOG and its parameters.
+"""
+
+import numpy as np
+
+from landscape.gl.calls import gl
+from landscape.settings import Fog
+
+ELEMENT = "fog"
+
+
+def visibility(distance: np.ndarray, density: float) -> np.ndarray:
+    """Return the part of an object's colour that GL_EXP2 fog leaves at ``distance`` in units."""
+    return np.exp(-np.square(density * distance))
+
+
+def enable(fog: Fog) -> None:
+    """Turn the fog on, as the settings say."""
+    modes = {"exp2": gl.GL_EXP2, "exp": gl.GL_EXP, "linear": gl.GL_LINEAR}
+    gl.glEnable(gl.GL_FOG)
+    gl.glFogi(gl.GL_FOG_MODE, modes[fog.mode])
+    gl.glFogfv(gl.GL_FOG_COLOR, np.array([*fog.color, 1.0], np.float32))
+    gl.glFogf(gl.GL_FOG_DENSITY, fog.density)
+    if fog.mode == "linear":
+        gl.glFogf(gl.GL_FOG_START, fog.start)
+        gl.glFogf(gl.GL_FOG_END, fog.end)

@@ -1,0 +1,146 @@
+"""Where the sprites stand: trees, deer and plants drawn by lot over the map (section 5.1.2).
+
+No OpenGL here. In 2006 places are uniform and redrawn when they fall on water; with
+``trees.grouped`` trees stand in woods, by height and slope, each species where it likes to grow.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from landscape.elements.ground import Ground, HeightField
+from landscape.settings import Deer, Plants, Settings, Trees
+
+DEER, PLANT = 4, 6  # first atlas cell of each kind; trees start at 0
+Chance = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Sprites:
+    """Where each sprite stands, (n, 3); sizes (n, 2); atlas cell; mirrored; tint (n, 3)."""
+
+    positions: np.ndarray
+    sizes: np.ndarray
+    cells: np.ndarray
+    flipped: np.ndarray
+    tints: np.ndarray
+
+    def __add__(self, other: "Sprites") -> "Sprites":
+        pairs = zip(vars(self).values(), vars(other).values(), strict=True)
+        return Sprites(*(np.concatenate(pair) for pair in pairs))
+
+
+def scatter(
+    field: HeightField,
+    count: int,
+    rng: np.random.Generator,
+    suits: Chance,
+) -> np.ndarray:
+    """Return positions (n, 3) drawn uniformly over the map, redrawn where ``suits`` says no.
+
+    ``suits(x, z)`` gives the probability in 0..1 that a place is taken. A map with (almost) no
+    suitable place gives fewer than ``count``.
+    """
+    found: list[np.ndarray] = []
+    missing = count
+    for _ in range(200):
+        if missing <= 0:
+            break
+        x, z = rng.random((2, max(4 * missing, 256))) * field.size
+        keep = rng.random(len(x)) < suits(x, z)
+        found.append(np.stack([x[keep], z[keep]], axis=1)[:missing])
+        missing -= len(found[-1])
+    xz = np.concatenate(found) if found else np.empty((0, 2))
+    return np.insert(xz, 1, field.height(xz[:, 0], xz[:, 1]), axis=1)
+
+
+def plant_everything(settings: Settings, ground: Ground, seed: int, kinds: set[str]) -> Sprites:
+    """Draw the places, sizes and looks of all sprites by lot.
+
+    Each kind has its own generator, so that showing one kind alone moves none of its sprites.
+    """
+    field, level = ground.field, settings.water.level
+    woods = woodland(seed) if settings.trees.grouped else None
+
+    def clear(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """On land and not where something else stands."""
+        free = field.bed(x, z) > level + 0.02
+        for thing, reach in ((settings.castle, 1.1), (settings.rabbit, settings.rabbit.scale)):
+            free &= np.hypot(x - thing.x, z - thing.z) > reach
+        return free
+
+    def tree_chance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        free = clear(x, z).astype(float)
+        if woods is None:
+            return free
+        height, slope = field.bed(x, z) - level, field.slope(x, z)
+        free *= np.clip((height - 0.12) / 0.1, 0, 1) * np.clip((2.9 - height) / 0.8, 0, 1)
+        free *= np.clip((0.9 - slope) / 0.3, 0, 1)
+        near_castle = np.hypot(x - settings.castle.x, z - settings.castle.z)
+        free *= np.clip((near_castle - 1.6) / 1.0, 0.0, 1)
+        return np.asarray(free * woods(x, z))
+
+    def plant_chance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        free = clear(x, z).astype(float)
+        if woods is None:
+            return free
+        height, slope = field.bed(x, z) - level, field.slope(x, z)
+        return np.asarray(
+            free * (height > 0.1) * (slope < 0.8) * np.clip((2.6 - height) / 0.6, 0, 1)
+        )
+
+    sprites = Sprites(
+        np.empty((0, 3)), np.empty((0, 2)), np.empty(0, int), np.empty(0, bool), np.empty((0, 4))
+    )
+    plan: list[tuple[str, Trees | Deer | Plants, Chance, int, int]] = [
+        ("trees", settings.trees, tree_chance, 0, settings.trees.species),
+        ("deer", settings.deer, plant_chance, DEER, 2),
+        ("plants", settings.plants, plant_chance, PLANT, 1),
+    ]
+    for number, (kind, group, chance, first, species) in enumerate(plan):
+        if kind not in kinds:
+            continue
+        rng = np.random.default_rng([seed, number])
+        positions = scatter(field, group.count, rng, chance)
+        n = len(positions)
+        sizes = rng.uniform(group.size_min, max(group.size_min, group.size_max), (n, 2))
+        cells = first + rng.integers(species, size=n)
+        flipped = rng.random(n) < 0.5
+        tints = np.full((n, 4), 255.0)
+        if settings.trees.grouped:
+            # A tree twice as wide as high is no tree: keep the report's range, tie the two sides.
+            sizes[:, 0] = np.clip(sizes[:, 1] * rng.uniform(0.8, 1.1, n), 0, None)
+            if kind == "trees":
+                cells = species_by_place(positions, level, species, rng)
+            if kind != "deer":
+                tints[:, :3] *= rng.uniform(0.84, 1.0, (n, 1)) * rng.uniform(0.95, 1.0, (n, 3))
+        sprites += Sprites(positions, sizes, cells, flipped, tints)
+    return sprites
+
+
+def woodland(seed: int) -> Chance:
+    """Return a function (x, z) -> 0.02..1: how thick the woods are, waves of a few units."""
+    rng = np.random.default_rng([seed, 99])
+    angle = rng.uniform(0, 2 * np.pi, 7)
+    k = rng.uniform(0.5, 1.5, 7)
+    phase = rng.uniform(0, 2 * np.pi, 7)
+
+    def density(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        waves = [
+            np.cos(k[i] * (x * np.cos(angle[i]) + z * np.sin(angle[i])) + phase[i])
+            for i in range(7)
+        ]
+        return np.asarray(np.clip(np.sum(waves, axis=0) / 2.6, 0.02, 1.0))
+
+    return density
+
+
+def species_by_place(
+    positions: np.ndarray, level: float, species: int, rng: np.random.Generator
+) -> np.ndarray:
+    """Return a species for each place: conifers high, birches and shrubs low, some of each."""
+    height = positions[:, 1] - level
+    draw = rng.random(len(positions)) + 0.35 * np.clip(height - 0.9, -0.6, 1.2)
+    kind = np.select([draw > 0.72, draw > 0.34, draw > 0.12], [1, 0, 2], 3)
+    return np.asarray(kind % species)

@@ -1,0 +1,83 @@
+"""The rabbit: a triangle mesh on land (Rabit, section 7).
+
+Technique: a PLY mesh sent once into a display list, textured by cylindrical coordinates of its own
+vertices. The absolute value of the angle makes both ends of the turn meet in the same texture
+coordinate: without it the whole texture would run backwards through one narrow strip.
+State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL.
+"""
+
+import numpy as np
+
+from landscape.assets import Assets
+from landscape.elements.ground import HeightField
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.mesh_tool import Mesh, centred, read_ply, vertex_normals
+from landscape.gl.state import attrib, matrix
+from landscape.gl.texture import Texture, read_image
+from landscape.settings import Settings
+
+ELEMENT = "rabbit"
+
+COLOR = (0.6, 0.6, 0.7, 1.0)  # section 7.2
+
+
+def cylindrical(vertices: np.ndarray, l1: float, l2: float) -> np.ndarray:
+    """Return texture coordinates, float32 (n, 2), of vertices (n, 3) in -1..1 (section 7.2)."""
+    x, y, z = vertices.T
+    s = l1 * np.abs(np.arctan2(z, x)) / (2 * np.pi)
+    return np.ascontiguousarray(np.stack([s, l2 * (y + 1) / 2], axis=1), np.float32)
+
+
+def read_animal(assets: Assets, name: str, key: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return a PLY mesh as vertices in -1..1, normals and triangles."""
+    vertices, triangles = read_ply(assets.path(name, key))
+    vertices = centred(vertices)
+    return vertices, vertex_normals(vertices, triangles), triangles
+
+
+class Animal:
+    """A lit, textured mesh in a display list, standing somewhere."""
+
+    def __init__(self, mesh: Mesh, texture: Texture, place: tuple[float, ...], yaw: float) -> None:
+        """``place`` is x, y, z and scale in units, ``yaw`` in degrees about y."""
+        self._place, self._yaw, self._texture = place, yaw, texture
+        self._list = DisplayList(mesh.draw)
+
+    def draw(self) -> None:
+        """Draw the mesh where it stands."""
+        with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TRANSFORM_BIT):
+            x, y, z, scale = self._place
+            gl.glTranslatef(x, y, z)
+            gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
+            gl.glScalef(scale, scale, scale)
+            gl.glEnable(gl.GL_NORMALIZE)
+            gl.glEnable(gl.GL_LIGHTING)
+            gl.glColor4f(*COLOR)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self._texture.bind()
+            self._list.call()
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def release(self) -> None:
+        """Delete the list and the texture; may be called twice."""
+        self._list.release()
+        self._texture.release()
+
+
+class Rabbit(Animal):
+    """The rabbit, on the ground."""
+
+    def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
+        """Read the mesh and stand it on the ground."""
+        rabbit = settings.rabbit
+        vertices, normals, triangles = read_animal(assets, rabbit.mesh, "rabbit.mesh")
+        coordinates = cylindrical(vertices, rabbit.l1, rabbit.l2)
+        low = float(vertices[:, 1].min()) * rabbit.scale
+        y = float(field.height(rabbit.x, rabbit.z)) - low - 0.02 * rabbit.scale
+        super().__init__(
+            Mesh(vertices, normals, triangles, (coordinates,)),
+            Texture(read_image(assets.path("animal.png"), "RGB")),
+            (rabbit.x, y, rabbit.z, rabbit.scale),
+            rabbit.yaw,
+        )

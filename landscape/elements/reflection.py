@@ -1,0 +1,58 @@
+"""The reflection: the scene drawn a second time, mirrored at the water plane (section 3).
+
+Technique: a mirror matrix diag(1, -1, 1, 1) on the modelview, moved to the water's height. It turns
+every triangle's winding round, so the front face is swapped; and the light is placed again under
+it. What stands above the water is kept by the clip plane, given in the mirrored frame. With
+``reflection.stencil`` the water first marks its pixels in the stencil buffer, and the mirrored
+scene is drawn only there: it cannot peep out where no water is.
+State used: modelview, GL_CLIP_PLANE0, front face, stencil test.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.elements import sun
+from landscape.elements.ground import clipped
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib, matrix
+from landscape.settings import Settings
+
+ELEMENT = "reflection"
+
+MIRROR = np.diag([1.0, -1.0, 1.0, 1.0]).astype(np.float32)  # section 3.1
+
+
+@contextmanager
+def mirrored(settings: Settings) -> Iterator[None]:
+    """Draw the block's elements as the water mirrors them."""
+    level = settings.water.level
+    with matrix(), attrib(gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT):
+        gl.glTranslatef(0.0, level, 0.0)
+        gl.glMultMatrixf(MIRROR)
+        gl.glTranslatef(0.0, -level, 0.0)
+        gl.glFrontFace(gl.GL_CW)
+        sun.place(settings.sun)
+        with clipped(level):
+            yield
+
+
+@contextmanager
+def inside_water(mark: Callable[[], None] | None) -> Iterator[None]:
+    """Let the block draw only where ``mark`` draws the water's surface; anywhere if it is None."""
+    if mark is None:
+        yield
+        return
+    with attrib(gl.GL_STENCIL_BUFFER_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT):
+        gl.glEnable(gl.GL_STENCIL_TEST)
+        gl.glStencilFunc(gl.GL_ALWAYS, 1, 1)
+        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
+        gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
+        gl.glDepthMask(gl.GL_FALSE)
+        mark()
+        gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
+        gl.glDepthMask(gl.GL_TRUE)
+        gl.glStencilFunc(gl.GL_EQUAL, 1, 1)
+        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
+        yield

@@ -1,0 +1,38 @@
+"""The sun: one directional light.
+
+Not a class of 2006's report, whose water and animals are lit all the same. A light's position is
+transformed by the modelview current when it is given: so it is given again under the mirror
+matrix, or the reflection would be lit from below (see Reflection).
+State: GL_LIGHT0, GL_COLOR_MATERIAL; lighting itself is enabled by the elements that want it.
+"""
+
+import math
+
+import numpy as np
+
+from landscape.gl.calls import gl
+from landscape.settings import Sun
+
+ELEMENT = "frame"
+
+
+def direction(sun: Sun) -> np.ndarray:
+    """Return the unit vector (3,) towards the sun; x east, y up, z south."""
+    azimuth, elevation = math.radians(sun.azimuth), math.radians(sun.elevation)
+    level = math.cos(elevation)
+    return np.array(
+        [level * math.sin(azimuth), math.sin(elevation), -level * math.cos(azimuth)], np.float32
+    )
+
+
+def place(sun: Sun) -> None:
+    """Set GL_LIGHT0 under the current modelview; glColor becomes the lit material."""
+    towards = np.append(direction(sun), 0.0).astype(np.float32)
+    gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, towards)
+    gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, np.array([*sun.diffuse, 1.0], np.float32))
+    gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, np.array([*sun.ambient, 1.0], np.float32))
+    gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([1.0, 0.95, 0.85, 1.0], np.float32))
+    gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, np.zeros(4, np.float32))
+    gl.glEnable(gl.GL_LIGHT0)
+    gl.glColorMaterial(gl.GL_FRONT_AND_BACK, gl.GL_AMBIENT_AND_DIFFUSE)
+    gl.glEnable(gl.GL_COLOR_MATERIAL)

@@ -1,0 +1,69 @@
+"""The sword: a sprite always before everything (Sword, section 8).
+
+Technique: one quad drawn last with the identity for modelview, blended, the depth test off. It bobs
+with the walker's steps; a stroke swaps the texture four times.
+State used: GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
+"""
+
+import math
+
+from landscape.assets import Assets
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.state import attrib, matrix
+from landscape.gl.texture import Texture, read_image
+from landscape.settings import Settings
+
+ELEMENT = "sword"
+
+STROKES = 4  # section 8.2
+ASPECT = 3 / 2  # chosen: the pictures' shape; wider windows show them at their right side
+
+
+def bob(step: float) -> float:
+    """Return how far the sword is lifted, units at distance 1 (section 8.2)."""
+    return 0.005 * math.cos(step / 4)
+
+
+class Sword:
+    """The sword at rest and its stroke."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Load the five pictures; compile the quad, half a unit high at distance 1."""
+        names = ["sword_rest.png"] + [f"sword_{k}.png" for k in range(1, STROKES + 1)]
+        self._textures = [Texture(read_image(assets.path(n)), repeat=False) for n in names]
+
+        def send() -> None:
+            gl.glBegin(gl.GL_QUADS)
+            for s, t, x, y in ((0, 1, -1, -1), (1, 1, 1, -1), (1, 0, 1, 1), (0, 0, -1, 1)):
+                gl.glTexCoord2f(float(s), float(t))
+                gl.glVertex3f(float(x), float(y), -1.0)
+            gl.glEnd()
+
+        self._list = DisplayList(send)
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the sword over the picture."""
+        width, height = frame.size
+        top = math.tan(math.radians(frame.fov / 2))
+        right = top * width / height
+        with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT):
+            gl.glLoadIdentity()
+            gl.glTranslatef(right - ASPECT * top, bob(frame.step) - 0.01 * top, 0.0)
+            gl.glScalef(ASPECT * top, top, 1.0)
+            for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING):
+                gl.glDisable(off)
+            gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            self._textures[frame.stroke].bind()
+            self._list.call()
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def release(self) -> None:
+        """Delete the list and the textures; may be called twice."""
+        self._list.release()
+        for texture in self._textures:
+            texture.release()

@@ -1,0 +1,193 @@
+"""The water: a transparent animated plane over the reflection (Water_surface, section 3).
+
+Technique: one patch of 40 x 40 vertices, sent from arrays each frame and drawn 5 x 5 times by
+translation, blended GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA. The plane stays flat: what moves are the
+texture coordinates and, under the light, the normals. All terms have period 1 over the patch, so
+patches match. ``water.fresnel`` gives each vertex its own alpha: clear when looked down at, a
+mirror far off; ``water.horizon`` adds a sea round the patches, up to where the fog takes it.
+State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
+"""
+
+import numpy as np
+
+from landscape.assets import Assets
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.mesh_tool import grid_triangles
+from landscape.gl.state import attrib, client_arrays, matrix
+from landscape.gl.texture import Texture, read_image
+from landscape.settings import Settings
+
+ELEMENT = "water"
+
+PATCHES = range(-1, 4)  # section 3.2: k from -1 to 3, on both axes
+FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea turns mirror sooner
+TWO_PI = 2.0 * np.pi
+
+
+def patch_plane(points: int) -> np.ndarray:
+    """Return px, py of the patch's vertices, float64 (2, n): 0..1, x fastest."""
+    along = np.linspace(0.0, 1.0, points)
+    px, py = np.meshgrid(along, along)
+    return np.stack([px.ravel(), py.ravel()])
+
+
+def wave_normals(plane: np.ndarray, t: float) -> np.ndarray:
+    """Return the unit normals, float32 (n, 3), at time ``t`` (section 3.2)."""
+    px, py = plane
+    x = 0.25 * np.sin(2 * t - py * TWO_PI) ** 2
+    z = 0.5 * np.sin(3 * t - px * TWO_PI) ** 2
+    normals = np.stack([x, np.ones_like(x), z], axis=1)
+    return (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32)
+
+
+def wave_coordinates(plane: np.ndarray, t: float, repeat: float) -> np.ndarray:
+    """Return the texture coordinates, float32 (n, 2), at time ``t`` (section 3.2)."""
+    px, py = plane
+    s = px + 0.01 * np.cos(10 * t - px * TWO_PI * 3) + 0.1 * np.cos(2 * t - py * TWO_PI)
+    r = py + 0.01 * np.cos(10 * t - py * TWO_PI * 3) + 0.05 * np.cos(8 * t - py * TWO_PI)
+    return np.ascontiguousarray(repeat * np.stack([s, r], axis=1), np.float32)
+
+
+def fresnel_alpha(points: np.ndarray, eye: np.ndarray, alpha: float) -> np.ndarray:
+    """Return the water's opacity (n,) at points (n, 3) seen from ``eye`` (3,).
+
+    ``alpha`` straight down; at a grazing angle a third of it, so that the mirror image wins.
+    """
+    away = eye - points
+    cosine = np.abs(away[:, 1]) / np.maximum(np.linalg.norm(away, axis=1), 1e-9)
+    mirror = (1.0 - cosine) ** FRESNEL_POWER
+    return alpha * (1.0 - 0.67 * mirror)
+
+
+def sea_ring(inner: tuple[float, float], reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return points (n, 2) of x, z and triangles (m, 3) of the sea round the patches.
+
+    A grid whose lines stand ever farther apart, from the patches' square ``inner`` = (low, high)
+    out to ``reach``; the cell the patches fill is left out.
+    """
+    low, high = inner
+    steps = reach * np.array([0.02, 0.05, 0.12, 0.3, 1.0])
+    lines = np.concatenate([low - steps[::-1], np.linspace(low, high, 6), high + steps])
+    x, z = np.meshgrid(lines, lines)
+    points = np.stack([x.ravel(), z.ravel()], axis=1)
+    triangles = grid_triangles(len(lines), len(lines))
+    centre = points[triangles].mean(axis=1)
+    outside = ((centre < low) | (centre > high)).any(axis=1)
+    return points, np.ascontiguousarray(triangles[outside])
+
+
+class WaterSurface:
+    """The water surface; ``draw`` computes the waves of the frame's kt."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Build the patch and load the texture."""
+        self._settings = settings
+        water = settings.water
+        self._plane = patch_plane(water.points)
+        level = np.full(self._plane.shape[1], water.level)
+        place = [self._plane[0] * water.patch, level, self._plane[1] * water.patch]
+        self._vertices = np.ascontiguousarray(np.stack(place, axis=1), np.float32)
+        self._triangles = grid_triangles(water.points, water.points)
+        self._sea = self._build_sea() if water.horizon > 0 else None
+        self._texture = Texture(read_image(assets.path("water.png"), "RGB"))
+
+    def _build_sea(self) -> tuple[np.ndarray, ...]:
+        water = self._settings.water
+        inner = (PATCHES[0] * water.patch, (PATCHES[-1] + 1) * water.patch)
+        points, triangles = sea_ring(inner, water.horizon)
+        vertices = np.insert(points, 1, water.level, axis=1).astype(np.float32)
+        normals = np.tile(np.array([0.0, 1.0, 0.0], np.float32), (len(points), 1))
+        coordinates = (points / water.patch * water.repeat).astype(np.float32)
+        return vertices, normals, coordinates, triangles
+
+    def mark(self) -> None:
+        """Draw the bare surface, for the stencil: one square and the sea."""
+        water = self._settings.water
+        reach = max(water.horizon, 0.0)
+        low = PATCHES[0] * water.patch - reach
+        high = (PATCHES[-1] + 1) * water.patch + reach
+        gl.glBegin(gl.GL_QUADS)
+        for x, z in ((low, low), (low, high), (high, high), (high, low)):
+            gl.glVertex3f(x, water.level, z)
+        gl.glEnd()
+
+    def draw(self, frame: Frame) -> None:
+        """Blend the surface over the mirrored scene."""
+        water = self._settings.water
+        t = frame.kt * water.time_step if water.animated else 0.0
+        normals = wave_normals(self._plane, t)
+        coordinates = wave_coordinates(self._plane, t, water.repeat)
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
+        with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):
+            gl.glColor4f(*water.color)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glEnable(gl.GL_LIGHTING)
+            gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
+            if water.glitter > 0:
+                self._shine(water.glitter)
+            if water.textured:
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                self._texture.bind()
+            if self._sea is not None:
+                self._draw_sea(frame)
+            offsets = [(water.patch * kx, water.patch * kz) for kx in PATCHES for kz in PATCHES]
+            if water.fresnel:
+                self._draw_fresnel(frame, offsets, normals, coordinates)
+            else:
+                with client_arrays(self._vertices, normals, coordinates=[coordinates]):
+                    for x, z in offsets:
+                        self._draw_patch(x, z)
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def _draw_patch(self, x: float, z: float) -> None:
+        with matrix():
+            gl.glTranslatef(x, 0.0, z)
+            gl.glDrawElements(
+                gl.GL_TRIANGLES, self._triangles.size, gl.GL_UNSIGNED_INT, self._triangles
+            )
+
+    def _draw_fresnel(
+        self,
+        frame: Frame,
+        offsets: list[tuple[float, float]],
+        normals: np.ndarray,
+        coordinates: np.ndarray,
+    ) -> None:
+        """Draw the patches with a colour array whose alpha follows the angle of view."""
+        colors = np.empty((len(self._vertices), 4), np.float32)
+        colors[:, :3] = self._settings.water.color[:3]
+        with client_arrays(self._vertices, normals, colors, [coordinates]):
+            for x, z in offsets:
+                local_eye = frame.eye - (x, 0.0, z)
+                colors[:, 3] = fresnel_alpha(
+                    self._vertices, local_eye, self._settings.water.color[3]
+                )
+                gl.glColorPointer(4, gl.GL_FLOAT, 0, colors)
+                self._draw_patch(x, z)
+
+    def _draw_sea(self, frame: Frame) -> None:
+        assert self._sea is not None
+        vertices, normals, coordinates, triangles = self._sea
+        colors = np.empty((len(vertices), 4), np.float32)
+        colors[:, :3] = self._settings.water.color[:3]
+        colors[:, 3] = self._settings.water.color[3]
+        if self._settings.water.fresnel:
+            colors[:, 3] = fresnel_alpha(vertices, frame.eye, self._settings.water.color[3])
+        with client_arrays(vertices, normals, colors, [coordinates]):
+            gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+
+    def _shine(self, strength: float) -> None:
+        """Let the sun glint on the waves; added after the texture, or it would dim the glints."""
+        gl.glMaterialfv(
+            gl.GL_FRONT_AND_BACK,
+            gl.GL_SPECULAR,
+            np.array([strength, strength, strength, 1.0], np.float32),
+        )
+        gl.glMaterialf(gl.GL_FRONT_AND_BACK, gl.GL_SHININESS, 60.0)
+        gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
+
+    def release(self) -> None:
+        """Delete the texture; may be called twice."""
+        self._texture.release()

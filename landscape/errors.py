@@ -1,0 +1,9 @@
+"""The two ways a run can end badly through no fault of the program."""
+
+
+class InputError(ValueError):
+    """Bad input: one line that names the file or the key and what was expected (exit status 2)."""
+
+
+class NoOpenGLError(RuntimeError):
+    """No usable OpenGL: one line that names the package to install (exit status 3)."""

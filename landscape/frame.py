@@ -1,0 +1,65 @@
+"""What an element is told about the frame it draws: no element reads a clock or draws a lot."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where the eye is: x, y, z in units; yaw 0 looks north (-z), 90 east (+x); pitch up."""
+
+    x: float
+    y: float
+    z: float
+    yaw: float = 0.0
+    pitch: float = 0.0
+
+    @property
+    def forward(self) -> tuple[float, float, float]:
+        """The unit vector of the line of sight."""
+        yaw, pitch = math.radians(self.yaw), math.radians(self.pitch)
+        return (
+            math.cos(pitch) * math.sin(yaw),
+            math.sin(pitch),
+            -math.cos(pitch) * math.cos(yaw),
+        )
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One frame: pose, window size in pixels, kt, and the walker's state.
+
+    ``modelview`` is the camera's matrix as OpenGL gives it back, 16 floats, column after column.
+    ``step`` counts the walker's steps (k_step); ``stroke`` is 0 at rest and 1 to 4 in a stroke.
+    ``fov`` is the vertical field of view in degrees.
+    """
+
+    pose: Pose
+    size: tuple[int, int]
+    kt: float
+    modelview: np.ndarray
+    fov: float
+    step: float = 0.0
+    stroke: int = 0
+    mirrored: bool = False
+
+    @property
+    def eye(self) -> np.ndarray:
+        """The eye's place, float64 (3,)."""
+        return np.array([self.pose.x, self.pose.y, self.pose.z])
+
+    @property
+    def right(self) -> np.ndarray:
+        """The camera's right, the first row of the modelview's 3x3 block (section 5.1.1)."""
+        return self.modelview[[0, 4, 8]]
+
+    @property
+    def up(self) -> np.ndarray:
+        """The camera's up, the second row of the modelview's 3x3 block."""
+        return self.modelview[[1, 5, 9]]
+
+    def depth(self, points: np.ndarray) -> np.ndarray:
+        """Return the eye-space z of points (n, 3): negative before the camera (section 5.1.1)."""
+        return points @ self.modelview[[2, 6, 10]] + self.modelview[14]

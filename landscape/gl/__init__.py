@@ -1,0 +1,1 @@
+"""The only rooms that import OpenGL: contexts, the seam all calls go through, and thin owners."""

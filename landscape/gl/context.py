@@ -1,0 +1,284 @@
+"""Contexts behind one seam: OSMesa, EGL without a surface, a GLFW window, GLFW's null platform.
+
+PyOpenGL binds to one platform for the life of a process, and its choice must be made before its
+first import: :func:`open_context` does both. A context belongs to the thread that opened it.
+"""
+
+import ctypes
+import ctypes.util
+import os
+import sys
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from landscape.errors import NoOpenGLError
+
+BACKENDS = ("osmesa", "egl", "glfw")
+
+PACKAGES = {
+    "osmesa": "libosmesa6 (Debian, Ubuntu) or mesa-libOSMesa (Fedora)",
+    "egl": "libegl1 and libgl1-mesa-dri (Debian, Ubuntu) or mesa-libEGL (Fedora)",
+    "glfw": "libgl1 and libgl1-mesa-dri (Debian, Ubuntu), and a screen or Xvfb",
+}
+
+
+class Context(Protocol):
+    """What every backend offers; ``release`` may be called twice."""
+
+    backend: str
+
+    def make_current(self) -> None:
+        """Direct this thread's GL calls here."""
+
+    def release(self) -> None:
+        """Destroy the context and what it draws to."""
+
+
+_platform: str | None = None
+
+
+def use_platform(name: str) -> None:
+    """Bind PyOpenGL to ``osmesa``, ``egl``, ``glx`` or ``wayland``, once for the process.
+
+    Error checking after each call costs more than most calls: it is on only where the environment
+    has LANDSCAPE_GL_CHECKS=1, as in the tests, which also refuses silent copies of arrays.
+    """
+    global _platform
+    if _platform is not None:
+        if _platform != name:
+            raise NoOpenGLError(
+                f"OpenGL runs on {_platform} in this process and cannot change to {name}"
+            )
+        return
+    os.environ["PYOPENGL_PLATFORM"] = name
+    import OpenGL
+
+    checks = os.environ.get("LANDSCAPE_GL_CHECKS") == "1"
+    OpenGL.ERROR_CHECKING = checks
+    OpenGL.ERROR_ON_COPY = checks
+    OpenGL.ERROR_LOGGING = False
+    try:
+        from OpenGL import platform
+
+        if name == "osmesa":
+            # PyOpenGL keys its array store by the current context. Without this type every call
+            # returns a fresh pointer object, no two equal, and each array is kept for ever.
+            platform.PLATFORM.OSMesa.OSMesaGetCurrentContext.restype = ctypes.c_void_p
+        import OpenGL.GL
+    except (ImportError, AttributeError, OSError, TypeError) as error:
+        raise NoOpenGLError(f"PyOpenGL cannot load the {name} platform ({error})") from error
+    _platform = name
+
+
+def _require(library: str, backend: str) -> None:
+    """Load a system library before PyOpenGL binds to it for good; NoOpenGLError if it is broken."""
+    path = ctypes.util.find_library(library)
+    try:
+        if path:
+            ctypes.CDLL(path)
+            return
+        reason = "none found"
+    except OSError as error:
+        reason = str(error)
+    raise NoOpenGLError(f"no {library} library ({reason}): install {PACKAGES[backend]}")
+
+
+class OSMesaContext:
+    """Software rendering into memory; needs no screen and no device."""
+
+    backend = "osmesa"
+
+    def __init__(self) -> None:
+        _require("OSMesa", "osmesa")
+        use_platform("osmesa")
+        import numpy as np
+        from OpenGL import osmesa
+
+        self._osmesa: Any = osmesa
+        self._buffer: Any = np.zeros((16, 16, 4), np.uint8)
+        self._context: Any = osmesa.OSMesaCreateContextExt(osmesa.OSMESA_RGBA, 24, 8, 0, None)
+        if not self._context:
+            raise NoOpenGLError("OSMesa gave no context with a 24-bit depth buffer")
+        self.make_current()
+
+    def make_current(self) -> None:
+        """Direct this thread's GL calls here."""
+        from OpenGL.GL import GL_UNSIGNED_BYTE
+
+        ok = self._osmesa.OSMesaMakeCurrent(self._context, self._buffer, GL_UNSIGNED_BYTE, 16, 16)
+        if not ok:
+            raise NoOpenGLError("OSMesa refused to make its context current")
+
+    def release(self) -> None:
+        """Destroy the context; its buffer must outlive it."""
+        if self._context:
+            self._osmesa.OSMesaDestroyContext(self._context)
+            self._context = None
+
+
+class EGLContext:
+    """EGL with no window system: Mesa's surfaceless platform, else the default display."""
+
+    backend = "egl"
+    SURFACELESS_MESA = 0x31DD
+
+    def __init__(self) -> None:
+        _require("EGL", "egl")
+        use_platform("egl")
+        # With error checking off, PyOpenGL 3.1.10 never defines the name its EGL module imports.
+        import OpenGL.raw.EGL._errors as errors_module
+
+        errors_module.__dict__.setdefault("_error_checker", None)
+        from OpenGL import EGL
+
+        self._egl: Any = EGL
+        self._context: Any = None
+        errors = []
+        for open_display in (self._surfaceless, self._default):
+            try:
+                self._display = open_display()
+                self._create()
+                return
+            except Exception as error:
+                errors.append(str(error).splitlines()[0] if str(error) else type(error).__name__)
+        raise NoOpenGLError(f"EGL gave no OpenGL context: install {PACKAGES['egl']} ({errors[0]})")
+
+    def _surfaceless(self) -> Any:
+        from OpenGL.EGL.EXT.platform_base import eglGetPlatformDisplayEXT
+
+        return eglGetPlatformDisplayEXT(self.SURFACELESS_MESA, None, None)
+
+    def _default(self) -> Any:
+        return self._egl.eglGetDisplay(self._egl.EGL_DEFAULT_DISPLAY)
+
+    def _create(self) -> None:
+        egl = self._egl
+        major, minor = egl.EGLint(), egl.EGLint()
+        if not egl.eglInitialize(self._display, major, minor):
+            raise NoOpenGLError("eglInitialize failed")
+        egl.eglBindAPI(egl.EGL_OPENGL_API)
+        wanted = {
+            egl.EGL_SURFACE_TYPE: egl.EGL_PBUFFER_BIT,
+            egl.EGL_RENDERABLE_TYPE: egl.EGL_OPENGL_BIT,
+            egl.EGL_RED_SIZE: 8,
+            egl.EGL_DEPTH_SIZE: 24,
+            egl.EGL_STENCIL_SIZE: 8,
+        }
+        flat = [int(v) for pair in wanted.items() for v in pair] + [int(egl.EGL_NONE)]
+        configs, count = (egl.EGLConfig * 1)(), egl.EGLint()
+        egl.eglChooseConfig(
+            self._display, (egl.EGLint * len(flat))(*flat), configs, 1, ctypes.byref(count)
+        )
+        if not count.value:
+            raise NoOpenGLError("EGL has no configuration with OpenGL and a 24-bit depth buffer")
+        size = [int(egl.EGL_WIDTH), 16, int(egl.EGL_HEIGHT), 16, int(egl.EGL_NONE)]
+        self._surface = egl.eglCreatePbufferSurface(
+            self._display, configs[0], (egl.EGLint * len(size))(*size)
+        )
+        self._context = egl.eglCreateContext(
+            self._display, configs[0], egl.EGL_NO_CONTEXT, (egl.EGLint * 1)(int(egl.EGL_NONE))
+        )
+        self.make_current()
+
+    def make_current(self) -> None:
+        """Direct this thread's GL calls here."""
+        self._egl.eglMakeCurrent(self._display, self._surface, self._surface, self._context)
+
+    def release(self) -> None:
+        """Destroy the context and its pbuffer."""
+        if self._context is None:
+            return
+        egl = self._egl
+        egl.eglMakeCurrent(
+            self._display, egl.EGL_NO_SURFACE, egl.EGL_NO_SURFACE, egl.EGL_NO_CONTEXT
+        )
+        egl.eglDestroyContext(self._display, self._context)
+        egl.eglDestroySurface(self._display, self._surface)
+        self._context = None
+
+
+class GLFWContext:
+    """A GLFW window: visible for the walk, hidden for stills, or on GLFW's null platform.
+
+    With ``headless`` there is no window system at all and OSMesa draws: the window's code runs as
+    it does on a screen.
+    """
+
+    backend = "glfw"
+
+    def __init__(
+        self,
+        size: tuple[int, int] = (64, 64),
+        title: str = "landscape",
+        visible: bool = False,
+        fullscreen: bool = False,
+        headless: bool = False,
+    ) -> None:
+        import glfw
+
+        self.glfw: Any = glfw
+        self.window: Any = None
+        glfw.ERROR_REPORTING = "ignore"
+        if headless:
+            glfw.init_hint(glfw.PLATFORM, glfw.PLATFORM_NULL)
+        if not glfw.init():
+            raise NoOpenGLError(
+                f"GLFW found no screen ({self._reason()}): set DISPLAY, or use Xvfb"
+            )
+        if headless:
+            use_platform("osmesa")
+            glfw.window_hint(glfw.CONTEXT_CREATION_API, glfw.OSMESA_CONTEXT_API)
+        else:
+            wayland = glfw.get_platform() == glfw.PLATFORM_WAYLAND
+            use_platform("wayland" if wayland else "glx" if sys.platform == "linux" else "native")
+        glfw.window_hint(glfw.VISIBLE, visible)
+        glfw.window_hint(glfw.DEPTH_BITS, 24)
+        glfw.window_hint(glfw.STENCIL_BITS, 8)
+        glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 1)
+        glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 5)
+        monitor = glfw.get_primary_monitor() if fullscreen else None
+        if monitor is not None:
+            mode = glfw.get_video_mode(monitor)
+            size = (mode.size.width, mode.size.height)
+        self.window = glfw.create_window(*size, title, monitor, None)
+        if not self.window:
+            reason = self._reason()
+            glfw.terminate()
+            raise NoOpenGLError(f"GLFW opened no window ({reason}): install {PACKAGES['glfw']}")
+        self.make_current()
+
+    def _reason(self) -> str:
+        code, text = self.glfw.get_error()
+        return text.decode() if isinstance(text, bytes) else str(text or code)
+
+    def make_current(self) -> None:
+        """Direct this thread's GL calls here."""
+        self.glfw.make_context_current(self.window)
+
+    def release(self) -> None:
+        """Close the window and GLFW."""
+        if self.window:
+            self.glfw.destroy_window(self.window)
+            self.window = None
+            self.glfw.terminate()
+
+
+def open_context(backend: str = "auto") -> Context:
+    """Open a context to draw stills in; ``auto`` takes the first of OSMesa, EGL, GLFW that works.
+
+    Raises NoOpenGLError that names the package to install.
+    """
+    makers: dict[str, Callable[[], Context]] = {
+        "osmesa": OSMesaContext,
+        "egl": EGLContext,
+        "glfw": GLFWContext,
+    }
+    if backend != "auto":
+        return makers[backend]()
+    first: NoOpenGLError | None = None
+    for name in BACKENDS:
+        try:
+            return makers[name]()
+        except NoOpenGLError as error:
+            first = first or error
+    raise first or NoOpenGLError("no backend")

@@ -1,0 +1,28 @@
+"""Display lists: what does not change is sent once, and called."""
+
+from collections.abc import Callable
+
+from landscape.gl.calls import gl
+
+
+class DisplayList:
+    """Owner of one display list."""
+
+    def __init__(self, draw: Callable[[], None]) -> None:
+        """Compile what ``draw`` calls; vertex arrays are copied into the list."""
+        self.name = int(gl.glGenLists(1))
+        gl.glNewList(self.name, gl.GL_COMPILE)
+        try:
+            draw()
+        finally:
+            gl.glEndList()
+
+    def call(self) -> None:
+        """Execute the list."""
+        gl.glCallList(self.name)
+
+    def release(self) -> None:
+        """Delete the list; may be called twice."""
+        if self.name:
+            gl.glDeleteLists(self.name, 1)
+            self.name = 0

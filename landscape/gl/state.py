@@ -1,0 +1,85 @@
+"""Scoped state: what a block changes is as before after it, even if it raises."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.gl.calls import gl
+
+
+@contextmanager
+def attrib(mask: int) -> Iterator[None]:
+    """Save the state groups of ``mask`` (GL_ENABLE_BIT | ...) and restore them."""
+    gl.glPushAttrib(mask)
+    try:
+        yield
+    finally:
+        gl.glPopAttrib()
+
+
+@contextmanager
+def matrix() -> Iterator[None]:
+    """Save the current matrix and restore it."""
+    gl.glPushMatrix()
+    try:
+        yield
+    finally:
+        gl.glPopMatrix()
+
+
+@contextmanager
+def flat_projection(*volume: float) -> Iterator[None]:
+    """Replace projection and modelview by glOrtho(``volume``) and the identity, for an overlay."""
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glPushMatrix()
+    gl.glLoadIdentity()
+    if volume:
+        gl.glOrtho(*volume)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glPushMatrix()
+    gl.glLoadIdentity()
+    try:
+        yield
+    finally:
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glPopMatrix()
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glPopMatrix()
+
+
+@contextmanager
+def client_arrays(
+    vertices: np.ndarray,
+    normals: np.ndarray | None = None,
+    colors: np.ndarray | None = None,
+    coordinates: Sequence[np.ndarray] = (),
+) -> Iterator[None]:
+    """Enable vertex arrays of a glDrawElements: float32 (n, 3), (n, 3), (n, 3 or 4), (n, 2) each.
+
+    ``coordinates`` holds one array per texture unit, from unit 0 on; colours may be uint8.
+    """
+    kind = {"float32": gl.GL_FLOAT, "uint8": gl.GL_UNSIGNED_BYTE}
+    gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+    gl.glVertexPointer(3, gl.GL_FLOAT, 0, vertices)
+    if normals is not None:
+        gl.glEnableClientState(gl.GL_NORMAL_ARRAY)
+        gl.glNormalPointer(gl.GL_FLOAT, 0, normals)
+    if colors is not None:
+        gl.glEnableClientState(gl.GL_COLOR_ARRAY)
+        gl.glColorPointer(colors.shape[1], kind[str(colors.dtype)], 0, colors)
+    for unit, array in enumerate(coordinates):
+        gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+        gl.glTexCoordPointer(2, gl.GL_FLOAT, 0, array)
+    try:
+        yield
+    finally:
+        for unit in reversed(range(len(coordinates))):
+            gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+            gl.glDisableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+        if colors is not None:
+            gl.glDisableClientState(gl.GL_COLOR_ARRAY)
+        if normals is not None:
+            gl.glDisableClientState(gl.GL_NORMAL_ARRAY)
+        gl.glDisableClientState(gl.GL_VERTEX_ARRAY)

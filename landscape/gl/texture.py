@@ -1,0 +1,132 @@
+"""Textures: reading image files, and owning a texture object with its mip levels (Texture)."""
+
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from landscape.errors import InputError
+from landscape.gl.calls import gl
+
+MAX_SIZE = 4096  # chosen: more texels than the largest window has pixels serve nothing
+
+
+def read_image(path: Path, mode: str = "RGBA") -> np.ndarray:
+    """Read an image file as uint8 of shape (h, w, 3 or 4), by mode "RGB" or "RGBA".
+
+    16-bit, grey and palette images are converted. InputError names a file that is missing,
+    truncated, or not an image.
+    """
+    image = open_image(path)
+    if image.mode.startswith(("I", "F")):
+        image = Image.fromarray(_grey8(np.asarray(image)))
+    if image.width > MAX_SIZE or image.height > MAX_SIZE:
+        image.thumbnail((MAX_SIZE, MAX_SIZE), Image.Resampling.BOX)
+    return np.ascontiguousarray(image.convert(mode))
+
+
+def open_image(path: Path) -> Image.Image:
+    """Open and decode an image; InputError where that fails."""
+    try:
+        image: Image.Image = Image.open(path)
+        image.load()
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such image file") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: expected an image file, found a folder") from None
+    except Image.DecompressionBombError:
+        raise InputError(f"{path}: the image is too large; expected under 178 megapixels") from None
+    except (OSError, ValueError, SyntaxError, EOFError) as error:
+        reason = str(error).replace(f" {str(path)!r}", "")
+        raise InputError(f"{path}: expected an image such as PNG ({reason})") from None
+    return image
+
+
+def _grey8(values: np.ndarray) -> np.ndarray:
+    """Scale the 16 bits (or floats in 0..1) of a grey image to bytes."""
+    scale = 255.0 if values.dtype.kind == "f" else 255.0 / 65535.0
+    return (np.clip(np.nan_to_num(values) * scale, 0, 255) + 0.5).astype(np.uint8)
+
+
+def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
+    """Return up to ``levels`` mip levels of a sprite, (h, w, 4) uint8 first, alpha coverage kept.
+
+    Averages colours weighted by alpha, so that no colour of transparent texels leaks in, then
+    scales each level's alpha until as large a part of it is over one half as in level 0: without
+    that, far trees thin out and vanish. Sides must be even as long as levels are asked.
+    """
+    chain = [rgba]
+    level = rgba.astype(np.float32) / 255.0
+    level[..., :3] *= level[..., 3:]
+    covered = float((level[..., 3] > 0.5).mean())
+    while len(chain) < levels and min(level.shape[:2]) > 1:
+        level = (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2]) / 4
+        alpha = level[..., 3:]
+        scale = _coverage_scale(alpha, covered)
+        colour = level[..., :3] / np.maximum(alpha, 1e-4)
+        fallback = chain[-1][::2, ::2, :3] / np.float32(255.0)
+        colour = np.where(alpha > 1e-3, colour, fallback)
+        out = np.concatenate([colour, np.clip(alpha * scale, 0, 1)], axis=2)
+        chain.append((np.clip(out, 0, 1) * 255 + 0.5).astype(np.uint8))
+    return chain
+
+
+def _coverage_scale(alpha: np.ndarray, covered: float) -> float:
+    """Return the factor on ``alpha`` that makes the part over one half equal to ``covered``."""
+    if covered <= 0.0 or covered >= 1.0:
+        return 1.0
+    threshold = float(np.quantile(alpha, 1.0 - covered))
+    return float(np.clip(0.5 / max(threshold, 1e-3), 0.75, 2.5))
+
+
+class Texture:
+    """Owner of one 2D texture object (Texture in 2006)."""
+
+    def __init__(
+        self, levels: np.ndarray | list[np.ndarray], repeat: bool = True, anisotropy: float = 1.0
+    ) -> None:
+        """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
+
+        Row 0 of the image is t = 0. A single image has its mip levels made by the driver
+        (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE;
+        ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic.
+        """
+        images = levels if isinstance(levels, list) else [levels]
+        self.name = int(gl.glGenTextures(1))
+        wrap = gl.GL_REPEAT if repeat else gl.GL_CLAMP_TO_EDGE
+        previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
+        gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
+        parameters = {
+            gl.GL_TEXTURE_WRAP_S: wrap,
+            gl.GL_TEXTURE_WRAP_T: wrap,
+            gl.GL_TEXTURE_MAG_FILTER: gl.GL_LINEAR,
+            gl.GL_TEXTURE_MIN_FILTER: gl.GL_LINEAR_MIPMAP_LINEAR,
+        }
+        for name, value in parameters.items():
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
+        if anisotropy > 1.0:
+            gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_ANISOTROPY, anisotropy)
+        if len(images) > 1:
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL, len(images) - 1)
+        else:
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, gl.GL_TRUE)
+        # Rows of RGB images need not be a multiple of 4 bytes, the default alignment.
+        gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
+        for level, image in enumerate(images):
+            height, width, channels = image.shape
+            form = gl.GL_RGB if channels == 3 else gl.GL_RGBA
+            gl.glTexImage2D(
+                gl.GL_TEXTURE_2D, level, form, width, height, 0, form, gl.GL_UNSIGNED_BYTE, image
+            )
+        gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, previous)
+
+    def bind(self) -> None:
+        """Make this the 2D texture of the active unit."""
+        gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
+
+    def release(self) -> None:
+        """Delete the texture object; may be called twice."""
+        if self.name:
+            gl.glDeleteTextures(np.array([self.name], np.uint32))
+            self.name = 0

@@ -1,0 +1,190 @@
+"""The island: owns the elements and draws one frame; the order of drawing is the lesson."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
+
+import numpy as np
+
+from landscape.assets import Assets
+from landscape.elements import fog, sun
+from landscape.elements.castle import Castle
+from landscape.elements.dragon import Dragon
+from landscape.elements.grass import Grass
+from landscape.elements.ground import Ground, clipped
+from landscape.elements.map import Map
+from landscape.elements.rabbit import Rabbit
+from landscape.elements.reflection import inside_water, mirrored
+from landscape.elements.sky_box import SkyBox
+from landscape.elements.sword import Sword
+from landscape.elements.transparent_elements import TransparentElements
+from landscape.elements.water_surface import WaterSurface
+from landscape.frame import Frame, Pose
+from landscape.gl.calls import begin_pass, gl
+from landscape.gl.state import attrib
+from landscape.settings import Settings
+
+ELEMENTS = (
+    "ground", "water", "sky", "trees", "deer", "plants", "grass", "castle", "rabbit", "dragon",
+    "sword", "map", "fog", "reflection",
+)  # fmt: skip
+SPRITES = {"trees", "deer", "plants"}
+SEED = 2006  # chosen: the year of the report
+Element = TypeVar("Element")
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What a frame shows: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4)."""
+
+    pose: Pose
+    size: tuple[int, int]
+    kt: float = 0.0
+    step: float = 0.0
+    stroke: int = 0
+    wireframe: bool = False
+
+
+class Island:
+    """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
+
+    def __init__(
+        self,
+        settings: Settings,
+        assets: Assets,
+        seed: int = SEED,
+        only: tuple[str, ...] = ELEMENTS,
+    ) -> None:
+        """Build the elements in ``only``; InputError names a file that cannot be used."""
+        self.settings = settings
+        self.shown = set(only)
+        self._owned: list[Any] = []
+        try:
+            self._build(settings, assets, seed)
+        except BaseException:
+            self.release()
+            raise
+
+    def _build(self, settings: Settings, assets: Assets, seed: int) -> None:
+        def own(element: Element) -> Element:
+            self._owned.append(element)
+            return element
+
+        only = self.shown
+        light = sun.direction(settings.sun)
+        self.ground = own(Ground(settings, assets, light))
+        field = self.ground.field
+        self.water = own(WaterSurface(settings, assets)) if "water" in only else None
+        self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
+        self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
+        self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
+        self.dragon = own(Dragon(settings, assets)) if "dragon" in only else None
+        self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
+        kinds = SPRITES & only
+        self.sprites = (
+            own(TransparentElements(settings, assets, self.ground, seed, kinds)) if kinds else None
+        )
+        self.sword = own(Sword(settings, assets)) if "sword" in only else None
+        self.map = own(Map(settings, assets)) if "map" in only else None
+
+    def draw(self, moment: Moment) -> None:
+        """Draw one frame into the current framebuffer."""
+        begin_pass("main")
+        frame = self.begin(moment)
+        settings, shown = self.settings, self._shown
+        sprites = shown(self.sprites, *SPRITES)
+        sorted_ = sprites.prepare(frame) if sprites else None
+        with attrib(gl.GL_POLYGON_BIT):
+            gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
+
+            # The mirrored scene comes first: the water will be blended over it.
+            if "reflection" in self.shown and settings.reflection.enabled:
+                begin_pass("reflection")
+                self._draw_reflection(frame, sorted_)
+                begin_pass("main")
+
+            # Opaque things, in any order as far as the picture goes: the depth buffer sorts them.
+            # The sky comes first, as a sky at infinity writes no depth.
+            if sky := shown(self.sky, "sky"):
+                sky.draw(frame)
+            with clipped(settings.water.level, settings.ground.clip):
+                if ground := shown(self.ground, "ground"):
+                    ground.draw()
+                if castle := shown(self.castle, "castle"):
+                    castle.draw(frame)
+                if rabbit := shown(self.rabbit, "rabbit"):
+                    rabbit.draw()
+                if dragon := shown(self.dragon, "dragon"):
+                    dragon.draw()
+            if grass := shown(self.grass, "grass"):
+                grass.draw(frame)
+
+            # Blended things come last, far to near: the water lies under all sprites.
+            if water := shown(self.water, "water"):
+                water.draw(frame)
+            if sprites:
+                sprites.draw(frame, sorted_)
+
+        # What is stuck to the window comes over everything.
+        begin_pass("overlay")
+        if (sword := shown(self.sword, "sword")) and settings.overlay.sword:
+            sword.draw(frame)
+        if (map := shown(self.map, "map")) and settings.overlay.map:
+            map.draw(frame)
+
+    def _draw_reflection(self, frame: Frame, sorted_: Any) -> None:
+        """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
+        settings, shown = self.settings, self._shown
+        water = shown(self.water, "water") if settings.reflection.stencil else None
+        frame = replace(frame, mirrored=True)
+        with inside_water(water.mark if water else None), mirrored(settings):
+            if sky := shown(self.sky, "sky"):
+                sky.draw(frame)
+            if ground := shown(self.ground, "ground"):
+                ground.draw()
+            if (castle := shown(self.castle, "castle")) and settings.reflection.castle:
+                castle.draw(frame)
+            if dragon := shown(self.dragon, "dragon"):
+                dragon.draw()
+            if sprites := shown(self.sprites, *SPRITES):
+                sprites.draw(frame, sorted_)
+
+    def begin(self, moment: Moment) -> Frame:
+        """Clear, set the viewport, the camera, the sun and the fog; return what elements need."""
+        camera, pose = self.settings.camera, moment.pose
+        gl.glViewport(0, 0, *moment.size)
+        gl.glClearColor(*self.settings.fog.color, 1.0)
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
+        gl.glEnable(gl.GL_DEPTH_TEST)
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        top = camera.near * math.tan(math.radians(camera.fov) / 2)
+        right = top * moment.size[0] / moment.size[1]
+        far = max(camera.far, 2 * camera.near, 1.5 * self.settings.water.horizon)
+        gl.glFrustum(-right, right, -top, top, camera.near, far)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glLoadIdentity()
+        gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
+        gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
+        gl.glTranslatef(-pose.x, -pose.y, -pose.z)
+
+        sun.place(self.settings.sun)
+        if "fog" in self.shown and self.settings.fog.enabled:
+            fog.enable(self.settings.fog)
+        else:
+            gl.glDisable(gl.GL_FOG)
+        modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
+        return Frame(
+            pose, moment.size, moment.kt, modelview, camera.fov, moment.step, moment.stroke
+        )
+
+    def _shown(self, element: Element | None, *names: str) -> Element | None:
+        """Return the element if it was built and any of its names is shown now."""
+        return None if self.shown.isdisjoint(names) else element
+
+    def release(self) -> None:
+        """Release the elements, last built first; may be called twice."""
+        while self._owned:
+            self._owned.pop().release()

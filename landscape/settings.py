@@ -1,0 +1,418 @@
+"""Every constant of the island as a setting: key, value, unit, source.
+
+Keys are dotted, ``group.name``. The defaults are the preset ``2006``: the report's numbers where it
+gives them, "chosen" where it does not. The preset ``best`` is a table of differences.
+A setting's value is a bool, an int, a float, a text or a tuple of floats; :func:`with_settings`
+reads it from text, checks it, and raises :class:`InputError` naming the key.
+"""
+
+import dataclasses
+import math
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from landscape.errors import InputError
+
+Value = bool | int | float | str | tuple[float, ...]
+
+
+def setting(
+    default: Any,
+    source: str,
+    unit: str = "",
+    low: float | None = None,
+    high: float | None = None,
+    choices: tuple[str, ...] = (),
+) -> Any:
+    """Declare one setting: its 2006 value, where it comes from, its unit and its limits."""
+    meta = {"source": source, "unit": unit, "low": low, "high": high, "choices": choices}
+    return field(default=default, metadata=meta)
+
+
+@dataclass(frozen=True)
+class Camera:
+    """The perspective of the walker's eye."""
+
+    fov: float = setting(60.0, "chosen", "degrees, vertical", 1, 170)
+    near: float = setting(0.02, "chosen", "units", 1e-4, 10)
+    far: float = setting(120.0, "chosen", "units", 1, 1e5)
+
+
+@dataclass(frozen=True)
+class Clock:
+    """kt, the counter all animation reads; in 2006 it grew by one per displayed frame."""
+
+    kt_per_second: float = setting(30.0, "chosen", "kt per second", 0, 1000)
+
+
+@dataclass(frozen=True)
+class Walk:
+    """How the walker moves (Position in 2006)."""
+
+    speed: float = setting(0.9, "chosen", "units per second", 0, 100)
+    run: float = setting(3.0, "chosen", "times the walking speed", 1, 100)
+    turn: float = setting(75.0, "chosen", "degrees per second, by the arrows", 0, 1000)
+    mouse: float = setting(0.12, "chosen", "degrees per pixel", 0, 10)
+    eye: float = setting(0.1, "section 8.2", "units above the ground", 0.001, 10)
+    bob: float = setting(0.006, "section 8.2", "units, amplitude of the head's bob", 0, 1)
+    steps_per_unit: float = setting(30.0, "chosen", "steps (k_step) per unit walked", 0, 1000)
+
+
+@dataclass(frozen=True)
+class Sun:
+    """The one light, GL_LIGHT0, at infinity."""
+
+    azimuth: float = setting(130.0, "chosen", "degrees, 0 north, 90 east", -360, 360)
+    elevation: float = setting(38.0, "chosen", "degrees above the horizon", 0, 90)
+    diffuse: tuple[float, ...] = setting((0.75, 0.72, 0.66), "chosen", "RGB", 0, 10)
+    ambient: tuple[float, ...] = setting((0.45, 0.48, 0.55), "chosen", "RGB", 0, 10)
+
+
+@dataclass(frozen=True)
+class Ground:
+    """The height field (section 2)."""
+
+    height_image: str = setting("height.png", "figure 1", "image file; the red channel is height")
+    resolution: int = setting(50, "section 2.1.1", "vertices per side", 2, 1024)
+    size: float = setting(40.0, "section 9.2", "units per side", 1, 10000)
+    scale_y: float = setting(6.0, "chosen", "units, height of red = 256", 0.001, 1000)
+    clip: bool = setting(True, "section 2.1.2", "cut at the water level by GL_CLIP_PLANE0")
+    large_texture: str = setting("ground_large.png", "figure 3", "image file, texture unit 0")
+    detail_texture: str = setting("ground_detail.png", "figure 3", "image file, texture unit 1")
+    detail_repeat: float = setting(160.0, "chosen", "times over the map", 0.1, 10000)
+    units: str = setting(
+        "both", "figure 4", "texture units", choices=("both", "large", "detail", "none")
+    )
+    mid_repeat: float = setting(0.0, "chosen", "times, a third unit's repeat; 0 is off", 0, 1000)
+
+
+@dataclass(frozen=True)
+class Reflection:
+    """The scene drawn a second time, mirrored at the water plane (section 3)."""
+
+    enabled: bool = setting(True, "section 3.1", "draw the mirrored scene")
+    stencil: bool = setting(False, "glskel effects", "keep the reflection inside the water")
+    castle: bool = setting(False, "chosen", "mirror the castle as well")
+
+
+@dataclass(frozen=True)
+class Water:
+    """The water surface (section 3)."""
+
+    level: float = setting(0.6, "chosen", "units, WATER_LEVEL", 0, 1000)
+    color: tuple[float, ...] = setting((0.2, 0.2, 0.4, 0.7), "section 3.2", "RGBA", 0, 1)
+    patch: float = setting(10.0, "section 3.2", "units per side of a patch", 0.1, 1000)
+    points: int = setting(40, "section 3.2", "vertices per side of a patch", 2, 400)
+    repeat: float = setting(4.0, "chosen", "LAMBDA_WATER, textures per patch", 0, 1000)
+    textured: bool = setting(True, "figure 9", "lay the water texture on the surface")
+    animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
+    time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
+    fresnel: bool = setting(False, "chosen", "clearer from above than at a grazing angle")
+    horizon: float = setting(0.0, "chosen", "units, reach of the sea round the patches", 0, 10000)
+    glitter: float = setting(0.0, "chosen", "strength of the sun's specular glints", 0, 1)
+
+
+@dataclass(frozen=True)
+class Sky:
+    """The sky box (section 4)."""
+
+    set: str = setting("day", "chosen", "name of the set of faces", choices=("day", "sunset"))
+    half_width: float = setting(8.0, "chosen", "units, D", 0.5, 10000)
+    height: float = setting(5.0, "chosen", "units, H", 0.1, 10000)
+    infinite: bool = setting(
+        False, "chosen", "drawn first, no depth, no fog, centred on the eye in every axis"
+    )
+
+
+@dataclass(frozen=True)
+class Transparent:
+    """What trees, deer and plants share (section 5.1)."""
+
+    radius: float = setting(8.0, "chosen", "units, root of PERIMETER_VISU_TRANSPARENT", 0, 1000)
+    sorted: bool = setting(True, "section 5.1.2", "draw from far to near")
+    textured: bool = setting(True, "figure 16", "lay the sprites on the quads")
+    upright: bool = setting(False, "section 11.2.1", "billboards turn about the y axis only")
+
+
+@dataclass(frozen=True)
+class Trees:
+    """Billboards (section 5.1)."""
+
+    count: int = setting(900, "chosen", "trees", 0, 1_000_000)
+    species: int = setting(2, "figure 15", "kinds of tree", 1, 4)
+    size_min: float = setting(0.325, "section 5.1.2", "units, width and height", 0.001, 100)
+    size_max: float = setting(0.65, "section 5.1.2", "units, width and height", 0.001, 100)
+    grouped: bool = setting(False, "chosen", "woods and clearings instead of a uniform spread")
+
+
+@dataclass(frozen=True)
+class Deer:
+    """Billboards (section 5.1)."""
+
+    count: int = setting(70, "chosen", "deer", 0, 1_000_000)
+    size_min: float = setting(0.10, "chosen", "units, width and height", 0.001, 100)
+    size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
+
+
+@dataclass(frozen=True)
+class Plants:
+    """Crossed quads (section 5.2)."""
+
+    count: int = setting(1500, "chosen", "plants", 0, 1_000_000)
+    size_min: float = setting(0.06, "chosen", "units, width and height", 0.001, 100)
+    size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
+    sway: float = setting(1.0, "section 5.2.2", "times the report's sway", 0, 100)
+
+
+@dataclass(frozen=True)
+class Grass:
+    """Blades (section 5.3)."""
+
+    count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 50_000_000)
+    scale: tuple[float, ...] = setting((1.0, 1.0), "section 5.3.2", "times, (sx, sy)", 0.01, 100)
+    radius: float = setting(4.0, "chosen", "units, blades farther off are not drawn", 0, 1000)
+    tinted: bool = setting(False, "chosen", "blades take the colour of the ground they stand on")
+    fade: bool = setting(False, "chosen", "blades shrink towards the radius instead of stopping")
+
+
+@dataclass(frozen=True)
+class Castle:
+    """Walls, towers, gate and torches (section 6)."""
+
+    x: float = setting(27.3, "chosen", "units, centre", -1e4, 1e4)
+    z: float = setting(16.9, "chosen", "units, centre", -1e4, 1e4)
+    yaw: float = setting(-160.0, "chosen", "degrees, turns the gate from north", -360, 360)
+    brick_repeat: float = setting(4.0, "chosen", "textures per wall", 0.1, 100)
+
+
+@dataclass(frozen=True)
+class Rabbit:
+    """A mesh on land, cylindrical mapping (section 7)."""
+
+    mesh: str = setting("rabbit.ply", "figure 27", "PLY file")
+    x: float = setting(20.5, "chosen", "units", -1e4, 1e4)
+    z: float = setting(24.0, "chosen", "units", -1e4, 1e4)
+    yaw: float = setting(35.0, "chosen", "degrees about y", -360, 360)
+    scale: float = setting(0.12, "chosen", "units, half the mesh's largest side", 0.001, 100)
+    l1: float = setting(8.0, "chosen", "L1, textures round the axis", 0, 1000)
+    l2: float = setting(4.0, "chosen", "L2, textures along the axis", 0, 1000)
+
+
+@dataclass(frozen=True)
+class Dragon:
+    """A mesh half in the water, mapped by (x, z) (section 7)."""
+
+    mesh: str = setting("dragon.ply", "figure 27", "PLY file")
+    x: float = setting(11.0, "chosen", "units", -1e4, 1e4)
+    z: float = setting(29.0, "chosen", "units", -1e4, 1e4)
+    yaw: float = setting(30.0, "chosen", "degrees about y", -360, 360)
+    scale: float = setting(0.9, "chosen", "units, half the mesh's largest side", 0.001, 100)
+    sink: float = setting(-0.15, "chosen", "height of the water line on the mesh, -1..1", -2, 2)
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """The sword (section 8) and the map (section 9)."""
+
+    sword: bool = setting(True, "section 8", "show the sword")
+    map: bool = setting(True, "section 9", "show the map")
+    map_alpha: float = setting(0.75, "chosen", "opacity of the map", 0, 1)
+    stroke_kt: float = setting(4.0, "chosen", "kt per frame of the sword's stroke", 0.01, 1000)
+
+
+@dataclass(frozen=True)
+class Fog:
+    """GL_FOG (section 10)."""
+
+    enabled: bool = setting(True, "section 10.2", "switch")
+    mode: str = setting("exp2", "section 10.2", "fog mode", choices=("exp2", "exp", "linear"))
+    density: float = setting(0.12, "section 10.2", "per unit", 0, 1000)
+    color: tuple[float, ...] = setting((0.4, 0.6, 0.7), "section 10.2", "RGB", 0, 1)
+    start: float = setting(1.0, "chosen", "units, linear mode", 0, 1e5)
+    end: float = setting(20.0, "chosen", "units, linear mode", 0, 1e5)
+
+
+@dataclass(frozen=True)
+class Settings:
+    """All groups; ``Settings()`` is the preset 2006."""
+
+    camera: Camera = Camera()
+    clock: Clock = Clock()
+    walk: Walk = Walk()
+    sun: Sun = Sun()
+    ground: Ground = Ground()
+    reflection: Reflection = Reflection()
+    water: Water = Water()
+    sky: Sky = Sky()
+    transparent: Transparent = Transparent()
+    trees: Trees = Trees()
+    deer: Deer = Deer()
+    plants: Plants = Plants()
+    grass: Grass = Grass()
+    castle: Castle = Castle()
+    rabbit: Rabbit = Rabbit()
+    dragon: Dragon = Dragon()
+    overlay: Overlay = Overlay()
+    fog: Fog = Fog()
+
+
+BEST: dict[str, Value] = {
+    "ground.resolution": 160,
+    "ground.height_image": "height16.png",
+    "ground.mid_repeat": 13.0,
+    "reflection.stencil": True,
+    "reflection.castle": True,
+    "water.fresnel": True,
+    "water.horizon": 400.0,
+    "water.glitter": 0.8,
+    "water.color": (0.10, 0.22, 0.30, 0.85),
+    "sky.infinite": True,
+    "transparent.upright": True,
+    "transparent.radius": 26.0,
+    "trees.species": 4,
+    "trees.count": 1600,
+    "trees.grouped": True,
+    "plants.count": 2600,
+    "grass.tinted": True,
+    "grass.fade": True,
+    "grass.count": 1_200_000,
+    "grass.scale": (1.3, 1.7),
+    "grass.radius": 6.0,
+    "fog.density": 0.035,
+    "fog.color": (0.66, 0.76, 0.84),
+}
+
+PRESETS: dict[str, dict[str, Value]] = {"2006": {}, "best": BEST}
+
+
+def keys() -> list[tuple[str, dataclasses.Field[Any]]]:
+    """Return every (dotted key, dataclass field), in order."""
+    return [
+        (f"{group.name}.{item.name}", item)
+        for group in dataclasses.fields(Settings)
+        for item in dataclasses.fields(group.default)  # type: ignore[arg-type]
+    ]
+
+
+_FIELDS = dict(keys())
+
+
+def get(settings: Settings, key: str) -> Value:
+    """Return the value of a dotted key."""
+    group, name = key.split(".")
+    value: Value = getattr(getattr(settings, group), name)
+    return value
+
+
+def preset(name: str) -> Settings:
+    """Return the settings of a preset; InputError if there is none of that name."""
+    if name not in PRESETS:
+        raise InputError(f"preset {name!r}: expected one of {', '.join(PRESETS)}")
+    return with_settings(Settings(), PRESETS[name])
+
+
+def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
+    """Return settings with some keys changed; values may be texts, as from the command line.
+
+    Raises InputError that names the key and what was expected.
+    """
+    for key, value in changes.items():
+        if key not in _FIELDS:
+            raise InputError(f"setting {key!r}: no such key; `landscape settings` lists them all")
+        group, name = key.split(".")
+        part = dataclasses.replace(getattr(settings, group), **{name: _checked(key, value)})
+        settings = dataclasses.replace(settings, **{group: part})
+    return settings
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Read a TOML file of settings into a flat table of dotted keys."""
+    try:
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
+    flat: dict[str, Any] = {}
+    for group, table in tables.items():
+        if not isinstance(table, dict):
+            raise InputError(f"{path}: {group}: expected a table such as [fog] or [grass]")
+        flat |= {f"{group}.{name}": value for name, value in table.items()}
+    return flat
+
+
+def _checked(key: str, value: Any) -> Value:
+    """Convert a text or a TOML value to the type of the key's default, and check its limits."""
+    item = _FIELDS[key]
+    meta, default = item.metadata, item.default
+    wrong = InputError(f"setting {key}: expected {expected(key)}, not {value!r}")
+    if isinstance(default, bool):
+        if isinstance(value, str):
+            words = {"true": True, "on": True, "1": True, "yes": True}
+            words |= {"false": False, "off": False, "0": False, "no": False}
+            value = words.get(value.lower())
+        if not isinstance(value, bool):
+            raise wrong
+        return value
+    if isinstance(default, str):
+        text = str(value)
+        if not isinstance(value, str) or (meta["choices"] and text not in meta["choices"]):
+            raise wrong
+        if not meta["choices"] and (not text or "\0" in text):
+            raise wrong
+        return text
+    if isinstance(default, tuple):
+        parts = value.split(",") if isinstance(value, str) else value
+        if not isinstance(parts, (list, tuple)) or len(parts) != len(default):
+            raise wrong
+        return tuple(_number(part, meta, wrong, float) for part in parts)
+    return _number(value, meta, wrong, type(default))
+
+
+def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) -> Any:
+    if isinstance(value, bool):
+        raise wrong
+    try:
+        number = kind(value.replace("_", "") if isinstance(value, str) else value)
+    except (TypeError, ValueError, OverflowError):
+        raise wrong from None
+    if isinstance(value, float) and number != value:
+        raise wrong
+    low, high = meta["low"], meta["high"]
+    if not math.isfinite(number) or (low is not None and not low <= number <= high):
+        raise wrong
+    return number
+
+
+def expected(key: str) -> str:
+    """Say in words what values a key takes."""
+    item = _FIELDS[key]
+    meta, default = item.metadata, item.default
+    if isinstance(default, bool):
+        return "true or false"
+    if meta["choices"]:
+        return "one of " + ", ".join(meta["choices"])
+    if isinstance(default, str):
+        return "a file name"
+    limits = f"from {meta['low']:g} to {meta['high']:g}"
+    if isinstance(default, tuple):
+        return f"{len(default)} numbers {limits}, separated by commas"
+    return f"{'a whole number' if isinstance(default, int) else 'a number'} {limits}"
+
+
+def table(settings: Settings) -> list[dict[str, Any]]:
+    """Return every key with its value, its 2006 default, unit, source and what it takes."""
+    return [
+        {
+            "key": key,
+            "value": get(settings, key),
+            "default": item.default,
+            "unit": item.metadata["unit"],
+            "source": item.metadata["source"],
+            "expected": expected(key),
+        }
+        for key, item in keys()
+    ]

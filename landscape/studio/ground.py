@@ -1,0 +1,495 @@
+"""The colours of the island: the large picture over it, the repeated detail, and the drawn map.
+
+The large picture is an albedo chosen from height, slope, hollows and the flow of water (the rules
+of every terrain painter since Musgrave), lit once and for all: the sun with soft cast shadows, the
+sky by the share of it that each place sees (ambient occlusion by horizon search, Max 1988). The
+detail is grass drawn blade by blade, with pebbles and soil between, all on a torus. The map is
+shaded relief with hachured waters, as on an engraved chart.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numba import njit
+from PIL import Image, ImageDraw
+from scipy import ndimage
+from scipy.interpolate import splev, splprep
+
+from landscape.studio import light, terrain
+from landscape.studio.images import (
+    shrink,
+    smoothstep,
+    spectral_noise,
+    to_linear,
+    to_srgb,
+    to_uint8,
+)
+
+LARGE = 2048  # chosen: 51 texels a unit, a third of a metre each
+DETAIL = 512  # chosen: repeated every half unit, a centimetre and a half per texel
+MAP = 512  # chosen
+
+# Chosen: sRGB as they look in full sun, after photographs of the Hebrides (grass is more olive,
+# rock warmer than one remembers).
+COLORS = {
+    "lush": (92, 106, 60), "grass": (107, 114, 69), "olive": (126, 123, 77), "dark": (77, 90, 54),
+    "dry": (147, 137, 98), "heath": (112, 96, 79), "bracken": (128, 100, 66),
+    "soil": (104, 86, 66), "rock": (134, 127, 117), "slate": (103, 99, 95),
+    "lichen": (142, 139, 120), "cleft": (70, 66, 64), "scree": (150, 142, 129),
+    "sand": (210, 194, 157), "wet": (148, 131, 102), "shingle": (141, 134, 122),
+    "path": (163, 141, 106), "shallow": (126, 147, 123), "deep": (30, 66, 79),
+    "weed": (70, 86, 64), "snow": (234, 237, 240),
+}  # fmt: skip
+
+# Chosen: a footpath as (x, z), from the bay's beach over the meadow to the castle's court.
+PATH = [
+    (14.4, 27.3), (15.8, 26.4), (17.6, 26.5), (19.6, 26.0), (21.4, 24.6), (23.2, 23.6),
+    (24.1, 21.9), (25.2, 20.2), (26.1, 18.9), (26.9, 17.4),
+]  # fmt: skip
+COURT = (27.0, 17.0)
+COURT_RADIUS = 1.0  # chosen: trodden ground round the castle
+
+SUN_SHARE = 0.66  # chosen: with the sky's share, a level lit place keeps its own colour
+SKY_SHARE = 0.50
+ROCK_RELIEF = 0.017  # chosen: a third of a metre
+SUN_BLUR = 0.07  # chosen: how fast a shadow's edge widens with distance, softer than the real sun
+
+
+@njit(cache=True)
+def sun_shadow(h: np.ndarray, cell: float, sun: np.ndarray, blur: float) -> np.ndarray:
+    """Return the share of the sun (0..1) that reaches each cell of ``h`` (n, n)."""
+    n = h.shape[0]
+    out = np.ones((n, n))
+    level = math.hypot(sun[0], sun[2])
+    ux, uz, rise = sun[0] / level, sun[2] / level, sun[1] / level
+    top = h.max()
+    for j in range(n):
+        for i in range(n):
+            clear = 1.0
+            t = 1.5
+            while h[j, i] + rise * t * cell < top:
+                x, z = i + ux * t, j + uz * t
+                if x < 0 or z < 0 or x >= n - 1 or z >= n - 1:
+                    break
+                a, b = int(x), int(z)
+                u, v = x - a, z - b
+                ground = (h[b, a] * (1 - u) + h[b, a + 1] * u) * (1 - v) + (
+                    h[b + 1, a] * (1 - u) + h[b + 1, a + 1] * u
+                ) * v
+                over = h[j, i] + rise * t * cell - ground
+                clear = min(clear, over / (blur * t * cell + 0.012))
+                if clear < -1.0:
+                    break
+                t += max(1.0, 0.03 * t)
+            out[j, i] = min(1.0, max(0.0, 0.5 + 0.5 * clear))
+    return out
+
+
+@njit(cache=True)
+def sky_view(h: np.ndarray, cell: float, directions: int, reach: float) -> np.ndarray:
+    """Return the share of the sky (0..1) that each cell of ``h`` (n, n) sees over its horizon."""
+    n = h.shape[0]
+    out = np.zeros((n, n))
+    for k in range(directions):
+        angle = 2.0 * math.pi * (k + 0.5) / directions
+        ux, uz = math.cos(angle), math.sin(angle)
+        for j in range(n):
+            for i in range(n):
+                steepest = 0.0
+                t = 1.0
+                while t < reach:
+                    x, z = int(i + ux * t + 0.5), int(j + uz * t + 0.5)
+                    if x < 0 or z < 0 or x >= n or z >= n:
+                        break
+                    steepest = max(steepest, (h[z, x] - h[j, i]) / (t * cell))
+                    t *= 1.35
+                out[j, i] += 1.0 / (1.0 + steepest * steepest)
+    return out / directions
+
+
+def enlarge(field: np.ndarray, size: int) -> np.ndarray:
+    """Resample (n, n) to (size, size) by cubic splines, centres of cells on centres of cells."""
+    k = (np.arange(size) + 0.5) * field.shape[0] / size - 0.5
+    rows, columns = np.meshgrid(k, k, indexing="ij")
+    return ndimage.map_coordinates(field, [rows, columns], order=3, mode="nearest")
+
+
+def normals(h: np.ndarray, cell: float) -> np.ndarray:
+    """Return unit normals (n, n, 3) of heights ``h`` on cells of ``cell`` units."""
+    dz, dx = np.gradient(h, cell)
+    n = np.stack([-dx, np.ones_like(h), -dz], axis=-1)
+    return n / np.linalg.norm(n, axis=-1, keepdims=True)
+
+
+def path_points() -> tuple[np.ndarray, np.ndarray]:
+    """Return x and z along the footpath, smoothly through PATH."""
+    spline, _ = splprep(np.array(PATH).T, s=0)
+    x, z = splev(np.linspace(0.0, 1.0, 6000), spline)
+    return np.asarray(x), np.asarray(z)
+
+
+def path_distance(size: int) -> np.ndarray:
+    """Return the distance (size, size) to the footpath in units."""
+    x, z = path_points()
+    elsewhere = np.ones((size, size), bool)
+    scale = size / terrain.WORLD
+    elsewhere[(z * scale).astype(int), (x * scale).astype(int)] = False
+    return ndimage.distance_transform_edt(elsewhere) / scale
+
+
+class Paint:
+    """A linear RGB picture to which colours are laid on by name and weight."""
+
+    def __init__(self, size: int, name: str) -> None:
+        self.colors = {k: to_linear(np.array(v) / 255.0) for k, v in COLORS.items()}
+        self.rgb = np.broadcast_to(self.colors[name], (size, size, 3)).copy()
+
+    def lay(self, name: str, weight: np.ndarray) -> None:
+        """Mix the colour in by ``weight`` (size, size), clipped to 0..1."""
+        self.rgb += (self.colors[name] - self.rgb) * np.clip(weight, 0.0, 1.0)[..., None]
+
+
+def rock_cracks(size: int) -> np.ndarray:
+    """Return blocky noise (size, size), mean 0: sharp clefts (low) between rounded faces (high)."""
+    folds = sum(
+        weight * np.abs(spectral_noise(size, 1.5, seed, low))
+        for weight, seed, low in ((1.0, 35, 24.0), (0.5, 36, 70.0), (0.25, 37, 160.0))
+    )
+    return (folds - folds.mean()) / folds.std()
+
+
+def albedo(
+    h: np.ndarray, slope: np.ndarray, hollow: np.ndarray, flow: np.ndarray, cracks: np.ndarray
+) -> np.ndarray:
+    """Return the ground's own colour, linear (n, n, 3), from y, slope, hollows, flow and cracks."""
+    size = h.shape[0]
+    broad, patch = spectral_noise(size, 1.8, 31, 3.0), spectral_noise(size, 1.6, 34, 9.0)
+    mid, small = spectral_noise(size, 1.4, 32, 20.0), spectral_noise(size, 1.1, 33, 90.0)
+    y = h + 0.05 * mid
+    steep = slope + 0.06 * mid + 0.04 * small
+
+    land = Paint(size, "grass")
+    land.lay("lush", 0.75 * smoothstep(-0.2, 1.3, broad))
+    land.lay("olive", 0.85 * smoothstep(0.0, 1.5, patch - 0.3 * broad))
+    land.lay("dark", 0.65 * smoothstep(0.4, 1.7, 0.4 * mid - patch))
+    land.lay("bracken", 0.55 * smoothstep(0.9, 2.2, patch + 0.6 * mid) * smoothstep(1.0, 1.3, y))
+    land.lay("lush", 0.6 * smoothstep(3.2, 6.0, flow + 0.3 * mid))
+    land.lay("dry", 0.65 * smoothstep(1.1, 2.1, y + 0.30 * patch))
+    land.lay("heath", 0.70 * smoothstep(2.0, 3.0, y + 0.35 * broad + 0.15 * mid))
+    land.lay("soil", 0.55 * smoothstep(0.42, 0.80, steep + 2.0 * hollow))
+    land.lay("scree", 0.80 * smoothstep(2.5, 3.7, y + 0.25 * mid + 1.5 * hollow))
+
+    x, z = np.meshgrid(*[(np.arange(size) + 0.5) * terrain.WORLD / size] * 2)
+    beds = np.sin(11.0 * (h + 0.22 * x - 0.13 * z) + 1.6 * patch + 0.9 * mid)
+    rock = Paint(size, "rock")
+    rock.lay("slate", 0.45 + 0.24 * beds + 0.22 * mid)
+    rock.lay("cleft", 0.55 * smoothstep(0.8, 2.2, -cracks))
+    rock.lay("lichen", 0.45 * smoothstep(0.2, 1.5, patch) * smoothstep(3.6, 2.0, y))
+    # A crest is level for a few texels, yet bare: there the slope of its surroundings counts.
+    around = ndimage.gaussian_filter(slope, size / 256)
+    bare = np.maximum(steep, 0.95 * around + 0.06 * mid)
+    bare = smoothstep(0.62, 0.98, bare + 0.10 * smoothstep(2.0, 4.0, y) - 0.8 * hollow)
+    land.rgb += (rock.rgb - land.rgb) * bare[..., None]
+    frost = smoothstep(4.15, 4.75, y + 0.12 * mid + 0.10 * small + 1.0 * hollow)
+    land.lay("snow", 0.62 * frost * smoothstep(2.6, 1.3, steep))
+
+    flat = smoothstep(0.50, 0.28, steep)
+    land.lay("dry", 0.7 * smoothstep(0.96, 0.80, y + 0.05 * patch) * flat)
+    land.lay("sand", smoothstep(0.86, 0.70, y + 0.035 * patch - 0.02 * mid) * flat)
+    land.lay("shingle", 0.8 * smoothstep(0.74, 0.64, y) * smoothstep(0.22, 0.42, steep))
+    land.lay("wet", 0.85 * smoothstep(0.665, 0.61, h + 0.006 * patch))
+    dry_land = smoothstep(0.66, 0.75, h)
+    r = path_distance(size) + 0.035 * mid + 0.02 * small
+    land.lay("path", 0.85 * smoothstep(0.12, 0.03, r) * dry_land)
+    land.lay("dry", 0.35 * smoothstep(0.26, 0.08, r) * dry_land)
+    court = np.hypot(x - COURT[0], z - COURT[1]) + 0.10 * mid
+    land.lay("path", 0.70 * smoothstep(COURT_RADIUS + 0.35, COURT_RADIUS - 0.35, court))
+    grain = 1.0 + 0.05 * mid + 0.05 * small - np.clip(2.2 * hollow, -0.18, 0.22)
+    land.rgb *= grain[..., None]
+
+    depth = np.maximum(terrain.WATER_LEVEL - h, 0.0)
+    sea = Paint(size, "wet")
+    sea.lay("shallow", smoothstep(0.0, 0.12, depth))
+    meadow = smoothstep(0.03, 0.15, depth) * smoothstep(0.42, 0.25, depth)
+    sea.lay("weed", 0.7 * meadow * smoothstep(0.3, 1.9, patch + 0.3 * mid))
+    sea.lay("deep", 1.0 - np.exp(-((depth / 0.24) ** 1.3)))
+    return np.where((depth > 0.0)[..., None], sea.rgb, land.rgb)
+
+
+def relief() -> tuple[np.ndarray, np.ndarray]:
+    """Return sun and sky (each LARGE x LARGE, 0..1 or a little above) on the island and the sea."""
+    h = terrain.build()[0]
+    surface = np.maximum(h, terrain.WATER_LEVEL)
+    middle = 2 * terrain.SIZE
+    sun = light.sun_direction()
+    shadow = sun_shadow(enlarge(surface, middle), terrain.WORLD / middle, sun, SUN_BLUR)
+    sky = ndimage.gaussian_filter(sky_view(surface, terrain.CELL, 16, 60.0), 0.7)
+    return np.clip(enlarge(shadow, LARGE), 0.0, 1.0), np.clip(enlarge(sky, LARGE), 0.0, 1.0)
+
+
+def ground_large() -> np.ndarray:
+    """Return the lit colours of the whole island, uint8 (LARGE, LARGE, 3)."""
+    coarse, water = terrain.build()
+    h = enlarge(coarse, LARGE)
+    n = normals(h, terrain.WORLD / LARGE)
+    slope = np.hypot(n[..., 0], n[..., 2]) / n[..., 1]
+    cracks = rock_cracks(LARGE)
+    # Relief too small for the mesh shows in the light only: blocks of rock, tussocks elsewhere.
+    bumps = h + cracks * (0.0015 + ROCK_RELIEF * smoothstep(0.50, 0.95, slope))
+    n = normals(bumps, terrain.WORLD / LARGE)
+    hollow = enlarge(ndimage.gaussian_filter(coarse, 5.0) - coarse, LARGE)
+    flow = np.maximum(enlarge(ndimage.gaussian_filter(water, 0.8), LARGE), 0.0)
+    shadow, sky = relief()
+    sun = light.sun_direction()
+    direct = np.maximum(n @ sun, 0.0) / sun[1] * shadow
+    # Under water the sea's surface is lit, not the floor: keep only a hint of the floor's form.
+    direct = np.where(h < terrain.WATER_LEVEL, 0.6 + 0.4 * direct, direct)
+    # A gentle shoulder: slopes that face the sun would otherwise bleach.
+    direct = direct * 1.35 / (1.0 + 0.35 * direct)
+    blue = light.SKY_COLOR / light.SKY_COLOR.mean()
+    # Ribs stand out and gullies recede even where the sun shines straight onto a face.
+    fold = enlarge(ndimage.gaussian_filter(coarse, 1.8) - coarse, LARGE)
+    direct = direct * (1.0 - np.clip(6.0 * fold, -0.16, 0.30))
+    dome = sky * (0.6 + 0.4 * n[..., 1])
+    lit = SUN_SHARE * direct[..., None] * light.SUN_COLOR / light.SUN_COLOR.mean()
+    lit = lit + SKY_SHARE * dome[..., None] * (0.5 + 0.5 * blue) + 0.08 * light.GROUND_BOUNCE
+    return to_uint8(to_srgb(albedo(h, slope, hollow, flow, cracks) * lit))
+
+
+@njit(cache=True)
+def draw_blades(
+    size: int, count: int, rng: np.random.Generator, tone: np.ndarray, top: np.ndarray
+) -> None:
+    """Draw blades of grass into ``tone``, their heights into ``top`` (size, size), on a torus."""
+    for k in range(count):
+        x, y = rng.random() * size, rng.random() * size
+        angle = rng.random() * 2.0 * math.pi
+        bend = (rng.random() - 0.5) * 0.16
+        length = 6.0 + 10.0 * rng.random() ** 2
+        own = 0.60 + 0.40 * rng.random()
+        lift = 0.5 + 0.5 * k / count
+        steps = int(length * 2.5)
+        for s in range(steps):
+            f = s / steps
+            x += 0.4 * math.cos(angle)
+            y += 0.4 * math.sin(angle)
+            angle += bend * 0.4
+            z = lift * (0.25 + f * (1.5 - 0.8 * f))
+            half = 0.30 + 0.65 * (1.0 - f)
+            value = own * (0.34 + 0.62 * f)
+            for dj in range(-1, 2):
+                for di in range(-1, 2):
+                    px, py = int(math.floor(x)) + di, int(math.floor(y)) + dj
+                    far = math.hypot(px + 0.5 - x, py + 0.5 - y)
+                    cover = min(1.0, max(0.0, half - far + 0.5))
+                    j, i = py % size, px % size
+                    if cover > 0.0 and z >= top[j, i] - 0.05:
+                        tone[j, i] += (value - tone[j, i]) * cover
+                        top[j, i] += (max(z, top[j, i]) - top[j, i]) * cover
+
+
+def draw_pebbles(
+    tone: np.ndarray, top: np.ndarray, hue: np.ndarray, count: int, rng: np.random.Generator
+) -> None:
+    """Set small lit stones into ``tone``, their height into ``top``, their warmth into ``hue``."""
+    size = tone.shape[0]
+    for _ in range(count):
+        cx, cy = rng.uniform(0, size, 2)
+        a, b, turn = rng.uniform(1.6, 5.0), rng.uniform(0.6, 1.0), rng.uniform(0, math.pi)
+        value, warm = rng.uniform(0.45, 0.85), rng.uniform(-1.5, 1.5)
+        reach = np.arange(-9, 10)
+        u, v = np.meshgrid(reach, reach)
+        px, py = (np.floor(cx) + u).astype(int), (np.floor(cy) + v).astype(int)
+        dx, dy = px + 0.5 - cx, py + 0.5 - cy
+        p = (dx * math.cos(turn) + dy * math.sin(turn)) / a
+        q = (dy * math.cos(turn) - dx * math.sin(turn)) / (a * b)
+        r = np.hypot(p, q)
+        cover = np.clip((1.0 - r) * a * b + 0.5, 0.0, 1.0)
+        shade = value * (0.75 - 0.35 * (dx + dy) / a * np.minimum(r, 1.0))
+        under = np.exp(-(np.maximum(np.hypot(dx - 1.5, dy - 1.5) / a - 0.8, 0.0) ** 2) * 14.0)
+        j, i = py % size, px % size
+        tone[j, i] *= 1.0 - 0.55 * under * (1.0 - cover)
+        tone[j, i] += (shade - tone[j, i]) * cover
+        top[j, i] = np.maximum(top[j, i], 0.55 * cover)
+        hue[j, i] += (warm - hue[j, i]) * cover
+
+
+def ground_detail() -> np.ndarray:
+    """Return turf from above, tileable uint8 (DETAIL, DETAIL, 3), each channel's mean 127.5."""
+    n = DETAIL
+    soil = 0.34 + 0.10 * spectral_noise(n, 0.5, 41, 30.0) + 0.08 * spectral_noise(n, 1.2, 42, 14.0)
+    tone = np.clip(soil, 0.08, 0.75)
+    hue = 0.7 * spectral_noise(n, 1.1, 44, 16.0)
+    turf = spectral_noise(n, 1.5, 43, 6.0)
+    top = np.where(turf > 0.45, 1.0, 0.1)
+    top = ndimage.gaussian_filter(top, 3.0, mode="wrap")
+    draw_pebbles(tone, top, hue, 420, np.random.default_rng(7))
+    draw_blades(n, 9000, np.random.default_rng(3), tone, top)
+    tone -= ndimage.gaussian_filter(tone, 22.0, mode="wrap")
+    spread = np.sqrt(ndimage.gaussian_filter(tone**2, 30.0, mode="wrap"))
+    tone += 0.035 * spectral_noise(n, 0.2, 45, 60.0)
+    tone = np.tanh(tone / spread * 0.40) * 0.36
+    green = np.clip(top - 0.6, 0.0, 0.5)
+    green -= ndimage.gaussian_filter(green, 22.0, mode="wrap")
+    rgb = np.stack(
+        [
+            tone * 1.02 + 0.010 * hue - 0.03 * green,
+            tone + 0.03 * green,
+            tone * 0.86 - 0.012 * hue - 0.05 * green,
+        ],
+        axis=-1,
+    )
+    return to_uint8(rgb - rgb.mean(axis=(0, 1)) + 0.5)
+
+
+# Chosen: the map's inks and washes, sRGB.
+INK = (62, 46, 34)
+LAND_TINTS = [
+    (0.60, (232, 214, 168)), (0.85, (202, 198, 138)), (1.20, (170, 180, 112)),
+    (1.80, (180, 174, 110)), (2.60, (190, 160, 108)), (3.60, (176, 142, 112)),
+    (4.40, (214, 200, 186)), (5.00, (250, 246, 238)),
+]  # fmt: skip
+SHALLOW_TINT = (188, 208, 196)
+DEEP_TINT = (112, 152, 164)
+SEA_INK = (52, 88, 104)
+CONTOURS = (1.2, 1.8, 2.4, 3.0, 3.6, 4.2)
+FINE = 4  # the pen draws at four times the size
+
+
+def line_of(field: np.ndarray, level: float, width: float) -> np.ndarray:
+    """Return the cover (0..1) of a pen line ``width`` texels wide where ``field`` is ``level``."""
+    gz, gx = np.gradient(field)
+    away = np.abs(field - level) / np.maximum(np.hypot(gx, gz), 1e-4)
+    return np.clip(width / 2.0 + 0.5 - away, 0.0, 1.0)
+
+
+def washes() -> np.ndarray:
+    """Return the map without its drawings: tinted shaded relief and sea, (MAP, MAP, 3), 0..255."""
+    h = ndimage.gaussian_filter(terrain.build()[0], 0.8)
+    land = h > terrain.WATER_LEVEL
+    levels = [level for level, _ in LAND_TINTS]
+    tints = np.array([tint for _, tint in LAND_TINTS], float)
+    ground = np.stack([np.interp(h, levels, tints[:, c]) for c in range(3)], axis=-1)
+    lamp = np.array([-0.55, 0.62, -0.55]) / math.hypot(0.55, 0.62, 0.55)  # maps are lit from above
+    shade = normals(h, terrain.CELL) @ lamp / lamp[1]
+    ground *= np.clip(0.42 + 0.58 * shade, 0.40, 1.22)[..., None]
+
+    pen = np.array(INK, float)
+    for level in CONTOURS:
+        ground += (pen - ground) * 0.30 * line_of(h, level, 1.0)[..., None]
+    away = ndimage.distance_transform_edt(~land)
+    deep = np.clip(away / 46.0, 0.0, 1.0)[..., None] ** 0.7
+    sea = np.array(SHALLOW_TINT) * (1.0 - deep) + np.array(DEEP_TINT) * deep
+    smooth = ndimage.gaussian_filter(away, 1.5)
+    for k, distance in enumerate((4.5, 9.0, 14.5, 21.0)):
+        cover = (0.55 - 0.12 * k) * np.clip(1.1 - np.abs(smooth - distance), 0.0, 1.0)
+        sea += (np.array(SEA_INK) - sea) * cover[..., None]
+    rgb = np.where(land[..., None], ground, sea)
+    signed = ndimage.gaussian_filter(away - ndimage.distance_transform_edt(land), 0.7)
+    rgb += (pen - rgb) * 0.9 * np.clip(1.6 - np.abs(signed), 0.0, 1.0)[..., None]
+    paper = 1.0 + 0.022 * spectral_noise(MAP, 0.9, 51, 4.0) + 0.02 * spectral_noise(MAP, 2.0, 52)
+    x = np.linspace(-1.0, 1.0, MAP)
+    worn = 1.0 - 0.16 * smoothstep(0.80, 1.30, np.hypot(*np.meshgrid(x, x)))
+    return rgb * (paper * worn)[..., None] * np.array([1.0, 0.985, 0.95])
+
+
+def draw_compass(pen: ImageDraw.ImageDraw, x: float, y: float, r: float) -> None:
+    """Draw a rose of eight points round (x, y), the north one the longest, with an N above it."""
+    pen.ellipse((x - 0.62 * r, y - 0.62 * r, x + 0.62 * r, y + 0.62 * r), outline=INK, width=6)
+    for long, first in ((0.62, 45), (1.0, 0)):
+        for angle in range(first, first + 360, 90):
+            a = math.radians(angle)
+            tip = (x + long * r * math.sin(a), y - long * r * math.cos(a))
+            for side, fill in ((-1, (238, 226, 196)), (1, INK)):
+                b = a + side * math.pi / 4
+                waist = (x + 0.20 * r * math.sin(b), y - 0.20 * r * math.cos(b))
+                pen.polygon([(x, y), tip, waist], fill=fill, outline=INK)
+    left, right, low, high = x - 0.16 * r, x + 0.16 * r, y - 1.10 * r, y - 1.52 * r
+    pen.line([(left, low), (left, high), (right, low), (right, high)], fill=INK, width=13)
+
+
+def draw_castle(pen: ImageDraw.ImageDraw, x: float, y: float, s: float) -> None:
+    """Draw a little castle of two towers and a gate, ``s`` wide, its foot's middle at (x, y)."""
+    stone, roof = (240, 228, 204), (168, 62, 44)
+    pen.rectangle((x - 0.30 * s, y - 0.55 * s, x + 0.30 * s, y), fill=stone, outline=INK, width=8)
+    for k in (-0.2, 0.0, 0.2):
+        merlon = (x + (k - 0.06) * s, y - 0.66 * s, x + (k + 0.06) * s, y - 0.52 * s)
+        pen.rectangle(merlon, fill=stone, outline=INK, width=6)
+    for side in (-0.38, 0.38):
+        cx = x + side * s
+        pen.rectangle(
+            (cx - 0.15 * s, y - 0.8 * s, cx + 0.15 * s, y), fill=stone, outline=INK, width=8
+        )
+        cone = [(cx - 0.21 * s, y - 0.8 * s), (cx, y - 1.25 * s), (cx + 0.21 * s, y - 0.8 * s)]
+        pen.polygon(cone, fill=roof)
+        pen.line([*cone, cone[0]], fill=INK, width=8, joint="curve")
+    pen.pieslice((x - 0.12 * s, y - 0.32 * s, x + 0.12 * s, y - 0.08 * s), 180, 360, fill=INK)
+    pen.rectangle((x - 0.12 * s, y - 0.20 * s, x + 0.12 * s, y), fill=INK)
+
+
+def draw_serpent(pen: ImageDraw.ImageDraw, x: float, y: float, s: float) -> None:
+    """Draw a sea serpent ``s`` wide, its water line from (x, y) eastwards: humps, neck and head."""
+    t = np.linspace(0.0, 1.0, 260)
+    body_x = x + s * (0.02 + 0.66 * t + 0.03 * np.sin(4.0 * math.pi * t))
+    body_y = y - s * (0.13 + 0.05 * t) * np.sin(6.0 * math.pi * t - 0.6)
+    neck_x = x + s * (0.71 + 0.10 * t - 0.13 * np.sin(math.pi * t) + 0.06 * t**3)
+    neck_y = y + s * (0.12 - 0.52 * t)
+    thick = s * np.r_[0.012 + 0.040 * t, 0.052 - 0.010 * t]
+    beads = [*zip(np.r_[body_x, neck_x], np.r_[body_y, neck_y], thick, strict=True)]
+    head_x, head_y = neck_x[-1], neck_y[-1]
+    snout = [(head_x - 0.05 * s, head_y - 0.07 * s), (head_x + 0.09 * s, head_y - 0.055 * s)]
+    snout += [(head_x + 0.19 * s, head_y - 0.005 * s), (head_x + 0.08 * s, head_y + 0.01 * s)]
+    snout += [(head_x + 0.15 * s, head_y + 0.05 * s), (head_x - 0.02 * s, head_y + 0.06 * s)]
+    for grow, fill in ((9.0, INK), (0.0, (122, 142, 92))):
+        for bx, by, br in beads:
+            if by < y:
+                pen.ellipse((bx - br - grow, by - br - grow, bx + br + grow, by + br + grow), fill)
+        pen.polygon(snout, fill=fill, outline=INK, width=9)
+    pen.ellipse((head_x, head_y - 0.04 * s, head_x + 0.03 * s, head_y - 0.01 * s), fill=INK)
+    for k in range(4):
+        wave = x + (0.27 * k - 0.08) * s
+        pen.arc((wave, y - 0.02 * s, wave + 0.25 * s, y + 0.11 * s), 15, 165, SEA_INK, 9)
+
+
+def drawings() -> np.ndarray:
+    """Return all that the pen draws, the frame included, as premultiplied RGBA (MAP, MAP, 4)."""
+    size = MAP * FINE
+    sheet = Image.new("RGBA", (size, size), (0, 0, 0, 0))
+    pen = ImageDraw.Draw(sheet)
+    scale = size / terrain.WORLD
+    x, z = path_points()
+    for k in range(0, len(x) - 110, 200):
+        dash = [(x[i] * scale, z[i] * scale) for i in range(k, k + 111, 10)]
+        pen.line(dash, fill=(120, 66, 42), width=10, joint="curve")
+    draw_castle(pen, COURT[0] * scale, (COURT[1] + 0.6) * scale, 2.3 * scale)
+    draw_compass(pen, 34.4 * scale, 33.6 * scale, 2.9 * scale)
+    draw_serpent(pen, 3.4 * scale, 34.8 * scale, 5.2 * scale)
+    inner, outer, marks = 0.62 * scale, 0.12 * scale, 20
+    paper = (232, 214, 172)
+    pen.rectangle((0, 0, size - 1, size - 1), outline=paper, width=round(inner))
+    step = size / marks
+    for k in range(0, marks, 2):  # a chart's chequered frame, two units to a field
+        a, b = k * step, (k + 1) * step
+        pen.rectangle((a, outer, b, inner), fill=INK)
+        pen.rectangle((a + step, size - inner, b + step, size - outer), fill=INK)
+        pen.rectangle((outer, a + step, inner, b + step), fill=INK)
+        pen.rectangle((size - inner, a, size - outer, b), fill=INK)
+    pen.rectangle((0, 0, size - 1, size - 1), outline=INK, width=round(outer))
+    pen.rectangle((inner, inner, size - inner, size - inner), outline=INK, width=8)
+    rgba = np.asarray(sheet, float) / 255.0
+    rgba[..., :3] *= rgba[..., 3:]
+    return shrink(rgba, FINE)
+
+
+def island_map() -> np.ndarray:
+    """Return the map of the island, north up, uint8 (MAP, MAP, 3); its edges are the island's."""
+    ink = drawings()
+    return to_uint8(washes() / 255.0 * (1.0 - ink[..., 3:]) + ink[..., :3])
+
+
+ASSETS: dict[str, Callable[[], np.ndarray]] = {
+    "ground_large.png": ground_large,
+    "ground_detail.png": ground_detail,
+    "map.png": island_map,
+}

@@ -1,0 +1,65 @@
+"""What all studio pictures share: tone, noise, edges, resampling."""
+
+import numpy as np
+from scipy import ndimage
+
+
+def to_srgb(linear: np.ndarray) -> np.ndarray:
+    """Encode linear light in 0..1 (any shape) with the sRGB curve."""
+    linear = np.clip(linear, 0.0, 1.0)
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
+def to_linear(srgb: np.ndarray) -> np.ndarray:
+    """Decode sRGB values in 0..1 (any shape) to linear light."""
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+def to_uint8(values: np.ndarray) -> np.ndarray:
+    """Round values in 0..1 to bytes."""
+    return (np.clip(values, 0.0, 1.0) * 255.0 + 0.5).astype(np.uint8)
+
+
+def spectral_noise(size: int, exponent: float, seed: int, low_cut: float = 0.0) -> np.ndarray:
+    """Return (size, size) noise of mean 0 and deviation 1 whose amplitude falls as k**-exponent.
+
+    Made in the Fourier domain, so it tiles. Wave numbers below ``low_cut`` (cycles per tile) are
+    left out, which keeps a repeated tile from showing as a pattern of light and dark patches.
+    """
+    rng = np.random.default_rng(seed)
+    kx = np.fft.fftfreq(size)[None, :] * size
+    ky = np.fft.fftfreq(size)[:, None] * size
+    k = np.hypot(kx, ky)
+    amplitude = np.where(k > max(low_cut, 0.5), np.maximum(k, 1.0) ** -exponent, 0.0)
+    spectrum = np.fft.fft2(rng.standard_normal((size, size))) * amplitude
+    noise = np.fft.ifft2(spectrum).real
+    return (noise - noise.mean()) / noise.std()
+
+
+def smoothstep(low: float, high: float, x: np.ndarray) -> np.ndarray:
+    """Cubic step from 0 at ``low`` to 1 at ``high``."""
+    t = np.clip((x - low) / (high - low), 0.0, 1.0)
+    return t * t * (3.0 - 2.0 * t)
+
+
+def shrink(image: np.ndarray, factor: int) -> np.ndarray:
+    """Average (h, w, c) blocks of ``factor`` x ``factor``; RGBA must be premultiplied floats."""
+    h, w, c = image.shape
+    return image.reshape(h // factor, factor, w // factor, factor, c).mean(axis=(1, 3))
+
+
+def bleed(rgba: np.ndarray, threshold: int = 1) -> np.ndarray:
+    """Give every texel of alpha under ``threshold`` the colour of the nearest other one.
+
+    (h, w, 4) uint8 in and out. Without this, filtering mixes the colour of nothing into the
+    edges: the white or black halo round a leaf.
+    """
+    empty = rgba[..., 3] < threshold
+    if empty.all() or not empty.any():
+        return rgba
+    rows, columns = ndimage.distance_transform_edt(
+        empty, return_distances=False, return_indices=True
+    )
+    out = rgba.copy()
+    out[..., :3] = rgba[rows, columns, :3]
+    return out

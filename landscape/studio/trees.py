@@ -1,0 +1,521 @@
+"""Four trees, seen from the side, for the billboards: oak, spruce, birch and hawthorn.
+
+The broad-leaved skeletons grow by space colonisation (Runions, Lane and Prusinkiewicz 2007,
+"Modeling trees with a space colonization algorithm") inside a crown made of ellipsoidal lobes; the
+spruce is built whorl by whorl in the manner of Weber and Penn 1995 ("Creation and rendering of
+realistic trees"). Radii follow the pipe model. :mod:`landscape.studio.plants` lights and draws the
+limbs, the leaves and the needles, in its frame: x right in -1..1, y up in 0..2, z to the viewer.
+"""
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+from scipy.spatial import cKDTree
+
+from landscape.studio.images import smoothstep, spectral_noise
+from landscape.studio.plants import (
+    Canvas,
+    Leaves,
+    draw_leaves,
+    draw_limbs,
+    foliage_density,
+    light_on_limbs,
+    unit,
+)
+
+PIPE_EXPONENT = 2.3  # Runions 2007: between da Vinci's 2 and 3
+TWIG_ALBEDO = (0.085, 0.062, 0.048)  # chosen: the year's wood is reddish brown on all four
+
+
+@dataclass
+class Skeleton:
+    """Limbs as a tree of nodes: positions (n, 3), parent indices (n,), -1 at the foot."""
+
+    points: np.ndarray
+    parents: np.ndarray
+
+    def radii(self, twig: float, trunk: float) -> np.ndarray:
+        """Pipe-model radii (n,), from ``twig`` at the tips, rescaled to ``trunk`` at the foot."""
+        area = np.zeros(len(self.points))
+        for i in range(len(self.points) - 1, -1, -1):
+            area[i] = max(area[i], 1.0)
+            if self.parents[i] >= 0:
+                area[self.parents[i]] += area[i]
+        r = area ** (1 / PIPE_EXPONENT)
+        gamma = np.log(trunk / twig) / np.log(r[0])
+        return twig * r**gamma
+
+    def child_counts(self) -> np.ndarray:
+        """Number of children (n,) of every node."""
+        return np.bincount(self.parents[self.parents >= 0], minlength=len(self.points))
+
+    def smooth(self, passes: int) -> None:
+        """Relax every node with one child towards its neighbours: branches bend, not zigzag."""
+        counts = self.child_counts()
+        child = np.full(len(self.points), -1)
+        child[self.parents[1:]] = np.arange(1, len(self.points))
+        inner = np.flatnonzero((counts == 1) & (self.parents >= 0))
+        for _ in range(passes):
+            middle = (self.points[self.parents[inner]] + self.points[child[inner]]) / 2
+            self.points[inner] = 0.5 * self.points[inner] + 0.5 * middle
+
+
+def colonise(
+    attractors: np.ndarray, stems: list[np.ndarray], step: float, pull: np.ndarray, seed: int
+) -> Skeleton:
+    """Grow limbs from the stems (polylines (k, 3) from the foot) towards the attractors (n, 3)."""
+    rng = np.random.default_rng(seed)
+    points, parents = [np.array([0.0, 0.0, 0.0])], [-1]
+    for line in stems:
+        last = 0
+        for point in line:
+            points.append(point)
+            parents.append(last)
+            last = len(points) - 1
+    nodes, origin = np.array(points), np.array(parents)
+    # If every node of a stem could branch, its limbs would stand out like the teeth of a comb.
+    fertile = rng.random(len(nodes)) < 0.4
+    fertile[np.cumsum([len(line) for line in stems])] = True
+    for _ in range(220):
+        if len(attractors) == 0:
+            break
+        able = np.flatnonzero(fertile)
+        distance, nearest = cKDTree(nodes[able]).query(attractors)
+        nearest = able[nearest]
+        near = distance < 17 * step if len(nodes) > len(points) + 40 else distance < 1e9
+        if not near.any():
+            break
+        toward = np.zeros_like(nodes)
+        pulls = attractors[near] - nodes[nearest[near]]
+        np.add.at(toward, nearest[near], pulls / np.linalg.norm(pulls, axis=1, keepdims=True))
+        growing = np.unique(nearest[near])
+        way = toward[growing]
+        way /= np.linalg.norm(way, axis=1, keepdims=True) + 1e-9
+        way += pull + 0.18 * rng.standard_normal(way.shape)
+        way /= np.linalg.norm(way, axis=1, keepdims=True)
+        fresh = nodes[growing] + step * way
+        # A node caught between two attractors would grow the same twig for ever: drop repeats.
+        free = cKDTree(nodes).query(fresh)[0] > 0.55 * step
+        if not free.any():
+            break
+        nodes = np.concatenate([nodes, fresh[free]])
+        origin = np.concatenate([origin, growing[free]])
+        fertile = np.concatenate([fertile, np.ones(free.sum(), bool)])
+        attractors = attractors[cKDTree(nodes).query(attractors)[0] > 2.0 * step]
+    return Skeleton(nodes, origin)
+
+
+def in_lobes(
+    centres: np.ndarray, radii: np.ndarray, count: int, rng: np.random.Generator
+) -> np.ndarray:
+    """Scatter points (count, 3) in ellipsoids with centres and radii (n, 3), more where larger."""
+    weight = radii.prod(axis=1) ** 0.8
+    lobe = rng.choice(len(centres), count, p=weight / weight.sum())
+    direction = rng.standard_normal((count, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    return centres[lobe] + direction * radii[lobe] * rng.random((count, 1)) ** 0.4
+
+
+def bark_texture(dark: list[float], light: list[float], stretch: float, seed: int) -> np.ndarray:
+    """Return a tileable bark (256, 256, 4): linear colour from ``dark`` (fissures) to ``light``
+    (ridges), and the relief's slope across the limb. Axis 0 runs along the limb."""
+    ridges = 1.0 - np.abs(
+        ndimage.gaussian_filter1d(spectral_noise(256, 0.75, seed), stretch, 0, mode="wrap")
+    )
+    ridges = (ridges - ridges.min()) / (ridges.max() - ridges.min())
+    grain = spectral_noise(256, 0.6, seed + 1)
+    height = np.clip(smoothstep(0.35, 0.95, ridges) + 0.12 * grain, 0.0, 1.0)[..., None]
+    colour = np.array(dark) * (1 - height) + np.array(light) * height
+    slope = ndimage.gaussian_filter(
+        np.roll(height[..., 0], -1, 1) - np.roll(height[..., 0], 1, 1), 0.7, mode="wrap"
+    )
+    return np.concatenate([colour, -1.6 * slope[..., None]], -1)
+
+
+def birch_bark(seed: int) -> np.ndarray:
+    """White paper bark with dark dashes across and black scars, as :func:`bark_texture`."""
+    rng = np.random.default_rng(seed)
+    dashes = ndimage.gaussian_filter(rng.standard_normal((256, 256)), (1.1, 9.0), mode="wrap")
+    scars = ndimage.gaussian_filter(rng.standard_normal((256, 256)), (7.0, 10.0), mode="wrap")
+    ink = np.clip((dashes / dashes.std() - 1.25) * 1.5, 0, 1) * 0.8
+    ink = np.maximum(ink, np.clip((scars / scars.std() - 1.35) * 3.0, 0, 1) * 0.95)[..., None]
+    warm = spectral_noise(256, 1.3, seed + 1)[..., None] * np.array([0.02, 0.03, 0.04])
+    colour = (np.array([0.66, 0.63, 0.57]) + warm) * (1 - ink) + np.array([0.05, 0.045, 0.04]) * ink
+    return np.concatenate([colour, np.zeros((256, 256, 1))], -1)
+
+
+def dress(
+    skeleton: Skeleton,
+    at: np.ndarray,
+    per_node: int,
+    spread: float,
+    size: tuple[float, float],
+    droop: float,
+    albedos: np.ndarray,
+    rng: np.random.Generator,
+) -> Leaves:
+    """Hang leaves round the nodes ``at``: ``per_node`` each within ``spread``, of ``size`` (length,
+    width); ``albedos`` (k, 3) are the linear colours they mix."""
+    node = np.repeat(at, per_node)
+    n = len(node)
+    away = unit(rng.standard_normal((n, 3)))
+    centre = skeleton.points[node] + away * spread * rng.random((n, 1)) ** 0.5
+    axis = unit(away + 0.6 * rng.standard_normal((n, 3)) + np.array([0.0, -droop, 0.0]))
+    normal = rng.standard_normal((n, 3)) + np.array([0.0, 0.7, 0.6])
+    normal = unit(normal - axis * np.sum(normal * axis, 1, keepdims=True))
+    scale = rng.uniform(0.7, 1.25, n)
+    mix = rng.dirichlet(np.full(len(albedos), 0.7), len(skeleton.points))[node]
+    albedo = mix @ albedos * rng.uniform(0.82, 1.18, (n, 1))
+    return Leaves(centre, axis, normal, size[0] * scale, size[1] * scale, albedo)
+
+
+def hang_twigs(
+    skeleton: Skeleton,
+    tips: np.ndarray,
+    steps: tuple[int, int],
+    step: float,
+    rng: np.random.Generator,
+) -> Skeleton:
+    """Let a twig of ``steps`` (least, most) nodes fall from each of the nodes ``tips``."""
+    points, parents = list(skeleton.points), list(skeleton.parents)
+    for tip in tips:
+        way = unit(skeleton.points[tip] - skeleton.points[skeleton.parents[tip]])
+        last = tip
+        for _ in range(rng.integers(*steps)):
+            way = unit(way + np.array([0.0, -0.33, 0.0]) + 0.12 * rng.standard_normal(3))
+            points.append(points[last] + step * way)
+            parents.append(last)
+            last = len(points) - 1
+    return Skeleton(np.array(points), np.array(parents))
+
+
+def draw_skeleton(
+    canvas: Canvas,
+    skeleton: Skeleton,
+    radii: np.ndarray,
+    bark: np.ndarray,
+    density: np.ndarray,
+    extinction: float,
+    roots: int,
+    rng: np.random.Generator,
+) -> None:
+    """Draw every limb, with ``roots`` buttresses that spread the foot over the ground."""
+    child = np.flatnonzero(skeleton.parents >= 0)
+    parent = skeleton.parents[child]
+    points = skeleton.points
+    # The foot flares: a trunk that meets the ground as a cylinder looks like a stick put there.
+    wide = radii * (1.0 + 0.55 * np.exp(-points[:, 1] / (1.6 * radii[0])))
+    ends = np.stack([points[parent], points[child]], 1)
+    thick = np.stack([np.minimum(wide[parent], 1.35 * wide[child]), wide[child]], 1)
+    foot = radii[skeleton.parents == 0].max()
+    for k in range(roots):
+        angle = 2 * np.pi * (k + rng.uniform(-0.3, 0.3)) / roots
+        out = np.array([np.cos(angle), 0.0, 0.6 * np.sin(angle)])
+        spread = rng.uniform(0.85, 1.25)
+        path = np.array([[0.25, 3.4], [0.5, 1.7], [0.85, 0.7], [1.3, 0.15], [2.1, -0.25]]) * foot
+        curve = path[:, :1] * out * spread + path[:, 1:] * np.array([0.0, 1.0, 0.0])
+        r = np.array([0.70, 0.66, 0.58, 0.42, 0.2]) * foot
+        ends = np.concatenate([ends, np.stack([curve[:-1], curve[1:]], 1)])
+        thick = np.concatenate([thick, np.stack([r[:-1], r[1:]], 1)])
+    height = np.zeros(len(points))
+    turn = np.zeros(len(points))
+    for i, p in zip(child, parent, strict=True):
+        height[i] = height[p] + np.linalg.norm(points[i] - points[p])
+        turn[i] = turn[p] if radii[i] > 0.75 * radii[p] else rng.uniform(0, 256)
+    along = np.stack([height[parent], height[child]], 1)
+    extra = ends[len(child) :]
+    along = np.concatenate([along, extra[..., 1] + 0.31])
+    lights = light_on_limbs(density, ends, extinction)
+    lights[..., 1] *= 0.45 + 0.55 * np.clip(ends[..., 1] / (4 * foot), 0, 1)
+    draw_leaves(canvas, foot_grass(3.2 * foot, 170, rng), density, 0.4 * extinction)
+    turns = np.concatenate([turn[child], np.repeat(rng.uniform(0, 256, roots), 4)])
+    draw_limbs(canvas, ends, thick, lights, bark, np.array(TWIG_ALBEDO), along, turns)
+
+
+def foot_grass(spread: float, count: int, rng: np.random.Generator) -> Leaves:
+    """Blades round the foot within ``spread``; they hide where the quad cuts the ground."""
+    x = np.clip(rng.standard_normal(count) * 0.45, -1, 1) * spread
+    z = rng.uniform(-0.3, 1.0, count) * spread * 0.7
+    length = rng.uniform(0.03, 0.085, count) * np.clip(1.25 - np.abs(x) / spread, 0.3, 1)
+    axis = unit(
+        np.stack(
+            [0.4 * rng.standard_normal(count), np.ones(count), 0.3 * rng.standard_normal(count)], 1
+        )
+    )
+    centre = np.stack([x, length * 0.32, z], 1)
+    normal = unit(np.cross(axis, unit(rng.standard_normal((count, 3)))) + np.array([0.0, 0.2, 0.4]))
+    albedo = np.array([0.095, 0.150, 0.035]) * rng.uniform(0.55, 1.15, (count, 1))
+    return Leaves(centre, axis, normal, length, length * 0.14, albedo)
+
+
+def fit(skeleton: Skeleton, leaves: Leaves, width: float, height: float) -> None:
+    """Scale a tree about its foot so that its crown fills the given part of the square."""
+    everything = np.concatenate([skeleton.points, leaves.centre])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    margin = leaves.length.max() / 2
+    # Bring the crown over the middle by shearing with the height: the foot stays where it is.
+    shear = -(low[0] + high[0]) / 2 / (0.6 * high[1])
+    sx = (width - margin) / ((high[0] - low[0]) / 2)
+    sy = (2 * height - margin) / high[1]
+    for points in (skeleton.points, leaves.centre):
+        lean = np.clip(points[:, 1] / high[1] / 0.6, 0, 1) * 0.6 * high[1]
+        points[:, 0] = (points[:, 0] + shear * lean) * sx
+        points[:, 1] *= sy
+        points[:, 2] *= sx
+
+
+def crown_lobes(
+    centre: list[float],
+    radii: list[float],
+    count: int,
+    size: tuple[float, float],
+    low: float,
+    seed: int,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Put ``count`` lobes evenly over an ellipsoid's surface, above ``low`` (-1 is its bottom): the
+    clumps of a crown. Returns centres and radii (count, 3)."""
+    rng = np.random.default_rng(seed)
+    k = np.arange(count) + 0.5
+    y = 1.0 - (1.0 - low) * k / count
+    angle = np.pi * (1 + 5**0.5) * k + rng.uniform(-0.5, 0.5, count)
+    ring = np.sqrt(np.maximum(0.0, 1.0 - y * y))
+    shell = np.stack([ring * np.cos(angle), y, ring * np.sin(angle)], 1)
+    shell *= rng.uniform(0.68, 0.98, (count, 1))
+    r = rng.uniform(*size, (count, 1)) * np.array([1.15, 0.8, 1.1])
+    return np.array(centre) + shell * np.array(radii), r
+
+
+def stem(*points: tuple[float, float, float], step: float = 0.04) -> np.ndarray:
+    """A polyline (k, 3) through the points, one node every ``step`` or so."""
+    p = np.array(points)
+    t = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(p, axis=0), axis=1))])
+    s = np.linspace(0.0, t[-1], max(2, round(t[-1] / step) + 1))[1:]
+    return np.stack([np.interp(s, t, p[:, k]) for k in range(3)], 1)
+
+
+@functools.cache
+def broadleaf() -> np.ndarray:
+    """An old oak: short trunk, wide crown in clumps, heavy limbs seen through the gaps."""
+    rng = np.random.default_rng(11)
+    centres, radii = crown_lobes([0, 1.16, 0], [0.80, 0.68, 0.66], 30, (0.15, 0.29), -0.72, 3)
+    attractors = in_lobes(centres, radii, 5200, rng)
+    skeleton = colonise(
+        attractors,
+        [
+            stem(
+                (0, 0, 0), (0.02, 0.2, 0), (-0.01, 0.36, 0.0), (-0.06, 0.6, 0.05), (0.0, 0.9, 0.0)
+            ),
+            stem((0.01, 0.3, 0.0), (0.12, 0.5, 0.08), (0.3, 0.72, 0.05), (0.38, 0.9, 0.0)),
+            stem((0.0, 0.38, 0.0), (-0.16, 0.55, -0.06), (-0.38, 0.68, 0.0)),
+        ],
+        0.033,
+        np.array([0.0, 0.1, 0.0]),
+        14,
+    )
+    skeleton.smooth(3)
+    r = skeleton.radii(0.0033, 0.088)
+    albedos = np.array([[0.080, 0.138, 0.030], [0.120, 0.172, 0.040], [0.055, 0.102, 0.032]])
+    leaves = dress(
+        skeleton, np.flatnonzero(r < 0.0058), 12, 0.052, (0.036, 0.022), 0.2, albedos, rng
+    )
+    fit(skeleton, leaves, 0.97, 0.97)
+    density = foliage_density(leaves)
+    canvas = Canvas.blank()
+    bark = bark_texture([0.035, 0.028, 0.020], [0.19, 0.158, 0.122], 9.0, 21)
+    draw_skeleton(canvas, skeleton, r, bark, density, 0.55, 7, rng)
+    draw_leaves(canvas, leaves, density, 0.55)
+    return canvas.finish()
+
+
+@functools.cache
+def birch() -> np.ndarray:
+    """A birch of two white stems, airy, its thin twigs hanging."""
+    rng = np.random.default_rng(31)
+    centres, radii = crown_lobes([0, 1.2, 0], [0.56, 0.74, 0.5], 28, (0.16, 0.26), -0.8, 5)
+    attractors = in_lobes(centres, radii, 2800, rng)
+    skeleton = colonise(
+        attractors,
+        [
+            stem(
+                (0.0, 0.1, 0.02),
+                (0.06, 0.35, 0.05),
+                (0.12, 0.7, 0.03),
+                (0.15, 1.05, 0.0),
+                (0.21, 1.6, 0.0),
+            ),
+            stem(
+                (-0.015, 0.12, 0),
+                (-0.08, 0.4, -0.05),
+                (-0.17, 0.85, 0.0),
+                (-0.17, 1.2, 0.0),
+                (-0.12, 1.55, 0),
+            ),
+        ],
+        0.035,
+        np.array([0.0, 0.45, 0.0]),
+        32,
+    )
+    skeleton.smooth(4)
+    tips = np.flatnonzero(skeleton.child_counts() == 0)
+    skeleton = hang_twigs(skeleton, tips, (4, 11), 0.028, rng)
+    r = skeleton.radii(0.0018, 0.050)
+    albedos = np.array([[0.165, 0.205, 0.045], [0.215, 0.225, 0.048], [0.115, 0.168, 0.040]])
+    leaves = dress(
+        skeleton, np.flatnonzero(r < 0.0034), 4, 0.030, (0.026, 0.019), 0.9, albedos, rng
+    )
+    fit(skeleton, leaves, 0.92, 0.98)
+    density = foliage_density(leaves)
+    canvas = Canvas.blank()
+    draw_skeleton(canvas, skeleton, r, birch_bark(41), density, 0.45, 5, rng)
+    draw_leaves(canvas, leaves, density, 0.45)
+    return canvas.finish()
+
+
+@functools.cache
+def shrub() -> np.ndarray:
+    """A hawthorn bent by the wind: gnarled grey stems, a ragged crown with blossom, dead twigs."""
+    rng = np.random.default_rng(51)
+    centres, radii = crown_lobes([0.16, 0.88, 0], [0.82, 0.58, 0.6], 30, (0.15, 0.26), -0.6, 8)
+    attractors = in_lobes(centres, radii, 3000, rng)
+    extra = np.array([[-0.62, 0.75, 0.0], [-0.2, 0.32, 0.1], [0.3, 0.3, 0.12], [0.05, 0.34, -0.2]])
+    sizes = np.array([[0.24, 0.30, 0.20], [0.2, 0.16, 0.16], [0.22, 0.16, 0.16], [0.2, 0.16, 0.16]])
+    attractors = np.concatenate([attractors, in_lobes(extra, sizes, 260, rng)])
+    skeleton = colonise(
+        attractors,
+        [
+            stem(
+                (0, 0, 0),
+                (0.05, 0.10, 0.03),
+                (0.01, 0.2, 0.05),
+                (0.10, 0.32, 0.06),
+                (0.08, 0.45, 0.0),
+                (0.2, 0.6, 0),
+            ),
+            stem(
+                (-0.03, 0.06, 0),
+                (-0.10, 0.14, -0.03),
+                (-0.09, 0.25, 0.03),
+                (-0.22, 0.36, 0.02),
+                (-0.25, 0.5, 0),
+            ),
+            stem(
+                (0.05, 0.08, 0),
+                (0.15, 0.13, -0.05),
+                (0.2, 0.24, -0.04),
+                (0.36, 0.30, 0.0),
+                (0.44, 0.42, 0),
+            ),
+        ],
+        0.038,
+        np.array([0.22, 0.05, 0.0]),
+        52,
+    )
+    skeleton.smooth(1)
+    r = skeleton.radii(0.0030, 0.072)
+    albedos = np.array([[0.062, 0.094, 0.040], [0.098, 0.122, 0.046], [0.046, 0.074, 0.040]])
+    at = np.flatnonzero(r < 0.0062)
+    # The windward side is bare: its dead twigs are what tells this tree from the others afar.
+    bare = smoothstep(-0.58, -0.22, skeleton.points[at, 0] + 0.25 * (skeleton.points[at, 1] - 0.9))
+    at = at[rng.random(len(at)) < 0.04 + 0.96 * bare]
+    leaves = dress(skeleton, at, 12, 0.050, (0.029, 0.021), 0.0, albedos, rng)
+    flowering = rng.random(len(skeleton.points)) < 0.15
+    blossom = np.repeat(flowering[at], 12) & (rng.random(len(leaves.centre)) < 0.55)
+    leaves.albedo[blossom] = np.array([0.50, 0.46, 0.38])
+    leaves.length[blossom] *= 0.62
+    fit(skeleton, leaves, 0.97, 0.93)
+    density = foliage_density(leaves)
+    canvas = Canvas.blank()
+    bark = bark_texture([0.03, 0.028, 0.025], [0.18, 0.165, 0.145], 7.0, 61)
+    draw_skeleton(canvas, skeleton, r, bark, density, 0.5, 5, rng)
+    draw_leaves(canvas, leaves, density, 0.5)
+    return canvas.finish()
+
+
+def spruce_limbs(rng: np.random.Generator) -> tuple[Skeleton, np.ndarray]:
+    """The spruce's trunk, whorls and hanging twigs; also the nodes (k,) that carry needles."""
+    points, parents, twigs = [np.zeros(3)], [-1], []
+
+    def grow(
+        start: int, way: np.ndarray, length: float, step: float, bend: float, green: bool
+    ) -> list[int]:
+        made = []
+        last = start
+        for k in range(max(2, round(length / step))):
+            lift = bend * (k * step / length - 0.35)
+            # The lowest boughs sweep over the ground, not into it.
+            lift += 5.0 * max(0.0, 0.21 - points[last][1]) / length
+            way = unit(
+                way + np.array([0.0, lift * step / length * 2, 0.0]) + 0.05 * rng.standard_normal(3)
+            )
+            points.append(points[last] + step * way)
+            parents.append(last)
+            last = len(points) - 1
+            made.append(last)
+            if green:
+                twigs.append(last)
+        return made
+
+    trunk = [0]
+    for y in np.arange(0.02, 2.0, 0.02):
+        points.append(np.array([0.012 * np.sin(3 * y), y, 0.0]))
+        parents.append(trunk[-1])
+        trunk.append(len(points) - 1)
+    y = 0.27
+    while y < 1.92:
+        part = (y - 0.27) / 1.69
+        reach = 0.86 * (1 - part) ** 0.92 * min(1.0, 0.62 + 2.2 * part) + 0.018
+        turn = rng.uniform(0, 2 * np.pi)
+        count = 7 if y < 1.5 else 5
+        for k in range(count):
+            angle = turn + 2 * np.pi * (k + rng.uniform(-0.3, 0.3)) / count
+            length = reach * rng.uniform(0.72, 1.12)
+            slope = -0.36 + 1.25 * part**1.6 + rng.uniform(-0.1, 0.1)
+            way = unit(np.array([np.cos(angle), slope, np.sin(angle)]))
+            node = trunk[min(len(trunk) - 1, int((y + rng.uniform(-0.015, 0.015)) / 0.02))]
+            branch = grow(node, way, length, 0.03, 0.7, False)
+            for j, at in enumerate(branch):
+                if j * 0.03 > 0.1 * length:
+                    twigs.append(at)
+                side_length = 0.36 * length * (1 - j / len(branch)) ** 0.7 + 0.03
+                if j * 0.03 < 0.12 * length:
+                    continue
+                run = unit(points[at] - points[parents[at]])
+                flat = unit(np.cross(run, np.array([0.0, 1.0, 0.0])))
+                for side in (-1, 1):
+                    out = unit(run * 0.8 + side * flat + np.array([0.0, -0.25, 0.0]))
+                    grow(at, out, side_length * rng.uniform(0.7, 1.2), 0.026, -0.5, True)
+        y += 0.052 + 0.03 * (1 - part) * rng.uniform(0.7, 1.3)
+    return Skeleton(np.array(points), np.array(parents)), np.array(twigs + trunk[-9:])
+
+
+@functools.cache
+def conifer() -> np.ndarray:
+    """A spruce: dark tiers of needles, tips turned up, sky between the tiers."""
+    rng = np.random.default_rng(71)
+    skeleton, green = spruce_limbs(rng)
+    r = skeleton.radii(0.0025, 0.05)
+    run = unit(skeleton.points[green] - skeleton.points[skeleton.parents[green]])
+    albedos = np.array([[0.052, 0.098, 0.042], [0.088, 0.130, 0.050], [0.038, 0.078, 0.042]])
+    needles = dress(skeleton, green, 7, 0.02, (0.036, 0.0072), 0.1, albedos, rng)
+    needles.axis = unit(needles.axis + 1.1 * np.repeat(run, 7, axis=0))
+    needles.normal = unit(
+        needles.normal - needles.axis * np.sum(needles.normal * needles.axis, 1, keepdims=True)
+    )
+    fit(skeleton, needles, 0.9, 0.985)
+    density = foliage_density(needles)
+    canvas = Canvas.blank()
+    bark = bark_texture([0.03, 0.022, 0.017], [0.15, 0.105, 0.08], 3.0, 81)
+    draw_skeleton(canvas, skeleton, r, bark, density, 0.6, 5, rng)
+    draw_leaves(canvas, needles, density, 1.1)
+    return canvas.finish()
+
+
+ASSETS: dict[str, Callable[[], np.ndarray]] = {
+    "tree_broadleaf.png": broadleaf,
+    "tree_conifer.png": conifer,
+    "tree_birch.png": birch,
+    "tree_shrub.png": shrub,
+}

@@ -1,0 +1,47 @@
+"""A frame as the list of OpenGL calls that draw it."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from landscape.gl.calls import Call, recording
+from landscape.render import Offscreen
+
+SIZE = (320, 240)  # chosen: which calls are made does not depend on it
+
+
+def trace_view(
+    view: str,
+    preset: str,
+    settings: Mapping[str, Any] | None = None,
+    wireframe: bool = False,
+    **options: Any,
+) -> list[Call]:
+    """Draw one frame of a view and return its calls in order, those of the set-up first.
+
+    Reading the picture back is not part of a frame and is left out.
+    """
+    with Offscreen(SIZE, preset, settings, **options) as offscreen, recording() as recorder:
+        offscreen.look(view, wireframe=wireframe)
+        assert offscreen.island is not None
+        offscreen.island.draw(offscreen.moment)
+        return list(recorder.calls)
+
+
+def as_text(calls: list[Call], indent: str = "") -> Iterator[str]:
+    """Yield a line a call: pass, element, source, and the call as one would write it."""
+    for call in calls:
+        arguments = ", ".join(_short(a) for a in call.shown)
+        where = f"{call.pass_:10} {call.element:10} {call.source:44}"
+        yield f"{where} {indent}{call.name}({arguments})"
+        yield from as_text(call.listed, indent + "  ")
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, dict) and "values" in value:
+        values = value["values"]
+        if len(values) <= 16:
+            return "[" + ", ".join(f"{v:g}" for v in values) + "]"
+        return f"{value['dtype']}{value['shape']}"
+    if isinstance(value, float):
+        return f"{value:g}"
+    return str(value)

@@ -1,0 +1,237 @@
+#!/usr/bin/env bash
+# Sets up what a make target needs, and says nothing when there is nothing to do.
+#
+#   scripts/setup.sh demo     .venv with the package, and an OpenGL library
+#   scripts/setup.sh studio   the same and what makes the assets
+#   scripts/setup.sh test     all of it, the checking tools, and a screen for the window tests
+#   scripts/setup.sh screen   sets up nothing: status 0 if a window can be opened, 1 if not
+#
+# PYTHON chooses the interpreter. System packages are installed only with apt-get, and only as root
+# or where sudo asks for no password. Status 3: no OpenGL, as in the program itself.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+say() { printf 'setup: %s\n' "$*" >&2; }
+die() {
+    local status=$1
+    shift
+    say "$@"
+    exit "$status"
+}
+
+# Run a command with its output in a log; show the log's end if it fails.
+quietly() {
+    local log
+    log=$(mktemp)
+    if ! "$@" >"$log" 2>&1 </dev/null; then
+        tail -n 25 "$log" >&2
+        rm -f "$log"
+        return 1
+    fi
+    rm -f "$log"
+}
+
+# --- system packages ---------------------------------------------------------------------------
+
+as_root() { if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo -n "$@"; fi; }
+
+may_install() {
+    command -v apt-get >/dev/null || return 1
+    [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }
+}
+
+listed_packages() { sed -e 's/#.*//' system-packages.txt | xargs; }
+
+# Say how a person who may do so installs them.
+how_to_install() {
+    local package known=()
+    if ! command -v apt-get >/dev/null; then
+        echo "Install what Debian calls: $(listed_packages)"
+        return
+    fi
+    for package in $(listed_packages); do
+        apt_knows "$package" && known+=("$package")
+    done
+    echo "Run: sudo apt-get install ${known[*]:-$(listed_packages)}"
+}
+
+apt_knows() { apt-cache show "$1" >/dev/null 2>&1; }
+
+# Install the packages named, leaving out those that this system's apt does not know.
+apt_install() {
+    local package known=() unknown=()
+    quietly as_root apt-get update -q || say "apt-get update failed; trying with the lists at hand"
+    for package in "$@"; do
+        if apt_knows "$package"; then
+            known+=("$package")
+        else
+            unknown+=("$package")
+        fi
+    done
+    [ ${#unknown[@]} -eq 0 ] || say "not known to apt here, left out: ${unknown[*]}"
+    [ ${#known[@]} -gt 0 ] || return 1
+    say "installing ${known[*]} (apt-get)"
+    quietly as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -q -y --no-install-recommends "${known[@]}"
+}
+
+# --- Python ------------------------------------------------------------------------------------
+
+new_enough() { "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; }
+
+# Print the first Python 3.11 or newer; an interpreter named by PYTHON is the only one tried.
+find_python() {
+    local candidate
+    if [ -n "${PYTHON:-}" ]; then
+        new_enough "$PYTHON" || die 1 "PYTHON=$PYTHON is not a Python 3.11 or newer"
+        printf '%s\n' "$PYTHON"
+        return
+    fi
+    for candidate in python3 python3.14 python3.13 python3.12 python3.11; do
+        if new_enough "$candidate"; then
+            printf '%s\n' "$candidate"
+            return
+        fi
+    done
+    die 1 "Python 3.11 or newer is needed; python3 is $(python3 --version 2>&1 || true)." \
+        "Install one (Debian 12, Ubuntu 24.04 and newer: apt-get install python3 python3-venv;" \
+        "elsewhere: https://www.python.org/downloads/), or name one: make PYTHON=/path/to/python3"
+}
+
+can_make_venv() { "$1" -c 'import ensurepip, venv' 2>/dev/null; }
+
+make_venv() {
+    local python version
+    python=$(find_python)
+    if ! can_make_venv "$python"; then
+        version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+        if may_install; then apt_install python3-venv "python$version-venv" || true; fi
+        can_make_venv "$python" || die 1 "$python cannot make a virtual environment:" \
+            "its module venv or ensurepip is missing." \
+            "On Debian and Ubuntu: sudo apt-get install python$version-venv"
+    fi
+    say "making .venv with $("$python" --version)"
+    quietly "$python" -m venv --clear .venv || die 1 "$python -m venv failed"
+}
+
+# Install the package with the given extras, once for each content of pyproject.toml. The stamp also
+# holds the folder: a virtual environment that was moved with its checkout is no longer any good.
+install_package() {
+    local extras=$1 stamp=.venv/.installed now
+    now="$PWD $(cksum <pyproject.toml)"
+    if [ -x .venv/bin/landscape ] && [ "$(head -n 1 "$stamp" 2>/dev/null)" = "$now" ]; then
+        case " $(tail -n 1 "$stamp") " in *" $extras "*) return ;; esac
+    fi
+    if [ "$(cat .venv/.folder 2>/dev/null)" != "$PWD" ] ||
+        ! .venv/bin/python -m pip -V >/dev/null 2>&1; then
+        make_venv
+        printf '%s\n' "$PWD" >.venv/.folder
+    fi
+    local target=.
+    [ "$extras" = package ] || target=".[$extras]"
+    say "installing $target into .venv (pip; the first time takes a minute or two)"
+    quietly .venv/bin/python -m pip install -q --disable-pip-version-check -e "$target" ||
+        die 1 "pip could not install $target; is the network there?"
+    # What an extra contains is installed with it.
+    case $extras in
+        dev) extras="package studio dev" ;;
+        studio) extras="package studio" ;;
+    esac
+    printf '%s\n%s\n' "$now" "$extras" >"$stamp"
+}
+
+# --- OpenGL ------------------------------------------------------------------------------------
+
+# Succeed if this machine can draw without a screen: OSMesa, or EGL with no surface.
+have_opengl() {
+    .venv/bin/python - 2>/dev/null <<'PYTHON'
+import ctypes, sys
+
+def load(*names):
+    for name in names:
+        try:
+            return ctypes.CDLL(name)
+        except OSError:
+            pass
+
+def surfaceless():
+    egl = load("libEGL.so.1")
+    if not egl or not load("libGL.so.1", "libOpenGL.so.0"):
+        return False
+    egl.eglGetPlatformDisplay.restype = ctypes.c_void_p
+    egl.eglGetPlatformDisplay.argtypes = [ctypes.c_uint, ctypes.c_void_p, ctypes.c_void_p]
+    egl.eglInitialize.argtypes = [ctypes.c_void_p] * 3
+    EGL_PLATFORM_SURFACELESS_MESA = 0x31DD
+    display = egl.eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, None, None)
+    return bool(display) and egl.eglInitialize(display, None, None) == 1
+
+sys.exit(not (load("libOSMesa.so.8", "libOSMesa.so.6") or surfaceless()))
+PYTHON
+}
+
+have_window_library() {
+    .venv/bin/python -c 'import ctypes; ctypes.CDLL("libGL.so.1")' 2>/dev/null
+}
+
+# Without OpenGL nothing works. What is only wished for (a window's library, Xvfb) is installed once
+# if that may be, and missed with one line if not.
+check_system() {
+    local purpose=$1 wished=() tried
+    [ "$(uname -s)" = Linux ] || return 0
+    tried=.venv/.system-$purpose-$(cksum <system-packages.txt | cut -d ' ' -f 1)
+    if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || [ "$purpose" = test ]; then
+        have_window_library || wished+=(libGL.so.1)
+    fi
+    if [ "$purpose" = test ]; then
+        command -v Xvfb >/dev/null || wished+=(Xvfb)
+    fi
+    if have_opengl && { [ ${#wished[@]} -eq 0 ] || [ -e "$tried" ]; }; then
+        return
+    fi
+    # shellcheck disable=SC2046  # one word a package is what is meant
+    if may_install; then
+        apt_install $(listed_packages) || say "apt-get failed"
+    fi
+    have_opengl || die 3 "no OpenGL library for drawing without a screen was found (OSMesa or EGL)." \
+        "$(how_to_install)"
+    if may_install; then
+        : >"$tried"
+    elif [ ${#wished[@]} -gt 0 ]; then
+        say "missing: ${wished[*]}; what needs it is left out. $(how_to_install)"
+    fi
+}
+
+# --- screen ------------------------------------------------------------------------------------
+
+can_open_window() {
+    [ -z "${CI:-}" ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || return 1
+    # A display that does not answer must not hold us up.
+    timeout 20 .venv/bin/python - >/dev/null 2>&1 <<'PYTHON'
+import sys, glfw
+
+glfw.ERROR_REPORTING = False
+if not glfw.init():
+    sys.exit(1)
+glfw.window_hint(glfw.VISIBLE, False)
+window = glfw.create_window(64, 64, "landscape", None, None)
+glfw.terminate()
+sys.exit(not window)
+PYTHON
+}
+
+case ${1:-} in
+    demo)
+        install_package package
+        check_system demo
+        ;;
+    studio)
+        install_package studio
+        check_system demo
+        ;;
+    test)
+        install_package dev
+        check_system test
+        ;;
+    screen) can_open_window ;;
+    *) die 2 "usage: scripts/setup.sh demo|studio|test|screen" ;;
+esac
