@@ -1,5 +1,6 @@
 """Finding the files the island is made of: the user's own first, then those that came with it."""
 
+import os
 from pathlib import Path
 
 from landscape.errors import InputError
@@ -18,7 +19,7 @@ class Assets:
 
     def __init__(self, folder: Path | None = None) -> None:
         """Look in ``folder`` before the shipped assets; InputError where it is no folder."""
-        if folder is not None and not folder.is_dir():
+        if folder is not None and not os.path.isdir(folder):
             raise InputError(f"--assets {folder}: expected a folder")
         self._folders = ([folder] if folder is not None else []) + [shipped()]
 
@@ -27,12 +28,12 @@ class Assets:
 
         InputError names the file, and the settings ``key`` it came from.
         """
-        given = Path(name).expanduser()
+        given = Path(os.path.expanduser(name))
         candidates = [given]
         if given.name == name:
             candidates = [folder / name for folder in self._folders] + [given]
         for path in candidates:
-            if path.exists():
+            if os.path.exists(path):
                 return path
         where = f"setting {key}: " if key else ""
         raise InputError(f"{where}{name}: no such file")

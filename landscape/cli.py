@@ -4,8 +4,10 @@ Exit status: 0 done, 1 a check failed, 2 bad input, 3 no usable OpenGL.
 """
 
 import argparse
+import contextlib
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -23,28 +25,58 @@ MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow l
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
     try:
-        options = _parser().parse_args(argv)
+        options = _parse(argv)
         status: int = options.run(options)
-        sys.stdout.flush()
+        print(end="", flush=True)
         return status
     except InputError as error:
         return _fail(error, 2)
     except NoOpenGLError as error:
         return _fail(error, 3)
     except BrokenPipeError:
-        # The reader left (head, less): nothing more to say, not even at interpreter exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # The reader left (head, less): there is nothing more to say.
+        _silence_output()
         return 0
+    except OSError as error:
+        # What is written to a file has its own message: this is standard output on a full disk.
+        _silence_output()
+        return _fail(f"{error.filename or 'standard output'}: {error.strerror}", 2)
+    except MemoryError:
+        return _fail("not enough memory: expected a smaller --size or smaller settings", 2)
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
 
 
 def _fail(reason: object, status: int) -> int:
-    print(f"landscape: {reason}", file=sys.stderr)
+    if sys.stderr is not None:
+        print("landscape:", " ".join(str(reason).splitlines()), file=sys.stderr)
     return status
 
 
+def _silence_output() -> None:
+    """Let what is left of standard output vanish, or the interpreter complains as it ends."""
+    with contextlib.suppress(OSError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _parse(argv: Sequence[str] | None) -> argparse.Namespace:
+    """Parse the command line; views may stand before, between and after the options."""
+    parser = _parser()
+    options, rest = parser.parse_known_args(argv)
+    if rest:
+        # argparse itself takes those before the first option only.
+        if "views" not in options or any(word.startswith("-") for word in rest):
+            parser.error(f"unrecognized arguments: {' '.join(rest)}")
+        options.views = [*options.views, *rest]
+    return options
+
+
 class _Parser(argparse.ArgumentParser):
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        # What begins so is a value, never an option: a pose may be -1,2,3,0,0.
+        self._negative_number_matcher = re.compile(r"-\.?\d")
+
     def error(self, message: str) -> Any:
         """End in one line, as all bad input does."""
         raise InputError(f"{message} (see `{self.prog} --help`)")
@@ -93,12 +125,20 @@ def _parser() -> argparse.ArgumentParser:
 
     assets = command("assets", _assets, "make, show or fetch assets", "fetch-stanford")
     actions = assets.add_subparsers(metavar="ACTION", required=True, parser_class=_Parser)
-    build = actions.add_parser("build", help="make assets from code (needs the extra `studio`)")
+    build = actions.add_parser(
+        "build",
+        help="make assets from code (needs the extra `studio`)",
+        epilog="example: landscape assets build water.png --assets mine",
+    )
     build.add_argument("names", nargs="*", metavar="NAME", help="file names; default: all")
     build.add_argument("--assets", type=Path, metavar="DIR", help="where to; default: in place")
     build.add_argument("-q", "--quiet", action="store_true")
     build.set_defaults(run=_assets_build)
-    sheet = actions.add_parser("sheet", help="one contact sheet of all assets")
+    sheet = actions.add_parser(
+        "sheet",
+        help="one contact sheet of all assets",
+        epilog="example: landscape assets sheet --out sheet.png",
+    )
     sheet.add_argument("--out", type=Path, default=Path("sheet.png"), metavar="FILE.png")
     sheet.add_argument("--assets", type=Path, metavar="DIR")
     sheet.set_defaults(run=_assets_sheet)
@@ -108,6 +148,7 @@ def _parser() -> argparse.ArgumentParser:
         description="Download the Stanford bunny and dragon, check them, and say how to use them. "
         "Terms: acknowledge the Stanford Computer Graphics Laboratory; no commercial use without "
         "permission.",
+        epilog="example: landscape assets fetch-stanford --out stanford",
     )
     fetch.add_argument("--out", type=Path, default=Path("stanford"), metavar="DIR")
     fetch.add_argument("-q", "--quiet", action="store_true")

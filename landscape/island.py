@@ -87,6 +87,16 @@ class Island:
         self.sword = own(Sword(settings, assets)) if "sword" in only else None
         self.map = own(Map(settings, assets)) if "map" in only else None
 
+    def apply(self, settings: Settings) -> None:
+        """Take settings that differ in what is read at each frame: fog, reflection, sorting, map.
+
+        What was built from the others (meshes, lists, places drawn by lot) stays as it is.
+        """
+        self.settings = settings
+        for element in self._owned:
+            if hasattr(element, "_settings"):
+                element._settings = settings
+
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
         begin_pass("main")

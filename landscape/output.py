@@ -11,21 +11,27 @@ from PIL import Image
 
 from landscape.errors import InputError
 
+# Written as a folder's name, these would be a mistake: only PNG is written.
+OTHER_PICTURES = {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ppm", ".avif"}
+
 
 def write_whole(path: Path, data: bytes) -> None:
     """Write a file under another name and rename it: readers see the old one or the whole new one.
 
-    InputError where the folder or the file cannot be written.
+    Makes the folder if need be, and follows a symbolic link. InputError where the folder or the
+    file cannot be written.
     """
     temporary: str | None = None
     try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        target = os.path.realpath(path)
+        handle, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".landscape.")
         with os.fdopen(handle, "wb") as file:
             file.write(data)
         umask = os.umask(0)
         os.umask(umask)
         os.chmod(temporary, 0o666 & ~umask)
-        os.replace(temporary, path)
+        os.replace(temporary, target)
     except OSError as error:
         raise InputError(f"{path}: cannot be written ({error.strerror})") from None
     finally:
@@ -42,22 +48,22 @@ def save_png(pixels: np.ndarray, path: Path) -> None:
 
 
 def output_paths(out: Path | None, names: list[str]) -> list[Path]:
-    """Return a path per name: FILE.png for one, a folder (made if need be) for several.
+    """Return a path per name: FILE.png for one, a folder for several. Nothing is made yet.
 
-    InputError, before anything is drawn, where that cannot be written.
+    InputError where it is plain, before anything is drawn, that this cannot be written.
     """
-    if out is not None and out.suffix.lower() == ".png" and not out.is_dir():
+    suffix = "" if out is None or os.path.isdir(out) else out.suffix.lower()
+    if suffix in OTHER_PICTURES:
+        raise InputError(f"--out {out}: expected FILE.png or a folder")
+    if out is not None and suffix == ".png":
         if len(names) != 1:
             raise InputError(f"--out {out}: expected a folder for {len(names)} views")
         folder, paths = out.parent, [out]
     else:
         folder = out if out is not None else Path()
         paths = [folder / f"{name}.png" for name in names]
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise InputError(f"--out {folder}: cannot be made ({error.strerror})") from None
-    if not folder.is_dir() or not os.access(folder, os.W_OK):
+    standing = next((p for p in (folder, *folder.parents) if os.path.exists(p)), folder)
+    if not os.path.isdir(standing) or not os.access(standing, os.W_OK | os.X_OK):
         raise InputError(f"--out {folder}: expected a folder that can be written")
     return paths
 
@@ -69,7 +75,9 @@ class Progress:
 
     def __init__(self, total: int, quiet: bool = False) -> None:
         self._total, self._done = total, 0
-        self.shown = total > 1 and not quiet and sys.stderr.isatty()
+        # A program started with standard error closed has none at all.
+        terminal = sys.stderr is not None and sys.stderr.isatty()
+        self.shown = total > 1 and not quiet and terminal
 
     def __enter__(self) -> "Progress":
         return self

@@ -7,7 +7,6 @@ reads it from text, checks it, and raises :class:`InputError` naming the key.
 """
 
 import dataclasses
-import math
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -67,8 +66,8 @@ class Sun:
 
     azimuth: float = setting(130.0, "chosen", "degrees, 0 north, 90 east", -360, 360)
     elevation: float = setting(38.0, "chosen", "degrees above the horizon", 0, 90)
-    diffuse: tuple[float, ...] = setting((0.75, 0.72, 0.66), "chosen", "RGB", 0, 10)
-    ambient: tuple[float, ...] = setting((0.45, 0.48, 0.55), "chosen", "RGB", 0, 10)
+    diffuse: tuple[float, ...] = setting((1.0, 0.95, 0.85), "chosen", "RGB", 0, 10)
+    ambient: tuple[float, ...] = setting((0.50, 0.53, 0.60), "chosen", "RGB", 0, 10)
 
 
 @dataclass(frozen=True)
@@ -112,6 +111,7 @@ class Water:
     time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
     fresnel: bool = setting(False, "chosen", "clearer from above than at a grazing angle")
     horizon: float = setting(0.0, "chosen", "units, reach of the sea round the patches", 0, 10000)
+    rippled: bool = setting(False, "chosen", "normals of a choppy sea instead of two waves")
     glitter: float = setting(0.0, "chosen", "strength of the sun's specular glints", 0, 1)
 
 
@@ -173,6 +173,7 @@ class Grass:
 
     count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 50_000_000)
     scale: tuple[float, ...] = setting((1.0, 1.0), "section 5.3.2", "times, (sx, sy)", 0.01, 100)
+    arch: float = setting(1.0, "section 5.3.2", "times the tip's bend out of the upright", 0, 20)
     radius: float = setting(4.0, "chosen", "units, blades farther off are not drawn", 0, 1000)
     tinted: bool = setting(False, "chosen", "blades take the colour of the ground they stand on")
     fade: bool = setting(False, "chosen", "blades shrink towards the radius instead of stopping")
@@ -195,7 +196,7 @@ class Rabbit:
     mesh: str = setting("rabbit.ply", "figure 27", "PLY file")
     x: float = setting(20.5, "chosen", "units", -1e4, 1e4)
     z: float = setting(24.0, "chosen", "units", -1e4, 1e4)
-    yaw: float = setting(35.0, "chosen", "degrees about y", -360, 360)
+    yaw: float = setting(-112.0, "chosen", "degrees about y", -360, 360)
     scale: float = setting(0.12, "chosen", "units, half the mesh's largest side", 0.001, 100)
     l1: float = setting(8.0, "chosen", "L1, textures round the axis", 0, 1000)
     l2: float = setting(4.0, "chosen", "L2, textures along the axis", 0, 1000)
@@ -208,7 +209,7 @@ class Dragon:
     mesh: str = setting("dragon.ply", "figure 27", "PLY file")
     x: float = setting(11.0, "chosen", "units", -1e4, 1e4)
     z: float = setting(29.0, "chosen", "units", -1e4, 1e4)
-    yaw: float = setting(30.0, "chosen", "degrees about y", -360, 360)
+    yaw: float = setting(-30.0, "chosen", "degrees about y", -360, 360)
     scale: float = setting(0.9, "chosen", "units, half the mesh's largest side", 0.001, 100)
     sink: float = setting(-0.15, "chosen", "height of the water line on the mesh, -1..1", -2, 2)
 
@@ -267,21 +268,23 @@ BEST: dict[str, Value] = {
     "reflection.castle": True,
     "water.fresnel": True,
     "water.horizon": 400.0,
-    "water.glitter": 0.8,
-    "water.color": (0.10, 0.22, 0.30, 0.85),
+    "water.rippled": True,
+    "water.glitter": 0.7,
+    "water.color": (0.16, 0.32, 0.38, 0.88),
     "sky.infinite": True,
     "transparent.upright": True,
     "transparent.radius": 26.0,
     "trees.species": 4,
-    "trees.count": 1600,
+    "trees.count": 2200,
     "trees.grouped": True,
     "plants.count": 2600,
     "grass.tinted": True,
     "grass.fade": True,
-    "grass.count": 1_200_000,
-    "grass.scale": (1.3, 1.7),
-    "grass.radius": 6.0,
-    "fog.density": 0.035,
+    "grass.count": 4_000_000,
+    "grass.scale": (0.45, 1.1),
+    "grass.arch": 4.0,
+    "grass.radius": 7.0,
+    "fog.density": 0.042,
     "fog.color": (0.66, 0.76, 0.84),
 }
 
@@ -331,10 +334,11 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
 def read_toml(path: Path) -> dict[str, Any]:
     """Read a TOML file of settings into a flat table of dotted keys."""
     try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+        # "utf-8-sig": Windows' editors begin a file with a byte order mark.
+        tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror})") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except (ValueError, RecursionError) as error:  # TOMLDecodeError and UnicodeDecodeError as well
         raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
     flat: dict[str, Any] = {}
     for group, table in tables.items():
@@ -348,7 +352,7 @@ def _checked(key: str, value: Any) -> Value:
     """Convert a text or a TOML value to the type of the key's default, and check its limits."""
     item = _FIELDS[key]
     meta, default = item.metadata, item.default
-    wrong = InputError(f"setting {key}: expected {expected(key)}, not {value!r}")
+    wrong = InputError(f"setting {key}: expected {expected(key)}, not {_short(value)}")
     if isinstance(default, bool):
         if isinstance(value, str):
             words = {"true": True, "on": True, "1": True, "yes": True}
@@ -381,10 +385,19 @@ def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) 
         raise wrong from None
     if isinstance(value, float) and number != value:
         raise wrong
-    low, high = meta["low"], meta["high"]
-    if not math.isfinite(number) or (low is not None and not low <= number <= high):
+    # Comparing is safe where converting is not: a whole number may be beyond all floats.
+    if not meta["low"] <= number <= meta["high"]:
         raise wrong
     return number
+
+
+def _short(value: Any) -> str:
+    """Write a value given for a setting, cut where it is long."""
+    try:
+        text = repr(value)
+    except ValueError:
+        return "a number of thousands of digits"
+    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def expected(key: str) -> str:
@@ -397,7 +410,7 @@ def expected(key: str) -> str:
         return "one of " + ", ".join(meta["choices"])
     if isinstance(default, str):
         return "a file name"
-    limits = f"from {meta['low']:g} to {meta['high']:g}"
+    limits = f"from {meta['low']} to {meta['high']}"
     if isinstance(default, tuple):
         return f"{len(default)} numbers {limits}, separated by commas"
     return f"{'a whole number' if isinstance(default, int) else 'a number'} {limits}"

@@ -151,7 +151,8 @@ class Castle:
     def draw(self, frame: Frame) -> None:
         """Draw the castle, the door, the light on the wall, and the fire."""
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
-        with matrix(), attrib(groups | gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT):
+        groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT
+        with matrix(), attrib(groups):
             gl.glTranslatef(*self.base)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             gl.glTranslatef(-0.5, 0.0, -0.5)

@@ -34,6 +34,7 @@ class Dragon(Animal):
         super().__init__(
             Mesh(vertices, normals, triangles, (planar(vertices),)),
             Texture(read_image(assets.path("animal.png"), "RGB")),
-            (dragon.x, y, dragon.z, dragon.scale),
+            dragon.scale,
+            (dragon.x, y, dragon.z),
             dragon.yaw,
         )

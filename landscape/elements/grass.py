@@ -25,7 +25,8 @@ from landscape.settings import Settings
 ELEMENT = "grass"
 
 CELL = 0.5  # chosen: units per side of a cell; small against the radius, large against a blade
-THINNING = 0.75  # chosen: with grass.fade, the last blade of a cell reaches a quarter of the radius
+WIDENING = 0.3  # chosen: with grass.fade, blades that reach k times NEAR are k**WIDENING as wide
+NEAR = 0.75  # chosen: units within which, with grass.fade, every blade is drawn
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
@@ -33,20 +34,26 @@ COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.fl
 
 
 def blade_vertices(
-    positions: np.ndarray, angles: np.ndarray, scale: tuple[float, ...] = (1.0, 1.0)
+    positions: np.ndarray,
+    angles: np.ndarray,
+    scale: tuple[float, ...] = (1.0, 1.0),
+    arch: float = 1.0,
 ) -> np.ndarray:
     """Return still blades, float32 (n, 5, 3), standing at positions (n, 3), turned by angles (n,).
 
-    ``scale`` = (sx, sy) stretches (x and z, y), as glScalef(sx, sy, sx) in section 5.3.2.
+    ``scale`` = (sx, sy) stretches (x and z, y), as glScalef(sx, sy, sx) in section 5.3.2. The
+    report bends the tip alone; an ``arch`` above 1 bends it so many times as far, and the middle
+    a third of what is added.
     """
     c, s = np.cos(angles), np.sin(angles)
     zero = np.zeros_like(c)
+    middle = 0.004 * (arch - 1.0) / 3.0
     corners = [
         (-0.003 * c, zero, -0.003 * s),
         (0.003 * c, zero, 0.003 * s),
-        (-0.0015 * c, zero + 0.015, -0.0015 * s),
-        (0.0015 * c, zero + 0.015, 0.0015 * s),
-        (0.004 * s, zero + TALLEST, 0.004 * c),
+        (-0.0015 * c + middle * s, zero + 0.015, -0.0015 * s + middle * c),
+        (0.0015 * c + middle * s, zero + 0.015, 0.0015 * s + middle * c),
+        (0.004 * arch * s, zero + TALLEST, 0.004 * arch * c),
     ]
     blades = np.stack([np.stack(corner, axis=1) for corner in corners], axis=1)
     blades *= np.array([scale[0], scale[1], scale[0]])
@@ -69,6 +76,16 @@ def cells_around(x: float, z: float, radius: float, across: int) -> np.ndarray:
     low, high = np.maximum(low, 0), np.minimum(high, across - 1)
     columns, rows = (np.arange(a, b + 1) for a, b in zip(low, high, strict=True))
     return np.stack(np.meshgrid(columns, rows), axis=2).reshape(-1, 2)
+
+
+def thinned_reach(count: int, radius: float) -> np.ndarray:
+    """Return how far each of a cell's blades is drawn, (count,) in 0..1 times ``radius``, falling.
+
+    All up to NEAR units; beyond, as many as keep the number per pixel the same: the part left at
+    distance d is (NEAR / d) squared.
+    """
+    part = (np.arange(count) + 1.0) / max(count, 1)
+    return np.asarray(np.minimum(NEAR / np.sqrt(part) / radius, 1.0))
 
 
 def visible_cells(frame: Frame, centres: np.ndarray, radius: float) -> np.ndarray:
@@ -150,17 +167,18 @@ class Grass:
         angles = rng.random(len(xz)) * 2 * np.pi
         positions = np.insert(xz, 1, self._ground.field.bed(xz[:, 0], xz[:, 1]), axis=1)
         grass = self._settings.grass
-        blades = blade_vertices(positions, angles, grass.scale)
+        blades = blade_vertices(positions, angles, grass.scale, grass.arch)
+        reach = np.ones(len(xz))
         if grass.fade:
-            blades[..., 1] -= positions[:, None, 1]
-            blades[..., 1] *= rng.uniform(0.6, 1.25, (len(xz), 1))
-            blades[..., 1] += positions[:, None, 1]
+            reach = thinned_reach(len(xz), grass.radius)
+            grown = np.empty((len(xz), 1, 3))
+            wider = np.maximum(reach * grass.radius / NEAR, 1.0) ** WIDENING
+            grown[..., 0] = grown[..., 2] = wider[:, None]
+            grown[..., 1] = rng.uniform(0.6, 1.25, (len(xz), 1))
+            blades = ((blades - positions[:, None]) * grown + positions[:, None]).astype(np.float32)
         tints = np.full((len(xz), 5, 4), 255, np.uint8)
         if grass.tinted:
             tints[..., :3] = blade_tints(self._ground.colour(xz[:, 0], xz[:, 1]), rng)
-        reach = np.ones(len(xz))
-        if grass.fade:
-            reach -= THINNING * np.arange(len(xz)) / max(len(xz), 1)
         return Patch(positions.astype(np.float32), blades, tints, reach.astype(np.float32))
 
     def select(self, frame: Frame) -> list[Patch]:
@@ -239,5 +257,5 @@ def blade_tints(colour: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """
     light = np.clip(colour * rng.uniform(1.5, 2.3, (len(colour), 1)), 0, 1)
     tints = np.repeat((light * 255)[:, None, :], 5, axis=1)
-    tints[:, :2] *= 0.6
+    tints[:, :2] *= 0.75
     return tints.astype(np.uint8)

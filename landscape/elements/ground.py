@@ -14,7 +14,6 @@ from pathlib import Path
 import numpy as np
 
 from landscape.assets import Assets
-from landscape.errors import InputError
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.mesh_tool import Mesh, grid_triangles, vertex_normals
@@ -36,7 +35,7 @@ def read_heights(path: Path) -> np.ndarray:
     if max(image.size) > MAX_SIZE:
         image.thumbnail((MAX_SIZE, MAX_SIZE))
     if image.mode.startswith("I"):
-        return np.asarray(image, np.float32) / np.float32(257.0)
+        return np.clip(np.asarray(image, np.float32), 0.0, 65535.0) / np.float32(257.0)
     if image.mode == "F":
         values = np.nan_to_num(np.asarray(image, np.float32))
         return np.clip(values, 0.0, 1.0) * np.float32(255.0)
@@ -163,8 +162,6 @@ class Ground:
         path = assets.path(ground.height_image, "ground.height_image")
         self.field = height_field(read_heights(path), ground, settings.water.level)
         self.large = self._large_texture(settings, assets, sun)
-        if ground.size <= 0 or not np.isfinite(self.field.heights).all():
-            raise InputError(f"{path}: expected finite heights")
         large = Texture(self.large, repeat=False)
         detail = Texture(read_image(assets.path(ground.detail_texture, "ground.detail_texture")))
         self._textures = [large, detail]

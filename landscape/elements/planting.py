@@ -13,6 +13,15 @@ from landscape.elements.ground import Ground, HeightField
 from landscape.settings import Deer, Plants, Settings, Trees
 
 DEER, PLANT = 4, 6  # first atlas cell of each kind; trees start at 0
+# Chosen: x, z and radius in units of open ground in the woods: round the rabbit, on the way from
+# the meadow to the castle, and where the eye of the named views stands.
+GLADES = (
+    (20.5, 24.0, 1.1), (22.5, 21.5, 1.3), (24.6, 19.6, 1.0), (13.6, 27.2, 1.2), (21.9, 9.9, 0.9),
+    (22.6, 10.8, 0.6),
+)  # fmt: skip
+# Chosen: x, z of the first deer; the report's positions may come from a file as well. One by the
+# bay's plants, one on the meadow, one on an islet, one near the castle.
+DEER_POSTS = ((20.26, 28.98), (21.95, 21.25), (34.6, 20.2), (25.9, 15.2), (19.98, 29.3))
 Chance = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
@@ -79,6 +88,8 @@ def plant_everything(settings: Settings, ground: Ground, seed: int, kinds: set[s
         free *= np.clip((0.9 - slope) / 0.3, 0, 1)
         near_castle = np.hypot(x - settings.castle.x, z - settings.castle.z)
         free *= np.clip((near_castle - 1.6) / 1.0, 0.0, 1)
+        for gx, gz, reach in GLADES:
+            free *= np.clip((np.hypot(x - gx, z - gz) - reach) / 0.5, 0.0, 1.0)
         return np.asarray(free * woods(x, z))
 
     def plant_chance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -104,6 +115,9 @@ def plant_everything(settings: Settings, ground: Ground, seed: int, kinds: set[s
         rng = np.random.default_rng([seed, number])
         positions = scatter(field, group.count, rng, chance)
         n = len(positions)
+        if kind == "deer":
+            posted = on_land(field, DEER_POSTS)[:n]
+            positions[: len(posted)] = posted
         sizes = rng.uniform(group.size_min, max(group.size_min, group.size_max), (n, 2))
         cells = first + rng.integers(species, size=n)
         flipped = rng.random(n) < 0.5
@@ -117,6 +131,13 @@ def plant_everything(settings: Settings, ground: Ground, seed: int, kinds: set[s
                 tints[:, :3] *= rng.uniform(0.84, 1.0, (n, 1)) * rng.uniform(0.95, 1.0, (n, 3))
         sprites += Sprites(positions, sizes, cells, flipped, tints)
     return sprites
+
+
+def on_land(field: HeightField, places: tuple[tuple[float, float], ...]) -> np.ndarray:
+    """Return the places (x, z) that stand above the water on this map, as positions (n, 3)."""
+    xz = np.array(places)
+    y = field.bed(xz[:, 0], xz[:, 1])
+    return np.insert(xz, 1, y, axis=1)[y > field.water_level]
 
 
 def woodland(seed: int) -> Chance:

@@ -6,6 +6,8 @@ coordinate: without it the whole texture would run backwards through one narrow 
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from landscape.assets import Assets
@@ -39,19 +41,30 @@ def read_animal(assets: Assets, name: str, key: str) -> tuple[np.ndarray, np.nda
 class Animal:
     """A lit, textured mesh in a display list, standing somewhere."""
 
-    def __init__(self, mesh: Mesh, texture: Texture, place: tuple[float, ...], yaw: float) -> None:
-        """``place`` is x, y, z and scale in units, ``yaw`` in degrees about y."""
+    def __init__(
+        self,
+        mesh: Mesh,
+        texture: Texture,
+        scale: float,
+        place: tuple[float, float, float],
+        yaw: float,
+    ) -> None:
+        """Scale a mesh of -1..1 to ``scale`` units and stand it at ``place``, ``yaw`` in degrees.
+
+        Scaled here rather than by glScalef, which would scale the normals too and need
+        GL_NORMALIZE.
+        """
         self._place, self._yaw, self._texture = place, yaw, texture
-        self._list = DisplayList(mesh.draw)
+        scaled = replace(mesh, vertices=mesh.vertices * np.float32(scale))
+        self._list = DisplayList(scaled.draw)
 
     def draw(self) -> None:
         """Draw the mesh where it stands."""
-        with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TRANSFORM_BIT):
-            x, y, z, scale = self._place
-            gl.glTranslatef(x, y, z)
+        # GL_LIGHTING_BIT holds the material that glColor sets: Mesa would keep the rabbit's grey
+        # for what is lit next, as the popped colour does not reach the material.
+        with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
+            gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
-            gl.glScalef(scale, scale, scale)
-            gl.glEnable(gl.GL_NORMALIZE)
             gl.glEnable(gl.GL_LIGHTING)
             gl.glColor4f(*COLOR)
             gl.glEnable(gl.GL_TEXTURE_2D)
@@ -78,6 +91,7 @@ class Rabbit(Animal):
         super().__init__(
             Mesh(vertices, normals, triangles, (coordinates,)),
             Texture(read_image(assets.path("animal.png"), "RGB")),
-            (rabbit.x, y, rabbit.z, rabbit.scale),
+            rabbit.scale,
+            (rabbit.x, y, rabbit.z),
             rabbit.yaw,
         )

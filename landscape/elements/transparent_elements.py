@@ -31,7 +31,10 @@ CELLS = (
     "plant.png",
 )
 COLUMNS, ROWS = 4, 2
-LEVELS = 7  # chosen: at the last mip level a cell is 8 texels wide
+# Chosen: transparent texels left above each sprite. At mip level 5 they are still one texel, and
+# the foot of the tree in the row above does not show over a fern's head.
+GUTTER = 32
+LEVELS = 6  # chosen: at the last mip level a cell is 16 texels wide
 
 # Crossed quads: a quad's six vertices are bottom left, middle, right and top left, middle, right;
 # its 4 triangles share the top middle, which sways.
@@ -99,10 +102,11 @@ def cell_coordinates(
 ) -> np.ndarray:
     """Return texture coordinates (n, k, 2) in the atlas of points s, t (k,) in 0..1 of cells (n,).
 
-    ``flipped`` (n,) mirrors s; half a texel is kept clear of the neighbouring cells.
+    ``flipped`` (n,) mirrors s; half a texel is kept clear of the neighbouring cells, and
+    the GUTTER above.
     """
     s = 0.5 / CELL + s * (1.0 - 1.0 / CELL)
-    t = 0.5 / CELL + t * (1.0 - 1.0 / CELL)
+    t = GUTTER / CELL + t * (1.0 - (GUTTER + 0.5) / CELL)
     turned = np.where(flipped[:, None], 1.0 - s, s)
     u = (cells[:, None] % COLUMNS + turned) / COLUMNS
     v = (cells[:, None] // COLUMNS + t) / ROWS
@@ -142,10 +146,12 @@ class TransparentElements:
         )
 
     def _cell(self, assets: Assets, name: str) -> np.ndarray:
-        image = read_image(assets.path(name))
-        if image.shape[:2] != (CELL, CELL):
-            image = np.asarray(Image.fromarray(image).resize((CELL, CELL)))
-        return image
+        image = Image.fromarray(read_image(assets.path(name)))
+        image = image.resize((CELL, CELL - GUTTER), Image.Resampling.LANCZOS)
+        # Above the sprite stand its own top colours, fully transparent.
+        cell = np.pad(np.asarray(image), ((GUTTER, 0), (0, 0), (0, 0)), mode="edge")
+        cell[:GUTTER, :, 3] = 0
+        return cell
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
         """Return the frame's vertices, colours, texture coordinates and sorted indices."""

@@ -23,6 +23,12 @@ ELEMENT = "water"
 PATCHES = range(-1, 4)  # section 3.2: k from -1 to 3, on both axes
 FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea turns mirror sooner
 TWO_PI = 2.0 * np.pi
+RIPPLE_SLOPE = 0.07  # chosen: steepness of one ripple
+# Chosen: waves over the patch in x and z, phase in radians; the last column is their number.
+RIPPLES = np.array(
+    [(3, 1, 0.3), (-2, 4, 1.9), (5, -3, 4.0), (1, 6, 5.2), (-6, -4, 2.2), (8, 3, 0.9), (-3, 9, 3.1)]
+)
+RIPPLES = np.column_stack([RIPPLES, np.hypot(RIPPLES[:, 0], RIPPLES[:, 1])])
 
 
 def patch_plane(points: int) -> np.ndarray:
@@ -37,6 +43,19 @@ def wave_normals(plane: np.ndarray, t: float) -> np.ndarray:
     px, py = plane
     x = 0.25 * np.sin(2 * t - py * TWO_PI) ** 2
     z = 0.5 * np.sin(3 * t - px * TWO_PI) ** 2
+    normals = np.stack([x, np.ones_like(x), z], axis=1)
+    return (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32)
+
+
+def ripple_normals(plane: np.ndarray, t: float) -> np.ndarray:
+    """Return the unit normals, float32 (n, 3), of a choppy sea: a sum of small waves.
+
+    Each runs a whole number of times over the patch, so patches still match; no two run the same
+    way, so that the sun's glints scatter where the report's two waves line them up in a grid.
+    """
+    phase = TWO_PI * (RIPPLES[:, :2] @ plane) + (RIPPLES[:, 2:3] - 1.2 * t * RIPPLES[:, 3:])
+    slope = RIPPLE_SLOPE * np.cos(phase) / RIPPLES[:, 3:]
+    x, z = slope.T @ RIPPLES[:, 0], slope.T @ RIPPLES[:, 1]
     normals = np.stack([x, np.ones_like(x), z], axis=1)
     return (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32)
 
@@ -116,7 +135,7 @@ class WaterSurface:
         """Blend the surface over the mirrored scene."""
         water = self._settings.water
         t = frame.kt * water.time_step if water.animated else 0.0
-        normals = wave_normals(self._plane, t)
+        normals = (ripple_normals if water.rippled else wave_normals)(self._plane, t)
         coordinates = wave_coordinates(self._plane, t, water.repeat)
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):

@@ -24,6 +24,9 @@ class Calls:
     """OpenGL's functions and enumerants as attributes; PyOpenGL is imported at the first use."""
 
     def __getattr__(self, name: str) -> Any:
+        # Whoever looks an object over (pytest does) must not load OpenGL before a platform is set.
+        if not name.startswith(("gl", "GL")):
+            raise AttributeError(name)
         import OpenGL.GL
 
         value = getattr(OpenGL.GL, name)

@@ -66,7 +66,9 @@ def use_platform(name: str) -> None:
             platform.PLATFORM.OSMesa.OSMesaGetCurrentContext.restype = ctypes.c_void_p
         import OpenGL.GL
     except (ImportError, AttributeError, OSError, TypeError) as error:
-        raise NoOpenGLError(f"PyOpenGL cannot load the {name} platform ({error})") from error
+        package = PACKAGES.get(name, PACKAGES["glfw"])
+        reason = f"PyOpenGL cannot load the {name} platform ({error})"
+        raise NoOpenGLError(f"{reason}: install {package}") from error
     _platform = name
 
 
@@ -178,11 +180,16 @@ class EGLContext:
         self._context = egl.eglCreateContext(
             self._display, configs[0], egl.EGL_NO_CONTEXT, (egl.EGLint * 1)(int(egl.EGL_NONE))
         )
+        if not self._context:
+            self._context = None
+            raise NoOpenGLError("eglCreateContext failed")
         self.make_current()
 
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
-        self._egl.eglMakeCurrent(self._display, self._surface, self._surface, self._context)
+        ok = self._egl.eglMakeCurrent(self._display, self._surface, self._surface, self._context)
+        if not ok:
+            raise NoOpenGLError("EGL refused to make its context current")
 
     def release(self) -> None:
         """Destroy the context and its pbuffer."""
@@ -214,8 +221,11 @@ class GLFWContext:
         fullscreen: bool = False,
         headless: bool = False,
     ) -> None:
-        import glfw
-
+        try:
+            import glfw
+        except ImportError as error:
+            reason = f"GLFW cannot be loaded ({error})"
+            raise NoOpenGLError(f"{reason}: install the Python package glfw") from None
         self.glfw: Any = glfw
         self.window: Any = None
         glfw.ERROR_REPORTING = "ignore"
@@ -223,12 +233,14 @@ class GLFWContext:
             glfw.init_hint(glfw.PLATFORM, glfw.PLATFORM_NULL)
         if not glfw.init():
             raise NoOpenGLError(
-                f"GLFW found no screen ({self._reason()}): set DISPLAY, or use Xvfb"
+                f"GLFW found no screen ({self._reason()}): set DISPLAY, or install xvfb"
             )
         if headless:
             use_platform("osmesa")
             glfw.window_hint(glfw.CONTEXT_CREATION_API, glfw.OSMESA_CONTEXT_API)
         else:
+            if sys.platform == "linux":
+                _require("GL", "glfw")
             wayland = glfw.get_platform() == glfw.PLATFORM_WAYLAND
             use_platform("wayland" if wayland else "glx" if sys.platform == "linux" else "native")
         glfw.window_hint(glfw.VISIBLE, visible)

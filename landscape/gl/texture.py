@@ -1,5 +1,6 @@
 """Textures: reading image files, and owning a texture object with its mip levels (Texture)."""
 
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -28,16 +29,20 @@ def read_image(path: Path, mode: str = "RGBA") -> np.ndarray:
 def open_image(path: Path) -> Image.Image:
     """Open and decode an image; InputError where that fails."""
     try:
-        image: Image.Image = Image.open(path)
-        image.load()
+        with warnings.catch_warnings():
+            # Pillow warns of large images, which are welcome, and of damage it could mend.
+            warnings.simplefilter("ignore")
+            image: Image.Image = Image.open(path)
+            image.load()
     except FileNotFoundError:
         raise InputError(f"{path}: no such image file") from None
     except IsADirectoryError:
         raise InputError(f"{path}: expected an image file, found a folder") from None
     except Image.DecompressionBombError:
         raise InputError(f"{path}: the image is too large; expected under 178 megapixels") from None
-    except (OSError, ValueError, SyntaxError, EOFError) as error:
-        reason = str(error).replace(f" {str(path)!r}", "")
+    except Exception as error:
+        # A decoder raises whatever it stumbled on: any of it means a damaged file here.
+        reason = str(error).replace(f" {str(path)!r}", "") or type(error).__name__
         raise InputError(f"{path}: expected an image such as PNG ({reason})") from None
     return image
 
