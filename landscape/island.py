@@ -114,22 +114,22 @@ class Island:
                 begin_pass("main")
 
             # Opaque things, in any order as far as the picture goes: the depth buffer sorts them.
-            # The sky comes first, as a sky at infinity writes no depth.
-            if sky := shown(self.sky, "sky"):
-                sky.draw(frame)
             with clipped(settings.water.level, settings.ground.clip):
                 if ground := shown(self.ground, "ground"):
                     ground.draw()
-                if castle := shown(self.castle, "castle"):
-                    castle.draw(frame)
                 if rabbit := shown(self.rabbit, "rabbit"):
                     rabbit.draw()
                 if dragon := shown(self.dragon, "dragon"):
                     dragon.draw()
             if grass := shown(self.grass, "grass"):
                 grass.draw(frame)
+            # The sky comes after them: the pixels they took need no sky.
+            if sky := shown(self.sky, "sky"):
+                sky.draw(frame)
 
-            # Blended things come last, far to near: the water lies under all sprites.
+            # Blended things come last, far to near: the castle with its flames, the water, sprites.
+            if castle := shown(self.castle, "castle"):
+                castle.draw(frame)
             if water := shown(self.water, "water"):
                 water.draw(frame)
             if sprites:
@@ -148,14 +148,14 @@ class Island:
         water = shown(self.water, "water") if settings.reflection.stencil else None
         frame = replace(frame, mirrored=True)
         with inside_water(water.mark if water else None), mirrored(settings):
-            if sky := shown(self.sky, "sky"):
-                sky.draw(frame)
             if ground := shown(self.ground, "ground"):
                 ground.draw()
-            if (castle := shown(self.castle, "castle")) and settings.reflection.castle:
-                castle.draw(frame)
             if dragon := shown(self.dragon, "dragon"):
                 dragon.draw()
+            if sky := shown(self.sky, "sky"):
+                sky.draw(frame)
+            if (castle := shown(self.castle, "castle")) and settings.reflection.castle:
+                castle.draw(frame)
             if sprites := shown(self.sprites, *SPRITES):
                 sprites.draw(frame, sorted_)
 

@@ -76,7 +76,7 @@ class Ground:
 
     height_image: str = setting("height.png", "figure 1", "image file; the red channel is height")
     resolution: int = setting(50, "section 2.1.1", "vertices per side", 2, 1024)
-    size: float = setting(40.0, "section 9.2", "units per side", 1, 10000)
+    size: float = setting(40.0, "section 9.2", "units per side", 1, 200)
     scale_y: float = setting(6.0, "chosen", "units, height of red = 256", 0.001, 1000)
     clip: bool = setting(True, "section 2.1.2", "cut at the water level by GL_CLIP_PLANE0")
     large_texture: str = setting("ground_large.png", "figure 3", "image file, texture unit 0")
@@ -122,9 +122,12 @@ class Sky:
     set: str = setting("day", "chosen", "name of the set of faces", choices=("day", "sunset"))
     half_width: float = setting(8.0, "chosen", "units, D", 0.5, 10000)
     height: float = setting(5.0, "chosen", "units, H", 0.1, 10000)
-    infinite: bool = setting(
-        False, "chosen", "drawn first, no depth, no fog, centred on the eye in every axis"
+    moving: bool = setting(False, "R1, section 4.1", "a cloud layer drifts with kt")
+    follow_y: bool = setting(False, "R8, section 11.2.3", "centred on the eye in every axis")
+    background: bool = setting(
+        False, "R9, section 11.2.3", "at the greatest depth: it hides no terrain"
     )
+    unfogged: bool = setting(False, "R10, section 11.2.3", "no fog: the haze is painted on")
 
 
 @dataclass(frozen=True)
@@ -141,7 +144,7 @@ class Transparent:
 class Trees:
     """Billboards (section 5.1)."""
 
-    count: int = setting(900, "chosen", "trees", 0, 1_000_000)
+    count: int = setting(900, "chosen", "trees", 0, 200_000)
     species: int = setting(2, "figure 15", "kinds of tree", 1, 4)
     size_min: float = setting(0.325, "section 5.1.2", "units, width and height", 0.001, 100)
     size_max: float = setting(0.65, "section 5.1.2", "units, width and height", 0.001, 100)
@@ -152,7 +155,7 @@ class Trees:
 class Deer:
     """Billboards (section 5.1)."""
 
-    count: int = setting(70, "chosen", "deer", 0, 1_000_000)
+    count: int = setting(70, "chosen", "deer", 0, 200_000)
     size_min: float = setting(0.10, "chosen", "units, width and height", 0.001, 100)
     size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
 
@@ -161,7 +164,7 @@ class Deer:
 class Plants:
     """Crossed quads (section 5.2)."""
 
-    count: int = setting(1500, "chosen", "plants", 0, 1_000_000)
+    count: int = setting(1500, "chosen", "plants", 0, 200_000)
     size_min: float = setting(0.06, "chosen", "units, width and height", 0.001, 100)
     size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
     sway: float = setting(1.0, "section 5.2.2", "times the report's sway", 0, 100)
@@ -171,7 +174,7 @@ class Plants:
 class Grass:
     """Blades (section 5.3)."""
 
-    count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 50_000_000)
+    count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 10_000_000)
     scale: tuple[float, ...] = setting((1.0, 1.0), "section 5.3.2", "times, (sx, sy)", 0.01, 100)
     arch: float = setting(1.0, "section 5.3.2", "times the tip's bend out of the upright", 0, 20)
     radius: float = setting(4.0, "chosen", "units, blades farther off are not drawn", 0, 1000)
@@ -269,9 +272,12 @@ BEST: dict[str, Value] = {
     "water.fresnel": True,
     "water.horizon": 400.0,
     "water.rippled": True,
-    "water.glitter": 0.7,
+    "water.glitter": 0.35,
     "water.color": (0.16, 0.32, 0.38, 0.88),
-    "sky.infinite": True,
+    "sky.moving": True,
+    "sky.follow_y": True,
+    "sky.background": True,
+    "sky.unfogged": True,
     "transparent.upright": True,
     "transparent.radius": 26.0,
     "trees.species": 4,

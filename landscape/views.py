@@ -162,7 +162,7 @@ VIEWS = _table(
          shown=SCENE),
     View("fig35e", "many trees, castle in the haze on its hill",
          walking(21.5, 9.4, 141.0, 0.0), 50, shown=SCENE),
-    View("fig35f", "arriving at the castle", walking(26.85, 18.55, 19.0, 11.0), 24,
+    View("fig35f", "arriving at the castle", walking(26.7, 19.0, 19.0, 9.0), 24,
          shown=(*SCENE, "map")),
     View("fig35g", "from the hill top: sea and islets", walking(29.5, 16.6, 92.0, -7.0), 60,
          shown=SCENE),

@@ -78,7 +78,8 @@ def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
 
 def _coverage_scale(alpha: np.ndarray, covered: float) -> float:
     """Return the factor on ``alpha`` that makes the part over one half equal to ``covered``."""
-    if covered <= 0.0 or covered >= 1.0:
+    # A sprite with hard edges may keep its coverage as it is, and is not to be made translucent.
+    if abs(float((alpha > 0.5).mean()) - covered) < 1e-3:
         return 1.0
     threshold = float(np.quantile(alpha, 1.0 - covered))
     return float(np.clip(0.5 / max(threshold, 1e-3), 0.75, 2.5))
