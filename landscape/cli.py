@@ -5,6 +5,7 @@ Exit status: 0 done, 1 a check failed, 2 bad input, 3 no usable OpenGL.
 
 import argparse
 import contextlib
+import io
 import json
 import os
 import re
@@ -24,6 +25,9 @@ MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow l
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # A file may have a name that the terminal's alphabet lacks.
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         options = _parse(argv)
         status: int = options.run(options)
@@ -117,6 +121,13 @@ def _parser() -> argparse.ArgumentParser:
     views = command("views", _views, "list the named views", "--json")
     views.add_argument("--json", action="store_true")
 
+    figures = command("figures", _figures, "make the report's figures", "35 --out figures")
+    figures.add_argument("names", nargs="*", metavar="FIG", help="35, fig35a or R6; default: all")
+    figures.add_argument("--out", type=Path, default=Path("figures"), metavar="DIR")
+    figures.add_argument("--check", action="store_true", help="compare with the kept pictures")
+    figures.add_argument("--update", action="store_true", help="renew the kept pictures")
+    _common(figures, samples=4)
+
     trace = command("trace", _trace, "print the OpenGL calls of a frame", "fig35f --element fog")
     trace.add_argument("view", metavar="VIEW")
     trace.add_argument("--element", choices=ELEMENTS, metavar="NAME")
@@ -134,6 +145,14 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("--assets", type=Path, metavar="DIR", help="where to; default: in place")
     build.add_argument("-q", "--quiet", action="store_true")
     build.set_defaults(run=_assets_build)
+    check = actions.add_parser(
+        "check",
+        help="measure every asset: seams, edges, sizes, meshes",
+        epilog="example: landscape assets check --assets mine",
+    )
+    check.add_argument("--assets", type=Path, metavar="DIR", help="your own files, before ours")
+    check.add_argument("--json", action="store_true")
+    check.set_defaults(run=_assets_check)
     sheet = actions.add_parser(
         "sheet",
         help="one contact sheet of all assets",
@@ -153,6 +172,14 @@ def _parser() -> argparse.ArgumentParser:
     fetch.add_argument("--out", type=Path, default=Path("stanford"), metavar="DIR")
     fetch.add_argument("-q", "--quiet", action="store_true")
     fetch.set_defaults(run=_assets_fetch)
+
+    bench = command(
+        "bench", _bench, "measure frames, grass and the start", "fig35a --json out.json"
+    )
+    bench.add_argument("views", nargs="*", metavar="VIEW", help="default: the nine of figure 35")
+    bench.add_argument("--json", type=Path, metavar="FILE", help="write the figures down")
+    bench.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
+    _common(bench, samples=0)
 
     values = command("settings", _settings, "list every setting", "--preset best --json")
     values.add_argument("--json", action="store_true")
@@ -317,6 +344,25 @@ def _views(options: argparse.Namespace) -> int:
     return 0
 
 
+def _figures(options: argparse.Namespace) -> int:
+    from landscape import figures
+
+    # The gallery is kept in the checkout; elsewhere it is looked for in the current folder.
+    kept = Path(__file__).resolve().parents[1] / "screenshots"
+    if not kept.is_dir():
+        kept = Path("screenshots")
+    drawing = {**_offscreen_options(options), "settings": _changes(options)}
+    if options.update:
+        figures.update(options.names, kept, drawing, options.quiet)
+        return 0
+    if options.check:
+        return figures.check(options.names, kept, options.out, drawing, options.quiet)
+    for path in figures.make(options.names, options.out, drawing, options.quiet):
+        if not options.quiet:
+            print(path)
+    return 0
+
+
 def _trace(options: argparse.Namespace) -> int:
     from landscape.trace import as_text, trace_view
 
@@ -340,11 +386,15 @@ def _assets(options: argparse.Namespace) -> int:
 
 
 def _assets_build(options: argparse.Namespace) -> int:
-    try:
-        from landscape.studio.build import build
-    except ImportError as error:
-        raise InputError(f"assets build: needs the extra `studio` ({error})") from None
+    from landscape.studio.build import build
+
     return build(options.names, options.assets, options.quiet)
+
+
+def _assets_check(options: argparse.Namespace) -> int:
+    from landscape.check import report
+
+    return report(options.assets, options.json)
 
 
 def _assets_sheet(options: argparse.Namespace) -> int:
@@ -364,6 +414,29 @@ def _assets_fetch(options: argparse.Namespace) -> int:
     except StanfordError as error:
         raise InputError(str(error)) from None
     print(f"landscape walk --set rabbit.mesh={rabbit} --set dragon.mesh={dragon}")
+    return 0
+
+
+def _bench(options: argparse.Namespace) -> int:
+    from landscape import bench
+    from landscape.output import Progress, write_whole
+
+    for name in options.views:
+        _check_view(name)
+    plan = bench.Plan(
+        views=options.views or bench.MAIN_VIEWS,
+        size=options.size,
+        preset=_preset(options),
+        settings=_changes(options),
+        wireframe=options.wireframe,
+        **_offscreen_options(options),
+    )
+    with Progress(bench.steps(plan), options.quiet) as progress:
+        result = bench.measure(plan, progress.step)
+    if options.json is not None:
+        write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())
+    if not options.quiet:
+        print(bench.report(result))
     return 0
 
 

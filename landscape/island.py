@@ -14,11 +14,12 @@ from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.map import Map
 from landscape.elements.rabbit import Rabbit
-from landscape.elements.reflection import inside_water, mirrored
+from landscape.elements.reflection import mirrored, reflected
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sword import Sword
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
+from landscape.elements.waves import cut_level
 from landscape.frame import Frame, Pose
 from landscape.gl.calls import begin_pass, gl
 from landscape.gl.state import attrib
@@ -74,7 +75,7 @@ class Island:
         light = sun.direction(settings.sun)
         self.ground = own(Ground(settings, assets, light))
         field = self.ground.field
-        self.water = own(WaterSurface(settings, assets)) if "water" in only else None
+        self.water = own(WaterSurface(settings, assets, field)) if "water" in only else None
         self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
         self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
         self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
@@ -114,9 +115,9 @@ class Island:
                 begin_pass("main")
 
             # Opaque things, in any order as far as the picture goes: the depth buffer sorts them.
-            with clipped(settings.water.level, settings.ground.clip):
+            with clipped(cut_level(settings), settings.ground.clip):
                 if ground := shown(self.ground, "ground"):
-                    ground.draw()
+                    ground.draw(frame)
                 if rabbit := shown(self.rabbit, "rabbit"):
                     rabbit.draw()
                 if dragon := shown(self.dragon, "dragon"):
@@ -145,11 +146,11 @@ class Island:
     def _draw_reflection(self, frame: Frame, sorted_: Any) -> None:
         """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
         settings, shown = self.settings, self._shown
-        water = shown(self.water, "water") if settings.reflection.stencil else None
         frame = replace(frame, mirrored=True)
-        with inside_water(water.mark if water else None), mirrored(settings):
+        water = shown(self.water, "water")
+        with reflected(frame, settings, water) as frame, mirrored(settings):
             if ground := shown(self.ground, "ground"):
-                ground.draw()
+                ground.draw(frame)
             if dragon := shown(self.dragon, "dragon"):
                 dragon.draw()
             if sky := shown(self.sky, "sky"):

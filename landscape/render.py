@@ -11,6 +11,7 @@ from landscape import settings as settings_module
 from landscape.assets import Assets
 from landscape.errors import InputError
 from landscape.frame import Pose
+from landscape.gl.calls import gl
 from landscape.gl.context import Context, open_context
 from landscape.gl.framebuffer import Framebuffer
 from landscape.island import ELEMENTS, SEED, Island, Moment
@@ -101,6 +102,12 @@ class Offscreen:
         self._target.bind()
         self.island.draw(moment)
         return self._target.read()
+
+    @property
+    def renderer(self) -> str:
+        """The OpenGL that draws: renderer and version."""
+        names = (gl.GL_RENDERER, gl.GL_VERSION)
+        return " | ".join(gl.glGetString(name).decode() for name in names)
 
     def close(self) -> None:
         """Release the island, the target and the context, in this order; may be called twice."""

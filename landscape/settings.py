@@ -55,6 +55,9 @@ class Walk:
     run: float = setting(3.0, "chosen", "times the walking speed", 1, 100)
     turn: float = setting(75.0, "chosen", "degrees per second, by the arrows", 0, 1000)
     mouse: float = setting(0.12, "chosen", "degrees per pixel", 0, 10)
+    mouse_relative: bool = setting(
+        False, "R13, section 11.2.6", "the mouse's way turns the head, not its place in the window"
+    )
     eye: float = setting(0.1, "section 8.2", "units above the ground", 0.001, 10)
     bob: float = setting(0.006, "section 8.2", "units, amplitude of the head's bob", 0, 1)
     steps_per_unit: float = setting(30.0, "chosen", "steps (k_step) per unit walked", 0, 1000)
@@ -86,6 +89,29 @@ class Ground:
         "both", "figure 4", "texture units", choices=("both", "large", "detail", "none")
     )
     mid_repeat: float = setting(0.0, "chosen", "times, a third unit's repeat; 0 is off", 0, 1000)
+    smooth: str = setting(
+        "none",
+        "R14, section 11.2.6",
+        "curve of the bicubic patches between vertices",
+        choices=("none", "catmull_rom", "b_spline"),
+    )
+    subdivide: int = setting(3, "R14", "parts a cell's side is cut into by ground.smooth", 1, 8)
+    exact_height: bool = setting(
+        False, "R15, section 11.2.6", "stand on the triangles drawn, not on a bilinear surface"
+    )
+    materials: bool = setting(
+        False, "chosen", "turf, sand and rock each get a detail of their own, in four units"
+    )
+    sand_texture: str = setting("ground_sand.png", "chosen", "image file, detail of bare ground")
+    rock_texture: str = setting("ground_rock.png", "chosen", "image file, detail of steep ground")
+    sand_repeat: float = setting(110.0, "chosen", "times over the map", 0.1, 10000)
+    rock_repeat: float = setting(36.0, "chosen", "times over the map", 0.1, 10000)
+    texture_size: int = setting(
+        4096, "R19, introduction", "texels per side at most; larger images are halved", 1, 16384
+    )
+    tiles: int = setting(
+        1, "chosen", "display lists per side; those out of view are skipped", 1, 64
+    )
 
 
 @dataclass(frozen=True)
@@ -95,6 +121,9 @@ class Reflection:
     enabled: bool = setting(True, "section 3.1", "draw the mirrored scene")
     stencil: bool = setting(False, "glskel effects", "keep the reflection inside the water")
     castle: bool = setting(False, "chosen", "mirror the castle as well")
+    rippled: bool = setting(
+        False, "R16, section 12", "the mirror image breaks up on the waves, drawn as a texture"
+    )
 
 
 @dataclass(frozen=True)
@@ -113,6 +142,10 @@ class Water:
     horizon: float = setting(0.0, "chosen", "units, reach of the sea round the patches", 0, 10000)
     rippled: bool = setting(False, "chosen", "normals of a choppy sea instead of two waves")
     glitter: float = setting(0.0, "chosen", "strength of the sun's specular glints", 0, 1)
+    relief: bool = setting(False, "R17, section 3.2", "waves lift and lower the water's vertices")
+    shallow: bool = setting(False, "chosen", "clear and turquoise where the water is shallow")
+    foam: bool = setting(False, "chosen", "small breakers run out on the beaches")
+    cull: bool = setting(False, "chosen", "send only the patches that are in view")
 
 
 @dataclass(frozen=True)
@@ -122,6 +155,7 @@ class Sky:
     set: str = setting("day", "chosen", "name of the set of faces", choices=("day", "sunset"))
     half_width: float = setting(8.0, "chosen", "units, D", 0.5, 10000)
     height: float = setting(5.0, "chosen", "units, H", 0.1, 10000)
+    anchored: bool = setting(False, "figure 13", "stands in the map's middle, for a look at it")
     moving: bool = setting(False, "R1, section 4.1", "a cloud layer drifts with kt")
     follow_y: bool = setting(False, "R8, section 11.2.3", "centred on the eye in every axis")
     background: bool = setting(
@@ -137,7 +171,17 @@ class Transparent:
     radius: float = setting(8.0, "chosen", "units, root of PERIMETER_VISU_TRANSPARENT", 0, 1000)
     sorted: bool = setting(True, "section 5.1.2", "draw from far to near")
     textured: bool = setting(True, "figure 16", "lay the sprites on the quads")
-    upright: bool = setting(False, "section 11.2.1", "billboards turn about the y axis only")
+    upright: bool = setting(False, "R4, section 11.2.1", "billboards turn about the y axis only")
+    split: bool = setting(
+        False, "R3, section 5.1.2", "each half of a crossed quad takes its own place in the sort"
+    )
+    fade: float = setting(
+        0.0, "chosen", "part of the radius over which sprites come out of nothing", 0, 1
+    )
+    rooted: bool = setting(False, "chosen", "feet sink a little where the ground slopes")
+    trimmed: bool = setting(
+        False, "chosen", "quads end where the picture does, and none lies out of view"
+    )
 
 
 @dataclass(frozen=True)
@@ -149,6 +193,7 @@ class Trees:
     size_min: float = setting(0.325, "section 5.1.2", "units, width and height", 0.001, 100)
     size_max: float = setting(0.65, "section 5.1.2", "units, width and height", 0.001, 100)
     grouped: bool = setting(False, "chosen", "woods and clearings instead of a uniform spread")
+    crown: bool = setting(False, "R4, section 11.2.1", "a flat crown shows to who looks from above")
 
 
 @dataclass(frozen=True)
@@ -158,6 +203,9 @@ class Deer:
     count: int = setting(70, "chosen", "deer", 0, 200_000)
     size_min: float = setting(0.10, "chosen", "units, width and height", 0.001, 100)
     size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
+    follow_slope: bool = setting(
+        False, "R5, section 11.2.6", "stand at right angles to the slope, feet on the ground"
+    )
 
 
 @dataclass(frozen=True)
@@ -168,6 +216,16 @@ class Plants:
     size_min: float = setting(0.06, "chosen", "units, width and height", 0.001, 100)
     size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
     sway: float = setting(1.0, "section 5.2.2", "times the report's sway", 0, 100)
+    quads: int = setting(2, "R6, section 11.2.2", "quads of a plant: two, or three at 60 deg", 2, 3)
+    fade_edge_on: bool = setting(
+        False, "R6, section 11.2.2", "a quad clears away while one looks along it"
+    )
+    crossed_within: float = setting(
+        0.0, "chosen", "units; farther plants are single billboards; 0 is never", 0, 1000
+    )
+    rosette: bool = setting(
+        False, "R6, section 11.2.2", "a flat rosette shows to who looks from above"
+    )
 
 
 @dataclass(frozen=True)
@@ -180,6 +238,23 @@ class Grass:
     radius: float = setting(4.0, "chosen", "units, blades farther off are not drawn", 0, 1000)
     tinted: bool = setting(False, "chosen", "blades take the colour of the ground they stand on")
     fade: bool = setting(False, "chosen", "blades shrink towards the radius instead of stopping")
+    facing: float = setting(
+        0.0,
+        "R7, section 11.2.2",
+        "part by which blades turn to the viewer; over 0.5 none is a line",
+        0,
+        1,
+    )
+    method: str = setting(
+        "cells",
+        "R18, section 5.3",
+        "how blades are sent: all at once, or one by one as in 2006",
+        choices=("cells", "loop"),
+    )
+    tufts: int = setting(
+        0, "chosen", "blades that grow from one root and lean apart; 0 is off", 0, 100
+    )
+    variety: float = setting(0.0, "chosen", "how much tufts differ in height and colour", 0, 1)
 
 
 @dataclass(frozen=True)
@@ -190,26 +265,36 @@ class Castle:
     z: float = setting(16.9, "chosen", "units, centre", -1e4, 1e4)
     yaw: float = setting(-160.0, "chosen", "degrees, turns the gate from north", -360, 360)
     brick_repeat: float = setting(4.0, "chosen", "textures per wall", 0.1, 100)
+    flame_faces: bool = setting(False, "R2, section 6.1", "flames turn to the viewer about y")
+    multitexture: bool = setting(
+        False, "R11, section 11.2.4", "bricks, door and halo in one pass of three texture units"
+    )
 
 
 @dataclass(frozen=True)
 class Rabbit:
     """A mesh on land, cylindrical mapping (section 7)."""
 
-    mesh: str = setting("rabbit.ply", "figure 27", "PLY file")
+    mesh: str = setting("rabbit.ply", "figure 27", "mesh file: PLY, OBJ, STL, OFF, GLB")
     x: float = setting(20.5, "chosen", "units", -1e4, 1e4)
     z: float = setting(24.0, "chosen", "units", -1e4, 1e4)
     yaw: float = setting(-112.0, "chosen", "degrees about y", -360, 360)
     scale: float = setting(0.12, "chosen", "units, half the mesh's largest side", 0.001, 100)
     l1: float = setting(8.0, "chosen", "L1, textures round the axis", 0, 1000)
     l2: float = setting(4.0, "chosen", "L2, textures along the axis", 0, 1000)
+    mapping: str = setting(
+        "cylindrical",
+        "R12, section 11.2.5",
+        "round the axis, or along the axis each face looks at",
+        choices=("cylindrical", "axis"),
+    )
 
 
 @dataclass(frozen=True)
 class Dragon:
     """A mesh half in the water, mapped by (x, z) (section 7)."""
 
-    mesh: str = setting("dragon.ply", "figure 27", "PLY file")
+    mesh: str = setting("dragon.ply", "figure 27", "mesh file: PLY, OBJ, STL, OFF, GLB")
     x: float = setting(11.0, "chosen", "units", -1e4, 1e4)
     z: float = setting(29.0, "chosen", "units", -1e4, 1e4)
     yaw: float = setting(-30.0, "chosen", "degrees about y", -360, 360)
@@ -264,11 +349,21 @@ class Settings:
 
 
 BEST: dict[str, Value] = {
+    "walk.mouse_relative": True,
     "ground.resolution": 160,
     "ground.height_image": "height16.png",
     "ground.mid_repeat": 13.0,
+    "ground.materials": True,
+    "ground.exact_height": True,
+    "ground.tiles": 8,
+    "ground.texture_size": 2048,
     "reflection.stencil": True,
     "reflection.castle": True,
+    "reflection.rippled": True,
+    "water.relief": True,
+    "water.shallow": True,
+    "water.foam": True,
+    "water.cull": True,
     "water.fresnel": True,
     "water.horizon": 400.0,
     "water.rippled": True,
@@ -279,15 +374,31 @@ BEST: dict[str, Value] = {
     "sky.background": True,
     "sky.unfogged": True,
     "transparent.upright": True,
+    "transparent.split": True,
+    "transparent.fade": 0.15,
+    "transparent.rooted": True,
+    "transparent.trimmed": True,
     "transparent.radius": 26.0,
     "trees.species": 4,
     "trees.count": 2200,
     "trees.grouped": True,
+    "trees.crown": True,
+    "deer.follow_slope": True,
+    "plants.quads": 3,
+    "plants.fade_edge_on": True,
+    "plants.rosette": True,
+    "plants.crossed_within": 7.0,
+    "castle.flame_faces": True,
+    "castle.multitexture": True,
     "plants.count": 2600,
     "grass.tinted": True,
     "grass.fade": True,
-    "grass.count": 4_000_000,
-    "grass.scale": (0.45, 1.1),
+    "grass.count": 8_000_000,
+    "grass.scale": (0.4, 1.1),
+    "grass.facing": 0.6,
+    "grass.tufts": 7,
+    "grass.variety": 1.0,
+    "rabbit.mapping": "axis",
     "grass.arch": 4.0,
     "grass.radius": 7.0,
     "fog.density": 0.042,

@@ -21,7 +21,7 @@ def contact_sheet(folder: Path | None = None) -> np.ndarray:
     rows = -(-len(ordered) // COLUMNS)
     sheet = Image.new("RGB", (COLUMNS * CELL, rows * (CELL + 16)), (32, 32, 32))
     pen = ImageDraw.Draw(sheet)
-    board = np.indices((CELL, CELL)).sum(axis=0) // 16 % 2 * 40 + 100
+    board = (np.indices((CELL, CELL)) // 16).sum(axis=0) % 2 * 40 + 100
     checks = Image.fromarray(np.repeat(board[..., None], 3, axis=2).astype(np.uint8))
     for number, name in enumerate(ordered):
         row, column = divmod(number, COLUMNS)

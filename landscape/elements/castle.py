@@ -4,9 +4,14 @@ Techniques: a few meshes built once and drawn several times; a door texture with
 surround laid over the bricks; a light texture multiplied over both with
 glBlendFunc(GL_ZERO, GL_SRC_COLOR), whose far texture coordinates flicker; torches as parametric
 cylinder and cone; fire as a 4x4 sprite sheet on a quad.
+Cures: flames that turn to the viewer about the y axis (R2); bricks, door and light in one pass of
+three texture units, fogged and lit once (R11, section 11.2.4).
 Own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
-State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset.
+State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset; for R11 the combiners and three
+texture units of OpenGL 1.3, and ARB_texture_env_crossbar (OpenGL 1.4).
 """
+
+import math
 
 import numpy as np
 
@@ -85,6 +90,14 @@ def walls_mesh(repeat: float) -> Mesh:
     return quads_mesh(np.concatenate([box_quads(*box) for box in walls + wall_boxes()]), repeat)
 
 
+def without_gate(walls: Mesh, repeat: float) -> Mesh:
+    """Return the walls with the outer face of the gate wall kept only below y = 0."""
+    vertices, coordinates = walls.vertices.copy(), walls.coordinates[0].copy()
+    top = np.flatnonzero((np.arange(len(vertices)) < 4) & (vertices[:, 1] > 0))
+    vertices[top, 1], coordinates[top, 1] = 0.0, repeat
+    return Mesh(vertices, walls.normals, walls.triangles, (coordinates,))
+
+
 def tower_mesh(repeat: float) -> Mesh:
     """Return a tower about the y axis: a cylinder that widens to a parapet with a sunken floor."""
     r, top = TOWER_RADIUS, TOWER_TOP
@@ -93,6 +106,27 @@ def tower_mesh(repeat: float) -> Mesh:
     height = sum(np.hypot(*np.subtract(b, a)) for a, b in zip(profile, profile[1:], strict=False))
     round_ = max(1, round(2 * np.pi * r * repeat))
     return revolve(profile, 24, (round_, float(height) * repeat))
+
+
+def halo(light: np.ndarray) -> np.ndarray:
+    """Return the light texture (h, w, 3) scaled so that twice its darkest colour leaves all as is.
+
+    In 2006 the light only darkened: by its grey of two thirds, where no torch shines.
+    """
+    darkest = np.maximum(light.reshape(-1, 3).min(axis=0), 1)
+    return np.ascontiguousarray(np.clip(light * (127.5 / darkest) + 0.5, 0, 255), np.uint8)
+
+
+def flame_across(eye: tuple[float, float], x: float, faces: bool) -> tuple[float, float]:
+    """Return where a flame at ``x`` extends to, a unit vector (x, z) in the castle's own frame.
+
+    Along the wall; or, if it ``faces`` the eye at (x, z), across the line from there.
+    """
+    away_x, away_z = x - eye[0], FLAME_Z - eye[1]
+    far = math.hypot(away_x, away_z)
+    if not faces or far < 1e-6:
+        return 1.0, 0.0
+    return away_z / far, -away_x / far
 
 
 def flame_frame(kt: float) -> tuple[int, int]:
@@ -115,7 +149,8 @@ class Castle:
         corners = np.array([(-0.6, -0.6), (-0.6, 0.6), (0.6, -0.6), (0.6, 0.6), (0, 0)])
         stands = field.height(castle.x + corners[:, 0], castle.z + corners[:, 1])
         self.base = (castle.x, float(stands.min()), castle.z)
-        self._yaw = castle.yaw
+        self._settings = settings
+        self._yaw, self._repeat = castle.yaw, castle.brick_repeat
         names = ("castle_brick.png", "torch_stone.png")
         self._brick, self._stone = (Texture(read_image(assets.path(name), "RGB")) for name in names)
         self._door, self._fire = (
@@ -123,14 +158,32 @@ class Castle:
             for name in ("castle_door.png", "fire.png")
         )
         # Repeated: the light texture's moving coordinates leave 0..1 by a hair.
-        self._light = Texture(read_image(assets.path("castle_light.png"), "RGB"))
-        walls, tower = walls_mesh(castle.brick_repeat), tower_mesh(castle.brick_repeat)
+        self._light_image = read_image(assets.path("castle_light.png"), "RGB")
+        self._light = Texture(self._light_image)
+        walls = walls_mesh(castle.brick_repeat)
+        self._list = DisplayList(lambda: self._send(walls))
+        # What only R11 needs is made when it is switched on.
+        self._open: DisplayList | None = None
+        self._halo_texture: Texture | None = None
+
+    def _open_list(self) -> DisplayList:
+        """The castle without its gate wall, compiled when it is first asked for."""
+        if self._open is None:
+            walls = without_gate(walls_mesh(self._repeat), self._repeat)
+            self._open = DisplayList(lambda: self._send(walls))
+        return self._open
+
+    def _halo(self) -> Texture:
+        """The light as :func:`halo` has it, made when it is first asked for."""
+        if self._halo_texture is None:
+            self._halo_texture = Texture(halo(self._light_image))
+        return self._halo_texture
+
+    def _send(self, walls: Mesh) -> None:
+        """What a display list holds: bricks, then stone; each mesh drawn where it stands."""
+        tower = tower_mesh(self._repeat)
         holder = revolve([(0.008, 0.0), (0.008, 0.075)], 10, (1, 1))
         cone = revolve([(0.008, 0.0), (0.024, 0.04), (0.014, 0.04)], 10, (2, 1))
-        self._list = DisplayList(lambda: self._send(walls, tower, holder, cone))
-
-    def _send(self, walls: Mesh, tower: Mesh, holder: Mesh, cone: Mesh) -> None:
-        """What the display list holds: bricks, then stone; each mesh drawn where it stands."""
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._brick.bind()
         walls.draw()
@@ -158,27 +211,72 @@ class Castle:
             gl.glTranslatef(-0.5, 0.0, -0.5)
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
             gl.glEnable(gl.GL_LIGHTING)
-            self._list.call()
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glEnable(gl.GL_BLEND)
-            # The layers lie closer to the wall than the depth buffer can tell from afar.
-            gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
-            gl.glNormal3f(0.0, 0.0, -1.0)
-            gl.glPolygonOffset(-1.0, -2.0)
-            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            self._door.bind()
-            self._gate_quad(-0.001, 0.0, 0.0)
-            gl.glDisable(gl.GL_LIGHTING)
-            gl.glPolygonOffset(-2.0, -4.0)
-            gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_COLOR)
-            self._light.bind()
-            self._gate_quad(-0.002, *light_shift(frame.kt))
-            gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
+            if self._settings.castle.multitexture:
+                self._open_list().call()
+                self._draw_gate_at_once(frame.kt)
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                gl.glEnable(gl.GL_BLEND)
+                gl.glDisable(gl.GL_LIGHTING)
+            else:
+                self._list.call()
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                gl.glEnable(gl.GL_BLEND)
+                self._draw_gate_in_layers(frame.kt)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glDepthMask(gl.GL_FALSE)
             self._fire.bind()
-            self._draw_fire(frame.kt)
+            self._draw_fire(frame)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def _draw_gate_in_layers(self, kt: float) -> None:
+        """Blend door and light over the bricks: three layers, each fogged (section 11.2.4)."""
+        # The layers lie closer to the wall than the depth buffer can tell from afar.
+        gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
+        gl.glNormal3f(0.0, 0.0, -1.0)
+        gl.glPolygonOffset(-1.0, -2.0)
+        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+        self._door.bind()
+        self._gate_quad(-0.001, 0.0, 0.0)
+        gl.glDisable(gl.GL_LIGHTING)
+        gl.glPolygonOffset(-2.0, -4.0)
+        gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_COLOR)
+        self._light.bind()
+        self._gate_quad(-0.002, *light_shift(kt))
+        gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
+
+    def _draw_gate_at_once(self, kt: float) -> None:
+        """Draw the gate wall as one layer: bricks, door and light in three texture units.
+
+        Unit 0 mixes door and bricks by the door's alpha, and names unit 1's texture to do so (the
+        crossbar); unit 1 multiplies by the halo, twice, so that it may brighten; unit 2 by the
+        sun's colour on the wall.
+        """
+        env = gl.GL_TEXTURE_ENV
+        mix = (gl.GL_INTERPOLATE, 1.0, gl.GL_TEXTURE1, gl.GL_TEXTURE0, gl.GL_TEXTURE1)
+        lit = (gl.GL_MODULATE, 2.0, gl.GL_PREVIOUS, gl.GL_TEXTURE2)
+        shaded = (gl.GL_MODULATE, 1.0, gl.GL_PREVIOUS, gl.GL_PRIMARY_COLOR)
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
+            units = ((self._brick, mix), (self._door, lit), (self._halo(), shaded))
+            for unit, (texture, (combine, scale, *sources)) in enumerate(units):
+                gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+                texture.bind()
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                gl.glTexEnvi(env, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
+                gl.glTexEnvi(env, gl.GL_COMBINE_RGB, combine)
+                gl.glTexEnvf(env, gl.GL_RGB_SCALE, scale)
+                for number, source in enumerate(sources):
+                    operand = gl.GL_SRC_ALPHA if number == 2 else gl.GL_SRC_COLOR
+                    gl.glTexEnvi(env, gl.GL_SOURCE0_RGB + number, source)
+                    gl.glTexEnvi(env, gl.GL_OPERAND0_RGB + number, operand)
+            gl.glNormal3f(0.0, 0.0, -1.0)
+            shift_s, shift_t = light_shift(kt)
+            gl.glBegin(gl.GL_QUADS)
+            for x, y in ((0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)):
+                gl.glMultiTexCoord2f(gl.GL_TEXTURE0, x * self._repeat, (1.0 - y) * self._repeat)
+                gl.glMultiTexCoord2f(gl.GL_TEXTURE1, x, 1.0 - y)
+                gl.glMultiTexCoord2f(gl.GL_TEXTURE2, x * (1.0 - shift_s), 1.0 - y * (1.0 + shift_t))
+                gl.glVertex3f(x, y, 0.0)
+            gl.glEnd()
 
     def _gate_quad(self, z: float, shift_s: float, shift_t: float) -> None:
         """A layer over the gate wall; the far texture coordinates may move."""
@@ -193,24 +291,36 @@ class Castle:
             gl.glVertex3f(x, y, z)
         gl.glEnd()
 
-    def _draw_fire(self, kt: float) -> None:
+    def _draw_fire(self, frame: Frame) -> None:
         """Two quads with the sprite sheet's current frame (section 6.1)."""
-        column, row = flame_frame(kt)
+        column, row = flame_frame(frame.kt)
         s, t = 0.25 * column, 0.25 * row
+        eye, faces = self._inside(frame.eye), self._settings.castle.flame_faces
         gl.glBegin(gl.GL_QUADS)
         for x in TORCHES:
-            for ds, dt, dx, y in (
+            across_x, across_z = flame_across(eye, x, faces)
+            for ds, dt, along, y in (
                 (0.0, 0.25, -0.03, 0.21),
                 (0.0, 0.0, -0.03, 0.31),
                 (0.25, 0.0, 0.03, 0.31),
                 (0.25, 0.25, 0.03, 0.21),
             ):
                 gl.glTexCoord2f(s + ds, t + dt)
-                gl.glVertex3f(x + dx, y, FLAME_Z)
+                gl.glVertex3f(x + along * across_x, y, FLAME_Z + along * across_z)
         gl.glEnd()
+
+    def _inside(self, point: np.ndarray) -> tuple[float, float]:
+        """Return x, z of a place (3,) in the castle's own frame: the matrices of draw, undone."""
+        yaw = math.radians(self._yaw)
+        x, z = float(point[0]) - self.base[0], float(point[2]) - self.base[2]
+        across = x * math.cos(yaw) - z * math.sin(yaw)
+        return across + 0.5, x * math.sin(yaw) + z * math.cos(yaw) + 0.5
 
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""
         self._list.release()
+        for made in (self._open, self._halo_texture):
+            if made is not None:
+                made.release()
         for texture in (self._brick, self._stone, self._door, self._fire, self._light):
             texture.release()

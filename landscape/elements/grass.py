@@ -5,8 +5,14 @@ Technique: a blade is a strip of five vertices, no blending and no sorting: the 
 round the walker, and sends the blades of the visible ones with one glDrawElements, their top
 vertices moved by the wind. A cell's blades are drawn by lot when it first comes into view, from a
 generator of its own: the lot is the same whichever way the walker came, and what is never seen
-costs nothing.
-State used: GL_TEXTURE_2D.
+costs nothing. ``grass.method`` = loop sends blade after blade, as in 2006. With ``grass.fade`` the
+lot is drawn in layers, each as large as all before it, and a far cell gets the first ones only.
+
+With ``grass.facing`` the wide side of a blade turns to the viewer: its direction d on the map
+becomes (1 - f) d + f r, where r is at right angles to the line from the eye to the blade, both of
+length 1. Over f = 0.5 the sum never points along that line, whatever d, and changes smoothly as
+one walks: no blade is a line, and none flips over (section 11.2.2).
+State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (OpenGL 1.3).
 """
 
 from dataclasses import dataclass
@@ -15,6 +21,7 @@ import numpy as np
 
 from landscape.assets import Assets
 from landscape.elements.ground import Ground
+from landscape.elements.height_field import greenness as greenness
 from landscape.elements.transparent_elements import sway
 from landscape.frame import Frame
 from landscape.gl.calls import gl
@@ -25,8 +32,11 @@ from landscape.settings import Settings
 ELEMENT = "grass"
 
 CELL = 0.5  # chosen: units per side of a cell; small against the radius, large against a blade
-WIDENING = 0.3  # chosen: with grass.fade, blades that reach k times NEAR are k**WIDENING as wide
-NEAR = 0.75  # chosen: units within which, with grass.fade, every blade is drawn
+WIDENING = 0.5  # chosen: with grass.fade, blades that reach k times NEAR are k**WIDENING as wide
+NEAR = 0.5  # chosen: units within which, with grass.fade, every blade is drawn
+LAYER = 64  # chosen: blades in the first layer of a cell's lot
+FOOT = 0.75  # chosen: how light a tinted blade is at its foot, in parts of the ground's colour
+TUFT_RADIUS = 0.010  # chosen: units, how far apart the roots of a tuft's blades are
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
@@ -88,6 +98,36 @@ def thinned_reach(count: int, radius: float) -> np.ndarray:
     return np.asarray(np.minimum(NEAR / np.sqrt(part) / radius, 1.0))
 
 
+def drawn_at(count: int, distance: float) -> int:
+    """Return how many of a cell's ``count`` blades reach ``distance`` units (thinned_reach)."""
+    return int(np.ceil(count * min(NEAR / max(distance, 1e-6), 1.0) ** 2))
+
+
+def facing(blades: np.ndarray, away: np.ndarray, part: float) -> None:
+    """Turn blades, float32 (n, 5, 3), in place: their wide side to the viewer by ``part``.
+
+    ``away`` (n, 2) is x, z from the eye to each blade. A blade keeps its width and its tip.
+    """
+    half = (blades[:, 1, ::2] - blades[:, 0, ::2]) / 2
+    width = np.sqrt((half * half).sum(axis=1, keepdims=True))
+    far = np.maximum(np.sqrt((away * away).sum(axis=1, keepdims=True)), np.float32(1e-6))
+    across = away[:, ::-1] * np.array([-part, part], np.float32) / far
+    turned = half * np.float32(1.0 - part) + width * across
+    length = np.sqrt((turned * turned).sum(axis=1, keepdims=True))
+    turned *= width / np.maximum(length, np.float32(1e-9))
+    turned -= half
+    for vertex, times in ((0, -1.0), (1, 1.0), (2, -0.5), (3, 0.5)):
+        blades[:, vertex, ::2] += np.float32(times) * turned
+
+
+def meadow(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return -1..1 at x, z in units: where grass grows tall and where it stays short (chosen)."""
+    warp = 0.8 * np.sin(1.7 * z + 0.6 * x)
+    return np.asarray(
+        0.6 * np.sin(2.3 * x + warp) * np.sin(1.9 * z - warp) + 0.4 * np.sin(5 * x - 4 * z)
+    )
+
+
 def visible_cells(frame: Frame, centres: np.ndarray, radius: float) -> np.ndarray:
     """Return a mask (n,) of the cells with centres (n, 3) that may show a blade of grass."""
     reach = CELL * 0.7072 + 0.1
@@ -98,6 +138,21 @@ def visible_cells(frame: Frame, centres: np.ndarray, radius: float) -> np.ndarra
     depth = -frame.depth(centres)
     inside = np.abs(away @ frame.right) <= depth * half + reach * np.hypot(1.0, half)
     return np.asarray(near & inside & (depth > -reach))
+
+
+def send_one_by_one(blades: np.ndarray, tints: np.ndarray | None) -> None:
+    """Send blades (n, 5, 3) in a loop, a strip each, vertex by vertex, as section 5.3 does (R18).
+
+    The picture is that of one glDrawElements; the time is spent in the calls, 16 for each blade.
+    """
+    colours = np.full((*blades.shape[:2], 4), 255, np.uint8) if tints is None else tints
+    for corners, shades in zip(blades.tolist(), colours.tolist(), strict=True):
+        gl.glBegin(gl.GL_TRIANGLE_STRIP)
+        for corner, shade, (s, t) in zip(corners, shades, COORDINATES.tolist(), strict=True):
+            gl.glColor4ub(*shade)
+            gl.glTexCoord2f(s, t)
+            gl.glVertex3f(*corner)
+        gl.glEnd()
 
 
 @dataclass(frozen=True)
@@ -122,7 +177,11 @@ class Grass:
         self._across = int(np.ceil(ground.field.size / CELL))
         self.counts = self._share()
         self._patches: dict[int, Patch] = {}
-        self._texture = Texture(read_image(assets.path("blade.png"), "RGB"), repeat=False)
+        image = read_image(assets.path("blade.png"), "RGB")
+        self._texture = Texture(image, repeat=False)
+        half, last = max(len(image) // 2, 1), len(image) * 7 // 8
+        rows = image[:half], image[last:]
+        self._ends = tuple(part.mean(axis=(0, 1)) / 255.0 for part in rows)
         self._indices = np.empty(0, np.uint32)
         self._coordinates = np.empty((0, 2), np.float32)
 
@@ -147,58 +206,93 @@ class Grass:
             return np.zeros(len(share), int)
         return rng.multinomial(self._settings.grass.count, share / share.sum())
 
-    def _patch(self, cell: int) -> Patch:
-        """Return a cell's blades, drawn by lot when first asked for."""
-        if cell not in self._patches:
-            self._patches[cell] = self._grow(cell)
-        return self._patches[cell]
+    def _patch(self, cell: int, wanted: int | None = None) -> Patch:
+        """Return at least the first ``wanted`` blades of a cell, or all; drawn by lot once."""
+        total = int(self.counts[cell])
+        wanted = total if wanted is None else wanted
+        patch = self._patches.get(cell)
+        while patch is None or len(patch.positions) < min(wanted, total):
+            have = 0 if patch is None else len(patch.positions)
+            end = self._layer(total, have)
+            more = self._grow(cell, have, end)
+            patch = more if patch is None else joined([patch, more])
+            self._patches[cell] = patch
+            if len(patch.positions) < end:
+                # Hardly anything grows here: the cell bears what was found.
+                self.counts[cell] = total = len(patch.positions)
+        return patch
 
-    def _grow(self, cell: int) -> Patch:
-        rng = np.random.default_rng([self._seed, 7, cell])
+    def _layer(self, total: int, have: int) -> int:
+        """Return where the layer that begins at blade ``have`` ends: each doubles the lot."""
+        return min(max(LAYER, 2 * have), total) if self._settings.grass.fade else total
+
+    def _roots(self, cell: int, count: int, rng: np.random.Generator) -> np.ndarray:
+        """Return ``count`` places x, z (count, 2) in a cell, fewer where hardly anything grows."""
         row, column = divmod(cell, self._across)
-        wanted = int(self.counts[cell])
         kept: list[np.ndarray] = []
         for _ in range(12):
-            xz = (rng.random((4 * wanted + 8, 2)) + (column, row)) * CELL
+            xz = (rng.random((4 * count + 8, 2)) + (column, row)) * CELL
             kept.append(xz[rng.random(len(xz)) < self._suits(xz[:, 0], xz[:, 1])])
-            if sum(map(len, kept)) >= wanted:
+            if sum(map(len, kept)) >= count:
                 break
-        xz = np.concatenate(kept)[:wanted]
-        angles = rng.random(len(xz)) * 2 * np.pi
-        positions = np.insert(xz, 1, self._ground.field.bed(xz[:, 0], xz[:, 1]), axis=1)
+        return np.concatenate(kept)[:count]
+
+    def _grow(self, cell: int, first: int, last: int) -> Patch:
+        """Draw the blades ``first`` to ``last`` of a cell's lot."""
         grass = self._settings.grass
+        rng = np.random.default_rng([self._seed, 7, cell, *([first] if first else [])])
+        each = max(grass.tufts, 1)
+        roots = self._roots(cell, -(-(last - first) // each), rng)
+        tuft = np.repeat(np.arange(len(roots)), each)[: last - first]
+        angles = rng.random(len(tuft)) * 2 * np.pi
+        xz = roots[tuft]
+        if grass.tufts:
+            # Outwards, the way a blade leans: its tip bends to (sin, cos) of its angle.
+            away = TUFT_RADIUS * np.sqrt(rng.random(len(tuft)))
+            xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
+        positions = np.insert(xz, 1, self._ground.field.bed(xz[:, 0], xz[:, 1]), axis=1)
         blades = blade_vertices(positions, angles, grass.scale, grass.arch)
         reach = np.ones(len(xz))
         if grass.fade:
-            reach = thinned_reach(len(xz), grass.radius)
+            reach = thinned_reach(int(self.counts[cell]), grass.radius)[first : first + len(xz)]
             grown = np.empty((len(xz), 1, 3))
             wider = np.maximum(reach * grass.radius / NEAR, 1.0) ** WIDENING
             grown[..., 0] = grown[..., 2] = wider[:, None]
             grown[..., 1] = rng.uniform(0.6, 1.25, (len(xz), 1))
+            grown[:, 0, 1] *= 1.0 + grass.variety * self._tallness(roots, rng)[tuft]
             blades = ((blades - positions[:, None]) * grown + positions[:, None]).astype(np.float32)
         tints = np.full((len(xz), 5, 4), 255, np.uint8)
         if grass.tinted:
-            tints[..., :3] = blade_tints(self._ground.colour(xz[:, 0], xz[:, 1]), rng)
+            colour = self._ground.colour(roots[:, 0], roots[:, 1])
+            colour *= 1.0 + grass.variety * (hues(len(roots), rng) - 1.0)
+            tints[..., :3] = blade_tints(colour[tuft], rng, *self._ends)
         return Patch(positions.astype(np.float32), blades, tints, reach.astype(np.float32))
+
+    def _tallness(self, roots: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+        """Return how much taller than the mean (0) tufts with these roots (n, 2) are, over -1."""
+        own = rng.uniform(-0.35, 0.45, len(roots))
+        return np.asarray(own + 0.35 * meadow(roots[:, 0], roots[:, 1]))
 
     def select(self, frame: Frame) -> list[Patch]:
         """Return what to draw: the visible cells' blades, the far cells' thinned out."""
-        radius = self._settings.grass.radius
+        grass, radius = self._settings.grass, self._settings.grass.radius
         cells = cells_around(frame.pose.x, frame.pose.z, radius, self._across)
         middle = (cells + 0.5) * CELL
         y = self._ground.field.bed(middle[:, 0], middle[:, 1])
         centres = np.stack([middle[:, 0], y, middle[:, 1]], axis=1)
         numbers = cells[:, 1] * self._across + cells[:, 0]
         seen = visible_cells(frame, centres, radius) & (self.counts[numbers] > 0)
-        nearest = np.hypot(middle[:, 0] - frame.pose.x, middle[:, 1] - frame.pose.z) - CELL
+        nearest = np.hypot(middle[:, 0] - frame.pose.x, middle[:, 1] - frame.pose.z)
+        nearest -= CELL * 0.7072 + TUFT_RADIUS
         chosen = []
         for number, distance in zip(numbers[seen].tolist(), nearest[seen].tolist(), strict=True):
-            patch = self._patch(number)
-            last = int(np.searchsorted(-patch.reach, -distance / radius, side="right"))
+            last = int(self.counts[number])
+            if grass.fade:
+                last = drawn_at(last, distance)
+            patch = self._patch(number, last)
             parts = (patch.positions, patch.blades, patch.tints, patch.reach)
-            if last:
-                chosen.append(Patch(*(part[:last] for part in parts)))
-        return chosen
+            chosen.append(Patch(*(part[:last] for part in parts)))
+        return [within(frame, joined(chosen), radius)] if chosen and grass.fade else chosen
 
     def bend(self, frame: Frame, patches: list[Patch]) -> tuple[np.ndarray, np.ndarray]:
         """Return the blades, float32 (n, 5, 3), bent by the wind, and their tints (n, 5, 4).
@@ -211,6 +305,9 @@ class Grass:
         wind = blade_wind(frame.kt, positions, grass.scale[0]).astype(np.float32)
         for vertex, part in ((2, 0.5), (3, 0.5), (4, 1.0)):
             blades[:, vertex, ::2] += np.float32(part) * wind
+        if grass.facing > 0:
+            eye = np.array([frame.pose.x, frame.pose.z], np.float32)
+            facing(blades, positions[:, ::2] - eye, grass.facing)
         if grass.fade:
             reach = grass.radius * np.concatenate([patch.reach for patch in patches])
             away = np.hypot(positions[:, 0] - frame.pose.x, positions[:, 2] - frame.pose.z)
@@ -230,12 +327,22 @@ class Grass:
             base = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
             self._indices = np.ascontiguousarray((base + STRIP_TRIANGLES).ravel())
             self._coordinates = np.tile(COORDINATES, (2 * count, 1))
+        tinted = tints.reshape(-1, 4) if self._settings.grass.tinted else None
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
-            tinted = tints.reshape(-1, 4) if self._settings.grass.tinted else None
-            with client_arrays(blades.reshape(-1, 3), None, tinted, [self._coordinates]):
-                gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)
+            if tinted is not None:
+                # Twice texture times tint: a tint can make a blade lighter than its texture.
+                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
+                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+            if self._settings.grass.method == "loop":
+                send_one_by_one(blades, tints if tinted is not None else None)
+            else:
+                with client_arrays(blades.reshape(-1, 3), None, tinted, [self._coordinates]):
+                    gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)
+            if tinted is not None:
+                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
+                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def release(self) -> None:
@@ -243,19 +350,46 @@ class Grass:
         self._texture.release()
 
 
-def greenness(colour: np.ndarray) -> np.ndarray:
-    """Return 0..1, how much grass a ground of colours (n, 3) in 0..1 would bear."""
-    red, green, blue = np.asarray(colour).T
-    excess = green - 0.5 * (red + blue)
-    return np.asarray(np.clip((excess - 0.01) / 0.05, 0.0, 1.0))
+def hues(count: int, rng: np.random.Generator) -> np.ndarray:
+    """Return factors on the ground's colour (count, 3): most tufts greener, one in eight straw."""
+    green = np.array([0.90, 1.03, 0.84]) * rng.uniform(0.78, 1.12, (count, 1))
+    straw = np.array([1.22, 1.10, 1.00]) * rng.uniform(0.80, 1.10, (count, 1))
+    return np.where(rng.random((count, 1)) < 1 / 8, straw, green)
 
 
-def blade_tints(colour: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """Return tints, uint8 (n, 5, 3): the ground's colours (n, 3), lighter, darker at the foot.
+def blade_tints(
+    colour: np.ndarray,
+    rng: np.random.Generator,
+    upper: np.ndarray | float = 0.4,
+    foot: np.ndarray | float = 0.4,
+) -> np.ndarray:
+    """Return tints, uint8 (n, 5, 3), for blades on ground of colours (n, 3), darker at the foot.
 
-    The foot takes about the ground's own colour, so that no blade seems stuck on.
+    ``upper`` and ``foot`` (3,) are the texture's mean colours there. Drawn at twice texture times
+    tint, a blade has above the ground's own colour, a little lighter or darker by lot, and FOOT
+    times as much where it meets it: none seems stuck on.
     """
-    light = np.clip(colour * rng.uniform(1.5, 2.3, (len(colour), 1)), 0, 1)
-    tints = np.repeat((light * 255)[:, None, :], 5, axis=1)
-    tints[:, :2] *= 0.75
-    return tints.astype(np.uint8)
+    light = colour * rng.uniform(0.92, 1.28, (len(colour), 1)) / (2.0 * np.asarray(upper))
+    tints = np.repeat(light[:, None, :], 5, axis=1)
+    tints[:, :2] *= FOOT * np.asarray(upper) / np.asarray(foot)
+    return (np.clip(tints, 0, 1) * 255).astype(np.uint8)
+
+
+def within(frame: Frame, patch: Patch, radius: float) -> Patch:
+    """Return the blades of a patch that reach the walker's place: a cell's nearest point decided.
+
+    Blades whose foot is behind the eye go as well, as far behind as a blade is tall.
+    """
+    dx, dz = patch.positions[:, 0] - frame.pose.x, patch.positions[:, 2] - frame.pose.z
+    reach = np.float32(radius) * patch.reach
+    kept = np.flatnonzero(
+        (dx * dx + dz * dz < reach * reach) & (frame.depth(patch.positions) < 0.1)
+    )
+    parts = (patch.positions, patch.blades, patch.tints, patch.reach)
+    return Patch(*(part[kept] for part in parts))
+
+
+def joined(patches: list[Patch]) -> Patch:
+    """Return the blades of several patches as one."""
+    names = ("positions", "blades", "tints", "reach")
+    return Patch(*(np.concatenate([getattr(patch, name) for patch in patches]) for name in names))

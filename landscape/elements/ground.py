@@ -3,142 +3,56 @@
 Techniques: vertex arrays drawn by one glDrawElements, compiled once into a display list; two
 textures by multitexturing (unit 0 the large-scale colour, unit 1 a detail repeated many times); a
 clip plane that cuts the ground at the water level.
-State used: texture units 0 to 2, GL_CLIP_PLANE0.
+
+With ``ground.materials`` turf, sand and rock each have a detail of their own, and the units mix
+them: unit 0 is turf; unit 1 lets sand in where the large texture's alpha says so (GL_INTERPOLATE
+by the alpha of another unit's texture, GL_ARB_texture_env_crossbar, in OpenGL 1.4); unit 2 rock by
+the vertices' alpha; unit 3 multiplies by the large colour, twice. With ``ground.tiles`` above 1 the
+mesh is cut into square lists, and those out of the camera's view are not called.
+State used: texture units 0 to 3, the current colour, GL_CLIP_PLANE0.
 """
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
-from pathlib import Path
+from dataclasses import dataclass, replace
 
 import numpy as np
+from PIL import Image
 
 from landscape.assets import Assets
+from landscape.elements.height_field import (
+    HeightField,
+    colour_by_height,
+    greenness,
+    ground_mesh,
+    height_field,
+    lookup,
+    read_heights,
+)
+from landscape.elements.waves import cut_level
+from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import Mesh, grid_triangles, vertex_normals
+from landscape.gl.mesh_tool import Mesh
 from landscape.gl.state import attrib
-from landscape.gl.texture import MAX_SIZE, Texture, open_image, read_image
+from landscape.gl.texture import Texture, read_image
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
+__all__ = [
+    "Ground",
+    "HeightField",
+    "clipped",
+    "colour_by_height",
+    "ground_mesh",
+    "height_field",
+    "lookup",
+    "read_heights",
+]
+
 ELEMENT = "ground"
 
-
-def read_heights(path: Path) -> np.ndarray:
-    """Read a height image's red channel as float32 (h, w) in 0..255; 16-bit images keep their bits.
-
-    Palette, alpha and 16-bit images are taken; very large ones are reduced. InputError names a
-    file that cannot be read.
-    """
-    image = open_image(path)
-    if max(image.size) > MAX_SIZE:
-        image.thumbnail((MAX_SIZE, MAX_SIZE))
-    if image.mode.startswith("I"):
-        return np.clip(np.asarray(image, np.float32), 0.0, 65535.0) / np.float32(257.0)
-    if image.mode == "F":
-        values = np.nan_to_num(np.asarray(image, np.float32))
-        return np.clip(values, 0.0, 1.0) * np.float32(255.0)
-    return np.asarray(image.convert("RGB"), np.float32)[..., 0]
-
-
-def lookup(image: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Interpolate ``image`` (h, w[, c]) linearly at u, v in 0..1, clamped at the borders."""
-    h, w = image.shape[:2]
-    x = np.clip(np.asarray(u, np.float64) * w, 0, w - 1)
-    y = np.clip(np.asarray(v, np.float64) * h, 0, h - 1)
-    x0, y0 = x.astype(int), y.astype(int)
-    x1, y1 = np.minimum(x0 + 1, w - 1), np.minimum(y0 + 1, h - 1)
-    fx, fy = x - x0, y - y0
-    if image.ndim == 3:
-        fx, fy = fx[..., None], fy[..., None]
-    top = image[y0, x0] * (1 - fx) + image[y0, x1] * fx
-    bottom = image[y1, x0] * (1 - fx) + image[y1, x1] * fx
-    return top * (1 - fy) + bottom * fy
-
-
-@dataclass(frozen=True)
-class HeightField:
-    """Heights, float32 (n, n), row along z and column along x, over ``size`` x ``size`` units."""
-
-    heights: np.ndarray
-    size: float
-    water_level: float
-
-    def bed(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
-        """Return the ground's height at x, z in units, the sea floor included; clamped outside."""
-        n = len(self.heights)
-        u = np.clip(np.asarray(x, np.float64) * (n - 1) / self.size, 0, n - 1)
-        v = np.clip(np.asarray(z, np.float64) * (n - 1) / self.size, 0, n - 1)
-        k, r = np.minimum(u.astype(int), n - 2), np.minimum(v.astype(int), n - 2)
-        tx, tz = u - k, v - r
-        h = self.heights
-        near = h[r, k] * (1 - tx) + h[r, k + 1] * tx
-        far = h[r + 1, k] * (1 - tx) + h[r + 1, k + 1] * tx
-        return np.asarray(near * (1 - tz) + far * tz)
-
-    def height(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
-        """Return what one stands on: bilinear, never below the water (get_height in 2006)."""
-        return np.maximum(self.bed(x, z), self.water_level)
-
-    def slope(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
-        """Return the steepness, rise over run, by central differences over half a cell."""
-        d = self.size / (len(self.heights) - 1) / 2
-        dx = self.bed(np.add(x, d), z) - self.bed(np.subtract(x, d), z)
-        dz = self.bed(x, np.add(z, d)) - self.bed(x, np.subtract(z, d))
-        return np.hypot(dx, dz) / (2 * d)
-
-
-def height_field(image: np.ndarray, settings: GroundSettings, water_level: float) -> HeightField:
-    """Resample an image (h, w) of values 0..255 to the vertices' heights.
-
-    Vertex k of N takes the image at k/N though it stands at k/(N-1): so in the report.
-    """
-    n = settings.resolution
-    at = np.arange(n) / n
-    heights = lookup(image, at[None, :], at[:, None]) / 256.0 * settings.scale_y
-    return HeightField(heights.astype(np.float32), settings.size, water_level)
-
-
-def ground_mesh(field: HeightField, repeats: tuple[float, ...]) -> Mesh:
-    """Return the height field as a mesh, with texture coordinates repeated ``repeats`` times."""
-    n = len(field.heights)
-    along = np.arange(n) / (n - 1)
-    u, v = np.meshgrid(along, along)
-    vertices = np.stack([u * field.size, field.heights, v * field.size], axis=2).reshape(-1, 3)
-    vertices = np.ascontiguousarray(vertices, np.float32)
-    triangles = grid_triangles(n, n)
-    uv = np.stack([u, v], axis=2).reshape(-1, 2)
-    coordinates = tuple(np.ascontiguousarray(uv * r, np.float32) for r in repeats)
-    return Mesh(vertices, vertex_normals(vertices, triangles), triangles, coordinates)
-
-
-def colour_by_height(field: HeightField, sun: np.ndarray, size: int = 512) -> np.ndarray:
-    """Return a large-scale texture, uint8 (size, size, 3), for a height image that has none.
-
-    Sand at the shore, green low, brown and grey high (figure 3), shaded by the sun (3,).
-    """
-    at = (np.arange(size) + 0.5) / size * field.size
-    x, z = np.meshgrid(at, at)
-    h = field.bed(x, z)
-    above = np.clip((h - field.water_level) / max(float(h.max()) - field.water_level, 1e-6), 0, 1)
-    stops = [0.0, 0.03, 0.10, 0.40, 0.65, 1.0]
-    colours = np.array(
-        [
-            (196, 180, 140),
-            (186, 172, 128),
-            (104, 122, 62),
-            (116, 112, 68),
-            (124, 110, 92),
-            (150, 148, 144),
-        ]
-    )
-    rgb = np.stack([np.interp(above, stops, colours[:, c]) for c in range(3)], axis=2)
-    step = field.size / size
-    gz, gx = np.gradient(h, step)
-    light = (sun[1] - gx * sun[0] - gz * sun[2]) / np.sqrt(1 + gx**2 + gz**2)
-    shade = 0.55 + 0.6 * np.clip(light, 0, 1)
-    return np.ascontiguousarray(np.clip(rgb * shade[..., None], 0, 255), np.uint8)
+MID = 0.8  # chosen: with ground.materials, strength of the detail laid into the large texture
 
 
 @contextmanager
@@ -153,28 +67,188 @@ def clipped(level: float, enabled: bool = True) -> Iterator[None]:
         yield
 
 
+@dataclass(frozen=True)
+class Tile:
+    """A square part of the ground's mesh, and the box it fills: low and high corner (3,) each."""
+
+    mesh: Mesh
+    low: np.ndarray
+    high: np.ndarray
+
+
+def cut(mesh: Mesh, tiles: int) -> list[Tile]:
+    """Cut a grid's mesh into ``tiles`` x ``tiles`` meshes; each triangle goes to one of them."""
+    side = round(len(mesh.vertices) ** 0.5) - 1
+    cell = np.arange(side) * tiles // side
+    number = np.repeat(np.add.outer(cell * tiles, cell).ravel(), 2)  # two triangles a cell
+    parts = []
+    for k in range(tiles * tiles):
+        triangles = mesh.triangles[number == k]
+        if not len(triangles):
+            continue
+        used, own = np.unique(triangles, return_inverse=True)
+        vertices = mesh.vertices[used]
+        part = Mesh(
+            vertices,
+            mesh.normals[used],
+            np.ascontiguousarray(own.reshape(-1, 3), np.uint32),
+            tuple(np.ascontiguousarray(c[used]) for c in mesh.coordinates),
+            None if mesh.colors is None else np.ascontiguousarray(mesh.colors[used]),
+        )
+        parts.append(Tile(part, vertices.min(axis=0), vertices.max(axis=0)))
+    return parts
+
+
+def boxes_in_view(frame: Frame, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """Return a mask (n,) of the boxes, corners (n, 3), that the camera may see.
+
+    A box is left out when all its corners lie behind one and the same side of the view.
+    """
+    ends = np.stack([low, high])
+    x, y, z = np.meshgrid([0, 1], [0, 1], [0, 1], indexing="ij")
+    corners = np.stack([ends[k.ravel(), :, a] for a, k in enumerate((x, y, z))], axis=2)  # 8, n, 3
+    away = corners - frame.eye
+    ahead = -frame.depth(corners)
+    width, height = frame.size
+    half = np.tan(np.radians(frame.fov / 2))
+    seen = (ahead > 0).any(axis=0)
+    for across, reach in ((away @ frame.right, half * width / height), (away @ frame.up, half)):
+        seen &= (across <= ahead * reach).any(axis=0) & (-across <= ahead * reach).any(axis=0)
+    return np.asarray(seen)
+
+
+def textured(
+    colours: np.ndarray, detail: np.ndarray, repeat: float, turf: np.ndarray
+) -> np.ndarray:
+    """Return colours, uint8 (n, n, 3), times MID of twice a detail (m, m, 3), ``repeat`` times.
+
+    ``turf``, uint8 (n, n, 1), says where; bare ground gets a third of it.
+
+    What a texture unit of its own would do in each frame, done once: it serves what is a few units
+    off, where the finest detail has gone grey, and is too coarse to be sharp at one's feet.
+    """
+    size = max(round(len(colours) / repeat), 1)
+    tile = np.asarray(Image.fromarray(detail).resize((size, size), Image.Resampling.BOX))
+    times = -(-len(colours) // size)
+    contrast = MID * (tile.astype(np.float32) / np.float32(127.5) - 1)
+    contrast = np.tile(contrast, (times, times, 1))[: len(colours), : colours.shape[1]]
+    contrast *= (turf + np.float32(127.5)) / np.float32(382.5)
+    return np.clip(colours * (1 + contrast), 0, 255).astype(np.uint8)
+
+
+def rock_share(normals: np.ndarray, colour: np.ndarray) -> np.ndarray:
+    """Return 0..1, how much rock shows where the ground has these normals and colours (n, 3).
+
+    Steep is rock, and grey is; green is not. Chosen after the rules that painted the colours.
+    """
+    slope = np.hypot(normals[:, 0], normals[:, 2]) / np.maximum(normals[:, 1], 1e-6)
+    steep = np.clip((slope - 0.3) / 0.3, 0.0, 1.0)
+    vivid = 1.0 - colour.min(axis=1) / np.maximum(colour.max(axis=1), 1e-3)
+    grey = np.clip((0.24 - vivid) / 0.08, 0.0, 1.0)
+    return np.asarray(np.maximum(steep, grey) * (1.0 - 0.7 * greenness(colour)))
+
+
+def lay_units(layers: list[Texture]) -> None:
+    """Set unit 0 to the first layer, and each further unit to multiply by twice its own."""
+    for unit, layer in enumerate(layers):
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        layer.bind()
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        if unit == 0:
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        else:
+            # Modulate by twice the detail: mid grey then leaves the large colour as it is.
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_COMBINE_RGB, gl.GL_MODULATE)
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+
+
+def leave_units(layers: list[Texture]) -> None:
+    """Undo :func:`lay_units`."""
+    for unit in reversed(range(len(layers))):
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        if unit > 0:
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        gl.glDisable(gl.GL_TEXTURE_2D)
+
+
+def mix_units(layers: list[Texture]) -> None:
+    """Set four units to turf, sand, rock and the large colour: (((turf, sand), rock) x large x 2).
+
+    ``a`` mixed with ``b`` by ``c`` is a c + b (1 - c), which is GL_INTERPOLATE.
+    """
+    env = gl.GL_TEXTURE_ENV
+    turf_here = gl.GL_TEXTURE3  # the alpha of another unit's texture: crossbar
+    mixes = [
+        (gl.GL_REPLACE, (gl.GL_TEXTURE,)),
+        (gl.GL_INTERPOLATE, (gl.GL_PREVIOUS, gl.GL_TEXTURE, turf_here)),
+        (gl.GL_INTERPOLATE, (gl.GL_TEXTURE, gl.GL_PREVIOUS, gl.GL_PRIMARY_COLOR)),
+        (gl.GL_MODULATE, (gl.GL_TEXTURE, gl.GL_PREVIOUS)),
+    ]
+    for unit, (layer, (mix, sources)) in enumerate(zip(layers, mixes, strict=True)):
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        layer.bind()
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glTexEnvi(env, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
+        gl.glTexEnvi(env, gl.GL_COMBINE_RGB, mix)
+        for k, source in enumerate(sources):
+            gl.glTexEnvi(env, getattr(gl, f"GL_SOURCE{k}_RGB"), source)
+        # What is drawn is opaque: the details have no alpha, which reads as 1.
+        gl.glTexEnvi(env, gl.GL_COMBINE_ALPHA, gl.GL_REPLACE)
+        gl.glTexEnvi(env, gl.GL_SOURCE0_ALPHA, gl.GL_PREVIOUS if unit else gl.GL_TEXTURE)
+    gl.glTexEnvf(env, gl.GL_RGB_SCALE, 2.0)
+
+
 class Ground:
     """The terrain; ``field`` answers how high it is."""
 
     def __init__(self, settings: Settings, assets: Assets, sun: np.ndarray) -> None:
-        """Read the height image and compile the display list."""
+        """Read the height image and compile the display lists."""
         ground = settings.ground
         path = assets.path(ground.height_image, "ground.height_image")
         self.field = height_field(read_heights(path), ground, settings.water.level)
         self.large = self._large_texture(settings, assets, sun)
-        large = Texture(self.large, repeat=False)
-        detail = Texture(read_image(assets.path(ground.detail_texture, "ground.detail_texture")))
-        self._textures = [large, detail]
-        units = {"both": [large, detail], "large": [large], "detail": [detail], "none": []}
-        layers = units[ground.units]
-        repeats = {large: 1.0, detail: ground.detail_repeat}
-        if ground.units == "both" and ground.mid_repeat > 0:
-            layers = [*layers, detail]
-        every = tuple(
-            ground.mid_repeat if unit == 2 else repeats[layer] for unit, layer in enumerate(layers)
-        )
-        self.mesh = ground_mesh(self.field, every)
-        self._list = DisplayList(lambda: self._send(layers))
+        self._settings, self._lists = settings, list[DisplayList]()
+        self._textures: list[Texture] = []
+
+        def detail(key: str) -> Texture:
+            name = getattr(ground, key)
+            image = read_image(assets.path(name, f"ground.{key}"), largest=ground.texture_size)
+            return self._own(image)
+
+        mixed = ground.materials and ground.units == "both"
+        if mixed:
+            turf = (greenness(self.large.reshape(-1, 3) / np.float32(255.0)) * 255).astype(np.uint8)
+            turf = turf.reshape(*self.large.shape[:2], 1)
+            colours = self.large
+            if ground.mid_repeat > 0:
+                pattern = read_image(assets.path(ground.detail_texture), "RGB")
+                colours = textured(colours, pattern, ground.mid_repeat, turf)
+            splat = self._own(np.concatenate([colours, turf], axis=2), repeat=False)
+            self._layers = [detail("detail_texture"), detail("sand_texture")]
+            self._layers += [detail("rock_texture"), splat]
+            repeats = [ground.detail_repeat, ground.sand_repeat, ground.rock_repeat, 1.0]
+        else:
+            large, fine = self._own(self.large, repeat=False), detail("detail_texture")
+            both = [(large, 1.0), (fine, ground.detail_repeat)]
+            if ground.mid_repeat > 0:
+                both.append((fine, ground.mid_repeat))
+            units = {"both": both, "large": both[:1], "detail": both[1:2], "none": []}
+            self._layers = [layer for layer, _ in units[ground.units]]
+            repeats = [repeat for _, repeat in units[ground.units]]
+        self.mesh = ground_mesh(self.field, tuple(repeats))
+        if mixed:
+            colors = np.full((len(self.mesh.vertices), 4), 255, np.uint8)
+            x, z = self.mesh.vertices[:, 0], self.mesh.vertices[:, 2]
+            colors[:, 3] = rock_share(self.mesh.normals, self.colour(x, z)) * 255
+            self.mesh = replace(self.mesh, colors=colors)
+        self._compile(mixed)
+
+    def _own(self, image: np.ndarray, repeat: bool = True) -> Texture:
+        self._textures.append(Texture(image, repeat))
+        return self._textures[-1]
 
     def _large_texture(self, settings: Settings, assets: Assets, sun: np.ndarray) -> np.ndarray:
         """Read the colours; a user's own island gets colours by height unless he brings some."""
@@ -182,33 +256,60 @@ class Ground:
         own_island = ground.height_image not in (default.height_image, "height16.png")
         if own_island and ground.large_texture == default.large_texture:
             return colour_by_height(self.field, sun)
-        return read_image(assets.path(ground.large_texture, "ground.large_texture"), "RGB")
+        path = assets.path(ground.large_texture, "ground.large_texture")
+        return read_image(path, "RGB", ground.texture_size)
 
-    def _send(self, layers: list[Texture]) -> None:
-        """What the display list holds: textures to units, arrays, one glDrawElements."""
-        for unit, layer in enumerate(layers):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
-            layer.bind()
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            if unit == 0:
-                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+    def _compile(self, mixed: bool) -> None:
+        """Compile one list of everything, or one a tile between two that set the units."""
+        layers, count = self._layers, self._settings.ground.tiles
+        begin, end = (mix_units, None) if mixed else (lay_units, leave_units)
+
+        def before() -> None:
+            if mixed:
+                gl.glPushAttrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT)
+            begin(layers)
+
+        def after() -> None:
+            if end is None:
+                gl.glPopAttrib()
             else:
-                # Modulate by twice the detail: mid grey then leaves the large colour as it is.
-                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
-                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_COMBINE_RGB, gl.GL_MODULATE)
-                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
-        self.mesh.draw()
-        for unit in reversed(range(len(layers))):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
-            if unit > 0:
-                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
-                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
-            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
-            gl.glDisable(gl.GL_TEXTURE_2D)
+                end(layers)
 
-    def draw(self) -> None:
-        """Call the list."""
-        self._list.call()
+        def whole() -> None:
+            before()
+            self.mesh.draw()
+            after()
+
+        self._tiles = cut(self.mesh, count) if count > 1 else []
+        self._low = np.array([tile.low for tile in self._tiles]).reshape(-1, 3)
+        self._high = np.array([tile.high for tile in self._tiles]).reshape(-1, 3)
+        if self._tiles:
+            senders = [tile.mesh.draw for tile in self._tiles]
+            self._lists += [DisplayList(draw) for draw in (*senders, before, after)]
+        else:
+            self._lists.append(DisplayList(whole))
+
+    def tiles_in_view(self, frame: Frame) -> np.ndarray:
+        """Return the numbers of the tiles that may show in the frame, mirrored or not."""
+        low, high = self._low.copy(), self._high.copy()
+        level = self.field.water_level
+        cut = level if frame.mirrored else cut_level(self._settings)
+        seen = self._high[:, 1] >= cut if self._settings.ground.clip or frame.mirrored else True
+        if frame.mirrored:
+            low[:, 1], high[:, 1] = 2 * level - self._high[:, 1], 2 * level - self._low[:, 1]
+        return np.flatnonzero(boxes_in_view(frame, low, high) & seen)
+
+    def draw(self, frame: Frame | None = None) -> None:
+        """Call the list, or the lists of the tiles that ``frame`` may show."""
+        if not self._tiles:
+            self._lists[0].call()
+            return
+        every = range(len(self._tiles))
+        before, after = self._lists[-2:]
+        before.call()
+        for k in every if frame is None else self.tiles_in_view(frame).tolist():
+            self._lists[k].call()
+        after.call()
 
     def colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return the large-scale colour at x, z in units, float (n, 3) in 0..1."""
@@ -216,7 +317,8 @@ class Ground:
         return lookup(self.large, np.asarray(x) / size, np.asarray(z) / size) / 255.0
 
     def release(self) -> None:
-        """Delete the list and the textures; may be called twice."""
-        self._list.release()
+        """Delete the lists and the textures; may be called twice."""
+        for compiled in self._lists:
+            compiled.release()
         for texture in self._textures:
             texture.release()

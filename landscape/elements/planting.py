@@ -5,7 +5,7 @@ No OpenGL here. In 2006 places are uniform and redrawn when they fall on water; 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -13,8 +13,11 @@ from landscape.elements.ground import Ground, HeightField
 from landscape.settings import Deer, Plants, Settings, Trees
 
 DEER, PLANT = 4, 6  # first atlas cell of each kind; trees start at 0
+SHRUB = 3  # the atlas cell of the fourth species
 # Chosen: x, z and radius in units of open ground in the woods: round the rabbit, on the way from
 # the meadow to the castle, and where the eye of the named views stands.
+HOPELESS = 10_000  # chosen: candidates none of which suits tell that no place does
+COURT = 2.2  # chosen: units round the castle where no tree hides it
 GLADES = (
     (20.5, 24.0, 1.1), (22.5, 21.5, 1.3), (24.6, 19.6, 1.0), (13.6, 27.2, 1.2), (21.9, 9.9, 0.9),
     (22.6, 10.8, 0.6),
@@ -27,13 +30,21 @@ Chance = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Sprites:
-    """Where each sprite stands, (n, 3); sizes (n, 2); atlas cell; mirrored; tint (n, 3)."""
+    """Where each sprite stands, (n, 3); sizes (n, 2); atlas cell; mirrored; tint (n, 4).
+
+    ``slopes`` (n, 2) is the ground's dy/dx and dy/dz under it, level by default.
+    """
 
     positions: np.ndarray
     sizes: np.ndarray
     cells: np.ndarray
     flipped: np.ndarray
     tints: np.ndarray
+    slopes: np.ndarray = field(default_factory=lambda: np.empty((0, 2)))
+
+    def __post_init__(self) -> None:
+        if len(self.slopes) != len(self.positions):
+            object.__setattr__(self, "slopes", np.zeros((len(self.positions), 2)))
 
     def __add__(self, other: "Sprites") -> "Sprites":
         pairs = zip(vars(self).values(), vars(other).values(), strict=True)
@@ -58,6 +69,8 @@ def scatter(
             break
         x, z = rng.random((2, max(4 * missing, 256))) * field.size
         keep = rng.random(len(x)) < suits(x, z)
+        if len(x) > HOPELESS and not keep.any():
+            break
         found.append(np.stack([x[keep], z[keep]], axis=1)[:missing])
         missing -= len(found[-1])
     xz = np.concatenate(found) if found else np.empty((0, 2))
@@ -81,13 +94,12 @@ def plant_everything(settings: Settings, ground: Ground, seed: int, kinds: set[s
 
     def tree_chance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         free = clear(x, z).astype(float)
+        free *= np.hypot(x - settings.castle.x, z - settings.castle.z) > COURT
         if woods is None:
             return free
         height, slope = field.bed(x, z) - level, field.slope(x, z)
         free *= np.clip((height - 0.12) / 0.1, 0, 1) * np.clip((2.9 - height) / 0.8, 0, 1)
         free *= np.clip((0.9 - slope) / 0.3, 0, 1)
-        near_castle = np.hypot(x - settings.castle.x, z - settings.castle.z)
-        free *= np.clip((near_castle - 1.6) / 1.0, 0.0, 1)
         for gx, gz, reach in GLADES:
             free *= np.clip((np.hypot(x - gx, z - gz) - reach) / 0.5, 0.0, 1.0)
         return np.asarray(free * woods(x, z))
@@ -126,11 +138,30 @@ def plant_everything(settings: Settings, ground: Ground, seed: int, kinds: set[s
             # A tree twice as wide as high is no tree: keep the report's range, tie the two sides.
             sizes[:, 0] = np.clip(sizes[:, 1] * rng.uniform(0.8, 1.1, n), 0, None)
             if kind == "trees":
-                cells = species_by_place(positions, level, species, rng)
+                edge = 1.0 - (woods(positions[:, 0], positions[:, 2]) if woods else np.ones(n))
+                cells = species_by_place(positions, level, species, rng, edge)
+                sizes *= np.where(cells == SHRUB, rng.uniform(0.4, 0.75, n), 1.0)[:, None]
             if kind != "deer":
-                tints[:, :3] *= rng.uniform(0.84, 1.0, (n, 1)) * rng.uniform(0.95, 1.0, (n, 3))
-        sprites += Sprites(positions, sizes, cells, flipped, tints)
+                tints[:, :3] *= leaf_tints(rng, n)
+        slopes = slopes_under(ground.field, positions, sizes[:, 0])
+        sprites += Sprites(positions, sizes, cells, flipped, tints, slopes)
     return sprites
+
+
+def leaf_tints(rng: np.random.Generator, count: int) -> np.ndarray:
+    """Return factors (n, 3) on a sprite's colours: some darker, some yellower, some bluer."""
+    light, warm = rng.uniform(0.78, 1.0, count), rng.uniform(-1.0, 1.0, count)
+    tint = np.stack([1 - 0.16 * np.maximum(-warm, 0), 1 - 0.05 * np.abs(warm)], axis=1)
+    tint = np.insert(tint, 2, 1 - 0.28 * np.maximum(warm, 0), axis=1)
+    return np.asarray(light[:, None] * tint)
+
+
+def slopes_under(ground: HeightField, positions: np.ndarray, widths: np.ndarray) -> np.ndarray:
+    """Return dy/dx and dy/dz (n, 2) of the ground from one end of a sprite's foot to the other."""
+    x, z, half = positions[:, 0], positions[:, 2], 0.5 * widths
+    dx = ground.bed(x + half, z) - ground.bed(x - half, z)
+    dz = ground.bed(x, z + half) - ground.bed(x, z - half)
+    return np.stack([dx, dz], axis=1) / (2.0 * half)[:, None]
 
 
 def on_land(field: HeightField, places: tuple[tuple[float, float], ...]) -> np.ndarray:
@@ -158,10 +189,18 @@ def woodland(seed: int) -> Chance:
 
 
 def species_by_place(
-    positions: np.ndarray, level: float, species: int, rng: np.random.Generator
+    positions: np.ndarray,
+    level: float,
+    species: int,
+    rng: np.random.Generator,
+    edge: np.ndarray | float = 0.0,
 ) -> np.ndarray:
-    """Return a species for each place: conifers high, birches and shrubs low, some of each."""
+    """Return a species for each place: conifers high, birches and shrubs low, some of each.
+
+    ``edge`` (n,) is 0 deep in a wood and 1 in the open, where shrubs and birches stand.
+    """
     height = positions[:, 1] - level
     draw = rng.random(len(positions)) + 0.35 * np.clip(height - 0.9, -0.6, 1.2)
-    kind = np.select([draw > 0.72, draw > 0.34, draw > 0.12], [1, 0, 2], 3)
+    draw -= 0.35 * np.asarray(edge) ** 2
+    kind = np.select([draw > 0.72, draw > 0.34, draw > 0.12], [1, 0, 2], SHRUB)
     return np.asarray(kind % species)

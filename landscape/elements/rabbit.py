@@ -2,7 +2,9 @@
 
 Technique: a PLY mesh sent once into a display list, textured by cylindrical coordinates of its own
 vertices. The absolute value of the angle makes both ends of the turn meet in the same texture
-coordinate: without it the whole texture would run backwards through one narrow strip.
+coordinate: without it the whole texture would run backwards through one narrow strip. Near the axis
+the angle turns fast, and the texture is pinched; with ``rabbit.mapping`` = axis each face is mapped
+along the axis it looks at most, and a vertex between two such charts is doubled (section 11.2.5).
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL.
 """
 
@@ -14,9 +16,10 @@ from landscape.assets import Assets
 from landscape.elements.ground import HeightField
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import Mesh, centred, read_ply, vertex_normals
+from landscape.gl.mesh_tool import Mesh, centred, vertex_normals
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture, read_image
+from landscape.meshes import read_mesh
 from landscape.settings import Settings
 
 ELEMENT = "rabbit"
@@ -31,9 +34,32 @@ def cylindrical(vertices: np.ndarray, l1: float, l2: float) -> np.ndarray:
     return np.ascontiguousarray(np.stack([s, l2 * (y + 1) / 2], axis=1), np.float32)
 
 
+def by_axis(mesh: Mesh, repeat: float) -> Mesh:
+    """Return a mesh of vertices in -1..1 mapped by charts, ``repeat`` textures over 2 units.
+
+    A face whose normal points along x most lies in the chart of (z, y), along y in that of (x, z),
+    along z in that of (x, y). The corners' smooth normals are asked, not the face's own, which
+    would speckle a rough skin with charts of one face.
+    """
+    facing = np.abs(mesh.normals[mesh.triangles].sum(axis=1)).argmax(axis=1)
+    count = len(mesh.vertices)
+    # A vertex of a chart is one number: the chart's, and its own.
+    corners, triangles = np.unique(mesh.triangles + facing[:, None] * count, return_inverse=True)
+    chart, own = np.divmod(corners, count)
+    vertices = np.ascontiguousarray(mesh.vertices[own])
+    plane = np.array([(2, 1), (0, 2), (0, 1)])[chart]
+    coordinates = repeat * (np.take_along_axis(vertices, plane, axis=1) + 1) / 2
+    return Mesh(
+        vertices,
+        np.ascontiguousarray(mesh.normals[own]),
+        np.ascontiguousarray(triangles.reshape(-1, 3), np.uint32),
+        (np.ascontiguousarray(coordinates, np.float32),),
+    )
+
+
 def read_animal(assets: Assets, name: str, key: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a PLY mesh as vertices in -1..1, normals and triangles."""
-    vertices, triangles = read_ply(assets.path(name, key))
+    vertices, triangles = read_mesh(assets.path(name, key))
     vertices = centred(vertices)
     return vertices, vertex_normals(vertices, triangles), triangles
 
@@ -85,11 +111,13 @@ class Rabbit(Animal):
         """Read the mesh and stand it on the ground."""
         rabbit = settings.rabbit
         vertices, normals, triangles = read_animal(assets, rabbit.mesh, "rabbit.mesh")
-        coordinates = cylindrical(vertices, rabbit.l1, rabbit.l2)
+        mesh = Mesh(vertices, normals, triangles, (cylindrical(vertices, rabbit.l1, rabbit.l2),))
+        if rabbit.mapping == "axis":
+            mesh = by_axis(mesh, rabbit.l2)
         low = float(vertices[:, 1].min()) * rabbit.scale
         y = float(field.height(rabbit.x, rabbit.z)) - low - 0.02 * rabbit.scale
         super().__init__(
-            Mesh(vertices, normals, triangles, (coordinates,)),
+            mesh,
             Texture(read_image(assets.path("animal.png"), "RGB")),
             rabbit.scale,
             (rabbit.x, y, rabbit.z),

@@ -124,6 +124,8 @@ class SkyBox:
                 gl.glDepthMask(gl.GL_FALSE)
             if sky.unfogged:
                 gl.glDisable(gl.GL_FOG)
+            if sky.anchored:
+                x = z = self._settings.ground.size / 2
             if sky.follow_y:
                 gl.glDisable(gl.GL_CLIP_PLANE0)
                 # Under the mirror matrix the eye's own place is that of its mirror image.

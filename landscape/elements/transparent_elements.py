@@ -5,50 +5,66 @@ modelview matrix, so that they always face it; crossed quads, two fixed quads at
 top-centre vertex sways. Blending wants far before near, and the z buffer cannot do that: all of
 them together are sorted by their eye-space depth. All sprites share one texture, an atlas, so that
 one glDrawElements draws them in any order.
-State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off.
+Cures of section 11.2, all by vertices and vertex alpha: upright billboards, deer that stand on the
+slope, half quads sorted one by one, quads that fade edge-on, crowns and rosettes from above.
+State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 
+import math
+
 import numpy as np
-from PIL import Image
 
 from landscape.assets import Assets
+from landscape.elements.atlas import (
+    CELL,
+    CELLS,
+    COLUMNS,
+    GUTTER,
+    LEVELS,
+    TOPS_CELL,
+    atlas,
+    cell_coordinates,
+    outline,
+    padded,
+    top_coordinates,
+    tops_cell,
+)
 from landscape.elements.ground import Ground
-from landscape.elements.planting import PLANT, plant_everything
+from landscape.elements.planting import DEER, PLANT, Sprites, plant_everything
+from landscape.elements.sprite_quads import (
+    HALVES,
+    QUAD,
+    Quads,
+    billboards,
+    box_corners,
+    crossed_quads,
+    edge_on,
+    half_places,
+    lying,
+    slope_axes,
+    smoothstep,
+    steepness,
+    sway,
+    upright_axes,
+    within,
+)
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture, mip_chain, read_image
 from landscape.settings import Settings
 
-CELL = 512  # chosen: texels per side of a sprite in the atlas
-CELLS = (
-    "tree_broadleaf.png",
-    "tree_conifer.png",
-    "tree_birch.png",
-    "tree_shrub.png",
-    "deer_stag.png",
-    "deer_doe.png",
-    "plant.png",
-)
-COLUMNS, ROWS = 4, 2
-# Chosen: transparent texels left above each sprite. At mip level 5 they are still one texel, and
-# the foot of the tree in the row above does not show over a fern's head.
-GUTTER = 32
-LEVELS = 6  # chosen: at the last mip level a cell is 16 texels wide
+# Sines of the angle of a view from above, all chosen: between which a view from above comes in,
+# and the upright picture goes.
+COMES, GOES = (0.35, 0.70), (0.80, 0.97)
+ROSETTE_HEIGHT, ROSETTE_WIDTH = 0.30, 1.25  # chosen: times the plant's height and width
+CROWN_HEIGHT, CROWN_WIDTH = 0.62, 0.95  # chosen: times the tree's height and width
+FOOT = 0.07  # chosen: half a trunk, times the tree's width
+TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay
+HAZE = 512.0  # what less than 1 part in 512 is left of is not to be told from the fog
 
-# Crossed quads: a quad's six vertices are bottom left, middle, right and top left, middle, right;
-# its 4 triangles share the top middle, which sways.
-CROSS_TRIANGLES = np.array([0, 4, 3, 0, 1, 4, 1, 2, 4, 4, 2, 5], np.uint32)
-CROSS_INDICES = np.concatenate([CROSS_TRIANGLES, CROSS_TRIANGLES + 6])
-QUAD_INDICES = np.array([0, 1, 2, 0, 2, 3], np.uint32)
-
-
-def sway(kt: float, positions: np.ndarray, strength: float = 1.0) -> np.ndarray:
-    """Return dx, dz (n, 2) in units of the wind at positions (n, 3), section 5.2.2."""
-    x, z = positions[:, 0], positions[:, 2]
-    dx = 0.05 * np.cos(kt / 10 - 1.2 * x - 0.744 * z)
-    dz = 0.03 * np.cos(kt / 9.6 - 1.44 * x)
-    return np.stack([dx, dz], axis=1) * strength
+CORNER_S, CORNER_T = np.array([0, 1, 1, 0.0]), np.array([1, 1, 0, 0.0])
+CROSS_S, CROSS_T = np.array([0, 0.5, 1.0, 0, 0.5, 1.0]), np.repeat([1.0, 0.0], 3)
 
 
 def visible_order(
@@ -61,71 +77,57 @@ def visible_order(
     return seen[np.argsort(depth[seen], kind="stable")] if sort else seen
 
 
-def billboards(
-    positions: np.ndarray, sizes: np.ndarray, right: np.ndarray, up: np.ndarray
-) -> np.ndarray:
-    """Return quads (n, 4, 3) that stand on positions (n, 3), sizes (n, 2) = width and height.
+def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarray:
+    """Return whether balls about positions (n, 3) of radius ``reach`` (n,) meet the frustum, (n,).
 
-    Corners: bottom left, bottom right, top right, top left.
+    Its four sides go through the eye; near and far planes are left out.
     """
-    across = 0.5 * sizes[:, :1] * right
-    rise = sizes[:, 1:] * up
-    low, high = positions - across, positions + across
-    return np.stack([low, high, high + rise, low + rise], axis=1)
+    ahead = -frame.depth(positions)
+    away = positions - frame.eye
+    top = math.tan(math.radians(frame.fov) / 2)
+    kept = ahead > -reach
+    for axis, slope in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
+        kept &= np.abs(away @ axis) < ahead * slope + reach * math.hypot(1.0, slope)
+    return np.asarray(kept)
 
 
-def upright_axes(right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return right and up of billboards that turn about the y axis only."""
-    level = np.array([right[0], 0.0, right[2]])
-    return level / max(float(np.linalg.norm(level)), 1e-9), np.array([0.0, 1.0, 0.0])
+def is_deer(cells: np.ndarray) -> np.ndarray:
+    """Return which sprites (n,) are deer, by their atlas cells."""
+    return np.asarray((cells >= DEER) & (cells < PLANT))
 
 
-def crossed_quads(positions: np.ndarray, sizes: np.ndarray, winds: np.ndarray) -> np.ndarray:
-    """Return two quads of six vertices each, (n, 12, 3), along x and along z.
+def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Return where the two boxes of each picture lie on its quad, and in the atlas.
 
-    Per quad: bottom left, middle, right, top left, middle, right; the top middle moved by
-    ``winds`` (n, 2) = dx, dz.
+    Both are (2, cells, 8, 2): not mirrored and mirrored, then 4 corners of each box.
     """
-    out = np.repeat(positions[:, None, :], 12, axis=1)
-    across = np.array([-0.5, 0.0, 0.5, -0.5, 0.0, 0.5])
-    out[:, :6, 0] += across * sizes[:, :1]
-    out[:, 6:, 2] += across * sizes[:, :1]
-    for top in (3, 9):
-        out[:, top : top + 3, 1] += sizes[:, 1:]
-        out[:, top + 1, 0] += winds[:, 0]
-        out[:, top + 1, 2] += winds[:, 1]
-    return out
+    boxes = np.array([outline(cell[GUTTER:, :, 3]) for cell in cells])
+    mirrored = np.stack([1 - boxes[..., 2], boxes[..., 1], 1 - boxes[..., 0], boxes[..., 3]], 2)
+    corners = box_corners(np.stack([boxes, mirrored])).reshape(2, len(cells), 8, 2)
+    coordinates = np.array(
+        [
+            [
+                cell_coordinates(np.array([cell]), np.array([bool(flip)]), *corner.T)[0]
+                for cell, corner in enumerate(corners[flip])
+            ]
+            for flip in (0, 1)
+        ]
+    )
+    return corners.astype(np.float32), coordinates
 
 
-def cell_coordinates(
-    cells: np.ndarray, flipped: np.ndarray, s: np.ndarray, t: np.ndarray
-) -> np.ndarray:
-    """Return texture coordinates (n, k, 2) in the atlas of points s, t (k,) in 0..1 of cells (n,).
+def own_turn(positions: np.ndarray) -> np.ndarray:
+    """Return an angle in radians (n,) of its own for every place (n, 3)."""
+    return np.asarray(7.0 * (positions[:, 0] + positions[:, 2]))
 
-    ``flipped`` (n,) mirrors s; half a texel is kept clear of the neighbouring cells, and
-    the GUTTER above.
+
+def turned(positions: np.ndarray, quads: int) -> np.ndarray:
+    """Return the angles (n, k) of a plant's crossed quads, in radians from x to z.
+
+    Two stand along x and z; three at 60 degrees, each plant turned by its own angle.
     """
-    s = 0.5 / CELL + s * (1.0 - 1.0 / CELL)
-    t = GUTTER / CELL + t * (1.0 - (GUTTER + 0.5) / CELL)
-    turned = np.where(flipped[:, None], 1.0 - s, s)
-    u = (cells[:, None] % COLUMNS + turned) / COLUMNS
-    v = (cells[:, None] // COLUMNS + t) / ROWS
-    return np.ascontiguousarray(np.stack([u, v + 0 * u], axis=2), np.float32)
-
-
-def sorted_indices(order: np.ndarray, is_plant: np.ndarray, bases: np.ndarray) -> np.ndarray:
-    """Return the index array (uint32) that draws objects in ``order``.
-
-    Object i owns the vertices from ``bases[i]`` on: 4 of a billboard (6 indices), or 12 of crossed
-    quads (24 indices).
-    """
-    plant = is_plant[order]
-    counts = np.where(plant, len(CROSS_INDICES), len(QUAD_INDICES))
-    owner = np.repeat(np.arange(len(order)), counts)
-    local = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-    cross = CROSS_INDICES[np.minimum(local, len(CROSS_INDICES) - 1)]
-    quad = QUAD_INDICES[np.minimum(local, len(QUAD_INDICES) - 1)]
-    return (bases[order][owner] + np.where(plant[owner], cross, quad)).astype(np.uint32)
+    own = own_turn(positions) if quads > 2 else np.zeros(len(positions))
+    return np.asarray(own[:, None] + np.arange(quads) * (np.pi / quads))
 
 
 class TransparentElements:
@@ -138,55 +140,160 @@ class TransparentElements:
         self.elements = tuple(k for k in ("trees", "deer", "plants") if k in kinds)
         self._settings = settings
         self.sprites = plant_everything(settings, ground, seed, kinds)
-        self._is_plant = self.sprites.cells >= PLANT
-        cells = [self._cell(assets, name) for name in CELLS]
+        cells = [padded(read_image(assets.path(name))) for name in CELLS]
+        self._outlines, self._outline_coordinates = outlines(cells)
         chains = [mip_chain(cell, LEVELS) for cell in cells]
         self._texture = Texture(
             [atlas([chain[level] for chain in chains]) for level in range(LEVELS)], repeat=False
         )
-
-    def _cell(self, assets: Assets, name: str) -> np.ndarray:
-        image = Image.fromarray(read_image(assets.path(name)))
-        image = image.resize((CELL, CELL - GUTTER), Image.Resampling.LANCZOS)
-        # Above the sprite stand its own top colours, fully transparent.
-        cell = np.pad(np.asarray(image), ((GUTTER, 0), (0, 0), (0, 0)), mode="edge")
-        cell[:GUTTER, :, 3] = 0
-        return cell
+        self._cells = cells  # kept until the views from above are made of them
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
         """Return the frame's vertices, colours, texture coordinates and sorted indices."""
-        settings, sprites = self._settings, self.sprites
-        shared = settings.transparent
-        order = visible_order(frame, sprites.positions, shared.radius, shared.sorted)
-        plant = self._is_plant[order]
-        boards, crosses = order[~plant], order[plant]
-        axes = upright_axes(frame.right) if shared.upright else (frame.right, frame.up)
-        quads = billboards(sprites.positions[boards], sprites.sizes[boards], *axes)
-        winds = sway(frame.kt, sprites.positions[crosses], settings.plants.sway)
-        winds *= sprites.sizes[crosses, 1:] / settings.plants.size_max
-        cross = crossed_quads(sprites.positions[crosses], sprites.sizes[crosses], winds)
-        vertices = np.concatenate([quads.reshape(-1, 3), cross.reshape(-1, 3)])
-        s4, t4 = np.array([0, 1, 1, 0.0]), np.array([1, 1, 0, 0.0])
-        s12, t12 = np.tile([0, 0.5, 1.0], 4), np.tile(np.repeat([1.0, 0.0], 3), 2)
-        coordinates = np.concatenate(
-            [
-                cell_coordinates(sprites.cells[which], sprites.flipped[which], s, t).reshape(-1, 2)
-                for which, s, t in ((boards, s4, t4), (crosses, s12, t12))
-            ]
-        )
-        tints = np.concatenate(
-            [np.repeat(sprites.tints[boards], 4, axis=0), np.repeat(sprites.tints[crosses], 12, 0)]
-        )
-        bases = np.empty(len(order), np.int64)
-        bases[~plant] = 4 * np.arange(len(boards))
-        bases[plant] = 4 * len(boards) + 12 * np.arange(len(crosses))
-        indices = sorted_indices(np.arange(len(order)), plant, bases)
+        shared, sprites = self._settings.transparent, self.sprites
+        seen = self._seen(frame)
+        if shared.rooted:
+            sprites = rooted(sprites, seen)
+        plant = sprites.cells[seen] >= PLANT
+        far = np.hypot(*(sprites.positions[seen] - frame.eye)[:, [0, 2]].T)
+        if self._settings.plants.crossed_within:
+            plant &= far < self._settings.plants.crossed_within
+        boards = seen[~plant]
+        near = shared.trimmed & (far[~plant] < TRIM_WITHIN)
+        parts = [self._boards(frame, sprites, boards[~near])]
+        if near.any():
+            parts.append(self._boards(frame, sprites, boards[near], trimmed=True))
+        parts.append(self._crossed(frame, sprites, seen[plant]))
+        if self._from_above():
+            parts.append(self._tops(frame, sprites, seen))
+        quads = Quads.join(parts)
         return (
-            np.ascontiguousarray(vertices, np.float32),
-            np.ascontiguousarray(tints, np.uint8),
-            coordinates,
-            indices,
+            np.ascontiguousarray(quads.vertices, np.float32),
+            np.ascontiguousarray(quads.colours, np.uint8),
+            np.ascontiguousarray(quads.coordinates, np.float32),
+            quads.indices(shared.sorted),
         )
+
+    def _from_above(self) -> bool:
+        """Return whether anything has a picture for who looks from above."""
+        return self._settings.trees.crown or self._settings.plants.rosette
+
+    def _has_top(self, cells: np.ndarray) -> np.ndarray:
+        """Return which sprites (n,) have such a picture, by their atlas cells."""
+        plants, trees = self._settings.plants.rosette, self._settings.trees.crown
+        return np.asarray(np.where(cells >= PLANT, plants, (cells < DEER) & trees))
+
+    def _fill_tops(self) -> None:
+        """Add the views from above to the bound atlas, once, when they are first asked for."""
+        for level, image in enumerate(mip_chain(tops_cell(self._cells), LEVELS)):
+            side = CELL >> level
+            x, y = side * (TOPS_CELL % COLUMNS), side * (TOPS_CELL // COLUMNS)
+            gl.glTexSubImage2D(
+                gl.GL_TEXTURE_2D, level, x, y, side, side, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, image
+            )
+        self._cells = []
+
+    def _seen(self, frame: Frame) -> np.ndarray:
+        """Return the indices of the sprites to draw, in order of their numbers."""
+        settings, sprites = self._settings, self.sprites
+        radius = self._radius()
+        if not settings.transparent.trimmed:
+            return visible_order(frame, sprites.positions, radius, sort=False)
+        dx, dz = sprites.positions[:, 0] - frame.pose.x, sprites.positions[:, 2] - frame.pose.z
+        near = np.flatnonzero(dx * dx + dz * dz < radius * radius)
+        middles = sprites.positions[near]
+        middles[:, 1] += 0.5 * sprites.sizes[near, 1]
+        reach = sprites.sizes[near].sum(axis=1)
+        seen = in_view(frame, middles, reach)
+        if settings.reflection.enabled:
+            middles[:, 1] = 2.0 * settings.water.level - middles[:, 1]
+            seen |= in_view(frame, middles, reach)
+        return near[seen]
+
+    def _radius(self) -> float:
+        """Return how far sprites are drawn; sprites that fade stop where the fog hides all."""
+        shared, fog = self._settings.transparent, self._settings.fog
+        if shared.fade and fog.enabled and fog.mode == "exp2" and fog.density > 0:
+            return min(shared.radius, math.sqrt(math.log(HAZE)) / fog.density)
+        return shared.radius
+
+    def _colours(self, frame: Frame, sprites: Sprites, which: np.ndarray) -> np.ndarray:
+        """Return the sprites' colours (n, 4) in 0..255; alpha fades towards the radius."""
+        colours = sprites.tints[which]
+        fade, radius = self._settings.transparent.fade, self._radius()
+        if fade:
+            away = sprites.positions[which] - frame.eye
+            left = (radius - np.hypot(away[:, 0], away[:, 2])) / (fade * radius)
+            colours[:, 3] *= np.clip(left, 0.0, 1.0)
+        return colours
+
+    def _boards(
+        self, frame: Frame, sprites: Sprites, which: np.ndarray, trimmed: bool = False
+    ) -> Quads:
+        """Return the billboards: trees, deer, and plants too far off to be more."""
+        settings = self._settings
+        positions, sizes, cells = (
+            a[which] for a in (sprites.positions, sprites.sizes, sprites.cells)
+        )
+        colours = self._colours(frame, sprites, which)
+        right, up = (
+            upright_axes(frame.right) if settings.transparent.upright else (frame.right, frame.up)
+        )
+        quads = billboards(positions, sizes, right, up)
+        deer = np.flatnonzero(is_deer(cells) & settings.deer.follow_slope)
+        if len(deer):
+            axes = slope_axes(frame.right, sprites.slopes[which[deer]])
+            quads[deer] = billboards(positions[deer], sizes[deer], *axes)
+        if self._from_above():
+            goes = smoothstep(*GOES, steepness(positions - frame.eye))
+            colours[:, 3] *= 1.0 - goes * self._has_top(cells)
+        depth = frame.depth(positions)
+        if not trimmed:
+            coordinates = cell_coordinates(cells, sprites.flipped[which], CORNER_S, CORNER_T)
+            return Quads.of(quads, coordinates, colours, QUAD, depth)
+        looks = sprites.flipped[which].astype(int), cells
+        quads, coordinates = within(quads, self._outlines[looks]), self._outline_coordinates[looks]
+        return Quads.of(quads, coordinates, colours, np.concatenate([QUAD, QUAD + 4]), depth)
+
+    def _crossed(self, frame: Frame, sprites: Sprites, which: np.ndarray) -> Quads:
+        """Return the half quads of the plants."""
+        settings = self._settings
+        count = settings.plants.quads
+        positions, sizes = sprites.positions[which], sprites.sizes[which]
+        winds = sway(frame.kt, positions, settings.plants.sway)
+        winds *= sizes[:, 1:] / settings.plants.size_max
+        turns = turned(positions, count)
+        quads = crossed_quads(positions, sizes, winds, turns if count > 2 else None)
+        colours = self._colours(frame, sprites, which)
+        away = positions - frame.eye
+        if settings.plants.rosette:
+            colours[:, 3] *= 1.0 - smoothstep(*GOES, steepness(away))
+        if settings.plants.fade_edge_on:
+            colours = np.repeat(colours[:, None], 6 * count, axis=1)
+            colours[..., 3] *= np.repeat(edge_on(away, turns), 6, axis=1)
+        s, t = np.tile(CROSS_S, count), np.tile(CROSS_T, count)
+        coordinates = cell_coordinates(sprites.cells[which], sprites.flipped[which], s, t)
+        depth = frame.depth(positions)
+        if settings.transparent.split:
+            depth = frame.depth(half_places(quads))
+        bases = 6 * np.arange(count, dtype=np.uint32)[:, None, None]
+        return Quads.of(quads, coordinates, colours, (HALVES + bases).reshape(-1, 6), depth)
+
+    def _tops(self, frame: Frame, sprites: Sprites, seen: np.ndarray) -> Quads:
+        """Return the crowns and rosettes of what is seen from above."""
+        cells, positions = sprites.cells[seen], sprites.positions[seen]
+        share = smoothstep(*COMES, steepness(positions - frame.eye))
+        kept = np.flatnonzero(self._has_top(cells) & (share > 0))
+        which, plant = seen[kept], cells[kept] >= PLANT
+        sizes, middles = sprites.sizes[which], positions[kept]
+        middles[:, 1] += sizes[:, 1] * np.where(plant, ROSETTE_HEIGHT, CROWN_HEIGHT)
+        widths = sizes[:, 0] * np.where(plant, ROSETTE_WIDTH, CROWN_WIDTH)
+        colours = self._colours(frame, sprites, which)
+        colours[:, 3] *= share[kept]
+        slopes = sprites.slopes[which] * plant[:, None]
+        quads = lying(middles, widths, slopes, own_turn(middles))
+        coordinates = top_coordinates(cells[kept])
+        return Quads.of(quads, coordinates, colours, QUAD, frame.depth(middles))
 
     def draw(self, frame: Frame, prepared: tuple[np.ndarray, ...] | None = None) -> None:
         """Blend the sprites, far to near; ``prepared`` saves the work in the second pass."""
@@ -203,6 +310,8 @@ class TransparentElements:
                 gl.glAlphaFunc(gl.GL_GREATER, 0.02)
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
+                if self._cells and self._from_above():
+                    self._fill_tops()
             else:
                 gl.glDepthMask(gl.GL_TRUE)
             with client_arrays(vertices, None, tints, [coordinates]):
@@ -214,11 +323,13 @@ class TransparentElements:
         self._texture.release()
 
 
-def atlas(cells: list[np.ndarray]) -> np.ndarray:
-    """Lay equal cells (side, side, 4) out in rows of COLUMNS."""
-    side = cells[0].shape[0]
-    sheet = np.zeros((ROWS * side, COLUMNS * side, 4), np.uint8)
-    for k, cell in enumerate(cells):
-        row, column = divmod(k, COLUMNS)
-        sheet[row * side : (row + 1) * side, column * side : (column + 1) * side] = cell
-    return sheet
+def rooted(sprites: Sprites, which: np.ndarray) -> Sprites:
+    """Return sprites of which trees and plants among ``which`` are sunk where the ground slopes.
+
+    By the slope times half the trunk: the foot's lower side then touches the ground.
+    """
+    steep = np.hypot(sprites.slopes[which, 0], sprites.slopes[which, 1])
+    positions = sprites.positions.copy()
+    sunk = FOOT * steep * sprites.sizes[which, 0]
+    positions[which, 1] -= np.where(is_deer(sprites.cells[which]), 0.0, sunk)
+    return Sprites(positions, *list(vars(sprites).values())[1:])

@@ -5,12 +5,19 @@ translation, blended GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA. The plane stays flat:
 texture coordinates and, under the light, the normals. All terms have period 1 over the patch, so
 patches match. ``water.fresnel`` gives each vertex its own alpha: clear when looked down at, a
 mirror far off; ``water.horizon`` adds a sea round the patches, up to where the fog takes it.
+``water.cull`` leaves out the patches that are not in view. With ``reflection.rippled``,
+``water.relief`` or ``water.shallow`` the patches make way for the Sea; ``water.foam`` comes last.
 State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 """
 
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.elements.foam import Foam
+from landscape.elements.ground import HeightField, boxes_in_view
+from landscape.elements.reflection import MirrorImage
+from landscape.elements.sea import Sea
+from landscape.elements.waves import TWO_PI, fresnel_alpha, wave_coordinates
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.mesh_tool import grid_triangles
@@ -21,8 +28,6 @@ from landscape.settings import Settings
 ELEMENT = "water"
 
 PATCHES = range(-1, 4)  # section 3.2: k from -1 to 3, on both axes
-FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea turns mirror sooner
-TWO_PI = 2.0 * np.pi
 RIPPLE_SLOPE = 0.07  # chosen: steepness of one ripple
 # Chosen: waves over the patch in x and z, phase in radians; the last column is their number.
 RIPPLES = np.array(
@@ -60,25 +65,6 @@ def ripple_normals(plane: np.ndarray, t: float) -> np.ndarray:
     return (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32)
 
 
-def wave_coordinates(plane: np.ndarray, t: float, repeat: float) -> np.ndarray:
-    """Return the texture coordinates, float32 (n, 2), at time ``t`` (section 3.2)."""
-    px, py = plane
-    s = px + 0.01 * np.cos(10 * t - px * TWO_PI * 3) + 0.1 * np.cos(2 * t - py * TWO_PI)
-    r = py + 0.01 * np.cos(10 * t - py * TWO_PI * 3) + 0.05 * np.cos(8 * t - py * TWO_PI)
-    return np.ascontiguousarray(repeat * np.stack([s, r], axis=1), np.float32)
-
-
-def fresnel_alpha(points: np.ndarray, eye: np.ndarray, alpha: float) -> np.ndarray:
-    """Return the water's opacity (n,) at points (n, 3) seen from ``eye`` (3,).
-
-    ``alpha`` straight down; at a grazing angle a third of it, so that the mirror image wins.
-    """
-    away = eye - points
-    cosine = np.abs(away[:, 1]) / np.maximum(np.linalg.norm(away, axis=1), 1e-9)
-    mirror = (1.0 - cosine) ** FRESNEL_POWER
-    return alpha * (1.0 - 0.67 * mirror)
-
-
 def sea_ring(inner: tuple[float, float], reach: float) -> tuple[np.ndarray, np.ndarray]:
     """Return points (n, 2) of x, z and triangles (m, 3) of the sea round the patches.
 
@@ -99,8 +85,10 @@ def sea_ring(inner: tuple[float, float], reach: float) -> tuple[np.ndarray, np.n
 class WaterSurface:
     """The water surface; ``draw`` computes the waves of the frame's kt."""
 
-    def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Build the patch and load the texture."""
+    def __init__(
+        self, settings: Settings, assets: Assets, field: HeightField | None = None
+    ) -> None:
+        """Build the patch and load the texture; ``field`` tells the cures how deep the sea is."""
         self._settings = settings
         water = settings.water
         self._plane = patch_plane(water.points)
@@ -110,6 +98,10 @@ class WaterSurface:
         self._triangles = grid_triangles(water.points, water.points)
         self._sea = self._build_sea() if water.horizon > 0 else None
         self._texture = Texture(read_image(assets.path("water.png"), "RGB"))
+        self.mirror = MirrorImage()
+        self._field = field
+        self._cured: Sea | None = None
+        self._foam: Foam | None = None
 
     def _build_sea(self) -> tuple[np.ndarray, ...]:
         water = self._settings.water
@@ -120,12 +112,17 @@ class WaterSurface:
         coordinates = (points / water.patch * water.repeat).astype(np.float32)
         return vertices, normals, coordinates, triangles
 
+    @property
+    def square(self) -> tuple[float, float]:
+        """The low and high border of all water, in x and in z."""
+        water = self._settings.water
+        reach = max(water.horizon, 0.0)
+        return PATCHES[0] * water.patch - reach, (PATCHES[-1] + 1) * water.patch + reach
+
     def mark(self) -> None:
         """Draw the bare surface, for the stencil: one square and the sea."""
         water = self._settings.water
-        reach = max(water.horizon, 0.0)
-        low = PATCHES[0] * water.patch - reach
-        high = (PATCHES[-1] + 1) * water.patch + reach
+        low, high = self.square
         gl.glBegin(gl.GL_QUADS)
         for x, z in ((low, low), (low, high), (high, high), (high, low)):
             gl.glVertex3f(x, water.level, z)
@@ -133,32 +130,54 @@ class WaterSurface:
 
     def draw(self, frame: Frame) -> None:
         """Blend the surface over the mirrored scene."""
-        water = self._settings.water
-        t = frame.kt * water.time_step if water.animated else 0.0
-        normals = (ripple_normals if water.rippled else wave_normals)(self._plane, t)
-        coordinates = wave_coordinates(self._plane, t, water.repeat)
+        settings, water = self._settings, self._settings.water
+        cured = settings.reflection.rippled or water.relief or water.shallow
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):
-            gl.glColor4f(*water.color)
+            if not cured:
+                gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glEnable(gl.GL_LIGHTING)
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
-            if water.glitter > 0:
+            if water.glitter > 0 and not cured:
                 self._shine(water.glitter)
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
-            if self._sea is not None:
-                self._draw_sea(frame)
-            offsets = [(water.patch * kx, water.patch * kz) for kx in PATCHES for kz in PATCHES]
-            if water.fresnel:
-                self._draw_fresnel(frame, offsets, normals, coordinates)
+            mirror = self.mirror.take()
+            if cured:
+                if self._cured is None:
+                    self._cured = Sea(self._texture, self._field)
+                self._cured.draw(frame, settings, self.square, mirror)
             else:
-                with client_arrays(self._vertices, normals, coordinates=[coordinates]):
-                    for x, z in offsets:
-                        self._draw_patch(x, z)
+                self._draw_patches(frame)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        if water.foam and self._field is not None:
+            if self._foam is None:
+                self._foam = Foam(self._field)
+            self._foam.draw(frame)
+
+    def _draw_patches(self, frame: Frame) -> None:
+        """Draw the patches of section 3.2, and the sea round them."""
+        water = self._settings.water
+        t = frame.kt * water.time_step if water.animated else 0.0
+        normals = (ripple_normals if water.rippled else wave_normals)(self._plane, t)
+        coordinates = wave_coordinates(self._plane, t, water.repeat)
+        if self._sea is not None:
+            self._draw_sea(frame)
+        offsets = np.array(
+            [(water.patch * kx, water.patch * kz) for kx in PATCHES for kz in PATCHES]
+        )
+        if water.cull:
+            low = np.insert(offsets, 1, water.level, axis=1)
+            offsets = offsets[boxes_in_view(frame, low, low + (water.patch, 0.0, water.patch))]
+        if water.fresnel:
+            self._draw_fresnel(frame, offsets, normals, coordinates)
+        else:
+            with client_arrays(self._vertices, normals, coordinates=[coordinates]):
+                for x, z in offsets.tolist():
+                    self._draw_patch(x, z)
 
     def _draw_patch(self, x: float, z: float) -> None:
         with matrix():
@@ -170,21 +189,22 @@ class WaterSurface:
     def _draw_fresnel(
         self,
         frame: Frame,
-        offsets: list[tuple[float, float]],
+        offsets: np.ndarray,
         normals: np.ndarray,
         coordinates: np.ndarray,
     ) -> None:
-        """Draw the patches with a colour array whose alpha follows the angle of view."""
-        colors = np.empty((len(self._vertices), 4), np.float32)
-        colors[:, :3] = self._settings.water.color[:3]
-        with client_arrays(self._vertices, normals, colors, [coordinates]):
-            for x, z in offsets:
-                local_eye = frame.eye - (x, 0.0, z)
-                colors[:, 3] = fresnel_alpha(
-                    self._vertices, local_eye, self._settings.water.color[3]
-                )
-                gl.glColorPointer(4, gl.GL_FLOAT, 0, colors)
+        """Draw the patches with colours whose alpha follows the angle of view, in one pass."""
+        places = self._vertices + np.insert(offsets, 1, 0.0, axis=1)[:, None, :]
+        colors = np.empty((*places.shape[:2], 4), np.float32)
+        colors[..., :3] = self._settings.water.color[:3]
+        alpha = fresnel_alpha(places.reshape(-1, 3), frame.eye, self._settings.water.color[3])
+        colors[..., 3] = alpha.reshape(places.shape[:2])
+        with client_arrays(self._vertices, normals, None, [coordinates]):
+            gl.glEnableClientState(gl.GL_COLOR_ARRAY)
+            for (x, z), of_patch in zip(offsets.tolist(), colors, strict=True):
+                gl.glColorPointer(4, gl.GL_FLOAT, 0, of_patch)
                 self._draw_patch(x, z)
+            gl.glDisableClientState(gl.GL_COLOR_ARRAY)
 
     def _draw_sea(self, frame: Frame) -> None:
         assert self._sea is not None
@@ -208,5 +228,8 @@ class WaterSurface:
         gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
 
     def release(self) -> None:
-        """Delete the texture; may be called twice."""
+        """Delete what was made; may be called twice."""
         self._texture.release()
+        for owner in (self.mirror, self._cured, self._foam):
+            if owner is not None:
+                owner.release()

@@ -1,30 +1,30 @@
-"""Triangle meshes as arrays (Mesh_tool in 2006): building, reading PLY files, drawing."""
+"""Triangle meshes as arrays (Mesh_tool in 2006): building and drawing them."""
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from landscape.errors import InputError
 from landscape.gl.calls import gl
 from landscape.gl.state import client_arrays
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """Vertices (n, 3) and normals (n, 3) float32, triangles (m, 3) uint32, one (n, 2) per unit."""
+    """Vertices (n, 3) and normals (n, 3) float32, triangles (m, 3) uint32, one (n, 2) per unit.
+
+    ``colors``, uint8 (n, 4), may be left out.
+    """
 
     vertices: np.ndarray
     normals: np.ndarray
     triangles: np.ndarray
     coordinates: tuple[np.ndarray, ...] = ()
+    colors: np.ndarray | None = None
 
     def draw(self) -> None:
         """Send the mesh with one glDrawElements."""
-        with client_arrays(self.vertices, self.normals, coordinates=self.coordinates):
+        with client_arrays(self.vertices, self.normals, self.colors, self.coordinates):
             gl.glDrawElements(
                 gl.GL_TRIANGLES, self.triangles.size, gl.GL_UNSIGNED_INT, self.triangles
             )
@@ -92,168 +92,6 @@ def revolve(
         mean = n[ring_start] + n[last]
         n[ring_start] = n[last] = mean / np.linalg.norm(mean)
     return Mesh(v, n, t, (np.ascontiguousarray(np.concatenate(coordinates), np.float32),))
-
-
-PLY_TYPES = {
-    "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4",
-    "int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4",
-    "float": "f4", "double": "f8", "float32": "f4", "float64": "f8",
-}  # fmt: skip
-BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
-
-
-def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Read a PLY file: vertices float32 (n, 3) in the file's order, and triangles uint32 (m, 3).
-
-    ASCII or binary of either byte order; polygons are cut into triangles, properties other than
-    places and corners left aside. InputError names a file that is missing, truncated, not a PLY, or
-    has no faces, wrong indices or NaN.
-    """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    if not data.startswith(b"ply"):
-        raise InputError(f"{path}: expected a PLY file, whose first line is 'ply'")
-    try:
-        with np.errstate(over="ignore", invalid="ignore"):
-            vertices, triangles = _parse_ply(data)
-    except (ValueError, OverflowError) as error:
-        raise InputError(f"{path}: expected a whole PLY mesh ({error})") from None
-    if len(triangles) == 0:
-        raise InputError(f"{path}: expected a mesh with faces, found none")
-    if not np.isfinite(vertices).all():
-        raise InputError(f"{path}: expected finite coordinates, found NaN or infinity")
-    if triangles.min() < 0 or triangles.max() >= len(vertices):
-        raise InputError(f"{path}: a face names a vertex that does not exist")
-    return vertices, np.ascontiguousarray(triangles, np.uint32)
-
-
-@dataclass(frozen=True)
-class _Element:
-    """A PLY element: its number of rows; each property's name, type and, of a list, count's type.
-
-    Types are numpy's, as in "<f4".
-    """
-
-    name: str
-    rows: int
-    properties: list[tuple[str, str, str | None]]
-
-
-def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertices float32 (n, 3) and triangles int64 (m, 3); ValueError says what is wrong."""
-    end = re.search(rb"[\r\n]end_header[ \t]*(\r\n|\n|\r|$)", data)
-    if end is None:
-        raise ValueError("its header does not end")
-    header = [line.split() for line in data[: end.start()].decode("latin-1").splitlines()]
-    body = data[end.end() :]
-    if ["format", "ascii", "1.0"] in header:
-        # The numbers of a text become doubles, and are then read as those of a binary file.
-        body = np.fromiter(map(float, body.split()), np.float64).tobytes()
-    vertices, triangles = np.empty((0, 3)), np.empty((0, 3))
-    at = 0
-    for element in _elements(header):
-        columns, at = _columns(body, at, element)
-        if element.name == "vertex":
-            if not {"x", "y", "z"} <= columns.keys():
-                raise ValueError("its vertices lack x, y or z")
-            vertices = np.stack([columns[axis] for axis in "xyz"], axis=1)
-        elif element.name == "face":
-            lists = [name for name, _, counter in element.properties if counter is not None]
-            known = [name for name in lists if name in ("vertex_indices", "vertex_index")]
-            if len(known or lists) != 1:
-                raise ValueError("its faces have no list named vertex_indices")
-            triangles = _fans(columns[(known or lists)[0]])
-    return np.ascontiguousarray(vertices, np.float32), triangles.astype(np.int64)
-
-
-def _elements(header: list[list[str]]) -> list[_Element]:
-    """Read the words of a PLY header."""
-    form = next((words[1:] for words in header if words[:1] == ["format"]), [])
-    if form not in ([name, "1.0"] for name in BYTE_ORDERS):
-        raise ValueError(f"its format is {' '.join(form)[:60]!r}")
-    text, order = form[0] == "ascii", BYTE_ORDERS[form[0]]
-    types = {name: "=f8" if text else order + kind for name, kind in PLY_TYPES.items()}
-    elements: list[_Element] = []
-    for words in header:
-        match words:
-            case ["element", name, rows] if rows.isascii() and rows.isdigit() and len(rows) < 19:
-                elements.append(_Element(name, int(rows), []))
-            case ["property", "list", a, b, name] if elements and {a, b} <= types.keys():
-                elements[-1].properties.append((name, types[b], types[a]))
-            case ["property", kind, name] if elements and kind in types:
-                elements[-1].properties.append((name, types[kind], None))
-            case ["element" | "property", *_]:
-                raise ValueError(f"its header has {' '.join(words)[:60]!r}")
-    return elements
-
-
-def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], int]:
-    """Return an element's properties, arrays (rows,) or (rows, k), and where its rows end.
-
-    A list property whose rows differ in length gives a list of arrays.
-    """
-    cut = ValueError(f"truncated: the header promises {element.rows} rows of {element.name}")
-
-    def number(counter: str, at: int) -> int:
-        if at + int(counter[-1]) > len(body):
-            raise cut
-        count = int(np.frombuffer(body, counter, 1, at)[0])
-        if not 0 <= count <= len(body):
-            raise ValueError(f"a list of {count} numbers among the rows of {element.name}")
-        return count
-
-    if element.rows == 0:
-        return {name: np.empty((0,)) for name, _, _ in element.properties}, at
-    # Most files have rows all of one length: the first one's.
-    fields: list[Any] = []
-    end = at
-    for name, kind, counter in element.properties:
-        shape: tuple[int, ...] = ()
-        if counter is not None:
-            shape = (number(counter, end),)
-            fields.append((f"{name}#", counter))
-        fields.append((name, kind, shape))
-        end = at + np.dtype(fields).itemsize
-    row = np.dtype(fields)
-    end = at + element.rows * row.itemsize
-    counted = [(name, row[name].shape[0]) for name, _, c in element.properties if c is not None]
-    if end <= len(body):
-        rows = np.frombuffer(body, row, element.rows, at)
-        if all((rows[f"{name}#"] == length).all() for name, length in counted):
-            return {name: rows[name] for name, _, _ in element.properties}, end
-    if not counted:
-        raise cut
-    columns: dict[str, Any] = {name: [] for name, _, _ in element.properties}
-    for _ in range(element.rows):
-        for name, kind, counter in element.properties:
-            length = 1
-            if counter is not None:
-                length = number(counter, at)
-                at += int(counter[-1])
-            end = at + length * int(kind[-1])
-            if end > len(body):
-                raise cut
-            columns[name].append(np.frombuffer(body[at:end], kind))
-            at = end
-    scalars = {name for name, _, counter in element.properties if counter is None}
-    return {k: np.concatenate(v) if k in scalars else v for k, v in columns.items()}, at
-
-
-def _fans(polygons: np.ndarray | list[np.ndarray]) -> np.ndarray:
-    """Cut polygons, (m, k) or m arrays of their own lengths, into triangles (n, 3)."""
-    groups = [polygons]
-    if isinstance(polygons, list):
-        lengths = sorted({len(polygon) for polygon in polygons})
-        groups = [np.stack([p for p in polygons if len(p) == n]) for n in lengths]
-    fans = [
-        group[:, [0, k, k + 1]]
-        for group in groups
-        if isinstance(group, np.ndarray) and group.ndim == 2
-        for k in range(1, group.shape[1] - 1)
-    ]
-    return np.concatenate(fans) if fans else np.empty((0, 3))
 
 
 def centred(vertices: np.ndarray) -> np.ndarray:

@@ -83,3 +83,10 @@ def client_arrays(
         if normals is not None:
             gl.glDisableClientState(gl.GL_NORMAL_ARRAY)
         gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
+
+
+def combine(terms: dict[str, str]) -> None:
+    """Set terms of the active unit's GL_COMBINE equation (OpenGL 1.3), names without their GL_."""
+    gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
+    for name, value in terms.items():
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, getattr(gl, f"GL_{name}"), getattr(gl, f"GL_{value}"))

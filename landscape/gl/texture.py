@@ -12,28 +12,30 @@ from landscape.gl.calls import gl
 MAX_SIZE = 4096  # chosen: more texels than the largest window has pixels serve nothing
 
 
-def read_image(path: Path, mode: str = "RGBA") -> np.ndarray:
+def read_image(path: Path, mode: str = "RGBA", largest: int = MAX_SIZE) -> np.ndarray:
     """Read an image file as uint8 of shape (h, w, 3 or 4), by mode "RGB" or "RGBA".
 
-    16-bit, grey and palette images are converted. InputError names a file that is missing,
-    truncated, or not an image.
+    16-bit, grey and palette images are converted; one with more than ``largest`` texels along a
+    side is reduced. InputError names a file that is missing, truncated, or not an image.
     """
     image = open_image(path)
     if image.mode.startswith(("I", "F")):
         image = Image.fromarray(_grey8(np.asarray(image)))
-    if image.width > MAX_SIZE or image.height > MAX_SIZE:
-        image.thumbnail((MAX_SIZE, MAX_SIZE), Image.Resampling.BOX)
+    if image.width > largest or image.height > largest:
+        image.thumbnail((largest, largest), Image.Resampling.BOX)
     return np.ascontiguousarray(image.convert(mode))
 
 
 def open_image(path: Path) -> Image.Image:
     """Open and decode an image; InputError where that fails."""
     try:
-        with warnings.catch_warnings():
+        with warnings.catch_warnings(), path.open("rb") as file:
             # Pillow warns of large images, which are welcome, and of damage it could mend.
             warnings.simplefilter("ignore")
-            image: Image.Image = Image.open(path)
+            image: Image.Image = Image.open(file)
             image.load()
+            if image.mode == "P":
+                image = image.convert("RGBA" if "transparency" in image.info else "RGB")
     except FileNotFoundError:
         raise InputError(f"{path}: no such image file") from None
     except IsADirectoryError:
@@ -42,7 +44,7 @@ def open_image(path: Path) -> Image.Image:
         raise InputError(f"{path}: the image is too large; expected under 178 megapixels") from None
     except Exception as error:
         # A decoder raises whatever it stumbled on: any of it means a damaged file here.
-        reason = str(error).replace(f" {str(path)!r}", "") or type(error).__name__
+        reason = str(error).split(" <_io")[0].split(f" {str(path)!r}")[0] or type(error).__name__
         raise InputError(f"{path}: expected an image such as PNG ({reason})") from None
     return image
 

@@ -1,13 +1,19 @@
 """Making the assets: every studio module's table, written whole file by whole file."""
 
 import io
-from collections.abc import Callable
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Callable, Generator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import closing
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import trimesh
 from PIL import Image
 
 from landscape.assets import shipped
@@ -16,9 +22,18 @@ from landscape.output import Progress, write_whole
 
 # The height field first: ground and map are made from it.
 MODULES = (
-    "terrain", "ground", "sky", "water", "fire", "masonry", "trees", "deer", "plants",
-    "rabbit", "dragon", "sword",
+    "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
+    "masonry", "trees", "deer", "plants", "rabbit", "dragon", "sword",
 )  # fmt: skip
+
+PROCESSES = 2  # chosen: what the smallest machine has; each needs half a gigabyte
+# Grain of nearly one hue: a palette of so many colours shows no difference and saves two thirds.
+PALETTES = {
+    "ground_detail.png": 256,
+    "ground_sand.png": 256,
+    "ground_rock.png": 128,
+    "castle_brick.png": 256,
+}
 
 
 def table() -> dict[str, Callable[[], Any]]:
@@ -29,26 +44,85 @@ def table() -> dict[str, Callable[[], Any]]:
     return makers
 
 
-def encoded(made: Any) -> bytes:
-    """Encode what a studio function returned: pixels as PNG, (vertices, faces) as binary PLY."""
+def ply(vertices: np.ndarray, faces: np.ndarray) -> bytes:
+    """Encode vertices (n, 3) and triangles (m, 3) as a binary PLY, indices short if they may be."""
+    kind, number = ("ushort", "<u2") if len(vertices) <= 65536 else ("uint", "<u4")
+    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
+    header += [f"property float {axis}" for axis in "xyz"]
+    header += [f"element face {len(faces)}", f"property list uchar {kind} vertex_indices"]
+    rows = np.empty(len(faces), [("count", "u1"), ("corners", number, 3)])
+    rows["count"], rows["corners"] = 3, faces
+    text = "\n".join([*header, "end_header", ""]).encode()
+    return text + np.asarray(vertices, "<f4").tobytes() + rows.tobytes()
+
+
+def encoded(made: Any, colours: int = 0) -> bytes:
+    """Encode what a studio function returned: pixels as PNG, (vertices, faces) as binary PLY.
+
+    ``colours`` other than 0 reduces an RGB picture to a palette of that size.
+    """
     if isinstance(made, tuple):
-        vertices, faces = made
-        mesh = trimesh.Trimesh(vertices, faces, process=False)
-        data = mesh.export(file_type="ply", vertex_normal=False)
-        assert isinstance(data, bytes)
-        return data
+        return ply(*made)
+    image = Image.fromarray(np.ascontiguousarray(made))
+    if colours:
+        image = image.quantize(colours, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
     buffer = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(made)).save(buffer, "PNG", optimize=True)
+    image.save(buffer, "PNG", optimize=True)
     return buffer.getvalue()
+
+
+def make(name: str) -> bytes:
+    """Return the bytes of the asset's file."""
+    return encoded(table()[name](), PALETTES.get(name, 0))
+
+
+def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
+    """Make the assets in as many processes as help, and yield them in the order they are done."""
+    count = min(PROCESSES, os.cpu_count() or 1, len(names))
+    if count == 1:
+        yield from ((name, make(name)) for name in names)
+        return
+    # Spawned, not forked: a fork of a process with threads in it may hang.
+    spawn = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(count, spawn, initializer=_start)
+    try:
+        jobs = {pool.submit(make, name): name for name in names}
+        for job in as_completed(jobs):
+            yield jobs[job], job.result()
+    except BrokenProcessPool:
+        raise InputError("assets build: a process was killed (perhaps out of memory)") from None
+    except BaseException:
+        # The others are of no use any more, and may have minutes to go.
+        for process in multiprocessing.active_children():
+            process.terminate()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _start() -> None:
+    """Prepare a process of the pool: it ends when its parent says so, or with its parent."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+
+    def follow() -> None:
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    threading.Thread(target=follow, daemon=True).start()
 
 
 def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> int:
     """Make the named assets, or all, into ``folder`` (by default where the shipped ones are).
 
-    InputError for a name that is no asset, or a folder that cannot be written.
+    InputError for a name that is no asset, a folder that cannot be written, or a missing extra.
     """
-    makers = table()
-    wanted = names or list(makers)
+    try:
+        makers = table()
+    except ImportError as error:
+        raise InputError(f"assets build: needs the extra `studio` ({error})") from None
+    wanted = list(dict.fromkeys(names)) or list(makers)
     for name in wanted:
         if name not in makers:
             raise InputError(f"assets build {name}: expected some of {', '.join(makers)}")
@@ -57,9 +131,9 @@ def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> 
         target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(f"--assets {target}: cannot be made ({error.strerror})") from None
-    with Progress(len(wanted), quiet) as progress:
-        for name in wanted:
-            write_whole(target / name, encoded(makers[name]()))
+    with Progress(len(wanted), quiet) as progress, closing(make_all(wanted)) as made:
+        for name, data in made:
+            write_whole(target / name, data)
             progress.step(name)
             if not quiet and not progress.shown:
                 print(target / name, flush=True)

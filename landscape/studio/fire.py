@@ -121,7 +121,10 @@ def simulate() -> np.ndarray:
         run.append(flame.heat[::-1].copy())
     # Frame 0 is run[FRAMES], which follows run[FRAMES - 1]: so the last frame must be that one.
     weight = smoothstep(0.35, 1.0, np.arange(FRAMES) / (FRAMES - 1))[:, None, None]
-    return (1.0 - weight) * np.array(run[FRAMES:]) + weight * np.array(run[:FRAMES])
+    loop = (1.0 - weight) * np.array(run[FRAMES:]) + weight * np.array(run[:FRAMES])
+    # A loop has no first frame of its own: begin where it moves least.
+    steps = np.abs(np.roll(loop, -1, axis=0) - loop).mean(axis=(1, 2))
+    return np.roll(loop, -1 - int(steps.argmin()), axis=0)
 
 
 def shade(heat: np.ndarray) -> np.ndarray:
@@ -141,7 +144,7 @@ def shade(heat: np.ndarray) -> np.ndarray:
 
 def fire() -> np.ndarray:
     """Return the sheet, (512, 512, 4) uint8, frame i at column i % 4 and row i // 4."""
-    frames = [bleed(shade(heat), 2) for heat in simulate()]
+    frames = [bleed(bleed(shade(heat), 2)) for heat in simulate()]
     return np.vstack([np.hstack(frames[row * 4 : row * 4 + 4]) for row in range(4)])
 
 

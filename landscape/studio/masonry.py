@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy import ndimage
 
-from landscape.studio.images import shrink, smoothstep, spectral_noise, to_srgb, to_uint8
+from landscape.studio.images import bleed, shrink, smoothstep, spectral_noise, to_srgb, to_uint8
 
 OVERSAMPLE = 2  # every picture is drawn this many times larger, then averaged
 LIGHT = np.array([-0.52, 0.58, 0.63])  # chosen: upper left, x right, y up, z to the viewer
@@ -40,7 +40,7 @@ GATE_SIZE = 1024  # texels for the whole wall
 
 # The torches, in wall widths from the left and from the bottom: where the report has its fires.
 TORCHES = ((0.27, 0.28), (0.75, 0.28))
-AMBIENT = np.array([0.66, 0.67, 0.72])  # chosen: dusk on the wall
+AMBIENT = np.array([0.79, 0.80, 0.84])  # chosen: the wall in its own shade, by day
 HALO = np.array([1.00, 0.97, 0.85])  # chosen: the wall at the flame
 
 
@@ -343,14 +343,9 @@ def castle_door() -> np.ndarray:
     rows, columns = cover.shape
     left = (GATE_SIZE - columns) // 2
     picture[GATE_SIZE - rows :, left : left + columns] = to_uint8(np.dstack([rgb, cover]))
-    # Far from the gate any stone grey will do; near it the bled colour must be the edge's own.
-    near = ndimage.grey_dilation(picture[..., 3], size=(9, 9)) > 0
-    seen = picture[..., 3] > 8
-    index = ndimage.distance_transform_edt(~seen, return_distances=False, return_indices=True)
-    bled = picture[..., :3][index[0], index[1]]
-    picture[..., :3] = np.where(seen[..., None], picture[..., :3], bled)
-    picture[~near, :3] = (118, 110, 97)
-    return picture
+    # What is hardly opaque has hardly a colour of its own: it takes its neighbour's first.
+    picture[..., :3] = bleed(picture, 9)[..., :3]
+    return bleed(picture)
 
 
 def castle_light() -> np.ndarray:

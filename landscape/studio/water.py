@@ -78,7 +78,9 @@ def water() -> np.ndarray:
     tone = tone + 0.30 * glint
     rgb = (tone - tone.mean() + MEAN)[..., None] * TINT / TINT.mean()
     rgb = rgb + 0.14 * glint[..., None] * np.array([1.0, 0.5, 0.3])  # glints lose the tint
-    return to_uint8(rgb)
+    # A tile that repeats may begin anywhere: begin it where its columns differ least.
+    change = np.abs(rgb - np.roll(rgb, 1, axis=1)).mean(axis=(0, 2))
+    return to_uint8(np.roll(rgb, -int(change.argmin()), axis=1))
 
 
 ASSETS: dict[str, Callable[[], np.ndarray]] = {"water.png": water}

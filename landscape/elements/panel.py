@@ -1,0 +1,193 @@
+"""The panel: words over the picture, the list of keys and a line of message.
+
+Not in the report. Technique: Pillow writes the text into an image, which becomes a texture of
+sides that are powers of two; one blended quad shows it texel for pixel under a glOrtho of the
+window's size.
+State used: both matrices, GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
+"""
+
+import unicodedata
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+
+from landscape.gl.calls import begin_pass, gl
+from landscape.gl.state import attrib, flat_projection
+from landscape.gl.texture import Texture
+
+ELEMENT = "panel"
+
+FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
+SMALLEST = 8  # chosen: pixels per line of text; smaller cannot be read
+LINES = 34  # chosen: lines of text that would fill the window's height
+PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white words over snow-white clouds
+WORDS, KEYS, TITLE = (240, 240, 235), (255, 214, 120), (255, 255, 255)  # chosen: RGB
+
+
+@lru_cache(maxsize=16)
+def font(size: int) -> Any:
+    """Return a font of ``size`` pixels: one of the system's, else Pillow's own (ASCII only)."""
+    for name in FONTS:
+        try:
+            return ImageFont.truetype(name, size)
+        except OSError:
+            continue
+    return ImageFont.load_default(size)
+
+
+def writable(text: str, face: Any) -> str:
+    """Return the text with what the font lacks written plainly: no accents, or a question mark."""
+    missing = bytes(face.getmask("\uffff"))
+
+    def known(character: str) -> str:
+        for candidate in (character, unicodedata.normalize("NFKD", character)[0]):
+            if candidate == " " or bytes(face.getmask(candidate)) != missing:
+                return candidate
+        return "?"
+
+    return "".join(known(character) for character in text)
+
+
+def text_size(size: tuple[int, int]) -> int:
+    """Return the height of a line of text in pixels that suits a window of ``size``."""
+    return max(SMALLEST, min(size[1] // LINES, size[0] // 40))
+
+
+def keys_image(title: str, rows: Sequence[tuple[str, str]], size: tuple[int, int]) -> np.ndarray:
+    """Write a title and rows of (keys, what they do) on a plate, uint8 (h, w, 4).
+
+    The letters suit a window of ``size`` pixels; where the plate would not fit they get smaller.
+    """
+    for pixels in range(text_size(size), SMALLEST - 1, -1):
+        face = font(pixels)
+        title, rows = (
+            writable(title, face),
+            [(writable(k, face), writable(v, face)) for k, v in rows],
+        )
+        line, edge = round(1.45 * pixels), pixels
+        left = max(face.getlength(keys) for keys, _ in rows)
+        right = max(face.getlength(what) for _, what in rows)
+        width = int(left + right + 3.5 * edge)
+        height = line * (len(rows) + 1) + 2 * edge + edge // 2
+        if width <= size[0] and height <= size[1]:
+            break
+    image = Image.new("RGBA", (width, height), PLATE)
+    draw = ImageDraw.Draw(image)
+    draw.text((edge, edge), title, TITLE, face, "la")
+    y = edge + line + edge // 2
+    for keys, what in rows:
+        draw.text((edge + left, y), keys, KEYS, face, "ra")
+        draw.text((2.5 * edge + left, y), what, WORDS, face, "la")
+        y += line
+    return np.asarray(image)
+
+
+def line_image(text: str, size: tuple[int, int]) -> np.ndarray:
+    """Write one line on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
+    for pixels in range(text_size(size), SMALLEST - 1, -1):
+        face = font(pixels)
+        text = writable(text, face)
+        width = int(face.getlength(text) + 1.6 * pixels)
+        if width <= size[0]:
+            break
+    image = Image.new("RGBA", (width, round(1.8 * pixels)), PLATE)
+    ImageDraw.Draw(image).text((width / 2, image.height / 2), text, WORDS, face, "mm")
+    return np.asarray(image)
+
+
+def padded(image: np.ndarray) -> np.ndarray:
+    """Return the image (h, w, 4) at the upper left of one whose sides are powers of two."""
+    h, w = (1 << (side - 1).bit_length() for side in image.shape[:2])
+    canvas = np.zeros((h, w, 4), np.uint8)
+    canvas[: image.shape[0], : image.shape[1]] = image
+    return canvas
+
+
+class Plate:
+    """Owner of the texture of one image, to be shown texel for pixel."""
+
+    def __init__(self, image: np.ndarray) -> None:
+        """Upload an image, uint8 (h, w, 4)."""
+        canvas = padded(image)
+        self.height, self.width = image.shape[:2]
+        self._s, self._t = self.width / canvas.shape[1], self.height / canvas.shape[0]
+        self._texture = Texture(canvas, repeat=False)
+
+    def draw(self, x: int, y: int, opacity: float) -> None:
+        """Draw with the lower left corner at x, y in pixels."""
+        right, top = x + self.width, y + self.height
+        self._texture.bind()
+        gl.glColor4f(1.0, 1.0, 1.0, opacity)
+        gl.glBegin(gl.GL_QUADS)
+        for s, t, px, py in (
+            (0.0, self._t, x, y),
+            (self._s, self._t, right, y),
+            (self._s, 0.0, right, top),
+            (0.0, 0.0, x, top),
+        ):
+            gl.glTexCoord2f(s, t)
+            gl.glVertex2f(float(px), float(py))
+        gl.glEnd()
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def release(self) -> None:
+        """Delete the texture; may be called twice."""
+        self._texture.release()
+
+
+class Panel:
+    """The list of keys in the middle of the window, the message at its lower edge."""
+
+    def __init__(self, title: str, rows: Sequence[tuple[str, str]]) -> None:
+        """Keep the words; textures are made when first shown, and anew for another size."""
+        self._title, self._rows = title, list(rows)
+        self._keys: Plate | None = None
+        self._line: Plate | None = None
+        self._made_for: dict[str, Any] = {}
+
+    def draw(
+        self, size: tuple[int, int], keys: bool = False, message: str = "", opacity: float = 1.0
+    ) -> None:
+        """Draw what is to be shown in a window of ``size`` pixels; ``opacity`` of the message."""
+        if not keys and not message:
+            return
+        begin_pass("overlay")
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
+        with attrib(groups), flat_projection(0, size[0], 0, size[1], -1, 1):
+            for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING):
+                gl.glDisable(off)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            if keys:
+                plate = self._keys_plate(size)
+                plate.draw((size[0] - plate.width) // 2, (size[1] - plate.height) // 2, 1.0)
+            if message:
+                plate = self._line_plate(message, size)
+                plate.draw((size[0] - plate.width) // 2, size[1] // 24, opacity)
+
+    def _keys_plate(self, size: tuple[int, int]) -> Plate:
+        if self._keys is None or self._made_for.get("keys") != size:
+            if self._keys is not None:
+                self._keys.release()
+            self._keys = Plate(keys_image(self._title, self._rows, size))
+            self._made_for["keys"] = size
+        return self._keys
+
+    def _line_plate(self, message: str, size: tuple[int, int]) -> Plate:
+        if self._line is None or self._made_for.get("line") != (message, size):
+            if self._line is not None:
+                self._line.release()
+            self._line = Plate(line_image(message, size))
+            self._made_for["line"] = (message, size)
+        return self._line
+
+    def release(self) -> None:
+        """Delete the textures; may be called twice."""
+        for plate in (self._keys, self._line):
+            if plate is not None:
+                plate.release()
+        self._keys = self._line = None

@@ -1,0 +1,212 @@
+"""The quads of the sprites as arrays: billboards, crossed quads, views from above. No OpenGL.
+
+Billboards are spanned by the camera's right and up (section 5.1), or stand upright, or at right
+angles to a slope; crossed quads stand still and sway at the top (section 5.2). A :class:`Quads`
+holds what one glDrawElements needs of any of them: what lies in a sort is a quad, so that each half
+of a crossed quad may take its own place in it (section 11.2).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+# A quad's two triangles; and those of the halves of a crossed quad, among its six vertices (bottom
+# left, middle, right, top left, middle, right): each of the 4 has the top middle, which sways.
+QUAD = np.array([[0, 1, 2, 0, 2, 3]], np.uint32)
+HALVES = np.array([[0, 4, 3, 0, 1, 4], [1, 2, 4, 4, 2, 5]], np.uint32)
+STEEPEST = 0.7  # chosen: rise over run; a deer leans no farther
+
+
+@dataclass(frozen=True)
+class Quads:
+    """Vertices (v, 3), texture coordinates (v, 2), colours (v, 4) in 0..255; quads as triangles.
+
+    ``triangles`` (n, 6) names the vertices of each quad's two triangles; ``depth`` (n,) is its
+    place in the sort.
+    """
+
+    vertices: np.ndarray
+    coordinates: np.ndarray
+    colours: np.ndarray
+    triangles: np.ndarray
+    depth: np.ndarray
+
+    @staticmethod
+    def of(
+        vertices: np.ndarray,
+        coordinates: np.ndarray,
+        colours: np.ndarray,
+        pattern: np.ndarray,
+        depth: np.ndarray,
+    ) -> "Quads":
+        """Return n times the quads ``pattern`` (k, 6), which share the vertices (n, c, 3).
+
+        Coordinates are (n, c, 2), colours (n, 4) or (n, c, 4), depth (n,) or (n, k).
+        """
+        n, c = vertices.shape[:2]
+        each = colours if colours.ndim == 3 else np.repeat(colours[:, None], c, axis=1)
+        bases = np.arange(0, n * c, c, dtype=np.uint32)[:, None, None]
+        return Quads(
+            vertices.reshape(-1, 3),
+            coordinates.reshape(-1, 2),
+            each.reshape(-1, 4),
+            (bases + pattern).reshape(-1, 6),
+            depth.ravel() if depth.ndim == 2 else np.repeat(depth, len(pattern)),
+        )
+
+    @staticmethod
+    def join(parts: "list[Quads]") -> "Quads":
+        """Return all quads of ``parts``, in order."""
+        bases = np.cumsum([0, *(len(part.vertices) for part in parts)]).astype(np.uint32)
+        return Quads(
+            np.concatenate([part.vertices for part in parts]),
+            np.concatenate([part.coordinates for part in parts]),
+            np.concatenate([part.colours for part in parts]),
+            np.concatenate([p.triangles + b for p, b in zip(parts, bases, strict=False)]),
+            np.concatenate([part.depth for part in parts]),
+        )
+
+    def indices(self, sort: bool) -> np.ndarray:
+        """Return the index array (uint32) of all triangles, from far to near if ``sort``."""
+        triangles = self.triangles
+        if sort:
+            triangles = triangles[np.argsort(self.depth, kind="stable")]
+        return np.ascontiguousarray(triangles.ravel(), np.uint32)
+
+
+def sway(kt: float, positions: np.ndarray, strength: float = 1.0) -> np.ndarray:
+    """Return dx, dz (n, 2) in units of the wind at positions (n, 3), section 5.2.2."""
+    x, z = positions[:, 0], positions[:, 2]
+    dx = 0.05 * np.cos(kt / 10 - 1.2 * x - 0.744 * z)
+    dz = 0.03 * np.cos(kt / 9.6 - 1.44 * x)
+    return np.stack([dx, dz], axis=1) * strength
+
+
+def billboards(
+    positions: np.ndarray, sizes: np.ndarray, right: np.ndarray, up: np.ndarray
+) -> np.ndarray:
+    """Return quads (n, 4, 3) that stand on positions (n, 3), sizes (n, 2) = width and height.
+
+    ``right`` and ``up`` are (3,), or (n, 3), one for each. Corners: bottom left, bottom right, top
+    right, top left.
+    """
+    across = 0.5 * sizes[:, :1] * right
+    rise = sizes[:, 1:] * up
+    low, high = positions - across, positions + across
+    return np.stack([low, high, high + rise, low + rise], axis=1)
+
+
+def box_corners(boxes: np.ndarray) -> np.ndarray:
+    """Return the corners (..., 4, 2) of boxes (..., 4) = s0, t0, s1, t1, as a billboard has them.
+
+    s runs from left to right and t from top to bottom, 0..1.
+    """
+    return np.stack([boxes[..., [0, 2, 2, 0]], boxes[..., [3, 3, 1, 1]]], axis=-1)
+
+
+def within(quads: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """Return the points (n, k, 3) at s, t = ``corners`` (n, k, 2) of billboards (n, 4, 3)."""
+    quads, corners = quads.astype(np.float32), corners.astype(np.float32)
+    low = quads[:, :1]
+    points = corners[..., :1] * (quads[:, 1:2] - low)
+    points += (np.float32(1.0) - corners[..., 1:]) * (quads[:, 3:] - low)
+    points += low
+    return np.asarray(points)
+
+
+def upright_axes(right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return right and up of billboards that turn about the y axis only."""
+    level = np.array([right[0], 0.0, right[2]])
+    return level / max(float(np.linalg.norm(level)), 1e-9), np.array([0.0, 1.0, 0.0])
+
+
+def slope_axes(right: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return right and up, (n, 3) each, of billboards that stand at right angles to a slope.
+
+    ``slopes`` (n, 2) = dy/dx, dy/dz, taken as no steeper than STEEPEST. Right is the camera's,
+    tilted into the slope; up is the slope's normal.
+    """
+    level, _ = upright_axes(right)
+    steep = np.hypot(slopes[:, 0], slopes[:, 1])
+    limited = slopes * np.minimum(1.0, STEEPEST / np.maximum(steep, 1e-9))[:, None]
+    across = np.tile(level, (len(slopes), 1))
+    across[:, 1] = limited @ level[[0, 2]]
+    up = np.stack([-limited[:, 0], np.ones(len(slopes)), -limited[:, 1]], axis=1)
+    return _unit(across), _unit(up)
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    """Return vectors (n, 3) at length 1."""
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
+def crossed_quads(
+    positions: np.ndarray,
+    sizes: np.ndarray,
+    winds: np.ndarray,
+    turns: np.ndarray | None = None,
+) -> np.ndarray:
+    """Return quads of six vertices each, (n, 6 k, 3), two along x and along z.
+
+    Per quad: bottom left, middle, right, top left, middle, right; the top middle moved by
+    ``winds`` (n, 2) = dx, dz. ``turns`` (n, k) in radians from x to z stands them otherwise.
+    """
+    count = 2 if turns is None else turns.shape[1]
+    out = np.repeat(positions[:, None, :], 6 * count, axis=1)
+    across = np.array([-0.5, 0.0, 0.5, -0.5, 0.0, 0.5])
+    if turns is None:
+        out[:, :6, 0] += across * sizes[:, :1]
+        out[:, 6:, 2] += across * sizes[:, :1]
+    else:
+        along = (sizes[:, :1, None] * across) * np.ones((1, count, 1))
+        out[..., 0] += (np.cos(turns)[..., None] * along).reshape(out.shape[:2])
+        out[..., 2] += (np.sin(turns)[..., None] * along).reshape(out.shape[:2])
+    for top in range(3, 6 * count, 6):
+        out[:, top : top + 3, 1] += sizes[:, 1:]
+        out[:, top + 1, 0] += winds[:, 0]
+        out[:, top + 1, 2] += winds[:, 1]
+    return out
+
+
+def half_places(crossed: np.ndarray) -> np.ndarray:
+    """Return the middles (n, 2 k, 3) of the half quads' feet, left and right in turn."""
+    n, count = len(crossed), crossed.shape[1] // 6
+    quads = crossed.reshape(n, count, 6, 3)
+    middles = np.stack([quads[:, :, 0] + quads[:, :, 1], quads[:, :, 1] + quads[:, :, 2]], axis=2)
+    return np.asarray(0.5 * middles.reshape(n, 2 * count, 3))
+
+
+def lying(
+    positions: np.ndarray, widths: np.ndarray, slopes: np.ndarray, turns: np.ndarray
+) -> np.ndarray:
+    """Return quads (n, 4, 3) about positions that lie as the ground slopes, (n, 2).
+
+    ``turns`` (n,) in radians turns each in its plane.
+    """
+    angle = turns[:, None] + np.pi / 4 + np.arange(4) * (np.pi / 2)
+    half = np.stack([np.cos(angle), np.sin(angle)], axis=2)
+    half *= (widths * np.sqrt(0.5))[:, None, None]
+    rise = (half * slopes[:, None, :]).sum(axis=2)
+    return positions[:, None, :] + np.stack([half[..., 0], rise, half[..., 1]], axis=2)
+
+
+def smoothstep(low: float, high: float, values: np.ndarray) -> np.ndarray:
+    """Return 0 up to ``low``, 1 from ``high`` on, and a smooth way between."""
+    t = np.clip((values - low) / (high - low), 0.0, 1.0)
+    return np.asarray(t * t * (3.0 - 2.0 * t))
+
+
+def edge_on(away: np.ndarray, turns: np.ndarray) -> np.ndarray:
+    """Return how visible (n, k) 0..1 the quads along ``turns`` are to who looks along ``away``.
+
+    ``away`` (n, 3) leads from the eye to the plant. A quad's normal is (-sin, cos) of its turn: the
+    share of it along the view is 1 face-on and 0 edge-on.
+    """
+    flat = away[:, [0, 2]] / np.maximum(np.hypot(away[:, 0], away[:, 2]), 1e-9)[:, None]
+    facing = np.abs(flat[:, 1:] * np.cos(turns) - flat[:, :1] * np.sin(turns))
+    return smoothstep(0.08, 0.4, facing)  # chosen: 5 and 24 degrees
+
+
+def steepness(away: np.ndarray) -> np.ndarray:
+    """Return the sine of the angle (n,) at which the view along ``away`` (n, 3) goes down."""
+    return np.asarray(-away[:, 1] / np.maximum(np.linalg.norm(away, axis=1), 1e-9))

@@ -1,0 +1,73 @@
+"""A texture that can be drawn into: a framebuffer object whose colour is a texture.
+
+What glCopyTexSubImage2D did in 2006, without the copy; and it works beside a multisampled
+framebuffer, from which nothing can be copied. Needs EXT_framebuffer_object with
+EXT_packed_depth_stencil (2005; core in OpenGL 3.0) and textures of any size (OpenGL 2.0).
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.gl.calls import gl
+
+
+class TextureTarget:
+    """Owner of a framebuffer, its colour texture and its depth-stencil buffer."""
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        """Create a target of ``size`` = (width, height) pixels; what is bound stays bound."""
+        self.size = size
+        bound = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
+        self.name = int(gl.glGenTextures(1))
+        gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
+        gl.glTexImage2D(
+            gl.GL_TEXTURE_2D, 0, gl.GL_RGB8, *size, 0, gl.GL_RGB, gl.GL_UNSIGNED_BYTE, None
+        )
+        for name in (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T):
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_CLAMP_TO_EDGE)
+        for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_LINEAR)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, bound)
+
+        previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
+        self._frame = int(gl.glGenFramebuffers(1))
+        self._depth = int(gl.glGenRenderbuffers(1))
+        gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)
+        gl.glBindRenderbuffer(gl.GL_RENDERBUFFER, self._depth)
+        gl.glRenderbufferStorage(gl.GL_RENDERBUFFER, gl.GL_DEPTH24_STENCIL8, *size)
+        gl.glFramebufferRenderbuffer(
+            gl.GL_FRAMEBUFFER, gl.GL_DEPTH_STENCIL_ATTACHMENT, gl.GL_RENDERBUFFER, self._depth
+        )
+        gl.glFramebufferTexture2D(
+            gl.GL_FRAMEBUFFER, gl.GL_COLOR_ATTACHMENT0, gl.GL_TEXTURE_2D, self.name, 0
+        )
+        gl.glBindRenderbuffer(gl.GL_RENDERBUFFER, 0)
+        gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
+
+    @contextmanager
+    def drawing(self) -> Iterator[None]:
+        """Let the block draw into the texture, cleared; then all is drawn where it was before."""
+        previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
+        gl.glPushAttrib(gl.GL_VIEWPORT_BIT)
+        gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)
+        try:
+            gl.glViewport(0, 0, *self.size)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
+            yield
+        finally:
+            gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
+            gl.glPopAttrib()
+
+    def bind(self) -> None:
+        """Make the colour the 2D texture of the active unit."""
+        gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
+
+    def release(self) -> None:
+        """Delete framebuffer, texture and depth buffer; may be called twice."""
+        if self.name:
+            gl.glDeleteFramebuffers(1, np.array([self._frame], np.uint32))
+            gl.glDeleteRenderbuffers(1, np.array([self._depth], np.uint32))
+            gl.glDeleteTextures(np.array([self.name], np.uint32))
+            self.name = 0

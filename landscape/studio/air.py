@@ -1,0 +1,154 @@
+"""A time of day and its clear sky.
+
+Single scattering (Nishita et al. 1993) in a table over elevation and azimuth from the sun. All is
+linear light; axes are those of :mod:`landscape.studio.light`.
+"""
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from landscape.studio import light
+
+# Air: Nishita 1993 with the customary constants, metres.
+EARTH, AIR_TOP = 6.360e6, 6.420e6
+RAYLEIGH = np.array([5.8e-6, 13.5e-6, 33.1e-6])
+OZONE = np.array([0.65e-6, 1.88e-6, 0.085e-6])  # absorption, Hillaire 2020: keeps dusk blue above
+MIE, MIE_G = 5e-6, 0.76  # 21e-6 is hazy; an island has clean air
+SCALE_R, SCALE_M = 7994.0, 1200.0
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A time of day: where the sun is, and what the eye makes of it."""
+
+    azimuth_deg: float
+    elevation_deg: float
+    horizon_srgb: tuple[float, float, float]
+    haze_deg: float  # elevation in which the haze thins by a factor e
+    exposure: float  # of the scattered light before 1 - exp(-x)
+    glow: tuple[float, float, float]  # light scattered more than once, from every side
+    saturation: float  # of the clear sky; the curve above pales it
+    sun: tuple[float, float, float]  # light on the clouds
+    shade: tuple[float, float, float]  # light from the sky above into the clouds
+    bounce: tuple[float, float, float]  # light from the sea below
+    far_air: tuple[float, float, float]  # what the air before the far land lacks of the haze
+    wall_width: int
+
+    def towards_sun(self) -> np.ndarray:
+        """Return the unit vector (3,) towards the sun."""
+        a, e = np.radians(self.azimuth_deg), np.radians(self.elevation_deg)
+        return np.array([np.cos(e) * np.sin(a), np.sin(e), -np.cos(e) * np.cos(a)])
+
+
+DAY = Scene(
+    azimuth_deg=light.SUN_AZIMUTH_DEG,
+    elevation_deg=light.SUN_ELEVATION_DEG,
+    horizon_srgb=tuple(light.HORIZON_SRGB),
+    haze_deg=3.2,
+    exposure=0.95,
+    glow=(0.10, 0.21, 0.40),
+    saturation=1.2,
+    sun=(9.6, 9.2, 8.5),
+    shade=(0.30, 0.375, 0.50),
+    bounce=(0.16, 0.20, 0.24),
+    far_air=(0.40, 0.26, 0.11),
+    wall_width=2048,
+)
+SUNSET = Scene(
+    azimuth_deg=250.0,
+    elevation_deg=5.0,
+    horizon_srgb=(0.84, 0.66, 0.54),  # chosen: the fog to use with this sky
+    haze_deg=2.6,
+    exposure=1.0,
+    glow=(0.20, 0.135, 0.30),
+    saturation=1.35,
+    sun=(6.2, 3.3, 1.5),
+    shade=(0.26, 0.23, 0.34),
+    bounce=(0.16, 0.11, 0.10),
+    far_air=(0.50, 0.44, 0.22),
+    wall_width=1024,
+)
+
+
+def _leave(origin: np.ndarray, direction: np.ndarray, radius: float) -> np.ndarray:
+    """Distance along each ray to the sphere of ``radius`` about the earth's centre."""
+    b = np.sum(origin * direction, axis=-1)
+    return -b + np.sqrt(np.maximum(b * b - np.sum(origin * origin, axis=-1) + radius**2, 0.0))
+
+
+def scattered(scene: Scene, direction: np.ndarray, sun: np.ndarray) -> np.ndarray:
+    """Return the light (..., 3) scattered towards an eye at sea level.
+
+    Once from the sun, and, so that the horizon does not turn yellow, from a uniform glow that
+    stands for all later orders (Hillaire 2020 tabulates it; over a clear sea it hardly varies).
+    """
+    samples = 24
+    eye = np.array([0.0, EARTH + 5.0, 0.0])
+    reach = _leave(eye, direction, AIR_TOP)
+    cos = direction @ sun
+    phase_r = 3 / (16 * np.pi) * (1 + cos**2)
+    g = MIE_G
+    phase_m = 3 / (8 * np.pi) * (1 - g * g) * (1 + cos**2)
+    phase_m /= (2 + g * g) * (1 + g * g - 2 * g * cos) ** 1.5
+    thick_r = np.zeros_like(cos)
+    thick_m = np.zeros_like(cos)
+    total_r = np.zeros((*cos.shape, 3))
+    total_m = np.zeros((*cos.shape, 3))
+    total_glow = np.zeros((*cos.shape, 3))
+    for i in range(samples):
+        # Quadratic steps: most of the air, and of the change, is near the eye.
+        t0, t1 = (i / samples) ** 2, ((i + 1) / samples) ** 2
+        point = eye + direction * (reach * (t0 + t1) / 2)[..., None]
+        step = reach * (t1 - t0)
+        up = np.linalg.norm(point, axis=-1) - EARTH
+        air_r, air_m = np.exp(-up / SCALE_R) * step, np.exp(-up / SCALE_M) * step
+        thick_r, thick_m = thick_r + air_r, thick_m + air_m
+        out = _leave(point, sun, AIR_TOP) / 8
+        sun_r = np.zeros_like(cos)
+        sun_m = np.zeros_like(cos)
+        sun_o = np.zeros_like(cos)
+        for j in range(8):
+            up = np.linalg.norm(point + sun * (out * (j + 0.5))[..., None], axis=-1) - EARTH
+            sun_r = sun_r + np.exp(-up / SCALE_R) * out
+            sun_m = sun_m + np.exp(-up / SCALE_M) * out
+            sun_o = sun_o + np.clip(1.0 - np.abs(up - 25e3) / 15e3, 0.0, None) * out
+        tau = RAYLEIGH * (thick_r + sun_r)[..., None] + 1.1 * MIE * (thick_m + sun_m)[..., None]
+        tau = tau + OZONE * sun_o[..., None]
+        fade = np.exp(-tau)
+        seen = np.exp(-RAYLEIGH * thick_r[..., None] - 1.1 * MIE * thick_m[..., None])
+        total_glow += seen * (RAYLEIGH * air_r[..., None] + MIE * air_m[..., None])
+        total_r += fade * air_r[..., None]
+        total_m += fade * air_m[..., None]
+    once = total_r * RAYLEIGH * phase_r[..., None] + total_m * MIE * phase_m[..., None]
+    return 20.0 * once + np.array(scene.glow) * total_glow
+
+
+@functools.lru_cache(maxsize=2)
+def air_table(scene: Scene) -> np.ndarray:
+    """Return the displayed clear sky, linear (96, 96, 3): square root of elevation, azimuth."""
+    elevation = np.radians(90.0) * np.linspace(0.0, 1.0, 96) ** 2
+    azimuth = np.linspace(0.0, np.pi, 96)
+    e, a = np.meshgrid(elevation, azimuth, indexing="ij")
+    d = np.stack([np.cos(e) * np.sin(a), np.sin(e), np.cos(e) * np.cos(a)], axis=-1)
+    s = np.radians(scene.elevation_deg)
+    shown = 1.0 - np.exp(
+        -scene.exposure * scattered(scene, d, np.array([0.0, np.sin(s), np.cos(s)]))
+    )
+    grey = shown.mean(axis=-1, keepdims=True)
+    return np.clip(grey + scene.saturation * (shown - grey), 0.0, 1.0)
+
+
+def clear_sky(scene: Scene, d: np.ndarray) -> np.ndarray:
+    """Return the displayed clear sky, linear, for unit vectors (..., 3) above the horizon."""
+    elevation = np.arcsin(np.clip(d[..., 1], 0.0, 1.0))
+    turn = np.arctan2(d[..., 0], -d[..., 2]) - np.radians(scene.azimuth_deg)
+    away = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
+    where = [np.sqrt(elevation / (np.pi / 2)) * 95, away / np.pi * 95]
+    table = air_table(scene)
+    return np.stack(
+        [ndimage.map_coordinates(table[..., c], where, order=3, mode="mirror") for c in range(3)],
+        axis=-1,
+    )

@@ -1,0 +1,336 @@
+"""How the leaves and the limbs of a sprite are lit and drawn.
+
+Limbs are tapered cylinders with bark; leaves and needles are folded kites. All go into one depth
+buffer at four times the final size. The light that reaches them is the sun and the sky, attenuated
+exponentially by the leaf area met on the way (Beer and Lambert), which a coarse grid of densities
+records.
+
+World frame of a sprite: x right in -1..1, y up in 0..2 (0 is the ground), z towards the viewer.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from scipy import ndimage
+
+from landscape.studio.images import bleed, shrink, to_srgb, to_uint8
+from landscape.studio.light import GROUND_BOUNCE, SKY_COLOR, SPRITE_SUN, SUN_COLOR
+
+SIZE = 512  # texels per side of a sprite
+SUPERSAMPLING = 4  # per axis: sixteen samples a texel give the smooth edge of alpha
+GRID = 96  # chosen: cells of the density grid per axis, about five texels each
+GRID_LOW = np.array([-1.15, -0.15, -1.15])  # chosen: a little more than the sprite's frame
+GRID_SPAN = 2.3
+SUN_GAIN = 2.3  # chosen: exposure, full sun on a leaf comes out at about 60 % of white
+SKY_GAIN = 1.15  # chosen: the shaded side stays readable against a bright sky
+SUN_SCREEN = (float(SPRITE_SUN[0]), float(-SPRITE_SUN[1]), float(SPRITE_SUN[2]))  # rows grow down
+SKY_DIRECTIONS = np.array(  # chosen: the sky seen through the crown, and the viewer's own direction
+    [
+        [0.0, 1.0, 0.0],
+        [-0.77, 0.64, 0.0],
+        [0.77, 0.64, 0.0],
+        [0.0, 0.64, -0.77],
+        [0.0, 0.64, 0.77],
+        [0.0, 0.1, 1.0],
+    ]
+)
+
+
+def sprite(premultiplied: np.ndarray) -> np.ndarray:
+    """Turn linear premultiplied RGBA (h, w, 4) into a straight-alpha sRGB sprite whose border is
+    clear, but for the last row, where it stands, and whose colours bleed outward."""
+    alpha = premultiplied[..., 3:]
+    straight = to_srgb(premultiplied[..., :3] / np.maximum(alpha, 1e-6))
+    rgba = to_uint8(np.concatenate([straight, alpha], -1))
+    rgba[0, :, 3] = rgba[:, 0, 3] = rgba[:, -1, 3] = 0
+    return bleed(rgba)
+
+
+@dataclass
+class Canvas:
+    """A supersampled picture: linear colour (h, w, 3) and depth (h, w), larger is nearer."""
+
+    colour: np.ndarray
+    depth: np.ndarray
+
+    @classmethod
+    def blank(cls, size: int = SIZE) -> "Canvas":
+        side = size * SUPERSAMPLING
+        return cls(np.zeros((side, side, 3), np.float32), np.full((side, side), -1e9, np.float32))
+
+    def to_screen(self, points: np.ndarray) -> np.ndarray:
+        """World points (..., 3) to sample coordinates: columns, rows, depth."""
+        half = self.depth.shape[0] / 2
+        return np.stack(
+            [(points[..., 0] + 1) * half, (2 - points[..., 1]) * half, points[..., 2] * half], -1
+        )
+
+    def finish(self) -> np.ndarray:
+        """Reduce to a sprite (size, size, 4)."""
+        covered = (self.depth > -1e8)[..., None].astype(np.float32)
+        small = shrink(np.concatenate([self.colour * covered, covered], -1), SUPERSAMPLING)
+        return sprite(small)
+
+
+@njit
+def fill_triangles(colour, depth, corners, shades):  # type: ignore[no-untyped-def]
+    """Draw (n, 3, 3) screen triangles with linear colours (n, 3, 3) at their corners."""
+    h, w = depth.shape
+    for i in range(corners.shape[0]):
+        x0, y0, z0 = corners[i, 0]
+        x1, y1, z1 = corners[i, 1]
+        x2, y2, z2 = corners[i, 2]
+        area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+        if abs(area) < 1e-9:
+            continue
+        for row in range(max(0, int(min(y0, y1, y2))), min(h, int(max(y0, y1, y2)) + 1)):
+            y = row + 0.5
+            for column in range(max(0, int(min(x0, x1, x2))), min(w, int(max(x0, x1, x2)) + 1)):
+                x = column + 0.5
+                b = ((x - x0) * (y2 - y0) - (x2 - x0) * (y - y0)) / area
+                c = ((x1 - x0) * (y - y0) - (x - x0) * (y1 - y0)) / area
+                a = 1.0 - b - c
+                if a < 0.0 or b < 0.0 or c < 0.0:
+                    continue
+                z = a * z0 + b * z1 + c * z2
+                if z > depth[row, column]:
+                    depth[row, column] = z
+                    for k in range(3):
+                        colour[row, column, k] = (
+                            a * shades[i, 0, k] + b * shades[i, 1, k] + c * shades[i, 2, k]
+                        )
+
+
+@njit
+def fill_limbs(  # type: ignore[no-untyped-def]
+    colour, depth, ends, radii, along, turns, lights, bark, twig, sun, sky, bounce
+):
+    """Draw tapered cylinders with bark.
+
+    ends (n, 2, 3) in screen samples, radii (n, 2) in samples, along (n, 2) the distance from the
+    ground in texels of ``bark`` (m, m, 4: colour, relief), turns (n,) the texel round the limb that
+    faces the viewer, lights (n, 2, 2) the parts of the sun and of the sky that reach both ends.
+    Limbs thinner than ten samples take the colour ``twig``. sun, sky and bounce are colours of
+    light.
+    """
+    h, w = depth.shape
+    m = bark.shape[0]
+    texel = np.zeros(4)
+    lx, ly, lz = SUN_SCREEN
+    for i in range(ends.shape[0]):
+        ax, ay, az = ends[i, 0]
+        bx, by, bz = ends[i, 1]
+        dx, dy, dz = bx - ax, by - ay, bz - az
+        flat = np.sqrt(dx * dx + dy * dy)
+        length = np.sqrt(flat * flat + dz * dz)
+        if length < 1e-6:
+            continue
+        thick = max(radii[i, 0], radii[i, 1])
+        if flat < 1e-4:
+            px, py = 1.0, 0.0
+        else:
+            px, py = -dy / flat, dx / flat
+        # The direction across the limb that looks at the viewer: axis x across.
+        qx, qy, qz = -dz * py / length, dz * px / length, (dx * py - dy * px) / length
+        if qz < 0:
+            qx, qy, qz = -qx, -qy, -qz
+        for row in range(max(0, int(min(ay, by) - thick)), min(h, int(max(ay, by) + thick) + 1)):
+            for column in range(
+                max(0, int(min(ax, bx) - thick)), min(w, int(max(ax, bx) + thick) + 1)
+            ):
+                x, y = column + 0.5 - ax, row + 0.5 - ay
+                t = 0.0
+                if flat > 1e-4:
+                    t = min(1.0, max(0.0, (x * dx + y * dy) / (flat * flat)))
+                r = radii[i, 0] + (radii[i, 1] - radii[i, 0]) * t
+                ox, oy = x - t * dx, y - t * dy
+                if ox * ox + oy * oy > r * r:
+                    continue
+                s = min(1.0, max(-1.0, (ox * px + oy * py) / r))
+                up = np.sqrt(max(0.0, 1.0 - s * s))
+                z = az + t * dz + r * up
+                if z <= depth[row, column]:
+                    continue
+                # Neighbours' caps overlap: past its ends a limb's bark runs on, or it would smear.
+                t = (x * dx + y * dy) / (flat * flat) if flat > 1e-4 else 0.0
+                t = min(2.0, max(-1.0, t))
+                fu = (np.arcsin(s) * r + turns[i]) % m
+                fv = (along[i, 0] + (along[i, 1] - along[i, 0]) * t) % m
+                u0, v0 = int(fu) % m, int(fv) % m
+                u1, v1 = (u0 + 1) % m, (v0 + 1) % m
+                wu, wv = fu - int(fu), fv - int(fv)
+                for k in range(4):
+                    above = bark[v0, u0, k] * (1 - wu) + bark[v0, u1, k] * wu
+                    below = bark[v1, u0, k] * (1 - wu) + bark[v1, u1, k] * wu
+                    texel[k] = above * (1 - wv) + below * wv
+                s = min(0.99, max(-0.99, s + texel[3] * min(1.0, r / 12.0)))
+                up = np.sqrt(1.0 - s * s)
+                nx, ny, nz = px * s + qx * up, py * s + qy * up, qz * up
+                t = min(1.0, max(0.0, t))
+                sunlit = lights[i, 0, 0] + (lights[i, 1, 0] - lights[i, 0, 0]) * t
+                open_sky = lights[i, 0, 1] + (lights[i, 1, 1] - lights[i, 0, 1]) * t
+                lit = max(0.0, nx * lx + ny * ly + nz * lz) * sunlit
+                fill = (0.55 - 0.45 * ny) * open_sky
+                back = (0.5 + 0.5 * ny) * open_sky
+                depth[row, column] = z
+                for k in range(3):
+                    tone = twig[k] + (texel[k] - twig[k]) * min(1.0, max(0.0, (r - 3.0) / 7.0))
+                    colour[row, column, k] = tone * (
+                        sun[k] * lit + sky[k] * fill + bounce[k] * back
+                    )
+
+
+@njit
+def optical_depth(density, points, direction, step, reach):  # type: ignore[no-untyped-def]
+    """Leaf area (n,) met from each of the points (n, 3), in cells, along a direction (3,)."""
+    n = density.shape[0]
+    total = np.zeros(points.shape[0])
+    for i in range(points.shape[0]):
+        for k in range(1, reach):
+            x = int(points[i, 0] + direction[0] * step * k)
+            y = int(points[i, 1] + direction[1] * step * k)
+            z = int(points[i, 2] + direction[2] * step * k)
+            if x < 0 or y < 0 or z < 0 or x >= n or y >= n or z >= n:
+                break
+            total[i] += density[x, y, z] * step
+    return total
+
+
+def unit(vectors: np.ndarray) -> np.ndarray:
+    """Scale vectors (..., 3) to length 1."""
+    return vectors / (np.linalg.norm(vectors, axis=-1, keepdims=True) + 1e-12)
+
+
+@dataclass
+class Leaves:
+    """Kites: centres, axes, normals (n, 3), lengths and widths (n,), albedo (n, 3), linear."""
+
+    centre: np.ndarray
+    axis: np.ndarray
+    normal: np.ndarray
+    length: np.ndarray
+    width: np.ndarray
+    albedo: np.ndarray
+
+
+def join(parts: list[Leaves]) -> Leaves:
+    """Gather the leaves of several parts into one."""
+    return Leaves(*(np.concatenate([getattr(p, f) for p in parts]) for f in vars(parts[0])))
+
+
+def light_at(
+    density: np.ndarray, points: np.ndarray, extinction: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the parts (n,) of the sun and of the sky that reach world points (n, 3)."""
+    cells = (points - GRID_LOW) / GRID_SPAN * GRID
+    step, reach = 0.9, int(GRID * 0.8)
+    sun = np.exp(-extinction * optical_depth(density, cells, SPRITE_SUN, step, reach))
+    sky = np.zeros(len(points))
+    for direction in SKY_DIRECTIONS:
+        way = direction / np.linalg.norm(direction)
+        sky += np.exp(-0.7 * extinction * optical_depth(density, cells, way, step, reach))
+    return sun, sky / len(SKY_DIRECTIONS)
+
+
+def foliage_density(leaves: Leaves) -> np.ndarray:
+    """Leaf area per cell (GRID, GRID, GRID), in areas of a cell's face."""
+    cell = GRID_SPAN / GRID
+    index = np.clip(((leaves.centre - GRID_LOW) / cell).astype(int), 0, GRID - 1)
+    density = np.zeros((GRID, GRID, GRID))
+    np.add.at(density, tuple(index.T), 0.5 * leaves.length * leaves.width / cell**2)
+    return ndimage.gaussian_filter(density, 0.7)
+
+
+def draw_leaves(
+    canvas: Canvas, leaves: Leaves, density: np.ndarray, extinction: float, stray: float = 0.0
+) -> None:
+    """Light the kites and draw them: four triangles each, folded along the midrib.
+
+    ``stray`` is the part of the sky's light that finds its way in from leaf to leaf, however deep.
+    """
+    sun, sky = light_at(density, leaves.centre, extinction)
+    sky = stray + (1.0 - stray) * sky
+    # The crown's own normal, from the density's slope: without it a crown of leaves that point
+    # everywhere is lit evenly and looks flat.
+    soft = ndimage.gaussian_filter(density, 3.0)
+    cells = ((leaves.centre - GRID_LOW) / GRID_SPAN * GRID).T
+    crown = unit(
+        -np.stack([ndimage.map_coordinates(g, cells, order=1) for g in np.gradient(soft)], -1)
+    )
+    across = unit(np.cross(leaves.axis, leaves.normal))
+    half_length, half_width = leaves.length[:, None] / 2, leaves.width[:, None] / 2
+    base = leaves.centre - leaves.axis * half_length
+    tip = leaves.centre + leaves.axis * half_length
+    corners, shades = [], []
+    for side in (-1.0, 1.0):
+        rise = leaves.normal * half_width * 0.35
+        low = (
+            leaves.centre
+            - leaves.axis * half_length * 0.45
+            + side * across * half_width * 0.92
+            + rise
+        )
+        high = (
+            leaves.centre
+            + leaves.axis * half_length * 0.3
+            + side * across * half_width * 0.8
+            + rise
+        )
+        normal = unit(leaves.normal - 0.35 * side * across)
+        normal *= np.where(normal[:, 2:] < 0, -1.0, 1.0)
+        facing = normal @ SPRITE_SUN
+        wrapped = np.clip(0.35 + 0.65 * (crown @ SPRITE_SUN), 0.0, 1.0)
+        reflected = (0.45 * np.maximum(facing, 0.0) + 0.55 * wrapped) * sun
+        through = np.maximum(-facing, 0.0) * sun
+        up = 0.55 + 0.45 * crown[:, 1]
+        lit = leaves.albedo * (
+            SUN_GAIN * SUN_COLOR * reflected[:, None]
+            + SKY_GAIN * SKY_COLOR * (sky * up)[:, None]
+            + GROUND_BOUNCE * (sky * (1.0 - up))[:, None]
+        )
+        # Light that crosses a leaf loses its blue: the yellow glow of a crown against the sun.
+        lit += leaves.albedo * np.array([1.25, 1.1, 0.4]) * SUN_COLOR * through[:, None] * 1.1
+        gloss = np.maximum(normal @ unit(SPRITE_SUN + np.array([0.0, 0.0, 1.0])), 0.0) ** 24
+        lit += (0.10 * gloss * sun)[:, None] * SUN_COLOR
+        corners += [np.stack([base, low, high], 1), np.stack([base, high, tip], 1)]
+        shades += [
+            np.stack([lit * 0.7, lit, lit * 1.1], 1),
+            np.stack([lit * 0.7, lit * 1.1, lit], 1),
+        ]
+    screen = canvas.to_screen(np.concatenate(corners))
+    fill_triangles(canvas.colour, canvas.depth, screen, np.concatenate(shades).astype(np.float32))
+
+
+def draw_limbs(
+    canvas: Canvas,
+    ends: np.ndarray,
+    radii: np.ndarray,
+    lights: np.ndarray,
+    bark: np.ndarray,
+    twig: np.ndarray,
+    along: np.ndarray,
+    turns: np.ndarray,
+) -> None:
+    """Draw limbs with ends (n, 2, 3) and radii (n, 2) in world units; the rest as for
+    :func:`fill_limbs`, along (n, 2) in world units."""
+    half = canvas.depth.shape[0] / 2
+    fill_limbs(
+        canvas.colour,
+        canvas.depth,
+        canvas.to_screen(ends),
+        radii * half,
+        along * half,
+        turns,
+        lights,
+        bark,
+        twig,
+        SUN_GAIN * SUN_COLOR,
+        SKY_GAIN * SKY_COLOR,
+        GROUND_BOUNCE,
+    )
+
+
+def light_on_limbs(density: np.ndarray, ends: np.ndarray, extinction: float) -> np.ndarray:
+    """Return the parts of the sun and of the sky (n, 2, 2) that reach the ends (n, 2, 3)."""
+    return np.stack(light_at(density, ends.reshape(-1, 3), extinction), -1).reshape(-1, 2, 2)

@@ -1,0 +1,32 @@
+"""Looking up wrapping squares and cubes of noise between their samples, from compiled code."""
+
+import numba
+import numpy as np
+
+
+@numba.njit
+def flat(grid: np.ndarray, u: float, v: float) -> float:
+    """Bilinear lookup in a wrapping square, u and v in texels."""
+    n = grid.shape[0]
+    i, j = int(np.floor(u)), int(np.floor(v))
+    f, g = u - i, v - j
+    i, j = i % n, j % n
+    i1, j1 = (i + 1) % n, (j + 1) % n
+    return (grid[i, j] * (1 - g) + grid[i, j1] * g) * (1 - f) + (
+        grid[i1, j] * (1 - g) + grid[i1, j1] * g
+    ) * f
+
+
+@numba.njit
+def solid(grid: np.ndarray, x: float, y: float, z: float) -> float:
+    """Trilinear lookup in a wrapping cube, in texels."""
+    n = grid.shape[0]
+    i, j, k = int(np.floor(x)), int(np.floor(y)), int(np.floor(z))
+    f, g, h = x - i, y - j, z - k
+    i, j, k = i % n, j % n, k % n
+    i1, j1, k1 = (i + 1) % n, (j + 1) % n, (k + 1) % n
+    a = grid[i, j, k] * (1 - h) + grid[i, j, k1] * h
+    b = grid[i, j1, k] * (1 - h) + grid[i, j1, k1] * h
+    c = grid[i1, j, k] * (1 - h) + grid[i1, j, k1] * h
+    d = grid[i1, j1, k] * (1 - h) + grid[i1, j1, k1] * h
+    return (a * (1 - g) + b * g) * (1 - f) + (c * (1 - g) + d * g) * f

@@ -1,0 +1,211 @@
+"""How the trees grow: skeletons of limbs, from the foot to the twigs.
+
+The broad-leaved skeletons grow by space colonisation (Runions, Lane and Prusinkiewicz 2007,
+"Modeling trees with a space colonization algorithm") inside a crown made of ellipsoidal lobes; the
+spruce is built whorl by whorl in the manner of Weber and Penn 1995 ("Creation and rendering of
+realistic trees"). Radii follow the pipe model. Frame: as :mod:`landscape.studio.foliage`.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from landscape.studio.foliage import unit
+
+PIPE_EXPONENT = 2.3  # Runions 2007: between da Vinci's 2 and 3
+
+
+@dataclass
+class Skeleton:
+    """Limbs as a tree of nodes: positions (n, 3), parent indices (n,), -1 at the foot."""
+
+    points: np.ndarray
+    parents: np.ndarray
+
+    def radii(self, twig: float, trunk: float) -> np.ndarray:
+        """Pipe-model radii (n,), from ``twig`` at the tips, rescaled to ``trunk`` at the foot."""
+        area = np.zeros(len(self.points))
+        for i in range(len(self.points) - 1, -1, -1):
+            area[i] = max(area[i], 1.0)
+            if self.parents[i] >= 0:
+                area[self.parents[i]] += area[i]
+        r = area ** (1 / PIPE_EXPONENT)
+        gamma = np.log(trunk / twig) / np.log(r[0])
+        return twig * r**gamma
+
+    def child_counts(self) -> np.ndarray:
+        """Number of children (n,) of every node."""
+        return np.bincount(self.parents[self.parents >= 0], minlength=len(self.points))
+
+    def smooth(self, passes: int) -> None:
+        """Relax every node with one child towards its neighbours: branches bend, not zigzag."""
+        counts = self.child_counts()
+        child = np.full(len(self.points), -1)
+        child[self.parents[1:]] = np.arange(1, len(self.points))
+        inner = np.flatnonzero((counts == 1) & (self.parents >= 0))
+        for _ in range(passes):
+            middle = (self.points[self.parents[inner]] + self.points[child[inner]]) / 2
+            self.points[inner] = 0.5 * self.points[inner] + 0.5 * middle
+
+
+def colonise(
+    attractors: np.ndarray, stems: list[np.ndarray], step: float, pull: np.ndarray, seed: int
+) -> Skeleton:
+    """Grow limbs from the stems (polylines (k, 3) from the foot) towards the attractors (n, 3)."""
+    rng = np.random.default_rng(seed)
+    points, parents = [np.array([0.0, 0.0, 0.0])], [-1]
+    for line in stems:
+        last = 0
+        for point in line:
+            points.append(point)
+            parents.append(last)
+            last = len(points) - 1
+    nodes, origin = np.array(points), np.array(parents)
+    # If every node of a stem could branch, its limbs would stand out like the teeth of a comb.
+    fertile = rng.random(len(nodes)) < 0.4
+    fertile[np.cumsum([len(line) for line in stems])] = True
+    for _ in range(220):
+        if len(attractors) == 0:
+            break
+        able = np.flatnonzero(fertile)
+        distance, nearest = cKDTree(nodes[able]).query(attractors)
+        nearest = able[nearest]
+        near = distance < 17 * step if len(nodes) > len(points) + 40 else distance < 1e9
+        if not near.any():
+            break
+        toward = np.zeros_like(nodes)
+        pulls = attractors[near] - nodes[nearest[near]]
+        np.add.at(toward, nearest[near], pulls / np.linalg.norm(pulls, axis=1, keepdims=True))
+        growing = np.unique(nearest[near])
+        way = toward[growing]
+        way /= np.linalg.norm(way, axis=1, keepdims=True) + 1e-9
+        way += pull + 0.18 * rng.standard_normal(way.shape)
+        way /= np.linalg.norm(way, axis=1, keepdims=True)
+        fresh = nodes[growing] + step * way
+        # A node caught between two attractors would grow the same twig for ever: drop repeats.
+        free = cKDTree(nodes).query(fresh)[0] > 0.55 * step
+        if not free.any():
+            break
+        nodes = np.concatenate([nodes, fresh[free]])
+        origin = np.concatenate([origin, growing[free]])
+        fertile = np.concatenate([fertile, np.ones(free.sum(), bool)])
+        attractors = attractors[cKDTree(nodes).query(attractors)[0] > 2.0 * step]
+    return Skeleton(nodes, origin)
+
+
+def stem(*points: tuple[float, float, float], step: float = 0.04) -> np.ndarray:
+    """A polyline (k, 3) through the points, one node every ``step`` or so."""
+    p = np.array(points)
+    t = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(p, axis=0), axis=1))])
+    s = np.linspace(0.0, t[-1], max(2, round(t[-1] / step) + 1))[1:]
+    return np.stack([np.interp(s, t, p[:, k]) for k in range(3)], 1)
+
+
+def in_lobes(
+    centres: np.ndarray, radii: np.ndarray, count: int, rng: np.random.Generator
+) -> np.ndarray:
+    """Scatter points (count, 3) in ellipsoids with centres and radii (n, 3), more where larger."""
+    weight = radii.prod(axis=1) ** 0.8
+    lobe = rng.choice(len(centres), count, p=weight / weight.sum())
+    direction = rng.standard_normal((count, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    return centres[lobe] + direction * radii[lobe] * rng.random((count, 1)) ** 0.4
+
+
+def crown_lobes(
+    centre: list[float],
+    radii: list[float],
+    count: int,
+    size: tuple[float, float],
+    low: float,
+    seed: int,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Put ``count`` lobes evenly over an ellipsoid's surface, above ``low`` (-1 is its bottom): the
+    clumps of a crown. Returns centres and radii (count, 3)."""
+    rng = np.random.default_rng(seed)
+    k = np.arange(count) + 0.5
+    y = 1.0 - (1.0 - low) * k / count
+    angle = np.pi * (1 + 5**0.5) * k + rng.uniform(-0.5, 0.5, count)
+    ring = np.sqrt(np.maximum(0.0, 1.0 - y * y))
+    shell = np.stack([ring * np.cos(angle), y, ring * np.sin(angle)], 1)
+    shell *= rng.uniform(0.68, 0.98, (count, 1))
+    r = rng.uniform(*size, (count, 1)) * np.array([1.15, 0.8, 1.1])
+    return np.array(centre) + shell * np.array(radii), r
+
+
+def hang_twigs(
+    skeleton: Skeleton,
+    tips: np.ndarray,
+    steps: tuple[int, int],
+    step: float,
+    rng: np.random.Generator,
+) -> Skeleton:
+    """Let a twig of ``steps`` (least, most) nodes fall from each of the nodes ``tips``."""
+    points, parents = list(skeleton.points), list(skeleton.parents)
+    for tip in tips:
+        way = unit(skeleton.points[tip] - skeleton.points[skeleton.parents[tip]])
+        last = tip
+        for _ in range(rng.integers(*steps)):
+            way = unit(way + np.array([0.0, -0.33, 0.0]) + 0.12 * rng.standard_normal(3))
+            points.append(points[last] + step * way)
+            parents.append(last)
+            last = len(points) - 1
+    return Skeleton(np.array(points), np.array(parents))
+
+
+def spruce_limbs(rng: np.random.Generator) -> tuple[Skeleton, np.ndarray]:
+    """The spruce's trunk, whorls and hanging twigs; also the nodes (k,) that carry needles."""
+    points, parents, twigs = [np.zeros(3)], [-1], []
+
+    def grow(
+        start: int, way: np.ndarray, length: float, step: float, bend: float, green: bool
+    ) -> list[int]:
+        made = []
+        last = start
+        for k in range(max(2, round(length / step))):
+            lift = bend * (k * step / length - 0.35)
+            # The lowest boughs sweep over the ground, not into it.
+            lift += 5.0 * max(0.0, 0.21 - points[last][1]) / length
+            way = unit(
+                way + np.array([0.0, lift * step / length * 2, 0.0]) + 0.05 * rng.standard_normal(3)
+            )
+            points.append(points[last] + step * way)
+            parents.append(last)
+            last = len(points) - 1
+            made.append(last)
+            if green:
+                twigs.append(last)
+        return made
+
+    trunk = [0]
+    for y in np.arange(0.02, 2.0, 0.02):
+        points.append(np.array([0.012 * np.sin(3 * y), y, 0.0]))
+        parents.append(trunk[-1])
+        trunk.append(len(points) - 1)
+    y = 0.27
+    while y < 1.92:
+        part = (y - 0.27) / 1.69
+        reach = 0.86 * (1 - part) ** 0.92 * min(1.0, 0.62 + 2.2 * part) + 0.018
+        turn = rng.uniform(0, 2 * np.pi)
+        count = 7 if y < 1.5 else 5
+        for k in range(count):
+            angle = turn + 2 * np.pi * (k + rng.uniform(-0.3, 0.3)) / count
+            length = reach * rng.uniform(0.72, 1.12)
+            slope = -0.36 + 1.25 * part**1.6 + rng.uniform(-0.1, 0.1)
+            way = unit(np.array([np.cos(angle), slope, np.sin(angle)]))
+            node = trunk[min(len(trunk) - 1, int((y + rng.uniform(-0.015, 0.015)) / 0.02))]
+            branch = grow(node, way, length, 0.03, 0.7, False)
+            for j, at in enumerate(branch):
+                if j * 0.03 > 0.1 * length:
+                    twigs.append(at)
+                side_length = 0.36 * length * (1 - j / len(branch)) ** 0.7 + 0.03
+                if j * 0.03 < 0.12 * length:
+                    continue
+                run = unit(points[at] - points[parents[at]])
+                flat = unit(np.cross(run, np.array([0.0, 1.0, 0.0])))
+                for side in (-1, 1):
+                    out = unit(run * 0.8 + side * flat + np.array([0.0, -0.25, 0.0]))
+                    grow(at, out, side_length * rng.uniform(0.7, 1.2), 0.026, -0.5, True)
+        y += 0.052 + 0.03 * (1 - part) * rng.uniform(0.7, 1.3)
+    return Skeleton(np.array(points), np.array(parents)), np.array(twigs + trunk[-9:])

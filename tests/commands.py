@@ -1,0 +1,139 @@
+"""Command lines run as a user's, many of them in one other process, for speed.
+
+The process is another one because PyOpenGL binds to one platform for good, and because a context
+opened and closed there cannot disturb the tests' own.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+from landscape.assets import shipped
+
+TESTS = Path(__file__).resolve().parent
+SECONDS = 120  # a command that takes longer hangs
+
+_CHILD = """
+import contextlib, io, json, os, sys, traceback, warnings
+from landscape.cli import main
+
+# Every warning counts: it would be a second line on the user's screen.
+for kind in (RuntimeWarning, UserWarning, FutureWarning):
+    warnings.simplefilter("always", kind)
+replies = os.fdopen(os.dup(1), "w")
+os.dup2(2, 1)
+for line in sys.stdin:
+    asked = json.loads(line)
+    os.chdir(asked["cwd"])
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            status = main(asked["args"])
+        except SystemExit as end:
+            status = end.code
+        except BaseException:
+            status = 1
+            traceback.print_exc()
+    answer = {"status": status, "out": out.getvalue(), "err": err.getvalue()}
+    print(json.dumps(answer), file=replies, flush=True)
+"""
+
+
+def environment(**changes: str | None) -> dict[str, str]:
+    """Return the environment of a user's shell with no screen; None removes a variable."""
+    ours = ("PYOPENGL_PLATFORM", "LANDSCAPE_GL_CHECKS", "DISPLAY", "WAYLAND_DISPLAY")
+    kept = {name: value for name, value in os.environ.items() if name not in ours}
+    kept["PYTHONPATH"] = str(TESTS.parent)
+    return kept | {name: value for name, value in changes.items() if value is not None}
+
+
+@dataclass(frozen=True)
+class Done:
+    """How a command ended."""
+
+    status: int
+    out: str
+    err: str
+
+    def json(self) -> Any:
+        """Return what the command printed, as JSON."""
+        assert self.status == 0, self.err
+        return json.loads(self.out)
+
+
+def small_textures(folder: Path) -> None:
+    """Write the textures that almost every picture needs, small: loading them takes the time."""
+    for name in ("ground_large", "ground_detail", "animal", "water"):
+        with Image.open(shipped() / f"{name}.png") as image:
+            image.resize((64, 64)).save(folder / f"{name}.png")
+
+
+class Shell:
+    """Runs command lines one after the other in one process; `cwd` is where they start.
+
+    `small` are options that make drawing quick.
+    """
+
+    def __init__(self, env: Mapping[str, str] | None = None) -> None:
+        self._process = subprocess.Popen(
+            [sys.executable, "-c", _CHILD],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=dict(env or environment()),
+        )
+        self.cwd = Path.cwd()
+        self._assets = tempfile.TemporaryDirectory()
+        small_textures(Path(self._assets.name))
+        self.small = ("--assets", self._assets.name)
+
+    def __call__(self, *args: str | Path) -> Done:
+        """Run `landscape ARGS`."""
+        asked = {"args": [str(arg) for arg in args], "cwd": str(self.cwd)}
+        assert self._process.stdin is not None and self._process.stdout is not None
+        self._process.stdin.write(json.dumps(asked) + "\n")
+        self._process.stdin.flush()
+        line = self._process.stdout.readline()
+        assert line, f"the process died of {args}"
+        return Done(**json.loads(line))
+
+    def close(self) -> None:
+        """End the process."""
+        assert self._process.stdin is not None and self._process.stdout is not None
+        self._process.stdin.close()
+        self._process.wait(SECONDS)
+        self._process.stdout.close()
+        self._assets.cleanup()
+
+
+def landscape(*args: str | Path, env: Mapping[str, str] | None = None, **options: Any) -> Done:
+    """Run `landscape ARGS` in a process of its own, as from a shell."""
+    done = subprocess.run(
+        [sys.executable, "-m", "landscape", *map(str, args)],
+        capture_output=True,
+        text=True,
+        timeout=SECONDS,
+        env=dict(env or environment()),
+        **options,
+    )
+    return Done(done.returncode, done.stdout, done.stderr)
+
+
+def python(code: str, *args: str, env: Mapping[str, str] | None = None) -> Done:
+    """Run Python code in a process of its own."""
+    done = subprocess.run(
+        [sys.executable, "-c", code, *args],
+        capture_output=True,
+        text=True,
+        timeout=SECONDS,
+        env=dict(env or environment()),
+    )
+    return Done(done.returncode, done.stdout, done.stderr)

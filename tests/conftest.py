@@ -1,0 +1,69 @@
+"""Fixtures of all tests: PyOpenGL checks every call, and GL tests leave the state as they found it.
+
+A GL test asks for ``stage``; see stage.py.
+"""
+
+import os
+
+os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from stage import Stage, changes, snapshot, write_plain
+
+from landscape.assets import Assets
+from landscape.errors import NoOpenGLError
+from landscape.gl.context import open_context
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--update-golden",
+        action="store_true",
+        help="write the golden pictures anew instead of comparing with them",
+    )
+
+
+@pytest.fixture(scope="session")
+def the_stage() -> Iterator[Stage]:
+    """The one context and target of this run."""
+    try:
+        context = open_context("auto")
+    except NoOpenGLError as error:
+        pytest.fail(f"the tests need OpenGL: {error}")
+    stage = Stage(context)
+    yield stage
+    stage.release()
+
+
+@pytest.fixture
+def stage(the_stage: Stage) -> Iterator[Stage]:
+    """The shared stage, current; the test fails if it leaves an error or changed state."""
+    the_stage.enter()
+    before = snapshot()
+    yield the_stage
+    the_stage.enter()
+    changed = changes(before, snapshot())
+    assert not changed, f"the test left changed state: {changed}"
+
+
+@pytest.fixture(scope="session")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Assets:
+    """Assets of one colour each."""
+    return Assets(write_plain(tmp_path_factory.mktemp("plain")))
+
+
+@pytest.fixture(scope="session")
+def shipped() -> Assets:
+    """The shipped assets."""
+    return Assets()
+
+
+@pytest.fixture
+def plain_folder(tmp_path: Path) -> Path:
+    """A folder of plain pictures of the test's own, to change some."""
+    folder = tmp_path / "plain"
+    folder.mkdir()
+    return write_plain(folder)

@@ -1,0 +1,260 @@
+"""What the GL tests stand on: one small target, a frame round each test, and plain assets.
+
+A test draws inside ``with stage.frame(settings, pose) as frame``. The frame begins as the island's
+own frames do; when the block ends, every piece of state that a later element would trip over must
+be as the frame began, or the test fails.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+from PIL import Image
+
+from landscape.frame import Frame, Pose
+from landscape.gl.calls import gl
+from landscape.gl.context import Context
+from landscape.gl.framebuffer import Framebuffer
+from landscape.island import Island, Moment
+from landscape.settings import Settings, with_settings
+
+SIZE = (160, 120)
+
+SMALL: dict[str, Any] = {
+    "grass.count": 3000,
+    "trees.count": 60,
+    "plants.count": 60,
+    "deer.count": 10,
+    "ground.resolution": 40,
+}
+"""A light island, for speed."""
+
+WHITE_LIGHT: dict[str, Any] = {"sun.ambient": (1.0, 1.0, 1.0), "sun.diffuse": (0.0, 0.0, 0.0)}
+"""A light under which lit things show their own colour whichever way they face."""
+
+CAPS = (
+    *("DEPTH_TEST", "BLEND", "FOG", "LIGHTING", "LIGHT0", "CLIP_PLANE0", "ALPHA_TEST"),
+    *("STENCIL_TEST", "CULL_FACE", "COLOR_MATERIAL", "NORMALIZE", "POLYGON_OFFSET_FILL"),
+)
+CLIENT_ARRAYS = ("VERTEX_ARRAY", "NORMAL_ARRAY", "COLOR_ARRAY")
+VALUES = (
+    *("MATRIX_MODE", "MODELVIEW_STACK_DEPTH", "PROJECTION_STACK_DEPTH", "ATTRIB_STACK_DEPTH"),
+    *("CLIENT_ATTRIB_STACK_DEPTH", "MODELVIEW_MATRIX", "PROJECTION_MATRIX", "DEPTH_WRITEMASK"),
+    *("COLOR_WRITEMASK", "BLEND_SRC", "BLEND_DST", "CURRENT_COLOR", "ACTIVE_TEXTURE", "VIEWPORT"),
+    *("CLIENT_ACTIVE_TEXTURE", "FRONT_FACE", "POLYGON_MODE", "LIST_MODE", "LIST_INDEX"),
+    *("POINT_SIZE", "DEPTH_FUNC", "STENCIL_FUNC", "STENCIL_REF", "FOG_DENSITY", "SHADE_MODEL"),
+    *(
+        "DEPTH_RANGE",
+        "TEXTURE_MATRIX",
+        "LIGHT_MODEL_LOCAL_VIEWER",
+        "LIGHT_MODEL_COLOR_CONTROL",
+        "POLYGON_OFFSET_FACTOR",
+    ),
+    "FRAMEBUFFER_BINDING",
+)
+UNITS = range(3)
+
+
+def _plain(value: Any) -> tuple[float, ...]:
+    return tuple(np.asarray(value, np.float64).ravel().tolist())
+
+
+def snapshot() -> dict[str, Any]:
+    """Return the state that elements share, by name."""
+    state: dict[str, Any] = {"error": int(gl.glGetError())}
+    for name in VALUES:
+        state[name] = _plain(gl.glGetFloatv(getattr(gl, f"GL_{name}")))
+    for name in (*CAPS, *CLIENT_ARRAYS):
+        state[name] = bool(gl.glIsEnabled(getattr(gl, f"GL_{name}")))
+    # GL_COLOR_MATERIAL makes the material's ambient and diffuse the current colour's shadow; the
+    # program lets every lit element set its own.
+    for name in ("SPECULAR", "EMISSION", "SHININESS"):
+        material = gl.glGetMaterialfv(gl.GL_FRONT, getattr(gl, f"GL_{name}"))
+        state[f"material {name}"] = _plain(material)
+    state["LIGHT0 position"] = _plain(gl.glGetLightfv(gl.GL_LIGHT0, gl.GL_POSITION))
+    active = int(gl.glGetIntegerv(gl.GL_ACTIVE_TEXTURE))
+    client = int(gl.glGetIntegerv(gl.GL_CLIENT_ACTIVE_TEXTURE))
+    for unit in UNITS:
+        gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+        gl.glClientActiveTexture(gl.GL_TEXTURE0 + unit)
+        env = gl.GL_TEXTURE_ENV
+        state[f"unit {unit}"] = {
+            "TEXTURE_2D": bool(gl.glIsEnabled(gl.GL_TEXTURE_2D)),
+            "bound": int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D)),
+            "mode": int(_plain(gl.glGetTexEnviv(env, gl.GL_TEXTURE_ENV_MODE))[0]),
+            "scale": _plain(gl.glGetTexEnvfv(env, gl.GL_RGB_SCALE)),
+            "array": bool(gl.glIsEnabled(gl.GL_TEXTURE_COORD_ARRAY)),
+        }
+    gl.glActiveTexture(active)
+    gl.glClientActiveTexture(client)
+    return state
+
+
+def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, tuple[Any, Any]]:
+    """Return what differs between two snapshots: name to (before, after)."""
+    return {name: (before[name], after[name]) for name in before if before[name] != after[name]}
+
+
+class Stage:
+    """The context and the small target that all GL tests share."""
+
+    size = SIZE
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+        self.target = Framebuffer(SIZE, 0)
+
+    def enter(self) -> None:
+        """Make the context current: another test may have opened and closed its own."""
+        self.context.make_current()
+        self.target.bind()
+
+    @contextmanager
+    def frame(
+        self,
+        settings: Settings,
+        pose: Pose,
+        kt: float = 0.0,
+        fog: bool = False,
+        step: float = 0.0,
+        stroke: int = 0,
+        size: tuple[int, int] = SIZE,
+    ) -> Iterator[Frame]:
+        """Begin a frame as the island does; the block must leave the state as it found it."""
+        owner = cast(Island, SimpleNamespace(settings=settings, shown={"fog"} if fog else set()))
+        with self.borrowed():
+            frame = Island.begin(owner, Moment(pose, size, kt, step, stroke))
+            before = snapshot()
+            yield frame
+            changed = changes(before, snapshot())
+        assert not changed, f"state changed: {changed}"
+
+    @contextmanager
+    def borrowed(self) -> Iterator[None]:
+        """Put everything that the block changes back, so that tests do not meet."""
+        gl.glPushAttrib(gl.GL_ALL_ATTRIB_BITS)
+        for mode in (gl.GL_PROJECTION, gl.GL_MODELVIEW):
+            gl.glMatrixMode(mode)
+            gl.glPushMatrix()
+        try:
+            yield
+        finally:
+            for mode in (gl.GL_PROJECTION, gl.GL_MODELVIEW):
+                gl.glMatrixMode(mode)
+                gl.glPopMatrix()
+            gl.glPopAttrib()
+
+    def read(self) -> np.ndarray:
+        """Return the picture, int64 (h, w, 3), top row first."""
+        return self.target.read().astype(np.int64)
+
+    def release(self) -> None:
+        """Release target and context."""
+        self.enter()
+        self.target.release()
+        self.context.release()
+
+
+def live_names() -> tuple[set[int], set[int]]:
+    """Return the names of the textures and of the display lists that exist."""
+    names = range(1, 600)
+    return {n for n in names if gl.glIsTexture(n)}, {n for n in names if gl.glIsList(n)}
+
+
+def project(
+    pose: Pose, point: tuple[float, ...], fov: float = 60.0, size: tuple[int, int] = SIZE
+) -> tuple[float, float]:
+    """Return column and row, from the top left, where a camera at ``pose`` sees ``point``.
+
+    Written from the definition of the perspective, not from the program's matrices.
+    """
+    yaw, pitch = math.radians(pose.yaw), math.radians(pose.pitch)
+    right = np.array([math.cos(yaw), 0.0, math.sin(yaw)])
+    ahead = np.array(pose.forward)
+    up = np.array(
+        [-math.sin(pitch) * math.sin(yaw), math.cos(pitch), math.sin(pitch) * math.cos(yaw)]
+    )
+    away = np.array(point) - (pose.x, pose.y, pose.z)
+    scale = size[1] / 2 / math.tan(math.radians(fov / 2)) / float(away @ ahead)
+    return size[0] / 2 + float(away @ right) * scale, size[1] / 2 - float(away @ up) * scale
+
+
+def pixel(picture: np.ndarray, at: tuple[float, float]) -> np.ndarray:
+    """Return the pixel (3,) that contains the point ``at`` = (column, row)."""
+    return np.asarray(picture[int(at[1]), int(at[0])])
+
+
+def close(got: np.ndarray, wanted: Any, levels: float = 1.0) -> bool:
+    """Say whether colours agree to within ``levels`` of 255."""
+    return bool((np.abs(np.asarray(got, float) - np.asarray(wanted, float)) <= levels).all())
+
+
+def small(changes: Mapping[str, Any] | None = None) -> Settings:
+    """Return the 2006 settings with few of everything, and some keys changed."""
+    return with_settings(Settings(), {**SMALL, **(changes or {})})
+
+
+def quad(corners: np.ndarray) -> None:
+    """Send a quad (4, 3) in the current colour, texture coordinates (0, 0) to (1, 1)."""
+    gl.glBegin(gl.GL_QUADS)
+    for (s, t), corner in zip(((0, 0), (1, 0), (1, 1), (0, 1)), corners.tolist(), strict=True):
+        gl.glTexCoord2f(float(s), float(t))
+        gl.glVertex3f(*corner)
+    gl.glEnd()
+
+
+Colour = tuple[int, ...]
+
+PLAIN: dict[str, Colour] = {
+    "ground_large.png": (100, 150, 200),
+    "ground_detail.png": (96, 96, 96),
+    "water.png": (128, 64, 255),
+    "sky_west.png": (200, 0, 0),
+    "sky_north.png": (0, 200, 0),
+    "sky_east.png": (0, 0, 200),
+    "sky_south.png": (200, 200, 0),
+    "sky_top.png": (0, 200, 200),
+    "castle_brick.png": (200, 160, 120),
+    "castle_door.png": (90, 60, 30, 255),
+    "castle_light.png": (128, 192, 64),
+    "torch_stone.png": (50, 50, 50),
+    "animal.png": (255, 128, 64),
+    "blade.png": (40, 220, 60),
+    "map.png": (0, 255, 0, 255),
+    "height.png": (128, 128, 128),
+    **{f"sword_{k}.png": (60 * k, 255 - 60 * k, 10, 255) for k in range(1, 5)},
+    "sword_rest.png": (255, 0, 255, 128),
+}
+
+
+def write_plain(folder: Path, changed: Mapping[str, Colour | np.ndarray] | None = None) -> Path:
+    """Fill ``folder`` with pictures of one colour each, so that pixels can be computed by hand."""
+    for name, value in {**PLAIN, **(changed or {})}.items():
+        image = value if isinstance(value, np.ndarray) else np.full((4, 4, len(value)), value)
+        Image.fromarray(image.astype(np.uint8)).save(folder / name)
+    return folder
+
+
+ASCII_PLY = """ply
+format ascii 1.0
+element vertex {n}
+property float x
+property float y
+property float z
+element face {m}
+property list uchar int vertex_indices
+end_header
+"""
+
+
+def write_ply(path: Path, vertices: np.ndarray, faces: np.ndarray) -> Path:
+    """Write vertices (n, 3) and faces (m, k) as an ASCII PLY file."""
+    lines = [" ".join(f"{v:.7g}" for v in vertex) for vertex in vertices]
+    lines += [" ".join(map(str, [len(face), *face])) for face in faces.tolist()]
+    head = ASCII_PLY.format(n=len(vertices), m=len(faces))
+    path.write_text(head + "\n".join(lines) + "\n", encoding="ascii")
+    return path

@@ -1,0 +1,380 @@
+"""The assets measure up, every measure finds its fault, and building leaves only whole files."""
+
+import io
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from commands import environment
+from PIL import Image
+
+from landscape import check as checks
+from landscape.assets import Assets, shipped
+from landscape.check import check, report
+from landscape.cli import main
+from landscape.errors import InputError
+from landscape.gl.mesh_tool import vertex_normals
+from landscape.meshes import read_ply
+from landscape.output import write_whole
+
+
+@pytest.fixture(scope="module")
+def studio() -> Any:
+    """The studio's builder, where its extra is installed."""
+    for name in ("scipy", "numba", "skimage", "fast_simplification"):
+        pytest.importorskip(name, reason="the extra `studio` is not installed")
+    from landscape.studio import build
+
+    return build
+
+
+# ---- the shipped assets -----------------------------------------------------------------------
+
+
+def test_the_shipped_assets_pass_every_measure() -> None:
+    found = list(check())
+    assert len(found) > 90
+    assert [finding.line() for finding in found if not finding.ok] == []
+
+
+def test_every_asset_of_the_studio_is_measured(studio: Any) -> None:
+    assert set(studio.table()) == set(checks.SIZES) | set(checks.MESHES)
+
+
+# ---- every measure finds its fault ------------------------------------------------------------
+
+
+def grain(seed: int = 1, size: int = 64) -> np.ndarray:
+    """Coarse noise that tiles, uint8 (size, size, 3)."""
+    noise = np.random.default_rng(seed).random((size, size, 3))
+    for axis in (0, 1):
+        noise = np.mean([np.roll(noise, k, axis) for k in range(5)], axis=0)
+    return (noise * 255).astype(np.uint8)
+
+
+def test_a_tile_has_no_seam() -> None:
+    tile = np.tile(grain(), (2, 2, 1))[:64, :64]
+    assert all(seam.ok for seam in checks.seams(tile))
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_a_cut_tile_has_a_seam(axis: int) -> None:
+    cut = np.take(grain(), np.arange(40), axis=axis)
+    assert [seam.ok for seam in checks.seams(cut)] == [axis == 1, axis == 0][::-1]
+
+
+def test_a_step_from_light_to_dark_is_found_in_fine_grain() -> None:
+    noise = np.random.default_rng(2).integers(60, 180, (128, 128, 3))
+    assert all(seam.ok for seam in checks.seams(noise.astype(np.uint8)))
+    slope = np.linspace(0, 40, 128)[None, :, None]
+    columns, rows = checks.seams((noise + slope).astype(np.uint8))
+    assert not columns.ok and rows.ok
+
+
+def sky() -> dict[str, np.ndarray]:
+    """Five small faces, all a function of the direction; walls twice as fine as the top."""
+
+    def colour(x: Any, y: Any, z: Any) -> np.ndarray:
+        x, y, z = np.broadcast_arrays(x, y, z)
+        return np.stack([120 + 6 * x, 100 + 9 * y, 120 + 6 * z], axis=-1).round().astype(np.uint8)
+
+    across, down = np.linspace(-8, 8, 33)[None, :], np.linspace(5, 0, 9)[:, None]
+    coarse = np.linspace(-8, 8, 17)
+    return {
+        "north": colour(across, down, -8.0),
+        "east": colour(8.0, down, across),
+        "south": colour(-across, down, 8.0),
+        "west": colour(-8.0, down, -across),
+        "top": colour(coarse[None, :], 5.0, coarse[:, None]),
+    }
+
+
+def test_the_faces_of_one_sky_agree_along_all_eight_edges() -> None:
+    edges = checks.sky_edges(sky())
+    assert len(edges) == 8
+    assert max(edges.values()) <= 2.0
+
+
+@pytest.mark.parametrize(
+    ("face", "part", "edge"),
+    [
+        ("north", np.s_[:, -1], "north-east"),
+        ("west", np.s_[:, 0], "south-west"),
+        ("south", np.s_[0], "south-top"),
+        ("top", np.s_[:, -1], "east-top"),
+    ],
+)
+def test_a_face_that_disagrees_is_found(face: str, part: Any, edge: str) -> None:
+    faces = sky()
+    faces[face][part] += 20
+    assert checks.sky_edges(faces)[edge] >= 18.0
+
+
+def test_a_mirrored_face_is_found() -> None:
+    faces = sky()
+    faces["top"] = faces["top"][:, ::-1]
+    assert max(checks.sky_edges(faces).values()) > 20.0
+
+
+def sprite() -> np.ndarray:
+    """A red and a green square on nothing, their colours bled, (24, 24, 4)."""
+    rgba = np.zeros((24, 24, 4), np.uint8)
+    rgba[:, :12] = (200, 20, 20, 0)
+    rgba[:, 12:] = (20, 200, 20, 0)
+    rgba[8:16, 4:8, 3] = rgba[8:16, 16:20, 3] = 255
+    return rgba
+
+
+def test_bled_colours_pass_whichever_of_two_near_ones_they_take() -> None:
+    rgba = sprite()
+    assert checks.unbled(rgba) == 0
+    rgba[3, 11] = (200, 20, 20, 0)
+    assert checks.unbled(rgba) == 0  # red and green squares that are equally near
+    rgba[3, 11] = (20, 200, 20, 0)
+    assert checks.unbled(rgba) == 1
+
+
+def test_a_sprite_on_black_is_found() -> None:
+    rgba = sprite()
+    rgba[rgba[..., 3] == 0] = 0
+    assert checks.unbled(rgba) == 24 * 24 - 64
+
+
+def test_coverage_is_kept_for_a_disc_and_lost_for_scattered_dots() -> None:
+    y, x = np.mgrid[0:512, 0:512]
+    disc = np.zeros((512, 512, 4), np.uint8)
+    disc[..., 3] = np.where(np.hypot(x - 256, y - 256) < 180, 255, 0)
+    first, last = checks.coverage(disc)
+    assert abs(last / first - 1) < 0.05
+    dots = np.zeros((512, 512, 4), np.uint8)
+    dots[4::12, 4::12, 3] = dots[5::12, 4::12, 3] = dots[4::12, 5::12, 3] = 255
+    first, last = checks.coverage(dots)
+    assert abs(last / first - 1) > 0.05
+
+
+def test_a_jump_at_the_loops_end_is_found() -> None:
+    frames = np.zeros((16, 8, 32, 4), np.uint8)
+    frames[..., 3] = 255
+    for k in range(16):
+        frames[k, :, 2 * k : 2 * k + 2, :3] = 200
+    assert checks.loop_steps(frames)[-1] <= checks.loop_steps(frames)[:-1].max()
+    frames[15] = 255
+    assert checks.loop_steps(frames)[-1] > checks.loop_steps(frames)[:-2].max()
+
+
+def test_frames_are_cut_row_by_row() -> None:
+    sheet = np.arange(16).reshape(4, 4).repeat(3, 0).repeat(3, 1)[..., None]
+    cut = checks.frames(sheet, 4)
+    assert cut.shape == (16, 3, 3, 1)
+    assert (cut[:, 0, 0, 0] == np.arange(16)).all()
+
+
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
+TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], np.uint32)
+
+
+def test_a_closed_mesh_passes_and_a_hole_or_a_turned_face_is_found() -> None:
+    assert checks.open_edges(TETRAHEDRON) == 0
+    assert checks.volume(CORNERS, TETRAHEDRON) == pytest.approx(1 / 6)
+    assert checks.open_edges(TETRAHEDRON[:3]) == 3
+    turned = TETRAHEDRON.copy()
+    turned[3] = turned[3, ::-1]
+    assert checks.open_edges(turned) > 0
+
+
+def test_a_mesh_turned_inside_out_is_found() -> None:
+    assert checks.volume(CORNERS, TETRAHEDRON[:, ::-1]) < 0
+
+
+def test_normals_that_look_inward_are_found() -> None:
+    regular = np.array([[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]], np.float32)
+    assert checks.volume(regular, TETRAHEDRON) > 0
+    normals = vertex_normals(regular, TETRAHEDRON)
+    assert checks.crossed_normals(regular, TETRAHEDRON, normals) == 0.0
+    assert checks.crossed_normals(regular, TETRAHEDRON, -normals) == 1.0
+
+
+# ---- faults in files --------------------------------------------------------------------------
+
+
+def failures(folder: Path, group: Any) -> set[tuple[str, str]]:
+    """Return the asset and the measure of what fails with the files of ``folder``."""
+    return {(f.asset, f.measure) for f in group(Assets(folder)) if not f.ok}
+
+
+def save(pixels: np.ndarray, path: Path) -> None:
+    Image.fromarray(pixels).save(path)
+
+
+def test_a_picture_of_the_wrong_size_or_kind_is_found(tmp_path: Path) -> None:
+    save(np.zeros((100, 100, 3), np.uint8), tmp_path / "blade.png")
+    save(np.zeros((512, 512, 3), np.uint8), tmp_path / "plant.png")
+    found = failures(tmp_path, checks.check_files)
+    assert found == {("plant.png", "size"), ("blade.png", "size")}
+
+
+def test_too_many_bytes_are_found(tmp_path: Path) -> None:
+    shutil.copy(shipped() / "dragon.ply", tmp_path)
+    with (tmp_path / "dragon.ply").open("ab") as file:
+        file.write(bytes(checks.MAX_BYTES))
+    assert failures(tmp_path, checks.check_files) == {("all", "bytes")}
+
+
+def test_a_detail_that_darkens_is_found(tmp_path: Path) -> None:
+    detail = np.asarray(Image.open(shipped() / "ground_detail.png").convert("RGB"))
+    save((detail * 0.9).astype(np.uint8), tmp_path / "ground_detail.png")
+    assert failures(tmp_path, checks.check_tiles) == {("ground_detail.png", "mean")}
+
+
+def test_a_horizon_that_is_not_the_fogs_is_found(tmp_path: Path) -> None:
+    wall = np.asarray(Image.open(shipped() / "sky_north.png")).copy()
+    wall[-1] += 9
+    save(wall, tmp_path / "sky_north.png")
+    assert failures(tmp_path, checks.check_sky) == {
+        ("sky_*.png", "horizon"),
+        ("sky_*.png", "edges"),
+    }
+
+
+def test_heights_that_disagree_and_a_moved_hill_are_found(tmp_path: Path) -> None:
+    heights = np.asarray(Image.open(shipped() / "height16.png"))
+    save(np.roll(heights, 20, axis=1), tmp_path / "height16.png")
+    found = failures(tmp_path, checks.check_heights)
+    assert found >= {("height.png", "agreement"), ("height16.png", "place")}
+    raised = heights.copy()
+    raised[0] = 30000
+    save(raised, tmp_path / "height16.png")
+    assert ("height16.png", "border") in failures(tmp_path, checks.check_heights)
+
+
+def ply(vertices: np.ndarray, triangles: np.ndarray) -> bytes:
+    rows = [f"{x} {y} {z}" for x, y, z in vertices.tolist()]
+    rows += [f"3 {a} {b} {c}" for a, b, c in triangles.tolist()]
+    head = f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}\nproperty float x\n"
+    head += "property float y\nproperty float z\n"
+    head += f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
+    return (head + "\n".join(rows) + "\n").encode()
+
+
+def test_a_wrong_mesh_is_found_out_in_every_way(tmp_path: Path) -> None:
+    (tmp_path / "rabbit.ply").write_bytes(ply(CORNERS, TETRAHEDRON[:, ::-1]))
+    found = failures(tmp_path, checks.check_meshes)
+    assert found >= {("rabbit.ply", name) for name in ("count", "winding", "centred")}
+    vertices, triangles = read_ply(shipped() / "rabbit.ply")
+    (tmp_path / "rabbit.ply").write_bytes(ply(vertices, triangles[1:]))
+    found = failures(tmp_path, checks.check_meshes)
+    assert found >= {("rabbit.ply", name) for name in ("watertight", "winding")}
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_a_broken_file_is_a_finding_not_an_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    data = (shipped() / "fire.png").read_bytes()
+    (tmp_path / "fire.png").write_bytes(data[: len(data) // 2])
+    monkeypatch.setattr(checks, "CHECKS", (checks.check_files, checks.check_heights))
+    assert report(tmp_path, as_json=False) == 1
+    out = capsys.readouterr().out
+    assert "FAIL" in out and "fire.png" in out and "1 of" in out
+    assert "height16.png" in out  # the other measures went on
+
+
+def test_the_command_says_what_failed_by_its_status(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(checks, "CHECKS", (checks.check_heights,))
+    assert main(["assets", "check"]) == 0
+    assert "passed" in capsys.readouterr().out
+    shutil.copy(shipped() / "map.png", tmp_path / "height.png")
+    assert main(["assets", "check", "--json", "--assets", str(tmp_path)]) == 1
+    assert '"ok": false' in capsys.readouterr().out
+    assert main(["assets", "check", "--assets", str(tmp_path / "nowhere")]) == 2
+
+
+# ---- building ---------------------------------------------------------------------------------
+
+
+def pixels(data: bytes) -> np.ndarray:
+    return np.asarray(Image.open(io.BytesIO(data))).astype(int)
+
+
+@pytest.mark.parametrize("name", ["blade.png", "castle_light.png", "animal.png"])
+def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
+    made, kept = studio.make(name), (shipped() / name).read_bytes()
+    assert made == studio.make(name)
+    if made != kept:
+        # Another processor rounds the last bit of a sine otherwise, another zlib packs otherwise.
+        difference = np.abs(pixels(made) - pixels(kept))
+        assert difference.max() <= 1 and (difference > 0).mean() < 1e-3
+
+
+def test_two_processes_make_the_same_bytes_as_one(studio: Any) -> None:
+    names = ["blade.png", "castle_light.png"]
+    assert dict(studio.make_all(names)) == {name: studio.make(name) for name in names}
+
+
+def test_an_unknown_asset_is_named(studio: Any, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="moon"):
+        studio.build(["moon.png"], tmp_path, quiet=True)
+
+
+def test_an_interrupted_build_leaves_only_whole_files(
+    studio: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def make_all(names: list[str]) -> Iterator[tuple[str, bytes]]:
+        yield names[0], b"whole"
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(studio, "make_all", make_all)
+    with pytest.raises(KeyboardInterrupt):
+        studio.build(["blade.png", "fire.png"], tmp_path, quiet=True)
+    assert [path.name for path in tmp_path.iterdir()] == ["blade.png"]
+    assert (tmp_path / "blade.png").read_bytes() == b"whole"
+
+
+@pytest.mark.parametrize("step", ["chmod", "replace"])
+def test_a_write_that_is_interrupted_keeps_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str
+) -> None:
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    path = tmp_path / "blade.png"
+    path.write_bytes(b"old")
+    monkeypatch.setattr(os, step, interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        write_whole(path, b"new")
+    assert [p.name for p in tmp_path.iterdir()] == ["blade.png"]
+    assert path.read_bytes() == b"old"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
+def test_a_build_stopped_by_the_user_ends_at_once_and_leaves_nothing(
+    studio: Any, tmp_path: Path
+) -> None:
+    command = [sys.executable, "-m", "landscape", "assets", "build", "sky_north.png", "fire.png"]
+    process = subprocess.Popen(
+        [*command, "--assets", str(tmp_path / "made")],
+        env=environment(),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    deadline = time.monotonic() + 60
+    while not (tmp_path / "made").exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    time.sleep(1.0)  # the pool is starting or at work
+    os.killpg(process.pid, signal.SIGINT)
+    _, error = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert error.splitlines() == ["landscape: interrupted"]
+    assert list((tmp_path / "made").iterdir()) == []

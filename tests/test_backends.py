@@ -1,0 +1,295 @@
+"""The contexts: each opens, all give the same pixels, and one that is missing says what to install.
+
+PyOpenGL binds to one platform for a process, so each is tried in a process of its own.
+"""
+
+import ctypes.util
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from commands import environment, landscape, python
+
+SCENE = (
+    "fig35a",
+    "--preset",
+    "2006",
+    "--size",
+    "96x72",
+    "--only",
+    "ground,water,sky,castle,map,fog",
+)
+BACKENDS = ("osmesa", "egl", "glfw")
+
+# Draws one picture without and one with antialiasing; prints what they are made with, and hashes.
+DRAW = """
+import hashlib, json, sys
+import landscape
+from landscape.gl.calls import gl
+from landscape.gl.context import GLFWContext
+
+if sys.argv[1] == "null":
+    # By this road: the package's own `render` is the function.
+    stills = sys.modules["landscape.render"]
+    stills.open_context = lambda _: GLFWContext(size=(40, 30), headless=True)
+only = ("ground", "water", "sky", "castle", "trees", "map", "fog", "reflection")
+found = {}
+for samples in (0, 4):
+    options = {"preset": "2006", "only": only, "samples": samples, "settings": {"trees.count": 90}}
+    with landscape.Offscreen((96, 72), backend=sys.argv[1], **options) as view:
+        view.look("fig35a")
+        pixels = view.draw()
+        assert len({tuple(p) for p in pixels.reshape(-1, 3).tolist()}) > 500, "hardly a picture"
+        found[str(samples)] = hashlib.sha256(pixels).hexdigest()
+        found["renderer"] = gl.glGetString(gl.GL_RENDERER).decode()
+print(json.dumps(found))
+"""
+
+# Runs a command line as if the libraries named first were not installed.
+WITHOUT = """
+import ctypes.util, sys
+from landscape.cli import main
+
+hidden, find = sys.argv[1].split(","), ctypes.util.find_library
+ctypes.util.find_library = lambda name: None if name in hidden else find(name)
+if "glfw" in hidden:
+    sys.modules["glfw"] = None
+sys.exit(main(sys.argv[2:]))
+"""
+
+
+def one_line(text: str) -> bool:
+    return text.startswith("landscape: ") and text.count("\n") == 1
+
+
+def need_library(*names: str) -> None:
+    for name in names:
+        if ctypes.util.find_library(name) is None:
+            pytest.skip(f"lib{name} is not installed")
+
+
+@pytest.fixture(scope="module")
+def screen() -> Iterator[dict[str, str]]:
+    """The environment of a user at a screen: Xvfb."""
+    if shutil.which("Xvfb") is None:
+        pytest.skip("Xvfb is not installed")
+    need_library("GL")
+    read, write = os.pipe()
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp"]
+    server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    try:
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            pytest.skip("Xvfb does not start here")
+        yield environment(DISPLAY=f":{number}")
+    finally:
+        server.terminate()
+        server.wait(20)
+
+
+@pytest.fixture(scope="module")
+def reference() -> dict[str, str]:
+    """What OSMesa draws, or EGL where that is not installed."""
+    backend = "osmesa" if ctypes.util.find_library("OSMesa") else "egl"
+    done = python(DRAW, backend)
+    assert done.status == 0, done.err
+    found: dict[str, str] = json.loads(done.out)
+    assert found["0"] != found["4"], "antialiasing changes nothing"
+    return found
+
+
+def check_same(kind: str, env: dict[str, str], reference: dict[str, str]) -> None:
+    done = python(DRAW, kind, env=env)
+    assert done.status == 0, done.err
+    found = json.loads(done.out)
+    if found["renderer"] != reference["renderer"]:
+        pytest.skip(f"{kind} draws with another renderer: {found['renderer']}")
+    assert found == reference
+
+
+def test_egl_without_a_surface_gives_the_same_pixels(reference: dict[str, str]) -> None:
+    need_library("EGL")
+    check_same("egl", environment(), reference)
+
+
+@pytest.mark.window
+def test_a_hidden_window_gives_the_same_pixels(
+    reference: dict[str, str], screen: dict[str, str]
+) -> None:
+    check_same("glfw", screen, reference)
+
+
+@pytest.mark.window
+def test_glfw_s_null_platform_with_osmesa_gives_the_same_pixels(reference: dict[str, str]) -> None:
+    need_library("OSMesa")
+    check_same("null", environment(), reference)
+
+
+@pytest.mark.window
+def test_render_in_a_hidden_window_writes_the_same_file(
+    tmp_path: Path, screen: dict[str, str]
+) -> None:
+    need_library("OSMesa")
+    for backend in ("glfw", "osmesa"):
+        out = tmp_path / f"{backend}.png"
+        done = landscape("render", *SCENE, "--backend", backend, "--out", out, env=screen)
+        assert (done.status, done.err) == (0, "")
+    assert (tmp_path / "glfw.png").read_bytes() == (tmp_path / "osmesa.png").read_bytes()
+
+
+@pytest.mark.window
+def test_a_window_asked_for_without_a_screen_ends_with_status_3() -> None:
+    done = landscape("render", *SCENE, "--backend", "glfw")
+    assert done.status == 3 and done.out == ""
+    assert done.err.startswith("landscape: GLFW found no screen") and done.err.count("\n") == 1
+    assert "xvfb" in done.err
+
+
+@pytest.mark.parametrize(
+    ("backend", "hidden", "package"),
+    [
+        ("osmesa", "OSMesa", "libosmesa6"),
+        ("egl", "EGL", "libegl1"),
+        ("glfw", "glfw", "glfw"),
+        ("auto", "OSMesa,EGL,GL,glfw", "libosmesa6"),
+    ],
+)
+def test_a_missing_library_ends_with_status_3_and_the_package(
+    backend: str, hidden: str, package: str, tmp_path: Path
+) -> None:
+    out = tmp_path / "out.png"
+    done = python(WITHOUT, hidden, "render", *SCENE, "--backend", backend, "--out", str(out))
+    assert done.status == 3 and done.out == ""
+    assert one_line(done.err)
+    assert package in done.err and "install" in done.err
+    assert not out.exists()
+
+
+@pytest.mark.window
+def test_a_missing_gl_library_for_windows_is_named(screen: dict[str, str]) -> None:
+    done = python(WITHOUT, "GL", "render", *SCENE, "--backend", "glfw", env=screen)
+    assert done.status == 3
+    assert one_line(done.err) and "libgl1" in done.err
+
+
+def test_a_library_that_is_no_library_ends_with_status_3(tmp_path: Path) -> None:
+    fake = tmp_path / "libOSMesa.so"
+    fake.write_text("not a library")
+    code = WITHOUT.replace("None if name in hidden", f"{str(fake)!r} if name in hidden")
+    done = python(code, "OSMesa", "render", *SCENE, "--backend", "osmesa")
+    assert done.status == 3 and one_line(done.err) and "libosmesa6" in done.err
+
+
+def test_auto_takes_the_next_backend_where_the_first_is_missing(tmp_path: Path) -> None:
+    need_library("OSMesa", "EGL")
+    for name, hidden in (("first", "nothing"), ("next", "OSMesa")):
+        out = str(tmp_path / f"{name}.png")
+        done = python(WITHOUT, hidden, "render", *SCENE, "--out", out)
+        assert (done.status, done.err) == (0, "")
+    assert (tmp_path / "first.png").read_bytes() == (tmp_path / "next.png").read_bytes()
+
+
+def test_a_second_platform_in_one_process_is_refused_in_words() -> None:
+    need_library("OSMesa", "EGL")
+    code = """
+from landscape.errors import NoOpenGLError
+from landscape.gl.context import open_context
+open_context("osmesa").release()
+try:
+    open_context("egl")
+except NoOpenGLError as error:
+    print(error)
+"""
+    done = python(code)
+    assert "runs on osmesa in this process" in done.out, done.err
+
+
+@pytest.mark.parametrize("backend", ["osmesa", "egl"])
+def test_contexts_open_and_close_again_and_again_in_one_process(backend: str) -> None:
+    need_library({"osmesa": "OSMesa", "egl": "EGL"}[backend])
+    code = """
+import sys
+from landscape.gl.calls import gl
+from landscape.gl.context import open_context
+for _ in range(20):
+    context = open_context(sys.argv[1])
+    assert gl.glGetString(gl.GL_VERSION)
+    context.release()
+    context.release()
+"""
+    done = python(code, backend)
+    assert (done.status, done.err) == (0, "")
+
+
+# --- doctor ------------------------------------------------------------------------------------
+
+
+def test_doctor_json_has_the_contract_s_shape() -> None:
+    done = landscape("doctor", "--json")
+    found = done.json()
+    assert set(found) == {"backends", "chosen", "python", "packages"}
+    assert tuple(found["backends"]) == BACKENDS
+    for state in found["backends"].values():
+        if state["ok"]:
+            assert set(state) == {"ok", "renderer", "version"}
+            assert all(
+                isinstance(state[key], str) and state[key] for key in ("renderer", "version")
+            )
+        else:
+            assert set(state) == {"ok", "reason"} and state["reason"]
+    usable = [name for name in BACKENDS if found["backends"][name]["ok"]]
+    assert found["chosen"] == usable[0]
+    assert found["packages"]["PyOpenGL"] >= "3.1.10"
+    assert {"glfw", "numpy", "pillow", "trimesh"} <= set(found["packages"])
+    assert found["backends"]["glfw"] == {
+        "ok": False,
+        "reason": found["backends"]["glfw"].get("reason"),
+    }, "there is no screen here"
+
+
+@pytest.mark.window
+def test_doctor_finds_the_window_backend_where_there_is_a_screen(screen: dict[str, str]) -> None:
+    assert landscape("doctor", "--json", env=screen).json()["backends"]["glfw"]["ok"]
+
+
+def test_doctor_explains_in_lines_for_a_reader() -> None:
+    done = landscape("doctor")
+    assert done.status == 0 and done.err == ""
+    lines = done.out.splitlines()
+    assert [line.split()[0] for line in lines[:3]] == list(BACKENDS)
+    assert lines[3].startswith("`auto` takes ")
+
+
+def test_doctor_ends_with_status_3_and_the_packages_where_nothing_works() -> None:
+    code = """
+import sys
+from landscape import doctor
+from landscape.gl.context import PACKAGES
+from landscape.cli import main
+doctor.probe = lambda name: {"ok": False, "reason": f"install {PACKAGES[name]}"}
+sys.exit(main(["doctor", *sys.argv[1:]]))
+"""
+    done = python(code)
+    assert done.status == 3
+    assert "libosmesa6" in done.out and "`auto` takes none" in done.out
+    found = json.loads(python(code, "--json").out)
+    assert found["chosen"] is None
+
+
+def test_doctor_survives_a_backend_that_crashes_or_hangs() -> None:
+    code = """
+import json
+from landscape import doctor
+doctor.SECONDS = 2
+doctor._PROBE = "import os, sys, time; os.abort() if sys.argv[1] == 'egl' else time.sleep(60)"
+print(json.dumps([doctor.probe("egl"), doctor.probe("osmesa")]))
+"""
+    crashed, hung = json.loads(python(code).out)
+    assert not crashed["ok"] and "ended with -6" in crashed["reason"]
+    assert not hung["ok"] and "no answer in 2 seconds" in hung["reason"]

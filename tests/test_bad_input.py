@@ -1,0 +1,630 @@
+"""Bad input, as a user would give it: it works as expected, or ends in one clear line.
+
+Every case is a whole command line. "One clear line" is exit status 2 and a single line on standard
+error that begins with "landscape: " and names the file or the key; nothing is left behind.
+"""
+
+import json
+import re
+import struct
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from commands import Done, Shell, python
+from PIL import Image
+
+from landscape import settings
+
+GREY = np.random.default_rng(1).integers(0, 255, (48, 48), dtype=np.uint8)
+SMALL = ("render", "--preset", "2006", "--size", "40x30", "--samples", "0", "--set", "fog.mode=exp")
+POSE = ("--pose", "20,3,24,0,-20")
+
+
+@pytest.fixture(scope="module")
+def process() -> Iterator[Shell]:
+    shell = Shell()
+    yield shell
+    shell.close()
+
+
+@pytest.fixture
+def shell(process: Shell, tmp_path: Path) -> Shell:
+    process.cwd = tmp_path
+    return process
+
+
+def refused(done: Done, *words: str) -> None:
+    """Check that a command ended in one line that holds the words."""
+    assert done.status == 2, done
+    assert done.out == ""
+    assert re.fullmatch(r"landscape: [^\n]+\n", done.err), done.err
+    for word in words:
+        assert word in done.err
+
+
+def taken(done: Done, path: Path) -> np.ndarray:
+    """Check that a command ended well and without a word of complaint; return its picture."""
+    assert (done.status, done.err) == (0, ""), done
+    with Image.open(path) as image:
+        return np.array(image)
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {p.name: p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+# --- height images -----------------------------------------------------------------------------
+
+
+def draw_heights(shell: Shell, image: str) -> Done:
+    """Draw the ground over a height image, far from the default island."""
+    change = f"ground.height_image={image}"
+    drawn = (*SMALL, *POSE, *shell.small, "--only", "ground", "--set", change)
+    return shell(*drawn, "--out", "out.png")
+
+
+def save(values: np.ndarray, path: Path, mode: str = "") -> None:
+    image = Image.fromarray(values)
+    (image.convert(mode) if mode else image).save(path, compress_level=1)
+
+
+@pytest.fixture(scope="module")
+def plain_heights(process: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+    """The picture that the 8-bit grey image gives."""
+    process.cwd = tmp_path_factory.mktemp("plain")
+    save(GREY, process.cwd / "grey.png")
+    picture = taken(draw_heights(process, "grey.png"), process.cwd / "out.png")
+    assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 50, "the pose shows no ground"
+    return picture
+
+
+@pytest.mark.parametrize("kind", ["16 bits", "palette", "alpha", "grey and alpha", "RGB", "TIFF"])
+def test_a_height_image_of_any_kind_gives_the_island_of_its_8_bit_twin(
+    kind: str, shell: Shell, plain_heights: np.ndarray
+) -> None:
+    path = shell.cwd / ("heights.tif" if kind == "TIFF" else "heights.png")
+    colours = np.dstack([GREY, 255 - GREY, GREY // 2])
+    match kind:
+        case "16 bits":
+            save(GREY.astype(np.uint16) * 257, path)
+        case "palette":
+            image = Image.fromarray(GREY, "L").convert("P")
+            image.putpalette([v for grey in range(256) for v in (grey, 255 - grey, 7)])
+            image.save(path)
+        case "alpha":
+            save(np.dstack([colours, np.full_like(GREY, 128)]), path)
+        case "grey and alpha":
+            save(GREY, path, "LA")
+        case "RGB":
+            save(colours, path)
+        case "TIFF":
+            Image.fromarray(GREY.astype(np.float32) / 255).save(path)
+    picture = taken(draw_heights(shell, path.name), shell.cwd / "out.png")
+    far = np.abs(picture.astype(int) - plain_heights.astype(int)).max()
+    assert far <= (2 if kind == "TIFF" else 0)
+
+
+def test_a_height_image_of_one_pixel_is_a_plain(shell: Shell) -> None:
+    save(np.full((1, 1), 128, np.uint8), shell.cwd / "one.png")
+    save(np.full((9, 9), 128, np.uint8), shell.cwd / "nine.png")
+    one = taken(draw_heights(shell, "one.png"), shell.cwd / "out.png")
+    nine = taken(draw_heights(shell, "nine.png"), shell.cwd / "out.png")
+    assert (one == nine).all()
+
+
+def test_a_height_image_that_is_not_square_is_stretched_over_the_map(
+    shell: Shell, plain_heights: np.ndarray
+) -> None:
+    save(np.repeat(GREY, 3, axis=1), shell.cwd / "wide.png")
+    picture = taken(draw_heights(shell, "wide.png"), shell.cwd / "out.png")
+    assert picture.shape == plain_heights.shape and (picture != picture[0, 0]).any()
+
+
+@pytest.mark.parametrize("deep", [False, True], ids=["8 bits", "16 bits"])
+def test_a_height_image_8000_pixels_wide_is_taken(deep: bool, shell: Shell) -> None:
+    wide = np.repeat(np.repeat(GREY, 4, axis=0), 167, axis=1)[:, :8000]
+    save(wide.astype(np.uint16) * 257 if deep else wide, shell.cwd / "wide.png")
+    taken(draw_heights(shell, "wide.png"), shell.cwd / "out.png")
+
+
+def test_a_very_large_height_image_is_taken_without_a_warning(shell: Shell) -> None:
+    # 96 megapixels: Pillow would warn of a "decompression bomb".
+    Image.new("1", (12000, 8000), 1).save(shell.cwd / "large.png")
+    taken(draw_heights(shell, "large.png"), shell.cwd / "out.png")
+
+
+def test_an_image_beyond_all_measure_is_refused(shell: Shell) -> None:
+    Image.new("1", (20000, 10000)).save(shell.cwd / "bomb.png")
+    refused(draw_heights(shell, "bomb.png"), "bomb.png", "too large")
+
+
+@pytest.mark.parametrize("name", ["é ü.png", " leading.png", "-.png", "n\u0303 山.png"])
+def test_a_file_name_may_hold_spaces_and_any_letters(
+    name: str, shell: Shell, plain_heights: np.ndarray
+) -> None:
+    save(GREY, shell.cwd / name)
+    change = f"ground.height_image={shell.cwd}/{name}"
+    drawn = (*SMALL, *POSE, *shell.small, "--only", "ground", "--set", change)
+    done = shell(*drawn, "--out", f"o {name}")
+    assert (taken(done, shell.cwd / f"o {name}") == plain_heights).all()
+    assert done.out == f"o {name}\n"
+
+
+def broken_images(folder: Path) -> None:
+    """Write what is not a whole image."""
+    save(GREY, folder / "whole.png")
+    whole = (folder / "whole.png").read_bytes()
+    Image.fromarray(np.dstack([GREY] * 3)).save(folder / "whole.jpg")
+    (folder / "truncated.png").write_bytes(whole[: len(whole) // 2])
+    (folder / "header.png").write_bytes(whole[:20])
+    (folder / "empty.png").write_bytes(b"")
+    (folder / "text.png").write_text("not an image\n")
+    (folder / "mesh.png").write_bytes(ply())
+    (folder / "folder.png").mkdir()
+    jpeg = (folder / "whole.jpg").read_bytes()
+    (folder / "truncated.jpg").write_bytes(jpeg[: len(jpeg) // 2])
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["truncated.png", "header.png", "empty.png", "text.png", "mesh.png", "folder.png"]
+    + ["truncated.jpg", "missing.png", "~nosuchuser/x.png", "x" * 300 + ".png", "two\nlines.png"],
+)
+def test_what_is_no_height_image_is_refused_by_name(name: str, shell: Shell) -> None:
+    broken_images(shell.cwd)
+    before = files(shell.cwd)
+    refused(draw_heights(shell, name), name.replace("\n", " "))
+    assert files(shell.cwd) == before
+
+
+def test_an_image_damaged_anywhere_never_ends_in_a_traceback(shell: Shell) -> None:
+    save(GREY, shell.cwd / "whole.png")
+    whole = bytearray((shell.cwd / "whole.png").read_bytes())
+    rng = np.random.default_rng(5)
+    for _ in range(25):
+        damaged = whole.copy()
+        for at in rng.integers(8, 120, 3):
+            damaged[at] = rng.integers(256)
+        (shell.cwd / "damaged.png").write_bytes(damaged)
+        done = draw_heights(shell, "damaged.png")
+        if done.status != 0:
+            refused(done, "damaged.png")
+        assert done.status == 2 or done.err == ""
+
+
+# --- meshes ------------------------------------------------------------------------------------
+
+CORNERS = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1.5)]
+QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+TRIANGLES = [(a, *two) for a, b, c, d in QUADS for two in ((b, c), (c, d))]
+MIXED = [*QUADS[:3], *TRIANGLES[6:]]
+ASCII, LITTLE, BIG = "ascii", "binary_little_endian", "binary_big_endian"
+NUMBERS = {"float": "f", "double": "d", "uchar": "B", "int": "i", "uint": "I", "ushort": "H"}
+
+
+def ply(
+    form: str = ASCII,
+    vertices: Sequence[Sequence[float]] = CORNERS,
+    faces: Sequence[Sequence[int]] = TRIANGLES,
+    counts: tuple[object, object] | None = None,
+    extra: Sequence[str] = (),
+    face_extra: Sequence[str] = (),
+    name: str = "vertex_indices",
+    index: str = "int",
+    kind: str = "float",
+    line_end: str = "\n",
+) -> bytes:
+    """Return a PLY file; `extra` are types of further properties, all 1; `counts` may lie."""
+    promised = counts or (len(vertices), len(faces))
+    head = ["ply", f"format {form} 1.0", "comment by hand", f"element vertex {promised[0]}"]
+    head += [f"property {kind} {axis}" for axis in "xyz"]
+    head += [f"property {type_} extra{k}" for k, type_ in enumerate(extra)]
+    head += [f"element face {promised[1]}", f"property list uchar {index} {name}"]
+    head += [f"property {type_} extra{k}" for k, type_ in enumerate(face_extra)]
+    out = (line_end.join([*head, "end_header"]) + line_end).encode()
+    rows = [([kind] * 3 + [*extra], [*v, *[1] * len(extra)]) for v in vertices]
+    rows += [
+        (["uchar"] + [index] * len(f) + [*face_extra], [len(f), *f, *[1] * len(face_extra)])
+        for f in faces
+    ]
+    for types, values in rows:
+        if form == ASCII:
+            out += (" ".join(map(str, values)) + line_end).encode()
+        else:
+            order = "<" if form == LITTLE else ">"
+            out += struct.pack(order + "".join(NUMBERS[t] for t in types), *values)
+    return out
+
+
+def draw_mesh(shell: Shell, data: bytes) -> Done:
+    """Draw a mesh in the rabbit's place, large."""
+    (shell.cwd / "mesh.ply").write_bytes(data)
+    place = {"mesh": "mesh.ply", "x": "20", "z": "20", "scale": "0.5", "yaw": "30"}
+    changes = [f"--set=rabbit.{key}={value}" for key, value in place.items()]
+    view = (*shell.small, "--pose", "20,ground,22,0,5", "--only=rabbit", "--out=out.png")
+    return shell(*SMALL, *view, *changes)
+
+
+@pytest.fixture(scope="module")
+def plain_mesh(process: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+    """The picture of the box as ASCII triangles."""
+    process.cwd = tmp_path_factory.mktemp("plain")
+    picture = taken(draw_mesh(process, ply()), process.cwd / "out.png")
+    assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 20, "the pose shows no mesh"
+    return picture
+
+
+GOOD_MESHES = {
+    "little endian": ply(LITTLE),
+    "big endian": ply(BIG),
+    "quads": ply(faces=QUADS),
+    "quads, little endian": ply(LITTLE, faces=QUADS),
+    "quads and triangles": ply(faces=MIXED),
+    "quads and triangles, little endian": ply(LITTLE, faces=MIXED),
+    "quads and triangles, big endian": ply(BIG, faces=MIXED),
+    "colours": ply(extra=["uchar"] * 3),
+    "colours, little endian": ply(LITTLE, extra=["uchar"] * 4),
+    "normals, big endian": ply(BIG, extra=["float"] * 3),
+    "colours of faces": ply(LITTLE, face_extra=["uchar"] * 3),
+    "colours of faces, mixed": ply(BIG, faces=MIXED, face_extra=["uchar"] * 3),
+    "texture coordinates": ply(extra=["float"] * 2)
+    .replace(b"extra0", b"s")
+    .replace(b"extra1", b"t"),
+    "vertex_index": ply(name="vertex_index"),
+    "vertex_index, little endian": ply(LITTLE, name="vertex_index"),
+    "unsigned indices": ply(BIG, index="uint"),
+    "short indices": ply(LITTLE, index="ushort"),
+    "doubles": ply(LITTLE, kind="double"),
+    "Windows' line ends": ply(line_end="\r\n"),
+    "blank lines": ply().replace(b"end_header\n", b"end_header\n\n") + b"\n\n",
+    "a byte too many": ply(LITTLE) + b"\n",
+    "a face of two corners": ply(faces=[*TRIANGLES, (0, 1)]),
+    "edges": ply().replace(b"end_header", b"element edge 1\nproperty int a\nend_header") + b"0\n",
+}
+
+
+@pytest.mark.parametrize("kind", GOOD_MESHES)
+def test_a_mesh_in_any_dialect_of_ply_looks_as_it_should(
+    kind: str, shell: Shell, plain_mesh: np.ndarray
+) -> None:
+    picture = taken(draw_mesh(shell, GOOD_MESHES[kind]), shell.cwd / "out.png")
+    # Flat quads may be cut along the other diagonal: their normals' last bits differ.
+    assert np.abs(picture.astype(int) - plain_mesh.astype(int)).max() <= 2
+
+
+NAN, INF = float("nan"), float("inf")
+BAD_MESHES = {
+    "empty": (b"", "PLY"),
+    "a text": (b"o cube\nv 0 0 0\n", "PLY"),
+    "the first line alone": (b"ply\n", "header"),
+    "a header cut off": (ply()[:80], "header"),
+    "a format of its own": (ply().replace(b"ascii", b"utf-16"), "format"),
+    "no format": (ply().replace(b"format ascii 1.0\n", b"format\n"), "format"),
+    "a type of its own": (ply().replace(b"float z", b"half z"), "half z"),
+    "no z": (ply().replace(b"float z", b"float q"), "lack x, y or z"),
+    "no list": (ply().replace(b"list uchar int vertex_indices", b"int a"), "vertex_indices"),
+    "truncated vertices": (ply()[: ply().index(b"end_header") + 40], "truncated"),
+    "truncated faces": (ply()[:-12], "truncated"),
+    "truncated quads": (ply(faces=QUADS)[:-12], "truncated"),
+    "truncated, little endian": (ply(LITTLE)[:-3], "truncated"),
+    "truncated, big endian": (ply(BIG)[:-70], "truncated"),
+    "truncated, mixed": (ply(LITTLE, faces=MIXED)[:-3], "truncated"),
+    "no body, little endian": (ply(LITTLE, vertices=[], faces=[], counts=(8, 12)), "truncated"),
+    "words for numbers": (ply().replace(b"1.5", b"one"), "one"),
+    "no faces": (ply(faces=[]), "faces"),
+    "no faces, little endian": (ply(LITTLE, faces=[]), "faces"),
+    "nothing at all": (ply(vertices=[], faces=[]), "faces"),
+    "NaN": (ply(vertices=[(NAN, 0, 0), *CORNERS[1:]]), "NaN"),
+    "NaN, big endian": (ply(BIG, vertices=[(NAN, 0, 0), *CORNERS[1:]]), "NaN"),
+    "infinity": (ply(LITTLE, vertices=[(0, INF, 0), *CORNERS[1:]]), "NaN or infinity"),
+    "a number beyond floats": (ply().replace(b"1.5", b"1e300"), "NaN or infinity"),
+    "an index too high": (ply(faces=[(0, 1, 8)]), "a face names a vertex"),
+    "an index below 0": (ply(LITTLE, faces=[(0, 1, -1)]), "a face names a vertex"),
+    "NaN for an index": (ply().replace(b"3 0 1 3", b"3 0 1 nan"), "a face names a vertex"),
+    "NaN for a length": (ply().replace(b"3 0 1 3", b"nan 0 1 3"), "mesh.ply"),
+    "a length below 0": (ply().replace(b"3 0 1 3", b"-3 0 1 3"), "a list of -3"),
+    "10^11 vertices": (ply(counts=(10**11, 12)), "truncated"),
+    "10^11 vertices, little endian": (ply(LITTLE, counts=(10**11, 12)), "truncated"),
+    "10^17 faces": (ply(counts=(8, 10**17)), "truncated"),
+    "10^17 faces, big endian": (ply(BIG, counts=(8, 10**17)), "truncated"),
+    "5000 digits": (ply(counts=("9" * 5000, 12)), "element vertex 999"),
+    "a count below 0": (ply(counts=(-8, 12)), "element vertex -8"),
+    "a superscript count": (ply(counts=("²", 12)), "element vertex"),
+}
+
+
+@pytest.mark.parametrize("kind", BAD_MESHES)
+def test_a_damaged_mesh_is_refused_by_name(kind: str, shell: Shell) -> None:
+    data, word = BAD_MESHES[kind]
+    refused(draw_mesh(shell, data), "mesh.ply", word)
+    assert list(files(shell.cwd)) == ["mesh.ply"]
+
+
+def test_a_mesh_that_is_missing_or_a_folder_is_refused_by_key_or_name(shell: Shell) -> None:
+    (shell.cwd / "folder.ply").mkdir()
+    for key in ("rabbit.mesh", "dragon.mesh"):
+        draw = (*SMALL, *POSE, *shell.small, "--only", key.split(".")[0], "--set")
+        refused(shell(*draw, f"{key}=none.ply"), key, "none.ply")
+        refused(shell(*draw, f"{key}=folder.ply"), "folder.ply", "cannot be read")
+
+
+def test_coordinates_at_the_limit_of_floats_draw_without_a_warning(shell: Shell) -> None:
+    corners = [(x * 3e38, y, z) for x, y, z in CORNERS]
+    taken(draw_mesh(shell, ply(LITTLE, vertices=corners)), shell.cwd / "out.png")
+
+
+# --- textures ----------------------------------------------------------------------------------
+
+TEXTURES = {
+    "water": ["water.png"],
+    "ground": ["ground_detail.png", "ground_large.png"],
+    "sky": ["sky_north.png", "sky_top.png"],
+    "castle": ["castle_brick.png", "castle_light.png", "fire.png"],
+    "rabbit": ["animal.png"],
+    "trees": ["tree_broadleaf.png"],
+    "grass": ["blade.png"],
+    "sword": ["sword_rest.png"],
+    "map": ["map.png"],
+}
+
+
+@pytest.mark.parametrize("element", TEXTURES)
+def test_a_broken_texture_of_ones_own_is_refused_by_name(element: str, shell: Shell) -> None:
+    mine = shell.cwd / "mine"
+    mine.mkdir()
+    for name in TEXTURES[element]:
+        (mine / name).write_bytes(b"not an image")
+        refused(shell(*SMALL, *POSE, "--only", element, "--assets", "mine"), name)
+        (mine / name).unlink()
+    assert files(shell.cwd) == {}
+
+
+@pytest.mark.parametrize("kind", ["37 x 53", "1 x 1", "grey", "palette", "16 bits"])
+def test_textures_of_any_size_and_kind_are_taken(kind: str, shell: Shell) -> None:
+    mine = shell.cwd / "mine"
+    mine.mkdir()
+    height, width = {"37 x 53": (53, 37), "1 x 1": (1, 1)}.get(kind, (64, 64))
+    grey = np.resize(GREY, (height, width))
+    for name in [name for names in TEXTURES.values() for name in names]:
+        if kind == "16 bits":
+            save(grey.astype(np.uint16) * 257, mine / name)
+        else:
+            modes = {"grey": "L", "palette": "P"}
+            save(np.dstack([grey] * 4), mine / name, modes.get(kind, "RGBA"))
+    counts = [f"--set={group}.count=40" for group in ("trees", "plants", "deer", "grass")]
+    view = ("--pose", "20,3,24,0,-20", "--assets", "mine", *counts, "--out", "out.png")
+    taken(shell(*SMALL, *view), shell.cwd / "out.png")
+
+
+def test_a_texture_named_in_the_settings_that_is_missing_is_refused_by_key(shell: Shell) -> None:
+    for key in ("ground.large_texture", "ground.detail_texture"):
+        refused(shell(*SMALL, *POSE, "--only=ground", f"--set={key}=none.png"), key, "none.png")
+
+
+# --- settings ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "change",
+    ["fog.density=thick", "fog.density=", "fog.density=nan", "fog.density=-nan", "fog.density=inf"]
+    + ["fog.density=-0.1", "fog.density=1e999", "fog.density=1,2", "fog.density=0x10"]
+    + ["grass.count=many", "grass.count=2.5", "grass.count=nan", "grass.count=-1"]
+    + ["grass.count=" + "9" * 30, "grass.count=" + "9" * 400, "grass.count=" + "9" * 5000]
+    + ["grass.count=99999999", "trees.count=1000001", "ground.resolution=1", "water.points=0"]
+    + ["fog.color=1,2", "fog.color=1,2,3,4", "fog.color=0,nan,0", "fog.color=red", "fog.color=,,"]
+    + ["fog.enabled=maybe", "fog.enabled=2", "fog.mode=EXP3", "fog.mode=", "sky.set=night"]
+    + ["rabbit.mesh=", "ground.height_image="]
+    + ["nokey=1", "fog=1", "fog.x.y=1", "fog.Density=1", "=1", ".=1"],
+)
+def test_a_wrong_setting_is_refused_by_its_key(change: str, shell: Shell) -> None:
+    for command in ("settings", "render"):
+        view = ["fig35a"] if command == "render" else []
+        done = shell(command, *view, "--set", change)
+        refused(done, change.partition("=")[0])
+        assert len(done.err) < 200, "a long value is cut"
+    assert files(shell.cwd) == {}
+
+
+def test_a_setting_without_a_value_is_refused(shell: Shell) -> None:
+    refused(shell("settings", "--set", "fog.density"), "fog.density", "KEY=VALUE")
+
+
+@pytest.mark.parametrize(
+    ("toml", "word"),
+    [
+        ("fog = 1", "fog"),
+        ("[fog]\ndensity = 'x'", "fog.density"),
+        ("[fog]\ndensity = nan", "fog.density"),
+        ("[fog]\ndensity = inf", "fog.density"),
+        ("[fog]\ndensity = -1", "fog.density"),
+        ("[fog]\ndensity = true", "fog.density"),
+        ("[fog]\ndensity = []", "fog.density"),
+        ("[fog]\ndensity = {}", "fog.density"),
+        ("[fog]\ndensity = 1979-05-27", "fog.density"),
+        ("[fog]\nenabled = 1", "fog.enabled"),
+        ("[fog]\ncolor = [1, 2]", "fog.color"),
+        ("[fog]\ncolor = ['a', 0, 0]", "fog.color"),
+        ("[fog]\ncolor = [0, true, 0]", "fog.color"),
+        ("[fog]\ncolor = [[0], 0, 0]", "fog.color"),
+        ("[grass]\ncount = 2.5", "grass.count"),
+        ("[grass]\ncount = " + "9" * 400, "grass.count"),
+        ("[grass]\ncount = " + "9" * 5000, "bad.toml"),
+        ("[ground]\nheight_image = 1", "ground.height_image"),
+        ('[ground]\nheight_image = "a\\u0000b"', "ground.height_image"),
+        ("[ground]\nnothing = 1", "ground.nothing"),
+        ("[nothing]\nx = 1", "nothing.x"),
+        ("[fog.deep]\nx = 1", "fog.deep"),
+        ("[[fog]]\ndensity = 1", "fog"),
+        ("[fog", "bad.toml"),
+        ("density: 1", "bad.toml"),
+        ("a = " + "[" * 3000, "bad.toml"),
+        ("[fog]\ndensity = 1\ndensity = 2", "bad.toml"),
+    ],
+)
+def test_a_wrong_settings_file_is_refused_by_its_name_or_the_key(
+    toml: str, word: str, shell: Shell
+) -> None:
+    (shell.cwd / "bad.toml").write_text(toml)
+    refused(shell("settings", "--settings", "bad.toml"), word)
+
+
+def test_a_settings_file_that_cannot_be_read_is_refused(shell: Shell) -> None:
+    (shell.cwd / "bytes.toml").write_bytes(b"\xff\xfe\0")
+    for name in ("bytes.toml", "missing.toml", ".", "x" * 300):
+        refused(shell("settings", "--settings", name), name)
+
+
+def test_the_largest_values_allowed_are_drawn(shell: Shell) -> None:
+    # One at a time: each is heavy enough.
+    for change in (
+        "grass.count=10000000",
+        "grass.radius=1000",
+        "ground.size=200",
+        "trees.size_max=100",
+    ):
+        done = shell(*SMALL, *POSE, "--only=ground,grass,trees", "--set", change, "--out=out.png")
+        taken(done, shell.cwd / "out.png")
+
+
+def test_every_number_has_a_largest_and_a_smallest_value() -> None:
+    for key, item in settings.keys():  # noqa: SIM118  (a module, not a dictionary)
+        sample = item.default[0] if isinstance(item.default, tuple) else item.default
+        if not isinstance(sample, bool | str):
+            assert item.metadata["low"] < item.metadata["high"], key
+    assert settings.with_settings(settings.Settings(), {"grass.count": 10_000_000})
+
+
+# --- the other arguments -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        (["fig35a", "--size", "0x0"], "0x0"),
+        (["fig35a", "--size", "0x10"], "0x10"),
+        (["fig35a", "--size", "-5x5"], "-5x5"),
+        (["fig35a", "--size", "axb"], "WxH"),
+        (["fig35a", "--size", "800"], "WxH"),
+        (["fig35a", "--size", "8e2x600"], "WxH"),
+        (["fig35a", "--size", "²x²"], "WxH"),
+        (["fig35a", "--size", "99999x99999"], "16384x16384"),
+        (["fig35a", "--size", "10x16385"], "16384x16384"),
+        (["fig35a", "--size", "9" * 40 + "x1"], "16384x16384"),
+        (["--pose", "1,2,3"], "X,Y,Z,YAW,PITCH"),
+        (["--pose", "1,2,3,4,5,6"], "X,Y,Z,YAW,PITCH"),
+        (["--pose", "1,2,3,nan,0"], "nan"),
+        (["--pose", "1,2,3,inf,0"], "inf"),
+        (["--pose", "1,2,3,north,0"], "north"),
+        (["--pose", "ground,2,3,0,0"], "ground"),
+        (["--pose", ""], "X,Y,Z,YAW,PITCH"),
+        (["fig35a", "--kt", "nan"], "nan"),
+        (["fig35a", "--kt", "inf"], "inf"),
+        (["fig35a", "--kt", "now"], "now"),
+        (["fig99z"], "fig99z"),
+        (["fig35a", "--kt", "1", "fig99z"], "fig99z"),
+        (["two\nlines"], "two"),
+        ([], "VIEW"),
+        (["fig35a", "--only", "cows"], "cows"),
+        (["fig35a", "--only", ""], "ground"),
+        (["fig35a", "--samples", "3"], "3"),
+        (["fig35a", "--seed", "-1"], "-1"),
+        (["fig35a", "--seed", "9" * 30], "999"),
+        (["fig35a", "--backend", "metal"], "metal"),
+        (["fig35a", "--preset", "worst"], "worst"),
+        (["fig35a", "--assets", "nowhere"], "nowhere"),
+        (["fig35a", "--assets", "file"], "file"),
+        (["fig35a", "--assets", "x" * 300], "xxx"),
+        (["fig35a", "--no-such-option"], "--no-such-option"),
+        (["fig35a", "--size"], "--size"),
+    ],
+)
+def test_a_wrong_argument_of_render_is_refused(
+    arguments: list[str], word: str, shell: Shell
+) -> None:
+    (shell.cwd / "file").write_text("kept")
+    refused(shell("render", *arguments), word)
+    assert files(shell.cwd) == {"file": b"kept"}
+
+
+def test_a_size_beyond_this_opengl_is_refused() -> None:
+    # The command line's own limit is that of llvmpipe; here is what stands behind it.
+    code = "import landscape; landscape.Offscreen(size=(16385, 10))"
+    done = python(code)
+    assert done.status == 1 and "InputError: --size 16385x10: expected from 1x1 to" in done.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        (["trace", "fig99z"], "fig99z"),
+        (["trace"], "VIEW"),
+        (["trace", "fig35a", "--element", "cows"], "cows"),
+        (["bench", "fig99z"], "fig99z"),
+        (["figures", "fig99z"], "fig99z"),
+        (["assets", "check", "--assets", "nowhere"], "nowhere"),
+        (["dance"], "dance"),
+        ([], "COMMAND"),
+        (["assets"], "ACTION"),
+        (["assets", "sheet", "--assets", "nowhere"], "nowhere"),
+        (["assets", "build", "nothing.png"], "nothing.png"),
+        (["assets", "build", "nothing.png", "more"], "nothing.png"),
+        (["views", "fig35a"], "fig35a"),
+    ],
+)
+def test_a_wrong_argument_of_another_command_is_refused(
+    arguments: list[str], word: str, shell: Shell
+) -> None:
+    refused(shell(*arguments), word)
+
+
+# --- where the pictures go ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("out", "views", "word"),
+    [
+        ("file/deep", 1, "file/deep"),
+        ("file/deep.png", 1, "file"),
+        ("file/a/b/c", 2, "file"),
+        ("file", 1, "file"),
+        ("both.png", 2, "expected a folder for 2 views"),
+        ("picture.jpg", 1, "FILE.png"),
+        ("/proc/nowhere", 1, "/proc/nowhere"),
+        ("/proc/nowhere/x.png", 1, "/proc/nowhere"),
+        ("/dev/null", 1, "/dev/null"),
+        ("x" * 300 + ".png", 1, "xxx"),
+        ("x" * 300, 1, "xxx"),
+    ],
+)
+def test_an_output_that_cannot_be_written_is_refused(
+    out: str, views: int, word: str, shell: Shell
+) -> None:
+    (shell.cwd / "file").write_text("kept")
+    names = ["fig35a", "fig35b"][:views]
+    refused(shell(*SMALL, *names, *shell.small, "--only=ground", "--out", out), word)
+    assert [p.name for p in shell.cwd.iterdir()] == ["file"]
+    assert (shell.cwd / "file").read_text() == "kept"
+
+
+def test_a_run_that_fails_keeps_the_earlier_file_and_leaves_no_folder(shell: Shell) -> None:
+    (shell.cwd / "old.png").write_bytes(b"earlier")
+    (shell.cwd / "bad.ply").write_bytes(b"ply\n")
+    bad = ("--only=rabbit", "--set=rabbit.mesh=bad.ply")
+    refused(shell(*SMALL, "fig35a", *bad, "--out=old.png"), "bad.ply")
+    refused(shell(*SMALL, "fig35a", "fig35b", *bad, "--out=new/folder"), "bad.ply")
+    assert files(shell.cwd) == {"bad.ply": b"ply\n", "old.png": b"earlier"}
+    assert not (shell.cwd / "new").exists()
+
+
+def test_the_contact_sheet_of_broken_assets_is_not_written(shell: Shell) -> None:
+    (shell.cwd / "mine").mkdir()
+    (shell.cwd / "mine" / "water.png").write_bytes(b"")
+    refused(shell("assets", "sheet", "--assets", "mine", "--out", "sheet.png"), "water.png")
+    refused(shell("assets", "sheet", "--out", "mine"), "mine")
+    assert list(files(shell.cwd)) == ["water.png"]
+
+
+def test_the_settings_command_still_prints_json_after_all_this(shell: Shell) -> None:
+    assert len(json.loads(shell("settings", "--json").out)) == len(settings.keys())

@@ -1,0 +1,280 @@
+"""The seam: off it is PyOpenGL itself; on it tells every call, and the report's calls are there."""
+
+import ast
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import OpenGL
+import pytest
+from stage import SMALL, Stage, close, small
+
+from landscape.elements.sky_box import SkyBox
+from landscape.elements.water_surface import WaterSurface
+from landscape.frame import Pose
+from landscape.gl import calls
+from landscape.gl.calls import Call, gl, plain, recording
+from landscape.gl.display_list import DisplayList
+from landscape.island import ELEMENTS
+from landscape.trace import as_text, trace_view
+from landscape.views import VIEWS
+
+PACKAGE = Path(calls.__file__).resolve().parents[1]
+
+
+def test_off_the_seam_is_pyopengls_own_functions_and_numbers(stage: Stage) -> None:
+    import OpenGL.GL as original
+
+    for name in ("glEnable", "glDrawElements", "glTexImage2D", "glClipPlane", "GL_EXP2", "GL_FOG"):
+        assert getattr(gl, name) is getattr(original, name)
+        assert gl.__dict__[name] is getattr(original, name), "looked up once, then an attribute"
+
+
+def test_after_recording_the_seam_is_pyopengl_again(stage: Stage) -> None:
+    import OpenGL.GL as original
+
+    with recording():
+        gl.glIsEnabled(gl.GL_FOG)
+        assert gl.glIsEnabled is not original.glIsEnabled
+    assert gl.glIsEnabled is original.glIsEnabled
+    with pytest.raises(RuntimeError):
+        with recording():
+            raise RuntimeError
+    assert gl.glIsEnabled is original.glIsEnabled
+
+
+def test_names_that_are_not_opengls_are_not_there_and_load_nothing() -> None:
+    for name in ("__test__", "pytestmark", "enable"):
+        assert not hasattr(gl, name)
+    assert not hasattr(gl, "glNoSuchFunction")
+
+
+def test_a_recording_within_another_notes_for_itself_and_hands_back(stage: Stage) -> None:
+    with recording() as outer:
+        gl.glIsEnabled(gl.GL_FOG)
+        with recording() as inner:
+            gl.glIsEnabled(gl.GL_BLEND)
+        gl.glIsEnabled(gl.GL_LIGHTING)
+    assert [call.shown for call in inner.calls] == [["GL_BLEND"]]
+    assert [call.shown for call in outer.calls] == [["GL_FOG"], ["GL_LIGHTING"]]
+
+
+def test_a_call_tells_its_name_arguments_element_source_and_pass(stage: Stage, plain: Any) -> None:
+    settings = small()
+    water = WaterSurface(settings, plain)
+    with stage.frame(settings, Pose(20.0, 2.0, 20.0)) as frame:
+        with recording() as recorder:
+            calls.begin_pass("main")
+            water.draw(frame)
+    water.release()
+    blend = next(call for call in recorder.calls if call.name == "glBlendFunc")
+    assert blend.shown == ["GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"]
+    assert (blend.element, blend.pass_) == ("water", "main")
+    file, line = blend.source.split(":")
+    assert file == "landscape/elements/water_surface.py"
+    text = (PACKAGE.parent / file).read_text(encoding="utf-8").splitlines()[int(line) - 1]
+    assert "glBlendFunc" in text
+    # A call in the gl rooms is told where the element asked for it.
+    push = next(call for call in recorder.calls if call.name == "glPushAttrib")
+    assert push.source.startswith("landscape/elements/water_surface.py:")
+    assert "GL_LIGHTING_BIT" in push.shown[0] and "GL_ENABLE_BIT" in push.shown[0]
+
+
+def test_what_a_list_holds_is_told_under_its_call(stage: Stage) -> None:
+    with stage.borrowed(), recording() as recorder:
+        owner = DisplayList(lambda: gl.glColor4f(1.0, 0.5, 0.25, 1.0))
+        owner.call()
+        owner.release()
+    names = [call.name for call in recorder.calls]
+    assert names == ["glGenLists", "glNewList", "glEndList", "glCallList", "glDeleteLists"]
+    called = recorder.calls[3]
+    assert [(call.name, call.shown) for call in called.listed] == [
+        ("glColor4f", [1.0, 0.5, 0.25, 1.0])
+    ]
+    entry = called.as_json()
+    assert entry["list"][0]["name"] == "glColor4f" and "list" not in entry["list"][0]
+
+
+def test_an_override_changes_what_opengl_gets(stage: Stage) -> None:
+    def green(name: str, args: tuple[Any, ...]) -> tuple[Any, ...]:
+        return (0.0, 1.0, 0.0, 1.0) if name == "glClearColor" else args
+
+    with recording(green) as recorder:
+        with stage.frame(small(), Pose(0.0, 0.0, 0.0)):
+            picture = stage.read()
+    assert close(picture, (0, 255, 0))
+    shown = next(call.shown for call in recorder.calls if call.name == "glClearColor")
+    assert shown == [0.0, 1.0, 0.0, 1.0]
+    with stage.frame(small(), Pose(0.0, 0.0, 0.0)):
+        assert close(stage.read(), np.array([0.4, 0.6, 0.7]) * 255)
+
+
+def test_recording_changes_no_pixel(stage: Stage, plain: Any) -> None:
+    settings, pose = small(), Pose(20.0, 1.0, 20.0, 30.0, 20.0)
+    pictures = []
+    for record in (False, True):
+        sky = SkyBox(settings, plain)
+        with stage.frame(settings, pose, fog=True) as frame:
+            if record:
+                with recording():
+                    sky.draw(frame)
+            else:
+                sky.draw(frame)
+            pictures.append(stage.read())
+        sky.release()
+    assert (pictures[0] == pictures[1]).all()
+
+
+def test_arguments_become_json() -> None:
+    assert plain(np.float32(0.5)) == 0.5
+    assert plain(None) is None and plain(3) == 3 and plain("text") == "text"
+    assert plain(np.eye(2, dtype=np.float32)) == {
+        "shape": [2, 2],
+        "dtype": "float32",
+        "values": [1.0, 0.0, 0.0, 1.0],
+    }
+    assert len(plain(np.zeros(500))["values"]) == 64
+    assert plain(object()) == "object"
+
+
+def test_only_the_gl_rooms_import_opengl() -> None:
+    found = set()
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+            if isinstance(node, ast.ImportFrom) and node.level == 0:
+                names = [node.module or ""]
+            if any(name.split(".")[0] in ("OpenGL", "OpenGL_accelerate") for name in names):
+                found.add(path.relative_to(PACKAGE).parts[0])
+    assert found == {"gl"}
+
+
+def test_the_suite_itself_runs_with_pyopengls_checks_on() -> None:
+    assert OpenGL.ERROR_CHECKING and OpenGL.ERROR_ON_COPY
+
+
+@pytest.fixture(scope="module")
+def arrival() -> Iterator[list[Call]]:
+    """The trace of fig35f, every element shown, in the preset 2006 with its 200,000 blades."""
+    changes = {**SMALL, "grass.count": 200_000}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(VIEWS, "fig35f", replace(VIEWS["fig35f"], shown=ELEMENTS))
+        yield trace_view("fig35f", "2006", changes)
+
+
+def drawn(trace: list[Call]) -> list[Call]:
+    """Return the calls of the frame, those inside lists after the call that runs them."""
+    flat: list[Call] = []
+    for call in trace:
+        if call.pass_ != "setup":
+            flat += [call, *call.listed]
+    return flat
+
+
+def of(trace: list[Call], element: str, name: str) -> list[list[Any]]:
+    """Return the arguments of an element's calls of one name."""
+    shared = [c for c in drawn(trace) if element in c.shared_by or c.element == element]
+    return [call.shown for call in shared if call.name == name]
+
+
+def test_a_frame_with_200_000_blades_makes_fewer_than_400_calls(arrival: list[Call]) -> None:
+    frame = [call for call in arrival if call.pass_ != "setup"]
+    assert 100 < len(frame) < 400
+
+
+def test_every_element_draws_in_the_arrival_at_the_castle(arrival: list[Call]) -> None:
+    names = {name for call in drawn(arrival) for name in (call.element, *call.shared_by)}
+    assert set(ELEMENTS) <= names
+
+
+def test_the_passes_come_in_order(arrival: list[Call]) -> None:
+    passes = [call.pass_ for call in arrival]
+    changes = [p for before, p in zip([None, *passes], passes) if p != before]  # noqa: B905
+    assert changes == ["setup", "main", "reflection", "main", "overlay"]
+
+
+def test_the_ground_is_one_list_with_two_texture_units(arrival: list[Call]) -> None:
+    lists = [c for c in arrival if c.element == "ground" and c.name == "glCallList"]
+    assert [call.pass_ for call in lists] == ["reflection", "main"]
+    inside = [(call.name, call.shown) for call in lists[0].listed]
+    assert ("glActiveTexture", ["GL_TEXTURE0"]) in inside
+    assert ("glActiveTexture", ["GL_TEXTURE1"]) in inside
+    assert ("glTexEnvi", ["GL_TEXTURE_ENV", "GL_TEXTURE_ENV_MODE", "GL_COMBINE"]) in inside
+    assert [name for name, _ in inside].count("glDrawElements") == 1
+
+
+def test_the_clip_plane_is_0_1_0_minus_the_level(arrival: list[Call]) -> None:
+    planes = of(arrival, "ground", "glClipPlane")
+    assert planes
+    for plane, equation in planes:
+        assert plane == "GL_CLIP_PLANE0"
+        assert equation["values"] == [0.0, 1.0, 0.0, -0.6]
+
+
+def test_the_mirror_matrix_is_given_once_in_the_reflection(arrival: list[Call]) -> None:
+    mirrors = [call for call in drawn(arrival) if call.name == "glMultMatrixf"]
+    assert [call.pass_ for call in mirrors] == ["reflection"]
+    values = mirrors[0].shown[0]["values"]
+    assert values == np.diag([1.0, -1.0, 1.0, 1.0]).ravel().tolist()
+    fronts = [call.shown for call in drawn(arrival) if call.name == "glFrontFace"]
+    assert fronts == [["GL_CW"]]
+    lights = [c for c in drawn(arrival) if c.name == "glLightfv" and "GL_POSITION" in c.shown]
+    assert [call.pass_ for call in lights] == ["main", "reflection"]
+
+
+def test_the_light_on_the_gate_is_multiplied(arrival: list[Call]) -> None:
+    assert ["GL_ZERO", "GL_SRC_COLOR"] in of(arrival, "castle", "glBlendFunc")
+
+
+def test_the_fog_is_exp2_of_0_12_in_the_reports_colour(arrival: list[Call]) -> None:
+    assert of(arrival, "fog", "glFogi") == [["GL_FOG_MODE", "GL_EXP2"]]
+    assert of(arrival, "fog", "glFogf") == [["GL_FOG_DENSITY", 0.12]]
+    [[name, colour]] = of(arrival, "fog", "glFogfv")
+    assert name == "GL_FOG_COLOR"
+    assert colour["values"] == pytest.approx([0.4, 0.6, 0.7, 1.0])
+
+
+def test_the_map_has_its_own_viewport_and_a_point_of_five_pixels(arrival: list[Call]) -> None:
+    assert of(arrival, "map", "glViewport") == [[0, 180, 80, 60]]
+    assert of(arrival, "map", "glOrtho") == [[-1, 1, -1, 1, 0.1, 2]]
+    assert of(arrival, "map", "glPointSize") == [[5.0]]
+
+
+def test_the_water_is_drawn_five_by_five_times(arrival: list[Call]) -> None:
+    moves = of(arrival, "water", "glTranslatef")
+    wanted = {(10.0 * kx, 0.0, 10.0 * kz) for kx in range(-1, 4) for kz in range(-1, 4)}
+    assert {tuple(move) for move in moves} == wanted and len(moves) == 25
+    assert ["GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"] in of(arrival, "water", "glBlendFunc")
+
+
+def test_all_sprites_go_in_one_draw_call_a_pass_and_share_it(arrival: list[Call]) -> None:
+    draws = [c for c in arrival if "trees" in c.shared_by and c.name == "glDrawElements"]
+    assert [call.pass_ for call in draws] == ["reflection", "main"]
+    assert draws[0].shared_by == ("trees", "deer", "plants")
+    assert draws[0].as_json()["shared_by"] == ["trees", "deer", "plants"]
+
+
+def test_all_grass_goes_in_one_draw_call(arrival: list[Call]) -> None:
+    counts = [shown[1] for shown in of(arrival, "grass", "glDrawElements")]
+    assert len(counts) == 1 and counts[0] % 9 == 0 and counts[0] > 9 * 1000
+
+
+def test_rabbit_dragon_sky_and_sword_are_lists(arrival: list[Call]) -> None:
+    for element, times in (("rabbit", 1), ("dragon", 2), ("sky", 2), ("sword", 1), ("map", 1)):
+        assert len(of(arrival, element, "glCallList")) == times, element
+
+
+def test_what_is_pushed_is_popped(arrival: list[Call]) -> None:
+    names = [call.name for call in drawn(arrival)]
+    assert names.count("glPushMatrix") == names.count("glPopMatrix") > 10
+    assert names.count("glPushAttrib") == names.count("glPopAttrib") > 10
+
+
+def test_the_text_of_a_trace_has_a_line_a_call_and_indents_lists(arrival: list[Call]) -> None:
+    lines = list(as_text(arrival))
+    assert len(lines) == sum(1 + len(call.listed) for call in arrival)
+    fog = next(line for line in lines if "glFogi(" in line)
+    assert "glFogi(GL_FOG_MODE, GL_EXP2)" in fog and "landscape/elements/fog.py:" in fog
+    assert any("   glDrawElements(GL_TRIANGLES" in line for line in lines)

@@ -1,0 +1,449 @@
+"""The command line and the Python face, as the contract has them."""
+
+import argparse
+import json
+import math
+import os
+import pty
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from commands import SECONDS, Shell, environment, landscape, python
+from PIL import Image
+
+from landscape import cli, settings
+from landscape.island import ELEMENTS
+from landscape.views import VIEWS
+
+NINE = [f"fig35{panel}" for panel in "abcdefghi"]
+SMALL = ("--preset", "2006", "--size", "48x36", "--samples", "0", "--only", "ground,water,sky,fog")
+MODULE = [sys.executable, "-m", "landscape"]
+
+
+@pytest.fixture(scope="module")
+def process() -> Iterator[Shell]:
+    shell = Shell()
+    yield shell
+    shell.close()
+
+
+@pytest.fixture
+def shell(process: Shell, tmp_path: Path) -> Shell:
+    process.cwd = tmp_path
+    return process
+
+
+def commands(
+    parser: argparse.ArgumentParser, prefix: tuple[str, ...] = ()
+) -> list[tuple[str, ...]]:
+    """Return every command and sub-command of the parser."""
+    found = [prefix]
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for name, sub in action.choices.items():
+                found += commands(sub, (*prefix, name))
+    return found
+
+
+ALL = commands(cli._parser())
+
+
+def pictures(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+# --- help --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("command", ALL, ids=" ".join)
+def test_every_command_has_help_with_an_example(command: tuple[str, ...], shell: Shell) -> None:
+    done = shell(*command, "--help")
+    assert done.status == 0 and done.err == ""
+    assert done.out.startswith("usage: landscape")
+    if command != ("assets",):
+        assert "example: landscape " + " ".join(command) in " ".join(done.out.split())
+
+
+def test_the_contract_s_commands_exist() -> None:
+    names = {" ".join(command) for command in ALL}
+    wanted = {"walk", "render", "views", "figures", "trace", "bench", "settings", "doctor"}
+    assert "assets check" in names
+    assert wanted | {"assets build", "assets sheet", "assets fetch-stanford"} <= names
+
+
+@pytest.mark.parametrize("command", ["walk", "render", "trace", "settings"])
+def test_the_common_options_are_common(command: str, shell: Shell) -> None:
+    text = shell(command, "--help").out
+    for option in ("--backend", "--preset", "--set", "--settings", "--assets", "--only"):
+        assert option in text
+    for option in ("--wireframe", "--samples", "--seed", "--quiet", "auto", "osmesa", "egl"):
+        assert option in text
+
+
+@pytest.mark.parametrize("command", ["walk", "render", "trace"])
+def test_an_example_in_the_help_is_a_command_line_that_parses(command: str, shell: Shell) -> None:
+    text = " ".join(shell(command, "--help").out.split())
+    arguments = text.partition("example: landscape ")[2].split()
+    assert arguments[0] == command
+    assert cli._parse(arguments).run is not None
+
+
+# --- the shapes of JSON ------------------------------------------------------------------------
+
+
+def test_views_json_lists_names_figures_places_kt_and_presets(shell: Shell) -> None:
+    found = shell("views", "--json").json()
+    assert isinstance(found, list)
+    for entry in found:
+        assert set(entry) == {"name", "figure", "pose", "kt", "preset"}
+        assert len(entry["pose"]) == 5
+        assert all(isinstance(v, int | float) and math.isfinite(v) for v in entry["pose"])
+        assert isinstance(entry["kt"], int | float)
+        assert entry["preset"] in settings.PRESETS
+    names = [entry["name"] for entry in found]
+    assert len(set(names)) == len(names) and set(NINE) <= set(names)
+    assert found[names.index("fig35a")]["figure"] == "35 a"
+
+
+def test_views_lists_a_line_for_each_view(shell: Shell) -> None:
+    lines = shell("views").out.splitlines()
+    assert [line.split()[0] for line in lines] == list(VIEWS)
+
+
+def test_settings_json_lists_key_value_default_unit_and_source(shell: Shell) -> None:
+    rows = shell("settings", "--json", "--preset", "2006", "--set", "fog.density=0.05").json()
+    assert [row["key"] for row in rows] == [key for key, _ in settings.keys()]  # noqa: SIM118
+    for row in rows:
+        assert {"key", "value", "default", "unit", "source"} <= set(row)
+    density = next(row for row in rows if row["key"] == "fog.density")
+    assert (density["value"], density["default"], density["source"]) == (0.05, 0.12, "section 10.2")
+
+
+def test_settings_come_from_the_preset_then_the_file_then_the_command_line(shell: Shell) -> None:
+    (shell.cwd / "my settings.toml").write_text("[fog]\ndensity = 0.5\n[grass]\ncount = 7\n")
+    arguments = ("--preset", "best", "--settings", "my settings.toml", "--set", "fog.density=0.25")
+    rows = {row["key"]: row["value"] for row in shell("settings", "--json", *arguments).json()}
+    assert rows["fog.density"] == 0.25 and rows["grass.count"] == 7
+    assert rows["ground.resolution"] == settings.BEST["ground.resolution"]
+    text = shell("settings", *arguments).out
+    assert any(line.split()[:2] == ["fog.density", "0.25"] for line in text.splitlines())
+
+
+def check_call(call: dict[str, Any]) -> None:
+    assert {"name", "args", "element", "source", "pass"} <= set(call)
+    assert call["name"].startswith("gl")
+    assert call["element"] in {*ELEMENTS, "frame", "sun"}
+    assert call["pass"] in ("setup", "reflection", "main", "overlay")
+    path, _, line = call["source"].rpartition(":")
+    assert path.startswith("landscape/") and path.endswith(".py") and int(line) > 0
+    for arg in call["args"]:
+        if isinstance(arg, dict):
+            assert set(arg) == {"shape", "dtype", "values"}
+            assert len(arg["values"]) == min(math.prod(arg["shape"]), 64)
+        else:
+            assert arg is None or isinstance(arg, str | int | float)
+    for inner in call.get("list", []):
+        assert call["name"] == "glCallList"
+        check_call(inner)
+
+
+def test_trace_json_is_the_calls_in_order_with_arguments_by_name_and_lists_nested(
+    shell: Shell,
+) -> None:
+    calls = shell("trace", "fig35a", "--only", "ground,water,fog,map", "--json").json()
+    for call in calls:
+        check_call(call)
+    assert {"setup", "main"} <= {call["pass"] for call in calls}
+    fog = next(c for c in calls if c["name"] == "glFogf" and c["args"][0] == "GL_FOG_DENSITY")
+    assert fog["args"] == ["GL_FOG_DENSITY", 0.12] and fog["element"] == "fog"
+    assert fog["source"].startswith("landscape/elements/fog.py:")
+    ground = next(c for c in calls if c["name"] == "glCallList" and c["element"] == "ground")
+    assert "glDrawElements" in [inner["name"] for inner in ground["list"]]
+    array = next(a for c in ground["list"] for a in c["args"] if isinstance(a, dict))
+    assert array["dtype"] == "float32" and len(array["values"]) == 64
+
+
+def test_trace_can_be_narrowed_to_one_element_and_read_as_text(shell: Shell) -> None:
+    only = ("trace", "fig35a", "--only", "ground,fog", "--element", "fog")
+    calls = shell(*only, "--json").json()
+    assert calls and {call["element"] for call in calls} == {"fog"}
+    lines = shell(*only).out.splitlines()
+    assert len(lines) == len(calls)
+    assert any("glFogi(GL_FOG_MODE, GL_EXP2)" in line for line in lines)
+
+
+# --- the program as a process ------------------------------------------------------------------
+
+
+def test_the_module_and_the_console_script_do_the_same() -> None:
+    script = Path(sys.executable).with_name("landscape")
+    if not script.exists():
+        pytest.skip("the package is not installed, only on the path")
+    options: dict[str, Any] = {"capture_output": True, "timeout": SECONDS, "env": environment()}
+    for arguments in (["settings", "--json"], ["render", "fig99z"]):
+        one, two = (subprocess.run([*c, *arguments], **options) for c in (MODULE, [str(script)]))
+        assert (one.returncode, one.stdout, one.stderr) == (two.returncode, two.stdout, two.stderr)
+
+
+def test_bad_input_gives_the_process_status_2_and_one_line() -> None:
+    done = landscape("render", "fig99z")
+    assert (done.status, done.out) == (2, "")
+    assert done.err == "landscape: view 'fig99z': no such view; `landscape views` lists them all\n"
+
+
+def test_a_reader_that_leaves_early_is_no_error() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    with os.fdopen(write, "wb") as stdout:
+        done = subprocess.run(
+            [*MODULE, "settings", "--json"],
+            stdout=stdout,
+            stderr=subprocess.PIPE,
+            env=environment(),
+        )
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_a_full_disk_behind_standard_output_is_said_in_one_line() -> None:
+    if not os.path.exists("/dev/full"):
+        pytest.skip("there is no /dev/full on this system")
+    with open("/dev/full", "wb") as stdout:
+        done = subprocess.run(
+            [*MODULE, "settings"], stdout=stdout, stderr=subprocess.PIPE, env=environment()
+        )
+    assert done.returncode == 2
+    assert done.stderr == b"landscape: standard output: No space left on device\n"
+
+
+def test_closed_standard_streams_do_no_harm(tmp_path: Path) -> None:
+    line = f"{sys.executable} -m landscape render fig35a fig35b {' '.join(SMALL)} >&- 2>&-"
+    done = subprocess.run(["sh", "-c", line], cwd=tmp_path, env=environment(), timeout=SECONDS)
+    assert done.returncode == 0
+    assert pictures(tmp_path) == ["fig35a.png", "fig35b.png"]
+
+
+def test_a_name_beyond_the_terminal_s_alphabet_is_printed_somehow(tmp_path: Path) -> None:
+    env = environment(PYTHONIOENCODING="ascii")
+    done = landscape("render", "fig35a", *SMALL, "--out", "é.png", env=env, cwd=tmp_path)
+    assert (done.status, done.err) == (0, "")
+    assert done.out == "\\xe9.png\n" and pictures(tmp_path) == ["é.png"]
+
+
+def test_ctrl_c_in_the_middle_of_many_views_leaves_whole_files_only(tmp_path: Path) -> None:
+    command = [*MODULE, "render", *NINE, "--preset", "2006", "--size", "640x480", "--out", "many"]
+    process = subprocess.Popen(
+        command,
+        cwd=tmp_path,
+        env=environment(),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        # A test run in the background ignores the signal, and would bequeath that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+    first = tmp_path / "many" / "fig35a.png"
+    end = time.monotonic() + SECONDS
+    while not first.exists() and process.poll() is None and time.monotonic() < end:
+        time.sleep(0.005)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=SECONDS)
+    assert (process.returncode, out, err) == (130, "", "landscape: interrupted\n")
+    names = pictures(first.parent)
+    assert names and set(names) < {f"{name}.png" for name in NINE}
+    for name in names:
+        with Image.open(first.parent / name) as image:
+            image.load()
+            assert image.size == (640, 480)
+
+
+# --- what is said, and where -------------------------------------------------------------------
+
+
+def test_a_run_names_its_files_on_standard_output_and_says_no_more(shell: Shell) -> None:
+    done = shell("render", "fig35a", "fig35b", *SMALL, *shell.small, "--out", "two views")
+    assert (done.status, done.err) == (0, "")
+    assert done.out == "two views/fig35a.png\ntwo views/fig35b.png\n"
+
+
+@pytest.mark.parametrize("quiet", ["-q", "--quiet"])
+def test_a_quiet_run_says_nothing(quiet: str, shell: Shell) -> None:
+    done = shell("render", "fig35a", *SMALL, *shell.small, quiet)
+    assert (done.status, done.out, done.err) == (0, "", "")
+    assert pictures(shell.cwd) == ["fig35a.png"]
+
+
+@pytest.mark.parametrize("quiet", [False, True])
+def test_progress_shows_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Path) -> None:
+    ours, theirs = pty.openpty()
+    command = [*MODULE, "render", "fig35a", "fig35b", *SMALL, *(["-q"] if quiet else [])]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, stderr=theirs
+    )
+    # Something to read, or reading would wait where nothing was written.
+    os.write(theirs, b"end")
+    os.close(theirs)
+    shown = os.read(ours, 10_000).decode()
+    os.close(ours)
+    assert done.returncode == 0
+    assert ("2/2 fig35b" in shown) is not quiet
+    if quiet:
+        assert shown == "end"
+
+
+# --- rendering ---------------------------------------------------------------------------------
+
+
+def test_the_same_command_twice_gives_the_same_bytes(tmp_path: Path) -> None:
+    counts = ("--set=grass.count=20000", "--set=trees.count=200", "--set=plants.count=100")
+    for name in ("first.png", "second.png"):
+        done = landscape(
+            *("render", "fig35a", "--size", "64x48", "--out", name, *counts), cwd=tmp_path
+        )
+        assert (done.status, done.err) == (0, "")
+    first, second = (path.read_bytes() for path in sorted(tmp_path.iterdir()))
+    assert first == second
+
+
+def test_one_view_goes_beside_the_user_by_default(shell: Shell) -> None:
+    shell("render", "fig35a", *SMALL)
+    assert pictures(shell.cwd) == ["fig35a.png"]
+    with Image.open(shell.cwd / "fig35a.png") as image:
+        assert image.size == (48, 36) and image.mode == "RGB"
+
+
+def test_views_may_stand_before_between_and_after_the_options(shell: Shell) -> None:
+    small = (*SMALL, *shell.small)
+    done = shell("render", "fig35a", "--kt", "3", "fig35b", *small, "fig35c", "--out", "d")
+    assert done.status == 0, done.err
+    assert pictures(shell.cwd / "d") == ["fig35a.png", "fig35b.png", "fig35c.png"]
+    done = shell("render", *small, "fig35d")
+    assert done.status == 0 and (shell.cwd / "fig35d.png").exists()
+
+
+def test_a_view_is_the_same_alone_and_after_others(shell: Shell) -> None:
+    shell("render", "fig35a", "fig35b", "fig35a", *SMALL, *shell.small, "--out", "many")
+    shell("render", "fig35a", *SMALL, *shell.small, "--out", "alone.png")
+    alone = (shell.cwd / "alone.png").read_bytes()
+    assert (shell.cwd / "many" / "fig35a.png").read_bytes() == alone
+    assert (shell.cwd / "many" / "fig35b.png").read_bytes() != alone
+
+
+def rendered(shell: Shell, *arguments: str) -> bytes:
+    done = shell("render", *arguments, *shell.small, "-q", "--out", "x.png")
+    assert (done.status, done.err) == (0, "")
+    return (shell.cwd / "x.png").read_bytes()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        ["--kt", "90"],
+        ["--wireframe"],
+        ["--samples", "4"],
+        ["--preset", "best"],
+        ["--set", "fog.density=0.5"],
+        ["--set", "fog.color=1, 0, 0"],
+        ["--set", "fog.enabled=off"],
+        ["--only", "ground,sky"],
+        ["--size", "64x48"],
+    ],
+    ids=" ".join,
+)
+def test_each_option_of_render_changes_the_picture(change: list[str], shell: Shell) -> None:
+    assert rendered(shell, "fig35a", *SMALL, *change) != rendered(shell, "fig35a", *SMALL)
+
+
+def test_another_seed_plants_other_trees_and_no_other_ground(shell: Shell) -> None:
+    def picture(only: str, seed: str) -> bytes:
+        return rendered(shell, "fig35a", *SMALL, "--only", only, "--seed", seed)
+
+    assert picture("ground,trees", "1") != picture("ground,trees", "2")
+    assert picture("ground", "1") == picture("ground", "2")
+
+
+def test_a_pose_may_begin_with_a_minus_and_kt_be_negative(shell: Shell) -> None:
+    west = rendered(shell, *SMALL, "--pose", "-3,2,20,90,-5", "--kt", "-4")
+    assert west == rendered(shell, *SMALL, "--pose=-3,2,20,90,-5", "--kt=-4")
+    assert west != rendered(shell, *SMALL, "--pose", "3,2,20,90,-5", "--kt", "-4")
+
+
+def test_yaw_90_looks_east_and_pitch_up() -> None:
+    pose = cli._pose("1, 2, 3, 90, 0")
+    assert pose.forward == pytest.approx((1, 0, 0))
+    assert cli._pose("1,2,3,0,0").forward == pytest.approx((0, 0, -1))
+    assert cli._pose("1,2,3,0,90").forward == pytest.approx((0, 1, 0))
+
+
+# --- Python ------------------------------------------------------------------------------------
+
+EXAMPLE = """
+import numpy as np
+import PIL.Image
+import landscape
+
+image = landscape.render("fig35e", size=(64, 36), only=("ground", "sky"), samples=0)
+assert isinstance(image, PIL.Image.Image) and image.size == (64, 36) and image.mode == "RGB"
+assert image._repr_png_(), "Jupyter would not show it"
+
+options = {"preset": "2006", "only": ("ground", "water", "fog")}
+with landscape.Offscreen(size=(640, 480), settings={"fog.density": 0.05}, **options) as view:
+    view.look("fig35d")
+    pixels = view.draw(kt=40)
+    assert pixels.shape == (480, 640, 3) and pixels.dtype == np.uint8
+    assert (pixels == view.draw(kt=40)).all()
+    assert (pixels != view.draw(kt=55)).any(), "the water stands still"
+    # The top row first: the sky's fog colour is there and not at the walker's feet.
+    fog = np.round(np.array(view.island.settings.fog.color) * 255)
+    assert (abs(pixels[0].astype(int) - fog) <= 1).all()
+    assert (abs(pixels[-1].astype(int) - fog) > 1).any()
+    kept = pixels.copy()
+    view.look((20.0, float("nan"), 20.0, 0.0, 0.0))
+    ground = float(view.island.ground.field.height(20.0, 20.0))
+    assert abs(view.moment.pose.y - ground - 0.1) < 1e-6
+    assert (view.draw() != kept).any() and (pixels == kept).all(), "a picture was drawn over"
+
+with landscape.Offscreen((32, 24), **options) as thicker:
+    thicker.look("fig35d")
+    thick = thicker.draw(kt=40)
+with landscape.Offscreen((32, 24), settings={"fog.density": 0.05}, **options) as thinner:
+    thinner.look("fig35d")
+    assert (thinner.draw(kt=40) != thick).any()
+    thinner.close()
+thinner.close()
+
+from landscape.errors import InputError
+for wrong in (
+    lambda: landscape.render("fig99z"),
+    lambda: landscape.Offscreen(size=(0, 10)),
+    lambda: landscape.Offscreen(settings={"fog.thickness": 1}),
+    lambda: landscape.Offscreen(preset="1996"),
+    lambda: landscape.Offscreen(assets="/nowhere"),
+):
+    try:
+        wrong()
+    except InputError:
+        continue
+    raise SystemExit("no InputError")
+print("good")
+"""
+
+
+def test_the_contract_s_python_example_holds() -> None:
+    done = python(EXAMPLE)
+    assert (done.status, done.out, done.err) == (0, "good\n", "")
+
+
+def test_importing_landscape_imports_no_opengl() -> None:
+    done = python("import sys, landscape; print([m for m in sys.modules if 'OpenGL' in m])")
+    assert done.out == "[]\n", done.err
+
+
+def test_json_printed_for_scripts_holds_no_nan(shell: Shell) -> None:
+    for command in (["views"], ["settings"], ["trace", "fig35a", "--only", "ground,fog"]):
+        json.loads(shell(*command, "--json").out, parse_constant=lambda name: 1 / 0)

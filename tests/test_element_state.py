@@ -1,0 +1,219 @@
+"""Every element in both presets: state, stacks and errors as found; release twice; no leak.
+
+That a frame leaves the state as it began is looked after by ``stage.frame`` in every GL test; here
+each element is drawn for it with all its switches.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from stage import SIZE, SMALL, Stage, changes, live_names, snapshot, write_plain, write_ply
+
+from landscape.assets import Assets
+from landscape.elements import sun
+from landscape.elements.atlas import CELLS
+from landscape.elements.castle import Castle
+from landscape.elements.dragon import Dragon
+from landscape.elements.grass import Grass
+from landscape.elements.ground import Ground
+from landscape.elements.map import Map
+from landscape.elements.rabbit import Rabbit
+from landscape.elements.reflection import mirrored
+from landscape.elements.sky_box import SkyBox
+from landscape.elements.sword import Sword
+from landscape.elements.transparent_elements import TransparentElements
+from landscape.elements.water_surface import WaterSurface
+from landscape.errors import InputError
+from landscape.frame import Pose
+from landscape.gl.calls import gl, recording
+from landscape.gl.state import attrib, client_arrays, flat_projection, matrix
+from landscape.island import Island, Moment
+from landscape.settings import PRESETS, Settings, preset, with_settings
+
+POSE = Pose(20.0, 3.5, 21.0, 10.0, -6.0)
+PLACED = {
+    **{"castle.x": 20.0, "castle.z": 15.0, "rabbit.x": 20.2, "rabbit.z": 20.0},
+    **{"dragon.x": 20.0, "dragon.z": 19.0, "ground.height_image": "height.png"},
+}
+MANY = {"grass.count": 200_000, "trees.count": 900, "plants.count": 1500}  # some are in view
+
+Build = Callable[[Settings, Assets, Ground], Any]
+ELEMENTS: dict[str, Build] = {
+    "ground": lambda settings, assets, ground: Ground(
+        settings, assets, sun.direction(settings.sun)
+    ),
+    "water": lambda settings, assets, ground: WaterSurface(settings, assets),
+    "sky": lambda settings, assets, ground: SkyBox(settings, assets),
+    "sprites": lambda settings, assets, ground: TransparentElements(
+        settings, assets, ground, 1, {"trees", "deer", "plants"}
+    ),
+    "grass": lambda settings, assets, ground: Grass(settings, assets, ground, 1),
+    "castle": lambda settings, assets, ground: Castle(settings, assets, ground.field),
+    "rabbit": lambda settings, assets, ground: Rabbit(settings, assets, ground.field),
+    "dragon": lambda settings, assets, ground: Dragon(settings, assets),
+    "sword": lambda settings, assets, ground: Sword(settings, assets),
+    "map": lambda settings, assets, ground: Map(settings, assets),
+}
+FRAMELESS = ("rabbit", "dragon")
+
+
+@pytest.fixture(scope="module")
+def assets(tmp_path_factory) -> Assets:
+    folder = tmp_path_factory.mktemp("state")
+    colours = {name: (90, 120, 60, 255) for name in CELLS}
+    write_plain(folder, {**colours, "ground_large.png": (60, 140, 40)})
+    cube = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], float)
+    for name in ("rabbit.ply", "dragon.ply"):
+        faces = np.array([(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
+        write_ply(folder / name, cube, faces)
+    return Assets(folder)
+
+
+def configured(name: str) -> Settings:
+    return with_settings(preset(name), {**SMALL, **PLACED, **MANY})
+
+
+@pytest.fixture(params=list(PRESETS))
+def values(request: pytest.FixtureRequest) -> Settings:
+    """The settings of each preset, light."""
+    return configured(request.param)
+
+
+@pytest.fixture
+def ground(stage: Stage, values: Settings, assets: Assets):
+    made = Ground(values, assets, sun.direction(values.sun))
+    yield made
+    stage.enter()
+    made.release()
+
+
+@pytest.mark.parametrize("name", ELEMENTS)
+def test_drawing_leaves_the_state_as_found_and_release_leaves_no_name(
+    stage: Stage, values: Settings, assets: Assets, ground: Ground, name: str
+) -> None:
+    before = live_names()
+    element = ELEMENTS[name](values, assets, ground)
+    made = [after - names for names, after in zip(before, live_names(), strict=True)]
+    assert made[0], "every element owns a texture"
+    blank = None
+    for is_mirrored in (False, True):
+        with stage.frame(values, POSE, kt=33.0, fog=True, step=7.0, stroke=1) as frame:
+            blank = stage.read()
+            given = () if name in FRAMELESS else (replace(frame, mirrored=is_mirrored),)
+            found = snapshot()
+            if is_mirrored:
+                with mirrored(values):
+                    inside = snapshot()
+                    element.draw(*given)
+                    assert not changes(inside, snapshot())
+            else:
+                element.draw(*given)
+            assert not changes(found, snapshot())
+            if not is_mirrored:
+                assert (stage.read() != blank).any(), "it should have drawn something"
+    element.release()
+    assert live_names() == before
+    element.release()
+    assert live_names() == before
+    assert int(gl.glGetError()) == 0
+
+
+def test_a_frame_would_notice_changed_state(stage: Stage, values: Settings) -> None:
+    def change_fog() -> None:
+        gl.glFogf(gl.GL_FOG_DENSITY, 0.5)
+
+    def unbalanced() -> None:
+        gl.glPushMatrix()
+
+    mischief = {
+        "BLEND": lambda: gl.glEnable(gl.GL_BLEND),
+        "unit 1": lambda: (gl.glActiveTexture(gl.GL_TEXTURE1), gl.glEnable(gl.GL_TEXTURE_2D)),
+        "ACTIVE_TEXTURE": lambda: gl.glActiveTexture(gl.GL_TEXTURE1),
+        "CURRENT_COLOR": lambda: gl.glColor4f(0.5, 0.5, 0.5, 1.0),
+        "DEPTH_WRITEMASK": lambda: gl.glDepthMask(gl.GL_FALSE),
+        "FOG_DENSITY": change_fog,
+        "MODELVIEW_STACK_DEPTH": unbalanced,
+        "CLIENT_ACTIVE_TEXTURE": lambda: gl.glClientActiveTexture(gl.GL_TEXTURE1),
+        "FRONT_FACE": lambda: gl.glFrontFace(gl.GL_CW),
+    }
+    for name, do in mischief.items():
+        depth = int(gl.glGetIntegerv(gl.GL_MODELVIEW_STACK_DEPTH))
+        with pytest.raises(AssertionError, match=name):
+            with stage.borrowed():
+                with stage.frame(values, POSE):
+                    do()
+        gl.glClientActiveTexture(gl.GL_TEXTURE0)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        while int(gl.glGetIntegerv(gl.GL_MODELVIEW_STACK_DEPTH)) > depth:
+            gl.glPopMatrix()
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        lambda: attrib(gl.GL_ENABLE_BIT | gl.GL_FOG_BIT),
+        matrix,
+        lambda: flat_projection(-1, 1, -1, 1, 0.1, 2),
+        flat_projection,
+        lambda: client_arrays(
+            np.zeros((3, 3), np.float32),
+            np.zeros((3, 3), np.float32),
+            np.zeros((3, 4), np.uint8),
+            [np.zeros((3, 2), np.float32)] * 3,
+        ),
+    ],
+    ids=["attrib", "matrix", "ortho", "identity", "arrays"],
+)
+def test_scoped_state_comes_back_even_after_an_exception(stage: Stage, block) -> None:
+    with stage.frame(Settings(), POSE):
+        with pytest.raises(RuntimeError):
+            with block():
+                gl.glLoadIdentity() if block is matrix else None
+                raise RuntimeError
+        with block():
+            pass
+
+
+def test_a_whole_frame_leaves_the_state_as_its_beginning_set_it(
+    stage: Stage, values: Settings, assets: Assets
+) -> None:
+    before = live_names()
+    island = Island(values, assets)
+    moment = Moment(POSE, SIZE, 12.0, 3.0, 2)
+    with stage.borrowed():
+        island.begin(moment)
+        found = snapshot()
+        for wireframe in (False, True):
+            island.draw(replace(moment, wireframe=wireframe))
+            assert not changes(found, snapshot())
+    island.release()
+    island.release()
+    assert live_names() == before
+
+
+def test_an_island_that_cannot_be_built_releases_what_was(
+    stage: Stage, values: Settings, tmp_path: Path
+) -> None:
+    folder = write_plain(tmp_path)
+    (folder / "sword_rest.png").write_bytes(b"not an image")
+    before = live_names()
+    with pytest.raises(InputError, match=r"sword_rest\.png"):
+        Island(values, Assets(folder), only=("ground", "water", "sky", "castle", "sword"))
+    assert live_names() == before
+
+
+def test_a_frame_after_the_first_makes_and_deletes_no_objects(
+    stage: Stage, values: Settings, assets: Assets
+) -> None:
+    island = Island(values, assets)
+    with stage.borrowed():
+        island.draw(Moment(POSE, SIZE))  # what waits for its size or first use is made now
+        with recording() as recorder:
+            island.draw(Moment(POSE, SIZE, 9.0))
+    island.release()
+    names = {call.name for call in recorder.calls}
+    assert not {name for name in names if name.startswith(("glGen", "glDelete", "glTexImage"))}

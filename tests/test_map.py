@@ -1,0 +1,83 @@
+"""The map: its own viewport, and the walker's point where the report puts it."""
+
+import numpy as np
+import pytest
+from PIL import Image
+from stage import Stage, close, small
+
+from landscape.assets import Assets
+from landscape.elements.map import Map, place_on_map
+from landscape.frame import Pose
+from landscape.gl.calls import gl
+
+BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
+GREEN = np.array([0, 255, 0])
+ALPHA = 0.75
+
+
+def test_a_place_is_minus_1_plus_x_over_20_and_1_minus_z_over_20() -> None:
+    assert place_on_map(0.0, 0.0, 40.0) == (-1.0, 1.0)
+    assert place_on_map(40.0, 40.0, 40.0) == (1.0, -1.0)
+    assert place_on_map(25.0, 10.0, 40.0) == (0.25, 0.5)
+    assert place_on_map(25.0, 10.0, 100.0) == (-0.5, 0.8)
+
+
+def drawn(
+    stage: Stage, assets: Assets, pose: Pose, fog: bool = False, alpha: float = ALPHA
+) -> np.ndarray:
+    settings = small({"overlay.map_alpha": alpha})
+    map_ = Map(settings, assets)
+    with stage.frame(settings, pose, fog=fog) as frame:
+        map_.draw(frame)
+        picture = stage.read()
+    map_.release()
+    return picture
+
+
+@pytest.mark.parametrize("fog", [False, True])
+def test_the_map_fills_the_upper_left_quarter_of_each_side(
+    stage: Stage, plain: Assets, fog: bool
+) -> None:
+    picture = drawn(stage, plain, Pose(3.0, 1.0, 3.0), fog)
+    wanted = ALPHA * GREEN + (1 - ALPHA) * BACKGROUND
+    corner = picture[:30, :40]
+    point = (corner == 255).all(axis=2)
+    assert close(corner[~point], wanted)
+    outside = picture.copy()
+    outside[:30, :40] = BACKGROUND
+    assert close(outside, BACKGROUND)
+
+
+@pytest.mark.parametrize(("x", "z"), [(20.0, 20.0), (10.0, 30.0), (34.0, 6.0)])
+def test_the_walkers_point_is_five_pixels_wide_where_he_stands(
+    stage: Stage, plain: Assets, x: float, z: float
+) -> None:
+    picture = drawn(stage, plain, Pose(x, 1.0, z, 77.0, 10.0))
+    white = (picture == 255).all(axis=2)
+    rows, columns = np.nonzero(white)
+    assert white.sum() == 25
+    # The viewport is 40 x 30 pixels at the upper left; north is up.
+    assert columns.mean() + 0.5 == pytest.approx(x / 40 * 40, abs=0.6)
+    assert rows.mean() + 0.5 == pytest.approx(z / 40 * 30, abs=0.6)
+
+
+def test_the_picture_is_the_right_way_up(stage: Stage, plain_folder) -> None:
+    image = np.full((8, 8, 4), 255, np.uint8)
+    image[:4, :4] = (200, 0, 0, 255)  # the north-west is red
+    Image.fromarray(image).save(plain_folder / "map.png")
+    picture = drawn(stage, Assets(plain_folder), Pose(39.0, 1.0, 39.0), alpha=1.0)
+    assert close(picture[5, 5], (200, 0, 0))
+    assert close(picture[25, 5], 255) and close(picture[5, 35], 255)
+
+
+def test_the_map_lies_over_everything_whatever_the_depth(stage: Stage, plain: Assets) -> None:
+    settings = small({"overlay.map_alpha": 1.0})
+    map_ = Map(settings, plain)
+    with stage.frame(settings, Pose(3.0, 1.0, 3.0)) as frame:
+        gl.glClearDepth(0.0)
+        gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
+        gl.glClearDepth(1.0)
+        map_.draw(frame)
+        picture = stage.read()
+    map_.release()
+    assert close(picture[20, 20], GREEN)

@@ -1,0 +1,128 @@
+"""Meshes: grids, normals, surfaces of revolution, PLY files, one glDrawElements."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from stage import Stage, close, small, write_ply
+
+from landscape.errors import InputError
+from landscape.frame import Pose
+from landscape.gl.calls import recording
+from landscape.gl.mesh_tool import (
+    Mesh,
+    centred,
+    grid_triangles,
+    revolve,
+    vertex_normals,
+)
+from landscape.meshes import read_mesh, read_ply
+
+
+def test_a_grid_cuts_each_cell_along_its_diagonal() -> None:
+    assert grid_triangles(2, 2).tolist() == [[0, 2, 3], [0, 3, 1]]
+    triangles = grid_triangles(4, 3)
+    assert len(triangles) == 2 * 3 * 2
+    assert set(np.unique(triangles)) == set(range(12))
+    assert triangles.dtype == np.uint32 and triangles.flags.c_contiguous
+
+
+def test_a_normal_is_the_mean_of_its_triangles_weighted_by_area() -> None:
+    # One triangle of area 2 facing up and one of area 1/2 facing south share vertex 0.
+    vertices = np.array([(0, 0, 0), (0, 0, 2), (2, 0, 0), (1, 0, 0), (0, 1, 0)], np.float32)
+    triangles = np.array([(0, 1, 2), (0, 3, 4)], np.uint32)
+    normals = vertex_normals(vertices, triangles)
+    assert normals[1].tolist() == [0, 1, 0]
+    assert normals[4].tolist() == [0, 0, 1]
+    assert normals[0] == pytest.approx(np.array([0, 4, 1]) / math.sqrt(17))
+
+
+def test_a_vertex_without_triangles_points_up_and_degenerate_ones_do_no_harm() -> None:
+    vertices = np.array([(0, 0, 0), (1, 0, 0), (2, 0, 0), (5, 5, 5)], np.float32)
+    normals = vertex_normals(vertices, np.array([(0, 1, 2)], np.uint32))
+    assert normals.tolist() == [[0, 1, 0]] * 4
+
+
+def test_a_cone_has_the_normals_of_a_cone() -> None:
+    mesh = revolve([(1.0, 0.0), (0.0, 2.0)], 64, (3, 1))
+    lower = mesh.vertices[:, 1] == 0
+    angle = np.arctan2(mesh.vertices[lower, 2], mesh.vertices[lower, 0])
+    slant = np.array([2.0, 1.0]) / math.sqrt(5)
+    wanted = np.stack([slant[0] * np.cos(angle), 0 * angle + slant[1], slant[0] * np.sin(angle)], 1)
+    assert np.allclose(mesh.normals[lower], wanted, atol=0.03)
+    assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-5)
+
+
+def test_a_turned_profile_closes_without_a_seam_in_the_light() -> None:
+    mesh = revolve([(0.5, 0.0), (0.5, 1.0), (0.7, 1.2)], 10, (4, 2))
+    for start in range(0, len(mesh.vertices), 11):
+        assert np.allclose(mesh.vertices[start], mesh.vertices[start + 10], atol=1e-6)
+        assert (mesh.normals[start] == mesh.normals[start + 10]).all()
+    s = mesh.coordinates[0][:, 0]
+    assert s.min() == 0.0 and s.max() == 4.0
+    assert len(mesh.vertices) == 2 * 2 * 11 and mesh.triangles.max() == 43
+
+
+def test_a_turned_profile_faces_away_from_its_axis() -> None:
+    mesh = revolve([(0.5, 0.0), (0.5, 1.0)], 12, (1, 1))
+    outward = mesh.vertices[:, [0, 2]] / 0.5
+    # Two triangles lie on one side of a vertex and one on the other: a few degrees to the side.
+    assert ((mesh.normals[:, [0, 2]] * outward).sum(axis=1) > math.cos(math.radians(6))).all()
+    a, b, c = (mesh.vertices[mesh.triangles[:, k]] for k in range(3))
+    face = np.cross(b - a, c - a)
+    assert ((face * (a + b + c) * (1, 0, 1)).sum(axis=1) > 0).all()
+
+
+def test_centring_fills_minus_1_to_1_along_the_largest_side() -> None:
+    vertices = centred(np.array([(2, 10, 5), (4, 16, 5), (3, 12, 5)], np.float32))
+    assert vertices[0] == pytest.approx([-1 / 3, -1.0, 0.0])
+    assert vertices[1] == pytest.approx([1 / 3, 1.0, 0.0])
+    assert centred(np.ones((3, 3), np.float32)).tolist() == [[0, 0, 0]] * 3
+
+
+def test_a_ply_keeps_its_vertices_order_and_cuts_quads_in_two(tmp_path) -> None:
+    vertices = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.5)])
+    path = write_ply(tmp_path / "quad.ply", vertices, np.array([(0, 1, 2, 3)]))
+    read, triangles = read_ply(path)
+    assert np.allclose(read, vertices) and read.dtype == np.float32
+    assert sorted(sorted(t) for t in triangles.tolist()) in (
+        [[0, 1, 2], [0, 2, 3]],
+        [[0, 1, 3], [1, 2, 3]],
+    )
+
+
+def test_a_mesh_is_sent_by_one_draw_call_where_its_vertices_are(stage: Stage) -> None:
+    vertices = np.array([(-1, -1, -2), (1, -1, -2), (1, 1, -2), (-1, 1, -2)], np.float32)
+    normals = np.tile(np.array([0, 0, 1], np.float32), (4, 1))
+    mesh = Mesh(vertices, normals, np.array([(0, 1, 2), (0, 2, 3)], np.uint32))
+    with stage.frame(small(), Pose(0.0, 0.0, 0.0)):
+        with recording() as recorder:
+            mesh.draw()
+        picture = stage.read()
+    draws = [call for call in recorder.calls if call.name.startswith("glDraw")]
+    assert [call.name for call in draws] == ["glDrawElements"]
+    # 1 unit at distance 2 is 60 / (2 tan 30) = 51.96 pixels.
+    white = (picture == 255).all(axis=2)
+    assert white.any(axis=0).sum() == 104 and white.any(axis=1).sum() == 104
+    assert close(picture[2, 2], np.array([0.4, 0.6, 0.7]) * 255)
+
+
+@pytest.mark.parametrize("ending", ["obj", "stl", "off", "glb"])
+def test_other_formats_are_read_through_trimesh(tmp_path: Path, ending: str) -> None:
+    import trimesh
+
+    box = trimesh.creation.box((2.0, 4.0, 6.0))
+    path = tmp_path / f"box.{ending}"
+    box.export(path)
+    vertices, triangles = read_mesh(path)
+    assert len(triangles) == 12 and triangles.dtype == np.uint32
+    assert vertices.dtype == np.float32
+    assert np.allclose(vertices.max(axis=0), (1, 2, 3)) and triangles.max() < len(vertices)
+
+
+def test_a_damaged_mesh_of_another_format_names_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "bad.glb"
+    path.write_bytes(b"no mesh at all")
+    with pytest.raises(InputError, match=r"bad\.glb: expected a"):
+        read_mesh(path)

@@ -1,0 +1,115 @@
+"""No named view calls an entry point on the list of shaders_none/forbidden.txt.
+
+The list itself is tested in test_no_shader_list.py, and that no file but those of landscape/gl can
+go past the seam in test_calls.py.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from stage import SMALL as FEW
+from stage import write_plain, write_ply
+
+from landscape.elements import transparent_elements
+from landscape.elements.atlas import CELLS
+from landscape.elements.water_surface import WaterSurface
+from landscape.gl.calls import Call, gl, recording
+from landscape.render import Offscreen
+from landscape.settings import PRESETS
+from landscape.views import VIEWS
+
+LIST = Path(__file__).resolve().parents[1] / "shaders_none" / "forbidden.txt"
+SMALL = {**FEW, "grass.count": 100_000}
+FORBIDDEN = frozenset(
+    line for line in LIST.read_text(encoding="utf-8").splitlines() if line[:1] not in ("", "#")
+)
+
+
+def called(calls: list[Call]) -> set[str]:
+    """Return the names of all calls, those inside display lists as well."""
+    names: set[str] = set()
+    for call in calls:
+        names |= {call.name} | called(call.listed)
+    return names
+
+
+def quick_assets(folder: Path) -> Path:
+    """Fill a folder with small pictures and meshes: which calls are made does not depend on them.
+
+    The height images are the shipped ones: what comes into view does depend on those.
+    """
+    sprites = {name: (90, 120, 60, 255) for name in CELLS}
+    write_plain(folder, {**sprites, "ground_large.png": (60, 140, 40)})
+    (folder / "height.png").unlink()
+    for name in ("rabbit.ply", "dragon.ply"):
+        write_ply(folder / name, np.eye(4, 3), np.array([(0, 1, 2), (0, 2, 3), (0, 3, 1)]))
+    return folder
+
+
+def quick_levels(image: np.ndarray, levels: int) -> list[np.ndarray]:
+    return [np.ascontiguousarray(image[:: 1 << k, :: 1 << k]) for k in range(levels)]
+
+
+@pytest.fixture(scope="module")
+def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
+    """Every view in its own preset, and those of figure 35 in all: (preset, view) to names called.
+
+    One island serves all views that need the same, so what it calls while it is built is counted
+    with the first view drawn in it.
+    """
+    folder = quick_assets(tmp_path_factory.mktemp("quick"))
+    found: dict[tuple[str, str], set[str]] = {}
+    for preset in PRESETS:
+        mine = [v for v in VIEWS.values() if v.preset == preset or v.name.startswith("fig35")]
+        with recording() as recorder, pytest.MonkeyPatch.context() as patch:
+            patch.setattr(transparent_elements, "mip_chain", quick_levels)
+            with Offscreen((64, 48), preset, SMALL, assets=folder) as offscreen:
+                for view in sorted(mine, key=lambda v: (str(v.settings), v.shown)):
+                    start = len(recorder.calls)
+                    offscreen.look(view.name)
+                    assert offscreen.island is not None
+                    offscreen.island.draw(offscreen.moment)
+                    found[preset, view.name] = called(recorder.calls[start:])
+                offscreen.draw()
+            found[preset, "opening, reading and closing"] = called(recorder.calls)
+    yield found
+
+
+def test_no_view_calls_a_forbidden_function(traced: dict[tuple[str, str], set[str]]) -> None:
+    assert len(FORBIDDEN) > 500
+    assert {view for _, view in traced} >= set(VIEWS)
+    assert not {where: names & FORBIDDEN for where, names in traced.items() if names & FORBIDDEN}
+
+
+def test_every_view_was_really_drawn(traced: dict[tuple[str, str], set[str]]) -> None:
+    for where, names in traced.items():
+        assert {"glClear", "glLoadIdentity"} <= names, where
+        assert names & {"glDrawElements", "glCallList"}, where
+
+
+@pytest.mark.parametrize("inside_a_list", [False, True])
+def test_a_forbidden_call_would_be_found(
+    monkeypatch: pytest.MonkeyPatch, plain_folder: Path, inside_a_list: bool
+) -> None:
+    draw = WaterSurface.draw
+
+    def cheating(self: WaterSurface, frame: object) -> None:
+        if inside_a_list:
+            name = int(gl.glGenLists(1))
+            gl.glNewList(name, gl.GL_COMPILE)
+            gl.glUseProgram(0)
+            gl.glEndList()
+            gl.glCallList(name)
+            gl.glDeleteLists(name, 1)
+        else:
+            gl.glUseProgram(0)
+        draw(self, frame)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(WaterSurface, "draw", cheating)
+    with recording() as recorder:
+        with Offscreen((32, 24), "2006", SMALL, assets=plain_folder, only=("water",)) as offscreen:
+            offscreen.look((20.0, 1.0, 20.0, 0.0, 0.0))
+            offscreen.draw()
+    assert called(recorder.calls) & FORBIDDEN == {"glUseProgram"}

@@ -1,0 +1,189 @@
+"""Writing: whole files or none, on a full disk as well; progress on a terminal only."""
+
+import errno
+import io
+import os
+import stat
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from landscape import output
+from landscape.errors import InputError
+from landscape.output import Progress, output_paths, save_png, write_whole
+
+
+def full_disk(*_: object, **__: object) -> None:
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+class FullFile(io.BytesIO):
+    """A file on a disk with room for three bytes."""
+
+    def __init__(self, handle: int, mode: str) -> None:
+        super().__init__()
+        self._handle = handle
+
+    def write(self, data: object) -> int:
+        os.write(self._handle, bytes(data)[:3])  # type: ignore[call-overload]
+        full_disk()
+        return 0
+
+    def close(self) -> None:
+        if not self.closed:
+            os.close(self._handle)
+        super().close()
+
+
+def test_a_file_is_written_whole_with_a_new_folder_and_the_usual_rights(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "folder" / "é.bin"
+    write_whole(path, b"abc")
+    assert path.read_bytes() == b"abc"
+    umask = os.umask(0)
+    os.umask(umask)
+    assert stat.S_IMODE(path.stat().st_mode) == 0o666 & ~umask
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_an_earlier_file_is_replaced_and_what_had_it_open_still_reads_the_old(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    with path.open("rb") as reader:
+        write_whole(path, b"new and longer")
+        assert reader.read() == b"old"
+    assert path.read_bytes() == b"new and longer"
+
+
+@pytest.mark.parametrize("where", ["write", "rename"])
+def test_a_full_disk_keeps_the_earlier_file_and_leaves_no_other(
+    where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.png"
+    path.write_bytes(b"old")
+    if where == "write":
+        monkeypatch.setattr(output.os, "fdopen", FullFile)
+    else:
+        monkeypatch.setattr(output.os, "replace", full_disk)
+    with pytest.raises(InputError, match=r"a\.png: cannot be written \(No space left on device\)"):
+        save_png(np.zeros((4, 4, 3), np.uint8), path)
+    monkeypatch.undo()
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_an_interrupted_write_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(output.os, "replace", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        write_whole(tmp_path / "a.bin", b"abc")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_symbolic_link_is_followed_and_not_replaced(tmp_path: Path) -> None:
+    (tmp_path / "real").mkdir()
+    (tmp_path / "real" / "a.bin").write_bytes(b"old")
+    link = tmp_path / "link.bin"
+    link.symlink_to(tmp_path / "real" / "a.bin")
+    write_whole(link, b"new")
+    assert link.is_symlink()
+    assert (tmp_path / "real" / "a.bin").read_bytes() == b"new"
+    assert len(list((tmp_path / "real").iterdir())) == 1
+
+
+def test_a_name_of_the_longest_length_is_written(tmp_path: Path) -> None:
+    path = tmp_path / ("x" * 251 + ".png")
+    write_whole(path, b"abc")
+    assert path.read_bytes() == b"abc"
+
+
+def test_a_folder_in_the_file_s_place_is_refused_and_kept(tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(InputError, match="folder: cannot be written"):
+        write_whole(tmp_path / "folder", b"abc")
+    assert [p.name for p in tmp_path.iterdir()] == ["folder"]
+
+
+def test_a_png_holds_the_pixels_given(tmp_path: Path) -> None:
+    pixels = np.random.default_rng(3).integers(0, 256, (5, 7, 3), dtype=np.uint8)
+    save_png(pixels, tmp_path / "a.png")
+    with Image.open(tmp_path / "a.png") as image:
+        assert image.format == "PNG" and image.size == (7, 5)
+        assert (np.asarray(image) == pixels).all()
+
+
+def test_one_view_goes_to_a_file_and_any_number_to_a_folder(tmp_path: Path) -> None:
+    folder, picture = tmp_path / "folder", tmp_path / "x.PNG"
+    assert output_paths(None, ["a"]) == [Path("a.png")]
+    assert output_paths(picture, ["a"]) == [picture]
+    assert output_paths(folder, ["a"]) == [folder / "a.png"]
+    assert output_paths(folder, ["a", "b"]) == [folder / "a.png", folder / "b.png"]
+    assert list(tmp_path.iterdir()) == [], "asking for paths makes nothing"
+
+
+def test_a_folder_that_has_the_name_of_a_picture_is_a_folder(tmp_path: Path) -> None:
+    for name in ("album.png", "album.jpg"):
+        (tmp_path / name).mkdir()
+        assert output_paths(tmp_path / name, ["a"]) == [tmp_path / name / "a.png"]
+
+
+@pytest.mark.parametrize("name", ["a.jpg", "a.JPEG", "a.webp"])
+def test_a_picture_of_another_format_is_refused(name: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=rf"{name}: expected FILE\.png or a folder"):
+        output_paths(tmp_path / name, ["a"])
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_without_the_right_to_write_is_refused_at_once(tmp_path: Path) -> None:
+    tmp_path.chmod(0o555)
+    try:
+        with pytest.raises(InputError, match="expected a folder that can be written"):
+            output_paths(tmp_path / "deep", ["a"])
+    finally:
+        tmp_path.chmod(0o755)
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def progress_of(total: int, monkeypatch: pytest.MonkeyPatch, err: object, quiet: bool) -> None:
+    monkeypatch.setattr(sys, "stderr", err)
+    with Progress(total, quiet) as progress:
+        for k in range(total):
+            progress.step(f"view{k}")
+
+
+def test_progress_counts_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    err = Terminal()
+    progress_of(3, monkeypatch, err, quiet=False)
+    assert "1/3 view0" in err.getvalue() and "3/3 view2" in err.getvalue()
+    assert err.getvalue().endswith("\n")
+    assert "#" * Progress.WIDTH in err.getvalue().splitlines()[-1]
+
+
+@pytest.mark.parametrize(("total", "quiet"), [(3, True), (1, False)])
+def test_no_progress_when_quiet_or_for_a_single_thing(
+    total: int, quiet: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    err = Terminal()
+    progress_of(total, monkeypatch, err, quiet)
+    assert err.getvalue() == ""
+
+
+def test_no_progress_where_standard_error_is_a_file_or_closed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    err = io.StringIO()
+    progress_of(3, monkeypatch, err, quiet=False)
+    assert err.getvalue() == ""
+    progress_of(3, monkeypatch, None, quiet=False)

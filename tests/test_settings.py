@@ -1,0 +1,142 @@
+"""The settings: presets, texts, TOML, limits, and what each key says of itself."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from landscape import settings
+from landscape.errors import InputError
+from landscape.settings import Settings, get, preset, read_toml, with_settings
+
+KEYS = dict(settings.keys())
+NUMBERS = [key for key, item in KEYS.items() if type(item.default) in (int, float)]
+
+
+def changed(key: str, value: object) -> settings.Value:
+    return get(with_settings(Settings(), {key: value}), key)
+
+
+@pytest.mark.parametrize("key", KEYS)
+def test_every_default_is_within_its_own_limits_and_survives_being_written(key: str) -> None:
+    default = KEYS[key].default
+    assert changed(key, default) == default
+    text = ",".join(map(str, default)) if isinstance(default, tuple) else str(default)
+    assert changed(key, text) == default
+    assert type(changed(key, text)) is type(default)
+
+
+@pytest.mark.parametrize("key", KEYS)
+def test_every_key_says_its_unit_and_its_source(key: str) -> None:
+    meta = KEYS[key].metadata
+    assert meta["unit"]
+    # A place in the report, one of its wishes (R1 to R19), a neighbour of it, or "chosen".
+    known = r"(section|figure) \d+(\.\d+)*|introduction|R\d+|glskel effects|chosen"
+    assert re.fullmatch(rf"({known})(, ({known}))*", meta["source"])
+    assert settings.expected(key)
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_every_number_is_taken_at_its_limits_and_refused_beyond(key: str) -> None:
+    low, high = KEYS[key].metadata["low"], KEYS[key].metadata["high"]
+    assert [changed(key, low), changed(key, high)] == [low, high] and low < high
+    beyond: list[object] = [low - 1, high + 1, 10**400, float("nan"), float("inf")]
+    for wrong in [*beyond, True, None, "", []]:
+        with pytest.raises(InputError, match=re.escape(f"setting {key}: expected ")):
+            changed(key, wrong)
+
+
+def test_the_preset_2006_is_the_defaults() -> None:
+    assert preset("2006") == Settings()
+
+
+def test_the_preset_best_changes_only_keys_that_exist_each_to_what_it_says() -> None:
+    best = preset("best")
+    for key, value in settings.BEST.items():
+        assert key in KEYS
+        assert get(best, key) == value
+        assert value != KEYS[key].default, f"{key} need not stand in BEST"
+    for key in KEYS.keys() - settings.BEST.keys():
+        assert get(best, key) == KEYS[key].default
+
+
+def test_an_unknown_preset_is_refused_with_the_known_ones() -> None:
+    with pytest.raises(InputError, match=r"'worst'.*2006, best"):
+        preset("worst")
+
+
+def test_the_report_s_fog_is_the_default() -> None:
+    fog = Settings().fog
+    assert (fog.mode, fog.density, fog.color) == ("exp2", 0.12, (0.4, 0.6, 0.7))
+
+
+@pytest.mark.parametrize("text", ["true", "True", "ON", "1", "yes"])
+def test_words_for_true_are_understood(text: str) -> None:
+    assert changed("water.fresnel", text) is True
+
+
+@pytest.mark.parametrize("text", ["false", "False", "off", "0", "NO"])
+def test_words_for_false_are_understood(text: str) -> None:
+    assert changed("fog.enabled", text) is False
+
+
+def test_numbers_are_read_as_one_writes_them() -> None:
+    assert changed("grass.count", "1_000_000") == 1_000_000
+    assert changed("grass.count", 2000.0) == 2000 and isinstance(
+        changed("grass.count", 2000.0), int
+    )
+    assert changed("fog.density", " 5e-2 ") == 0.05
+    assert changed("fog.density", 1) == 1.0 and isinstance(changed("fog.density", 1), float)
+    assert changed("fog.color", " .1, 0.2 ,.3") == (0.1, 0.2, 0.3)
+    assert changed("fog.color", [0, 1, 0.5]) == (0.0, 1.0, 0.5)
+
+
+def test_a_change_leaves_all_other_settings_and_the_original_alone() -> None:
+    before = Settings()
+    after = with_settings(before, {"fog.density": "0.05", "grass.count": 7})
+    differing = {key for key in KEYS if get(before, key) != get(after, key)}
+    assert differing == {"fog.density", "grass.count"}
+    assert before == Settings()
+
+
+def test_a_later_change_wins() -> None:
+    once = with_settings(Settings(), {"fog.density": 0.5})
+    assert with_settings(once, {"fog.density": 0.25}).fog.density == 0.25
+
+
+def test_a_toml_file_may_use_tables_dotted_keys_and_windows_byte_order_mark(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(
+        "\ufeff# mine\ngrass.count = 1_000\r\n[fog]\r\ndensity = 0.05\ncolor = [0.5, 1, 0]\n"
+        "enabled = false\nmode = 'exp'\n",
+        encoding="utf-8",
+    )
+    values = with_settings(Settings(), read_toml(path))
+    assert values.grass.count == 1000
+    assert values.fog == settings.Fog(False, "exp", 0.05, (0.5, 1.0, 0.0))
+
+
+def test_an_empty_toml_file_changes_nothing(tmp_path: Path) -> None:
+    (tmp_path / "empty.toml").write_text("")
+    assert read_toml(tmp_path / "empty.toml") == {}
+
+
+def test_the_message_says_what_would_do() -> None:
+    for key, value, message in (
+        ("grass.count", "2.5", "a whole number from 0 to 10000000, not '2.5'"),
+        ("fog.color", "1,2", "3 numbers from 0 to 1, separated by commas, not '1,2'"),
+        ("fog.mode", "exp3", "one of exp2, exp, linear, not 'exp3'"),
+        ("fog.enabled", 2, "true or false, not 2"),
+        ("rabbit.mesh", "", "a file name, not ''"),
+    ):
+        with pytest.raises(InputError) as caught:
+            changed(key, value)
+        assert str(caught.value) == f"setting {key}: expected {message}"
+
+
+def test_the_table_lists_every_key_with_value_and_default() -> None:
+    rows = {row["key"]: row for row in settings.table(preset("best"))}
+    assert rows.keys() == KEYS.keys()
+    row = rows["fog.density"]
+    assert row["default"] == 0.12 and row["value"] == settings.BEST["fog.density"]
+    assert row["unit"] == "per unit" and row["source"] == "section 10.2"

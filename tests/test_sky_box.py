@@ -1,0 +1,213 @@
+"""The sky box: five walls that close, colours in given directions, what it follows."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from stage import Stage, close, pixel, project, quad, small, write_plain
+
+from landscape.assets import Assets
+from landscape.elements.fog import visibility
+from landscape.elements.sky_box import (
+    CLOUD_ALPHA,
+    CLOUD_DRIFT,
+    CLOUD_REPEAT,
+    CLOUD_RINGS,
+    FACES,
+    SkyBox,
+    cloud_disc,
+    face_coordinates,
+    face_corners,
+)
+from landscape.frame import Pose
+from landscape.gl.calls import gl
+
+LEVEL, D, H = 0.6, 8.0, 5.0
+BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
+BOX = {"water.level": LEVEL, "sky.half_width": D, "sky.height": H}
+COLOURS = {
+    "west": (200, 0, 0),
+    "north": (0, 200, 0),
+    "east": (0, 0, 200),
+    "south": (200, 200, 0),
+    "top": (0, 200, 200),
+}
+INFINITE = {"follow_y": True, "background": True, "unfogged": True}
+YAWS = {"north": 0.0, "east": 90.0, "south": 180.0, "west": 270.0}
+
+
+def test_the_walls_and_the_top_close_edge_to_edge() -> None:
+    faces = face_corners(3.0, 2.0)
+    assert tuple(faces) == FACES
+    walls = ("west", "north", "east", "south")
+    for left, right in zip(walls, walls[1:] + walls[:1], strict=True):
+        # Seen from inside, a wall's right edge is the next wall's left edge.
+        assert faces[left][[3, 2]].tolist() == faces[right][[0, 1]].tolist()
+    rim = {tuple(corner) for wall in walls for corner in faces[wall][[0, 3]].tolist()}
+    assert rim == {tuple(corner) for corner in faces["top"].tolist()}
+
+
+def test_walls_turn_counter_clockwise_seen_from_inside_and_the_top_from_above() -> None:
+    for name, corners in face_corners(3.0, 2.0).items():
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        inside = np.array([0.0, 1.0, 0.0]) - corners.mean(axis=0)
+        assert (normal @ inside > 0) == (name != "top")
+
+
+def test_the_box_spans_d_to_the_sides_and_0_to_h_upward() -> None:
+    every = np.concatenate(list(face_corners(8.0, 5.0).values()))
+    assert every.min(axis=0).tolist() == [-8.0, 0.0, -8.0]
+    assert every.max(axis=0).tolist() == [8.0, 5.0, 8.0]
+
+
+def test_coordinates_touch_the_centres_of_the_border_texels() -> None:
+    assert face_coordinates(4, 8).tolist() == [
+        [0.125, 0.0625],
+        [0.125, 0.9375],
+        [0.875, 0.9375],
+        [0.875, 0.0625],
+    ]
+
+
+def drawn(
+    stage: Stage, assets: Assets, pose: Pose, fog: bool = False, kt: float = 0.0, **changes: Any
+) -> np.ndarray:
+    settings = small({**BOX, **{f"sky.{k}": v for k, v in changes.items()}})
+    sky = SkyBox(settings, assets)
+    with stage.frame(settings, pose, kt, fog=fog) as frame:
+        sky.draw(frame)
+        picture = stage.read()
+    sky.release()
+    return picture
+
+
+@pytest.mark.parametrize("infinite", [False, True])
+@pytest.mark.parametrize("face", YAWS)
+def test_each_wall_stands_in_its_direction(
+    stage: Stage, plain: Assets, face: str, infinite: bool
+) -> None:
+    pose = Pose(13.0, 1.0, 21.0, YAWS[face], 10.0)
+    picture = drawn(stage, plain, pose, **(INFINITE if infinite else {}))
+    assert close(picture[60, 80], COLOURS[face])
+
+
+def test_straight_up_is_the_top(stage: Stage, plain: Assets) -> None:
+    assert close(drawn(stage, plain, Pose(20, 1, 20, 40.0, 90.0))[60, 80], COLOURS["top"])
+
+
+@pytest.mark.parametrize("y", [0.7, 1.5, 4.0])
+def test_the_box_follows_in_x_and_z_and_never_in_y(stage: Stage, plain: Assets, y: float) -> None:
+    pose = Pose(31.0, y, 7.0, 0.0, 0.0)
+    picture = drawn(stage, plain, pose)
+    foot = project(pose, (31.0, LEVEL, 7.0 - D))
+    assert close(picture[int(foot[1] - 1.5), 80], COLOURS["north"])
+    assert close(picture[int(foot[1] + 1.5), 80], BACKGROUND)
+    up = Pose(31.0, y, 7.0, 0.0, 25.0)
+    column, row = project(up, (31.0, LEVEL + H, 7.0 - D))
+    picture = drawn(stage, plain, up)
+    assert close(picture[int(row + 1.5), int(column)], COLOURS["north"])
+    assert close(picture[int(row - 1.5), int(column)], COLOURS["top"])
+
+
+@pytest.mark.parametrize("y", [0.7, 4.0])
+def test_a_sky_that_follows_in_y_has_its_foot_at_the_eyes_own_height(
+    stage: Stage, plain: Assets, y: float
+) -> None:
+    picture = drawn(stage, plain, Pose(31.0, y, 7.0, 0.0, 0.0), follow_y=True)
+    assert close(picture[58, 80], COLOURS["north"])
+    assert close(picture[61, 80], BACKGROUND)
+
+
+def test_the_fog_lies_on_the_walls_and_more_on_the_corners(stage: Stage, plain: Assets) -> None:
+    pose = Pose(20.0, 2.0, 20.0, 45.0, 0.0)
+    picture = drawn(stage, plain, pose, fog=True)
+    # Eye-space depth of the corner between north and east, just left of it.
+    point = (20.0 + D - 0.1, 2.4, 20.0 - D)
+    depth = (2 * D - 0.1) / math.sqrt(2)
+    part = float(visibility(np.array(depth), 0.12))
+    wanted = part * np.array(COLOURS["north"]) + (1 - part) * BACKGROUND
+    assert close(pixel(picture, project(pose, point)), wanted, 2)
+    straight = drawn(stage, plain, Pose(20.0, 2.0, 20.0, 0.0, 0.0), fog=True)
+    part_straight = math.exp(-((0.12 * D) ** 2))
+    wanted = part_straight * np.array(COLOURS["north"]) + (1 - part_straight) * BACKGROUND
+    assert close(straight[50, 80], wanted, 2)
+    assert part < part_straight
+
+
+def test_an_unfogged_sky_shows_its_own_colours_in_the_fog(stage: Stage, plain: Assets) -> None:
+    pose = Pose(20.0, 1.0, 20.0, 0.0, 10.0)
+    assert close(drawn(stage, plain, pose, fog=True, unfogged=True)[60, 80], COLOURS["north"])
+    assert not close(drawn(stage, plain, pose, fog=True)[60, 80], COLOURS["north"], 9)
+
+
+@pytest.mark.parametrize("background", [False, True])
+def test_a_sky_in_the_background_hides_nothing_beyond_its_walls(
+    stage: Stage, plain: Assets, background: bool
+) -> None:
+    settings = small({**BOX, "sky.background": background})
+    sky = SkyBox(settings, plain)
+    pose = Pose(20.0, 1.0, 20.0, 0.0, 10.0)
+    near, far = 2.0, 30.0
+    with stage.frame(settings, pose) as frame:
+        for distance, colour in ((far, (1.0, 1.0, 1.0, 1.0)), (near, (1.0, 0.0, 1.0, 1.0))):
+            side = 0.2 * distance
+            x = 20.0 + (side if distance == near else -side)
+            corners = [(x - side, 0.5), (x + side, 0.5), (x + side, 30.0), (x - side, 30.0)]
+            gl.glColor4f(*colour)
+            quad(np.array([(a, b, 20.0 - distance) for a, b in corners]))
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+        sky.draw(frame)
+        picture = stage.read()
+    sky.release()
+    assert close(picture[60, 90], (255, 0, 255)), "what is near stands before any sky"
+    assert close(picture[60, 70], 255 if background else COLOURS["north"])
+    assert close(picture[60, 3], COLOURS["north"])
+
+
+def test_the_cloud_disc_hangs_over_the_eye_and_fades_out_to_its_rim() -> None:
+    vertices, colors, coordinates, triangles = cloud_disc()
+    assert np.allclose(vertices[:, 1], 1.0)
+    radius = np.hypot(vertices[:, 0], vertices[:, 2])
+    assert radius.max() == pytest.approx(CLOUD_RINGS[-1])
+    assert np.allclose(colors[radius > CLOUD_RINGS[-1] - 1e-4, 3], 0.0)
+    assert colors[radius < 1e-6, 3] == pytest.approx(CLOUD_ALPHA)
+    assert np.allclose(coordinates, vertices[:, ::2] * CLOUD_REPEAT)
+    a, b, c = (vertices[triangles[:, k]].astype(float) for k in range(3))
+    assert (np.cross(b - a, c - a)[:, 1] <= 1e-9).all(), "counter-clockwise from below"
+
+
+def test_clouds_are_blended_over_the_top_and_drift_with_kt(stage: Stage, plain_folder) -> None:
+    clouds = np.full((64, 64, 4), 255, np.uint8)
+    clouds[..., :3] = 200
+    folder = write_plain(plain_folder, {"clouds.png": clouds})
+    up = Pose(20.0, 1.0, 20.0, 0.0, 89.0)
+    got = drawn(stage, Assets(folder), up, moving=True)[60, 80]
+    wanted = CLOUD_ALPHA * 200 + (1 - CLOUD_ALPHA) * np.array(COLOURS["top"])
+    assert close(got, wanted, 3)
+    clouds[:, :32, 3] = 0  # half clouds, half none
+    assets = Assets(write_plain(plain_folder, {"clouds.png": clouds}))
+    now, later = (drawn(stage, assets, up, kt=kt, moving=True) for kt in (0.0, 500.0))
+    assert (now != later).any()
+    # The texture moves by -0.00013 a kt: after a whole texture all is as it was.
+    assert CLOUD_DRIFT[0] == 0.00013 and CLOUD_DRIFT[1] == -0.00005
+    whole = drawn(stage, assets, up, kt=100_000.0, moving=True)
+    assert np.abs(whole - now).mean() < 2
+
+
+def test_pictures_are_seen_from_inside_the_right_way_round(stage: Stage, plain_folder) -> None:
+    halves = np.zeros((8, 8, 3), np.uint8)
+    halves[:, :4] = (250, 0, 0)  # left half red
+    halves[:4, 4:] = (0, 250, 0)  # upper right green, lower right black
+    assets = Assets(write_plain(plain_folder, {"sky_east.png": halves}))
+    pose = Pose(20.0, LEVEL + H / 2, 20.0, 90.0, 0.0)
+    picture = drawn(stage, assets, pose)
+    assert close(picture[40, 40], (250, 0, 0)) and close(picture[80, 40], (250, 0, 0))
+    assert close(picture[40, 120], (0, 250, 0)) and close(picture[80, 120], (0, 0, 0))
+
+
+def test_the_sunset_is_another_set_of_faces(stage: Stage, plain_folder) -> None:
+    reds = {f"sky_sunset_{face}.png": (220, 90, 30) for face in FACES}
+    assets = Assets(write_plain(plain_folder, reds))
+    picture = drawn(stage, assets, Pose(20.0, 1.0, 20.0, 0.0, 10.0), set="sunset")
+    assert close(picture[60, 80], (220, 90, 30))

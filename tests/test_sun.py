@@ -1,0 +1,55 @@
+"""The sun: its direction, and the light it gives a flat quad."""
+
+import math
+
+import numpy as np
+import pytest
+from stage import Stage, close, quad, small
+
+from landscape.elements.sun import direction
+from landscape.frame import Pose
+from landscape.gl.calls import gl
+from landscape.settings import Sun
+
+
+@pytest.mark.parametrize(
+    ("azimuth", "elevation", "towards"),
+    [
+        (0.0, 0.0, (0, 0, -1)),
+        (90.0, 0.0, (1, 0, 0)),
+        (180.0, 0.0, (0, 0, 1)),
+        (270.0, 0.0, (-1, 0, 0)),
+        (12.0, 90.0, (0, 1, 0)),
+        (135.0, 45.0, (0.5, math.sqrt(0.5), 0.5)),
+    ],
+)
+def test_the_suns_direction_is_that_of_the_compass(azimuth, elevation, towards) -> None:
+    sun = Sun(azimuth=azimuth, elevation=elevation)
+    assert direction(sun) == pytest.approx(towards, abs=1e-6)
+
+
+def test_the_suns_direction_has_length_one() -> None:
+    for azimuth in range(0, 360, 35):
+        vector = direction(Sun(azimuth=azimuth, elevation=azimuth / 4))
+        assert np.linalg.norm(vector) == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("yaw", [0.0, 70.0, 200.0])
+@pytest.mark.parametrize("elevation", [90.0, 30.0, 5.0])
+def test_a_lit_floor_shows_ambient_plus_diffuse_times_the_cosine(
+    stage: Stage, elevation: float, yaw: float
+) -> None:
+    changes = {"sun.elevation": elevation, "sun.azimuth": 40.0}
+    settings = small({**changes, "sun.ambient": (0.2, 0.3, 0.1), "sun.diffuse": (0.5, 0.6, 0.8)})
+    corners = np.array([(-2.0, 0, 2), (2, 0, 2), (2, 0, -2), (-2, 0, -2)])
+    with stage.frame(settings, Pose(0.0, 2.0, 0.0, yaw, -90.0)):
+        gl.glPushAttrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT)
+        gl.glEnable(gl.GL_LIGHTING)
+        gl.glColor4f(0.9, 0.8, 0.7, 1.0)
+        gl.glNormal3f(0.0, 1.0, 0.0)
+        quad(corners)
+        gl.glPopAttrib()
+        got = stage.read()[60, 80]
+    cosine = math.sin(math.radians(elevation))
+    light = np.array([0.2, 0.3, 0.1]) + np.array([0.5, 0.6, 0.8]) * cosine
+    assert close(got, np.array([0.9, 0.8, 0.7]) * light * 255, 1.5)

@@ -1,0 +1,144 @@
+"""Textures: rows, mip levels that keep a sprite's coverage, wrapping, ownership."""
+
+import numpy as np
+import pytest
+from PIL import Image
+from stage import Stage, close, live_names, quad, small
+
+from landscape.frame import Pose
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib
+from landscape.gl.texture import Texture, mip_chain, read_image
+
+SCREEN = np.array([(-4.0, -3.0, -5.196), (4, -3, -5.196), (4, 3, -5.196), (-4, 3, -5.196)])
+"""The quad that fills the 4:3 target at a field of view of 60 degrees."""
+
+
+def shown(stage: Stage, texture: Texture, corners: np.ndarray = SCREEN) -> np.ndarray:
+    """Return the picture of a quad that fills the screen, s to the right, t upward."""
+    with stage.frame(small(), Pose(0.0, 0.0, 0.0)):
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            texture.bind()
+            quad(corners)
+        picture = stage.read()
+    texture.release()
+    return picture
+
+
+def noise(h: int, w: int, channels: int) -> np.ndarray:
+    return np.random.default_rng(1).integers(0, 256, (h, w, channels), dtype=np.uint8)
+
+
+@pytest.mark.parametrize(("h", "w"), [(6, 8), (3, 5), (5, 7)])
+@pytest.mark.parametrize("channels", [3, 4])
+def test_every_texel_of_any_size_lands_in_its_place_row_0_at_t_0(
+    stage: Stage, h: int, w: int, channels: int
+) -> None:
+    image = noise(h, w, channels)
+    picture = shown(stage, Texture(image, repeat=False))
+    for row in range(h):
+        for column in range(w):
+            # Linear filtering is exact at a texel's centre; a pixel's centre is near enough to
+            # it for a few levels times the contrast.
+            x, y = (column + 0.5) / w * 160, 120 - (row + 0.5) / h * 120
+            got = picture[min(int(y), 119), int(x)]
+            assert close(got, image[row, column, :3], 12), (row, column)
+
+
+def test_clamping_keeps_the_other_side_out_and_repeating_lets_it_in(stage: Stage) -> None:
+    image = np.zeros((4, 4, 3), np.uint8)
+    image[:, 3] = 255  # the right column is white
+    clamped = shown(stage, Texture(image, repeat=False))
+    repeated = shown(stage, Texture(image, repeat=True))
+    assert clamped[60, 0].max() == 0
+    assert repeated[60, 0].min() > 100
+
+
+def test_far_away_a_texture_shows_its_mean(stage: Stage) -> None:
+    image = np.zeros((64, 64, 3), np.uint8)
+    image[::2, ::2] = image[1::2, 1::2] = 200  # a fine chequered pattern
+    picture = shown(stage, Texture(image), SCREEN * (0.05, 0.05, 1.0))
+    assert close(picture[58:62, 78:82], 100, 3)
+
+
+def test_given_mip_levels_are_used_as_they_are(stage: Stage) -> None:
+    levels = [np.full((64 >> k, 64 >> k, 3), 40 * k, np.uint8) for k in range(5)]
+    picture = shown(stage, Texture(levels), SCREEN * (0.01, 0.01, 1.0))
+    assert close(picture[60, 80], 160)  # level 4, the last one given, though smaller would fit
+
+
+def test_making_a_texture_leaves_the_bound_one_bound(stage: Stage) -> None:
+    first = Texture(noise(4, 4, 3))
+    first.bind()
+    second = Texture(noise(4, 4, 3))
+    assert int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D)) == first.name
+    gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+    first.release()
+    second.release()
+
+
+def test_releasing_twice_deletes_once_and_takes_nobody_elses_name(stage: Stage) -> None:
+    before = live_names()
+    one = Texture(noise(4, 4, 3))
+    one.release()
+    assert one.name == 0, "another texture may get the name"
+    two = Texture(noise(4, 4, 3))
+    one.release()
+    assert gl.glIsTexture(two.name)
+    two.release()
+    assert live_names() == before
+
+
+def disc(size: int = 64, soft: float = 2.0) -> np.ndarray:
+    """Return a green sprite, a disc with a soft edge, on transparent magenta."""
+    y, x = np.mgrid[0:size, 0:size] - (size - 1) / 2
+    alpha = np.clip((0.35 * size - np.hypot(x, y)) / soft + 0.5, 0, 1)
+    image = np.zeros((size, size, 4), np.uint8)
+    image[..., :3] = np.where(alpha[..., None] > 0, (30, 200, 40), (255, 0, 255))
+    image[..., 3] = (alpha * 255).astype(np.uint8)
+    return image
+
+
+def test_each_mip_level_is_half_as_large_and_the_first_is_the_image() -> None:
+    chain = mip_chain(disc(), 5)
+    assert [level.shape for level in chain] == [(64 >> k, 64 >> k, 4) for k in range(5)]
+    assert (chain[0] == disc()).all()
+    assert len(mip_chain(disc(8), 9)) == 4
+
+
+def test_mip_levels_cover_as_much_as_the_sprite() -> None:
+    rng = np.random.default_rng(2)
+    twigs = disc()
+    twigs[..., 3] = 255 * rng.random((64, 64)) ** 2  # thin: by averaging alone all would vanish
+    wanted = (twigs[..., 3] > 127).mean()
+    for level in mip_chain(twigs, 4)[1:]:
+        assert (level[..., 3] > 127).mean() == pytest.approx(wanted, abs=0.05)
+
+
+def test_no_colour_of_transparent_texels_leaks_into_a_mip_level() -> None:
+    for level in mip_chain(disc(), 5):
+        visible = level[level[..., 3] > 8]
+        assert close(visible[:, :3], (30, 200, 40), 2)
+
+
+def test_a_sprite_with_hard_edges_stays_opaque_in_all_levels() -> None:
+    solid = np.full((64, 64, 4), 255, np.uint8)
+    solid[:16, :, 3] = 0
+    for level in mip_chain(solid, 4):
+        assert set(np.unique(level[..., 3])) == {0, 255}
+
+
+def test_palette_and_grey_images_are_read_as_colours(tmp_path) -> None:
+    grey = Image.fromarray(np.array([[0, 128], [200, 255]], np.uint8))
+    grey.save(tmp_path / "grey.png")
+    grey.convert("P").save(tmp_path / "palette.png")
+    for name in ("grey.png", "palette.png"):
+        image = read_image(tmp_path / name, "RGB")
+        assert image.shape == (2, 2, 3) and image[..., 0].tolist() == [[0, 128], [200, 255]]
+    assert read_image(tmp_path / "grey.png").shape == (2, 2, 4)
+
+
+def test_a_16_bit_image_is_scaled_to_8(tmp_path) -> None:
+    Image.fromarray(np.array([[0, 65535, 32896]], np.uint16)).save(tmp_path / "deep.png")
+    assert read_image(tmp_path / "deep.png", "RGB")[0, :, 1].tolist() == [0, 255, 128]

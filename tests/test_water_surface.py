@@ -1,0 +1,198 @@
+"""The water: waves by the report's formulas, patches that match, blending over a known colour."""
+
+import math
+
+import numpy as np
+import pytest
+from stage import WHITE_LIGHT, Stage, close, pixel, project, small
+
+from landscape.assets import Assets
+from landscape.elements.water_surface import (
+    PATCHES,
+    WaterSurface,
+    patch_plane,
+    sea_ring,
+    wave_normals,
+)
+from landscape.elements.waves import fresnel_alpha, wave_coordinates
+from landscape.frame import Pose
+
+BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
+DOWN = Pose(20.0, 6.0, 20.0, 0.0, -90.0)
+TIMES = (0.0, 0.37, 2.0, 91.3)
+
+
+def test_a_patch_has_px_running_fastest_from_0_to_1() -> None:
+    plane = patch_plane(40)
+    assert plane.shape == (2, 1600)
+    assert plane[:, 0].tolist() == [0.0, 0.0]
+    assert plane[:, 39].tolist() == [1.0, 0.0]
+    assert plane[:, 40].tolist() == pytest.approx([0.0, 1 / 39])
+    assert plane[:, -1].tolist() == [1.0, 1.0]
+
+
+def test_the_normals_at_time_0_are_those_computed_by_hand() -> None:
+    # sin(-pi/2)^2 = 1 at a quarter of the patch, 0 at its corner and middle.
+    plane = np.array([[0.0, 0.25, 0.25, 0.5], [0.0, 0.0, 0.25, 0.25]])
+    length = math.sqrt(0.25**2 + 1 + 0.5**2)
+    wanted = [
+        (0.0, 1.0, 0.0),
+        (0.0, 1 / math.sqrt(1.25), 0.5 / math.sqrt(1.25)),
+        (0.25 / length, 1 / length, 0.5 / length),
+        (0.25 / math.sqrt(1.0625), 1 / math.sqrt(1.0625), 0.0),
+    ]
+    assert np.allclose(wave_normals(plane, 0.0), wanted, atol=1e-6)
+
+
+def test_normals_and_coordinates_follow_the_report_at_any_time() -> None:
+    px, py, t, repeat = 0.3, 0.7, 1.9, 4.0
+    x = 0.25 * math.sin(2 * t - 2 * math.pi * py) ** 2
+    z = 0.5 * math.sin(3 * t - 2 * math.pi * px) ** 2
+    length = math.sqrt(x * x + 1 + z * z)
+    plane = np.array([[px], [py]])
+    assert wave_normals(plane, t)[0] == pytest.approx([x / length, 1 / length, z / length])
+    a = 10 * t - 6 * math.pi * px
+    b = 10 * t - 6 * math.pi * py
+    s = px + 0.01 * math.cos(a) + 0.1 * math.cos(2 * t - 2 * math.pi * py)
+    r = py + 0.01 * math.cos(b) + 0.05 * math.cos(8 * t - 2 * math.pi * py)
+    assert wave_coordinates(plane, t, repeat)[0] == pytest.approx([repeat * s, repeat * r])
+
+
+@pytest.mark.parametrize("t", TIMES)
+def test_normals_have_length_one(t: float) -> None:
+    normals = wave_normals(patch_plane(40), t)
+    assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-6)
+    assert normals.dtype == np.float32 and (normals[:, 1] > 0.8).all()
+
+
+@pytest.mark.parametrize("t", TIMES)
+def test_a_patch_matches_its_neighbours_on_both_sides(t: float) -> None:
+    normals = wave_normals(patch_plane(40), t).reshape(40, 40, 3)
+    assert np.allclose(normals[:, 0], normals[:, -1], atol=1e-5)
+    assert np.allclose(normals[0], normals[-1], atol=1e-5)
+    coordinates = wave_coordinates(patch_plane(40), t, 4.0).reshape(40, 40, 2)
+    # A whole number of textures farther: the same texel.
+    assert np.allclose(coordinates[:, -1] - coordinates[:, 0], (4.0, 0.0), atol=1e-4)
+    assert np.allclose(coordinates[-1] - coordinates[0], (0.0, 4.0), atol=1e-4)
+
+
+def test_the_water_is_clearer_from_above_than_at_a_grazing_angle() -> None:
+    eye = np.array([0.0, 1.0, 0.0])
+    far = np.array([(d, 0.0, 0.0) for d in (0.0, 1.0, 3.0, 1e6)])
+    alpha = fresnel_alpha(far, eye, 0.8)
+    assert alpha[0] == pytest.approx(0.8)
+    assert alpha[1] == pytest.approx(0.8 * (1 - 0.67 * (1 - math.sqrt(0.5)) ** 3))
+    assert alpha[3] == pytest.approx(0.8 * 0.33, rel=1e-4)
+    assert (np.diff(alpha) < 0).all()
+
+
+def test_the_sea_fills_everything_but_the_patches() -> None:
+    points, triangles = sea_ring((-10.0, 40.0), 300.0)
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    # x to the right and z down: counter-clockwise from above is negative in these axes.
+    (ux, uz), (vx, vz) = (b - a).T, (c - a).T
+    area = -(ux * vz - uz * vx) / 2
+    assert (area > 0).all()
+    assert area.sum() == pytest.approx(650.0**2 - 50.0**2)
+    middle = (a + b + c) / 3
+    assert not ((middle > -10) & (middle < 40)).all(axis=1).any()
+
+
+@pytest.fixture
+def blended(stage: Stage, plain: Assets):
+    """Return a function: settings to the picture of the water from above."""
+
+    def draw(changes, pose: Pose = DOWN, kt: float = 0.0) -> np.ndarray:
+        settings = small(changes)
+        water = WaterSurface(settings, plain)
+        with stage.frame(settings, pose, kt) as frame:
+            water.draw(frame)
+            picture = stage.read()
+        water.release()
+        return picture
+
+    return draw
+
+
+def test_bare_water_is_seven_tenths_its_colour_and_three_tenths_what_lies_under(blended) -> None:
+    picture = blended({**WHITE_LIGHT, "water.textured": False})
+    wanted = 0.7 * np.array([0.2, 0.2, 0.4]) * 255 + 0.3 * BACKGROUND
+    assert close(picture[10:110, 10:150], wanted)
+
+
+def test_the_texture_multiplies_the_colour(blended) -> None:
+    picture = blended(WHITE_LIGHT)
+    texture = np.array([128, 64, 255])
+    wanted = 0.7 * np.array([0.2, 0.2, 0.4]) * texture + 0.3 * BACKGROUND
+    assert close(picture[10:110, 10:150], wanted)
+
+
+def test_the_sun_overhead_lights_each_wave_by_its_normal(blended) -> None:
+    changes = {
+        "sun.elevation": 90.0,
+        "sun.ambient": (0.0, 0.0, 0.0),
+        "sun.diffuse": (1.0, 1.0, 1.0),
+        "water.textured": False,
+        "water.animated": False,
+        "water.color": (0.8, 0.8, 0.8, 1.0),
+        "water.points": 41,
+    }
+    picture = blended(changes, kt=77.0)
+    steep = 1 / math.sqrt(1 + 0.25**2 + 0.5**2)
+    for x, z, cosine in ((20.0, 20.0, 1.0), (22.5, 22.5, steep), (17.5, 18.75, None)):
+        if cosine is None:
+            across = 0.25 * math.sin(2 * math.pi * 0.875) ** 2
+            cosine = 1 / math.sqrt(1 + across**2 + 0.5**2)
+        got = pixel(picture, project(DOWN, (x, 0.6, z)))
+        assert close(got, 0.8 * 255 * cosine, 1.5), (x, z)
+
+
+def test_the_surface_spans_five_by_five_patches_at_the_water_level(blended) -> None:
+    pose = Pose(15.0, 70.6, 15.0, 0.0, -90.0)
+    picture = blended({**WHITE_LIGHT, "water.color": (1.0, 0.0, 0.0, 1.0)}, pose)
+    low, high = PATCHES[0] * 10.0, (PATCHES[-1] + 1) * 10.0
+    assert (low, high) == (-10.0, 40.0)
+    red = close_mask(picture, (128, 0, 0))
+    left, top = project(pose, (low, 0.6, low))
+    right, bottom = project(pose, (high, 0.6, high))
+    assert np.flatnonzero(red.any(axis=0))[[0, -1]] == pytest.approx([left, right - 1], abs=1)
+    assert np.flatnonzero(red.any(axis=1))[[0, -1]] == pytest.approx([top, bottom - 1], abs=1)
+
+
+def close_mask(picture: np.ndarray, colour: tuple[int, ...]) -> np.ndarray:
+    return (np.abs(picture - np.array(colour)) <= 2).all(axis=2)
+
+
+def test_with_fresnel_the_alpha_is_that_of_the_angle(blended) -> None:
+    eye = Pose(20.0, 1.6, 20.0, 0.0, -30.0)
+    changes = {**WHITE_LIGHT, "water.fresnel": True, "water.textured": False}
+    picture = blended({**changes, "water.points": 200}, eye)
+    for x, z in ((20.0, 18.0), (20.0, 17.0), (19.5, 14.0)):
+        away = np.array([x - 20.0, -1.0, z - 20.0])
+        alpha = 0.7 * (1 - 0.67 * (1 - 1 / np.linalg.norm(away)) ** 3)
+        wanted = alpha * np.array([0.2, 0.2, 0.4]) * 255 + (1 - alpha) * BACKGROUND
+        assert close(pixel(picture, project(eye, (x, 0.6, z))), wanted, 2), (x, z)
+
+
+def test_the_sea_goes_on_to_the_horizon_when_asked(blended) -> None:
+    high = Pose(20.0, 12.0, 20.0, 0.0, -10.0)
+    row, column = 52, 80  # under the horizon, well beyond the patches
+    near = blended({**WHITE_LIGHT, "water.textured": False}, high)
+    far = blended({**WHITE_LIGHT, "water.textured": False, "water.horizon": 400.0}, high)
+    assert close(near[row, column], BACKGROUND)
+    wanted = 0.7 * np.array([0.2, 0.2, 0.4]) * 255 + 0.3 * BACKGROUND
+    assert close(far[row, column], wanted)
+
+
+def test_the_picture_moves_with_kt_only_when_animated(blended, stage: Stage) -> None:
+    still = {"water.animated": False}
+    assert (blended(still, kt=0) == blended(still, kt=50)).all()
+    assert (blended({}, kt=0) != blended({}, kt=50)).any()
+
+
+def test_glints_add_light_and_never_take_any(blended) -> None:
+    changes = {"water.textured": False, "sun.elevation": 60.0, "sun.azimuth": 0.0}
+    towards = Pose(20.0, 1.6, 20.0, 0.0, -50.0)
+    plain_, glinting = (blended({**changes, "water.glitter": g}, towards) for g in (0.0, 0.8))
+    more = glinting - plain_
+    assert more.min() >= 0 and more.max() > 40
