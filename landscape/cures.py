@@ -151,6 +151,7 @@ CURES: tuple[Cure, ...] = (
         {"sky.follow_y": True, "sky.background": True},
         "The box is translated with the eye in y as well, and drawn at the greatest depth by "
         "glDepthRange(1, 1): however high one climbs, the clouds stay as far.",
+        common={"water.horizon": 400.0},
     ),
     Cure(
         "R9",
@@ -161,6 +162,7 @@ CURES: tuple[Cure, ...] = (
         {"sky.background": True},
         "glDepthRange(1, 1) gives the box the greatest depth of all, without depth writes: it "
         "shows only where nothing else is drawn, so the hill behind its wall is seen.",
+        only=("ground", "sky", "castle", "water", "reflection", "fog", "grass"),
     ),
     Cure(
         "R10",
@@ -183,6 +185,7 @@ CURES: tuple[Cure, ...] = (
         "by the door's alpha and GL_MODULATE with GL_RGB_SCALE 2 laying the halo over it, so "
         "that it is lit and fogged once like the towers.",
         common={"fog.density": 0.2},
+        only=("ground", "sky", "castle", "water", "reflection", "fog", "grass"),
     ),
     Cure(
         "R12",
@@ -310,6 +313,8 @@ CURES: tuple[Cure, ...] = (
         "The large texture is halved before glTexImage2D, a quarter of the memory, and the "
         "heights come from an image of one 16-bit channel instead of three of 8 bits: hardly "
         "a pixel tells.",
+        common={"fog.enabled": False},
+        only=("ground",),
     ),
     Cure(
         "best1",

@@ -119,9 +119,9 @@ class Island:
                 if ground := shown(self.ground, "ground"):
                     ground.draw(frame)
                 if rabbit := shown(self.rabbit, "rabbit"):
-                    rabbit.draw()
+                    rabbit.draw(frame)
                 if dragon := shown(self.dragon, "dragon"):
-                    dragon.draw()
+                    dragon.draw(frame)
             if grass := shown(self.grass, "grass"):
                 grass.draw(frame)
             # The sky comes after them: the pixels they took need no sky.
@@ -152,7 +152,7 @@ class Island:
             if ground := shown(self.ground, "ground"):
                 ground.draw(frame)
             if dragon := shown(self.dragon, "dragon"):
-                dragon.draw()
+                dragon.draw(frame)
             if sky := shown(self.sky, "sky"):
                 sky.draw(frame)
             if (castle := shown(self.castle, "castle")) and settings.reflection.castle:

@@ -37,6 +37,7 @@ class Camera:
 
     fov: float = setting(60.0, "chosen", "degrees, vertical", 1, 170)
     near: float = setting(0.02, "chosen", "units", 1e-4, 10)
+    cull: bool = setting(False, "chosen", "skip castle and animals that are out of view")
     far: float = setting(120.0, "chosen", "units", 1, 1e5)
 
 
@@ -349,6 +350,7 @@ class Settings:
 
 
 BEST: dict[str, Value] = {
+    "camera.cull": True,
     "walk.mouse_relative": True,
     "ground.resolution": 160,
     "ground.height_image": "height16.png",

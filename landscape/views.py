@@ -64,7 +64,8 @@ ABOVE = Pose(20.0, 27.0, 39.5, 0.0, -53.0)
 BAY_SIDE = Pose(13.4, 1.75, 27.6, 345.0, -14.0)
 COAST = Pose(9.6, 1.0, 33.2, 25.0, -5.0)
 OVER_BAY = Pose(8.0, 1.05, 35.0, 18.0, -4.0)
-GROVE = Pose(21.25, 1.75, 24.2, 320.0, -7.0)
+GROVE = Pose(24.0, 1.5, 27.5, 0.0, -3.0)
+FOREST = Pose(19.5, 1.45, 26.0, 320.0, -3.0)
 WOODS = ("ground", "trees", "sky", "fog", "water", "reflection")
 GATE_BEFORE = walking(27.92, 18.6, 340.0, 9.0)
 MEADOW = tuple(e for e in SCENE if e != "plants")
@@ -105,10 +106,10 @@ VIEWS = _table(
     View("fig17a", "a few scattered trees", GROVE, 0,
          shown=WOODS,
          settings={"trees.count": 300}),
-    View("fig17b", "many trees, sorted", GROVE, 0,
+    View("fig17b", "many trees, sorted", FOREST, 0,
          shown=WOODS,
          settings={"trees.count": 4000}),
-    View("fig17c", "the same trees unsorted", GROVE, 0,
+    View("fig17c", "the same trees unsorted", FOREST, 0,
          shown=WOODS,
          settings={"trees.count": 4000, "transparent.sorted": False}),
     View("fig18a", "trees and deer and their reflections", Pose(8.8, 0.78, 31.6, 330.0, 0.0), 20,
@@ -132,7 +133,7 @@ VIEWS = _table(
     View("fig25a", "castle, general structure", Pose(24.9, 3.9, 19.4, 46.0, -20.0), 10,
          shown=SCENE),
     View("fig25b", "castle from the air", Pose(26.2, 5.4, 20.2, 18.0, -42.0), 10, shown=SCENE),
-    View("fig25c", "castle from afar", walking(29.0, 21.5, 339.0, 6.0), 10, shown=SCENE),
+    View("fig25c", "castle from afar", walking(28.25, 20.25, 344.0, 8.0), 10, shown=SCENE),
     View("fig25d", "arriving at the gate wall", GATE_BEFORE, 10, shown=SCENE),
     View("fig25e", "one flame close up", Pose(27.85, 2.56, 17.66, 336.0, -1.0), 12, shown=SCENE),
     View("fig25f", "the door close up", Pose(27.64, 2.5, 17.84, 340.0, 1.0), 12, shown=SCENE),
@@ -176,7 +177,7 @@ VIEWS = _table(
     View("fig35i", "approaching the dragon, sword in view", walking(13.2, 27.0, 226.0, 0.0), 15),
     View("fig36a", "flaw: a tree from above faces the camera", Pose(22.0, 2.6, 23.2, 0.0, -80.0),
          shown=SCENE, settings={"trees.count": 2500}),
-    View("fig36b", "flaw: a deer from above faces the camera", Pose(21.95, 1.6, 21.2, 0.0, -85.0),
+    View("fig36b", "flaw: a deer from above faces the camera", Pose(20.27, 1.4, 28.93, 0.0, -84.0),
          shown=SCENE),
     View("fig37a", "flaw: crossed quads seen along an axis", walking(16.93, 26.74, 0.0, -10.0), 0,
          shown=SCENE, settings={"plants.count": 3000}),

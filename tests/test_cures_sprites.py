@@ -26,8 +26,8 @@ from landscape.elements.sprite_quads import (
     steepness,
     within,
 )
-from landscape.elements.transparent_elements import TransparentElements, in_view, outlines, turned
-from landscape.frame import Frame, Pose
+from landscape.elements.transparent_elements import TransparentElements, outlines, turned
+from landscape.frame import Frame, Pose, in_view
 from landscape.settings import Settings, with_settings
 
 # The castle: R2 and R11

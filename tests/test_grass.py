@@ -100,8 +100,9 @@ def sow(ground: Ground | None = None, seed: int = 7, **changes: Any) -> Grass:
     grass._settings = small({"grass.count": 50_000, "castle.x": -900, **keys})
     grass._ground, grass._seed = ground or flat(), seed
     grass._across = int(np.ceil(40.0 / CELL))
-    grass._patches, grass._ends = {}, (np.full(3, 0.4), np.full(3, 0.4))
+    grass._patches, grass._grown, grass._ends = {}, 0, (np.full(3, 0.4), np.full(3, 0.4))
     grass.counts = grass._share()
+    grass._shared = grass.counts.copy()
     return grass
 
 
@@ -336,3 +337,18 @@ def test_no_grass_in_view_draws_nothing(
     with stage.frame(settings, Pose(500.0, 3.0, 500.0)) as frame:
         grass.draw(frame)
         assert close(stage.read(), np.array([0.4, 0.6, 0.7]) * 255)
+
+
+def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    grass = sow(fade=True)
+    first = all_blades(grass)
+    counts = grass.counts.copy()
+    monkeypatch.setattr("landscape.elements.grass.KEPT", 1000)
+    grass._forget()
+    assert grass._grown == sum(len(p.positions) for p in grass._patches.values()) <= 1000
+    assert max(grass._patches) == len(counts) - 1, "the last used stay"
+    again = all_blades(grass)
+    assert all(np.array_equal(a.blades, b.blades) for a, b in zip(first, again, strict=True))
+    assert np.array_equal(grass.counts, counts)

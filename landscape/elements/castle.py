@@ -17,11 +17,11 @@ import numpy as np
 
 from landscape.assets import Assets
 from landscape.elements.ground import HeightField
-from landscape.frame import Frame
+from landscape.frame import Frame, in_view
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.mesh_tool import Mesh, revolve, vertex_normals
-from landscape.gl.state import attrib, matrix
+from landscape.gl.state import attrib, combine, matrix
 from landscape.gl.texture import Texture, read_image
 from landscape.settings import Settings
 
@@ -30,6 +30,7 @@ ELEMENT = "castle"
 FOOT = 0.35  # chosen: units the walls reach into the ground, so that no slope shows under them
 TOWER_RADIUS = 0.13  # chosen
 TOWER_TOP = 1.22  # chosen
+BALL = 1.4  # radius of the ball about the middle of the walls that holds them, FOOT and all
 MERLON = 0.07  # chosen: height of the battlements
 TORCHES = (0.27, 0.75)  # section 6.1: 0.27, and 0.48 farther
 FLAME_Z = -0.07  # section 6.1
@@ -164,6 +165,7 @@ class Castle:
         self._list = DisplayList(lambda: self._send(walls))
         # What only R11 needs is made when it is switched on.
         self._open: DisplayList | None = None
+        self._gate: DisplayList | None = None
         self._halo_texture: Texture | None = None
 
     def _open_list(self) -> DisplayList:
@@ -201,8 +203,17 @@ class Castle:
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
 
+    def visible(self, frame: Frame) -> bool:
+        """Tell whether the ball round the castle, mirrored if the frame is, meets the view."""
+        x, y, z = self.base[0], self.base[1] + 0.5, self.base[2]
+        if frame.mirrored:
+            y = 2.0 * self._settings.water.level - y
+        return bool(in_view(frame, np.array([(x, y, z)]), np.array([BALL]))[0])
+
     def draw(self, frame: Frame) -> None:
         """Draw the castle, the door, the light on the wall, and the fire."""
+        if self._settings.camera.cull and not self.visible(frame):
+            return
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT
         with matrix(), attrib(groups):
@@ -251,32 +262,50 @@ class Castle:
         crossbar); unit 1 multiplies by the halo, twice, so that it may brighten; unit 2 by the
         sun's colour on the wall.
         """
-        env = gl.GL_TEXTURE_ENV
-        mix = (gl.GL_INTERPOLATE, 1.0, gl.GL_TEXTURE1, gl.GL_TEXTURE0, gl.GL_TEXTURE1)
-        lit = (gl.GL_MODULATE, 2.0, gl.GL_PREVIOUS, gl.GL_TEXTURE2)
-        shaded = (gl.GL_MODULATE, 1.0, gl.GL_PREVIOUS, gl.GL_PRIMARY_COLOR)
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
-            units = ((self._brick, mix), (self._door, lit), (self._halo(), shaded))
-            for unit, (texture, (combine, scale, *sources)) in enumerate(units):
-                gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
-                texture.bind()
-                gl.glEnable(gl.GL_TEXTURE_2D)
-                gl.glTexEnvi(env, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
-                gl.glTexEnvi(env, gl.GL_COMBINE_RGB, combine)
-                gl.glTexEnvf(env, gl.GL_RGB_SCALE, scale)
-                for number, source in enumerate(sources):
-                    operand = gl.GL_SRC_ALPHA if number == 2 else gl.GL_SRC_COLOR
-                    gl.glTexEnvi(env, gl.GL_SOURCE0_RGB + number, source)
-                    gl.glTexEnvi(env, gl.GL_OPERAND0_RGB + number, operand)
-            gl.glNormal3f(0.0, 0.0, -1.0)
             shift_s, shift_t = light_shift(kt)
-            gl.glBegin(gl.GL_QUADS)
-            for x, y in ((0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)):
-                gl.glMultiTexCoord2f(gl.GL_TEXTURE0, x * self._repeat, (1.0 - y) * self._repeat)
-                gl.glMultiTexCoord2f(gl.GL_TEXTURE1, x, 1.0 - y)
-                gl.glMultiTexCoord2f(gl.GL_TEXTURE2, x * (1.0 - shift_s), 1.0 - y * (1.0 + shift_t))
-                gl.glVertex3f(x, y, 0.0)
-            gl.glEnd()
+            gl.glActiveTexture(gl.GL_TEXTURE2)
+            gl.glMatrixMode(gl.GL_TEXTURE)
+            with matrix():
+                # The halo's near corner, s = 0 and t = 1, stays where it is.
+                gl.glTranslatef(0.0, -shift_t, 0.0)
+                gl.glScalef(1.0 - shift_s, 1.0 + shift_t, 1.0)
+                self._gate_wall().call()
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    def _gate_wall(self) -> DisplayList:
+        """Return the list of the gate in three units, made when first asked for.
+
+        It ends with unit 2 active, as it was.
+        """
+        if self._gate is None:
+            halo = self._halo()
+            mix = {"COMBINE_RGB": "INTERPOLATE", "SOURCE0_RGB": "TEXTURE1"}
+            mix |= {"SOURCE1_RGB": "TEXTURE0", "SOURCE2_RGB": "TEXTURE1"}
+            mix |= {"OPERAND2_RGB": "SRC_ALPHA"}
+            lit = {"COMBINE_RGB": "MODULATE", "SOURCE0_RGB": "PREVIOUS", "SOURCE1_RGB": "TEXTURE2"}
+            shaded = {**lit, "SOURCE1_RGB": "PRIMARY_COLOR"}
+            units = ((self._brick, mix, 1.0), (self._door, lit, 2.0), (halo, shaded, 1.0))
+
+            def send() -> None:
+                for unit, (texture, terms, scale) in enumerate(units):
+                    gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+                    texture.bind()
+                    gl.glEnable(gl.GL_TEXTURE_2D)
+                    combine(terms)
+                    gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, scale)
+
+                gl.glNormal3f(0.0, 0.0, -1.0)
+                gl.glBegin(gl.GL_QUADS)
+                for x, y in ((0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)):
+                    for unit, repeat in enumerate((self._repeat, 1.0, 1.0)):
+                        name = getattr(gl, f"GL_TEXTURE{unit}")
+                        gl.glMultiTexCoord2f(name, x * repeat, (1.0 - y) * repeat)
+                    gl.glVertex3f(x, y, 0.0)
+                gl.glEnd()
+
+            self._gate = DisplayList(send)
+        return self._gate
 
     def _gate_quad(self, z: float, shift_s: float, shift_t: float) -> None:
         """A layer over the gate wall; the far texture coordinates may move."""
@@ -296,7 +325,7 @@ class Castle:
         column, row = flame_frame(frame.kt)
         s, t = 0.25 * column, 0.25 * row
         eye, faces = self._inside(frame.eye), self._settings.castle.flame_faces
-        gl.glBegin(gl.GL_QUADS)
+        corners = []
         for x in TORCHES:
             across_x, across_z = flame_across(eye, x, faces)
             for ds, dt, along, y in (
@@ -305,9 +334,12 @@ class Castle:
                 (0.25, 0.0, 0.03, 0.31),
                 (0.25, 0.25, 0.03, 0.21),
             ):
-                gl.glTexCoord2f(s + ds, t + dt)
-                gl.glVertex3f(x + along * across_x, y, FLAME_Z + along * across_z)
-        gl.glEnd()
+                place = (x + along * across_x, y, FLAME_Z + along * across_z)
+                corners.append((s + ds, t + dt, *place))
+        gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
+        gl.glInterleavedArrays(gl.GL_T2F_V3F, 0, np.array(corners, np.float32))
+        gl.glDrawArrays(gl.GL_QUADS, 0, len(corners))
+        gl.glPopClientAttrib()
 
     def _inside(self, point: np.ndarray) -> tuple[float, float]:
         """Return x, z of a place (3,) in the castle's own frame: the matrices of draw, undone."""
@@ -319,7 +351,7 @@ class Castle:
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""
         self._list.release()
-        for made in (self._open, self._halo_texture):
+        for made in (self._open, self._gate, self._halo_texture):
             if made is not None:
                 made.release()
         for texture in (self._brick, self._stone, self._door, self._fire, self._light):

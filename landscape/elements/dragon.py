@@ -37,4 +37,5 @@ class Dragon(Animal):
             dragon.scale,
             (dragon.x, y, dragon.z),
             dragon.yaw,
+            settings,
         )

@@ -109,6 +109,7 @@ class Foam:
         vertices, unit_0, unit_1, triangles = shore(field)
 
         def send() -> None:
+            self._units()
             with client_arrays(vertices, coordinates=[unit_0, unit_1]):
                 gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
@@ -125,7 +126,6 @@ class Foam:
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-1.0, -2.0)
             gl.glColor4f(*COLOUR, 1.0)
-            self._units()
             gl.glMatrixMode(gl.GL_TEXTURE)
             with matrix():
                 # Whole turns are taken off: the moment needs all its digits.
@@ -134,7 +134,7 @@ class Foam:
             gl.glMatrixMode(gl.GL_MODELVIEW)
 
     def _units(self) -> None:
-        """Alpha: 4 x (breakers + lace - 0.5); ends with unit 0 active, for its matrix."""
+        """Alpha: 4 x (breakers + lace - 0.5); ends with unit 0 active, as it was."""
         gl.glActiveTexture(gl.GL_TEXTURE1)
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._lace.bind()

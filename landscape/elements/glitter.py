@@ -118,7 +118,7 @@ class Glitter:
                 gl.glMatrixMode(gl.GL_MODELVIEW)
 
     def _layer(self, unit: int, mode: str, scale: float) -> None:
-        gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._texture.bind()
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PRIMARY_COLOR", "COMBINE_ALPHA": mode})

@@ -37,6 +37,7 @@ NEAR = 0.5  # chosen: units within which, with grass.fade, every blade is drawn
 LAYER = 64  # chosen: blades in the first layer of a cell's lot
 FOOT = 0.75  # chosen: how light a tinted blade is at its foot, in parts of the ground's colour
 TUFT_RADIUS = 0.010  # chosen: units, how far apart the roots of a tuft's blades are
+KEPT = 600_000  # chosen: blades kept grown, 58 MB; many times what any place shows
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
@@ -176,7 +177,9 @@ class Grass:
         self._settings, self._ground, self._seed = settings, ground, seed
         self._across = int(np.ceil(ground.field.size / CELL))
         self.counts = self._share()
-        self._patches: dict[int, Patch] = {}
+        self._shared = self.counts.copy()
+        self._patches: dict[int, Patch] = {}  # the last used last
+        self._grown = 0
         image = read_image(assets.path("blade.png"), "RGB")
         self._texture = Texture(image, repeat=False)
         half, last = max(len(image) // 2, 1), len(image) * 7 // 8
@@ -210,17 +213,28 @@ class Grass:
         """Return at least the first ``wanted`` blades of a cell, or all; drawn by lot once."""
         total = int(self.counts[cell])
         wanted = total if wanted is None else wanted
-        patch = self._patches.get(cell)
+        patch = self._patches.pop(cell, None)
         while patch is None or len(patch.positions) < min(wanted, total):
             have = 0 if patch is None else len(patch.positions)
             end = self._layer(total, have)
             more = self._grow(cell, have, end)
             patch = more if patch is None else joined([patch, more])
-            self._patches[cell] = patch
+            self._grown += len(more.positions)
             if len(patch.positions) < end:
                 # Hardly anything grows here: the cell bears what was found.
                 self.counts[cell] = total = len(patch.positions)
+        self._patches[cell] = patch
         return patch
+
+    def _forget(self) -> None:
+        """Let go of the cells that were not used for longest while more than KEPT blades are grown.
+
+        Their lot is the same when they come into view again.
+        """
+        while self._grown > KEPT:
+            cell = next(iter(self._patches))
+            self._grown -= len(self._patches.pop(cell).positions)
+            self.counts[cell] = self._shared[cell]
 
     def _layer(self, total: int, have: int) -> int:
         """Return where the layer that begins at blade ``have`` ends: each doubles the lot."""
@@ -275,6 +289,7 @@ class Grass:
 
     def select(self, frame: Frame) -> list[Patch]:
         """Return what to draw: the visible cells' blades, the far cells' thinned out."""
+        self._forget()
         grass, radius = self._settings.grass, self._settings.grass.radius
         cells = cells_around(frame.pose.x, frame.pose.z, radius, self._across)
         middle = (cells + 0.5) * CELL

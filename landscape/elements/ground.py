@@ -32,7 +32,7 @@ from landscape.elements.height_field import (
 from landscape.elements.waves import cut_level
 from landscape.frame import Frame
 from landscape.gl.calls import gl
-from landscape.gl.display_list import DisplayList
+from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.mesh_tool import Mesh
 from landscape.gl.state import attrib
 from landscape.gl.texture import Texture, read_image
@@ -290,14 +290,19 @@ class Ground:
             self._lists.append(DisplayList(whole))
 
     def tiles_in_view(self, frame: Frame) -> np.ndarray:
-        """Return the numbers of the tiles that may show in the frame, mirrored or not."""
+        """Return the numbers of the tiles that may show in the frame, mirrored or not.
+
+        The nearest come first: what they hide is then rejected before its texels are looked up.
+        """
         low, high = self._low.copy(), self._high.copy()
         level = self.field.water_level
         cut = level if frame.mirrored else cut_level(self._settings)
         seen = self._high[:, 1] >= cut if self._settings.ground.clip or frame.mirrored else True
         if frame.mirrored:
             low[:, 1], high[:, 1] = 2 * level - self._high[:, 1], 2 * level - self._low[:, 1]
-        return np.flatnonzero(boxes_in_view(frame, low, high) & seen)
+        kept = np.flatnonzero(boxes_in_view(frame, low, high) & seen)
+        away = np.maximum(np.maximum(low[kept] - frame.eye, frame.eye - high[kept]), 0.0)
+        return kept[np.argsort((away**2).sum(axis=1), kind="stable")]
 
     def draw(self, frame: Frame | None = None) -> None:
         """Call the list, or the lists of the tiles that ``frame`` may show."""
@@ -307,8 +312,8 @@ class Ground:
         every = range(len(self._tiles))
         before, after = self._lists[-2:]
         before.call()
-        for k in every if frame is None else self.tiles_in_view(frame).tolist():
-            self._lists[k].call()
+        kept = every if frame is None else self.tiles_in_view(frame).tolist()
+        call_lists([self._lists[k] for k in kept])
         after.call()
 
     def colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:

@@ -14,6 +14,7 @@ import numpy as np
 
 from landscape.assets import Assets
 from landscape.elements.ground import HeightField
+from landscape.frame import Frame, in_view
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.mesh_tool import Mesh, centred, vertex_normals
@@ -74,6 +75,7 @@ class Animal:
         scale: float,
         place: tuple[float, float, float],
         yaw: float,
+        settings: Settings,
     ) -> None:
         """Scale a mesh of -1..1 to ``scale`` units and stand it at ``place``, ``yaw`` in degrees.
 
@@ -82,10 +84,21 @@ class Animal:
         """
         self._place, self._yaw, self._texture = place, yaw, texture
         scaled = replace(mesh, vertices=mesh.vertices * np.float32(scale))
+        self._reach = float(np.linalg.norm(scaled.vertices, axis=1).max(initial=0.0))
+        self._settings = settings
         self._list = DisplayList(scaled.draw)
 
-    def draw(self) -> None:
-        """Draw the mesh where it stands."""
+    def visible(self, frame: Frame) -> bool:
+        """Tell whether the ball round the mesh, mirrored if the frame is, meets the view."""
+        x, y, z = self._place
+        if frame.mirrored:
+            y = 2.0 * self._settings.water.level - y
+        return bool(in_view(frame, np.array([(x, y, z)]), np.array([self._reach]))[0])
+
+    def draw(self, frame: Frame | None = None) -> None:
+        """Draw the mesh where it stands; with ``camera.cull``, only if ``frame`` may show it."""
+        if frame is not None and self._settings.camera.cull and not self.visible(frame):
+            return
         # GL_LIGHTING_BIT holds the material that glColor sets: Mesa would keep the rabbit's grey
         # for what is lit next, as the popped colour does not reach the material.
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
@@ -122,4 +135,5 @@ class Rabbit(Animal):
             rabbit.scale,
             (rabbit.x, y, rabbit.z),
             rabbit.yaw,
+            settings,
         )

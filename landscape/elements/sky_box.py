@@ -78,6 +78,19 @@ def cloud_disc() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     return vertices, colors, coordinates, grid_triangles(CLOUD_SIDES + 1, len(CLOUD_RINGS))
 
 
+def send_clouds(layer: Texture) -> None:
+    """What the cloud layer's display list holds."""
+    vertices, colors, coordinates, triangles = cloud_disc()
+    gl.glEnable(gl.GL_TEXTURE_2D)
+    gl.glEnable(gl.GL_BLEND)
+    gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+    gl.glDepthMask(gl.GL_FALSE)
+    layer.bind()
+    with client_arrays(vertices, None, colors, [coordinates]):
+        gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+    gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+
 class SkyBox:
     """The box; ``draw`` follows the viewer."""
 
@@ -104,11 +117,11 @@ class SkyBox:
             gl.glDisable(gl.GL_TEXTURE_2D)
 
         self._list = DisplayList(send)
-        self._disc = cloud_disc()
-        self._clouds: Texture | None = None
+        self._clouds: DisplayList | None = None
         if settings.sky.moving:
-            self._clouds = Texture(read_image(assets.path("clouds.png")))
-            self._textures.append(self._clouds)
+            layer = Texture(read_image(assets.path("clouds.png")))
+            self._textures.append(layer)
+            self._clouds = DisplayList(lambda: send_clouds(layer))
 
     def draw(self, frame: Frame) -> None:
         """Draw the box about the viewer, mirrored or not as the frame says."""
@@ -139,22 +152,16 @@ class SkyBox:
     def _draw_clouds(self, kt: float) -> None:
         """Blend the cloud layer over the box; its place in the texture moves with ``kt``."""
         assert self._clouds is not None
-        vertices, colors, coordinates, triangles = self._disc
-        gl.glEnable(gl.GL_TEXTURE_2D)
-        gl.glEnable(gl.GL_BLEND)
-        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-        gl.glDepthMask(gl.GL_FALSE)
-        self._clouds.bind()
         gl.glMatrixMode(gl.GL_TEXTURE)
         with matrix():
             gl.glTranslatef(-CLOUD_DRIFT[0] * kt, -CLOUD_DRIFT[1] * kt, 0.0)
-            with client_arrays(vertices, None, colors, [coordinates]):
-                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+            self._clouds.call()
         gl.glMatrixMode(gl.GL_MODELVIEW)
-        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""
         self._list.release()
+        if self._clouds is not None:
+            self._clouds.release()
         for texture in self._textures:
             texture.release()

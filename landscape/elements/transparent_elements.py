@@ -48,7 +48,7 @@ from landscape.elements.sprite_quads import (
     upright_axes,
     within,
 )
-from landscape.frame import Frame
+from landscape.frame import Frame, in_view
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture, mip_chain, read_image
@@ -75,20 +75,6 @@ def visible_order(
     dx, dz = positions[:, 0] - frame.pose.x, positions[:, 2] - frame.pose.z
     seen = np.flatnonzero((depth < 0) & (dx * dx + dz * dz < radius * radius))
     return seen[np.argsort(depth[seen], kind="stable")] if sort else seen
-
-
-def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    """Return whether balls about positions (n, 3) of radius ``reach`` (n,) meet the frustum, (n,).
-
-    Its four sides go through the eye; near and far planes are left out.
-    """
-    ahead = -frame.depth(positions)
-    away = positions - frame.eye
-    top = math.tan(math.radians(frame.fov) / 2)
-    kept = ahead > -reach
-    for axis, slope in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
-        kept &= np.abs(away @ axis) < ahead * slope + reach * math.hypot(1.0, slope)
-    return np.asarray(kept)
 
 
 def is_deer(cells: np.ndarray) -> np.ndarray:

@@ -103,6 +103,8 @@ class Recorder:
             self.calls.append(call)
         elif name == "glCallList":
             call.listed = self.lists.get(int(args[0]), [])
+        elif name == "glCallLists":
+            call.listed = [c for each in args[2] for c in self.lists.get(int(each), [])]
 
 
 _recorder: Recorder | None = None

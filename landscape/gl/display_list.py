@@ -2,6 +2,8 @@
 
 from collections.abc import Callable
 
+import numpy as np
+
 from landscape.gl.calls import gl
 
 
@@ -26,3 +28,9 @@ class DisplayList:
         if self.name:
             gl.glDeleteLists(self.name, 1)
             self.name = 0
+
+
+def call_lists(lists: list[DisplayList]) -> None:
+    """Execute several lists in order, by one glCallLists."""
+    names = np.array([each.name for each in lists], np.uint32)
+    gl.glCallLists(len(names), gl.GL_UNSIGNED_INT, names)
