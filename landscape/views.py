@@ -172,7 +172,7 @@ VIEWS = _table(
          shown=(*SCENE, "map")),
     View("fig35g", "from the hill top: sea and islets", walking(29.5, 16.6, 92.0, -7.0), 60,
          shown=SCENE),
-    View("fig35h", "an islet with a deer reflected", Pose(33.3, 0.72, 20.95, 60.0, 0.5), 70,
+    View("fig35h", "an islet with a deer reflected", Pose(33.8, 0.71, 21.2, 40.0, -2.0), 70,
          shown=SCENE),
     View("fig35i", "approaching the dragon, sword in view", walking(13.2, 27.0, 226.0, 0.0), 15),
     View("fig36a", "flaw: a tree from above faces the camera", Pose(22.0, 2.6, 23.2, 0.0, -80.0),

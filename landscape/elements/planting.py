@@ -24,7 +24,7 @@ GLADES = (
 )  # fmt: skip
 # Chosen: x, z of the first deer; the report's positions may come from a file as well. One by the
 # bay's plants, one on the meadow, one on an islet, one near the castle.
-DEER_POSTS = ((20.26, 28.98), (21.95, 21.25), (34.6, 20.2), (25.9, 15.2), (19.98, 29.3))
+DEER_POSTS = ((20.26, 28.98), (21.95, 21.25), (34.55, 20.38), (25.9, 15.2), (19.98, 29.3))
 Chance = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 

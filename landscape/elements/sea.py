@@ -143,9 +143,12 @@ class Sea:
         return self._bed
 
     def _draw_bottom(self, level: float, size: float) -> None:
-        """Draw the plane that closes the sea where the ground is cut; steep coasts show it."""
+        """Draw the plane that closes the sea where the ground is cut; steep coasts show it.
+
+        Without fog: that is reckoned at the corners, which on so large a square means nothing near.
+        """
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT):
-            for cap in (gl.GL_BLEND, gl.GL_LIGHTING, gl.GL_TEXTURE_2D):
+            for cap in (gl.GL_BLEND, gl.GL_LIGHTING, gl.GL_TEXTURE_2D, gl.GL_FOG):
                 gl.glDisable(cap)
             gl.glColor3f(*BOTTOM)
             gl.glBegin(gl.GL_QUADS)
