@@ -17,7 +17,7 @@ demo:
 	    exec $(BIN)/landscape walk $(ARGS); \
 	else \
 	    echo "No screen: rendering $(words $(VIEWS)) views to $(OUT)/"; \
-	    $(BIN)/landscape render $(VIEWS) --out $(OUT) $(ARGS) && ls -1 $(VIEWS:%=$(OUT)/%.png); \
+	    $(BIN)/landscape render $(VIEWS) --out $(OUT) -q $(ARGS) && ls -1 $(VIEWS:%=$(OUT)/%.png); \
 	fi
 
 test: lint

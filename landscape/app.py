@@ -19,6 +19,7 @@ import numpy as np
 
 from landscape import texts
 from landscape.assets import Assets
+from landscape.cures import CURES
 from landscape.elements.panel import Panel
 from landscape.errors import InputError
 from landscape.gl.calls import gl
@@ -52,6 +53,8 @@ SWITCHES = {
     glfw.KEY_G: "fog",
     glfw.KEY_R: "reflection",
     glfw.KEY_T: "sorting",
+    glfw.KEY_N: "next_cure",
+    glfw.KEY_V: "cure",
     glfw.KEY_H: "help",
 }
 ORDERS = {glfw.KEY_F11: "fullscreen", glfw.KEY_F12: "screenshot"}
@@ -73,6 +76,8 @@ HELP = (
     ("help.reflection", (glfw.KEY_R,)),
     ("help.sorting", (glfw.KEY_T,)),
     ("help.wireframe", (glfw.KEY_X,)),
+    ("help.next_cure", (glfw.KEY_N,)),
+    ("help.cure", (glfw.KEY_V,)),
     ("help.fullscreen", (glfw.KEY_F11,)),
     ("help.screenshot", (glfw.KEY_F12,)),
     ("help.help", (glfw.KEY_H,)),
@@ -197,6 +202,7 @@ class Walk:
         self._language = plan.language
         self._wireframe, self._help, self._message, self._until = plan.wireframe, False, "", 0.0
         self._note, self._shoot = "", False
+        self._cure, self._assets, self._seed = 0, assets, plan.seed
         self._windowed = (60, 60, *plan.size)
         self._size = (0, 0)
         self.hands = Hands()
@@ -348,6 +354,11 @@ class Walk:
         assert self._island is not None
         if name == "help":
             self._help = not self._help
+        elif name == "next_cure":
+            self._cure = (self._cure + 1) % len(CURES)
+            self._tell_cure()
+        elif name == "cure":
+            self._apply_cure()
         elif name == "wireframe":
             self._wireframe = not self._wireframe
             self._tell(name, self._wireframe)
@@ -357,6 +368,28 @@ class Walk:
             self.settings = with_settings(self.settings, {key: on})
             self._island.apply(self.settings)
             self._tell(name, on)
+
+    def _apply_cure(self) -> None:
+        """Turn the chosen remedy on or off; what is built from its settings is built anew."""
+        assert self._island is not None
+        cure = CURES[self._cure]
+        changes = cure.off if self._has_cure() else cure.on
+        self.settings = with_settings(self.settings, changes)
+        former = self._island
+        self._island = Island(self.settings, self._assets, self._seed, tuple(former.shown))
+        former.release()
+        self._tell_cure()
+
+    def _has_cure(self) -> bool:
+        """Tell whether the settings are those of the chosen remedy."""
+        wanted = with_settings(self.settings, CURES[self._cure].on)
+        return wanted == self.settings
+
+    def _tell_cure(self) -> None:
+        """Say which remedy is chosen, and whether it is on."""
+        cure = CURES[self._cure]
+        state = texts.text(self._language, "cure.on" if self._has_cure() else "cure.off")
+        self._say(f"{cure.name}  {cure.title}: {state}")
 
     def _tell(self, name: str, on: bool) -> None:
         self._say(texts.text(self._language, f"{name}.{'on' if on else 'off'}"))

@@ -89,7 +89,7 @@ CURES: tuple[Cure, ...] = (
         "Billboards that stay upright",
         "fig36a",
         0.0,
-        {"transparent.upright": False},
+        {"transparent.upright": False, "trees.crown": False},
         {"transparent.upright": True, "trees.crown": True},
         "The quads are spanned by the camera's right, made level, and the y axis instead of "
         "both axes of the modelview matrix; from above they clear away by vertex alpha and a "
@@ -308,7 +308,7 @@ CURES: tuple[Cure, ...] = (
         "Textures no larger than their use",
         "fig5a",
         0.0,
-        {},
+        {"ground.texture_size": 4096, "ground.height_image": "height.png"},
         {"ground.texture_size": 1024, "ground.height_image": "height16.png"},
         "The large texture is halved before glTexImage2D, a quarter of the memory, and the "
         "heights come from an image of one 16-bit channel instead of three of 8 bits: hardly "
@@ -388,7 +388,7 @@ CURES: tuple[Cure, ...] = (
         "Turf, sand and rock",
         Pose(17.8, 0.98, 30.3, 100.0, -16.0),
         0.0,
-        {},
+        {"ground.materials": False, "ground.mid_repeat": 0.0},
         {"ground.materials": True, "ground.mid_repeat": 13.0},
         "Four texture units mix three details by GL_INTERPOLATE, sand by the alpha of the "
         "large texture (crossbar, OpenGL 1.4), rock by the vertices' alpha, before the large "
@@ -401,7 +401,7 @@ CURES: tuple[Cure, ...] = (
         "A meadow",
         "fig35d",
         0.0,
-        {},
+        {"grass.facing": 0.0, "grass.tufts": 0, "grass.variety": 0.0},
         {"grass.facing": 0.6, "grass.tufts": 7, "grass.variety": 1.0},
         "The same number of blades, in tufts that lean apart and differ in height and colour; "
         "the vertices' colours, doubled by GL_RGB_SCALE, match the ground's at the foot.",

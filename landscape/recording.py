@@ -24,7 +24,16 @@ from landscape.walker import Intent
 VERSION = 1
 MAX_SECONDS = 1.0  # chosen: a frame that took longer (a suspended machine) counts as this
 MAX_SIDE = 16384  # pixels, as on the command line
-ACTIONS = ("map", "wireframe", "fog", "reflection", "sorting", "help")  # switches
+ACTIONS = (
+    "map",
+    "wireframe",
+    "fog",
+    "reflection",
+    "sorting",
+    "help",
+    "next_cure",
+    "cure",
+)  # switches
 
 
 @dataclass(frozen=True)

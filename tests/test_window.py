@@ -534,6 +534,7 @@ STILLS = """
 import hashlib, json, sys
 from landscape.app import Walk, run
 from landscape.assets import Assets
+from landscape.cures import CURES
 from landscape.frame import Pose
 from landscape.recording import Plan, Tick
 from landscape.settings import preset, with_settings
@@ -554,6 +555,10 @@ with Walk(plan, Assets(), "osmesa") as walk:
         on = frame(name), frame(seconds=3.0)
         off = frame(name), frame(seconds=3.0)
         seen[name] = [*on, *off]
+    while CURES[walk._cure].name != "R16":
+        frame("next_cure")
+    frame(seconds=3.0)
+    seen["cure"] = frame("cure"), frame(seconds=3.0), frame("cure"), frame(seconds=3.0)
 print(json.dumps([hint, seen]))
 """
 
