@@ -161,7 +161,7 @@ class Stage:
 
 def live_names() -> tuple[set[int], set[int]]:
     """Return the names of the textures and of the display lists that exist."""
-    names = range(1, 600)
+    names = range(1, 6000)  # Mesa hands names out upwards and does not use one again
     return {n for n in names if gl.glIsTexture(n)}, {n for n in names if gl.glIsList(n)}
 
 
