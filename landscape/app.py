@@ -30,7 +30,14 @@ from landscape.output import save_png
 from landscape.recording import MAX_SECONDS, Plan, Recorder, Tick, read
 from landscape.settings import Settings, get, with_settings
 from landscape.views import VIEWS
-from landscape.walker import Intent, advance, aimed, castle_obstacles, start
+from landscape.walker import (
+    Intent,
+    advance,
+    aimed,
+    animal_obstacles,
+    castle_obstacles,
+    start,
+)
 
 SIZE = (1280, 720)  # chosen: window coordinates
 JUMP = 200.0  # chosen: pixels; a mouse that went farther between two reports was put there
@@ -231,9 +238,14 @@ class Walk:
         self._island = Island(plan.settings, assets, plan.seed, plan.only)
         field, castle = self._island.ground.field, self._island.castle
         self.walker = start(plan.pose, field, plan.settings)
-        self._obstacles = (
-            castle_obstacles(plan.settings.castle, castle.base[1]) if castle is not None else ()
+        there, values = plan.only, plan.settings
+        self._obstacles = animal_obstacles(
+            values.rabbit if "rabbit" in there else None,
+            values.dragon if "dragon" in there else None,
+            field,
         )
+        if castle is not None:
+            self._obstacles += castle_obstacles(values.castle, castle.base[1])
         labels = [(" ".join(self._label(k) for k in keys), text) for text, keys in HELP]
         rows = [(keys, texts.text(self._language, text)) for keys, text in labels]
         self._panel = Panel(texts.text(self._language, "help.title"), rows)

@@ -3,6 +3,7 @@
 import os
 from pathlib import Path
 
+from landscape.cache import content
 from landscape.errors import InputError
 
 PACKAGE = Path(__file__).resolve().parent
@@ -22,6 +23,15 @@ class Assets:
         if folder is not None and not os.path.isdir(folder):
             raise InputError(f"--assets {folder}: expected a folder")
         self._folders = ([folder] if folder is not None else []) + [shipped()]
+
+    def contents(self, *names: str) -> list[bytes]:
+        """Return hashes of what all files are that an island may be made of, ``names`` included.
+
+        A file that is missing or cannot be read counts as an empty one.
+        """
+        paths = [path for folder in self._folders for path in sorted(folder.iterdir())]
+        paths += [Path(os.path.expanduser(name)) for name in names]
+        return [content(path) for path in paths]
 
     def path(self, name: str, key: str = "") -> Path:
         """Return the path of a file; a name with no folder is looked up in the asset folders.

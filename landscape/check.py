@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from landscape.assets import Assets
-from landscape.elements.atlas import CELLS, padded
+from landscape.elements.atlas import CELLS, HERBS, padded
 from landscape.elements.height_field import read_heights
 from landscape.errors import InputError
 from landscape.gl.mesh_tool import vertex_normals
@@ -44,6 +44,7 @@ SIZES = {
     "castle_light.png": (256, 256, "RGB"),
     "torch_stone.png": (256, 256, "RGB"),
     **{name: (512, 512, "RGBA") for name in CELLS},
+    **{name: (256, 256, "RGBA") for name in HERBS},
     "blade.png": (64, 64, "RGB"),
     "animal.png": (256, 256, "RGB"),
     **{name: (512, 512, "RGBA") for name in SWORDS},
@@ -317,7 +318,7 @@ def check_sprites(assets: Assets) -> Iterator[Finding]:
         empty = int((rgba[..., 3] == 0).sum())
         text = f"{wrong} of {empty} clear texels not of the nearest colour"
         yield Finding(name, "bleeding", wrong == 0, text, {"wrong": wrong})
-    for name in CELLS:
+    for name in (*CELLS, *HERBS):
         first, last = coverage(read_image(assets.path(name)))
         change = last / max(first, 1e-9) - 1.0
         text = f"{first:.4f} at mip 0, {last:.4f} at mip {MIP}: {change:+.1%} (up to 5%)"

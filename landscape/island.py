@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.cache import recall
 from landscape.elements import fog, sun
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
@@ -15,6 +16,7 @@ from landscape.elements.ground import Ground, clipped
 from landscape.elements.map import Map
 from landscape.elements.rabbit import Rabbit
 from landscape.elements.reflection import mirrored, reflected
+from landscape.elements.shadows import ShadowMap
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sword import Sword
 from landscape.elements.transparent_elements import TransparentElements
@@ -80,13 +82,32 @@ class Island:
         self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
         self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
         self.dragon = own(Dragon(settings, assets)) if "dragon" in only else None
-        self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
         kinds = SPRITES & only
         self.sprites = (
             own(TransparentElements(settings, assets, self.ground, seed, kinds)) if kinds else None
         )
+        if settings.ground.shadows:
+            self._lay_shadows(light, assets, seed)
+        self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
         self.sword = own(Sword(settings, assets)) if "sword" in only else None
         self.map = own(Map(settings, assets)) if "map" in only else None
+
+    def _lay_shadows(self, light: np.ndarray, assets: Assets, seed: int) -> None:
+        """Darken the ground where sprites, castle and rabbit throw their shadows."""
+
+        def shadows() -> tuple[np.ndarray]:
+            shadow_map = ShadowMap(self.ground.field, light, len(self.ground.large))
+            for thing in (self.sprites, self.castle, self.rabbit):
+                if thing:
+                    thing.cast(shadow_map)
+            return (shadow_map.light(),)
+
+        values = self.settings
+        groups = [values.ground, values.water, values.sun, values.castle, values.rabbit]
+        groups += [values.trees, values.deer, values.plants]
+        what = repr((groups, seed, sorted(self.shown)))
+        files = values.ground.height_image, values.rabbit.mesh
+        self.ground.shade(*recall((what, *assets.contents(*files)), shadows))
 
     def apply(self, settings: Settings) -> None:
         """Take settings that differ in what is read at each frame: fog, reflection, sorting, map.
@@ -109,10 +130,10 @@ class Island:
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
 
             # The mirrored scene comes first: the water will be blended over it.
-            if "reflection" in self.shown and settings.reflection.enabled:
-                begin_pass("reflection")
+            water = shown(self.water, "water")
+            ready = water is None or water.expected(frame)
+            if ready:
                 self._draw_reflection(frame, sorted_)
-                begin_pass("main")
 
             # Opaque things, in any order as far as the picture goes: the depth buffer sorts them.
             with clipped(cut_level(settings), settings.ground.clip):
@@ -128,10 +149,15 @@ class Island:
             if sky := shown(self.sky, "sky"):
                 sky.draw(frame)
 
+            # Land may hide all of the sea; a mirror image that is a texture can come late.
+            water = water if water and water.in_view(frame) else None
+            if water and not ready:
+                self._draw_reflection(frame, sorted_)
+
             # Blended things come last, far to near: the castle with its flames, the water, sprites.
             if castle := shown(self.castle, "castle"):
                 castle.draw(frame)
-            if water := shown(self.water, "water"):
+            if water:
                 water.draw(frame)
             if sprites:
                 sprites.draw(frame, sorted_)
@@ -146,6 +172,9 @@ class Island:
     def _draw_reflection(self, frame: Frame, sorted_: Any) -> None:
         """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
         settings, shown = self.settings, self._shown
+        if "reflection" not in self.shown or not settings.reflection.enabled:
+            return
+        begin_pass("reflection")
         frame = replace(frame, mirrored=True)
         water = shown(self.water, "water")
         with reflected(frame, settings, water) as frame, mirrored(settings):
@@ -159,6 +188,7 @@ class Island:
                 castle.draw(frame)
             if sprites := shown(self.sprites, *SPRITES):
                 sprites.draw(frame, sorted_)
+        begin_pass("main")
 
     def begin(self, moment: Moment) -> Frame:
         """Clear, set the viewport, the camera, the sun and the fog; return what elements need."""

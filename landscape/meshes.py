@@ -21,6 +21,7 @@ PLY_TYPES = {
 BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
+COLOURS = ("red", "green", "blue")
 OTHER_FORMATS = (".obj", ".stl", ".off", ".glb")
 
 
@@ -64,6 +65,20 @@ def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
     places and corners left aside. InputError names a file that is missing, truncated, not a PLY, or
     has no faces, wrong indices or NaN.
     """
+    vertices, triangles, _ = _read_ply(path)
+    return checked(path, vertices, triangles)
+
+
+def read_colours(path: Path) -> np.ndarray | None:
+    """Return the colours of a mesh's vertices, uint8 (n, 3), if it is a PLY that has any.
+
+    InputError as :func:`read_ply`.
+    """
+    return None if path.suffix.lower() in OTHER_FORMATS else _read_ply(path)[2]
+
+
+def _read_ply(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+    """Return vertices, triangles and colours; InputError where the file is not a whole PLY."""
     try:
         data = path.read_bytes()
     except OSError as error:
@@ -72,10 +87,9 @@ def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
         raise InputError(f"{path}: expected a PLY file, whose first line is 'ply'")
     try:
         with np.errstate(over="ignore", invalid="ignore"):
-            vertices, triangles = _parse_ply(data)
+            return _parse_ply(data)
     except (ValueError, OverflowError) as error:
         raise InputError(f"{path}: expected a whole PLY mesh ({error})") from None
-    return checked(path, vertices, triangles)
 
 
 @dataclass(frozen=True)
@@ -90,8 +104,11 @@ class _Element:
     properties: list[tuple[str, str, str | None]]
 
 
-def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertices float32 (n, 3) and triangles int64 (m, 3); ValueError says what is wrong."""
+def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+    """Return vertices float32 (n, 3), triangles int64 (m, 3), colours uint8 (n, 3) if it has any.
+
+    ValueError says what is wrong.
+    """
     end = re.search(rb"[\r\n]end_header[ \t]*(\r\n|\n|\r|$)", data)
     if end is None:
         raise ValueError("its header does not end")
@@ -101,6 +118,7 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray]:
         # The numbers of a text become doubles, and are then read as those of a binary file.
         body = np.fromiter(map(float, body.split()), np.float64).tobytes()
     vertices, triangles = np.empty((0, 3)), np.empty((0, 3))
+    colours = None
     at = 0
     for element in _elements(header):
         columns, at = _columns(body, at, element)
@@ -108,13 +126,17 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray]:
             if not {"x", "y", "z"} <= columns.keys():
                 raise ValueError("its vertices lack x, y or z")
             vertices = np.stack([columns[axis] for axis in "xyz"], axis=1)
+            if set(COLOURS) <= columns.keys():
+                stacked = np.stack([columns[name] for name in COLOURS], axis=1)
+                colours = np.clip(np.nan_to_num(stacked), 0, 255).astype(np.uint8)
         elif element.name == "face":
             lists = [name for name, _, counter in element.properties if counter is not None]
             known = [name for name in lists if name in ("vertex_indices", "vertex_index")]
             if len(known or lists) != 1:
                 raise ValueError("its faces have no list named vertex_indices")
             triangles = _fans(columns[(known or lists)[0]])
-    return np.ascontiguousarray(vertices, np.float32), triangles.astype(np.int64)
+    places = np.ascontiguousarray(vertices, np.float32)
+    return places, triangles.astype(np.int64), colours
 
 
 def _elements(header: list[list[str]]) -> list[_Element]:

@@ -81,6 +81,7 @@ class Offscreen:
         values = settings_module.with_settings(self._base, changes)
         only = tuple(e for e in ELEMENTS if e in shown and e in self._only)
         if self._built_for != (values, only):
+            self._enter()
             if self.island is not None:
                 self.island.release()
             self.island, self._built_for = None, None
@@ -99,9 +100,15 @@ class Offscreen:
             moment = Moment(
                 moment.pose, moment.size, kt, moment.step, moment.stroke, moment.wireframe
             )
+        self._enter()
         self._target.bind()
         self.island.draw(moment)
         return self._target.read()
+
+    def _enter(self) -> None:
+        """Make the context current: another Offscreen may have been used meanwhile."""
+        assert self._context is not None
+        self._context.make_current()
 
     @property
     def renderer(self) -> str:
@@ -111,6 +118,8 @@ class Offscreen:
 
     def close(self) -> None:
         """Release the island, the target and the context, in this order; may be called twice."""
+        if self._context is not None:
+            self._enter()
         for owner in (self.island, self._target, self._context):
             if owner is not None:
                 owner.release()

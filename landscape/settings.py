@@ -37,7 +37,10 @@ class Camera:
 
     fov: float = setting(60.0, "chosen", "degrees, vertical", 1, 170)
     near: float = setting(0.02, "chosen", "units", 1e-4, 10)
-    cull: bool = setting(False, "chosen", "skip castle and animals that are out of view")
+    cull: bool = setting(False, "chosen", "skip what is out of view, and faces turned away")
+    detail: float = setting(
+        0.0, "chosen", "pixels that a coarser mesh of an animal may leave out; 0 is none", 0, 100
+    )
     far: float = setting(120.0, "chosen", "units", 1, 1e5)
 
 
@@ -72,6 +75,9 @@ class Sun:
     elevation: float = setting(38.0, "chosen", "degrees above the horizon", 0, 90)
     diffuse: tuple[float, ...] = setting((1.0, 0.95, 0.85), "chosen", "RGB", 0, 10)
     ambient: tuple[float, ...] = setting((0.50, 0.53, 0.60), "chosen", "RGB", 0, 10)
+    fill: float = setting(
+        0.0, "chosen", "of the ambient light, as a second light across from the sun", 0, 10
+    )
 
 
 @dataclass(frozen=True)
@@ -113,6 +119,10 @@ class Ground:
     tiles: int = setting(
         1, "chosen", "display lists per side; those out of view are skipped", 1, 64
     )
+    unstretched: bool = setting(
+        False, "chosen", "details follow the slopes instead of being drawn out by them"
+    )
+    shadows: bool = setting(False, "chosen", "what stands on the ground casts a shadow on it")
 
 
 @dataclass(frozen=True)
@@ -147,6 +157,9 @@ class Water:
     shallow: bool = setting(False, "chosen", "clear and turquoise where the water is shallow")
     foam: bool = setting(False, "chosen", "small breakers run out on the beaches")
     cull: bool = setting(False, "chosen", "send only the patches that are in view")
+    query: bool = setting(
+        False, "chosen", "no sea and no mirror image while land hides it all, by occlusion query"
+    )
 
 
 @dataclass(frozen=True)
@@ -179,6 +192,7 @@ class Transparent:
     fade: float = setting(
         0.0, "chosen", "part of the radius over which sprites come out of nothing", 0, 1
     )
+    clear_near: bool = setting(False, "chosen", "sprites clear away before the eye meets them")
     rooted: bool = setting(False, "chosen", "feet sink a little where the ground slopes")
     trimmed: bool = setting(
         False, "chosen", "quads end where the picture does, and none lies out of view"
@@ -217,6 +231,13 @@ class Plants:
     size_min: float = setting(0.06, "chosen", "units, width and height", 0.001, 100)
     size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
     sway: float = setting(1.0, "section 5.2.2", "times the report's sway", 0, 100)
+    species: int = setting(
+        1, "chosen", "kinds: the report's one, or fern, ox-eye, willow-herb, marram, heather", 1, 5
+    )
+    radius: float = setting(
+        0.0, "chosen", "units, plants farther off are not drawn; 0 is as for all sprites", 0, 1000
+    )
+    shaded: bool = setting(False, "chosen", "plants are darker where a shadow lies on the ground")
     quads: int = setting(2, "R6, section 11.2.2", "quads of a plant: two, or three at 60 deg", 2, 3)
     fade_edge_on: bool = setting(
         False, "R6, section 11.2.2", "a quad clears away while one looks along it"
@@ -270,6 +291,7 @@ class Castle:
     multitexture: bool = setting(
         False, "R11, section 11.2.4", "bricks, door and halo in one pass of three texture units"
     )
+    ornate: bool = setting(False, "chosen", "a keep, roofs, bands, loopholes and pennants")
 
 
 @dataclass(frozen=True)
@@ -289,6 +311,7 @@ class Rabbit:
         "round the axis, or along the axis each face looks at",
         choices=("cylindrical", "axis"),
     )
+    painted: bool = setting(False, "chosen", "each vertex has the colour its file gives it")
 
 
 @dataclass(frozen=True)
@@ -300,6 +323,15 @@ class Dragon:
     z: float = setting(29.0, "chosen", "units", -1e4, 1e4)
     yaw: float = setting(-30.0, "chosen", "degrees about y", -360, 360)
     scale: float = setting(0.9, "chosen", "units, half the mesh's largest side", 0.001, 100)
+    mapping: str = setting(
+        "planar",
+        "R12, section 7.2",
+        "by (x, z), or along the axis each face looks at",
+        choices=("planar", "axis"),
+    )
+    repeat: float = setting(6.0, "chosen", "textures along it, by dragon.mapping=axis", 0, 1000)
+    painted: bool = setting(False, "chosen", "each vertex has the colour its file gives it")
+    gloss: float = setting(0.0, "chosen", "strength of the sun's glint on the wet scales", 0, 1)
     sink: float = setting(-0.15, "chosen", "height of the water line on the mesh, -1..1", -2, 2)
 
 
@@ -351,13 +383,17 @@ class Settings:
 
 BEST: dict[str, Value] = {
     "camera.cull": True,
+    "camera.detail": 0.25,
     "walk.mouse_relative": True,
+    "sun.fill": 0.45,
     "ground.resolution": 160,
     "ground.height_image": "height16.png",
     "ground.mid_repeat": 13.0,
     "ground.materials": True,
     "ground.exact_height": True,
     "ground.tiles": 8,
+    "ground.shadows": True,
+    "ground.unstretched": True,
     "ground.texture_size": 2048,
     "reflection.stencil": True,
     "reflection.castle": True,
@@ -366,6 +402,7 @@ BEST: dict[str, Value] = {
     "water.shallow": True,
     "water.foam": True,
     "water.cull": True,
+    "water.query": True,
     "water.fresnel": True,
     "water.horizon": 400.0,
     "water.rippled": True,
@@ -378,6 +415,7 @@ BEST: dict[str, Value] = {
     "transparent.upright": True,
     "transparent.split": True,
     "transparent.fade": 0.15,
+    "transparent.clear_near": True,
     "transparent.rooted": True,
     "transparent.trimmed": True,
     "transparent.radius": 26.0,
@@ -392,7 +430,14 @@ BEST: dict[str, Value] = {
     "plants.crossed_within": 7.0,
     "castle.flame_faces": True,
     "castle.multitexture": True,
-    "plants.count": 2600,
+    "castle.ornate": True,
+    "plants.sway": 0.35,
+    "plants.species": 5,
+    "plants.shaded": True,
+    "plants.count": 7000,
+    "plants.radius": 16.0,
+    "plants.size_min": 0.035,
+    "plants.size_max": 0.085,
     "grass.tinted": True,
     "grass.fade": True,
     "grass.count": 8_000_000,
@@ -401,6 +446,10 @@ BEST: dict[str, Value] = {
     "grass.tufts": 7,
     "grass.variety": 1.0,
     "rabbit.mapping": "axis",
+    "rabbit.painted": True,
+    "dragon.mapping": "axis",
+    "dragon.painted": True,
+    "dragon.gloss": 0.5,
     "grass.arch": 4.0,
     "grass.radius": 7.0,
     "fog.density": 0.042,

@@ -10,18 +10,19 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from landscape.elements.castle import MERLON, TOWER_RADIUS, TOWER_TOP
+from landscape.elements.castle_meshes import MERLON, TOWER_RADIUS, TOWER_TOP, WALL
 from landscape.elements.ground import HeightField
 from landscape.elements.sword import STROKES
 from landscape.frame import Pose
-from landscape.settings import Castle, Settings
+from landscape.settings import Castle, Dragon, Rabbit, Settings
 
+RABBIT_ROUND = 0.6  # chosen, times its scale: the radius of a ring round haunches and chest
+DRAGON_LONG = (0.85, 0.16)  # chosen, times its scale: half its length and half its thickness
 RADIUS = 0.05  # chosen: units, half the walker's width; 2.5 times the near plane's distance
 MARGIN = 0.1  # chosen: units kept from the map's border
 STRIDE = (
     0.02  # chosen: units moved at once near a wall, far less than a wall and a walker are thick
 )
-WALL = 0.045  # units, the castle walls' thickness (elements/castle.py, walls_mesh)
 WANDER = 0.0005  # section 8.2: units a step drifts to the north, times cos(step / 4)
 FLY = 2.0  # chosen: times the walking speed
 FLOOR = 0.05  # chosen: units a flyer keeps above the ground, the water and the castle
@@ -138,6 +139,24 @@ def castle_obstacles(castle: Castle, base: float) -> tuple[Obstacle, ...]:
     walls += [Wall(*place(side, 0), half, 0.5, yaw, base + 1 + MERLON) for side in (-edge, edge)]
     corners = [place(u, w) for u in (-0.5, 0.5) for w in (-0.5, 0.5)]
     return (*walls, *(Tower(*corner, TOWER_RADIUS, base + TOWER_TOP) for corner in corners))
+
+
+def animal_obstacles(
+    rabbit: Rabbit | None, dragon: Dragon | None, field: HeightField
+) -> tuple[Obstacle, ...]:
+    """Return what the walker must go round of the animals that are there: a round and a long one.
+
+    The meshes fill -1..1 times their scale: the dragon is long along its own x axis.
+    """
+    found: list[Obstacle] = []
+    if rabbit is not None:
+        top = float(field.height(rabbit.x, rabbit.z)) + 2 * rabbit.scale
+        found.append(Tower(rabbit.x, rabbit.z, RABBIT_ROUND * rabbit.scale, top))
+    if dragon is not None:
+        length, thickness = (part * dragon.scale for part in DRAGON_LONG)
+        top, yaw = field.water_level + dragon.scale, math.radians(dragon.yaw)
+        found.append(Wall(dragon.x, dragon.z, length, thickness, yaw, top))
+    return tuple(found)
 
 
 def _gap(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, float, float]:

@@ -4,7 +4,11 @@ A GL test asks for ``stage``; see stage.py.
 """
 
 import os
+import shutil
+import tempfile
 
+# The tests neither use nor leave anything in the user's own cache.
+os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
 
 from collections.abc import Iterator
@@ -16,6 +20,10 @@ from stage import Stage, changes, snapshot, write_plain
 from landscape.assets import Assets
 from landscape.errors import NoOpenGLError
 from landscape.gl.context import open_context
+
+
+def pytest_sessionfinish() -> None:
+    shutil.rmtree(os.environ["LANDSCAPE_CACHE"], ignore_errors=True)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

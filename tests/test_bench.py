@@ -248,6 +248,7 @@ import json, sys
 import numpy as np
 sys.path.insert(0, sys.argv[1])
 from stage import live_names
+from landscape.elements.animal import LEVELS
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 from landscape.render import Offscreen
@@ -274,6 +275,9 @@ with Offscreen((96, 64), "best", json.loads(sys.argv[2]), samples=0) as offscree
                 Pose(float(x), y, float(z), yaw, pitch), (96, 64), float(kt), stroke=kt % 5)
             offscreen.draw()
     walk(100)
+    for animal in (offscreen.island.rabbit, offscreen.island.dragon):
+        for cube in LEVELS:  # lists that are made when an animal is first seen from so far
+            animal._list(cube)
     before, sizes = names(), [resident()]
     for _ in range(5):
         walk(100)

@@ -8,16 +8,13 @@ from PIL import Image
 from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write_plain
 
 from landscape.assets import Assets
-from landscape.elements.castle import (
-    FLAME_Z,
+from landscape.elements.castle import FLAME_Z, Castle, flame_frame, light_shift
+from landscape.elements.castle_meshes import (
     FOOT,
     TORCHES,
     TOWER_RADIUS,
     TOWER_TOP,
-    Castle,
     box_quads,
-    flame_frame,
-    light_shift,
     quads_mesh,
     tower_mesh,
     wall_boxes,

@@ -417,6 +417,15 @@ with landscape.Offscreen((32, 24), settings={"fog.density": 0.05}, **options) as
     thinner.close()
 thinner.close()
 
+# Two at once, in turns: each draws into its own context.
+with landscape.Offscreen((32, 24), preset="2006", only=("ground", "fog")) as one:
+    one.look("fig35d")
+    alone = one.draw()
+    with landscape.Offscreen((32, 24), preset="2006", only=("sky", "trees")) as other:
+        other.look("fig35b")
+        assert (other.draw() != alone).any() and (one.draw() == alone).all()
+    assert (one.draw() == alone).all()
+
 from landscape.errors import InputError
 for wrong in (
     lambda: landscape.render("fig99z"),

@@ -12,7 +12,8 @@ from test_transparent_elements import BACKGROUND, BLUE, PLANT_GREEN, RED, lookin
 
 from landscape.assets import Assets
 from landscape.elements.atlas import CELL, CELLS, from_above, outline, top_coordinates
-from landscape.elements.castle import FLAME_Z, TORCHES, Castle, flame_across, halo
+from landscape.elements.castle import FLAME_Z, Castle, flame_across, halo
+from landscape.elements.castle_meshes import TORCHES
 from landscape.elements.ground import Ground, HeightField
 from landscape.elements.planting import PLANT, plant_everything, slopes_under
 from landscape.elements.sprite_quads import (
@@ -355,6 +356,20 @@ def test_faded_sprites_stop_where_the_fog_hides_all(sprites: TransparentElements
     assert math.exp(-((0.5 * sprites._radius()) ** 2)) == pytest.approx(1 / 512)
     sprites._settings = with_settings(Settings(), {**keys, "transparent.fade": 0.0})
     assert sprites._radius() == 50.0
+
+
+def test_a_sprite_clears_away_before_the_eye_meets_it(sprites: TransparentElements) -> None:
+    keys = {"transparent.clear_near": True, "transparent.fade": 0.0}
+    sprites._settings = with_settings(Settings(), keys)
+    places = [(20.0, 3.0, 20.0 - d) for d in (0.2, 0.35, 0.5, 5.0)]
+    put(sprites, places, [1] * 4)
+    frame = looking(NORTH)
+    sizes = sprites.sprites.sizes
+    sizes[:] = 1.0
+    alpha = sprites._colours(frame, sprites.sprites, np.arange(4))[:, 3]
+    assert alpha == pytest.approx([0.0, 127.5, 255.0, 255.0])
+    sprites._settings = with_settings(Settings(), {**keys, "transparent.clear_near": False})
+    assert (sprites._colours(frame, sprites.sprites, np.arange(4))[:, 3] == 255).all()
 
 
 @pytest.mark.parametrize("rooted", [False, True])

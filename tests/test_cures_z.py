@@ -10,6 +10,7 @@ from stage import PLAIN, Stage, close, small
 from test_grass import frame_at, sow
 
 from landscape.assets import Assets
+from landscape.elements.animal import by_axis, read_animal
 from landscape.elements.grass import Grass, blade_vertices, facing, send_one_by_one
 from landscape.elements.ground import Ground, boxes_in_view, clipped, cut, rock_share, textured
 from landscape.elements.height_field import (
@@ -19,7 +20,7 @@ from landscape.elements.height_field import (
     smoothed,
     spline_weights,
 )
-from landscape.elements.rabbit import Rabbit, by_axis, read_animal
+from landscape.elements.rabbit import Rabbit
 from landscape.frame import Pose
 from landscape.gl.mesh_tool import Mesh
 from landscape.island import Island

@@ -90,7 +90,10 @@ def flat(height: float = 3.0) -> Ground:
         green = np.where(np.asarray(x) < 20, 0.5, 0.2)  # green in the west, grey in the east
         return np.stack([np.full_like(green, 0.2), green, np.full_like(green, 0.2)], axis=1)
 
-    return cast(Ground, SimpleNamespace(field=field, colour=colour))
+    def light(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        return np.where(np.asarray(z) < 20, 1.0, 0.5)  # shadow in the south
+
+    return cast(Ground, SimpleNamespace(field=field, colour=colour, light=light))
 
 
 def sow(ground: Ground | None = None, seed: int = 7, **changes: Any) -> Grass:
@@ -352,3 +355,12 @@ def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
     again = all_blades(grass)
     assert all(np.array_equal(a.blades, b.blades) for a, b in zip(first, again, strict=True))
     assert np.array_equal(grass.counts, counts)
+
+
+def test_tinted_blades_in_the_shadow_are_darker() -> None:
+    grass = sow(tinted=True)
+    across = int(np.sqrt(len(grass.counts)))
+    north, south = (
+        grass._patch(row * across + across // 4) for row in (across // 4, 3 * across // 4)
+    )
+    assert south.tints[..., 1].mean() == pytest.approx(0.5 * north.tints[..., 1].mean(), rel=0.1)

@@ -14,6 +14,7 @@ from landscape.elements.height_field import (
     height_field,
     lookup,
     read_heights,
+    unstretched,
 )
 from landscape.frame import Pose
 from landscape.settings import Ground as GroundSettings
@@ -227,3 +228,30 @@ def test_the_colour_asked_for_is_the_colour_drawn(stage: Stage, plain_folder) ->
         drawn = pixel(picture, project(pose, (x, 3.0, z)))
         assert close(drawn, ground.colour(np.array([x]), np.array([z]))[0] * 255, 4)
     ground.release()
+
+
+def test_a_textile_on_level_ground_stays_as_it_was_cut() -> None:
+    laid = unstretched(np.full((9, 9), 3.0, np.float32), 0.5)
+    x, z = np.meshgrid(np.arange(9) * 0.5, np.arange(9) * 0.5)
+    assert np.allclose(laid - laid[0, 0], np.stack([x, z], axis=2), atol=1e-5)
+
+
+def test_on_a_steep_bank_a_texture_is_no_longer_drawn_out() -> None:
+    # Level, a bank of 60 degrees, level again; seen from above each cell is one unit long.
+    profile = np.concatenate([np.zeros(12), 1.732 * np.arange(1, 9), np.full(12, 1.732 * 8)])
+    heights = np.repeat(profile[None].astype(np.float32), 32, axis=0)
+    laid = unstretched(heights, 1.0)
+    along = np.hypot(*(laid[:, 1:] - laid[:, :-1]).transpose(2, 0, 1))
+    on_ground = np.hypot(1.0, np.diff(heights, axis=1))
+    assert 1 / on_ground.max() == pytest.approx(0.5, abs=1e-3)  # what x and z alone would give
+    assert (along / on_ground).min() > 0.8 and (along / on_ground).max() < 1.25
+
+
+def test_only_details_follow_the_slopes_and_only_when_asked() -> None:
+    heights = np.add.outer(np.arange(6.0), np.zeros(6)).astype(np.float32)
+    field = HeightField(heights, 5.0, -1.0)
+    bare, laid = (ground_mesh(field, (1.0, 8.0), follow) for follow in (False, True))
+    assert np.array_equal(laid.coordinates[0], bare.coordinates[0])
+    assert np.allclose(bare.coordinates[1], 8 * bare.coordinates[0])
+    rows = laid.coordinates[1].reshape(6, 6, 2)[:, 0, 1]
+    assert rows[-1] - rows[0] > 1.2 * 8.0

@@ -17,7 +17,7 @@ from landscape.gl.mesh_tool import (
     revolve,
     vertex_normals,
 )
-from landscape.meshes import read_mesh, read_ply
+from landscape.meshes import read_colours, read_mesh, read_ply
 
 
 def test_a_grid_cuts_each_cell_along_its_diagonal() -> None:
@@ -126,3 +126,42 @@ def test_a_damaged_mesh_of_another_format_names_its_file(tmp_path: Path) -> None
     path.write_bytes(b"no mesh at all")
     with pytest.raises(InputError, match=r"bad\.glb: expected a"):
         read_mesh(path)
+
+
+COLOURED = """ply
+format ascii 1.0
+element vertex 3
+property float x
+property uchar red
+property float y
+property uchar green
+property uchar blue
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+0 255 0 0 10 0
+1 0 0 128 20 0
+0 7 1 8 9 0
+3 0 1 2
+"""
+
+
+def test_colours_of_vertices_are_read_from_a_ply_that_has_them(tmp_path: Path) -> None:
+    path = tmp_path / "coloured.ply"
+    path.write_text(COLOURED)
+    colours = read_colours(path)
+    assert colours is not None and colours.dtype == np.uint8
+    assert colours.tolist() == [[255, 0, 10], [0, 128, 20], [7, 8, 9]]
+    assert read_mesh(path)[0][1].tolist() == [1, 0, 0]
+    bare = COLOURED.replace("property uchar blue", "property uchar alpha")
+    path.write_text(bare)
+    assert read_colours(path) is None
+    assert read_colours(tmp_path / "other.obj") is None
+
+
+def test_colours_of_a_damaged_file_end_in_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "cut.ply"
+    path.write_text(COLOURED[:-20])
+    with pytest.raises(InputError, match=r"cut\.ply: expected a whole PLY"):
+        read_colours(path)

@@ -28,12 +28,18 @@ def hill(level: float = 1.0) -> HeightField:
     return HeightField(heights.astype(np.float32), 40.0, level)
 
 
+def green_in_the_west(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """A ground of grass where x is under 20, of sand elsewhere."""
+    grass, sand = np.array([0.2, 0.4, 0.1]), np.array([0.7, 0.6, 0.5])
+    return np.where((x < 20.0)[:, None], grass, sand)
+
+
 def grow(kinds: set[str] = ALL, seed: int = 5, field: HeightField | None = None, **changes: Any):
     """Plant a hill; the castle and the rabbit stand where the settings put them."""
     field = field or hill()
     keys = {key.replace("__", "."): value for key, value in changes.items()}
     settings = with_settings(Settings(), {"water.level": field.water_level, **keys})
-    ground = cast(Ground, SimpleNamespace(field=field))
+    ground = cast(Ground, SimpleNamespace(field=field, colour=green_in_the_west))
     return settings, plant_everything(settings, ground, seed, kinds)
 
 
@@ -151,3 +157,10 @@ def test_sprites_are_joined_in_order() -> None:
     one = Sprites(*(np.full((1, 2), k) for k in range(5)))
     two = Sprites(*(np.full((2, 2), 10 + k) for k in range(5)))
     assert (one + two).cells[:, 0].tolist() == [2, 12, 12]
+
+
+def test_grouped_plants_keep_to_green_ground_and_scattered_ones_do_not() -> None:
+    _, grouped = grow({"plants"}, trees__grouped=True)
+    _, scattered = grow({"plants"})
+    assert len(grouped.positions) > 500 and (grouped.positions[:, 0] < 20.0).all()
+    assert 0.3 < (scattered.positions[:, 0] < 20.0).mean() < 0.7

@@ -5,9 +5,10 @@ import pytest
 from stage import PLAIN, Stage, close, pixel, project, small, write_ply
 
 from landscape.assets import Assets
+from landscape.elements.animal import COLOR, read_animal
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.ground import HeightField
-from landscape.elements.rabbit import COLOR, Rabbit, cylindrical, read_animal
+from landscape.elements.rabbit import Rabbit, cylindrical
 from landscape.frame import Pose
 
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
@@ -152,3 +153,59 @@ def test_the_rabbit_turns_with_its_yaw(stage: Stage, plain_folder) -> None:
         rabbit.release()
         widths.append((np.abs(picture - BACKGROUND) > 3).any(axis=2).any(axis=0).sum())
     assert widths[0] > 5 * widths[1] > 0
+
+
+def paint_ply(path, colours: list[tuple[int, int, int]]) -> None:
+    """Add colours to the vertices of an ASCII PLY file."""
+    head, body = path.read_text().split("end_header\n")
+    wanted = "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
+    head = head.replace("element face", wanted + "element face")
+    lines = body.splitlines()
+    for k, colour in enumerate(colours):
+        lines[k] += " " + " ".join(map(str, colour))
+    path.write_text(head + "end_header\n" + "\n".join(lines) + "\n")
+
+
+@pytest.mark.parametrize("animal", ["rabbit", "dragon"])
+@pytest.mark.parametrize("painted", [False, True])
+@pytest.mark.parametrize("mapping", ["2006", "axis"])
+def test_a_painted_animal_has_the_colours_of_its_file(
+    stage: Stage, plain_folder, animal: str, painted: bool, mapping: str
+) -> None:
+    path = write_ply(plain_folder / f"{animal}.ply", PLATE, np.array([(0, 1, 2, 3)]))
+    paint_ply(path, [(250, 120, 40)] * 4)
+    mapping = {"rabbit": "cylindrical", "dragon": "planar"}[animal] if mapping == "2006" else "axis"
+    changed = {f"{animal}.painted": painted, f"{animal}.mapping": mapping}
+    settings = small({**LIT, **changed})
+    assets = Assets(plain_folder)
+    thing = Rabbit(settings, assets, FLAT) if animal == "rabbit" else Dragon(settings, assets)
+    pose = Pose(20.0, 2.5 if animal == "rabbit" else 0.6, 22.5, 0.0, 0.0)
+    with stage.frame(settings, pose):
+        thing.draw()
+        got = pixel(stage.read(), (80.5, 60.5))
+    thing.release()
+    light = np.array([0.3, 0.2, 0.1]) + np.array([0.5, 0.6, 0.7]) * 0.5
+    colour = np.array([250, 120, 40]) / 255 if painted else np.array(COLOR[:3])
+    assert close(got, colour * light * ANIMAL, 2)
+
+
+def test_a_glossy_dragon_glints_over_its_texture_and_a_dull_one_does_not(
+    stage: Stage, plain_folder
+) -> None:
+    # The plate's normal halves the angle between a sun at 60 degrees over the south and the eye.
+    tilt = np.radians(30)
+    plate = np.array(
+        [(x, y * np.cos(tilt), -y * np.sin(tilt)) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    )
+    write_ply(plain_folder / "dragon.ply", plate, np.array([(0, 1, 2, 3)]))
+    got = []
+    for gloss in (0.0, 0.25):
+        settings = small({**LIT, "sun.elevation": 60.0, "dragon.gloss": gloss})
+        dragon = Dragon(settings, Assets(plain_folder))
+        with stage.frame(settings, Pose(20.0, 0.5, 40.0, 0.0, 0.0)):
+            dragon.draw()
+            got.append(pixel(stage.read(), (80.5, 60.5)))
+        dragon.release()
+    # A quarter of the light's specular colour is added; the texture does not multiply it.
+    glint = (got[1] - got[0]) / 255
+    assert np.allclose(glint, 0.25 * np.array([1.0, 0.95, 0.85]), atol=0.03)

@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.elements.castle import FOOT, walls_mesh
+from landscape.elements.castle_meshes import FOOT, walls_mesh
 from landscape.elements.ground import HeightField
 from landscape.frame import Pose
-from landscape.settings import Castle, Settings, with_settings
+from landscape.settings import Castle, Dragon, Rabbit, Settings, with_settings
 from landscape.walker import (
     FALL,
     FLOOR,
@@ -22,6 +22,7 @@ from landscape.walker import (
     Walker,
     advance,
     aimed,
+    animal_obstacles,
     castle_obstacles,
     start,
 )
@@ -165,6 +166,25 @@ def test_no_random_walk_crosses_a_wall(inside):
             assert _in_square(walker) == inside, f"from {before} to {walker}"
             touched += gap(walker, obstacles) < RADIUS + 1e-5
     assert touched > 100, "the walks met too few walls to prove anything"
+
+
+def test_no_walk_goes_through_an_animal_and_one_can_go_round_it():
+    rabbit, dragon = Rabbit(x=20.0, z=20.0, scale=0.4), Dragon(x=25.0, z=20.0, yaw=90.0, scale=1.0)
+    field = flat(BASE)
+    obstacles = animal_obstacles(rabbit, dragon, field)
+    for start_x in (19.0, 22.0):
+        walker = at(start_x, 20.05)
+        for _ in range(200):
+            # Eastward, over both: what stands in the way turns the walker aside.
+            walker = advance(
+                replace(walker, yaw=90.0), Intent(1.0), 0.05, field, obstacles, SETTINGS
+            )
+            assert gap(walker, obstacles) >= RADIUS - 1e-5
+        assert walker.x > 24.0 if start_x > 20 else walker.x > 20.5
+    # The dragon's own x axis, turned by 90 degrees, runs along z.
+    long, across = obstacles[1].gap(25.0, 21.5)[0], obstacles[1].gap(26.5, 20.0)[0]
+    assert long == pytest.approx(1.5 - 0.85) and across == pytest.approx(1.5 - 0.16)
+    assert animal_obstacles(None, None, field) == ()
 
 
 def _in_square(walker: Walker) -> bool:

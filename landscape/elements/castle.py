@@ -16,97 +16,40 @@ import math
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.elements.castle_meshes import (
+    CORNERS,
+    MASTS,
+    TORCHES,
+    loopholes,
+    ornate_masonry,
+    pennant,
+    quads_mesh,
+    rings,
+    roofs,
+    tower_mesh,
+    wall_light,
+    walls_mesh,
+    without_gate,
+)
 from landscape.elements.ground import HeightField
+from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_points, on_edges
 from landscape.frame import Frame, in_view
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import Mesh, revolve, vertex_normals
+from landscape.gl.mesh_tool import revolve
 from landscape.gl.state import attrib, combine, matrix
 from landscape.gl.texture import Texture, read_image
 from landscape.settings import Settings
 
 ELEMENT = "castle"
 
-FOOT = 0.35  # chosen: units the walls reach into the ground, so that no slope shows under them
-TOWER_RADIUS = 0.13  # chosen
-TOWER_TOP = 1.22  # chosen
-BALL = 1.4  # radius of the ball about the middle of the walls that holds them, FOOT and all
-MERLON = 0.07  # chosen: height of the battlements
-TORCHES = (0.27, 0.75)  # section 6.1: 0.27, and 0.48 farther
+# Radius of the ball about the middle of the walls that holds them, and of the ornate ones.
+BALL, ORNATE_BALL = 1.4, 1.8
+SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
+PENNANT = (0.75, 0.12, 0.10)  # chosen
+FOOT_SHADE = 0.22  # chosen: units from the walls over which they hide the sky
 FLAME_Z = -0.07  # section 6.1
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
-
-
-def wall_boxes() -> list[tuple[float, float, float, float, float, float]]:
-    """Return the battlements as boxes (x0, y0, z0, x1, y1, z1) standing on the four walls."""
-    boxes = []
-    depth, width = 0.045, 0.075
-    for k in range(5):
-        a = 0.17 + k * (0.66 - width) / 4
-        b = a + width
-        boxes += [
-            (a, 1.0, 0.0, b, 1.0 + MERLON, depth),
-            (a, 1.0, 1.0 - depth, b, 1.0 + MERLON, 1.0),
-            (0.0, 1.0, a, depth, 1.0 + MERLON, b),
-            (1.0 - depth, 1.0, a, 1.0, 1.0 + MERLON, b),
-        ]
-    return boxes
-
-
-def quads_mesh(quads: np.ndarray, repeat: float) -> Mesh:
-    """Return flat-shaded quads (n, 4, 3) with the brick texture laid ``repeat`` times per unit.
-
-    Corners counter-clockwise seen from outside. The texture runs along the horizontal edge and
-    down the vertical one, so courses line up from quad to quad.
-    """
-    corners = quads.reshape(-1, 3)
-    base = 4 * np.arange(len(quads))[:, None]
-    triangles = (base + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3).astype(np.uint32)
-    normals = vertex_normals(corners, triangles)
-    flat = np.abs(normals[:, 1]) > 0.5
-    facing_x = np.abs(normals[:, 0]) > 0.5
-    s = np.where(facing_x, corners[:, 2], corners[:, 0])
-    t = np.where(flat, corners[:, 2], 1.0 - corners[:, 1])
-    coordinates = np.ascontiguousarray(np.stack([s, t], axis=1) * repeat, np.float32)
-    return Mesh(np.ascontiguousarray(corners, np.float32), normals, triangles, (coordinates,))
-
-
-def box_quads(x0: float, y0: float, z0: float, x1: float, y1: float, z1: float) -> np.ndarray:
-    """Return a box's five faces but the bottom one, (5, 4, 3)."""
-    a, b, c, d = (x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1)
-    e, f, g, h = (x0, y1, z0), (x1, y1, z0), (x1, y1, z1), (x0, y1, z1)
-    faces = [(b, a, e, f), (c, b, f, g), (d, c, g, h), (a, d, h, e), (h, g, f, e)]
-    return np.array(faces, np.float64)
-
-
-def walls_mesh(repeat: float) -> Mesh:
-    """Return the four walls, as thick as their battlements, with those."""
-    thick = 0.045
-    walls = [
-        (0.0, -FOOT, 0.0, 1.0, 1.0, thick),
-        (0.0, -FOOT, 1.0 - thick, 1.0, 1.0, 1.0),
-        (0.0, -FOOT, thick, thick, 1.0, 1.0 - thick),
-        (1.0 - thick, -FOOT, thick, 1.0, 1.0, 1.0 - thick),
-    ]
-    return quads_mesh(np.concatenate([box_quads(*box) for box in walls + wall_boxes()]), repeat)
-
-
-def without_gate(walls: Mesh, repeat: float) -> Mesh:
-    """Return the walls with the outer face of the gate wall kept only below y = 0."""
-    vertices, coordinates = walls.vertices.copy(), walls.coordinates[0].copy()
-    top = np.flatnonzero((np.arange(len(vertices)) < 4) & (vertices[:, 1] > 0))
-    vertices[top, 1], coordinates[top, 1] = 0.0, repeat
-    return Mesh(vertices, walls.normals, walls.triangles, (coordinates,))
-
-
-def tower_mesh(repeat: float) -> Mesh:
-    """Return a tower about the y axis: a cylinder that widens to a parapet with a sunken floor."""
-    r, top = TOWER_RADIUS, TOWER_TOP
-    profile = [(r, -FOOT), (r, top - 0.16), (r + 0.025, top - 0.11), (r + 0.025, top)]
-    profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
-    height = sum(np.hypot(*np.subtract(b, a)) for a, b in zip(profile, profile[1:], strict=False))
-    round_ = max(1, round(2 * np.pi * r * repeat))
-    return revolve(profile, 24, (round_, float(height) * repeat))
 
 
 def halo(light: np.ndarray) -> np.ndarray:
@@ -141,6 +84,27 @@ def light_shift(kt: float) -> tuple[float, float]:
     return 0.01 * np.sin(kt / 10.8) ** 2, 0.01 * np.cos(kt / 7.2) ** 2
 
 
+def draw_pennants(kt: float) -> None:
+    """Draw the pennants on their masts; both sides show, the light changes with the waves."""
+    vertices, colours = [], []
+    for number, (x, z, foot, length) in enumerate(MASTS):
+        strip = pennant(kt + 11.0 * number, length)
+        lean = np.gradient(strip[::2, 2]) / length
+        pairs = np.arange(0, 10, 2)
+        quads = strip[np.stack([pairs, pairs + 1, pairs + 3, pairs + 2], axis=1)]
+        vertices.append(quads.reshape(-1, 3) + (x, foot + 1.15 * length, z))
+        light = np.repeat(np.clip(0.85 + 4.0 * lean, 0.5, 1.0), 2)
+        shades = light[np.stack([pairs, pairs + 1, pairs + 3, pairs + 2], axis=1)].reshape(-1, 1)
+        colours.append(np.hstack([shades * PENNANT, np.ones_like(shades)]))
+    packed = np.empty(20 * len(MASTS), [("colour", "u1", 4), ("place", "f4", 3)])
+    packed["colour"] = np.concatenate(colours) * 255
+    packed["place"] = np.concatenate(vertices)
+    gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
+    gl.glInterleavedArrays(gl.GL_C4UB_V3F, 0, packed.view(np.uint8))
+    gl.glDrawArrays(gl.GL_QUADS, 0, len(packed))
+    gl.glPopClientAttrib()
+
+
 class Castle:
     """The castle on its hill."""
 
@@ -161,8 +125,8 @@ class Castle:
         # Repeated: the light texture's moving coordinates leave 0..1 by a hair.
         self._light_image = read_image(assets.path("castle_light.png"), "RGB")
         self._light = Texture(self._light_image)
-        walls = walls_mesh(castle.brick_repeat)
-        self._list = DisplayList(lambda: self._send(walls))
+        self._ball = ORNATE_BALL if castle.ornate else BALL
+        self._list = DisplayList(lambda: self._send(gate=True))
         # What only R11 needs is made when it is switched on.
         self._open: DisplayList | None = None
         self._gate: DisplayList | None = None
@@ -171,8 +135,7 @@ class Castle:
     def _open_list(self) -> DisplayList:
         """The castle without its gate wall, compiled when it is first asked for."""
         if self._open is None:
-            walls = without_gate(walls_mesh(self._repeat), self._repeat)
-            self._open = DisplayList(lambda: self._send(walls))
+            self._open = DisplayList(lambda: self._send(gate=False))
         return self._open
 
     def _halo(self) -> Texture:
@@ -181,19 +144,26 @@ class Castle:
             self._halo_texture = Texture(halo(self._light_image))
         return self._halo_texture
 
-    def _send(self, walls: Mesh) -> None:
-        """What a display list holds: bricks, then stone; each mesh drawn where it stands."""
-        tower = tower_mesh(self._repeat)
+    def _send(self, gate: bool) -> None:
+        """What a display list holds: bricks, then stone; each mesh drawn where it stands.
+
+        Without the ``gate`` the gate wall's outer face is left out.
+        """
         holder = revolve([(0.008, 0.0), (0.008, 0.075)], 10, (1, 1))
         cone = revolve([(0.008, 0.0), (0.024, 0.04), (0.014, 0.04)], 10, (2, 1))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._brick.bind()
-        walls.draw()
-        for x in (0.0, 1.0):
-            for z in (0.0, 1.0):
-                with matrix():
-                    gl.glTranslatef(x, 0.0, z)
-                    tower.draw()
+        if self._settings.castle.ornate:
+            self._send_ornate(gate)
+        else:
+            walls = walls_mesh(self._repeat)
+            (walls if gate else without_gate(walls, self._repeat)).draw()
+            tower = tower_mesh(self._repeat)
+            for x in (0.0, 1.0):
+                for z in (0.0, 1.0):
+                    with matrix():
+                        gl.glTranslatef(x, 0.0, z)
+                        tower.draw()
         self._stone.bind()
         for x in TORCHES:
             for mesh, y in ((holder, TORCH_BASE), (cone, TORCH_TOP - 0.04)):
@@ -203,12 +173,46 @@ class Castle:
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
 
+    def _send_ornate(self, gate: bool) -> None:
+        """Send bricks, slates of the same bricks in another colour, masts and dark openings."""
+        ornate_masonry(self._repeat, gate).draw()
+        gl.glColor3f(*SLATE)
+        roofs(self._repeat).draw()
+        self._stone.bind()
+        gl.glColor3f(*WOOD)
+        for x, z, foot, length in MASTS:
+            with matrix():
+                gl.glTranslatef(x, foot - 0.03, z)
+                revolve([(0.006, 0.0), (0.003, 0.03 + 1.4 * length)], 6, (1, 1)).draw()
+        gl.glDisable(gl.GL_TEXTURE_2D)
+        gl.glColor3f(*DARK)
+        quads_mesh(loopholes(), 1.0).draw()
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glColor3f(1.0, 1.0, 1.0)
+
+    def cast(self, shadows: ShadowMap) -> None:
+        """Throw the shadow of walls and towers, and darken the ground along their feet."""
+        yaw, step = math.radians(self._yaw), 0.7 * shadows.texel
+        turn = np.array([(math.cos(yaw), -math.sin(yaw)), (math.sin(yaw), math.cos(yaw))])
+
+        def feet(ring: np.ndarray) -> np.ndarray:
+            xz = (ring - 0.5) @ turn.T + (self.base[0], self.base[2])
+            return np.insert(xz, 1, shadows.field.bed(*xz.T), axis=1)
+
+        for ring, low, high in rings(step, self._settings.castle.ornate):
+            heights = np.arange(low, high, step)
+            points = np.repeat(feet(ring), len(heights), axis=0)
+            points[:, 1] += np.tile(heights, len(ring))
+            cast_points(shadows, points)
+        along = feet(on_edges(CORNERS, FOOT_SHADE / 2))
+        shadows.hide_sky(along, np.full(len(along), FOOT_SHADE), 0.5 * SKY_HIDDEN)
+
     def visible(self, frame: Frame) -> bool:
         """Tell whether the ball round the castle, mirrored if the frame is, meets the view."""
         x, y, z = self.base[0], self.base[1] + 0.5, self.base[2]
         if frame.mirrored:
             y = 2.0 * self._settings.water.level - y
-        return bool(in_view(frame, np.array([(x, y, z)]), np.array([BALL]))[0])
+        return bool(in_view(frame, np.array([(x, y, z)]), np.array([self._ball]))[0])
 
     def draw(self, frame: Frame) -> None:
         """Draw the castle, the door, the light on the wall, and the fire."""
@@ -233,11 +237,16 @@ class Castle:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 gl.glEnable(gl.GL_BLEND)
                 self._draw_gate_in_layers(frame.kt)
+            if frame.mirrored and self._settings.reflection.rippled:
+                return  # flames and pennants are too small to be told in the ripples
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glDepthMask(gl.GL_FALSE)
             self._fire.bind()
             self._draw_fire(frame)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+            if self._settings.castle.ornate:
+                gl.glDisable(gl.GL_TEXTURE_2D)
+                draw_pennants(frame.kt)
 
     def _draw_gate_in_layers(self, kt: float) -> None:
         """Blend door and light over the bricks: three layers, each fogged (section 11.2.4)."""
@@ -296,13 +305,19 @@ class Castle:
                     gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, scale)
 
                 gl.glNormal3f(0.0, 0.0, -1.0)
-                gl.glBegin(gl.GL_QUADS)
-                for x, y in ((0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)):
-                    for unit, repeat in enumerate((self._repeat, 1.0, 1.0)):
-                        name = getattr(gl, f"GL_TEXTURE{unit}")
-                        gl.glMultiTexCoord2f(name, x * repeat, (1.0 - y) * repeat)
-                    gl.glVertex3f(x, y, 0.0)
+                ornate = self._settings.castle.ornate
+                heights = np.linspace(0.0, 1.0, 11 if ornate else 2)
+                light = wall_light(np.insert(np.zeros((len(heights), 2)), 1, heights, axis=1))
+                gl.glBegin(gl.GL_QUAD_STRIP)
+                for y, grey in zip(heights.tolist(), light.tolist(), strict=True):
+                    gl.glColor3f(*([grey if ornate else 1.0] * 3))
+                    for x in (1.0, 0.0):
+                        for unit, repeat in enumerate((self._repeat, 1.0, 1.0)):
+                            name = getattr(gl, f"GL_TEXTURE{unit}")
+                            gl.glMultiTexCoord2f(name, x * repeat, (1.0 - y) * repeat)
+                        gl.glVertex3f(x, y, 0.0)
                 gl.glEnd()
+                gl.glColor3f(1.0, 1.0, 1.0)
 
             self._gate = DisplayList(send)
         return self._gate

@@ -1,14 +1,17 @@
 """The sea dragon: a triangle mesh half in the water (Dragon, section 7).
 
 Technique: as the rabbit, with the vertices' own (x, z) as texture coordinates, which gives vertical
-lines; the mirrored scene draws it a second time.
+lines; the mirrored scene draws it a second time. In ``best`` it is mapped, and painted, as the
+rabbit is, and the sun glints on its wet scales by GL_SPECULAR.
 State used: as the rabbit.
 """
+
+from dataclasses import replace
 
 import numpy as np
 
 from landscape.assets import Assets
-from landscape.elements.rabbit import Animal, read_animal
+from landscape.elements.animal import Animal, by_axis, read_painted
 from landscape.gl.mesh_tool import Mesh
 from landscape.gl.texture import Texture, read_image
 from landscape.settings import Settings
@@ -24,18 +27,26 @@ def planar(vertices: np.ndarray) -> np.ndarray:
 class Dragon(Animal):
     """The dragon, its water line at the water's level."""
 
-    elements = ("dragon",)
+    elements = (ELEMENT,)
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the mesh and sink it to its water line."""
         dragon = settings.dragon
-        vertices, normals, triangles = read_animal(assets, dragon.mesh, "dragon.mesh")
+        mesh = read_painted(assets, dragon.mesh, "dragon.mesh", dragon.painted)
+
+        def lay(mesh: Mesh) -> Mesh:
+            if dragon.mapping == "axis":
+                return by_axis(mesh, dragon.repeat)
+            return replace(mesh, coordinates=(planar(mesh.vertices),))
+
         y = settings.water.level - dragon.sink * dragon.scale
         super().__init__(
-            Mesh(vertices, normals, triangles, (planar(vertices),)),
+            mesh,
+            lay,
             Texture(read_image(assets.path("animal.png"), "RGB")),
             dragon.scale,
             (dragon.x, y, dragon.z),
             dragon.yaw,
             settings,
+            dragon.gloss,
         )

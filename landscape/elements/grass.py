@@ -279,6 +279,7 @@ class Grass:
         if grass.tinted:
             colour = self._ground.colour(roots[:, 0], roots[:, 1])
             colour *= 1.0 + grass.variety * (hues(len(roots), rng) - 1.0)
+            colour *= self._ground.light(roots[:, 0], roots[:, 1])[:, None]
             tints[..., :3] = blade_tints(colour[tuft], rng, *self._ends)
         return Patch(positions.astype(np.float32), blades, tints, reach.astype(np.float32))
 

@@ -20,6 +20,7 @@ import numpy as np
 from PIL import Image
 
 from landscape.assets import Assets
+from landscape.cache import content, recall
 from landscape.elements.height_field import (
     HeightField,
     colour_by_height,
@@ -34,7 +35,7 @@ from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.mesh_tool import Mesh
-from landscape.gl.state import attrib
+from landscape.gl.state import attrib, front_faces
 from landscape.gl.texture import Texture, read_image
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
@@ -224,27 +225,53 @@ class Ground:
             turf = turf.reshape(*self.large.shape[:2], 1)
             colours = self.large
             if ground.mid_repeat > 0:
-                pattern = read_image(assets.path(ground.detail_texture), "RGB")
-                colours = textured(colours, pattern, ground.mid_repeat, turf)
-            splat = self._own(np.concatenate([colours, turf], axis=2), repeat=False)
+                path = assets.path(ground.detail_texture)
+                pattern = read_image(path, "RGB")
+                large = colours
+                colours = recall(
+                    [content(path), large.tobytes(), repr(ground.mid_repeat)],
+                    lambda: (textured(large, pattern, ground.mid_repeat, turf),),
+                )[0]
+            self._painted = np.concatenate([colours, turf], axis=2)
+            splat = self._own(self._painted, repeat=False)
             self._layers = [detail("detail_texture"), detail("sand_texture")]
             self._layers += [detail("rock_texture"), splat]
             repeats = [ground.detail_repeat, ground.sand_repeat, ground.rock_repeat, 1.0]
         else:
-            large, fine = self._own(self.large, repeat=False), detail("detail_texture")
-            both = [(large, 1.0), (fine, ground.detail_repeat)]
+            self._painted = self.large
+            splat, fine = self._own(self._painted, repeat=False), detail("detail_texture")
+            both = [(splat, 1.0), (fine, ground.detail_repeat)]
             if ground.mid_repeat > 0:
                 both.append((fine, ground.mid_repeat))
             units = {"both": both, "large": both[:1], "detail": both[1:2], "none": []}
             self._layers = [layer for layer, _ in units[ground.units]]
             repeats = [repeat for _, repeat in units[ground.units]]
-        self.mesh = ground_mesh(self.field, tuple(repeats))
+        self._splat = splat
+        self._light: np.ndarray | None = None
+        self.mesh = ground_mesh(self.field, tuple(repeats), ground.unstretched)
         if mixed:
             colors = np.full((len(self.mesh.vertices), 4), 255, np.uint8)
             x, z = self.mesh.vertices[:, 0], self.mesh.vertices[:, 2]
             colors[:, 3] = rock_share(self.mesh.normals, self.colour(x, z)) * 255
             self.mesh = replace(self.mesh, colors=colors)
         self._compile(mixed)
+
+    def shade(self, light: np.ndarray) -> None:
+        """Multiply what is painted on the ground by a light map, uint8 (n, n, 3), 255 full light.
+
+        ``n`` is the large texture's side. :meth:`colour` stays what the ground's own colour is.
+        """
+        self._light = light[..., 1]
+        painted = self._painted.copy()
+        # A shift is a division by 256, which is near enough.
+        painted[..., :3] = painted[..., :3] * (light.astype(np.uint16) + 1) >> 8
+        self._splat.bind()
+        height, width, channels = painted.shape
+        layout = gl.GL_RGBA if channels == 4 else gl.GL_RGB
+        gl.glTexSubImage2D(
+            gl.GL_TEXTURE_2D, 0, 0, 0, width, height, layout, gl.GL_UNSIGNED_BYTE, painted
+        )
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def _own(self, image: np.ndarray, repeat: bool = True) -> Texture:
         self._textures.append(Texture(image, repeat))
@@ -313,13 +340,24 @@ class Ground:
         before, after = self._lists[-2:]
         before.call()
         kept = every if frame is None else self.tiles_in_view(frame).tolist()
-        call_lists([self._lists[k] for k in kept])
+        # Land seen from above turns its back behind a crest only, which hides it. The mirrored eye
+        # is under the land, whose lower side hides what stands on it.
+        mirrored = frame is not None and frame.mirrored
+        with front_faces(self._settings.camera.cull and not mirrored):
+            call_lists([self._lists[k] for k in kept])
         after.call()
 
     def colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return the large-scale colour at x, z in units, float (n, 3) in 0..1."""
         size = self.field.size
         return lookup(self.large, np.asarray(x) / size, np.asarray(z) / size) / 255.0
+
+    def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return how much light the shadows leave at x, z in units, (n,) in 0..1."""
+        if self._light is None:
+            return np.ones(np.shape(x))
+        size = self.field.size
+        return lookup(self._light, np.asarray(x) / size, np.asarray(z) / size) / 255.0
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""

@@ -155,8 +155,48 @@ def height_field(image: np.ndarray, settings: GroundSettings, water_level: float
     return HeightField(field, settings.size, water_level, settings.exact_height)
 
 
-def ground_mesh(field: HeightField, repeats: tuple[float, ...]) -> Mesh:
-    """Return the height field as a mesh, with texture coordinates repeated ``repeats`` times."""
+def unstretched(heights: np.ndarray, cell: float) -> np.ndarray:
+    """Return for each vertex of a height field (n, n) where it lies on a textile laid over it.
+
+    (n, n, 2) in the units of ``cell``, a cell's side. A texture laid by x and z alone is drawn out
+    where the ground is steep: uphill a step of 1 is sqrt(1 + slope^2) long. Steps of that length
+    cannot all meet on a plane; the places are those whose steps come nearest.
+    """
+    dz, dx = np.gradient(heights, cell)
+    steep = dx * dx + dz * dz
+    longer = (np.sqrt(1.0 + steep) - 1.0) / np.maximum(steep, 1e-12)
+    across = longer * dx * dz
+    x = nearest_surface((1.0 + longer * dx * dx) * cell, across * cell)
+    z = nearest_surface(across * cell, (1.0 + longer * dz * dz) * cell)
+    return np.stack([x, z], axis=2)
+
+
+def nearest_surface(right: np.ndarray, down: np.ndarray) -> np.ndarray:
+    """Return values (n, n), mean 0, whose steps to the right and down are nearest to those given.
+
+    Steps, (n, n) at the vertices, count half on either side. Least squares: a Poisson equation,
+    which cosine waves solve, each by itself.
+    """
+    n = len(right)
+    divergence = np.zeros((n, n))
+    for steps, transposed in ((right, divergence), (down.T, divergence.T)):
+        half = (steps[:, 1:] + steps[:, :-1]) / 2
+        transposed[:, 1:] += half
+        transposed[:, :-1] -= half
+    number = np.arange(n)
+    waves = np.cos(np.pi / n * np.outer(number, number + 0.5)) * np.sqrt(2.0 / n)
+    waves[0] = np.sqrt(1.0 / n)
+    stiffness = 2.0 - 2.0 * np.cos(np.pi / n * number)
+    total = np.add.outer(stiffness, stiffness)
+    total[0, 0] = np.inf  # the mean is free
+    return np.asarray(waves.T @ ((waves @ divergence @ waves.T) / total) @ waves)
+
+
+def ground_mesh(field: HeightField, repeats: tuple[float, ...], unstretch: bool = False) -> Mesh:
+    """Return the height field as a mesh, with texture coordinates repeated ``repeats`` times.
+
+    With ``unstretch`` those repeated more than once follow the ground's slopes.
+    """
     n = len(field.heights)
     along = np.arange(n) / (n - 1)
     u, v = np.meshgrid(along, along)
@@ -164,7 +204,13 @@ def ground_mesh(field: HeightField, repeats: tuple[float, ...]) -> Mesh:
     vertices = np.ascontiguousarray(vertices, np.float32)
     triangles = grid_triangles(n, n)
     uv = np.stack([u, v], axis=2).reshape(-1, 2)
-    coordinates = tuple(np.ascontiguousarray(uv * r, np.float32) for r in repeats)
+    laid = uv
+    if unstretch:
+        textile = unstretched(field.heights, field.size / (n - 1))
+        laid = textile.reshape(-1, 2) / np.float32(field.size)
+    coordinates = tuple(
+        np.ascontiguousarray((laid if r > 1 else uv) * r, np.float32) for r in repeats
+    )
     return Mesh(vertices, vertex_normals(vertices, triangles), triangles, coordinates)
 
 

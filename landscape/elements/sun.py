@@ -3,7 +3,9 @@
 Not a class of 2006's report, whose water and animals are lit all the same. A light's position is
 transformed by the modelview current when it is given: so it is given again under the mirror
 matrix, or the reflection would be lit from below (see Reflection).
-State: GL_LIGHT0, GL_COLOR_MATERIAL; lighting itself is enabled by the elements that want it.
+With ``sun.fill`` a second, weak light of the sky's colour comes from the other side.
+State: GL_LIGHT0, GL_LIGHT1, GL_COLOR_MATERIAL; lighting itself is enabled by the elements that
+want it.
 """
 
 import math
@@ -34,5 +36,14 @@ def place(sun: Sun) -> None:
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([1.0, 0.95, 0.85, 1.0], np.float32))
     gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, np.zeros(4, np.float32))
     gl.glEnable(gl.GL_LIGHT0)
+    if sun.fill > 0.0:
+        # Straight across from the sun: what it does not reach is not all of one tone.
+        across = np.array([-towards[0], 0.5, -towards[2], 0.0], np.float32)
+        gl.glLightfv(gl.GL_LIGHT1, gl.GL_POSITION, across)
+        colour = np.array([*(sun.fill * np.array(sun.ambient)), 1.0], np.float32)
+        gl.glLightfv(gl.GL_LIGHT1, gl.GL_DIFFUSE, colour)
+        gl.glEnable(gl.GL_LIGHT1)
+    else:
+        gl.glDisable(gl.GL_LIGHT1)
     gl.glColorMaterial(gl.GL_FRONT_AND_BACK, gl.GL_AMBIENT_AND_DIFFUSE)
     gl.glEnable(gl.GL_COLOR_MATERIAL)

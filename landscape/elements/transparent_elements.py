@@ -15,13 +15,18 @@ import math
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.cache import content, recall
 from landscape.elements.atlas import (
     CELL,
     CELLS,
     COLUMNS,
+    FLOWERING,
     GUTTER,
+    HERB_ROWS,
+    HERBS,
     LEVELS,
-    TOPS_CELL,
+    ROWS,
+    TOPS_CELLS,
     atlas,
     cell_coordinates,
     outline,
@@ -31,6 +36,7 @@ from landscape.elements.atlas import (
 )
 from landscape.elements.ground import Ground
 from landscape.elements.planting import DEER, PLANT, Sprites, plant_everything
+from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_sprites
 from landscape.elements.sprite_quads import (
     HALVES,
     QUAD,
@@ -48,6 +54,7 @@ from landscape.elements.sprite_quads import (
     upright_axes,
     within,
 )
+from landscape.elements.sun import direction
 from landscape.frame import Frame, in_view
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
@@ -58,9 +65,15 @@ from landscape.settings import Settings
 # and the upright picture goes.
 COMES, GOES = (0.35, 0.70), (0.80, 0.97)
 ROSETTE_HEIGHT, ROSETTE_WIDTH = 0.30, 1.25  # chosen: times the plant's height and width
+BLOOM_HEIGHT, BLOOM_WIDTH = 0.65, 0.90  # chosen: the same of the herbs that flower
 CROWN_HEIGHT, CROWN_WIDTH = 0.62, 0.95  # chosen: times the tree's height and width
 FOOT = 0.07  # chosen: half a trunk, times the tree's width
 TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay
+CROWN_SHADE = 0.6  # chosen: how far a crown hides the sky from the ground, times the tree's width
+CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see _single
+SHADE = 0.5  # chosen: power of the ground's light; a plant stands up into more of it
+SUNWARD = 0.8  # chosen: times its height, how far sunward of a plant its light is asked for
+CLEARS = (0.2, 0.5)  # chosen: a sprite is gone, and whole, that many of its widths away
 HAZE = 512.0  # what less than 1 part in 512 is left of is not to be told from the fog
 
 CORNER_S, CORNER_T = np.array([0, 1, 1, 0.0]), np.array([1, 1, 0, 0.0])
@@ -68,7 +81,7 @@ CROSS_S, CROSS_T = np.array([0, 0.5, 1.0, 0, 0.5, 1.0]), np.repeat([1.0, 0.0], 3
 
 
 def visible_order(
-    frame: Frame, positions: np.ndarray, radius: float, sort: bool = True
+    frame: Frame, positions: np.ndarray, radius: float | np.ndarray, sort: bool = True
 ) -> np.ndarray:
     """Return the indices of what is before the camera and within ``radius``, far to near."""
     depth = frame.depth(positions)
@@ -88,13 +101,14 @@ def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     Both are (2, cells, 8, 2): not mirrored and mirrored, then 4 corners of each box.
     """
     boxes = np.array([outline(cell[GUTTER:, :, 3]) for cell in cells])
+    rows = HERB_ROWS if len(cells) > len(CELLS) else ROWS
     mirrored = np.stack([1 - boxes[..., 2], boxes[..., 1], 1 - boxes[..., 0], boxes[..., 3]], 2)
     corners = box_corners(np.stack([boxes, mirrored])).reshape(2, len(cells), 8, 2)
     coordinates = np.array(
         [
             [
-                cell_coordinates(np.array([cell]), np.array([bool(flip)]), *corner.T)[0]
-                for cell, corner in enumerate(corners[flip])
+                cell_coordinates(np.array([cell]), np.array([bool(flip)]), s, t, rows)[0]
+                for cell, (s, t) in enumerate(corners[flip].transpose(0, 2, 1))
             ]
             for flip in (0, 1)
         ]
@@ -125,27 +139,75 @@ class TransparentElements:
         """Draw the places by lot (``seed``) and load the atlas; ``kinds`` are those to show."""
         self.elements = tuple(k for k in ("trees", "deer", "plants") if k in kinds)
         self._settings = settings
-        self.sprites = plant_everything(settings, ground, seed, kinds)
-        cells = [padded(read_image(assets.path(name))) for name in CELLS]
-        self._outlines, self._outline_coordinates = outlines(cells)
-        chains = [mip_chain(cell, LEVELS) for cell in cells]
-        self._texture = Texture(
-            [atlas([chain[level] for chain in chains]) for level in range(LEVELS)], repeat=False
+        self.sprites = self._planted(assets, ground, seed, kinds)
+        self._ground: Ground | None = ground if settings.plants.shaded else None
+        herbs = HERBS if settings.plants.species > 1 else ()
+        self._paths = [assets.path(name) for name in (*CELLS, *herbs)]
+
+        def pictures() -> tuple[np.ndarray, ...]:
+            cells = self._cells()
+            chains = [mip_chain(cell, LEVELS) for cell in cells]
+            levels = [atlas([chain[level] for chain in chains]) for level in range(LEVELS)]
+            return (*outlines(cells), *levels)
+
+        what: list[bytes | str] = ["atlas", *(content(path) for path in self._paths)]
+        self._outlines, self._outline_coordinates, *levels = recall(what, pictures)
+        self._rows = len(levels[0]) // CELL
+        self._texture = Texture(levels, repeat=False)
+        self._topped = False
+
+    def _planted(self, assets: Assets, ground: Ground, seed: int, kinds: set[str]) -> Sprites:
+        """Draw the places by lot, or recall them."""
+        settings = self._settings
+        large = content(assets.path(settings.ground.large_texture))
+        groups = [settings.ground, settings.water, settings.castle, settings.rabbit]
+        groups += [settings.trees, settings.deer, settings.plants]
+        what = (repr((groups, seed, sorted(kinds))), ground.field.heights.tobytes(), large)
+        planted = recall(
+            what, lambda: tuple(vars(plant_everything(settings, ground, seed, kinds)).values())
         )
-        self._cells = cells  # kept until the views from above are made of them
+        return Sprites(*planted)
+
+    def _cells(self) -> list[np.ndarray]:
+        """Return the atlas's cells; the one before the herbs is for the views from above."""
+        cells = [padded(read_image(path)) for path in self._paths]
+        if len(cells) > len(CELLS):
+            cells.insert(len(CELLS), np.zeros_like(cells[0]))
+        return cells
+
+    def cast(self, shadows: ShadowMap) -> None:
+        """Throw the sprites' shadows, and darken the ground at the trees' feet."""
+        cast_sprites(shadows, self.sprites, [cell[GUTTER:, :, 3] for cell in self._cells()])
+        trees = self.sprites.cells < DEER
+        widths = self.sprites.sizes[trees, 0]
+        shadows.hide_sky(self.sprites.positions[trees], CROWN_SHADE * widths, SKY_HIDDEN)
+
+    def _shade(self, ground: Ground) -> None:
+        """Darken the plants by the shadows beside them; asked once all shadows have fallen."""
+        plants = np.flatnonzero(self.sprites.cells >= PLANT)
+        # On the sunny side of it, or a plant would stand in its own shadow.
+        sunward = direction(self._settings.sun)[[0, 2]]
+        step = SUNWARD * self.sprites.sizes[plants, 1:] * sunward
+        x, z = (self.sprites.positions[plants][:, [0, 2]] + step).T
+        self.sprites.tints[plants, :3] *= ground.light(x, z)[:, None] ** SHADE
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
         """Return the frame's vertices, colours, texture coordinates and sorted indices."""
+        if self._ground:
+            self._shade(self._ground)
+            self._ground = None
         shared, sprites = self._settings.transparent, self.sprites
         seen = self._seen(frame)
         if shared.rooted:
             sprites = rooted(sprites, seen)
         plant = sprites.cells[seen] >= PLANT
         far = np.hypot(*(sprites.positions[seen] - frame.eye)[:, [0, 2]].T)
-        if self._settings.plants.crossed_within:
-            plant &= far < self._settings.plants.crossed_within
-        boards = seen[~plant]
-        near = shared.trimmed & (far[~plant] < TRIM_WITHIN)
+        board = ~plant
+        if within := self._settings.plants.crossed_within:
+            board |= far > CROSSFADE[0] * within
+            plant &= far < within
+        boards = seen[board]
+        near = shared.trimmed & (far[board] < TRIM_WITHIN)
         parts = [self._boards(frame, sprites, boards[~near])]
         if near.any():
             parts.append(self._boards(frame, sprites, boards[near], trimmed=True))
@@ -171,18 +233,21 @@ class TransparentElements:
 
     def _fill_tops(self) -> None:
         """Add the views from above to the bound atlas, once, when they are first asked for."""
-        for level, image in enumerate(mip_chain(tops_cell(self._cells), LEVELS)):
-            side = CELL >> level
-            x, y = side * (TOPS_CELL % COLUMNS), side * (TOPS_CELL // COLUMNS)
-            gl.glTexSubImage2D(
-                gl.GL_TEXTURE_2D, level, x, y, side, side, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, image
-            )
-        self._cells = []
+        cells = self._cells()
+        for number in range(len(TOPS_CELLS) if len(cells) > len(CELLS) else 1):
+            row, column = divmod(TOPS_CELLS[number], COLUMNS)
+            for level, image in enumerate(mip_chain(tops_cell(cells, number), LEVELS)):
+                side = CELL >> level
+                box = side * column, side * row, side, side
+                gl.glTexSubImage2D(
+                    gl.GL_TEXTURE_2D, level, *box, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, image
+                )
+        self._topped = True
 
     def _seen(self, frame: Frame) -> np.ndarray:
         """Return the indices of the sprites to draw, in order of their numbers."""
         settings, sprites = self._settings, self.sprites
-        radius = self._radius()
+        radius = self._radii(sprites.cells)
         if not settings.transparent.trimmed:
             return visible_order(frame, sprites.positions, radius, sort=False)
         dx, dz = sprites.positions[:, 0] - frame.pose.x, sprites.positions[:, 2] - frame.pose.z
@@ -203,15 +268,39 @@ class TransparentElements:
             return min(shared.radius, math.sqrt(math.log(HAZE)) / fog.density)
         return shared.radius
 
+    def _radii(self, cells: np.ndarray) -> np.ndarray:
+        """Return how far each of the sprites with these atlas cells (n,) is drawn, units (n,)."""
+        radius = self._radius()
+        plants = self._settings.plants.radius
+        return np.where(cells >= PLANT, min(radius, plants or radius), radius)
+
     def _colours(self, frame: Frame, sprites: Sprites, which: np.ndarray) -> np.ndarray:
-        """Return the sprites' colours (n, 4) in 0..255; alpha fades towards the radius."""
+        """Return the sprites' colours (n, 4) in 0..255; alpha fades towards the radius.
+
+        With ``transparent.clear_near`` it fades as well before the eye passes through a sprite.
+        """
         colours = sprites.tints[which]
-        fade, radius = self._settings.transparent.fade, self._radius()
-        if fade:
-            away = sprites.positions[which] - frame.eye
-            left = (radius - np.hypot(away[:, 0], away[:, 2])) / (fade * radius)
-            colours[:, 3] *= np.clip(left, 0.0, 1.0)
+        shared, radius = self._settings.transparent, self._radii(sprites.cells[which])
+        if shared.fade or shared.clear_near:
+            away = np.hypot(*(sprites.positions[which] - frame.eye)[:, [0, 2]].T)
+            if shared.fade:
+                colours[:, 3] *= np.clip((radius - away) / (shared.fade * radius), 0.0, 1.0)
+            if shared.clear_near:
+                gone, whole = CLEARS
+                part = (away / sprites.sizes[which, 0] - gone) / (whole - gone)
+                colours[:, 3] *= np.clip(part, 0.0, 1.0)
         return colours
+
+    def _crossing(self, away: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the alpha (n,) of plants as single and as crossed quads, ``away`` (n,) units off.
+
+        One comes in before the other goes, so that nothing of the change is seen while walking.
+        """
+        within = self._settings.plants.crossed_within
+        if not within:
+            return np.zeros(len(away)), np.ones(len(away))
+        start, both, end = (within * part for part in CROSSFADE)
+        return smoothstep(start, both, away), 1.0 - smoothstep(both, end, away)
 
     def _boards(
         self, frame: Frame, sprites: Sprites, which: np.ndarray, trimmed: bool = False
@@ -233,9 +322,15 @@ class TransparentElements:
         if self._from_above():
             goes = smoothstep(*GOES, steepness(positions - frame.eye))
             colours[:, 3] *= 1.0 - goes * self._has_top(cells)
+        plants = np.flatnonzero(cells >= PLANT)
+        if len(plants):
+            away = np.hypot(*(positions[plants] - frame.eye)[:, [0, 2]].T)
+            colours[plants, 3] *= self._crossing(away)[0]
         depth = frame.depth(positions)
         if not trimmed:
-            coordinates = cell_coordinates(cells, sprites.flipped[which], CORNER_S, CORNER_T)
+            coordinates = cell_coordinates(
+                cells, sprites.flipped[which], CORNER_S, CORNER_T, self._rows
+            )
             return Quads.of(quads, coordinates, colours, QUAD, depth)
         looks = sprites.flipped[which].astype(int), cells
         quads, coordinates = within(quads, self._outlines[looks]), self._outline_coordinates[looks]
@@ -252,13 +347,16 @@ class TransparentElements:
         quads = crossed_quads(positions, sizes, winds, turns if count > 2 else None)
         colours = self._colours(frame, sprites, which)
         away = positions - frame.eye
+        colours[:, 3] *= self._crossing(np.hypot(away[:, 0], away[:, 2]))[1]
         if settings.plants.rosette:
             colours[:, 3] *= 1.0 - smoothstep(*GOES, steepness(away))
         if settings.plants.fade_edge_on:
             colours = np.repeat(colours[:, None], 6 * count, axis=1)
             colours[..., 3] *= np.repeat(edge_on(away, turns), 6, axis=1)
         s, t = np.tile(CROSS_S, count), np.tile(CROSS_T, count)
-        coordinates = cell_coordinates(sprites.cells[which], sprites.flipped[which], s, t)
+        coordinates = cell_coordinates(
+            sprites.cells[which], sprites.flipped[which], s, t, self._rows
+        )
         depth = frame.depth(positions)
         if settings.transparent.split:
             depth = frame.depth(half_places(quads))
@@ -272,13 +370,15 @@ class TransparentElements:
         kept = np.flatnonzero(self._has_top(cells) & (share > 0))
         which, plant = seen[kept], cells[kept] >= PLANT
         sizes, middles = sprites.sizes[which], positions[kept]
-        middles[:, 1] += sizes[:, 1] * np.where(plant, ROSETTE_HEIGHT, CROWN_HEIGHT)
-        widths = sizes[:, 0] * np.where(plant, ROSETTE_WIDTH, CROWN_WIDTH)
+        looks = [plant & np.isin(cells[kept], FLOWERING), plant]
+        rise = np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT)
+        middles[:, 1] += sizes[:, 1] * rise
+        widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
         colours = self._colours(frame, sprites, which)
         colours[:, 3] *= share[kept]
         slopes = sprites.slopes[which] * plant[:, None]
         quads = lying(middles, widths, slopes, own_turn(middles))
-        coordinates = top_coordinates(cells[kept])
+        coordinates = top_coordinates(cells[kept], self._rows)
         return Quads.of(quads, coordinates, colours, QUAD, frame.depth(middles))
 
     def draw(self, frame: Frame, prepared: tuple[np.ndarray, ...] | None = None) -> None:
@@ -296,7 +396,7 @@ class TransparentElements:
                 gl.glAlphaFunc(gl.GL_GREATER, 0.02)
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
-                if self._cells and self._from_above():
+                if self._from_above() and not self._topped:
                     self._fill_tops()
             else:
                 gl.glDepthMask(gl.GL_TRUE)

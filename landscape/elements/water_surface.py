@@ -5,8 +5,9 @@ translation, blended GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA. The plane stays flat:
 texture coordinates and, under the light, the normals. All terms have period 1 over the patch, so
 patches match. ``water.fresnel`` gives each vertex its own alpha: clear when looked down at, a
 mirror far off; ``water.horizon`` adds a sea round the patches, up to where the fog takes it.
-``water.cull`` leaves out the patches that are not in view. With ``reflection.rippled``,
-``water.relief`` or ``water.shallow`` the patches make way for the Sea; ``water.foam`` comes last.
+``water.cull`` leaves out the patches that are not in view, ``water.query`` all of it (SeaWatch).
+With ``reflection.rippled``, ``water.relief`` or ``water.shallow`` the patches make way for the Sea;
+``water.foam`` comes last.
 State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 """
 
@@ -17,6 +18,7 @@ from landscape.elements.foam import Foam
 from landscape.elements.ground import HeightField, boxes_in_view
 from landscape.elements.reflection import MirrorImage
 from landscape.elements.sea import Sea
+from landscape.elements.sea_watch import SeaWatch
 from landscape.elements.waves import TWO_PI, fresnel_alpha, wave_coordinates
 from landscape.frame import Frame
 from landscape.gl.calls import gl
@@ -102,6 +104,7 @@ class WaterSurface:
         self._field = field
         self._cured: Sea | None = None
         self._foam: Foam | None = None
+        self._watch = SeaWatch(water.level, self.square)
 
     def _build_sea(self) -> tuple[np.ndarray, ...]:
         water = self._settings.water
@@ -127,6 +130,20 @@ class WaterSurface:
         for x, z in ((low, low), (low, high), (high, high), (high, low)):
             gl.glVertex3f(x, water.level, z)
         gl.glEnd()
+
+    def expected(self, frame: Frame) -> bool:
+        """Return whether the mirror image must be drawn before it is known if any water shows.
+
+        Without ``water.query``, and with a reflection that is no texture, always.
+        """
+        return not self._asks() or self._watch.expected(frame)
+
+    def in_view(self, frame: Frame) -> bool:
+        """Return whether any water may show over what has been drawn so far."""
+        return not self._asks() or self._watch.look(frame)
+
+    def _asks(self) -> bool:
+        return self._settings.water.query and self._settings.reflection.rippled
 
     def draw(self, frame: Frame) -> None:
         """Blend the surface over the mirrored scene."""
@@ -230,6 +247,6 @@ class WaterSurface:
     def release(self) -> None:
         """Delete what was made; may be called twice."""
         self._texture.release()
-        for owner in (self.mirror, self._cured, self._foam):
+        for owner in (self.mirror, self._watch, self._cured, self._foam):
             if owner is not None:
                 owner.release()

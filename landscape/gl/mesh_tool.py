@@ -94,6 +94,46 @@ def revolve(
     return Mesh(v, n, t, (np.ascontiguousarray(np.concatenate(coordinates), np.float32),))
 
 
+def clustered(mesh: Mesh, cell: float) -> Mesh:
+    """Return the mesh with all vertices of a cube of side ``cell`` drawn together to their mean.
+
+    Triangles whose corners meet are left out: a level of detail (Rossignac and Borrel 1993), good
+    while a cube is no larger than a pixel. Texture coordinates are left out; normals and colours
+    are means.
+    """
+    cubes = np.floor(mesh.vertices / cell).astype(np.int64)
+    cubes -= cubes.min(axis=0)
+    spans = cubes.max(axis=0) + 1
+    number = (cubes[:, 0] * spans[1] + cubes[:, 1]) * spans[2] + cubes[:, 2]
+    used, own, count = np.unique(number, return_inverse=True, return_counts=True)
+
+    def mean(values: np.ndarray) -> np.ndarray:
+        sums = [np.bincount(own, column, len(used)) for column in values.T.astype(np.float64)]
+        return np.stack(sums, axis=1) / count[:, None]
+
+    triangles = own[mesh.triangles]
+    a, b, c = triangles.T
+    kept = np.flatnonzero((a != b) & (b != c) & (c != a))
+    normals = mean(mesh.normals)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    return Mesh(
+        np.ascontiguousarray(mean(mesh.vertices), np.float32),
+        np.ascontiguousarray(normals, np.float32),
+        np.ascontiguousarray(triangles[kept], np.uint32),
+        (),
+        None if mesh.colors is None else np.ascontiguousarray(mean(mesh.colors), np.uint8),
+    )
+
+
+def is_closed(triangles: np.ndarray) -> bool:
+    """Return whether every edge of triangles (m, 3) has one other that runs the other way."""
+    corners = triangles.astype(np.int64)
+    starts, ends = corners.ravel(), corners[:, [1, 2, 0]].ravel()
+    side = int(corners.max(initial=0)) + 1
+    forth, back = np.sort(starts * side + ends), np.sort(ends * side + starts)
+    return bool(np.array_equal(forth, back) and (np.diff(forth) > 0).all())
+
+
 def centred(vertices: np.ndarray) -> np.ndarray:
     """Move and scale vertices (n, 3) so that they fill -1..1 along their largest side."""
     low, high = (end(axis=0).astype(np.float64) for end in (vertices.min, vertices.max))

@@ -19,6 +19,19 @@ def attrib(mask: int) -> Iterator[None]:
 
 
 @contextmanager
+def front_faces(only: bool = True) -> Iterator[None]:
+    """Let OpenGL leave out the block's triangles that turn their back to the viewer.
+
+    Of a closed thing none of them shows. With ``only`` false the block draws all.
+    """
+    if only:
+        gl.glEnable(gl.GL_CULL_FACE)
+    yield
+    if only:
+        gl.glDisable(gl.GL_CULL_FACE)
+
+
+@contextmanager
 def matrix() -> Iterator[None]:
     """Save the current matrix and restore it."""
     gl.glPushMatrix()

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from landscape.cache import content, recall
 from landscape.errors import InputError
 from landscape.gl.calls import gl
 
@@ -18,6 +19,10 @@ def read_image(path: Path, mode: str = "RGBA", largest: int = MAX_SIZE) -> np.nd
     16-bit, grey and palette images are converted; one with more than ``largest`` texels along a
     side is reduced. InputError names a file that is missing, truncated, or not an image.
     """
+    return recall((content(path), f"{mode} {largest}"), lambda: (_decoded(path, mode, largest),))[0]
+
+
+def _decoded(path: Path, mode: str, largest: int) -> np.ndarray:
     image = open_image(path)
     if image.mode.startswith(("I", "F")):
         image = Image.fromarray(_grey8(np.asarray(image)))

@@ -23,7 +23,7 @@ from landscape.output import Progress, write_whole
 # The height field first: ground and map are made from it.
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
-    "masonry", "trees", "deer", "plants", "rabbit", "dragon", "sword",
+    "masonry", "trees", "deer", "plants", "herbs", "rabbit", "dragon", "sword",
 )  # fmt: skip
 
 PROCESSES = 2  # chosen: what the smallest machine has; each needs half a gigabyte
@@ -44,20 +44,26 @@ def table() -> dict[str, Callable[[], Any]]:
     return makers
 
 
-def ply(vertices: np.ndarray, faces: np.ndarray) -> bytes:
-    """Encode vertices (n, 3) and triangles (m, 3) as a binary PLY, indices short if they may be."""
+def ply(vertices: np.ndarray, faces: np.ndarray, colours: np.ndarray) -> bytes:
+    """Encode vertices (n, 3), triangles (m, 3) and colours uint8 (n, 3) as a binary PLY.
+
+    Indices are short if they may be.
+    """
     kind, number = ("ushort", "<u2") if len(vertices) <= 65536 else ("uint", "<u4")
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
     header += [f"property float {axis}" for axis in "xyz"]
+    header += [f"property uchar {name}" for name in ("red", "green", "blue")]
     header += [f"element face {len(faces)}", f"property list uchar {kind} vertex_indices"]
+    points = np.empty(len(vertices), [("place", "<f4", 3), ("colour", "u1", 3)])
+    points["place"], points["colour"] = vertices, colours
     rows = np.empty(len(faces), [("count", "u1"), ("corners", number, 3)])
     rows["count"], rows["corners"] = 3, faces
     text = "\n".join([*header, "end_header", ""]).encode()
-    return text + np.asarray(vertices, "<f4").tobytes() + rows.tobytes()
+    return text + points.tobytes() + rows.tobytes()
 
 
 def encoded(made: Any, colours: int = 0) -> bytes:
-    """Encode what a studio function returned: pixels as PNG, (vertices, faces) as binary PLY.
+    """Encode what a studio function returned: pixels as PNG, (vertices, faces, colours) as PLY.
 
     ``colours`` other than 0 reduces an RGB picture to a palette of that size.
     """

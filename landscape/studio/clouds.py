@@ -18,10 +18,12 @@ from landscape.studio.images import smoothstep, spectral_noise
 # Cumulus, metres. Chosen: fair-weather heaps, low enough to look near.
 BASE, DEPTH = 950.0, 1150.0
 MAP_PERIOD = 46e3  # of the map of heaps
+SPECK = 260.0  # texels of the map of heaps: smaller ones are left out
 HEAP_SEED = 841  # chosen by eye: the sun stands free
 SHAPE_PERIOD = 3100.0  # of the volume that makes them lumpy
 DETAIL_PERIOD = 640.0  # of the same volume, again, for the curls
 EXTINCTION = 0.026  # per metre in the densest part
+SOFT = 5.0  # a depth of 1 / SOFT heaps under the surface the cloud is at its densest
 FAR = 70e3  # the march ends here; air hides the rest
 AIR_FADE = 20e3  # distance in which a cloud is lost in the air by a factor e
 CIRRUS_HEIGHT, CIRRUS_PERIOD = 9000.0, 52e3
@@ -68,13 +70,33 @@ def heaps() -> np.ndarray:
     """Return the map of cloud tops, (1024, 1024) float32: in depths, negative where clear."""
     gather = spectral_noise(1024, 1.5, HEAP_SEED, low_cut=3.0)  # streets and clearings
     wide = ndimage.gaussian_filter(
-        spectral_noise(1024, 1.3, HEAP_SEED + 1, low_cut=11.0), 6.0, mode="wrap"
+        spectral_noise(1024, 1.5, HEAP_SEED + 1, low_cut=8.0), 7.0, mode="wrap"
     )
     small = ndimage.gaussian_filter(
-        spectral_noise(1024, 1.0, HEAP_SEED + 2, low_cut=26.0), 6.0, mode="wrap"
+        spectral_noise(1024, 1.0, HEAP_SEED + 2, low_cut=22.0), 6.0, mode="wrap"
     )
     wide, small = wide / wide.std(), small / small.std()
-    return (0.34 * wide + 0.15 * small + 0.20 * gather - 0.42).astype(np.float32)
+    tops = 0.30 * wide + 0.07 * small + 0.22 * gather - 0.40
+    # A clearing overhead keeps single clouds from filling the view.
+    at = (np.arange(1024) + 512) % 1024 - 512.0
+    away = np.hypot(at[:, None], at[None, :]) * (MAP_PERIOD / 1024)
+    tops -= 0.74 * np.clip((4.6e3 - away) / 3.0e3, 0.0, 1.0)
+    # Specks of cloud are taken away: they look like dirt on the sky.
+    span = np.arange(-5, 6)
+    disc = np.hypot(span[:, None], span[None, :]) < 5.5
+    for _ in range(8):
+        cloud = tops > 0.0
+        labels, count = ndimage.label(cloud)
+        sizes = ndimage.sum_labels(cloud, labels, np.arange(count + 1))
+        # Small ones, and what hangs on a large one by a thread.
+        broad = ndimage.binary_dilation(ndimage.binary_opening(cloud, disc), iterations=4)
+        small = cloud & ((sizes[labels] < SPECK) | ~broad)
+        if not small.any():
+            break
+        # Softly, which may leave specks of what was joined to one: so again.
+        specks = ndimage.binary_dilation(small, iterations=7)
+        tops -= 1.1 * ndimage.gaussian_filter(specks.astype(float), 4.5, mode="wrap")
+    return np.asarray(tops, np.float32)
 
 
 @numba.njit
@@ -87,25 +109,24 @@ def _density(
         return -0.3
     n = tops.shape[0]
     heap = flat(tops, x / MAP_PERIOD * n, z / MAP_PERIOD * n)
-    # A clearing overhead keeps single clouds from filling the view; far off they are fewer, or
-    # perspective would close their ranks into a wall above the horizon.
+    # Far off they are fewer, or perspective would close their ranks into a wall over the horizon.
     away = np.sqrt(x * x + z * z)
     heap -= 0.32 * min(1.0, max(0.0, (away - 7e3) / 30e3))
-    heap -= 0.74 * min(1.0, max(0.0, (4.6e3 - away) / 3.0e3))
-    # A round shoulder above the edge; outside, a steep fall, so that no crumbs float about.
-    heap = 1.25 * heap**0.6 / (1.0 + 0.35 * heap) if heap > 0.0 else heap * 2.6
-    value = heap - up
+    # A dome over the heap; beside it a steep fall, so that no crumbs float about.
+    value = (heap**0.7 if heap > 0.0 else heap * 4.0) - up
     if value < -0.55:
-        return value + 0.45
+        return value + 0.30
+    # Lumps bend the surface where it is near and make none of their own: what they add is less
+    # than what is missing a little way off.
+    near = min(1.0, max(0.0, 1.0 + value / 0.26)) ** 2
     s = volume.shape[0] / SHAPE_PERIOD
-    lump = solid(volume, x * s, y * s, z * s)
-    # Over the heap's top lumps count for less, the higher the less, or they float about as crumbs.
-    loose = min(1.0, max(0.0, (-0.05 - value) / 0.18)) * min(1.0, max(0.0, 2.5 * up - 0.8))
-    value += 0.22 * lump * (1.0 - 0.8 * loose)
+    lump = np.tanh(solid(volume, x * s, y * s * 1.2, z * s))
+    outside = min(1.0, max(0.0, -10.0 * value))
+    value += 0.30 * near * (lump - 0.20 - 0.25 * outside)
     if detail and value > -0.2:
         s = volume.shape[0] / DETAIL_PERIOD
-        curl = solid(volume, z * s + 31.0, x * s, y * s * 1.1)
-        value += 0.06 * curl - 0.02
+        curl = np.tanh(solid(volume, z * s + 31.0, x * s, y * s * 1.1))
+        value += near * (0.085 * curl - 0.03)
     # The base is flat where the air becomes moist enough, and only a little ragged.
     return min(value, up * 4.0 - 0.10 + 0.06 * lump)
 
@@ -129,11 +150,11 @@ def march(
         cos = d[i, 0] * sun[0] + d[i, 1] * sun[1] + d[i, 2] * sun[2]
         through, lit, filled, seen, weight, jump = 1.0, 0.0, 0.0, 0.0, 1e-6, 0.0
         while t < end and through > 0.01:
-            fine = steps_m + 0.0035 * t
+            fine = steps_m + 0.0018 * t
             x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
             rho = _density(tops, volume, x, y, z, True)
             if rho <= 0.0:
-                jump = max(fine, -rho * 220.0)
+                jump = max(fine, -rho * 70.0)
                 t += jump
                 continue
             if jump > 0.0:
@@ -148,13 +169,13 @@ def march(
                 t, jump = high + 0.35 * fine, 0.0
                 x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
                 rho = max(1e-3, _density(tops, volume, x, y, z, True))
-            sigma = EXTINCTION * min(1.0, rho * 8.0)
+            sigma = EXTINCTION * min(1.0, rho * SOFT)
             absorbed = 1.0 - np.exp(-sigma * fine)
             tau, before = 0.0, 0.0
             for s in range(6):
                 r = 0.5 * (before + reaches[s])
                 q = _density(tops, volume, x + sun[0] * r, y + sun[1] * r, z + sun[2] * r, s < 2)
-                tau += EXTINCTION * min(1.0, max(q, 0.0) * 8.0) * (reaches[s] - before)
+                tau += EXTINCTION * min(1.0, max(q, 0.0) * SOFT) * (reaches[s] - before)
                 before = reaches[s]
             # Octaves of softened light stand for light scattered more than once.
             glow, part, thin, g = 0.0, 1.0, 1.0, 0.60

@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from landscape.studio.paint import dragon_colours
 from landscape.studio.sculpture import (
-    Mesh,
+    PaintedMesh,
     carry_out,
     carve,
     catmull_rom,
@@ -242,10 +243,14 @@ def dragon_field(x: float, y: float, z: float, data: Any) -> float:
     return d
 
 
-def dragon() -> Mesh:
-    """Return the dragon: vertices float32 (22998, 3) in -1..1 facing +x, and its int32 faces."""
+def dragon() -> PaintedMesh:
+    """Return the dragon: vertices float32 (22998, 3) in -1..1 facing +x, and its int32 faces.
+
+    And the vertices' colours, uint8 (22998, 3).
+    """
     data = (body_curve(), math.radians(HEAD_PITCH_DEG), catmull_rom(HORN, HORN_SAMPLES))
-    return carry_out(dragon_field, data, np.array(BOX[0]), np.array(BOX[1]), STEP, VERTICES)
+    low, high = np.array(BOX[0]), np.array(BOX[1])
+    return carry_out(dragon_field, data, low, high, STEP, VERTICES, dragon_colours, data)
 
 
 ASSETS: dict[str, Callable[[], Any]] = {"dragon.ply": dragon}

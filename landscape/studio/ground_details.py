@@ -8,11 +8,15 @@ from collections.abc import Callable
 
 import numpy as np
 from scipy import ndimage
+from scipy.spatial import cKDTree
 
 from landscape.studio.ground import DETAIL, draw_pebbles
-from landscape.studio.images import spectral_noise, to_uint8
+from landscape.studio.images import smoothstep, spectral_noise, to_uint8
 
 ROCK = 1024  # chosen: seen from afar as well as from near, where it is repeated every 2 units
+
+# Chosen: faces along a side, seed, texels by which their borders are bent, strength.
+ROCK_FACES = ((7, 81, 26.0, 1.0), (19, 85, 12.0, 0.7), (48, 89, 6.0, 0.45))
 
 
 def level(tone: np.ndarray, strength: float, reach: float) -> np.ndarray:
@@ -47,19 +51,50 @@ def ground_sand() -> np.ndarray:
     return to_uint8(rgb - rgb.mean(axis=(0, 1)) + 0.5)
 
 
+def facets(n: int, cells: int, seed: int, bend: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return broken faces and the clefts between them, each (n, n), tileable.
+
+    The plane is cut into the regions nearest to ``cells`` x ``cells`` points, bent by ``bend``
+    texels of noise; each region is a face tilted its own way. Heights are in texels; clefts are 1
+    on a border and fall to 0 a few texels off.
+    """
+    rng = np.random.default_rng(seed)
+    rows, columns = np.indices((n, n), dtype=float)
+    rows += bend * spectral_noise(n, 2.0, seed + 1, 3.0)
+    columns += bend * spectral_noise(n, 2.0, seed + 2, 3.0)
+    grid = np.indices((cells, cells)).reshape(2, -1).T
+    points = (grid + rng.uniform(0.05, 0.95, grid.shape)) * (n / cells) % n
+    places = np.stack([rows, columns], axis=-1).reshape(-1, 2) % n
+    away, nearest = cKDTree(points, boxsize=n).query(places, k=2)
+    tilt = rng.normal(0.0, 0.33, (len(points), 2))[nearest[:, 0]]
+    off = (places - points[nearest[:, 0]] + n / 2) % n - n / 2
+    height = (tilt * off).sum(axis=1) + rng.normal(0.0, 0.10 * n / cells, len(points))[
+        nearest[:, 0]
+    ]
+    cleft = np.exp(-(((away[:, 1] - away[:, 0]) / (0.045 * n / cells)) ** 2))
+    return height.reshape(n, n), cleft.reshape(n, n)
+
+
 def ground_rock() -> np.ndarray:
-    """Return weathered rock, faces between clefts, tileable uint8 (n, n, 3)."""
+    """Return weathered rock, broken faces between clefts, tileable uint8 (n, n, 3)."""
     n = ROCK
-    folds = sum(
-        weight * np.abs(spectral_noise(n, 2.3, seed, low))
-        for weight, seed, low in ((1.0, 71, 4.0), (0.6, 72, 12.0), (0.35, 73, 36.0))
-    )
-    clefts = np.exp(-((np.asarray(folds) / 0.35) ** 2))
-    height = 9.0 * np.asarray(folds) + 0.7 * spectral_noise(n, 1.0, 74, 60.0)
-    tone = 0.9 * slope_light(height) - 0.35 * clefts + 0.06 * spectral_noise(n, 0.4, 75, 50.0)
-    tone = level(tone, 0.22, 90.0)
+    height, hollow = np.zeros((n, n)), np.zeros((n, n))
+    for cells, seed, bend, weight in ROCK_FACES:
+        faces, clefts = facets(n, cells, seed, bend)
+        patchy = smoothstep(-0.6, 0.7, spectral_noise(n, 2.0, seed + 3, 2.0))
+        height += weight * patchy * (faces - 0.05 * n / cells * clefts)
+        hollow = np.maximum(hollow, weight * patchy * clefts)
+    height = ndimage.gaussian_filter(height, 1.1, mode="wrap")
+    height += 0.5 * spectral_noise(n, 1.1, 74, 50.0)
+    # Where the ground lies lower than round about, less of the sky is seen.
+    low = ndimage.gaussian_filter(height, 14.0, mode="wrap") - height
+    tone = 0.62 * slope_light(height) - 0.40 * hollow - 0.022 * np.clip(low, 0.0, 12.0)
+    tone += 0.05 * spectral_noise(n, 0.4, 75, 50.0)
+    tone = level(tone, 0.30, 110.0)
+    lichen = smoothstep(1.1, 1.9, spectral_noise(n, 1.5, 77, 14.0)) * (1.0 - hollow)
+    tone += 0.05 * lichen
     hue = spectral_noise(n, 1.3, 76, 6.0)
-    rgb = np.stack([tone + 0.008 * hue, tone, tone - 0.010 * hue], axis=-1)
+    rgb = np.stack([tone + 0.012 * hue, tone + 0.012 * lichen, tone - 0.016 * hue], axis=-1)
     return to_uint8(rgb - rgb.mean(axis=(0, 1)) + 0.5)
 
 

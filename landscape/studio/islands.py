@@ -31,6 +31,7 @@ ISLANDS = np.array(
     ]
 )
 PANORAMA_DEG = 5.5  # height of the panorama of the islands
+FOOT_DEG = 1.1  # chosen: elevation below which the feet are lost in the haze, by a factor e
 RIDGE_PERIOD = 30e3  # of the mountain texture, metres
 
 
@@ -120,7 +121,7 @@ def add_islands(scene: Scene, d: np.ndarray, sky: np.ndarray, haze: np.ndarray) 
     whole = np.maximum(cover, 1e-4)
     lit, clear = lit / whole, clear / whole
     # The feet dissolve in the haze; above it the air before the land is bluer than the sky's.
-    risen = 1.0 - np.exp(-np.clip(elevation, 0.0, None)[..., None] / 0.7)
+    risen = 1.0 - np.exp(-np.clip(elevation, 0.0, None)[..., None] / FOOT_DEG)
     clear = clear[..., None] * risen
     tone = np.array([0.035, 0.062, 0.075]) + lit[..., None] * np.array(scene.sun) * np.array(
         [0.017, 0.019, 0.013]

@@ -14,8 +14,9 @@ from numba import njit
 from scipy import ndimage
 
 from landscape.studio import images
+from landscape.studio.paint import rabbit_colours
 from landscape.studio.sculpture import (
-    Mesh,
+    PaintedMesh,
     carry_out,
     carve,
     clamp,
@@ -105,9 +106,13 @@ def rabbit_field(x: float, y: float, z: float, data: Any) -> float:
     return d + 0.011 * fur * step_smooth(0.0, 0.1, y) * step_smooth(1.45, 1.0, y)
 
 
-def rabbit() -> Mesh:
-    """Return the rabbit: vertices float32 (8171, 3) in -1..1 facing +x, faces int32 (16338, 3)."""
-    return carry_out(rabbit_field, 0.0, np.array(BOX[0]), np.array(BOX[1]), STEP, VERTICES)
+def rabbit() -> PaintedMesh:
+    """Return the rabbit: vertices float32 (8171, 3) in -1..1 facing +x, faces int32 (16338, 3).
+
+    And the vertices' colours, uint8 (8171, 3).
+    """
+    low, high = np.array(BOX[0]), np.array(BOX[1])
+    return carry_out(rabbit_field, 0.0, low, high, STEP, VERTICES, rabbit_colours, HEAD_YAW)
 
 
 def _tufts(x: np.ndarray, y: np.ndarray) -> np.ndarray:

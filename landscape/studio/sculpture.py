@@ -21,6 +21,7 @@ from skimage import measure
 
 Field = Callable[[float, float, float, Any], float]
 Mesh = tuple[np.ndarray, np.ndarray]
+PaintedMesh = tuple[np.ndarray, np.ndarray, np.ndarray]  # and a colour for each vertex
 
 SPARE_FACES = 60  # chosen: faces the quadric pass leaves for the exact pass to remove
 SETTLE_ROUNDS = 4  # chosen: enough for calm normals
@@ -254,6 +255,14 @@ def face_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-30)
 
 
+def point_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Return unit normals (n, 3) of the vertices, each triangle counting alike."""
+    summed = np.zeros((len(vertices), 3))
+    for corner in range(3):
+        np.add.at(summed, faces[:, corner], face_normals(vertices, faces))
+    return np.asarray(summed / np.maximum(np.linalg.norm(summed, axis=1, keepdims=True), 1e-12))
+
+
 def _link_is_clean(around: dict[int, set[int]], fans: list[set[int]], a: int, b: int) -> bool:
     """Tell whether merging a and b keeps the surface closed: they share exactly two neighbours."""
     return len(around[a] & around[b]) == 2 and len(fans[a]) > 3 and len(fans[b]) > 3
@@ -365,13 +374,24 @@ def is_closed(faces: np.ndarray) -> bool:
 
 
 def carry_out(
-    field: Field, data: Any, low: np.ndarray, high: np.ndarray, step: float, count: int
-) -> Mesh:
-    """Sculpt ``field``: a closed mesh of exactly ``count`` vertices, its largest extent -1..1."""
+    field: Field,
+    data: Any,
+    low: np.ndarray,
+    high: np.ndarray,
+    step: float,
+    count: int,
+    paint: Callable[[np.ndarray, np.ndarray, Any], np.ndarray],
+    paint_data: Any,
+) -> PaintedMesh:
+    """Sculpt ``field``: a closed mesh of exactly ``count`` vertices, its largest extent -1..1.
+
+    ``paint`` gives the vertices their colours, from places and normals (n, 3) in the field's frame.
+    """
     vertices, faces = triangulate(field, data, low, high, step)
     vertices = relax(vertices, faces, RELAX_ROUNDS)
     vertices, faces = collapse_to(*_reduce(vertices, faces, count), count)
     vertices = settle(field, data, vertices, faces, 0.5 * step)
+    colours = paint(vertices, point_normals(vertices, faces), paint_data)
     lowest, highest = vertices.min(axis=0), vertices.max(axis=0)
     vertices = (vertices - (lowest + highest) / 2) / ((highest - lowest).max() / 2)
-    return vertices.astype(np.float32), faces
+    return vertices.astype(np.float32), faces, colours

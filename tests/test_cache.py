@@ -1,0 +1,199 @@
+"""The cache gives what was made; damage, crowds, full and forbidden folders do no harm."""
+
+import multiprocessing
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from landscape import cache
+from landscape.assets import Assets
+from landscape.gl.texture import read_image
+
+ARRAYS = (
+    np.arange(30, dtype=np.uint8).reshape(2, 5, 3),
+    np.linspace(0, 1, 7),
+    np.array([[1, -2], [3, 4]], np.int32),
+    np.empty((0, 2), np.float32),
+)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A cache of its own."""
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+class Maker:
+    """Makes arrays, and counts how often."""
+
+    def __init__(self, *arrays: np.ndarray) -> None:
+        self.arrays, self.times = arrays or ARRAYS, 0
+
+    def __call__(self) -> tuple[np.ndarray, ...]:
+        self.times += 1
+        return self.arrays
+
+
+def same(one: tuple[np.ndarray, ...], two: tuple[np.ndarray, ...]) -> bool:
+    return len(one) == len(two) and all(
+        a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
+        for a, b in zip(one, two, strict=True)
+    )
+
+
+def test_a_second_call_gives_the_same_arrays_without_making_them(folder: Path) -> None:
+    maker = Maker()
+    first, second = (cache.recall(["what", b"of"], maker) for _ in range(2))
+    assert same(first, ARRAYS) and same(second, ARRAYS) and maker.times == 1
+    second[0][0, 0, 0] = 77  # the caller's own
+    assert same(cache.recall(["what", b"of"], maker), ARRAYS)
+    assert len(list(folder.iterdir())) == 1
+
+
+def test_other_parts_make_other_arrays(folder: Path) -> None:
+    maker = Maker()
+    for parts in (["ab", "c"], ["a", "bc"], ["abc"], [b"abc", ""]):
+        cache.recall(parts, maker)
+    assert maker.times == 4
+
+
+def test_changed_code_makes_the_arrays_anew(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    maker = Maker()
+    cache.recall(["x"], maker)
+    assert cache.code() == cache.code() and len(cache.code()) == 20
+    monkeypatch.setattr(cache, "code", lambda: b"other code")
+    cache.recall(["x"], maker)
+    assert maker.times == 2
+
+
+def cut(data: bytes) -> bytes:
+    return data[: len(data) // 2]
+
+
+def flip(data: bytes) -> bytes:
+    return data[:-20] + bytes([data[-20] ^ 1]) + data[-19:]
+
+
+def flip_header(data: bytes) -> bytes:
+    return data.replace(b"[2, 5, 3]", b"[2, 5, 4]")
+
+
+DAMAGES: list[Callable[[bytes], bytes]] = [
+    cut, flip, flip_header, lambda data: b"", lambda data: b"landscape cache 0\n" + data[18:],
+    lambda data: data + b"x",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_damaged_file_is_made_anew(folder: Path, damage: Callable[[bytes], bytes]) -> None:
+    maker = Maker()
+    cache.recall(["x"], maker)
+    (path,) = folder.iterdir()
+    whole = path.read_bytes()
+    assert damage(whole) != whole
+    path.write_bytes(damage(whole))
+    assert same(cache.recall(["x"], maker), ARRAYS) and maker.times == 2
+    assert path.read_bytes() == whole
+
+
+def crowd(folder: str, gate: "multiprocessing.synchronize.Barrier", number: int) -> None:
+    """One of several processes that start at once."""
+    os.environ["LANDSCAPE_CACHE"] = folder
+    gate.wait(30)
+    for turn in range(20):
+        made = np.full((64, 64, 3), turn, np.uint8)
+        (got,) = cache.recall(["crowd", str(turn)], lambda made=made: (made,))
+        assert (got == turn).all()
+
+
+def test_processes_that_start_together_all_get_whole_arrays(folder: Path) -> None:
+    spawn = multiprocessing.get_context("spawn")
+    gate = spawn.Barrier(2)
+    crew = [spawn.Process(target=crowd, args=(str(folder), gate, n)) for n in range(2)]
+    for process in crew:
+        process.start()
+    for process in crew:
+        process.join(60)
+    assert [process.exitcode for process in crew] == [0, 0]
+    assert len(list(folder.glob("*.arrays"))) == 20 and not list(folder.glob(".new.*"))
+
+
+def test_a_folder_that_cannot_be_used_is_as_good_as_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").write_text("in the way")
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path / "file"))
+    maker = Maker()
+    assert same(cache.recall(["x"], maker), ARRAYS) and same(cache.recall(["x"], maker), ARRAYS)
+    assert maker.times == 2
+
+
+def test_a_disk_that_fills_up_leaves_no_broken_file(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", full)
+    assert same(cache.recall(["x"], Maker()), ARRAYS)
+    assert list(folder.iterdir()) == []
+
+
+def test_an_empty_variable_turns_the_cache_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("LANDSCAPE_CACHE", "")
+    maker = Maker()
+    cache.recall(["x"], maker)
+    cache.recall(["x"], maker)
+    assert maker.times == 2 and cache.folder() is None
+
+
+def test_without_the_variable_the_system_says_where(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("LANDSCAPE_CACHE", raising=False)
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert cache.folder() == tmp_path / "landscape"
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert cache.folder() == tmp_path / ".cache" / "landscape"
+
+
+def test_what_was_used_longest_ago_goes_first(folder: Path, monkeypatch) -> None:
+    big = Maker(np.zeros((100, 100), np.uint8))
+    for name in "abc":
+        cache.recall([name], big)
+    age = {path: n for n, path in enumerate(sorted(folder.iterdir()))}
+    for path, n in age.items():
+        os.utime(path, (n, n))
+    monkeypatch.setattr(cache, "MOST_BYTES", 35_000)
+    cache.recall(["d"], big)
+    left = set(folder.iterdir())
+    assert len(left) == 3 and min(age, key=lambda path: age[path]) not in left
+
+
+def test_an_image_is_decoded_once_and_again_when_it_changes(folder: Path, tmp_path: Path) -> None:
+    path = tmp_path / "picture.png"
+    for colour in ((10, 20, 30), (40, 50, 60)):
+        Image.new("RGB", (3, 2), colour).save(path)
+        os.utime(path, (1e9 + colour[0], 1e9 + colour[0]))
+        for _ in range(2):
+            image = read_image(path, "RGBA")
+            assert image.shape == (2, 3, 4) and (image == (*colour, 255)).all()
+    assert len(list(folder.iterdir())) == 2
+    assert read_image(path, "RGB").shape == (2, 3, 3)
+    assert read_image(path, "RGB", largest=2).shape[1] == 2
+
+
+def test_the_contents_of_the_assets_change_with_any_of_them(tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(b"one")
+    assets = Assets(tmp_path)
+    before = assets.contents()
+    assert before == assets.contents("a.png does not lie here")[:-1]
+    (tmp_path / "a.png").write_bytes(b"other")
+    assert assets.contents() != before

@@ -1,0 +1,134 @@
+"""Shadows on the ground: where they fall, how dark they are, and that the ground shows them."""
+
+import numpy as np
+import pytest
+from stage import Stage, small
+
+from landscape.assets import Assets
+from landscape.elements.ground import Ground, HeightField
+from landscape.elements.planting import Sprites
+from landscape.elements.shadows import (
+    LIGHT_LEFT,
+    ShadowMap,
+    cast_points,
+    cast_sprites,
+    on_edges,
+)
+from landscape.elements.sun import direction
+from landscape.frame import Pose
+
+SIDE = 400
+FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
+TEXEL = 40.0 / SIDE
+SOUTH = np.array([0.0, np.sin(np.radians(45)), np.cos(np.radians(45))])  # 45 degrees high
+
+
+def shadow_map(field: HeightField = FLAT, sun: np.ndarray = SOUTH) -> ShadowMap:
+    return ShadowMap(field, sun, SIDE)
+
+
+def light_of(shadows: ShadowMap) -> np.ndarray:
+    """Return the light map in 0..1."""
+    return shadows.light() / 255.0
+
+
+def dark_box(light: np.ndarray, below: float = 0.9) -> tuple[float, ...]:
+    """Return x and z, from and to in units, of what is darker than ``below``."""
+    rows, columns = np.nonzero(light[..., 1] < below)
+    edges = columns.min(), columns.max() + 1, rows.min(), rows.max() + 1
+    return tuple(float(edge) * TEXEL for edge in edges)
+
+
+def board(height: float = 2.0, width: float = 1.0) -> Sprites:
+    """One sprite at (20, 20)."""
+    one = np.ones((1, 4)) * 255
+    place, size = np.array([(20.0, 2.0, 20.0)]), np.array([(width, height)])
+    return Sprites(place, size, np.array([0]), np.array([False]), one)
+
+
+def test_a_shadow_flees_the_sun_as_far_as_a_thing_is_high() -> None:
+    shadows = shadow_map()
+    cast_points(shadows, np.array([(20.05, 2.0 + h, 20.05) for h in np.arange(0, 3, 0.05)]))
+    x0, x1, z0, z1 = dark_box(light_of(shadows))
+    assert x1 - x0 == pytest.approx(0.1, abs=0.21)  # the penumbra adds a texel to each side
+    assert z0 == pytest.approx(17.05, abs=0.15) and z1 == pytest.approx(20.1, abs=0.15)
+
+
+def test_up_a_slope_a_shadow_is_shorter_and_down_it_longer() -> None:
+    slope = np.repeat(np.linspace(0, 20, 41, dtype=np.float32)[:, None], 41, axis=1)
+    up = HeightField(np.ascontiguousarray(slope[::-1]), 40.0, 0.0)  # rises to the north
+    down = HeightField(slope * np.float32(0.5), 40.0, 0.0)
+    feet = np.array([(20.0, 10.0, 20.0)])
+    level, rising, falling = (-shadow_map(field).throw(feet)[0, 1] for field in (FLAT, up, down))
+    assert level == pytest.approx(1.0)
+    assert rising == pytest.approx(1.0 / 1.5) and falling == pytest.approx(1.0 / 0.75)
+
+
+def test_under_a_zenith_sun_nothing_is_thrown() -> None:
+    overhead = shadow_map(sun=np.array([0.0, 1.0, 0.0]))
+    assert np.allclose(overhead.throw(np.array([(20.0, 2.0, 20.0)])), 0.0)
+
+
+def test_a_sprite_throws_its_own_picture() -> None:
+    # The upper half is opaque: the shadow begins one unit off the foot, and is one unit long.
+    alpha = np.zeros((64, 64), np.uint8)
+    alpha[:32] = 255
+    shadows = shadow_map()
+    cast_sprites(shadows, board(), [alpha])
+    light = light_of(shadows)
+    x0, x1, z0, z1 = dark_box(light)
+    assert (x0, x1) == pytest.approx((19.5, 20.5), abs=0.15)
+    assert (z0, z1) == pytest.approx((18.0, 19.0), abs=0.15)
+    assert np.allclose(light[185, 200], LIGHT_LEFT, atol=0.03)
+    assert np.allclose(light[195, 200], 1.0)
+
+
+def test_a_thin_picture_throws_a_thin_shadow() -> None:
+    shadows = shadow_map()
+    cast_sprites(shadows, board(), [np.full((64, 64), 77, np.uint8)])
+    darkest = 1.0 - light_of(shadows)[190, 200]
+    assert np.allclose(darkest, (1.0 - LIGHT_LEFT) * 77 / 255, atol=0.04)
+
+
+def test_what_falls_off_the_map_is_lost_and_nothing_wraps() -> None:
+    shadows = shadow_map()
+    cast_points(shadows, np.array([(0.05, 2.0 + h, 0.5) for h in np.arange(0, 3, 0.05)]))
+    light = light_of(shadows)
+    assert (light[:6, 0] < 0.9).all()
+    assert (light[20:] == 1.0).all() and (light[:, 20:] == 1.0).all()
+
+
+def test_at_a_foot_the_sky_is_hidden_most_and_at_the_radius_not_at_all() -> None:
+    shadows = shadow_map()
+    shadows.hide_sky(np.array([(20.2, 2.0, 20.2)]), np.array([3.0]), 0.4)
+    light = light_of(shadows)[202, 202:240, 1]
+    assert light[0] == pytest.approx(0.6, abs=0.06)
+    assert (np.diff(light) >= -1e-6).all()
+    assert light[34] == pytest.approx(1.0, abs=1e-3)
+
+
+def test_points_along_a_line_lie_no_farther_apart_than_asked() -> None:
+    points = on_edges([(0, 0), (1, 0), (1, 1), (0, 1)], 0.03)
+    apart = np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1)
+    assert apart.max() <= 0.03 and apart.sum() == pytest.approx(4.0)
+
+
+@pytest.mark.parametrize("materials", [False, True])
+def test_the_ground_shows_the_light_map_and_keeps_its_own_colour(
+    stage: Stage, plain: Assets, materials: bool
+) -> None:
+    settings = small({"ground.materials": materials, "ground.mid_repeat": 0.0})
+    ground = Ground(settings, plain, direction(settings.sun))
+    x = z = np.array([20.0])
+    colour = ground.colour(x, z)
+    pictures = []
+    for light in (None, np.full((*ground.large.shape[:2], 3), 127, np.uint8)):
+        if light is not None:
+            ground.shade(light)
+        with stage.frame(settings, Pose(20.0, 5.0, 20.0, 0.0, -80.0)):
+            ground.draw()
+            pictures.append(stage.read()[60, 80])
+    ground.release()
+    assert np.allclose(pictures[1], pictures[0] * 0.5, atol=2.0) and pictures[0].min() > 20
+    assert np.array_equal(ground.colour(x, z), colour)
+    assert np.allclose(ground.light(x, z), 127 / 255)
