@@ -252,6 +252,18 @@ def page(every: list[Panel]) -> str:
     lines = [
         "# The figures of 2006, and their cures",
         "",
+        "In December 2006 a student's report, Damien Rohmer's *TP OpenGL: Rendu de paysage naturel*"
+        " (CPE Lyon), drew an island with the OpenGL of its time, figure by figure: a height image,"
+        " the water that mirrors it, a sky, trees, grass, a castle, a rabbit and a sea dragon. It"
+        " ends with what is wrong in the pictures (figures 36 to 43) and what could be better. Here"
+        " are its 43 figures, drawn again by this program, and a cure for each flaw.",
+        "",
+        "How to read it: the bold name, as **fig17b**, is the figure and its panel, and the name of"
+        " the view for every command. Under a picture stands what to look at, in OpenGL's own words"
+        " (each is explained at the head of its file in `landscape/elements`), then the command"
+        " that draws it. A *billboard* is a picture on a rectangle that turns to the viewer,"
+        " *crossed quads* are two that stand still and cross; *kt* counts time, 30 a second.",
+        "",
         "Each picture is made by the command under it, with no screen needed. `landscape figures"
         " --check` compares all of them with what the program draws today; `landscape figures"
         " --update` renews them, and this page.",
