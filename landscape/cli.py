@@ -307,25 +307,24 @@ def _walk(options: argparse.Namespace) -> int:
 
 
 def _render(options: argparse.Namespace) -> int:
-    from landscape.output import Progress, output_paths, save_png
-    from landscape.render import Offscreen
+    from landscape.output import Progress, output_paths
+    from landscape.render_many import render_all
 
     for name in options.views:
         _check_view(name)
-    jobs: list[tuple[str, str | Pose]] = [(name, name) for name in options.views]
+    views: list[tuple[str, str | Pose]] = [(name, name) for name in options.views]
     if options.pose is not None:
-        jobs.append(("pose", options.pose))
-    if not jobs:
+        views.append(("pose", options.pose))
+    if not views:
         raise InputError("render: expected a VIEW or --pose; `landscape views` lists the views")
-    paths = output_paths(options.out, [name for name, _ in jobs])
-    with Offscreen(
-        options.size, _preset(options), _changes(options), **_offscreen_options(options)
-    ) as offscreen:
-        with Progress(len(jobs), options.quiet) as progress:
-            for (name, view), path in zip(jobs, paths, strict=True):
-                offscreen.look(view, options.kt, options.wireframe)
-                save_png(offscreen.draw(), path)
-                progress.step(name)
+    paths = output_paths(options.out, [name for name, _ in views])
+    jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
+    arguments = {
+        **{"size": options.size, "preset": _preset(options), "settings": _changes(options)},
+        **_offscreen_options(options),
+    }
+    with Progress(len(jobs), options.quiet) as progress:
+        render_all(jobs, arguments, options.kt, options.wireframe, progress.step)
     if not options.quiet:
         for path in paths:
             print(path)

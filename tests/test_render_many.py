@@ -1,0 +1,84 @@
+"""Many stills by several processes: the same pictures, each told once, whole files after Ctrl-C."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from commands import environment
+from PIL import Image
+
+from landscape import render_many
+from landscape.errors import InputError
+from landscape.render import Offscreen
+from landscape.views import VIEWS
+
+ARGUMENTS = {"size": (48, 32), "preset": "2006", "only": ("ground", "sky", "fog"), "samples": 0}
+NAMES = ("fig35a", "fig35e", "fig35g", "fig2a")
+
+
+@pytest.fixture
+def two(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let four pictures be many, on any machine."""
+    monkeypatch.setattr(render_many, "FEWEST", 2)
+    monkeypatch.setattr(os, "cpu_count", lambda: 2)
+
+
+def test_several_processes_draw_the_pictures_of_one(two: None, tmp_path: Path) -> None:
+    told: list[str] = []
+    jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
+    render_many.render_all(jobs, ARGUMENTS, 7.0, False, told.append)
+    assert sorted(told) == sorted(NAMES)
+    with Offscreen(**ARGUMENTS) as offscreen:
+        for name, _, path in jobs:
+            offscreen.look(name, 7.0)
+            assert np.array_equal(np.asarray(Image.open(path)), offscreen.draw())
+    assert len(list(tmp_path.iterdir())) == len(NAMES)
+
+
+def test_what_one_process_cannot_do_ends_in_its_own_words(two: None, tmp_path: Path) -> None:
+    jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
+    arguments = {**ARGUMENTS, "settings": {"ground.height_image": "nowhere.png"}}
+    with pytest.raises(InputError, match=r"nowhere\.png: no such file"):
+        render_many.render_all(jobs, arguments, None, False, lambda name: None)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_few_pictures_take_no_further_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(render_many, "ProcessPoolExecutor", None)
+    told: list[str] = []
+    jobs = [("fig35a", "fig35a", tmp_path / "a.png")]
+    render_many.render_all(jobs, ARGUMENTS, None, False, told.append)
+    assert told == ["fig35a"] and (tmp_path / "a.png").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="sends SIGINT to a group of processes")
+def test_ctrl_c_amid_many_pictures_leaves_whole_files_only(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "landscape", "render", *list(VIEWS)[:40]]
+    command += ["--size", "160x120", "--samples", "0", "--out", str(tmp_path)]
+    process = subprocess.Popen(
+        command,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment(),
+        start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+    deadline = time.monotonic() + 60
+    while len(list(tmp_path.glob("*.png"))) < 3 and time.monotonic() < deadline:
+        time.sleep(0.02)
+    os.killpg(process.pid, signal.SIGINT)
+    error = process.communicate(timeout=60)[1]
+    files = list(tmp_path.iterdir())
+    assert process.returncode == 130 and "Traceback" not in error, error
+    assert 3 <= len(files) < 40 and all(path.suffix == ".png" for path in files)
+    for path in files:
+        with Image.open(path) as image:
+            image.load()
