@@ -211,7 +211,7 @@ class Island:
         gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
         gl.glTranslatef(-pose.x, -pose.y, -pose.z)
 
-        sun.place(self.settings.sun)
+        sun.shine(self.settings.sun)
         if "fog" in self.shown and self.settings.fog.enabled:
             fog.enable(self.settings.fog)
         else:

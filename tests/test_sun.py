@@ -53,3 +53,22 @@ def test_a_lit_floor_shows_ambient_plus_diffuse_times_the_cosine(
     cosine = math.sin(math.radians(elevation))
     light = np.array([0.2, 0.3, 0.1]) + np.array([0.5, 0.6, 0.8]) * cosine
     assert close(got, np.array([0.9, 0.8, 0.7]) * light * 255, 1.5)
+
+
+@pytest.mark.parametrize("fill", [0.0, 0.5])
+def test_a_wall_turned_from_the_sun_gets_ambient_and_the_fill_across(
+    stage: Stage, fill: float
+) -> None:
+    """A wall that faces north, the sun in the south at the horizon."""
+    ambient = (0.4, 0.3, 0.2)
+    settings = small({"sun.azimuth": 180.0, "sun.elevation": 0.0, "sun.fill": fill,
+                      "sun.ambient": ambient, "sun.diffuse": (0.5, 0.5, 0.5)})  # fmt: skip
+    with stage.frame(settings, Pose(20.0, 1.0, 17.0, 180.0, 0.0)), stage.borrowed():
+        gl.glEnable(gl.GL_LIGHTING)
+        gl.glNormal3f(0.0, 0.0, -1.0)
+        gl.glColor3f(1.0, 1.0, 1.0)
+        quad(np.array([(22.0, 0.0, 20.0), (18.0, 0.0, 20.0), (18.0, 2.0, 20.0), (22.0, 2.0, 20.0)]))
+        got = stage.read()[60, 80]
+    # The fill comes from the north, half as high as far.
+    cosine = 1.0 / math.hypot(1.0, 0.5)
+    assert close(got, np.array(ambient) * (1.0 + fill * cosine) * 255, 2)

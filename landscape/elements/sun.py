@@ -27,19 +27,14 @@ def direction(sun: Sun) -> np.ndarray:
     )
 
 
-def place(sun: Sun) -> None:
-    """Set GL_LIGHT0 under the current modelview; glColor becomes the lit material."""
-    towards = np.append(direction(sun), 0.0).astype(np.float32)
-    gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, towards)
+def shine(sun: Sun) -> None:
+    """Give the lights their colours and place them; glColor becomes the lit material."""
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, np.array([*sun.diffuse, 1.0], np.float32))
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, np.array([*sun.ambient, 1.0], np.float32))
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([1.0, 0.95, 0.85, 1.0], np.float32))
     gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, np.zeros(4, np.float32))
     gl.glEnable(gl.GL_LIGHT0)
     if sun.fill > 0.0:
-        # Straight across from the sun: what it does not reach is not all of one tone.
-        across = np.array([-towards[0], 0.5, -towards[2], 0.0], np.float32)
-        gl.glLightfv(gl.GL_LIGHT1, gl.GL_POSITION, across)
         colour = np.array([*(sun.fill * np.array(sun.ambient)), 1.0], np.float32)
         gl.glLightfv(gl.GL_LIGHT1, gl.GL_DIFFUSE, colour)
         gl.glEnable(gl.GL_LIGHT1)
@@ -47,3 +42,14 @@ def place(sun: Sun) -> None:
         gl.glDisable(gl.GL_LIGHT1)
     gl.glColorMaterial(gl.GL_FRONT_AND_BACK, gl.GL_AMBIENT_AND_DIFFUSE)
     gl.glEnable(gl.GL_COLOR_MATERIAL)
+    place(sun)
+
+
+def place(sun: Sun) -> None:
+    """Place the lights under the current modelview."""
+    towards = np.append(direction(sun), 0.0).astype(np.float32)
+    gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, towards)
+    if sun.fill > 0.0:
+        # Straight across from the sun: what it does not reach is not all of one tone.
+        across = np.array([-towards[0], 0.5, -towards[2], 0.0], np.float32)
+        gl.glLightfv(gl.GL_LIGHT1, gl.GL_POSITION, across)
