@@ -62,7 +62,8 @@ class Frame:
 
     def depth(self, points: np.ndarray) -> np.ndarray:
         """Return the eye-space z of points (n, 3): negative before the camera (section 5.1.1)."""
-        return points @ self.modelview[[2, 6, 10]] + self.modelview[14]
+        axis = self.modelview[[2, 6, 10]].astype(points.dtype)
+        return points @ axis + points.dtype.type(self.modelview[14])
 
 
 def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarray:
@@ -71,9 +72,10 @@ def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarra
     Its four sides go through the eye; near and far planes are left out.
     """
     ahead = -frame.depth(positions)
-    away = positions - frame.eye
+    kind = positions.dtype
+    away = positions - frame.eye.astype(kind)
     top = math.tan(math.radians(frame.fov) / 2)
     kept = ahead > -reach
     for axis, slope in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
-        kept &= np.abs(away @ axis) < ahead * slope + reach * math.hypot(1.0, slope)
+        kept &= np.abs(away @ axis.astype(kind)) < ahead * slope + reach * math.hypot(1.0, slope)
     return np.asarray(kept)

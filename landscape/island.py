@@ -1,6 +1,8 @@
 """The island: owns the elements and draws one frame; the order of drawing is the lesson."""
 
+import functools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
@@ -124,16 +126,16 @@ class Island:
         begin_pass("main")
         frame = self.begin(moment)
         settings, shown = self.settings, self._shown
-        sprites = shown(self.sprites, *SPRITES)
-        sorted_ = sprites.prepare(frame) if sprites else None
+        sprites, water = shown(self.sprites, *SPRITES), shown(self.water, "water")
+        # Sorted once for both passes, and when it is first asked for.
+        sort = functools.cache(lambda: sprites.prepare(frame) if sprites else None)
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
 
             # The mirrored scene comes first: the water will be blended over it.
-            water = shown(self.water, "water")
             ready = water is None or water.expected(frame)
             if ready:
-                self._draw_reflection(frame, sorted_)
+                self._draw_reflection(frame, sort)
 
             # Opaque things, in any order as far as the picture goes: the depth buffer sorts them.
             with clipped(cut_level(settings), settings.ground.clip):
@@ -143,16 +145,21 @@ class Island:
                     rabbit.draw(frame)
                 if dragon := shown(self.dragon, "dragon"):
                     dragon.draw(frame)
+            if water:
+                water.ask(frame)
+            # OpenGL draws what it has while Python sorts, chooses and computes waves.
+            gl.glFlush()
+            sort()
+
+            # Land may hide all of the sea; a mirror image that is a texture can come late.
+            water = water if water and water.shows() else None
+            if water and not ready:
+                self._draw_reflection(frame, sort)
             if grass := shown(self.grass, "grass"):
                 grass.draw(frame)
             # The sky comes after them: the pixels they took need no sky.
             if sky := shown(self.sky, "sky"):
                 sky.draw(frame)
-
-            # Land may hide all of the sea; a mirror image that is a texture can come late.
-            water = water if water and water.in_view(frame) else None
-            if water and not ready:
-                self._draw_reflection(frame, sorted_)
 
             # Blended things come last, far to near: the castle with its flames, the water, sprites.
             if castle := shown(self.castle, "castle"):
@@ -160,7 +167,7 @@ class Island:
             if water:
                 water.draw(frame)
             if sprites:
-                sprites.draw(frame, sorted_)
+                sprites.draw(frame, sort())
 
         # What is stuck to the window comes over everything.
         begin_pass("overlay")
@@ -169,7 +176,7 @@ class Island:
         if (map := shown(self.map, "map")) and settings.overlay.map:
             map.draw(frame)
 
-    def _draw_reflection(self, frame: Frame, sorted_: Any) -> None:
+    def _draw_reflection(self, frame: Frame, sort: Callable[[], Any]) -> None:
         """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
         settings, shown = self.settings, self._shown
         if "reflection" not in self.shown or not settings.reflection.enabled:
@@ -187,7 +194,8 @@ class Island:
             if (castle := shown(self.castle, "castle")) and settings.reflection.castle:
                 castle.draw(frame)
             if sprites := shown(self.sprites, *SPRITES):
-                sprites.draw(frame, sorted_)
+                gl.glFlush()
+                sprites.draw(frame, sort())
         begin_pass("main")
 
     def begin(self, moment: Moment) -> Frame:

@@ -83,7 +83,8 @@ def watched(stage: Stage, watch: SeaWatch, wall: bool, eye_y: float = 2.0) -> tu
             x, y, z = (0.0, 40.0), (-40.0, 40.0), 19.0
             quad(np.array([(x[0], y[0], z), (x[1], y[0], z), (x[1], y[1], z), (x[0], y[1], z)]))
         before = stage.read()
-        found = watch.look(frame)
+        watch.ask(frame)
+        found = watch.shows()
         assert np.array_equal(stage.read(), before)  # asking draws nothing
     return expected, found
 
@@ -124,7 +125,8 @@ def test_while_a_list_is_compiled_the_last_answer_stands(stage: Stage) -> None:
 
         def send() -> None:
             assert compiling()
-            answers.extend([watch.expected(frame), watch.look(frame)])
+            watch.ask(frame)
+            answers.extend([watch.expected(frame), watch.shows()])
 
         DisplayList(send).release()
     assert answers == [False, False]

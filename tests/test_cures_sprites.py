@@ -27,7 +27,8 @@ from landscape.elements.sprite_quads import (
     steepness,
     within,
 )
-from landscape.elements.transparent_elements import TransparentElements, outlines, turned
+from landscape.elements.sprites_in_view import clearness, reach, turned
+from landscape.elements.transparent_elements import TransparentElements, outlines
 from landscape.frame import Frame, Pose, in_view
 from landscape.settings import Settings, with_settings
 
@@ -350,26 +351,20 @@ def test_sprites_come_out_of_nothing_towards_the_radius(
     assert close(got, part * np.array(BLUE[:3]) + (1 - part) * BACKGROUND, 3)
 
 
-def test_faded_sprites_stop_where_the_fog_hides_all(sprites: TransparentElements) -> None:
+def test_faded_sprites_stop_where_the_fog_hides_all() -> None:
     keys = {"transparent.radius": 50.0, "transparent.fade": 0.1, "fog.density": 0.5}
-    sprites._settings = with_settings(Settings(), keys)
-    assert math.exp(-((0.5 * sprites._radius()) ** 2)) == pytest.approx(1 / 512)
-    sprites._settings = with_settings(Settings(), {**keys, "transparent.fade": 0.0})
-    assert sprites._radius() == 50.0
+    far = reach(with_settings(Settings(), keys))
+    assert math.exp(-((0.5 * far) ** 2)) == pytest.approx(1 / 512)
+    assert reach(with_settings(Settings(), {**keys, "transparent.fade": 0.0})) == 50.0
 
 
-def test_a_sprite_clears_away_before_the_eye_meets_it(sprites: TransparentElements) -> None:
+def test_a_sprite_clears_away_before_the_eye_meets_it() -> None:
     keys = {"transparent.clear_near": True, "transparent.fade": 0.0}
-    sprites._settings = with_settings(Settings(), keys)
-    places = [(20.0, 3.0, 20.0 - d) for d in (0.2, 0.35, 0.5, 5.0)]
-    put(sprites, places, [1] * 4)
-    frame = looking(NORTH)
-    sizes = sprites.sprites.sizes
-    sizes[:] = 1.0
-    alpha = sprites._colours(frame, sprites.sprites, np.arange(4))[:, 3]
-    assert alpha == pytest.approx([0.0, 127.5, 255.0, 255.0])
-    sprites._settings = with_settings(Settings(), {**keys, "transparent.clear_near": False})
-    assert (sprites._colours(frame, sprites.sprites, np.arange(4))[:, 3] == 255).all()
+    cells, widths, away = np.full(4, 1), np.ones(4), np.array([0.2, 0.35, 0.5, 5.0])
+    clear = clearness(with_settings(Settings(), keys), cells, widths, away)
+    assert clear == pytest.approx([0.0, 0.5, 1.0, 1.0])
+    settings = with_settings(Settings(), {**keys, "transparent.clear_near": False})
+    assert (clearness(settings, cells, widths, away) == 1.0).all()
 
 
 @pytest.mark.parametrize("rooted", [False, True])

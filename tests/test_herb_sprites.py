@@ -28,6 +28,7 @@ from landscape.elements.atlas import (
 )
 from landscape.elements.ground import Ground
 from landscape.elements.planting import COURT, PLANT, Sprites, drifts_of, herbs_by_place, woodland
+from landscape.elements.sprites_in_view import crossing
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.frame import Pose
 from landscape.settings import preset, with_settings
@@ -190,16 +191,13 @@ def test_from_above_each_herb_shows_its_own_colour(
 # ---- near, far, in shadow ---------------------------------------------------------------------
 
 
-def test_single_and_crossed_plants_change_over_without_a_gap_or_a_jump(
-    sprites: TransparentElements,
-) -> None:
-    sprites._settings = small({"plants.crossed_within": 5.0})
-    single, crossed = sprites._crossing(np.linspace(0.0, 8.0, 801))
+def test_single_and_crossed_plants_change_over_without_a_gap_or_a_jump() -> None:
+    single, crossed = crossing(small({"plants.crossed_within": 5.0}), np.linspace(0.0, 8.0, 801))
     assert (np.maximum(single, crossed) == 1.0).all()
     assert single[0] == 0.0 and crossed[-1] == 0.0
     assert np.abs(np.diff([single, crossed])).max() < 0.04
-    sprites._settings = small({"plants.crossed_within": 0.0})
-    assert (sprites._crossing(np.arange(9.0))[1] == 1.0).all()
+    never = small({"plants.crossed_within": 0.0})
+    assert (crossing(never, np.arange(9.0))[1] == 1.0).all()
 
 
 def test_plants_beyond_their_own_radius_are_not_drawn_and_trees_are(

@@ -21,7 +21,8 @@ from landscape.elements.sprite_quads import (
     sway,
     upright_axes,
 )
-from landscape.elements.transparent_elements import TransparentElements, visible_order
+from landscape.elements.sprites_in_view import visible_order
+from landscape.elements.transparent_elements import TransparentElements
 from landscape.frame import Frame, Pose
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
@@ -191,15 +192,13 @@ def sprites(the_stage: Stage, tmp_path_factory) -> Iterator[TransparentElements]
 def put(element: TransparentElements, places, cells, size=(1.0, 1.0), alpha=None) -> None:
     """Let the element have these sprites and no others."""
     n = len(places)
-    element.sprites = Sprites(
-        np.array(places, float),
-        np.tile(np.array(size, float), (n, 1)),
-        np.array(cells),
-        np.zeros(n, bool),
-        np.full((n, 4), 255.0),
-    )
+    tints = np.full((n, 4), 255.0)
     if alpha is not None:
-        element.sprites.tints[:, 3] = alpha
+        tints[:, 3] = alpha
+    sizes = np.tile(np.array(size, float), (n, 1))
+    element.stand(
+        Sprites(np.array(places, float), sizes, np.array(cells), np.zeros(n, bool), tints)
+    )
 
 
 SETTINGS = small({"transparent.radius": 50.0})

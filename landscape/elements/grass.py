@@ -22,7 +22,7 @@ import numpy as np
 from landscape.assets import Assets
 from landscape.elements.ground import Ground
 from landscape.elements.height_field import greenness as greenness
-from landscape.elements.transparent_elements import sway
+from landscape.elements.sprite_quads import sway
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays

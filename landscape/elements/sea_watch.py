@@ -32,31 +32,29 @@ class SeaWatch:
         self._query = 0
         self._list: DisplayList | None = None
         self._asked = False
-        self._expected = True
+        self._shows = True
         self._last: np.ndarray | None = None
 
     def expected(self, frame: Frame) -> bool:
         """Return whether the sea must be made ready before it is known if any of it shows."""
         if compiling():
-            return self._expected
+            return self._shows
         if self._asked:
-            self._expected, self._asked = self._answer() > 0, False
+            self._shows, self._asked = self._answer() > 0, False
         here = np.concatenate([frame.eye, frame.pose.forward])
         if self._last is not None and np.abs(here - self._last).max() > LEAP:
-            self._expected = False
+            self._shows = False
         self._last = here
-        return self._expected
+        return self._shows
 
-    def look(self, frame: Frame) -> bool:
-        """Return whether the sea may show over what is in the depth buffer now.
-
-        While a display list is compiled nothing can be asked: the last answer stands.
-        """
+    def ask(self, frame: Frame) -> None:
+        """Ask whether any of the sea may show over what is in the depth buffer now."""
         if compiling():
-            return self._expected
-        if frame.pose.y <= self._height:
-            self._expected, self._asked = True, False
-            return True
+            return
+        self._asked = frame.pose.y > self._height
+        if not self._asked:
+            self._shows = True
+            return
         if not self._query:
             self._query = int(np.ravel(gl.glGenQueries(1))[0])
         if self._list is None:
@@ -65,11 +63,15 @@ class SeaWatch:
             gl.glBeginQuery(gl.GL_SAMPLES_PASSED, self._query)
             self._list.call()
             gl.glEndQuery(gl.GL_SAMPLES_PASSED)
-        if self._expected:
-            self._asked = True
-            return True
-        self._expected = self._answer() > 0
-        return self._expected
+
+    def shows(self) -> bool:
+        """Return whether the sea may show; waits for the answer unless it showed before.
+
+        While a display list is compiled nothing can be asked: the last answer stands.
+        """
+        if self._asked and not self._shows and not compiling():
+            self._shows, self._asked = self._answer() > 0, False
+        return self._shows
 
     def _send(self) -> None:
         """The square, drawn into neither colour nor depth."""
@@ -93,7 +95,7 @@ class SeaWatch:
             gl.glDeleteQueries(1, np.array([self._query], np.uint32))
         if self._list is not None:
             self._list.release()
-        self._query, self._list, self._asked, self._expected = 0, None, False, True
+        self._query, self._list, self._asked, self._shows = 0, None, False, True
 
 
 def compiling() -> bool:

@@ -92,8 +92,12 @@ def billboards(
     """
     across = 0.5 * sizes[:, :1] * right
     rise = sizes[:, 1:] * up
-    low, high = positions - across, positions + across
-    return np.stack([low, high, high + rise, low + rise], axis=1)
+    out = np.empty((len(positions), 4, 3), across.dtype)
+    np.subtract(positions, across, out=out[:, 0])
+    np.add(positions, across, out=out[:, 1])
+    np.add(out[:, 1], rise, out=out[:, 2])
+    np.add(out[:, 0], rise, out=out[:, 3])
+    return out
 
 
 def box_corners(boxes: np.ndarray) -> np.ndarray:

@@ -10,8 +10,6 @@ slope, half quads sorted one by one, quads that fade edge-on, crowns and rosette
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 
-import math
-
 import numpy as np
 
 from landscape.assets import Assets
@@ -20,7 +18,6 @@ from landscape.elements.atlas import (
     CELL,
     CELLS,
     COLUMNS,
-    FLOWERING,
     GUTTER,
     HERB_ROWS,
     HERBS,
@@ -31,68 +28,25 @@ from landscape.elements.atlas import (
     cell_coordinates,
     outline,
     padded,
-    top_coordinates,
     tops_cell,
 )
 from landscape.elements.ground import Ground
 from landscape.elements.planting import DEER, PLANT, Sprites, plant_everything
 from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_sprites
-from landscape.elements.sprite_quads import (
-    HALVES,
-    QUAD,
-    Quads,
-    billboards,
-    box_corners,
-    crossed_quads,
-    edge_on,
-    half_places,
-    lying,
-    slope_axes,
-    smoothstep,
-    steepness,
-    sway,
-    upright_axes,
-    within,
-)
+from landscape.elements.sprite_quads import box_corners
+from landscape.elements.sprites_in_view import SpriteView
 from landscape.elements.sun import direction
-from landscape.frame import Frame, in_view
+from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture, mip_chain, read_image
 from landscape.settings import Settings
 
-# Sines of the angle of a view from above, all chosen: between which a view from above comes in,
-# and the upright picture goes.
-COMES, GOES = (0.35, 0.70), (0.80, 0.97)
-ROSETTE_HEIGHT, ROSETTE_WIDTH = 0.30, 1.25  # chosen: times the plant's height and width
-BLOOM_HEIGHT, BLOOM_WIDTH = 0.65, 0.90  # chosen: the same of the herbs that flower
-CROWN_HEIGHT, CROWN_WIDTH = 0.62, 0.95  # chosen: times the tree's height and width
-FOOT = 0.07  # chosen: half a trunk, times the tree's width
-TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay
 CROWN_SHADE = 0.6  # chosen: how far a crown hides the sky from the ground, times the tree's width
+SHADE = 0.6  # chosen: how far a crown hides the sky from the ground, times the tree's width
 CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see _single
 SHADE = 0.5  # chosen: power of the ground's light; a plant stands up into more of it
 SUNWARD = 0.8  # chosen: times its height, how far sunward of a plant its light is asked for
-CLEARS = (0.2, 0.5)  # chosen: a sprite is gone, and whole, that many of its widths away
-HAZE = 512.0  # what less than 1 part in 512 is left of is not to be told from the fog
-
-CORNER_S, CORNER_T = np.array([0, 1, 1, 0.0]), np.array([1, 1, 0, 0.0])
-CROSS_S, CROSS_T = np.array([0, 0.5, 1.0, 0, 0.5, 1.0]), np.repeat([1.0, 0.0], 3)
-
-
-def visible_order(
-    frame: Frame, positions: np.ndarray, radius: float | np.ndarray, sort: bool = True
-) -> np.ndarray:
-    """Return the indices of what is before the camera and within ``radius``, far to near."""
-    depth = frame.depth(positions)
-    dx, dz = positions[:, 0] - frame.pose.x, positions[:, 2] - frame.pose.z
-    seen = np.flatnonzero((depth < 0) & (dx * dx + dz * dz < radius * radius))
-    return seen[np.argsort(depth[seen], kind="stable")] if sort else seen
-
-
-def is_deer(cells: np.ndarray) -> np.ndarray:
-    """Return which sprites (n,) are deer, by their atlas cells."""
-    return np.asarray((cells >= DEER) & (cells < PLANT))
 
 
 def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
@@ -116,20 +70,6 @@ def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     return corners.astype(np.float32), coordinates
 
 
-def own_turn(positions: np.ndarray) -> np.ndarray:
-    """Return an angle in radians (n,) of its own for every place (n, 3)."""
-    return np.asarray(7.0 * (positions[:, 0] + positions[:, 2]))
-
-
-def turned(positions: np.ndarray, quads: int) -> np.ndarray:
-    """Return the angles (n, k) of a plant's crossed quads, in radians from x to z.
-
-    Two stand along x and z; three at 60 degrees, each plant turned by its own angle.
-    """
-    own = own_turn(positions) if quads > 2 else np.zeros(len(positions))
-    return np.asarray(own[:, None] + np.arange(quads) * (np.pi / quads))
-
-
 class TransparentElements:
     """All sprites of the island, in one sort."""
 
@@ -139,7 +79,7 @@ class TransparentElements:
         """Draw the places by lot (``seed``) and load the atlas; ``kinds`` are those to show."""
         self.elements = tuple(k for k in ("trees", "deer", "plants") if k in kinds)
         self._settings = settings
-        self.sprites = self._planted(assets, ground, seed, kinds)
+        self.stand(self._planted(assets, ground, seed, kinds))
         self._ground: Ground | None = ground if settings.plants.shaded else None
         herbs = HERBS if settings.plants.species > 1 else ()
         self._paths = [assets.path(name) for name in (*CELLS, *herbs)]
@@ -155,6 +95,11 @@ class TransparentElements:
         self._rows = len(levels[0]) // CELL
         self._texture = Texture(levels, repeat=False)
         self._topped = False
+
+    def stand(self, sprites: Sprites) -> None:
+        """Let these sprites stand on the island, and no others."""
+        self.sprites = sprites
+        self._view: SpriteView | None = None
 
     def _planted(self, assets: Assets, ground: Ground, seed: int, kinds: set[str]) -> Sprites:
         """Draw the places by lot, or recall them."""
@@ -196,40 +141,15 @@ class TransparentElements:
         if self._ground:
             self._shade(self._ground)
             self._ground = None
-        shared, sprites = self._settings.transparent, self.sprites
-        seen = self._seen(frame)
-        if shared.rooted:
-            sprites = rooted(sprites, seen)
-        plant = sprites.cells[seen] >= PLANT
-        far = np.hypot(*(sprites.positions[seen] - frame.eye)[:, [0, 2]].T)
-        board = ~plant
-        if within := self._settings.plants.crossed_within:
-            board |= far > CROSSFADE[0] * within
-            plant &= far < within
-        boards = seen[board]
-        near = shared.trimmed & (far[board] < TRIM_WITHIN)
-        parts = [self._boards(frame, sprites, boards[~near])]
-        if near.any():
-            parts.append(self._boards(frame, sprites, boards[near], trimmed=True))
-        parts.append(self._crossed(frame, sprites, seen[plant]))
-        if self._from_above():
-            parts.append(self._tops(frame, sprites, seen))
-        quads = Quads.join(parts)
-        return (
-            np.ascontiguousarray(quads.vertices, np.float32),
-            np.ascontiguousarray(quads.colours, np.uint8),
-            np.ascontiguousarray(quads.coordinates, np.float32),
-            quads.indices(shared.sorted),
-        )
+        if self._view is None:
+            self._view = SpriteView(
+                self.sprites, self._outlines, self._outline_coordinates, self._rows
+            )
+        return self._view.arrays(frame, self._settings)
 
     def _from_above(self) -> bool:
         """Return whether anything has a picture for who looks from above."""
         return self._settings.trees.crown or self._settings.plants.rosette
-
-    def _has_top(self, cells: np.ndarray) -> np.ndarray:
-        """Return which sprites (n,) have such a picture, by their atlas cells."""
-        plants, trees = self._settings.plants.rosette, self._settings.trees.crown
-        return np.asarray(np.where(cells >= PLANT, plants, (cells < DEER) & trees))
 
     def _fill_tops(self) -> None:
         """Add the views from above to the bound atlas, once, when they are first asked for."""
@@ -243,143 +163,6 @@ class TransparentElements:
                     gl.GL_TEXTURE_2D, level, *box, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, image
                 )
         self._topped = True
-
-    def _seen(self, frame: Frame) -> np.ndarray:
-        """Return the indices of the sprites to draw, in order of their numbers."""
-        settings, sprites = self._settings, self.sprites
-        radius = self._radii(sprites.cells)
-        if not settings.transparent.trimmed:
-            return visible_order(frame, sprites.positions, radius, sort=False)
-        dx, dz = sprites.positions[:, 0] - frame.pose.x, sprites.positions[:, 2] - frame.pose.z
-        near = np.flatnonzero(dx * dx + dz * dz < radius * radius)
-        middles = sprites.positions[near]
-        middles[:, 1] += 0.5 * sprites.sizes[near, 1]
-        reach = sprites.sizes[near].sum(axis=1)
-        seen = in_view(frame, middles, reach)
-        if settings.reflection.enabled:
-            middles[:, 1] = 2.0 * settings.water.level - middles[:, 1]
-            seen |= in_view(frame, middles, reach)
-        return near[seen]
-
-    def _radius(self) -> float:
-        """Return how far sprites are drawn; sprites that fade stop where the fog hides all."""
-        shared, fog = self._settings.transparent, self._settings.fog
-        if shared.fade and fog.enabled and fog.mode == "exp2" and fog.density > 0:
-            return min(shared.radius, math.sqrt(math.log(HAZE)) / fog.density)
-        return shared.radius
-
-    def _radii(self, cells: np.ndarray) -> np.ndarray:
-        """Return how far each of the sprites with these atlas cells (n,) is drawn, units (n,)."""
-        radius = self._radius()
-        plants = self._settings.plants.radius
-        return np.where(cells >= PLANT, min(radius, plants or radius), radius)
-
-    def _colours(self, frame: Frame, sprites: Sprites, which: np.ndarray) -> np.ndarray:
-        """Return the sprites' colours (n, 4) in 0..255; alpha fades towards the radius.
-
-        With ``transparent.clear_near`` it fades as well before the eye passes through a sprite.
-        """
-        colours = sprites.tints[which]
-        shared, radius = self._settings.transparent, self._radii(sprites.cells[which])
-        if shared.fade or shared.clear_near:
-            away = np.hypot(*(sprites.positions[which] - frame.eye)[:, [0, 2]].T)
-            if shared.fade:
-                colours[:, 3] *= np.clip((radius - away) / (shared.fade * radius), 0.0, 1.0)
-            if shared.clear_near:
-                gone, whole = CLEARS
-                part = (away / sprites.sizes[which, 0] - gone) / (whole - gone)
-                colours[:, 3] *= np.clip(part, 0.0, 1.0)
-        return colours
-
-    def _crossing(self, away: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the alpha (n,) of plants as single and as crossed quads, ``away`` (n,) units off.
-
-        One comes in before the other goes, so that nothing of the change is seen while walking.
-        """
-        within = self._settings.plants.crossed_within
-        if not within:
-            return np.zeros(len(away)), np.ones(len(away))
-        start, both, end = (within * part for part in CROSSFADE)
-        return smoothstep(start, both, away), 1.0 - smoothstep(both, end, away)
-
-    def _boards(
-        self, frame: Frame, sprites: Sprites, which: np.ndarray, trimmed: bool = False
-    ) -> Quads:
-        """Return the billboards: trees, deer, and plants too far off to be more."""
-        settings = self._settings
-        positions, sizes, cells = (
-            a[which] for a in (sprites.positions, sprites.sizes, sprites.cells)
-        )
-        colours = self._colours(frame, sprites, which)
-        right, up = (
-            upright_axes(frame.right) if settings.transparent.upright else (frame.right, frame.up)
-        )
-        quads = billboards(positions, sizes, right, up)
-        deer = np.flatnonzero(is_deer(cells) & settings.deer.follow_slope)
-        if len(deer):
-            axes = slope_axes(frame.right, sprites.slopes[which[deer]])
-            quads[deer] = billboards(positions[deer], sizes[deer], *axes)
-        if self._from_above():
-            goes = smoothstep(*GOES, steepness(positions - frame.eye))
-            colours[:, 3] *= 1.0 - goes * self._has_top(cells)
-        plants = np.flatnonzero(cells >= PLANT)
-        if len(plants):
-            away = np.hypot(*(positions[plants] - frame.eye)[:, [0, 2]].T)
-            colours[plants, 3] *= self._crossing(away)[0]
-        depth = frame.depth(positions)
-        if not trimmed:
-            coordinates = cell_coordinates(
-                cells, sprites.flipped[which], CORNER_S, CORNER_T, self._rows
-            )
-            return Quads.of(quads, coordinates, colours, QUAD, depth)
-        looks = sprites.flipped[which].astype(int), cells
-        quads, coordinates = within(quads, self._outlines[looks]), self._outline_coordinates[looks]
-        return Quads.of(quads, coordinates, colours, np.concatenate([QUAD, QUAD + 4]), depth)
-
-    def _crossed(self, frame: Frame, sprites: Sprites, which: np.ndarray) -> Quads:
-        """Return the half quads of the plants."""
-        settings = self._settings
-        count = settings.plants.quads
-        positions, sizes = sprites.positions[which], sprites.sizes[which]
-        winds = sway(frame.kt, positions, settings.plants.sway)
-        winds *= sizes[:, 1:] / settings.plants.size_max
-        turns = turned(positions, count)
-        quads = crossed_quads(positions, sizes, winds, turns if count > 2 else None)
-        colours = self._colours(frame, sprites, which)
-        away = positions - frame.eye
-        colours[:, 3] *= self._crossing(np.hypot(away[:, 0], away[:, 2]))[1]
-        if settings.plants.rosette:
-            colours[:, 3] *= 1.0 - smoothstep(*GOES, steepness(away))
-        if settings.plants.fade_edge_on:
-            colours = np.repeat(colours[:, None], 6 * count, axis=1)
-            colours[..., 3] *= np.repeat(edge_on(away, turns), 6, axis=1)
-        s, t = np.tile(CROSS_S, count), np.tile(CROSS_T, count)
-        coordinates = cell_coordinates(
-            sprites.cells[which], sprites.flipped[which], s, t, self._rows
-        )
-        depth = frame.depth(positions)
-        if settings.transparent.split:
-            depth = frame.depth(half_places(quads))
-        bases = 6 * np.arange(count, dtype=np.uint32)[:, None, None]
-        return Quads.of(quads, coordinates, colours, (HALVES + bases).reshape(-1, 6), depth)
-
-    def _tops(self, frame: Frame, sprites: Sprites, seen: np.ndarray) -> Quads:
-        """Return the crowns and rosettes of what is seen from above."""
-        cells, positions = sprites.cells[seen], sprites.positions[seen]
-        share = smoothstep(*COMES, steepness(positions - frame.eye))
-        kept = np.flatnonzero(self._has_top(cells) & (share > 0))
-        which, plant = seen[kept], cells[kept] >= PLANT
-        sizes, middles = sprites.sizes[which], positions[kept]
-        looks = [plant & np.isin(cells[kept], FLOWERING), plant]
-        rise = np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT)
-        middles[:, 1] += sizes[:, 1] * rise
-        widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
-        colours = self._colours(frame, sprites, which)
-        colours[:, 3] *= share[kept]
-        slopes = sprites.slopes[which] * plant[:, None]
-        quads = lying(middles, widths, slopes, own_turn(middles))
-        coordinates = top_coordinates(cells[kept], self._rows)
-        return Quads.of(quads, coordinates, colours, QUAD, frame.depth(middles))
 
     def draw(self, frame: Frame, prepared: tuple[np.ndarray, ...] | None = None) -> None:
         """Blend the sprites, far to near; ``prepared`` saves the work in the second pass."""
@@ -407,15 +190,3 @@ class TransparentElements:
     def release(self) -> None:
         """Delete the atlas; may be called twice."""
         self._texture.release()
-
-
-def rooted(sprites: Sprites, which: np.ndarray) -> Sprites:
-    """Return sprites of which trees and plants among ``which`` are sunk where the ground slopes.
-
-    By the slope times half the trunk: the foot's lower side then touches the ground.
-    """
-    steep = np.hypot(sprites.slopes[which, 0], sprites.slopes[which, 1])
-    positions = sprites.positions.copy()
-    sunk = FOOT * steep * sprites.sizes[which, 0]
-    positions[which, 1] -= np.where(is_deer(sprites.cells[which]), 0.0, sunk)
-    return Sprites(positions, *list(vars(sprites).values())[1:])

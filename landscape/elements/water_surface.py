@@ -138,9 +138,17 @@ class WaterSurface:
         """
         return not self._asks() or self._watch.expected(frame)
 
-    def in_view(self, frame: Frame) -> bool:
-        """Return whether any water may show over what has been drawn so far."""
-        return not self._asks() or self._watch.look(frame)
+    def ask(self, frame: Frame) -> None:
+        """Ask OpenGL whether any water may show over the land drawn so far (``water.query``)."""
+        if self._asks():
+            self._watch.ask(frame)
+
+    def shows(self) -> bool:
+        """Return the answer; always true without ``water.query``.
+
+        And with a reflection that is no texture: then the mirrored scene is drawn already.
+        """
+        return not self._asks() or self._watch.shows()
 
     def _asks(self) -> bool:
         return self._settings.water.query and self._settings.reflection.rippled
