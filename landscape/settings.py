@@ -197,6 +197,7 @@ class Transparent:
     trimmed: bool = setting(
         False, "chosen", "quads end where the picture does, and none lies out of view"
     )
+    trilinear: bool = setting(True, "chosen", "look up two mip levels instead of the nearer one")
 
 
 @dataclass(frozen=True)
@@ -418,6 +419,7 @@ BEST: dict[str, Value] = {
     "transparent.clear_near": True,
     "transparent.rooted": True,
     "transparent.trimmed": True,
+    "transparent.trilinear": False,
     "transparent.radius": 26.0,
     "trees.species": 4,
     "trees.count": 2200,

@@ -104,6 +104,7 @@ def sow(ground: Ground | None = None, seed: int = 7, **changes: Any) -> Grass:
     grass._ground, grass._seed = ground or flat(), seed
     grass._across = int(np.ceil(40.0 / CELL))
     grass._patches, grass._grown, grass._ends = {}, 0, (np.full(3, 0.4), np.full(3, 0.4))
+    grass._in_view, grass._chosen, grass._chosen_for = 0, None, None
     grass.counts = grass._share()
     grass._shared = grass.counts.copy()
     return grass
@@ -235,10 +236,9 @@ def frame_at(pose: Pose, kt: float = 0.0) -> Frame:
 def test_the_wind_moves_tips_fully_shoulders_half_and_feet_not_at_all() -> None:
     grass = sow()
     frame = frame_at(Pose(20.0, 3.1, 20.0), kt=17.0)
-    patches = grass.select(frame)
-    still = np.concatenate([patch.blades for patch in patches])
-    moved = grass.bend(frame, patches)[0] - still
-    wind = blade_wind(17.0, np.concatenate([p.positions for p in patches]), 1.0)
+    patch = grass.select(frame)
+    moved = grass.bend(frame, patch) - patch.blades
+    wind = blade_wind(17.0, patch.positions, 1.0)
     assert np.allclose(moved[:, :2], 0.0)
     assert np.allclose(moved[:, 2, ::2], wind / 2, atol=1e-5)
     assert np.allclose(moved[:, 3, ::2], wind / 2, atol=1e-5)
@@ -249,20 +249,18 @@ def test_the_wind_moves_tips_fully_shoulders_half_and_feet_not_at_all() -> None:
 def test_bending_does_not_wear_the_still_blades_out() -> None:
     grass = sow()
     frame = frame_at(Pose(20.0, 3.1, 20.0), kt=17.0)
-    first, _ = grass.bend(frame, grass.select(frame))
-    second, _ = grass.bend(frame, grass.select(frame))
+    first = grass.bend(frame, grass.select(frame))
+    second = grass.bend(frame, grass.select(frame))
     assert (first == second).all()
 
 
 def test_with_fade_far_cells_are_thinned_and_far_blades_shrink() -> None:
     grass = sow(fade=True, count=200_000)
     frame = frame_at(Pose(20.0, 3.1, 20.0))
-    patches = grass.select(frame)
-    blades, _ = grass.bend(frame, patches)
-    places = np.concatenate([patch.positions for patch in patches])
+    patch = grass.select(frame)
+    blades, places = grass.bend(frame, patch), patch.positions
     away = np.hypot(places[:, 0] - 20, places[:, 2] - 20)
-    reach = 4.0 * np.concatenate([patch.reach for patch in patches])
-    still = np.concatenate([patch.blades for patch in patches])[:, 4, 1] - 3.0
+    reach, still = 4.0 * patch.reach, patch.blades[:, 4, 1] - 3.0
     part = (blades[:, 4, 1] - 3.0) / still
     # Whole up to three quarters of its reach, then down to nothing at its end.
     assert np.allclose(part, np.clip((reach - away) / (reach / 4), 0.0, 1.0), atol=1e-3)
@@ -277,13 +275,45 @@ def test_with_fade_far_cells_are_thinned_and_far_blades_shrink() -> None:
 
 def test_without_fade_every_blade_of_a_visible_cell_is_sent() -> None:
     grass = sow()
-    patches = grass.select(frame_at(Pose(20.0, 3.1, 20.0)))
-    whole = {id(patch.positions.base): patch for patch in patches}
-    assert len(whole) > 10
-    numbers = {
-        int(np.floor(p.positions[0, 2] / CELL) * 80 + p.positions[0, 0] // CELL): p for p in patches
-    }
-    assert all(len(p.blades) == grass.counts[n] for n, p in numbers.items())
+    places = grass.select(frame_at(Pose(20.0, 3.1, 20.0))).positions
+    column, row = np.floor(places[:, ::2] / CELL).astype(int).T
+    numbers, counts = np.unique(row * 80 + column, return_counts=True)
+    assert len(numbers) > 10
+    assert (counts == grass.counts[numbers]).all()
+
+
+@pytest.mark.parametrize("fade", [True, False])
+def test_a_choice_that_is_kept_shows_what_a_new_one_would(fade: bool) -> None:
+    grass, other = (sow(fade=fade, count=200_000) for _ in range(2))
+    start = Pose(20.0, 3.1, 20.0, 10.0, -5.0)
+    kept = grass.chosen(frame_at(start))
+    for step in range(1, 6):
+        pose = Pose(20.0 + 0.01 * step, 3.1, 20.0 - 0.01 * step, 10.0 + 0.5 * step, -5.0)
+        frame = frame_at(pose, kt=3.0 * step)
+        assert (grass.chosen(frame) is kept) == (fade and step <= 4)
+        seen, anew = (
+            {b.tobytes() for b in g.bend(frame, p) if np.ptp(b[:, 1]) > 0}
+            for g, p in ((grass, grass.chosen(frame)), (other, other.select(frame)))
+        )
+        assert anew <= seen
+        if fade:
+            shown = grass.chosen(frame).positions
+            away = np.hypot(shown[:, 0] - pose.x, shown[:, 2] - pose.z)
+            flat = np.ptp(grass.bend(frame, grass.chosen(frame))[..., 1], axis=1) == 0
+            assert flat[away > 4.0 * grass.chosen(frame).reach].all()
+    far = frame_at(Pose(20.3, 3.1, 20.0, 10.0, -5.0))
+    assert grass.chosen(far) is not kept
+
+
+def test_other_settings_or_another_window_are_chosen_for_anew() -> None:
+    grass, pose = sow(fade=True, count=200_000), Pose(20.0, 3.1, 20.0)
+    kept = grass.chosen(frame_at(pose))
+    assert grass.chosen(frame_at(pose)) is kept
+    wide = Frame(pose, (320, 120), 0.0, modelview(pose), 60.0)
+    assert grass.chosen(wide) is not kept
+    kept = grass.chosen(wide)
+    grass._settings = small({"grass.fade": True, "grass.radius": 3.0})
+    assert grass.chosen(wide) is not kept
 
 
 @pytest.fixture
@@ -298,11 +328,11 @@ def field_of_grass(stage: Stage, plain: Assets):
     ground.release()
 
 
-def one_blade(place: tuple[float, float, float], angle: float) -> list[Patch]:
+def one_blade(place: tuple[float, float, float], angle: float) -> Patch:
     positions = np.array([place], np.float32)
     blades = blade_vertices(positions, np.array([angle]))
     tints = np.full((1, 5, 4), 255, np.uint8)
-    return [Patch(positions, blades, tints, np.ones(1, np.float32))]
+    return Patch(positions, blades, tints, np.ones(1, np.float32))
 
 
 @pytest.mark.parametrize("kt", [0.0, 40.0])
@@ -311,7 +341,7 @@ def test_a_blade_is_drawn_where_projection_and_wind_put_it(
 ) -> None:
     settings, grass = field_of_grass
     place = (20.0, 3.0, 19.94)
-    monkeypatch.setattr(grass, "select", lambda frame: one_blade(place, 0.0))
+    monkeypatch.setattr(grass, "chosen", lambda frame: one_blade(place, 0.0))
     pose = Pose(20.0, 3.01, 20.0)
     with stage.frame(settings, pose, kt) as frame:
         grass.draw(frame)
@@ -348,7 +378,8 @@ def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
     grass = sow(fade=True)
     first = all_blades(grass)
     counts = grass.counts.copy()
-    monkeypatch.setattr("landscape.elements.grass.KEPT", 1000)
+    monkeypatch.setattr("landscape.elements.grass.LEAST", 1000)
+    grass._in_view = 0
     grass._forget()
     assert grass._grown == sum(len(p.positions) for p in grass._patches.values()) <= 1000
     assert max(grass._patches) == len(counts) - 1, "the last used stay"

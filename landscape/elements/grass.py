@@ -15,6 +15,7 @@ one walks: no blade is a line, and none flips over (section 11.2.2).
 State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (OpenGL 1.3).
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,7 +38,10 @@ NEAR = 0.5  # chosen: units within which, with grass.fade, every blade is drawn
 LAYER = 64  # chosen: blades in the first layer of a cell's lot
 FOOT = 0.75  # chosen: how light a tinted blade is at its foot, in parts of the ground's colour
 TUFT_RADIUS = 0.010  # chosen: units, how far apart the roots of a tuft's blades are
-KEPT = 600_000  # chosen: blades kept grown, 58 MB; many times what any place shows
+KEPT = 12  # chosen: times the blades in view are kept grown, for when the walker turns round
+LEAST = 40_000  # chosen: so many blades are kept in any case, 4 MB
+SPARE = 0.10  # chosen: units the eye may move until blades are chosen anew
+TURN = math.radians(5.0)  # chosen: and the angle it may turn
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
@@ -129,15 +133,22 @@ def meadow(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     )
 
 
-def visible_cells(frame: Frame, centres: np.ndarray, radius: float) -> np.ndarray:
-    """Return a mask (n,) of the cells with centres (n, 3) that may show a blade of grass."""
-    reach = CELL * 0.7072 + 0.1
+def visible_cells(
+    frame: Frame, centres: np.ndarray, radius: float, spare: float = 0.0, turn: float = 0.0
+) -> np.ndarray:
+    """Return a mask (n,) of the cells with centres (n, 3) that may show a blade of grass.
+
+    Now, or after the eye has moved by ``spare`` units and turned by ``turn`` radians.
+    """
+    reach = CELL * 0.7072 + 0.1 + spare
     away = centres - frame.eye
     near = away[:, 0] ** 2 + away[:, 2] ** 2 < (radius + reach) ** 2
     width, height = frame.size
-    half = np.tan(np.radians(frame.fov / 2)) * max(width / height, 1.0)
+    side = math.tan(math.radians(frame.fov / 2)) * max(width / height, 1.0)
+    # Beyond a right angle nothing is left out at the sides.
+    half = math.tan(min(math.atan(side) + turn, 1.5))
     depth = -frame.depth(centres)
-    inside = np.abs(away @ frame.right) <= depth * half + reach * np.hypot(1.0, half)
+    inside = np.abs(away @ frame.right) <= depth * half + reach * math.hypot(1.0, half)
     return np.asarray(near & inside & (depth > -reach))
 
 
@@ -169,6 +180,12 @@ class Patch:
     reach: np.ndarray
 
 
+NOTHING = Patch(
+    np.empty((0, 3), np.float32), np.empty((0, 5, 3), np.float32), np.empty((0, 5, 4), np.uint8),
+    np.empty(0, np.float32),
+)  # fmt: skip
+
+
 class Grass:
     """All blades, cell by cell."""
 
@@ -179,7 +196,9 @@ class Grass:
         self.counts = self._share()
         self._shared = self.counts.copy()
         self._patches: dict[int, Patch] = {}  # the last used last
-        self._grown = 0
+        self._grown = self._in_view = 0
+        self._chosen: Patch | None = None
+        self._chosen_for: tuple[Frame, Settings] | None = None
         image = read_image(assets.path("blade.png"), "RGB")
         self._texture = Texture(image, repeat=False)
         half, last = max(len(image) // 2, 1), len(image) * 7 // 8
@@ -227,11 +246,12 @@ class Grass:
         return patch
 
     def _forget(self) -> None:
-        """Let go of the cells that were not used for longest while more than KEPT blades are grown.
+        """Let go of the cells that were not used for longest while too many blades are grown.
 
         Their lot is the same when they come into view again.
         """
-        while self._grown > KEPT:
+        most = max(KEPT * self._in_view, LEAST)
+        while self._grown > most:
             cell = next(iter(self._patches))
             self._grown -= len(self._patches.pop(cell).positions)
             self.counts[cell] = self._shared[cell]
@@ -288,18 +308,22 @@ class Grass:
         own = rng.uniform(-0.35, 0.45, len(roots))
         return np.asarray(own + 0.35 * meadow(roots[:, 0], roots[:, 1]))
 
-    def select(self, frame: Frame) -> list[Patch]:
-        """Return what to draw: the visible cells' blades, the far cells' thinned out."""
+    def select(self, frame: Frame, spare: float = 0.0, turn: float = 0.0) -> Patch:
+        """Return what to draw: the visible cells' blades, the far cells' thinned out.
+
+        With ``spare`` units and ``turn`` radians, all that is to be drawn until the eye has moved
+        and turned by so much.
+        """
         self._forget()
         grass, radius = self._settings.grass, self._settings.grass.radius
-        cells = cells_around(frame.pose.x, frame.pose.z, radius, self._across)
+        cells = cells_around(frame.pose.x, frame.pose.z, radius + spare, self._across)
         middle = (cells + 0.5) * CELL
         y = self._ground.field.bed(middle[:, 0], middle[:, 1])
         centres = np.stack([middle[:, 0], y, middle[:, 1]], axis=1)
         numbers = cells[:, 1] * self._across + cells[:, 0]
-        seen = visible_cells(frame, centres, radius) & (self.counts[numbers] > 0)
+        seen = visible_cells(frame, centres, radius, spare, turn) & (self.counts[numbers] > 0)
         nearest = np.hypot(middle[:, 0] - frame.pose.x, middle[:, 1] - frame.pose.z)
-        nearest -= CELL * 0.7072 + TUFT_RADIUS
+        nearest -= CELL * 0.7072 + TUFT_RADIUS + spare
         chosen = []
         for number, distance in zip(numbers[seen].tolist(), nearest[seen].tolist(), strict=True):
             last = int(self.counts[number])
@@ -308,37 +332,68 @@ class Grass:
             patch = self._patch(number, last)
             parts = (patch.positions, patch.blades, patch.tints, patch.reach)
             chosen.append(Patch(*(part[:last] for part in parts)))
-        return [within(frame, joined(chosen), radius)] if chosen and grass.fade else chosen
+        whole = joined(chosen) if chosen else NOTHING
+        if grass.fade:
+            whole = within(frame, whole, radius, spare)
+        self._in_view = len(whole.positions)
+        return whole
 
-    def bend(self, frame: Frame, patches: list[Patch]) -> tuple[np.ndarray, np.ndarray]:
-        """Return the blades, float32 (n, 5, 3), bent by the wind, and their tints (n, 5, 4).
+    def chosen(self, frame: Frame) -> Patch:
+        """Return all that is to be drawn in a frame, and a little more.
+
+        The last choice, as long as the eye has not left the room it was made for. What it holds too
+        much does not show: it lies outside the window, or its blades have sunk into the ground.
+        """
+        # Without grass.fade no blade sinks at the end of its reach: each place has its own choice.
+        spare, turn = (SPARE, TURN) if self._settings.grass.fade else (0.0, 0.0)
+        if self._chosen is None or not self._still_holds(frame, spare, turn):
+            self._chosen = self.select(frame, spare, turn)
+            self._chosen_for = frame, self._settings
+        return self._chosen
+
+    def _still_holds(self, frame: Frame, spare: float, turn: float) -> bool:
+        assert self._chosen_for is not None
+        then, settings = self._chosen_for
+        if frame.pose == then.pose and settings is self._settings:
+            return (then.size, then.fov) == (frame.size, frame.fov)
+        if settings is not self._settings or (then.size, then.fov) != (frame.size, frame.fov):
+            return False
+        moved = math.dist(then.eye, frame.eye)
+        along = sum(a * b for a, b in zip(then.pose.forward, frame.pose.forward, strict=True))
+        return moved < spare and along > math.cos(turn)
+
+    def bend(self, frame: Frame, patch: Patch) -> np.ndarray:
+        """Return a patch's blades, float32 (n, 5, 3), bent by the wind.
 
         With ``grass.fade`` a blade sinks into the ground towards the end of its reach.
         """
-        grass = self._settings.grass
-        positions = np.concatenate([patch.positions for patch in patches])
-        blades = np.concatenate([patch.blades for patch in patches])
+        grass, positions, blades = self._settings.grass, patch.positions, patch.blades.copy()
         wind = blade_wind(frame.kt, positions, grass.scale[0]).astype(np.float32)
-        for vertex, part in ((2, 0.5), (3, 0.5), (4, 1.0)):
-            blades[:, vertex, ::2] += np.float32(part) * wind
+        blades[:, 4, ::2] += wind
+        wind *= np.float32(0.5)
+        blades[:, 2:4, ::2] += wind[:, None]
+        away = positions[:, ::2] - np.array([frame.pose.x, frame.pose.z], np.float32)
         if grass.facing > 0:
-            eye = np.array([frame.pose.x, frame.pose.z], np.float32)
-            facing(blades, positions[:, ::2] - eye, grass.facing)
+            facing(blades, away, grass.facing)
         if grass.fade:
-            reach = grass.radius * np.concatenate([patch.reach for patch in patches])
-            away = np.hypot(positions[:, 0] - frame.pose.x, positions[:, 2] - frame.pose.z)
-            height = np.clip((reach - away) / (0.25 * reach), 0.0, 1.0).astype(np.float32)
+            reach = np.float32(grass.radius) * patch.reach
+            far = np.sqrt(np.einsum("ij,ij->i", away, away))
+            height = np.clip((reach - far) / (np.float32(0.25) * reach), 0.0, 1.0)
             base = positions[:, None, 1]
-            blades[:, 2:, 1] = base + (blades[:, 2:, 1] - base) * height[:, None]
-        return blades, np.concatenate([patch.tints for patch in patches])
+            blades[:, 2:, 1] -= base
+            blades[:, 2:, 1] *= height[:, None]
+            blades[:, 2:, 1] += base
+            gone = np.flatnonzero(height <= 0.0)
+            blades[gone] = positions[gone, None]
+        return blades
 
     def draw(self, frame: Frame) -> None:
         """Choose, bend and send the visible blades."""
-        patches = self.select(frame)
-        if not patches:
+        patch = self.chosen(frame)
+        count = len(patch.positions)
+        if not count:
             return
-        blades, tints = self.bend(frame, patches)
-        count = len(blades)
+        blades, tints = self.bend(frame, patch), patch.tints
         if len(self._indices) < 9 * count:
             base = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
             self._indices = np.ascontiguousarray((base + STRIP_TRIANGLES).ravel())
@@ -391,15 +446,17 @@ def blade_tints(
     return (np.clip(tints, 0, 1) * 255).astype(np.uint8)
 
 
-def within(frame: Frame, patch: Patch, radius: float) -> Patch:
+def within(frame: Frame, patch: Patch, radius: float, spare: float = 0.0) -> Patch:
     """Return the blades of a patch that reach the walker's place: a cell's nearest point decided.
 
-    Blades whose foot is behind the eye go as well, as far behind as a blade is tall.
+    Blades whose foot is behind the eye go as well, as far behind as a blade is tall. ``spare`` is
+    how far the eye may still move.
     """
     dx, dz = patch.positions[:, 0] - frame.pose.x, patch.positions[:, 2] - frame.pose.z
-    reach = np.float32(radius) * patch.reach
+    reach = np.float32(radius) * patch.reach + np.float32(spare)
+    behind = 0.1 + 1.5 * spare
     kept = np.flatnonzero(
-        (dx * dx + dz * dz < reach * reach) & (frame.depth(patch.positions) < 0.1)
+        (dx * dx + dz * dz < reach * reach) & (frame.depth(patch.positions) < behind)
     )
     parts = (patch.positions, patch.blades, patch.tints, patch.reach)
     return Patch(*(part[kept] for part in parts))

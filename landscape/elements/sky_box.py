@@ -99,7 +99,8 @@ class SkyBox:
         self._settings = settings
         prefix = "sky_" if settings.sky.set == "day" else f"sky_{settings.sky.set}_"
         images = [read_image(assets.path(f"{prefix}{face}.png"), "RGB") for face in FACES]
-        self._textures = [Texture(image, repeat=False) for image in images]
+        # A sky is so smooth that no eye finds where one mip level gives way to the next.
+        self._textures = [Texture(image, repeat=False, trilinear=False) for image in images]
         corners = face_corners(settings.sky.half_width, settings.sky.height)
 
         def send() -> None:
@@ -119,7 +120,7 @@ class SkyBox:
         self._list = DisplayList(send)
         self._clouds: DisplayList | None = None
         if settings.sky.moving:
-            layer = Texture(read_image(assets.path("clouds.png")))
+            layer = Texture(read_image(assets.path("clouds.png")), trilinear=False)
             self._textures.append(layer)
             self._clouds = DisplayList(lambda: send_clouds(layer))
 

@@ -93,7 +93,7 @@ class TransparentElements:
         what: list[bytes | str] = ["atlas", *(content(path) for path in self._paths)]
         self._outlines, self._outline_coordinates, *levels = recall(what, pictures)
         self._rows = len(levels[0]) // CELL
-        self._texture = Texture(levels, repeat=False)
+        self._texture = Texture(levels, repeat=False, trilinear=settings.transparent.trilinear)
         self._topped = False
 
     def stand(self, sprites: Sprites) -> None:

@@ -16,8 +16,8 @@ FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea turns mirror soone
 
 SEEN = 0.45  # chosen: units of depth below which no bottom shows through shallow water
 
-STEP = np.radians(1.0)  # chosen: angle between two lines of the grid, across
-RISE = np.radians(0.4)  # chosen: and downwards
+STEP = np.radians(2.0)  # chosen: angle between two lines of the grid, across
+RISE = np.radians(0.6)  # chosen: and downwards
 MOST = (160, 160)  # chosen: lines across and downwards; wider views take steps twice as large
 SPARE = 0.06  # chosen: radians the grid goes on below the window, as waves sink
 LOWEST = 0.02  # chosen: units, the least height above the water the grid is made for

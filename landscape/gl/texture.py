@@ -96,24 +96,30 @@ class Texture:
     """Owner of one 2D texture object (Texture in 2006)."""
 
     def __init__(
-        self, levels: np.ndarray | list[np.ndarray], repeat: bool = True, anisotropy: float = 1.0
+        self,
+        levels: np.ndarray | list[np.ndarray],
+        repeat: bool = True,
+        anisotropy: float = 1.0,
+        trilinear: bool = True,
     ) -> None:
         """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
 
         Row 0 of the image is t = 0. A single image has its mip levels made by the driver
         (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE;
-        ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic.
+        ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic. Not ``trilinear``, a texel is
+        looked up in the nearer of two mip levels instead of in both: a third cheaper.
         """
         images = levels if isinstance(levels, list) else [levels]
         self.name = int(gl.glGenTextures(1))
         wrap = gl.GL_REPEAT if repeat else gl.GL_CLAMP_TO_EDGE
         previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
         gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
+        minified = gl.GL_LINEAR_MIPMAP_LINEAR if trilinear else gl.GL_LINEAR_MIPMAP_NEAREST
         parameters = {
             gl.GL_TEXTURE_WRAP_S: wrap,
             gl.GL_TEXTURE_WRAP_T: wrap,
             gl.GL_TEXTURE_MAG_FILTER: gl.GL_LINEAR,
-            gl.GL_TEXTURE_MIN_FILTER: gl.GL_LINEAR_MIPMAP_LINEAR,
+            gl.GL_TEXTURE_MIN_FILTER: minified,
         }
         for name, value in parameters.items():
             gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
