@@ -60,6 +60,11 @@ class Frame:
         """The camera's up, the second row of the modelview's 3x3 block."""
         return self.modelview[[1, 5, 9]]
 
+    @property
+    def pixels(self) -> float:
+        """How many pixels high a thing of one unit is, one unit away."""
+        return self.size[1] / (2.0 * math.tan(math.radians(self.fov) / 2))
+
     def depth(self, points: np.ndarray) -> np.ndarray:
         """Return the eye-space z of points (n, 3): negative before the camera (section 5.1.1)."""
         axis = self.modelview[[2, 6, 10]].astype(points.dtype)

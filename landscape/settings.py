@@ -135,6 +135,9 @@ class Reflection:
     rippled: bool = setting(
         False, "R16, section 12", "the mirror image breaks up on the waves, drawn as a texture"
     )
+    coarse: float = setting(
+        1.0, "chosen", "times as coarse as elsewhere meshes may be in the mirror image", 1, 100
+    )
 
 
 @dataclass(frozen=True)
@@ -197,6 +200,7 @@ class Transparent:
     trimmed: bool = setting(
         False, "chosen", "quads end where the picture does, and none lies out of view"
     )
+    least: float = setting(0.0, "chosen", "pixels; what is less high fades away", 0, 100)
     trilinear: bool = setting(True, "chosen", "look up two mip levels instead of the nearer one")
 
 
@@ -399,6 +403,7 @@ BEST: dict[str, Value] = {
     "reflection.stencil": True,
     "reflection.castle": True,
     "reflection.rippled": True,
+    "reflection.coarse": 8.0,
     "water.relief": True,
     "water.shallow": True,
     "water.foam": True,
@@ -419,6 +424,7 @@ BEST: dict[str, Value] = {
     "transparent.clear_near": True,
     "transparent.rooted": True,
     "transparent.trimmed": True,
+    "transparent.least": 2.5,
     "transparent.trilinear": False,
     "transparent.radius": 26.0,
     "trees.species": 4,

@@ -360,11 +360,11 @@ def test_faded_sprites_stop_where_the_fog_hides_all() -> None:
 
 def test_a_sprite_clears_away_before_the_eye_meets_it() -> None:
     keys = {"transparent.clear_near": True, "transparent.fade": 0.0}
-    cells, widths, away = np.full(4, 1), np.ones(4), np.array([0.2, 0.35, 0.5, 5.0])
-    clear = clearness(with_settings(Settings(), keys), cells, widths, away)
+    radius, widths, away = np.full(4, 8.0), np.ones(4), np.array([0.2, 0.35, 0.5, 5.0])
+    clear = clearness(with_settings(Settings(), keys), radius, widths, away)
     assert clear == pytest.approx([0.0, 0.5, 1.0, 1.0])
     settings = with_settings(Settings(), {**keys, "transparent.clear_near": False})
-    assert (clearness(settings, cells, widths, away) == 1.0).all()
+    assert (clearness(settings, radius, widths, away) == 1.0).all()
 
 
 @pytest.mark.parametrize("rooted", [False, True])

@@ -114,9 +114,10 @@ class Animal:
         allowed = self._settings.camera.detail
         if frame is None or allowed <= 0.0:
             return LEVELS[0]
+        if frame.mirrored:
+            allowed *= self._settings.reflection.coarse
         away = float(np.linalg.norm(frame.eye - self._middle(frame))) - self._reach
-        half = math.tan(math.radians(frame.fov) / 2)
-        unit = frame.size[1] / (2 * half * max(away, self._settings.camera.near))  # pixels
+        unit = frame.pixels / max(away, self._settings.camera.near)
         return max(cube for cube in LEVELS if cube * self._scale * unit <= allowed)
 
     def _middle(self, frame: Frame) -> np.ndarray:

@@ -40,11 +40,13 @@ FOOT = 0.75  # chosen: how light a tinted blade is at its foot, in parts of the 
 TUFT_RADIUS = 0.010  # chosen: units, how far apart the roots of a tuft's blades are
 KEPT = 12  # chosen: times the blades in view are kept grown, for when the walker turns round
 LEAST = 40_000  # chosen: so many blades are kept in any case, 4 MB
-SPARE = 0.10  # chosen: units the eye may move until blades are chosen anew
-TURN = math.radians(5.0)  # chosen: and the angle it may turn
+SPARE = 0.06  # chosen: units the eye may move until blades are chosen anew
+TURN = math.radians(4.0)  # chosen: and the angle it may turn
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
+BENT = np.array([0.5, 0.5, 1.0], np.float32)  # part of the wind on shoulders and tip
+SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # of a blade's feet and shoulders
 COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.float32)
 
 
@@ -113,16 +115,18 @@ def facing(blades: np.ndarray, away: np.ndarray, part: float) -> None:
 
     ``away`` (n, 2) is x, z from the eye to each blade. A blade keeps its width and its tip.
     """
-    half = (blades[:, 1, ::2] - blades[:, 0, ::2]) / 2
-    width = np.sqrt((half * half).sum(axis=1, keepdims=True))
-    far = np.maximum(np.sqrt((away * away).sum(axis=1, keepdims=True)), np.float32(1e-6))
-    across = away[:, ::-1] * np.array([-part, part], np.float32) / far
-    turned = half * np.float32(1.0 - part) + width * across
-    length = np.sqrt((turned * turned).sum(axis=1, keepdims=True))
-    turned *= width / np.maximum(length, np.float32(1e-9))
-    turned -= half
-    for vertex, times in ((0, -1.0), (1, 1.0), (2, -0.5), (3, 0.5)):
-        blades[:, vertex, ::2] += np.float32(times) * turned
+    x, z = blades[..., 0], blades[..., 2]
+    half_x, half_z = (x[:, 1] - x[:, 0]) / 2, (z[:, 1] - z[:, 0]) / 2
+    width = np.sqrt(half_x * half_x + half_z * half_z)
+    away_x, away_z = np.ascontiguousarray(away.T)
+    far = np.sqrt(away_x * away_x + away_z * away_z)
+    share = np.float32(part) * width / np.maximum(far, np.float32(1e-6))
+    left = np.float32(1.0 - part)
+    turned_x, turned_z = half_x * left - away_z * share, half_z * left + away_x * share
+    length = np.sqrt(turned_x * turned_x + turned_z * turned_z)
+    width /= np.maximum(length, np.float32(1e-9))
+    for coordinate, turned, half in ((x, turned_x, half_x), (z, turned_z, half_z)):
+        coordinate[:, :4] += (turned * width - half)[:, None] * SIDES
 
 
 def meadow(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -368,22 +372,21 @@ class Grass:
         With ``grass.fade`` a blade sinks into the ground towards the end of its reach.
         """
         grass, positions, blades = self._settings.grass, patch.positions, patch.blades.copy()
+        x, y, z = (blades[..., axis] for axis in range(3))
         wind = blade_wind(frame.kt, positions, grass.scale[0]).astype(np.float32)
-        blades[:, 4, ::2] += wind
-        wind *= np.float32(0.5)
-        blades[:, 2:4, ::2] += wind[:, None]
+        x[:, 2:] += wind[:, :1] * BENT
+        z[:, 2:] += wind[:, 1:] * BENT
         away = positions[:, ::2] - np.array([frame.pose.x, frame.pose.z], np.float32)
         if grass.facing > 0:
             facing(blades, away, grass.facing)
         if grass.fade:
             reach = np.float32(grass.radius) * patch.reach
-            far = np.sqrt(np.einsum("ij,ij->i", away, away))
-            height = np.clip((reach - far) / (np.float32(0.25) * reach), 0.0, 1.0)
-            base = positions[:, None, 1]
-            blades[:, 2:, 1] -= base
-            blades[:, 2:, 1] *= height[:, None]
-            blades[:, 2:, 1] += base
-            gone = np.flatnonzero(height <= 0.0)
+            far = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
+            sinking = np.flatnonzero(far > np.float32(0.75) * reach)
+            height = 4.0 * np.maximum(1.0 - far[sinking] / reach[sinking], 0.0)[:, None]
+            base = positions[sinking, 1:2]
+            y[sinking, 2:] = base + (y[sinking, 2:] - base) * height
+            gone = sinking[height[:, 0] <= 0.0]
             blades[gone] = positions[gone, None]
         return blades
 

@@ -34,7 +34,7 @@ from landscape.elements.waves import cut_level
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList, call_lists
-from landscape.gl.mesh_tool import Mesh
+from landscape.gl.mesh_tool import Mesh, grid_triangles
 from landscape.gl.state import attrib, front_faces
 from landscape.gl.texture import Texture, read_image
 from landscape.settings import Ground as GroundSettings
@@ -98,6 +98,23 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
         )
         parts.append(Tile(part, vertices.min(axis=0), vertices.max(axis=0)))
     return parts
+
+
+def corners(tiles: list[Tile]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the low and the high corners of the tiles' boxes, (n, 3) each."""
+    low, high = ([getattr(tile, end) for tile in tiles] for end in ("low", "high"))
+    return np.array(low).reshape(-1, 3), np.array(high).reshape(-1, 3)
+
+
+def every_second(mesh: Mesh) -> Mesh:
+    """Return a grid's mesh without every second row and column of its vertices, borders kept."""
+    side = round(len(mesh.vertices) ** 0.5)
+    lines = np.unique([*range(0, side, 2), side - 1])
+    kept = np.arange(side * side).reshape(side, side)[np.ix_(lines, lines)].ravel()
+    coordinates = tuple(np.ascontiguousarray(c[kept]) for c in mesh.coordinates)
+    colours = None if mesh.colors is None else np.ascontiguousarray(mesh.colors[kept])
+    triangles = grid_triangles(len(lines), len(lines))
+    return Mesh(mesh.vertices[kept], mesh.normals[kept], triangles, coordinates, colours)
 
 
 def boxes_in_view(frame: Frame, low: np.ndarray, high: np.ndarray) -> np.ndarray:
@@ -212,6 +229,7 @@ class Ground:
         self.field = height_field(read_heights(path), ground, settings.water.level)
         self.large = self._large_texture(settings, assets, sun)
         self._settings, self._lists = settings, list[DisplayList]()
+        self._around, self._mirrored = list[DisplayList](), list[DisplayList]()
         self._textures: list[Texture] = []
 
         def detail(key: str) -> Texture:
@@ -308,25 +326,30 @@ class Ground:
             after()
 
         self._tiles = cut(self.mesh, count) if count > 1 else []
-        self._low = np.array([tile.low for tile in self._tiles]).reshape(-1, 3)
-        self._high = np.array([tile.high for tile in self._tiles]).reshape(-1, 3)
-        if self._tiles:
-            senders = [tile.mesh.draw for tile in self._tiles]
-            self._lists += [DisplayList(draw) for draw in (*senders, before, after)]
-        else:
+        self._boxes = self._mirrored_boxes = corners(self._tiles)
+        if not self._tiles:
             self._lists.append(DisplayList(whole))
+            return
+        self._lists += [DisplayList(tile.mesh.draw) for tile in self._tiles]
+        self._around = [DisplayList(before), DisplayList(after)]
+        if self._settings.reflection.coarse > 1:
+            coarser = cut(every_second(self.mesh), count)
+            self._mirrored = [DisplayList(tile.mesh.draw) for tile in coarser]
+            self._mirrored_boxes = corners(coarser)
 
     def tiles_in_view(self, frame: Frame) -> np.ndarray:
         """Return the numbers of the tiles that may show in the frame, mirrored or not.
 
         The nearest come first: what they hide is then rejected before its texels are looked up.
         """
-        low, high = self._low.copy(), self._high.copy()
+        low, high = self._mirrored_boxes if frame.mirrored else self._boxes
         level = self.field.water_level
         cut = level if frame.mirrored else cut_level(self._settings)
-        seen = self._high[:, 1] >= cut if self._settings.ground.clip or frame.mirrored else True
+        seen = high[:, 1] >= cut if self._settings.ground.clip or frame.mirrored else True
         if frame.mirrored:
-            low[:, 1], high[:, 1] = 2 * level - self._high[:, 1], 2 * level - self._low[:, 1]
+            turned = np.array([0.0, 2.0 * level, 0.0]), np.array([1.0, -1.0, 1.0])
+            ends = turned[0] + turned[1] * low, turned[0] + turned[1] * high
+            low, high = np.minimum(*ends), np.maximum(*ends)
         kept = np.flatnonzero(boxes_in_view(frame, low, high) & seen)
         away = np.maximum(np.maximum(low[kept] - frame.eye, frame.eye - high[kept]), 0.0)
         return kept[np.argsort((away**2).sum(axis=1), kind="stable")]
@@ -337,14 +360,15 @@ class Ground:
             self._lists[0].call()
             return
         every = range(len(self._tiles))
-        before, after = self._lists[-2:]
+        before, after = self._around
         before.call()
         kept = every if frame is None else self.tiles_in_view(frame).tolist()
         # Land seen from above turns its back behind a crest only, which hides it. The mirrored eye
         # is under the land, whose lower side hides what stands on it.
         mirrored = frame is not None and frame.mirrored
         with front_faces(self._settings.camera.cull and not mirrored):
-            call_lists([self._lists[k] for k in kept])
+            lists = self._mirrored if mirrored and self._mirrored else self._lists
+            call_lists([lists[k] for k in kept])
         after.call()
 
     def colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -361,7 +385,7 @@ class Ground:
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for compiled in self._lists:
+        for compiled in (*self._lists, *self._around, *self._mirrored):
             compiled.release()
         for texture in self._textures:
             texture.release()

@@ -99,25 +99,28 @@ def reach(settings: Settings) -> float:
     return shared.radius
 
 
-def radii(settings: Settings, cells: np.ndarray) -> np.ndarray:
-    """Return how far each of the sprites with these atlas cells (n,) is drawn, float32 units."""
-    far = reach(settings)
-    return np.where(
-        cells >= PLANT, np.float32(min(far, settings.plants.radius or far)), np.float32(far)
-    )
+def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Frame) -> np.ndarray:
+    """Return how far sprites of these atlas cells and heights (n,) are drawn, float32 units.
+
+    No farther than ``transparent.radius`` and ``plants.radius``, and as far as they are at least
+    ``transparent.least`` pixels high.
+    """
+    far, least = reach(settings), settings.transparent.least
+    plants = np.float32(min(far, settings.plants.radius or far))
+    out = np.where(cells >= PLANT, plants, np.float32(far))
+    return np.minimum(out, heights * np.float32(frame.pixels / least)) if least else out
 
 
 def clearness(
-    settings: Settings, cells: np.ndarray, widths: np.ndarray, away: np.ndarray
+    settings: Settings, radius: np.ndarray, widths: np.ndarray, away: np.ndarray
 ) -> np.ndarray:
     """Return 0..1 (n,), how much is seen of sprites of these widths, ``away`` units off.
 
-    They fade towards the radius (``transparent.fade``), and before the eye passes through them
-    (``transparent.clear_near``).
+    They fade towards their ``radius`` (``transparent.fade``), and before the eye passes through
+    them (``transparent.clear_near``).
     """
     shared, out = settings.transparent, np.ones_like(away)
     if shared.fade:
-        radius = radii(settings, cells)
         out *= np.clip((radius - away) / (np.float32(shared.fade) * radius), 0.0, 1.0)
     if shared.clear_near:
         gone, whole = CLEARS
@@ -217,7 +220,7 @@ class SpriteView:
     def seen(self, frame: Frame, settings: Settings) -> Seen:
         """Return the sprites to draw, mirrored or not, in order of their numbers."""
         shared, places = settings.transparent, self._places[settings.transparent.rooted]
-        radius = radii(settings, self._cells)
+        radius = radii(settings, self._cells, self._sizes[:, 1], frame)
         if not shared.trimmed:
             which = visible_order(frame, places, radius, sort=False)
         else:
@@ -236,7 +239,7 @@ class SpriteView:
         flat = line[:, 0] * line[:, 0] + line[:, 2] * line[:, 2]
         away = np.sqrt(flat)
         below = -line[:, 1] / np.sqrt(np.maximum(flat + line[:, 1] * line[:, 1], 1e-12))
-        alpha = clearness(settings, cells, sizes[:, 0], away)
+        alpha = clearness(settings, radius[which], sizes[:, 0], away)
         return Seen(which, positions, sizes, cells, away, below, frame.depth(positions), alpha)
 
     def _colours(self, seen: Seen, alpha: np.ndarray) -> np.ndarray:
