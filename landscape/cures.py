@@ -15,10 +15,11 @@ GROUND = float("nan")  # a pose's y: eye height above the ground
 
 @dataclass(frozen=True)
 class Cure:
-    """A remedy: where to look at it, what is set before and after, and what changed in OpenGL.
+    """A remedy: where to look at it, what is set before and after, and what the gallery says.
 
-    ``common`` are settings of both pictures; ``only`` the elements to show; ``after_pose`` stands
-    in for the pose in the second picture.
+    ``fault`` says what is wrong, and which figure shows it; ``look`` what to compare in the pair;
+    ``how`` what changed in OpenGL; ``seen`` describes the two pictures. ``common`` are settings of
+    both; ``only`` the elements to show; ``after_pose`` stands in for the pose in the second.
     """
 
     name: str
@@ -27,7 +28,10 @@ class Cure:
     kt: float
     off: Mapping[str, Any]
     on: Mapping[str, Any]
-    sentence: str
+    fault: str
+    look: str
+    how: str
+    seen: tuple[str, str]
     common: Mapping[str, Any] = field(default_factory=dict)
     only: tuple[str, ...] = SCENE
     after_pose: Pose | None = None
@@ -43,6 +47,15 @@ class Cure:
         return VIEWS[self.view].pose if isinstance(self.view, str) else self.view
 
 
+SEA_OF_BEST: dict[str, Any] = {
+    "water.fresnel": True,
+    "reflection.rippled": True,
+    "ground.resolution": 160,
+    "water.color": (0.16, 0.32, 0.38, 0.88),
+    "fog.density": 0.05,
+}
+CASTLE_HILL = ("ground", "sky", "castle", "water", "reflection", "fog", "grass")
+
 CURES: tuple[Cure, ...] = (
     Cure(
         "R1",
@@ -51,8 +64,15 @@ CURES: tuple[Cure, ...] = (
         1500.0,
         {"sky.moving": False},
         {"sky.moving": True},
-        "A second, blended layer of cloud lies under the box's ceiling; glTranslatef on the "
-        "GL_TEXTURE matrix moves it a little with each kt.",
+        "In fig14a and all other figures the sky is a painting that never changes.",
+        "The streaks round the sun are painted and stay; the flakes of cloud that came in drift "
+        "over them, slowly, as time goes on.",
+        "A second, half-transparent layer of cloud is blended over the box. glTranslatef on the "
+        "GL_TEXTURE matrix shifts its picture a little with each kt.",
+        (
+            "the sun in a blue sky over treetops, with a few still streaks of cloud",
+            "the same sun and sky, with ragged white clouds spread over the blue",
+        ),
         common={
             "fog.density": 0.03,
             "sky.follow_y": True,
@@ -68,9 +88,15 @@ CURES: tuple[Cure, ...] = (
         12.0,
         {"castle.flame_faces": False},
         {"castle.flame_faces": True},
-        "The corners of each flame's quad are set off along the horizontal perpendicular of "
-        "the line from the eye, so the quad turns about the y axis and is never seen edge-on; "
-        "its texture and blending are as before.",
+        "The flame of fig25e is one flat rectangle, parallel to the wall.",
+        "We stand beside the gate and look along its wall. Before, the flame is a red thread, as "
+        "its rectangle is seen from its edge; after, it is a whole flame.",
+        "The rectangle turns about its vertical axis until it faces the eye: its corners are set "
+        "off at right angles to the line from the eye. Texture and blending stay.",
+        (
+            "a torch on the castle wall whose flame is a thin red line",
+            "the same torch with a full yellow flame",
+        ),
         common={"overlay.map": False, "overlay.sword": False},
     ),
     Cure(
@@ -80,54 +106,96 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"transparent.split": False},
         {"transparent.split": True},
-        "Each half of a crossed quad has its own eye-space depth in the sort, so the half "
-        "that stands before a tree is blended after it, in the same single glDrawElements.",
-        common={"plants.count": 9000, "overlay.map": False, "overlay.sword": False},
+        "Sorting as in fig17b gives each tree or plant one single depth, and that fails where "
+        "two of them stand into one another; no figure shows it.",
+        "Look at the trunk of the big conifer. Before, the fern at its foot is painted over by the "
+        "tree; after, the half of the fern that stands in front of the trunk is there.",
+        "Each half of a crossed quad gets its own depth in the sort, so that a half in front of a "
+        "tree is blended after it. All of them are still sent by a single glDrawElements.",
+        (
+            "a conifer with a bare trunk between ferns",
+            "the same conifer with half a fern in front of its trunk",
+        ),
+        common={
+            "plants.count": 9000,
+            "overlay.map": False,
+            "overlay.sword": False,
+            "camera.fov": 30.0,
+        },
     ),
     Cure(
         "R4",
-        "Billboards that stay upright",
-        "fig36a",
+        "Trees that no longer lie on their backs",
+        Pose(24.3, 2.5, 25.5, 0.0, -82.0),
         0.0,
         {"transparent.upright": False, "trees.crown": False},
         {"transparent.upright": True, "trees.crown": True},
-        "The quads are spanned by the camera's right, made level, and the y axis instead of "
-        "both axes of the modelview matrix; from above they clear away by vertex alpha and a "
-        "level quad with a crown comes in.",
+        "Seen from above, the trees of fig36a and the deer of fig36b lie down to face us.",
+        "We look straight down. Before, each tree shows its side, trunk and all; after, one looks "
+        "on the tops of the trees.",
+        "Billboards turn about the vertical axis only, so they stay upright. As the view gets "
+        "steeper they fade away by vertex alpha, and a level rectangle with a picture of the crown "
+        "fades in.",
+        (
+            "a meadow from above with trees that seem to lie flat on it",
+            "the same meadow with the round crowns of the trees",
+        ),
     ),
     Cure(
         "R5",
         "Deer that stand on the slope",
-        Pose(33.48, 0.7, 22.44, 211.87, -4.0),
+        Pose(30.4, 1.42, 20.13, 0.0, 0.0),
         0.0,
         {"deer.follow_slope": False},
         {"deer.follow_slope": True},
-        "The deer's quad is spanned by the ground's normal and the camera's right tilted into "
-        "the slope, so both ends of its feet stand on the ground and its head stays out of "
-        "it.",
+        "A billboard is upright, as the deer of fig35d, whatever the ground does; on a steep slope "
+        "one end of it hangs in the air and the other is in the hill.",
+        "Look at the feet. Before, the doe stands level and her hind legs hang in the air; after, "
+        "all four feet are on the slope.",
+        "The billboard is spanned by the ground's normal and by the camera's right vector, tilted "
+        "into the slope.",
+        (
+            "a doe standing level before a steep slope, her hind feet in the air",
+            "the same doe tilted, with all her feet on the slope",
+        ),
         common={"overlay.map": False, "overlay.sword": False},
     ),
     Cure(
         "R6a",
-        "Plants that are no lines: seen along a quad",
-        Pose(24.22, 1.814, 21.793, 0.0, -6.0),
+        "Plants that are no lines when seen along a quad",
+        "fig37a",
         0.0,
         {"plants.quads": 2, "plants.fade_edge_on": False, "plants.rosette": False},
         {"plants.quads": 3, "plants.fade_edge_on": True, "plants.rosette": True},
-        "Three quads at 60 degrees, each with a vertex alpha that goes to 0 as it is seen edge-on.",
-        common={"plants.count": 9000},
+        "In fig37a one of the plant's two pictures is seen from its edge.",
+        "Before, the strip that stands up in the middle of the fern is a whole picture of the "
+        "plant, squeezed to a line; after, there is no strip.",
+        "Three quads at 60 degrees instead of two at 90, so that two always show; and each fades "
+        "away by vertex alpha as it is seen from its edge.",
+        (
+            "a fern with a narrow strip standing up in its middle",
+            "the same fern made of two crossing pictures, with no strip",
+        ),
+        common=VIEWS["fig37a"].settings,
         only=("ground", "plants", "grass", "sky", "water", "reflection", "fog"),
     ),
     Cure(
         "R6b",
-        "Plants that are no crosses: seen from above",
-        Pose(24.242, 2.233, 21.543, 0.0, -85.0),
+        "Plants that are no crosses when seen from above",
+        "fig37b",
         0.0,
         {"plants.quads": 2, "plants.fade_edge_on": False, "plants.rosette": False},
         {"plants.quads": 3, "plants.fade_edge_on": True, "plants.rosette": True},
-        "A level quad with a rosette of the same fronds, from a spare cell of the atlas, "
-        "comes in by vertex alpha as the view gets steeper, while the upright quads go.",
-        common={"plants.count": 9000},
+        "In fig37b the plants seen from above are crosses.",
+        "Before, two crosses lie on the ground; after, they are two ferns with their fronds spread "
+        "all round.",
+        "As the view gets steeper the upright quads fade away by vertex alpha, and a level quad "
+        "with a picture of the same fronds from above fades in.",
+        (
+            "two thin green crosses on the ground",
+            "two round ferns seen from above",
+        ),
+        common=VIEWS["fig37b"].settings,
         only=("ground", "plants", "grass", "sky", "water", "reflection", "fog"),
     ),
     Cure(
@@ -137,9 +205,15 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"grass.facing": 0.0},
         {"grass.facing": 0.6},
-        "Before the array is sent, each blade's width is blended with the direction at right "
-        "angles to the line of sight, so that at least three quarters of it show from "
-        "anywhere: no blade is a line.",
+        "The blade of fig38a is flat, and from its edge there is nothing to see.",
+        "It is the same blade in the same place: a thread before, a blade after.",
+        "Before the vertices are sent, the width of each blade is turned part of the way towards "
+        "the viewer, so that at least three quarters of it show from anywhere.",
+        (
+            "a blade of grass seen from its edge, as thin as a thread",
+            "the same blade, broad and green",
+        ),
+        common=VIEWS["fig38a"].settings,
         only=("ground", "grass", "sky", "fog"),
     ),
     Cure(
@@ -149,9 +223,17 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"sky.follow_y": False},
         {"sky.follow_y": True, "sky.background": True},
-        "The box is translated with the eye in y as well, and drawn at the greatest depth by "
-        "glDepthRange(1, 1): however high one climbs, the clouds stay as far.",
-        common={"water.horizon": 400.0},
+        "In fig39a the sky's ceiling hangs right over the summit.",
+        "Before, the upper half of the picture is the flat lid of the sky box, and the clouds "
+        "break off where it begins; after, the clouds are as far away as from the beach, and the "
+        "sea runs out to the horizon.",
+        "The box moves with the eye upwards as well, and glDepthRange(1, 1) puts it behind "
+        "everything else.",
+        (
+            "a summit under a low, flat blue lid that cuts the clouds off",
+            "the same summit under a wide sky, with clouds and hills at the sea's horizon",
+        ),
+        common={**VIEWS["fig39a"].settings, "water.horizon": 400.0},
     ),
     Cure(
         "R9",
@@ -160,9 +242,17 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"sky.background": False},
         {"sky.background": True},
-        "glDepthRange(1, 1) gives the box the greatest depth of all, without depth writes: it "
-        "shows only where nothing else is drawn, so the hill behind its wall is seen.",
-        only=("ground", "sky", "castle", "water", "reflection", "fog", "grass"),
+        "In fig40a the sky's wall, 8 units away, stands before the castle and its hill.",
+        "Look between the slope on the left and the cloud on the right. Before, only painted sky; "
+        "after, the hill with the castle on it.",
+        "glDepthRange(1, 1) gives the box the greatest depth there is, and it writes none: it "
+        "shows only where nothing else was drawn.",
+        (
+            "a meadow and an empty horizon with painted clouds",
+            "the same meadow with a castle on a hill behind it",
+        ),
+        common=VIEWS["fig40a"].settings,
+        only=CASTLE_HILL,
     ),
     Cure(
         "R10",
@@ -171,8 +261,18 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"sky.unfogged": False},
         {"sky.unfogged": True},
-        "glDisable(GL_FOG) while the box is drawn: the haze is painted on its walls, and no "
-        "longer depends on how far a corner of the box is.",
+        "In fig41a the corners of the sky box are paler than the middles of its walls, being "
+        "farther off in the fog.",
+        "Look at the cloud in the middle, where the corner is. Before, it is a ghost; after, it is "
+        "as white as those beside it.",
+        "The fog is off (glDisable(GL_FOG)) while the box is drawn: the haze is painted on its "
+        "walls, the same all round.",
+        (
+            "a pale sky over the sea, palest in the middle",
+            "the same sky, deep blue with white clouds everywhere",
+        ),
+        common=VIEWS["fig41a"].settings,
+        only=VIEWS["fig41a"].shown,
     ),
     Cure(
         "R11",
@@ -181,48 +281,57 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"castle.multitexture": False},
         {"castle.multitexture": True},
-        "Three texture units draw the gate wall once, GL_INTERPOLATE mixing door and bricks "
-        "by the door's alpha and GL_MODULATE with GL_RGB_SCALE 2 laying the halo over it, so "
-        "that it is lit and fogged once like the towers.",
-        common={"fog.density": 0.2},
-        only=("ground", "sky", "castle", "water", "reflection", "fog", "grass"),
+        "In fig42a the gate wall is darker than the towers, being drawn in three layers.",
+        "Compare the wall with the two towers. Before, it is darker and bluer than they are; "
+        "after, it has their colour, and the torches light it.",
+        "Three texture units draw the wall once: the first has the bricks, the second mixes the "
+        "door in by its alpha (GL_INTERPOLATE), the third multiplies by the light (GL_MODULATE, "
+        "doubled by GL_RGB_SCALE). So fog is added once as well.",
+        (
+            "a castle in fog whose gate wall is darker than its towers",
+            "the same castle with wall and towers of one colour",
+        ),
+        common=VIEWS["fig42a"].settings,
+        only=CASTLE_HILL,
     ),
     Cure(
         "R12",
-        "The rabbit mapped by charts",
+        "A rabbit whose texture is not pinched",
         "fig43a",
         0.0,
         {"rabbit.mapping": "cylindrical"},
         {"rabbit.mapping": "axis"},
-        "Each face takes its texture coordinates from the two axes it looks at most, and "
-        "vertices between two such charts are doubled: the texture is not pinched along the "
-        "vertical axis any more.",
+        "In fig43a all stripes of the rabbit's texture meet in one point behind its ears.",
+        "Compare the neck, behind the ears. Before, the stripes run together like the "
+        "spokes of a wheel; after, they do not.",
+        "Each face takes its texture coordinates from whichever side of a box it faces most, "
+        "instead of from the angle about the vertical axis. Vertices on the border of two such "
+        "sides are doubled.",
+        (
+            "the rabbit from above, with stripes that run to a point behind its ears",
+            "the same rabbit with an even, cloudy texture",
+        ),
+        common=VIEWS["fig43a"].settings,
     ),
     Cure(
         "R13",
         "A mouse that turns without end",
-        Pose(21.0, GROUND, 23.0, 180.0, 0.0),
+        Pose(20.0, GROUND, 28.0, 180.0, 0.0),
         10.0,
         {"walk.mouse_relative": False},
         {"walk.mouse_relative": True},
-        "Nothing in OpenGL: in 2006 the cursor's place set the rotation, and at the window's "
-        "border the turn was over, as here at due south. The captured mouse reports how far "
-        "it went, so one turns on: this is 70 degrees further.",
-        only=(
-            "ground",
-            "water",
-            "sky",
-            "trees",
-            "deer",
-            "plants",
-            "grass",
-            "castle",
-            "rabbit",
-            "dragon",
-            "fog",
-            "reflection",
+        "In 2006 the place of the mouse's pointer set the direction of the view, so at the border "
+        "of the window the turn was over. It is about the mouse: no figure can show it.",
+        "Two views from the same place. The first is due south, where the mouse of 2006 had to "
+        "stop; the second is 70 degrees farther round, where it could not go.",
+        "Nothing changes in OpenGL: the mouse is captured and reports how far it moved, not where "
+        "it is.",
+        (
+            "looking south over a meadow with conifers",
+            "looking to the west from the same place, at a line of trees",
         ),
-        after_pose=Pose(21.0, GROUND, 23.0, 250.0, 0.0),
+        only=tuple(element for element in SCENE if element != "castle"),
+        after_pose=Pose(20.0, GROUND, 28.0, 250.0, 0.0),
     ),
     Cure(
         "R14",
@@ -231,9 +340,15 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"ground.smooth": "none"},
         {"ground.smooth": "catmull_rom", "ground.subdivide": 4},
-        "Each cell's two flat triangles become 4 x 4 cells of a bicubic Catmull-Rom patch "
-        "through the same vertices, computed once on the CPU and sent in the same display "
-        "list: the hills' outlines are curves, no corners.",
+        "The ground is made of large flat triangles, as fig2b shows.",
+        "Follow the outline of the summit against the sky. Before, it has straight edges and "
+        "corners; after, it is a curve.",
+        "Each cell of the grid becomes 4 x 4 smaller ones on a curved patch (bicubic Catmull-Rom) "
+        "through the same vertices. It is computed once and kept in the same display list.",
+        (
+            "a rocky summit with an angular outline",
+            "the same summit with a rounded outline",
+        ),
         common={"fog.enabled": False},
         only=("ground", "sky", "fog"),
     ),
@@ -244,9 +359,15 @@ CURES: tuple[Cure, ...] = (
         0.0,
         {"ground.exact_height": False},
         {"ground.exact_height": True},
-        "The height query follows the diagonal by which each cell is cut into two triangles "
-        "instead of a bilinear surface that is never drawn: the rabbit, and the walker, no "
-        "longer float 0.16 units over the ground.",
+        "In 2006 rabbit and walker stand on a smoothly bent surface, but what is drawn is the flat "
+        "triangles of fig2b: between the vertices the two differ. No figure shows it.",
+        "Before, the rabbit floats over the ground, 0.16 units high; after, it sits on it.",
+        "To find the height, the program now looks up which of a cell's two triangles a place is "
+        "in, and takes the height on that triangle.",
+        (
+            "a rabbit floating in the air before a hill",
+            "the same rabbit sitting on the ground",
+        ),
         common={"rabbit.x": 9.431, "rabbit.z": 16.811, "rabbit.yaw": -60},
         only=("ground", "rabbit", "sky", "fog"),
     ),
@@ -257,12 +378,16 @@ CURES: tuple[Cure, ...] = (
         40.0,
         {"reflection.rippled": False},
         {"reflection.rippled": True},
-        "The mirrored scene is drawn into a texture (a framebuffer object instead of "
-        "glCopyTexSubImage2D) and laid on a grid before the eye: the texture matrix holds "
-        "bias x projection x camera, so that each vertex's own place is its texture "
-        "coordinate, and the waves' slopes move that place by the angle by which they tilt "
-        "the mirror; GL_COMBINE with GL_INTERPOLATE mixes it in by the vertex alpha "
-        "(Fresnel).",
+        "In fig29d the dragon's reflection is that of a perfect mirror, whatever the waves do.",
+        "Look at the dragon's image under it. Before, it is a clear copy upside down; after, the "
+        "waves break it into streaks.",
+        "The mirrored scene is drawn into a texture and laid on a grid of water. Each vertex "
+        "finds its place in the picture by the texture matrix, moved a little by the slope of the "
+        "wave there.",
+        (
+            "a sea dragon over a reflection as sharp as itself",
+            "the same dragon over a reflection broken into streaks",
+        ),
         common={
             "water.fresnel": True,
             "fog.density": 0.05,
@@ -275,13 +400,20 @@ CURES: tuple[Cure, ...] = (
     Cure(
         "R17",
         "Waves that lift the surface",
-        Pose(11.8, 0.72, 33.0, 20.0, -3.0),
+        Pose(12.6, 0.7, 31.5, 335.0, -1.0),
         40.0,
         {"water.relief": False},
         {"water.relief": True},
-        "The vertices' heights follow the sum of waves whose derivatives are the normals, on "
-        "a grid of equal angles about the eye that is sent far to near in one glDrawElements; "
-        "the waves die down towards the beach.",
+        "The water of fig11a is a flat plane: only its texture and its light move.",
+        "With the sun low and the water's texture left out, the plane before is one flat colour; "
+        "after, a swell shows as bands of light and dark. It is low, a foot at most, so the "
+        "horizon stays straight.",
+        "The vertices rise and fall by a sum of waves, and their normals follow. They form a grid "
+        "about the eye, finest near it, and the waves die down towards the beach.",
+        (
+            "the sea dragon in water of one flat blue",
+            "the same dragon in water with bands of light and dark",
+        ),
         common={
             "fog.enabled": False,
             "water.textured": False,
@@ -289,30 +421,45 @@ CURES: tuple[Cure, ...] = (
             "sun.elevation": 10.0,
             "sun.ambient": (0.4, 0.42, 0.46),
             "water.color": (0.5, 0.7, 0.85, 1.0),
+            "camera.fov": 30.0,
         },
-        only=("ground", "water"),
+        only=("ground", "water", "dragon", "sky"),
     ),
     Cure(
         "R18",
-        "The loop over every blade",
+        "Grass that is sent all at once",
         "fig22b",
         0.0,
         {"grass.method": "loop"},
         {"grass.method": "cells"},
-        "The same picture: glBegin, glVertex and glEnd for each blade against one "
-        "glDrawElements of arrays chosen cell by cell; only the time differs (landscape "
-        "bench).",
+        "In 2006 every blade of fig22a and fig22b was sent by itself, in a loop.",
+        "Do not look for a difference: the two pictures are the same. Only the time to draw them "
+        "differs; [the page on performance](../docs/performance.md#against-2006) has the figures.",
+        "Before, glBegin, glVertex and glEnd for each blade. After, the blades are kept in arrays, "
+        "by cells of the map; those of the cells in view are sent by one glDrawElements.",
+        (
+            "tall grass before trees, drawn blade by blade",
+            "the same picture, drawn by one call",
+        ),
+        common=VIEWS["fig22b"].settings,
+        only=VIEWS["fig22b"].shown,
     ),
     Cure(
         "R19",
         "Textures no larger than their use",
-        "fig5a",
+        "fig4a",
         0.0,
         {"ground.texture_size": 4096, "ground.height_image": "height.png"},
         {"ground.texture_size": 1024, "ground.height_image": "height16.png"},
-        "The large texture is halved before glTexImage2D, a quarter of the memory, and the "
-        "heights come from an image of one 16-bit channel instead of three of 8 bits: hardly "
-        "a pixel tells.",
+        "The pictures of fig1a and fig3a take more memory than they need.",
+        "The two pictures should look alike, and that is the point: of the memory of the ground's "
+        "texture, a quarter is left.",
+        "The large texture is halved in width and height before glTexImage2D. The heights come "
+        "from an image with one channel of 16 bits instead of three of 8.",
+        (
+            "the beach, meadows and mountain, with the large textures",
+            "the same view with the small textures, hardly different",
+        ),
         common={"fog.enabled": False},
         only=("ground",),
     ),
@@ -323,17 +470,17 @@ CURES: tuple[Cure, ...] = (
         20.0,
         {"water.shallow": False},
         {"water.shallow": True},
-        "A 512 x 512 texture of the sea's depth on a second unit tints the water and, crossed "
-        "over to the last unit's alpha (ARB_texture_env_crossbar), lets the bottom show "
-        "through by glBlendFunc; the clip plane of the ground sinks to where nothing shows "
-        "any more.",
-        common={
-            "water.fresnel": True,
-            "reflection.rippled": True,
-            "ground.resolution": 160,
-            "water.color": (0.16, 0.32, 0.38, 0.88),
-            "fog.density": 0.05,
-        },
+        "In fig9a the sea is equally dark everywhere, and meets the beach in a hard edge.",
+        "Follow the edge of the sand. Before, it is a sharp, angular line; after, the bottom shows "
+        "through where the water is shallow, and the sea turns from turquoise to blue.",
+        "A texture of the sea's depth, on a second texture unit, sets the water's colour and how "
+        "transparent it is (its alpha, for glBlendFunc). The ground is now drawn a little below "
+        "the water as well.",
+        (
+            "a wooded spit of sand in dark water, with an angular edge",
+            "the same spit fading softly into turquoise water",
+        ),
+        common=SEA_OF_BEST,
         only=("ground", "water", "sky", "trees", "reflection", "fog"),
     ),
     Cure(
@@ -343,18 +490,16 @@ CURES: tuple[Cure, ...] = (
         20.0,
         {"water.foam": False},
         {"water.foam": True},
-        "The coast's triangles, once in a display list, carry the depth as texture coordinate "
-        "into a texture of breakers that the texture matrix moves with kt; a second unit adds "
-        "lace by GL_ADD_SIGNED and GL_ALPHA_SCALE 4 stretches the sum, so that the line "
-        "frays.",
-        common={
-            "water.fresnel": True,
-            "reflection.rippled": True,
-            "water.shallow": True,
-            "ground.resolution": 160,
-            "water.color": (0.16, 0.32, 0.38, 0.88),
-            "fog.density": 0.05,
-        },
+        "In fig11a the water just ends where the beach begins.",
+        "After, white lines of foam run round the sand; in the walk they move towards it.",
+        "A strip of triangles along the coast has a texture of breakers. Across the strip the "
+        "texture coordinate is the depth of the water, and the texture matrix moves it with time. "
+        "A second texture of holes frays the lines.",
+        (
+            "a spit of sand in clear water",
+            "the same spit with white foam round it",
+        ),
+        common={**SEA_OF_BEST, "water.shallow": True},
         only=("ground", "water", "sky", "reflection", "fog"),
     ),
     Cure(
@@ -362,12 +507,18 @@ CURES: tuple[Cure, ...] = (
         "The sun on the water",
         Pose(30.0, 0.9, 34.0, 60.0, -8.0),
         40.0,
-        {"reflection.rippled": False},
-        {"reflection.rippled": True},
-        "GL_LIGHT0's specular light per vertex, which makes milky spots, gives way to an "
-        "additive pass (GL_SRC_ALPHA, GL_ONE): alpha says how near the slope comes to "
-        "mirroring the sun, and two moving units of sparks are added to it and cut by "
-        "GL_ADD_SIGNED and GL_ALPHA_SCALE 4.",
+        {"water.glitter": 0.0},
+        {"water.glitter": 0.35},
+        "In fig14a and the others no sunlight glints on the sea.",
+        "The sun is low, straight ahead. After, its light lies on the water as a broken, "
+        "glittering path.",
+        "The water is drawn once more with additive blending (GL_SRC_ALPHA, GL_ONE). A vertex is "
+        "the brighter the better its slope mirrors the sun to the eye, and two moving textures of "
+        "sparks break the light up.",
+        (
+            "a calm sea at sunset without any glint",
+            "the same sea with a path of white glints",
+        ),
         common={
             "sky.set": "sunset",
             "sun.azimuth": 60.0,
@@ -378,7 +529,7 @@ CURES: tuple[Cure, ...] = (
             "water.horizon": 400.0,
             "water.rippled": True,
             "fog.density": 0.03,
-            "water.glitter": 0.35,
+            "reflection.rippled": True,
             "sky.background": True,
         },
         only=("water", "sky", "reflection", "fog"),
@@ -386,28 +537,43 @@ CURES: tuple[Cure, ...] = (
     Cure(
         "best4",
         "Turf, sand and rock",
-        Pose(17.8, 0.98, 30.3, 100.0, -16.0),
+        Pose(31.6, 0.9, 20.5, 300.0, 3.0),
         0.0,
         {"ground.materials": False, "ground.mid_repeat": 0.0},
         {"ground.materials": True, "ground.mid_repeat": 13.0},
-        "Four texture units mix three details by GL_INTERPOLATE, sand by the alpha of the "
-        "large texture (crossbar, OpenGL 1.4), rock by the vertices' alpha, before the large "
-        "colour multiplies them.",
+        "In fig4c one and the same grain lies on grass, sand and rock.",
+        "Before, the whole slope has one fine grain; after, the steep parts are cracked rock, the "
+        "flat ones turf.",
+        "Four texture units mix three detail textures: sand where the alpha of the large texture "
+        "says so, rock where the slope is steep (by vertex alpha), turf elsewhere. The large "
+        "colours multiply the result.",
+        (
+            "a hillside above the sea with the same fine grain everywhere",
+            "the same hillside with cracked rock below and turf above",
+        ),
         common={"ground.height_image": "height16.png", "ground.resolution": 160},
         only=("ground", "sky", "fog", "water", "reflection"),
     ),
     Cure(
         "best5",
-        "A meadow",
+        "Grass in tufts",
         "fig35d",
         0.0,
-        {"grass.facing": 0.0, "grass.tufts": 0, "grass.variety": 0.0},
-        {"grass.facing": 0.6, "grass.tufts": 7, "grass.variety": 1.0},
-        "The same number of blades, in tufts that lean apart and differ in height and colour; "
-        "the vertices' colours, doubled by GL_RGB_SCALE, match the ground's at the foot.",
+        {"grass.tufts": 0, "grass.variety": 0.0},
+        {"grass.tufts": 7, "grass.variety": 1.0},
+        "In fig22b all blades are alike and spread evenly.",
+        "Both pictures have the same number of blades. Before, they stand evenly, of one height "
+        "and colour; after, a meadow of higher and lower, greener and browner tufts.",
+        "Seven blades share a root and lean apart; a tuft has its own height and its own colour, "
+        "set per vertex.",
+        (
+            "a stag in even, dull green grass",
+            "the same stag in uneven grass with brown and green tufts",
+        ),
         common={
             "grass.tinted": True,
             "grass.fade": True,
+            "grass.facing": 0.6,
             "grass.count": 8000000,
             "grass.scale": (0.4, 1.1),
             "grass.arch": 4.0,

@@ -4,6 +4,7 @@ A panel is an asset shown as it is, or a named view rendered with its own switch
 stand the cures: pairs of pictures, before and after, for each remedy of the report's discussion.
 """
 
+import re
 import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -14,7 +15,7 @@ import numpy as np
 from PIL import Image
 
 from landscape.assets import Assets
-from landscape.captions import ASSET_PANELS, LOOK
+from landscape.captions import ADDED, ASSET_PANELS, CURED, CURES_TEXT, INTRODUCTION, PARTS, SEEN
 from landscape.compare import agree, amplified
 from landscape.cures import CURES, Cure
 from landscape.errors import InputError
@@ -31,10 +32,14 @@ GROUND = (214, 218, 222)  # chosen: what transparent assets are laid on
 
 @dataclass(frozen=True)
 class Panel:
-    """One picture of the gallery: its file's stem, what it shows, what to look at, its command."""
+    """One picture of the gallery: its file's stem, its title and command, and what is said of it.
+
+    ``seen`` describes the picture to who cannot see it; ``look`` says what to look at.
+    """
 
     name: str
     title: str
+    seen: str
     look: str
     command: str
     draw: Callable[["Studio"], np.ndarray]
@@ -95,14 +100,14 @@ def panels() -> list[Panel]:
     return found + [cure_panel(cure, after) for cure in CURES for after in (False, True)]
 
 
-def asset_panel(name: str, files: tuple[str, ...], title: str, look: str) -> Panel:
+def asset_panel(name: str, files: tuple[str, ...], title: str, seen: str, look: str) -> Panel:
     """Return the panel of one asset, or of the sky's five faces unfolded."""
 
     def draw(studio: Studio) -> np.ndarray:
         images = [read_image(studio.assets.path(file)) for file in files]
         return laid_on_grey(unfolded(images) if len(images) == 5 else images[0])
 
-    return Panel(name, title, look, "landscape assets build " + " ".join(files), draw)
+    return Panel(name, title, seen, look, "landscape assets build " + " ".join(files), draw)
 
 
 def view_panel(name: str) -> Panel:
@@ -114,7 +119,7 @@ def view_panel(name: str) -> Panel:
     def draw(studio: Studio) -> np.ndarray:
         return studio.render(name, view.preset, {})
 
-    return Panel(name, view.shows, LOOK[name], command, draw)
+    return Panel(name, view.shows, *SEEN[name], command, draw)
 
 
 def cure_panel(cure: Cure, after: bool) -> Panel:
@@ -132,8 +137,8 @@ def cure_panel(cure: Cure, after: bool) -> Panel:
     def draw(studio: Studio) -> np.ndarray:
         return studio.render(place, "2006", changes, cure.kt, cure.only)
 
-    title = f"{cure.title}: {when}"
-    return Panel(f"{cure.name}_{when}", title, cure.sentence, shlex.join(command), draw)
+    name, seen = f"{cure.name}_{when}", cure.seen[after]
+    return Panel(name, f"{cure.title}: {when}", seen, cure.look, shlex.join(command), draw)
 
 
 def as_text(value: Any) -> str:
@@ -144,8 +149,13 @@ def as_text(value: Any) -> str:
 
 
 def laid_on_grey(rgba: np.ndarray) -> np.ndarray:
-    """Lay an image (h, w, 4) on grey, fitted into SIZE and centred, uint8 (h, w, 3)."""
+    """Lay an image (h, w, 4) on grey, fitted into SIZE and centred, uint8 (h, w, 3).
+
+    A small one is shown larger, with its pixels as squares.
+    """
     image = Image.fromarray(rgba)
+    times = max(SIZE[1] // (2 * image.height), 1)
+    image = image.resize((image.width * times, image.height * times), Image.Resampling.NEAREST)
     image.thumbnail(SIZE, Image.Resampling.LANCZOS)
     sheet = Image.new("RGBA", SIZE, (*GROUND, 255))
     corner = ((SIZE[0] - image.width) // 2, (SIZE[1] - image.height) // 2)
@@ -156,20 +166,20 @@ def laid_on_grey(rgba: np.ndarray) -> np.ndarray:
 def unfolded(faces: list[np.ndarray]) -> np.ndarray:
     """Lay out north, east, south, west and top as the box's unfolded paper, (h, w, 4).
 
-    The top stands in the middle, each wall on its side of it with its foot outwards.
+    The box is seen from inside: the top in the middle, each wall on its side of it with its foot
+    outwards. To who looks up at it with north ahead, the top has east on its left.
     """
     side, deep = 256, 80
     north, east, south, west = (Image.fromarray(f).resize((side, deep)) for f in faces[:4])
     sheet = Image.new("RGBA", (side + 2 * deep, side + 2 * deep), (0, 0, 0, 0))
-    sheet.paste(Image.fromarray(faces[4]).resize((side, side)), (deep, deep))
+    top = Image.fromarray(faces[4]).transpose(Image.Transpose.FLIP_LEFT_RIGHT)
+    sheet.paste(top.resize((side, side)), (deep, deep))
     for wall, turn, corner in (
         (north, 180, (deep, 0)),
         (south, 0, (deep, deep + side)),
-        (east, 90, (deep + side, deep)),
-        (west, 270, (0, deep)),
+        (east, 270, (0, deep)),
+        (west, 90, (deep + side, deep)),
     ):
-        # Walls are seen from inside; on the paper of a box seen from inside each has its upper
-        # edge at the top's side.
         sheet.paste(wall.rotate(turn, expand=True), corner)
     return np.asarray(sheet)
 
@@ -207,7 +217,7 @@ def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bo
             save_png(picture, path, small=True)
     if renderer:
         write_whole(folder / RENDERER, (renderer + "\n").encode())
-    write_whole(folder / "README.md", page(panels()).encode())
+    write_whole(folder / "README.md", page().encode())
 
 
 def check(
@@ -247,45 +257,90 @@ def drawn(chosen_panels: list[Panel], options: Mapping[str, Any], quiet: bool) -
         studio.close()
 
 
-def page(every: list[Panel]) -> str:
-    """Return the gallery as Markdown: pictures, captions, commands and what to look at."""
-    lines = [
-        "# The figures of 2006, and their cures",
+def page() -> str:
+    """Return the gallery as Markdown: the figures part by part, then the cures in pairs."""
+    every = panels()
+    lines = introduction()
+    for part in PARTS:
+        lines += [f"## {part.heading}", "", part.text, ""]
+        for figure in range(part.first, part.last + 1):
+            lines += [f"### Figure {figure}", ""]
+            for panel in every:
+                if panel.figure == str(figure):
+                    lines += figure_entry(panel)
+    pairs = {panel.name: panel for panel in every}
+    heading = ""
+    for cure in CURES:
+        wanted = CURED if cure.name.startswith("R") else ADDED
+        if wanted != heading:
+            heading = wanted
+            lines += [f"## {heading}", "", CURES_TEXT[heading], ""]
+        lines += cure_entry(cure, pairs[f"{cure.name}_before"], pairs[f"{cure.name}_after"])
+    return "\n".join(lines)
+
+
+def introduction() -> list[str]:
+    """Return the page's lines before the first figure: what this is, words, contents."""
+    lines = list(INTRODUCTION)
+    for part in PARTS:
+        figures = f"figures {part.first} to {part.last}"
+        if part.first == part.last:
+            figures = f"figure {part.first}"
+        lines.append(f"- [{part.heading}](#{anchor(part.heading)}): {figures}")
+    for heading, start in ((CURED, "R"), (ADDED, "best")):
+        names = [cure.name for cure in CURES if cure.name.startswith(start)]
+        links = ", ".join(f"[{name}](#{anchor(name)})" for name in names)
+        lines.append(f"- [{heading}](#{anchor(heading)}): {links}")
+    return [*lines, ""]
+
+
+def figure_entry(panel: Panel) -> list[str]:
+    """Return the lines of one panel of a figure."""
+    return [
+        f"**{panel.name}**: {panel.title}.",
         "",
-        "In December 2006 a student's report, Damien Rohmer's *TP OpenGL: Rendu de paysage naturel*"
-        " (CPE Lyon), drew an island with the OpenGL of its time, figure by figure: a height image,"
-        " the water that mirrors it, a sky, trees, grass, a castle, a rabbit and a sea dragon. It"
-        " ends with what is wrong in the pictures (figures 36 to 43) and what could be better. Here"
-        " are its 43 figures, drawn again by this program, and a cure for each flaw.",
+        f"![{panel.seen}]({panel.name}.png)",
         "",
-        "How to read it: the bold name, as **fig17b**, is the figure and its panel, and the name of"
-        " the view for every command. Under a picture stands what to look at, in OpenGL's own words"
-        " (each is explained at the head of its file in `landscape/elements`), then the command"
-        " that draws it. A *billboard* is a picture on a rectangle that turns to the viewer,"
-        " *crossed quads* are two that stand still and cross; *kt* counts time, 30 a second.",
+        linked(panel.look, panel.figure),
         "",
-        "Each picture is made by the command under it, with no screen needed. `landscape figures"
-        " --check` compares all of them with what the program draws today; `landscape figures"
-        " --update` renews them, and this page.",
-        "",
-        "The figures come first, in the order of the report, under the preset `2006`; then, for"
-        " each remedy its discussion proposes (R1 to R19), a picture before and after.",
+        f"    {panel.command}",
         "",
     ]
-    heading = ""
-    for panel in every:
-        if panel.figure != heading:
-            heading = panel.figure
-            word = "Figure" if heading.isdigit() else "Cure"
-            lines += [f"## {word} {heading}", ""]
-        lines += [
-            f"**{panel.name}**: {panel.title}.",
-            "",
-            f"![{panel.title}]({panel.name}.png)",
-            "",
-            f"{panel.look}",
-            "",
-            f"    {panel.command}",
-            "",
-        ]
-    return "\n".join(lines)
+
+
+def cure_entry(cure: Cure, before: Panel, after: Panel) -> list[str]:
+    """Return the lines of one cure: its fault, the two pictures side by side, what changed."""
+    return [
+        f"### {cure.name}",
+        "",
+        f"**{cure.title}.** {linked(cure.fault)}",
+        "",
+        "| before | after |",
+        "|---|---|",
+        f"| ![{before.seen}]({before.name}.png) | ![{after.seen}]({after.name}.png) |",
+        "",
+        linked(cure.look),
+        "",
+        f"How: {linked(cure.how)}",
+        "",
+        f"    {before.command}",
+        f"    {after.command}",
+        "",
+    ]
+
+
+def linked(text: str, figure: str = "") -> str:
+    """Return a caption with names of panels and cures as links; but for those of ``figure``."""
+
+    def link(match: re.Match[str]) -> str:
+        name, number = match.group(0), match.group(1)
+        if number is None:
+            return f"[{name}](#{anchor(name)})"
+        return name if number == figure else f"[{name}](#figure-{number})"
+
+    return re.sub(r"\bfig(\d+)[a-i]\b|\bR\d+[ab]?\b", link, text)
+
+
+def anchor(heading: str) -> str:
+    """Return the name by which a heading can be linked to, as GitHub makes it."""
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")

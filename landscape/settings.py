@@ -259,7 +259,7 @@ class Plants:
 class Grass:
     """Blades (section 5.3)."""
 
-    count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 10_000_000)
+    count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 40_000_000)
     scale: tuple[float, ...] = setting((1.0, 1.0), "section 5.3.2", "times, (sx, sy)", 0.01, 100)
     arch: float = setting(1.0, "section 5.3.2", "times the tip's bend out of the upright", 0, 20)
     radius: float = setting(4.0, "chosen", "units, blades farther off are not drawn", 0, 1000)
@@ -448,10 +448,10 @@ BEST: dict[str, Value] = {
     "plants.size_max": 0.085,
     "grass.tinted": True,
     "grass.fade": True,
-    "grass.count": 8_000_000,
-    "grass.scale": (0.4, 1.1),
+    "grass.count": 24_000_000,
+    "grass.scale": (0.22, 1.1),
     "grass.facing": 0.6,
-    "grass.tufts": 7,
+    "grass.tufts": 6,
     "grass.variety": 1.0,
     "rabbit.mapping": "axis",
     "rabbit.painted": True,

@@ -34,11 +34,11 @@ ELEMENT = "grass"
 
 CELL = 0.5  # chosen: units per side of a cell; small against the radius, large against a blade
 WIDENING = 0.5  # chosen: with grass.fade, blades that reach k times NEAR are k**WIDENING as wide
-NEAR = 0.5  # chosen: units within which, with grass.fade, every blade is drawn
+NEAR = 0.28  # chosen: units within which, with grass.fade, every blade is drawn
 LAYER = 64  # chosen: blades in the first layer of a cell's lot
 FOOT = 0.75  # chosen: how light a tinted blade is at its foot, in parts of the ground's colour
-TUFT_RADIUS = 0.010  # chosen: units, how far apart the roots of a tuft's blades are
-KEPT = 12  # chosen: times the blades in view are kept grown, for when the walker turns round
+TUFT_RADIUS = 0.017  # chosen: units, how far apart the roots of a tuft's blades are
+KEPT = 6  # chosen: times the blades in view are kept grown, for when the walker turns round
 LEAST = 40_000  # chosen: so many blades are kept in any case, 4 MB
 SPARE = 0.06  # chosen: units the eye may move until blades are chosen anew
 TURN = math.radians(4.0)  # chosen: and the angle it may turn

@@ -90,8 +90,9 @@ class TransparentElements:
             levels = [atlas([chain[level] for chain in chains]) for level in range(LEVELS)]
             return (*outlines(cells), *levels)
 
-        what: list[bytes | str] = ["atlas", *(content(path) for path in self._paths)]
-        self._outlines, self._outline_coordinates, *levels = recall(what, pictures)
+        self._outlines, self._outline_coordinates, *levels = recall(
+            ["atlas", *self._contents()], pictures
+        )
         self._rows = len(levels[0]) // CELL
         self._texture = Texture(levels, repeat=False, trilinear=settings.transparent.trilinear)
         self._topped = False
@@ -112,6 +113,10 @@ class TransparentElements:
             what, lambda: tuple(vars(plant_everything(settings, ground, seed, kinds)).values())
         )
         return Sprites(*planted)
+
+    def _contents(self) -> list[bytes]:
+        """Return what tells the atlas's pictures from any others."""
+        return [content(path) for path in self._paths]
 
     def _cells(self) -> list[np.ndarray]:
         """Return the atlas's cells; the one before the herbs is for the views from above."""
@@ -153,11 +158,17 @@ class TransparentElements:
 
     def _fill_tops(self) -> None:
         """Add the views from above to the bound atlas, once, when they are first asked for."""
-        cells = self._cells()
-        for number in range(len(TOPS_CELLS) if len(cells) > len(CELLS) else 1):
-            row, column = divmod(TOPS_CELLS[number], COLUMNS)
-            for level, image in enumerate(mip_chain(tops_cell(cells, number), LEVELS)):
-                side = CELL >> level
+
+        def views() -> tuple[np.ndarray, ...]:
+            cells = self._cells()
+            count = len(TOPS_CELLS) if len(cells) > len(CELLS) else 1
+            tops = [mip_chain(tops_cell(cells, number), LEVELS) for number in range(count)]
+            return tuple(np.stack(level) for level in zip(*tops, strict=True))
+
+        for level, images in enumerate(recall(["tops", *self._contents()], views)):
+            side = CELL >> level
+            for number, image in enumerate(images):
+                row, column = divmod(TOPS_CELLS[number], COLUMNS)
                 box = side * column, side * row, side, side
                 gl.glTexSubImage2D(
                     gl.GL_TEXTURE_2D, level, *box, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, image

@@ -1,8 +1,9 @@
 """The clouds of the sky box.
 
-The cumulus are a layer of heaps: a map of heights, roughened by a Perlin-Worley volume and marched
-with Beer's law and a few octaves of softened light for the multiple scattering (Schneider 2015;
-Wrenninge et al. 2013). Cirrus lie on a deck above. Both are functions of the direction alone.
+The cumulus are the heaps of :mod:`landscape.studio.heaps`, whose surface volumes of billows and of
+wisps bend and fray. They are marched with Beer's law and a few octaves of softened light for the
+multiple scattering (Schneider 2015; Wrenninge et al. 2013). Cirrus lie on a deck above. Both are
+functions of the direction alone.
 """
 
 import functools
@@ -12,26 +13,26 @@ import numpy as np
 from scipy import ndimage
 
 from landscape.studio.air import Scene
-from landscape.studio.grids import flat, solid
+from landscape.studio.grids import solid
+from landscape.studio.heaps import ACROSS, BELOW, HIGH, VOXEL, heaps
 from landscape.studio.images import smoothstep, spectral_noise
 
 # Cumulus, metres. Chosen: fair-weather heaps, low enough to look near.
-BASE, DEPTH = 950.0, 1150.0
-MAP_PERIOD = 46e3  # of the map of heaps
-SPECK = 260.0  # texels of the map of heaps: smaller ones are left out
-HEAP_SEED = 841  # chosen by eye: the sun stands free
-SHAPE_PERIOD = 3100.0  # of the volume that makes them lumpy
-DETAIL_PERIOD = 640.0  # of the same volume, again, for the curls
-EXTINCTION = 0.026  # per metre in the densest part
-SOFT = 5.0  # a depth of 1 / SOFT heaps under the surface the cloud is at its densest
-FAR = 70e3  # the march ends here; air hides the rest
-AIR_FADE = 20e3  # distance in which a cloud is lost in the air by a factor e
+BASE, DEPTH = 950.0, 1400.0  # above the sea, and from there to the highest top
+BILLOW_PERIOD, BILLOW = 1700.0, 190.0  # of the volume of domes, and how far they bulge
+CURL_PERIOD, CURL = 360.0, 74.0  # of the same volume, again
+WISP_PERIOD, WISP = 900.0, 42.0  # of the volume of wisps, and how far they fray a surface
+EXTINCTION = 0.055  # per metre in the densest part
+HAZE = 52.0  # width of the fringe of thin wisps
+SOFT, HARD = 85.0, 22.0  # depth in which a cloud grows dense, at its base and its top
+FAR = 27e3  # the march ends here; air hides the rest
+AIR_FADE = 23e3  # distance in which a cloud is lost in the air by a factor e
 CIRRUS_HEIGHT, CIRRUS_PERIOD = 9000.0, 52e3
 
 
 @numba.njit(cache=False)
 def _worley(size: int, cells: int, points: np.ndarray) -> np.ndarray:
-    """Distance to the nearest of one point per cell, in cells, wrapping; (size,)*3."""
+    """Square of the distance to the nearest of one point per cell, in cells; (size,)*3, wraps."""
     out = np.empty((size, size, size), np.float32)
     for i in range(size):
         for j in range(size):
@@ -44,117 +45,121 @@ def _worley(size: int, cells: int, points: np.ndarray) -> np.ndarray:
                             p = points[a % cells, b % cells, c % cells]
                             r = (a + p[0] - x) ** 2 + (b + p[1] - y) ** 2 + (c + p[2] - z) ** 2
                             best = min(best, r)
-                out[i, j, k] = np.sqrt(best)
+                out[i, j, k] = best
     return out
 
 
 @functools.lru_cache(maxsize=1)
-def lumps() -> np.ndarray:
-    """Return the tiling volume of lumps, (96, 96, 96) float32, mean 0, deviation 1."""
-    size = 96
+def billows() -> np.ndarray:
+    """Return the tiling volume of domes of three sizes, (128, 128, 128) float32, mean 0."""
     rng = np.random.default_rng(31)
-    total = np.zeros((size, size, size), np.float32)
-    for cells, weight in ((4, 1.0), (8, 0.62), (16, 0.36), (32, 0.18)):
-        points = rng.random((cells, cells, cells, 3))
-        total -= weight * _worley(size, cells, points)  # near a point is inside a lump
-    k = np.fft.fftfreq(size) * size
-    k3 = np.sqrt(k[:, None, None] ** 2 + k[None, :, None] ** 2 + k[None, None, :] ** 2)
-    spectrum = np.fft.fftn(rng.standard_normal((size,) * 3)) * np.maximum(k3, 1.0) ** -2.6
-    soft = np.fft.ifftn(np.where(k3 > 0, spectrum, 0)).real
-    total = (total - total.mean()) / total.std() + 0.8 * soft / soft.std()
-    return ((total - total.mean()) / total.std()).astype(np.float32)
+    total = np.zeros((128, 128, 128), np.float32)
+    for cells, weight in ((4, 0.44), (8, 0.31), (16, 0.25)):
+        # The square makes round domes with creases between them; distance itself makes cones.
+        total -= weight * _worley(128, cells, rng.random((cells, cells, cells, 3)))
+    return total - total.mean()
 
 
 @functools.lru_cache(maxsize=1)
-def heaps() -> np.ndarray:
-    """Return the map of cloud tops, (1024, 1024) float32: in depths, negative where clear."""
-    gather = spectral_noise(1024, 1.5, HEAP_SEED, low_cut=3.0)  # streets and clearings
-    wide = ndimage.gaussian_filter(
-        spectral_noise(1024, 1.5, HEAP_SEED + 1, low_cut=8.0), 7.0, mode="wrap"
-    )
-    small = ndimage.gaussian_filter(
-        spectral_noise(1024, 1.0, HEAP_SEED + 2, low_cut=22.0), 6.0, mode="wrap"
-    )
-    wide, small = wide / wide.std(), small / small.std()
-    tops = 0.30 * wide + 0.07 * small + 0.22 * gather - 0.40
-    # A clearing overhead keeps single clouds from filling the view.
-    at = (np.arange(1024) + 512) % 1024 - 512.0
-    away = np.hypot(at[:, None], at[None, :]) * (MAP_PERIOD / 1024)
-    tops -= 0.74 * np.clip((4.6e3 - away) / 3.0e3, 0.0, 1.0)
-    # Specks of cloud are taken away: they look like dirt on the sky.
-    span = np.arange(-5, 6)
-    disc = np.hypot(span[:, None], span[None, :]) < 5.5
-    for _ in range(8):
-        cloud = tops > 0.0
-        labels, count = ndimage.label(cloud)
-        sizes = ndimage.sum_labels(cloud, labels, np.arange(count + 1))
-        # Small ones, and what hangs on a large one by a thread.
-        broad = ndimage.binary_dilation(ndimage.binary_opening(cloud, disc), iterations=4)
-        small = cloud & ((sizes[labels] < SPECK) | ~broad)
-        if not small.any():
-            break
-        # Softly, which may leave specks of what was joined to one: so again.
-        specks = ndimage.binary_dilation(small, iterations=7)
-        tops -= 1.1 * ndimage.gaussian_filter(specks.astype(float), 4.5, mode="wrap")
-    return np.asarray(tops, np.float32)
+def wisps() -> np.ndarray:
+    """Return the tiling volume of fractal noise, (96, 96, 96) float32, mean 0, deviation 1."""
+    size = 96
+    k = np.fft.fftfreq(size) * size
+    k3 = np.sqrt(k[:, None, None] ** 2 + k[None, :, None] ** 2 + k[None, None, :] ** 2)
+    spectrum = np.fft.fftn(np.random.default_rng(32).standard_normal((size,) * 3))
+    spectrum *= np.where(k3 > 1.5, np.maximum(k3, 1.0) ** -2.15, 0.0)
+    noise = np.fft.ifftn(spectrum).real
+    return (noise / noise.std()).astype(np.float32)
+
+
+@numba.njit
+def _depth(field: np.ndarray, x: float, y: float, z: float) -> float:
+    """Trilinear lookup in the field of distances, in voxels; metres."""
+    i, j, k = int(x), int(y), int(z)
+    f, g, h = x - i, y - j, z - k
+    a = field[i, k, j] * (1 - g) + field[i, k, j + 1] * g
+    b = field[i, k + 1, j] * (1 - g) + field[i, k + 1, j + 1] * g
+    c = field[i + 1, k, j] * (1 - g) + field[i + 1, k, j + 1] * g
+    d = field[i + 1, k + 1, j] * (1 - g) + field[i + 1, k + 1, j + 1] * g
+    return 0.1 * ((a * (1 - h) + b * h) * (1 - f) + (c * (1 - h) + d * h) * f)
 
 
 @numba.njit
 def _density(
-    tops: np.ndarray, volume: np.ndarray, x: float, y: float, z: float, detail: bool
-) -> float:
-    """Return how deep inside a cloud a point is: density if positive, else depths to go."""
-    up = (y - BASE) / DEPTH
-    if up < 0.0 or up > 1.25:
-        return -0.3
-    n = tops.shape[0]
-    heap = flat(tops, x / MAP_PERIOD * n, z / MAP_PERIOD * n)
-    # Far off they are fewer, or perspective would close their ranks into a wall over the horizon.
-    away = np.sqrt(x * x + z * z)
-    heap -= 0.32 * min(1.0, max(0.0, (away - 7e3) / 30e3))
-    # A dome over the heap; beside it a steep fall, so that no crumbs float about.
-    value = (heap**0.7 if heap > 0.0 else heap * 4.0) - up
-    if value < -0.55:
-        return value + 0.30
-    # Lumps bend the surface where it is near and make none of their own: what they add is less
-    # than what is missing a little way off.
-    near = min(1.0, max(0.0, 1.0 + value / 0.26)) ** 2
-    s = volume.shape[0] / SHAPE_PERIOD
-    lump = np.tanh(solid(volume, x * s, y * s * 1.2, z * s))
-    outside = min(1.0, max(0.0, -10.0 * value))
-    value += 0.30 * near * (lump - 0.20 - 0.25 * outside)
-    if detail and value > -0.2:
-        s = volume.shape[0] / DETAIL_PERIOD
-        curl = np.tanh(solid(volume, z * s + 31.0, x * s, y * s * 1.1))
-        value += near * (0.085 * curl - 0.03)
+    field: np.ndarray,
+    clear: np.ndarray,
+    domes: np.ndarray,
+    frays: np.ndarray,
+    x: float,
+    y: float,
+    z: float,
+    detail: bool,
+) -> tuple[float, float]:
+    """Return the density, 0 to 1, or if negative the metres to the next cloud; and the crease.
+
+    The crease is how far the surface is drawn in here, metres, where little sky is seen.
+    """
+    u, v, w = x / VOXEL + ACROSS // 2, (y - BASE) / VOXEL + BELOW, z / VOXEL + ACROSS // 2
+    if v < 0.0 or v >= HIGH - 1.001:
+        return -60.0, 0.0
+    if u < 1.0 or u > ACROSS - 2.0 or w < 1.0 or w > ACROSS - 2.0:
+        return -400.0, 0.0
+    away = clear[int(u), int(w)]
+    if away > 2.5 * VOXEL:
+        return -(away - 1.5 * VOXEL), 0.0
+    value = _depth(field, u, v, w)
+    if value < -95.0:
+        return min(-8.0, value + 75.0), 0.0
+    up = y - BASE
+    s = frays.shape[0] / WISP_PERIOD
+    fray = solid(frays, x * s, y * s, z * s)
+    s = domes.shape[0] / BILLOW_PERIOD
+    bent = BILLOW * solid(domes, x * s, y * s, z * s)
+    if detail:
+        s = domes.shape[0] / CURL_PERIOD
+        bent += CURL * solid(domes, z * s + 3.0 * fray, x * s, y * s - 3.0 * fray)
+    loose = 1.0 - min(1.0, max(0.0, up / 300.0))  # towards the base, more ragged
+    value += bent + WISP * fray * (0.25 + 0.75 * loose) - 14.0 - 10.0 * loose
     # The base is flat where the air becomes moist enough, and only a little ragged.
-    return min(value, up * 4.0 - 0.10 + 0.06 * lump)
+    value = min(value, up * 1.2 + 14.0 * fray)
+    # Wisps hang about it, much thinner than the body.
+    edge = value + HAZE * min(1.0, max(0.0, fray - 0.1))
+    if edge <= 0.0:
+        return min(-4.0, 0.7 * edge), bent
+    soft = (HARD + (SOFT - HARD) * loose) * min(3.5, max(0.35, 1.0 + fray))
+    return min(1.0, max(value / soft, 0.06 * min(1.0, edge / HAZE))), bent
 
 
 @numba.njit
 def march(
-    d: np.ndarray, tops: np.ndarray, volume: np.ndarray, sun: np.ndarray, steps_m: float
+    d: np.ndarray,
+    field: np.ndarray,
+    clear: np.ndarray,
+    domes: np.ndarray,
+    frays: np.ndarray,
+    sun: np.ndarray,
+    steps_m: float,
 ) -> np.ndarray:
     """March each direction (n, 3); return (n, 4): sunlight, skylight, transmittance, distance.
 
     Sunlight and skylight are what the cloud sends to the eye for a unit of each.
     """
     out = np.zeros((d.shape[0], 4), np.float32)
-    reaches = np.array([25.0, 70.0, 140.0, 260.0, 460.0, 800.0])
+    reaches = np.array([18.0, 50.0, 110.0, 220.0, 430.0, 800.0])
     for i in range(d.shape[0]):
         out[i, 2], out[i, 3] = 1.0, FAR
         slope = d[i, 1]
         if slope < 0.008:
             continue
-        t, end = BASE / slope, min((BASE + DEPTH * 1.25) / slope, FAR)
+        t, end = (BASE - 40.0) / slope, min((BASE + DEPTH) / slope, FAR)
         cos = d[i, 0] * sun[0] + d[i, 1] * sun[1] + d[i, 2] * sun[2]
         through, lit, filled, seen, weight, jump = 1.0, 0.0, 0.0, 0.0, 1e-6, 0.0
         while t < end and through > 0.01:
-            fine = steps_m + 0.0018 * t
+            fine = steps_m + 0.0012 * t
             x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-            rho = _density(tops, volume, x, y, z, True)
+            rho, bent = _density(field, clear, domes, frays, x, y, z, True)
             if rho <= 0.0:
-                jump = max(fine, -rho * 70.0)
+                jump = max(fine, -rho)
                 t += jump
                 continue
             if jump > 0.0:
@@ -162,20 +167,24 @@ def march(
                 low, high = t - jump, t
                 for _ in range(5):
                     t = 0.5 * (low + high)
-                    if _density(tops, volume, d[i, 0] * t, slope * t, d[i, 2] * t, True) > 0.0:
+                    x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
+                    if _density(field, clear, domes, frays, x, y, z, True)[0] > 0.0:
                         high = t
                     else:
                         low = t
                 t, jump = high + 0.35 * fine, 0.0
                 x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-                rho = max(1e-3, _density(tops, volume, x, y, z, True))
-            sigma = EXTINCTION * min(1.0, rho * SOFT)
+                rho, bent = _density(field, clear, domes, frays, x, y, z, True)
+                rho = max(1e-3, rho)
+            fine *= 2.0 if rho < 0.07 else 1.0  # wisps take longer steps
+            sigma = EXTINCTION * rho
             absorbed = 1.0 - np.exp(-sigma * fine)
             tau, before = 0.0, 0.0
             for s in range(6):
                 r = 0.5 * (before + reaches[s])
-                q = _density(tops, volume, x + sun[0] * r, y + sun[1] * r, z + sun[2] * r, s < 2)
-                tau += EXTINCTION * min(1.0, max(q, 0.0) * SOFT) * (reaches[s] - before)
+                at_x, at_y, at_z = x + sun[0] * r, y + sun[1] * r, z + sun[2] * r
+                q, _ = _density(field, clear, domes, frays, at_x, at_y, at_z, s < 3)
+                tau += EXTINCTION * max(q, 0.0) * (reaches[s] - before)
                 before = reaches[s]
             # Octaves of softened light stand for light scattered more than once.
             glow, part, thin, g = 0.0, 1.0, 1.0, 0.60
@@ -183,11 +192,14 @@ def march(
                 forward = (1 - g * g) / (1 + g * g - 2 * g * cos) ** 1.5
                 back = (1 - 0.06) / (1 + 0.06 + 0.5 * cos) ** 1.5
                 glow += part * (0.65 * forward + 0.35 * back) * np.exp(-tau * thin) / (4 * np.pi)
-                part, thin, g = part * 0.62, thin * 0.32, g * 0.5
+                part, thin, g = part * 0.54, thin * 0.3, g * 0.5
             up = (y - BASE) / DEPTH
-            lit += through * absorbed * glow
-            roof = max(0.0, _density(tops, volume, x, y + 80.0, z, True))
-            filled += through * absorbed * (0.3 + 0.7 * min(1.0, up * 1.5) * np.exp(-9.0 * roof))
+            crease = 1.0 / (1.0 + np.exp(-0.06 * bent))
+            lit += through * absorbed * (0.85 + 1.25 * crease) * glow
+            roof, _ = _density(field, clear, domes, frays, x, y + 70.0, z, False)
+            # Little sky is seen under a roof of cloud and in a crease.
+            open_sky = np.exp(-1.1 * max(0.0, roof)) * crease
+            filled += through * absorbed * (0.25 + 1.3 * min(1.0, 0.2 + up * 2.0) * open_sky)
             seen += through * absorbed * t
             weight += through * absorbed
             through *= 1.0 - absorbed
@@ -200,16 +212,16 @@ def march(
 
 def add_cumulus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
     """Return the sky (h, w, 3) with the cumulus before it."""
-    marched = march(d.reshape(-1, 3), heaps(), lumps(), scene.towards_sun(), 6.0)
+    marched = march(d.reshape(-1, 3), *heaps(), billows(), wisps(), scene.towards_sun(), 6.0)
     lit, filled, through, far = np.moveaxis(marched.reshape(*d.shape[:2], 4), -1, 0)
     through = np.clip(through, 0.0, 1.0)[..., None]
-    bounce = np.clip((1.0 - through) - filled[..., None], 0.0, None)
-    cloud = lit[..., None] * np.array(scene.sun) + filled[..., None] * np.array(scene.shade)
-    cloud = cloud + bounce * np.array(scene.bounce)
-    cloud = 1.0 - np.exp(-np.clip(cloud, 0.0, None) * 1.15)
+    cover = np.maximum(1.0 - through, 1e-3)  # what follows is the colour of the cloud alone
+    lit, filled = lit[..., None] / cover, filled[..., None] / cover
+    cloud = lit * np.array(scene.sun) + filled * np.array(scene.shade)
+    cloud += 0.7 * np.clip(1.0 - filled, 0.0, None) * np.array(scene.bounce)
+    cloud = 1.0 - np.exp(-(cloud**1.15))  # chosen: white lights and grey shades
     clear = np.exp(-np.clip(far, 0.0, FAR) / AIR_FADE)[..., None]
-    cloud = clear * cloud + (1.0 - clear) * (1.0 - through) * sky
-    return sky * through + cloud
+    return sky + (1.0 - through) * clear * (cloud - sky)
 
 
 def add_cirrus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
