@@ -149,6 +149,7 @@ class Water:
     patch: float = setting(10.0, "section 3.2", "units per side of a patch", 0.1, 1000)
     points: int = setting(40, "section 3.2", "vertices per side of a patch", 2, 400)
     repeat: float = setting(4.0, "chosen", "LAMBDA_WATER, textures per patch", 0, 1000)
+    sharp: float = setting(0.0, "chosen", "mip levels the texture is sharper by", 0, 4)
     textured: bool = setting(True, "figure 9", "lay the water texture on the surface")
     animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
     time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
@@ -404,6 +405,8 @@ BEST: dict[str, Value] = {
     "reflection.castle": True,
     "reflection.rippled": True,
     "reflection.coarse": 8.0,
+    "water.repeat": 7.0,
+    "water.sharp": 0.7,
     "water.relief": True,
     "water.shallow": True,
     "water.foam": True,

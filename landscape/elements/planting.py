@@ -218,7 +218,7 @@ def herb_chances(settings: Settings, ground: Ground, seed: int) -> Chance:
             grows * shade**1.5 * (0.25 + 0.75 * drift[0]),
             grows * (1.0 - shade) ** 2 * drift[1] ** 1.5 if species > 1 else 0 * x,
             grows * edge * drift[2] ** 2 if species > 2 else 0 * x,
-            shore * np.maximum(1.0 - green, damp) * (slope < 0.6) * (0.3 + 0.7 * drift[3])
+            shore * np.maximum(1.0 - green, damp) * (slope < 0.6) * (0.04 + 0.96 * drift[3] ** 1.5)
             if species > 3
             else 0 * x,
             stony * (height > 0.5) * (1.0 - 0.8 * shade) * drift[4] if species > 4 else 0 * x,

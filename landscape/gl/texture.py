@@ -101,6 +101,7 @@ class Texture:
         repeat: bool = True,
         anisotropy: float = 1.0,
         trilinear: bool = True,
+        sharper: float = 0.0,
     ) -> None:
         """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
 
@@ -108,6 +109,7 @@ class Texture:
         (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE;
         ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic. Not ``trilinear``, a texel is
         looked up in the nearer of two mip levels instead of in both: a third cheaper.
+        ``sharper``: mip levels finer than OpenGL's choice (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
         images = levels if isinstance(levels, list) else [levels]
         self.name = int(gl.glGenTextures(1))
@@ -123,6 +125,8 @@ class Texture:
         }
         for name, value in parameters.items():
             gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
+        if sharper:
+            gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_LOD_BIAS, -sharper)
         if anisotropy > 1.0:
             gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_ANISOTROPY, anisotropy)
         if len(images) > 1:
