@@ -1,6 +1,7 @@
 """What is skipped to save time, back faces, far detail, a hidden sea: no picture shows it."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,7 +20,9 @@ from landscape.render import Offscreen
 
 SIZE = (320, 240)
 ALL_DRAWN = {"camera.cull": False, "camera.detail": 0.0, "water.query": False}
-FEW = {"grass.count": 200_000, "trees.count": 700, "plants.count": 500}
+FEW = {
+    "grass.count": 200_000, "trees.count": 700, "plants.count": 500, "reflection.coarse": 1.0
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -43,6 +46,22 @@ def test_the_picture_is_that_of_everything_drawn(both, view: str) -> None:
     off = np.abs(pictures[0] - pictures[1]).max(axis=2)
     assert (off > 4).mean() < 0.001
     assert off.mean() < 0.02
+
+
+@pytest.mark.slow
+def test_a_coarser_mirror_image_changes_the_water_alone_and_little(both) -> None:
+    fine, _ = both
+    with Offscreen(SIZE, "best", {**FEW, "reflection.coarse": 8.0}, samples=0) as coarse:
+        for view, horizon in (("fig35a", 115), ("fig35i", 115)):
+            pictures = []
+            for offscreen in (fine, coarse):
+                offscreen.look(view)
+                offscreen.draw()
+                pictures.append(offscreen.draw().astype(int))
+            off = np.abs(pictures[0] - pictures[1]).max(axis=2)
+            assert (off[:horizon] == 0).all()
+            assert 0.0 < off.mean() < 0.3
+            assert (off > 4).mean() < 0.03
 
 
 @pytest.mark.slow
@@ -186,6 +205,20 @@ def test_the_farther_an_animal_the_coarser_its_mesh(stage: Stage, plain_folder) 
     assert chosen == sorted(chosen) and chosen[0] < chosen[2] and chosen[3] == LEVELS[-1]
     # 120 pixels over 60 degrees: 104 pixels a unit at one unit off; the mesh is half as large.
     assert levels[1.0, 10.0] * 0.5 * 104 / 9.0 <= 1.0
+
+
+def test_in_the_mirror_image_an_animal_may_be_coarser(stage: Stage, plain_folder) -> None:
+    write_ply(plain_folder / "dragon.ply", CUBE, CUBE_FACES)
+    levels = []
+    for coarse in (1.0, 8.0):
+        settings = small(
+            {**LIT, "camera.detail": 0.05, "reflection.coarse": coarse, "dragon.z": 20.0}
+        )
+        dragon = Dragon(settings, Assets(plain_folder))
+        with stage.frame(settings, Pose(20.0, 0.6, 30.0)) as frame:
+            levels += [dragon.level(frame), dragon.level(replace(frame, mirrored=True))]
+        dragon.release()
+    assert levels[0] == levels[1] == levels[2] < levels[3]
 
 
 @pytest.mark.parametrize("closed", [True, False])

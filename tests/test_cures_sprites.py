@@ -27,7 +27,7 @@ from landscape.elements.sprite_quads import (
     steepness,
     within,
 )
-from landscape.elements.sprites_in_view import clearness, reach, turned
+from landscape.elements.sprites_in_view import clearness, radii, reach, turned
 from landscape.elements.transparent_elements import TransparentElements, outlines
 from landscape.frame import Frame, Pose, in_view
 from landscape.settings import Settings, with_settings
@@ -356,6 +356,20 @@ def test_faded_sprites_stop_where_the_fog_hides_all() -> None:
     far = reach(with_settings(Settings(), keys))
     assert math.exp(-((0.5 * far) ** 2)) == pytest.approx(1 / 512)
     assert reach(with_settings(Settings(), {**keys, "transparent.fade": 0.0})) == 50.0
+
+
+def test_what_is_less_high_than_so_many_pixels_is_not_drawn() -> None:
+    frame = looking(NORTH)
+    cells, heights = np.array([0, PLANT, 0]), np.array([0.5, 0.05, 0.01], np.float32)
+    keys = {"transparent.radius": 8.0, "plants.radius": 4.0}
+    far = radii(with_settings(Settings(), keys), cells, heights, frame)
+    assert far.tolist() == [8.0, 4.0, 8.0]
+    least = with_settings(Settings(), {**keys, "transparent.least": 2.0})
+    far = radii(least, cells, heights, frame)
+    assert far[0] == 8.0
+    # So far off the others are just two pixels high.
+    pixels = heights[1:] / far[1:] * frame.size[1] / (2 * math.tan(math.radians(frame.fov / 2)))
+    assert pixels == pytest.approx([2.0, 2.0])
 
 
 def test_a_sprite_clears_away_before_the_eye_meets_it() -> None:

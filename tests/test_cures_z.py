@@ -1,6 +1,7 @@
 """The cures of the ground: smooth, stood on exactly, of three kinds, in tiles; charts, blades."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,15 @@ from test_grass import frame_at, sow
 from landscape.assets import Assets
 from landscape.elements.animal import by_axis, read_animal
 from landscape.elements.grass import Grass, blade_vertices, facing, send_one_by_one
-from landscape.elements.ground import Ground, boxes_in_view, clipped, cut, rock_share, textured
+from landscape.elements.ground import (
+    Ground,
+    boxes_in_view,
+    clipped,
+    cut,
+    every_second,
+    rock_share,
+    textured,
+)
 from landscape.elements.height_field import (
     HeightField,
     ground_mesh,
@@ -22,6 +31,7 @@ from landscape.elements.height_field import (
 )
 from landscape.elements.rabbit import Rabbit
 from landscape.frame import Pose
+from landscape.gl.calls import recording
 from landscape.gl.mesh_tool import Mesh
 from landscape.island import Island
 from landscape.settings import Ground as GroundSettings
@@ -134,6 +144,52 @@ def test_the_tiles_hold_every_triangle_once() -> None:
     parts = [corners(tile.mesh) for tile in tiles]
     assert sum(map(len, parts)) == len(mesh.triangles)
     assert set.union(*parts) == corners(mesh)
+
+
+@pytest.mark.parametrize("side", [8, 9])
+def test_every_second_row_and_column_leaves_a_quarter_of_the_triangles(side: int) -> None:
+    heights = np.random.default_rng(3).random((side, side)).astype(np.float32)
+    mesh = ground_mesh(HeightField(heights, 40.0, 0.6), (1.0, 5.0))
+    coarse = every_second(mesh)
+    cells = (side - 1 + 1) // 2
+    assert len(coarse.triangles) == 2 * cells**2
+    fine, kept = (
+        {row.tobytes() for row in np.hstack([m.vertices, m.normals, *m.coordinates])}
+        for m in (mesh, coarse)
+    )
+    assert kept < fine
+    assert coarse.vertices[:, [0, 2]].min() == 0.0 and coarse.vertices[:, [0, 2]].max() == 40.0
+    a, b, c = (coarse.vertices[coarse.triangles[:, k]][:, [0, 2]] for k in range(3))
+    area = np.cross(np.insert(b - a, 2, 0, axis=1), np.insert(c - a, 2, 0, axis=1))[:, 2] / 2
+    assert np.abs(area).sum() == pytest.approx(1600.0) and (area < 0).all()
+
+
+def test_the_mirrored_ground_alone_is_coarser(stage: Stage, shipped: Assets) -> None:
+    pictures, sent = [], []
+    for coarse in (1.0, 4.0):
+        settings = small({"ground.tiles": 4, "reflection.coarse": coarse})
+        island = Island(settings, shipped, only=("ground", "reflection", "fog"))
+        with recording() as recorder:
+            # Recorded anew: what the display lists hold is known from their making.
+            ground = Ground(settings, shipped, np.array([0.5, 0.7, 0.5]))
+        for mirrored in (False, True):
+            with stage.frame(settings, POSES[0]) as frame:
+                island.ground.draw(replace(frame, mirrored=mirrored))
+                pictures.append(stage.read())
+        counts = [
+            call.args[1]
+            for calls in recorder.lists.values()
+            for call in calls
+            if call.name == "glDrawElements"
+        ]
+        sent.append(sum(counts))
+        ground.release()
+        island.release()
+    straight, mirrored_, straight_, coarser = pictures
+    assert (straight == straight_).all()
+    assert (mirrored_ != coarser).any()
+    assert np.abs(mirrored_.astype(int) - coarser).mean() < 6
+    assert sent[0] * 1.2 < sent[1] < sent[0] * 1.3
 
 
 def test_a_box_before_the_camera_is_seen_and_one_behind_or_aside_is_not() -> None:

@@ -13,6 +13,7 @@ from landscape.gl.calls import recording
 from landscape.gl.mesh_tool import (
     Mesh,
     centred,
+    gathered,
     grid_triangles,
     revolve,
     vertex_normals,
@@ -72,6 +73,39 @@ def test_a_turned_profile_faces_away_from_its_axis() -> None:
     a, b, c = (mesh.vertices[mesh.triangles[:, k]] for k in range(3))
     face = np.cross(b - a, c - a)
     assert ((face * (a + b + c) * (1, 0, 1)).sum(axis=1) > 0).all()
+
+
+def test_gathering_keeps_every_triangle_and_brings_neighbours_together() -> None:
+    rng = np.random.default_rng(5)
+    along = np.linspace(0.0, 1.0, 30)
+    x, z = (a.ravel() for a in np.meshgrid(along, along))
+    vertices = np.stack([x, np.sin(5 * x) * z, z], axis=1).astype(np.float32)
+    shuffled = rng.permutation(len(vertices))
+    place = np.argsort(shuffled).astype(np.uint32)
+    triangles = rng.permutation(place[grid_triangles(30, 30)])
+    colors = (vertices * 200).astype(np.uint8)
+    mesh = Mesh(
+        vertices[shuffled], vertices[shuffled] + 1, triangles, (vertices[shuffled, :2],),
+        np.insert(colors[shuffled], 3, 255, axis=1),
+    )  # fmt: skip
+    tidy = gathered(mesh)
+
+    def corners(m: Mesh) -> set[bytes]:
+        assert m.colors is not None
+        return {
+            b"".join(
+                part[t].tobytes() for part in (m.vertices, m.normals, *m.coordinates, m.colors)
+            )
+            for t in m.triangles
+        }
+
+    assert corners(tidy) == corners(mesh) and len(tidy.triangles) == len(mesh.triangles)
+
+    def apart(m: Mesh) -> float:
+        return float(np.ptp(m.triangles.astype(int), axis=1).mean())
+
+    assert apart(tidy) < 0.2 * apart(mesh)
+    assert tidy.triangles.dtype == np.uint32
 
 
 def test_centring_fills_minus_1_to_1_along_the_largest_side() -> None:

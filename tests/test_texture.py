@@ -68,6 +68,17 @@ def test_given_mip_levels_are_used_as_they_are(stage: Stage) -> None:
     assert close(picture[60, 80], 160)  # level 4, the last one given, though smaller would fit
 
 
+def test_between_two_mip_levels_they_are_mixed_or_the_nearer_taken(stage: Stage) -> None:
+    # 340 texels on 120 pixels: half-way between level 1 and level 2.
+    levels = [np.full((340 >> k, 340 >> k, 3), 28 * k, np.uint8) for k in range(9)]
+    mixed = shown(stage, Texture(levels))[60, 80]
+    assert 30 < mixed[0] < 54
+    nearer = shown(stage, Texture(levels, trilinear=False))
+    assert set(np.unique(nearer)) <= {28, 56}
+    sharper = shown(stage, Texture(levels, trilinear=False, sharper=1.0))
+    assert set(np.unique(sharper)) <= {0, 28} and (sharper < nearer).all()
+
+
 def test_making_a_texture_leaves_the_bound_one_bound(stage: Stage) -> None:
     first = Texture(noise(4, 4, 3))
     first.bind()

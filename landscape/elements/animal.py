@@ -17,7 +17,7 @@ from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_points
 from landscape.frame import Frame, in_view
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import Mesh, centred, clustered, is_closed, vertex_normals
+from landscape.gl.mesh_tool import Mesh, centred, clustered, gathered, is_closed, vertex_normals
 from landscape.gl.state import attrib, front_faces, matrix
 from landscape.gl.texture import Texture
 from landscape.meshes import read_colours, read_mesh
@@ -104,7 +104,7 @@ class Animal:
     def _list(self, cube: float) -> DisplayList:
         """Return the list of a level of detail, compiled when it is first asked for."""
         if cube not in self._lists:
-            mesh = self._lay(clustered(self._mesh, cube) if cube else self._mesh)
+            mesh = gathered(self._lay(clustered(self._mesh, cube) if cube else self._mesh))
             scaled = replace(mesh, vertices=mesh.vertices * np.float32(self._scale))
             self._lists[cube] = DisplayList(scaled.draw)
         return self._lists[cube]
