@@ -34,6 +34,7 @@ from landscape.gl.calls import gl, recording
 from landscape.gl.context import open_context
 from landscape.gl.display_list import DisplayList
 from landscape.gl.framebuffer import Framebuffer
+from landscape.gl.replay import Replay
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture import Texture, read_image
 from landscape.island import ELEMENTS, SEED, Island, Moment
@@ -249,7 +250,7 @@ def _measure_group(
     """Time frames, replays and layers of views that share an island; count the frames' calls."""
     shown = set().union(*(VIEWS[name].shown for name in names)) & set(plan.only)
     island = Island(values, Assets(plan.assets), plan.seed, tuple(sorted(shown)))
-    lists: list[DisplayList] = []
+    lists: list[Replay] = []
     actions: dict[str, Callable[[], object]] = {}
     before: dict[str, Callable[[], object]] = {}
     try:
@@ -262,7 +263,7 @@ def _measure_group(
             # A frame reads the camera's matrix back, and a list being compiled sets none: having
             # just been drawn, the frame has left the very matrix that it will ask for.
             draw()
-            lists.append(DisplayList(draw))
+            lists.append(Replay(draw))
             # A layer beside each view meets the same slow moments.
             actions |= {
                 f"{name} frame": draw,

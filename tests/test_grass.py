@@ -255,7 +255,7 @@ def test_bending_does_not_wear_the_still_blades_out() -> None:
 
 
 def test_with_fade_far_cells_are_thinned_and_far_blades_shrink() -> None:
-    grass = sow(fade=True, count=200_000)
+    grass = sow(fade=True, count=2_000_000)
     frame = frame_at(Pose(20.0, 3.1, 20.0))
     patch = grass.select(frame)
     blades, places = grass.bend(frame, patch), patch.positions

@@ -123,7 +123,7 @@ def test_an_empty_toml_file_changes_nothing(tmp_path: Path) -> None:
 
 def test_the_message_says_what_would_do() -> None:
     for key, value, message in (
-        ("grass.count", "2.5", "a whole number from 0 to 10000000, not '2.5'"),
+        ("grass.count", "2.5", "a whole number from 0 to 40000000, not '2.5'"),
         ("fog.color", "1,2", "3 numbers from 0 to 1, separated by commas, not '1,2'"),
         ("fog.mode", "exp3", "one of exp2, exp, linear, not 'exp3'"),
         ("fog.enabled", 2, "true or false, not 2"),
