@@ -45,6 +45,7 @@ TURN = math.radians(4.0)  # chosen: and the angle it may turn
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
+LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: what tall grass has more of the ground's colour
 BENT = np.array([0.5, 0.5, 1.0], np.float32)  # part of the wind on shoulders and tip
 SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # of a blade's feet and shoulders
 COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.float32)
@@ -303,6 +304,7 @@ class Grass:
         if grass.tinted:
             colour = self._ground.colour(roots[:, 0], roots[:, 1])
             colour *= 1.0 + grass.variety * (hues(len(roots), rng) - 1.0)
+            colour *= 1.0 + grass.variety * meadow(roots[:, 0], roots[:, 1])[:, None] * LUSH
             colour *= self._ground.light(roots[:, 0], roots[:, 1])[:, None]
             tints[..., :3] = blade_tints(colour[tuft], rng, *self._ends)
         return Patch(positions.astype(np.float32), blades, tints, reach.astype(np.float32))
@@ -310,7 +312,7 @@ class Grass:
     def _tallness(self, roots: np.ndarray, rng: np.random.Generator) -> np.ndarray:
         """Return how much taller than the mean (0) tufts with these roots (n, 2) are, over -1."""
         own = rng.uniform(-0.35, 0.45, len(roots))
-        return np.asarray(own + 0.35 * meadow(roots[:, 0], roots[:, 1]))
+        return np.asarray(own + 0.45 * meadow(roots[:, 0], roots[:, 1]))
 
     def select(self, frame: Frame, spare: float = 0.0, turn: float = 0.0) -> Patch:
         """Return what to draw: the visible cells' blades, the far cells' thinned out.
