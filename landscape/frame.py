@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -45,20 +46,34 @@ class Frame:
     stroke: int = 0
     mirrored: bool = False
 
-    @property
+    @cached_property
     def eye(self) -> np.ndarray:
         """The eye's place, float64 (3,)."""
         return np.array([self.pose.x, self.pose.y, self.pose.z])
 
-    @property
+    @cached_property
     def right(self) -> np.ndarray:
         """The camera's right, the first row of the modelview's 3x3 block (section 5.1.1)."""
         return self.modelview[[0, 4, 8]]
 
-    @property
+    @cached_property
     def up(self) -> np.ndarray:
         """The camera's up, the second row of the modelview's 3x3 block."""
         return self.modelview[[1, 5, 9]]
+
+    @cached_property
+    def sides(self) -> np.ndarray:
+        """Normals (3, 5) of the planes through the eye that bound the view, pointing into it.
+
+        The last is the view's direction, of length 1; those of the frustum's four sides have the
+        length by which a ball's radius must be multiplied, or a box' half sides.
+        """
+        ahead = -self.modelview[[2, 6, 10]]
+        top = math.tan(math.radians(self.fov) / 2)
+        side = top * self.size[0] / self.size[1]
+        across, rise = self.right, self.up
+        planes = [ahead * side - across, ahead * side + across, ahead * top - rise]
+        return np.stack([*planes, ahead * top + rise, ahead], axis=1)
 
     @property
     def pixels(self) -> float:
@@ -76,11 +91,18 @@ def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarra
 
     Its four sides go through the eye; near and far planes are left out.
     """
-    ahead = -frame.depth(positions)
-    kind = positions.dtype
-    away = positions - frame.eye.astype(kind)
-    top = math.tan(math.radians(frame.fov) / 2)
-    kept = ahead > -reach
-    for axis, slope in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
-        kept &= np.abs(away @ axis.astype(kind)) < ahead * slope + reach * math.hypot(1.0, slope)
-    return np.asarray(kept)
+    sides = frame.sides.astype(positions.dtype)
+    within = (positions - frame.eye.astype(positions.dtype)) @ sides
+    lengths = np.sqrt((sides * sides).sum(axis=0))
+    return np.asarray((within > -reach[:, None] * lengths).all(axis=1))
+
+
+def boxes_in_view(frame: Frame, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """Return a mask (n,) of the boxes, corners (n, 3), that the camera may see.
+
+    A box is left out when all its corners lie behind one and the same side of the view: when the
+    one that lies farthest along the side's normal does.
+    """
+    middles, halves = (low + high) / 2 - frame.eye, (high - low) / 2
+    within = middles @ frame.sides + halves @ np.abs(frame.sides)
+    return np.asarray((within >= 0.0).all(axis=1))

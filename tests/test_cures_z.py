@@ -15,7 +15,6 @@ from landscape.elements.animal import by_axis, read_animal
 from landscape.elements.grass import Grass, blade_vertices, facing, send_one_by_one
 from landscape.elements.ground import (
     Ground,
-    boxes_in_view,
     clipped,
     cut,
     every_second,
@@ -30,7 +29,7 @@ from landscape.elements.height_field import (
     spline_weights,
 )
 from landscape.elements.rabbit import Rabbit
-from landscape.frame import Pose
+from landscape.frame import Pose, boxes_in_view
 from landscape.gl.calls import recording
 from landscape.gl.mesh_tool import Mesh
 from landscape.island import Island

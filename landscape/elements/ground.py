@@ -31,7 +31,7 @@ from landscape.elements.height_field import (
     read_heights,
 )
 from landscape.elements.waves import cut_level
-from landscape.frame import Frame
+from landscape.frame import Frame, boxes_in_view
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.mesh_tool import Mesh, grid_triangles
@@ -115,24 +115,6 @@ def every_second(mesh: Mesh) -> Mesh:
     colours = None if mesh.colors is None else np.ascontiguousarray(mesh.colors[kept])
     triangles = grid_triangles(len(lines), len(lines))
     return Mesh(mesh.vertices[kept], mesh.normals[kept], triangles, coordinates, colours)
-
-
-def boxes_in_view(frame: Frame, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of the boxes, corners (n, 3), that the camera may see.
-
-    A box is left out when all its corners lie behind one and the same side of the view.
-    """
-    ends = np.stack([low, high])
-    x, y, z = np.meshgrid([0, 1], [0, 1], [0, 1], indexing="ij")
-    corners = np.stack([ends[k.ravel(), :, a] for a, k in enumerate((x, y, z))], axis=2)  # 8, n, 3
-    away = corners - frame.eye
-    ahead = -frame.depth(corners)
-    width, height = frame.size
-    half = np.tan(np.radians(frame.fov / 2))
-    seen = (ahead > 0).any(axis=0)
-    for across, reach in ((away @ frame.right, half * width / height), (away @ frame.up, half)):
-        seen &= (across <= ahead * reach).any(axis=0) & (-across <= ahead * reach).any(axis=0)
-    return np.asarray(seen)
 
 
 def textured(

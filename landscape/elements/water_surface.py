@@ -15,12 +15,12 @@ import numpy as np
 
 from landscape.assets import Assets
 from landscape.elements.foam import Foam
-from landscape.elements.ground import HeightField, boxes_in_view
+from landscape.elements.ground import HeightField
 from landscape.elements.reflection import MirrorImage
 from landscape.elements.sea import Sea
 from landscape.elements.sea_watch import SeaWatch
 from landscape.elements.waves import TWO_PI, fresnel_alpha, wave_coordinates
-from landscape.frame import Frame
+from landscape.frame import Frame, boxes_in_view
 from landscape.gl.calls import gl
 from landscape.gl.mesh_tool import grid_triangles
 from landscape.gl.state import attrib, client_arrays, matrix
