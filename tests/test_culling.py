@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from stage import Stage, quad, small, write_ply
+from stage import Stage, live_names, quad, small, write_ply
 from test_rabbit_dragon import CUBE, CUBE_FACES, LIT
 
 from landscape.assets import Assets
-from landscape.elements.animal import LEVELS
+from landscape.elements.animal import LEVELS, LISTS
 from landscape.elements.dragon import Dragon
 from landscape.elements.sea_watch import ABOVE, SeaWatch, compiling
 from landscape.frame import Pose
@@ -205,6 +205,22 @@ def test_the_farther_an_animal_the_coarser_its_mesh(stage: Stage, plain_folder) 
     assert chosen == sorted(chosen) and chosen[0] < chosen[2] and chosen[3] == LEVELS[-1]
     # 120 pixels over 60 degrees: 104 pixels a unit at one unit off; the mesh is half as large.
     assert levels[1.0, 10.0] * 0.5 * 104 / 9.0 <= 1.0
+
+
+def test_a_walk_past_an_animal_keeps_a_few_of_its_meshes(stage: Stage, plain_folder) -> None:
+    write_ply(plain_folder / "dragon.ply", CUBE, CUBE_FACES)
+    settings = small({**LIT, "camera.detail": 0.2, "camera.cull": True})
+    dragon, used = Dragon(settings, Assets(plain_folder)), set()
+    before = live_names()[1]
+    for away in np.geomspace(1.2, 200.0, 40):
+        with stage.frame(settings, Pose(20.0, 0.6, 20.0 + away)) as frame:
+            dragon.draw(frame)
+            used.add(dragon.level(frame))
+            assert dragon.level(frame) in dragon._lists
+        assert len(dragon._lists) <= LISTS
+    assert len(used) > LISTS
+    assert len(live_names()[1]) <= len(before) + LISTS - 1
+    dragon.release()
 
 
 def test_in_the_mirror_image_an_animal_may_be_coarser(stage: Stage, plain_folder) -> None:

@@ -26,6 +26,7 @@ from landscape.settings import Settings
 COLOR = (0.6, 0.6, 0.7, 1.0)  # section 7.2
 SHININESS = 40.0  # chosen: wet scales
 # Chosen: sides of the cubes whose vertices are drawn together, on a mesh of -1..1; 0 draws all.
+LISTS = 4  # chosen: levels of detail kept; the window and the mirror image show one each
 LEVELS = (0.0, 0.007, 0.01, 0.014, 0.02, 0.03, 0.04, 0.06, 0.08)
 
 
@@ -102,11 +103,15 @@ class Animal:
         self._list(LEVELS[0])
 
     def _list(self, cube: float) -> DisplayList:
-        """Return the list of a level of detail, compiled when it is first asked for."""
+        """Return the list of a level of detail, compiled when it is asked for; LISTS are kept."""
         if cube not in self._lists:
             mesh = gathered(self._lay(clustered(self._mesh, cube) if cube else self._mesh))
             scaled = replace(mesh, vertices=mesh.vertices * np.float32(self._scale))
+            if len(self._lists) == LISTS:
+                self._lists.pop(next(iter(self._lists))).release()
             self._lists[cube] = DisplayList(scaled.draw)
+        # The last used comes last.
+        self._lists[cube] = self._lists.pop(cube)
         return self._lists[cube]
 
     def level(self, frame: Frame | None) -> float:
