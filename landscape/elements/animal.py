@@ -25,8 +25,8 @@ from landscape.settings import Settings
 
 COLOR = (0.6, 0.6, 0.7, 1.0)  # section 7.2
 SHININESS = 40.0  # chosen: wet scales
-# Chosen: sides of the cubes whose vertices are drawn together, on a mesh of -1..1; 0 draws all.
 LISTS = 4  # chosen: levels of detail kept; the window and the mirror image show one each
+# Chosen: sides of the cubes whose vertices are drawn together, on a mesh of -1..1; 0 draws all.
 LEVELS = (0.0, 0.007, 0.01, 0.014, 0.02, 0.03, 0.04, 0.06, 0.08)
 
 
