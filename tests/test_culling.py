@@ -1,15 +1,17 @@
 """What is skipped to save time, back faces, far detail, a hidden sea: no picture shows it."""
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 import pytest
+import trimesh
 from stage import Stage, live_names, quad, small, write_ply
 from test_rabbit_dragon import CUBE, CUBE_FACES, LIT
 
 from landscape.assets import Assets
-from landscape.elements.animal import LEVELS, LISTS
+from landscape.elements.animal import CUBES, SPARED, levels_of_detail
 from landscape.elements.dragon import Dragon
 from landscape.elements.sea_watch import ABOVE, SeaWatch, compiling
 from landscape.frame import Pose
@@ -189,8 +191,14 @@ def test_a_mesh_is_closed_if_each_edge_has_its_other_half() -> None:
     assert not is_closed(np.concatenate([faces, faces[:1]]))
 
 
+def rough_ball() -> tuple[np.ndarray, np.ndarray]:
+    """Return vertices and triangles of a ball fine enough for several levels of detail."""
+    ball = trimesh.creation.icosphere(subdivisions=5)
+    return np.asarray(ball.vertices), np.asarray(ball.faces)
+
+
 def test_the_farther_an_animal_the_coarser_its_mesh(stage: Stage, plain_folder) -> None:
-    write_ply(plain_folder / "dragon.ply", CUBE, CUBE_FACES)
+    write_ply(plain_folder / "dragon.ply", *rough_ball())
     assets = Assets(plain_folder)
     levels = {}
     for detail in (0.0, 1.0):
@@ -199,32 +207,64 @@ def test_the_farther_an_animal_the_coarser_its_mesh(stage: Stage, plain_folder) 
         for away in (2.0, 10.0, 40.0, 400.0):
             with stage.frame(settings, Pose(20.0, 0.6, 20.0 + away)) as frame:
                 levels[detail, away] = dragon.level(frame)
+                dragon.draw(frame)
         dragon.release()
     assert all(levels[0.0, away] == 0.0 for away in (2.0, 400.0))
     chosen = [levels[1.0, away] for away in (2.0, 10.0, 40.0, 400.0)]
-    assert chosen == sorted(chosen) and chosen[0] < chosen[2] and chosen[3] == LEVELS[-1]
+    assert chosen == sorted(chosen) and chosen[0] < chosen[2] and chosen[3] == CUBES[-1]
     # 120 pixels over 60 degrees: 104 pixels a unit at one unit off; the mesh is half as large.
     assert levels[1.0, 10.0] * 0.5 * 104 / 9.0 <= 1.0
 
 
-def test_a_walk_past_an_animal_keeps_a_few_of_its_meshes(stage: Stage, plain_folder) -> None:
-    write_ply(plain_folder / "dragon.ply", CUBE, CUBE_FACES)
+def test_each_level_of_detail_spares_enough_to_be_kept() -> None:
+    vertices, faces = rough_ball()
+    mesh = Mesh(vertices.astype(np.float32), vertices.astype(np.float32), faces.astype(np.uint32))
+    levels = levels_of_detail(mesh, lambda level: level, CUBES)
+    sizes = [len(level.triangles) for level in levels.values()]
+    assert next(iter(levels)) == 0.0 and sizes[0] == len(faces)
+    assert 1 < len(sizes) < len(CUBES)
+    assert all(after <= SPARED * before for before, after in itertools.pairwise(sizes))
+
+
+def test_the_lists_of_all_levels_are_made_at_once_and_released(stage: Stage, plain_folder) -> None:
+    write_ply(plain_folder / "dragon.ply", *rough_ball())
     settings = small({**LIT, "camera.detail": 0.2, "camera.cull": True})
-    dragon, used = Dragon(settings, Assets(plain_folder)), set()
     before = live_names()[1]
+    dragon, used = Dragon(settings, Assets(plain_folder)), set()
+    made = live_names()[1]
     for away in np.geomspace(1.2, 200.0, 40):
         with stage.frame(settings, Pose(20.0, 0.6, 20.0 + away)) as frame:
             dragon.draw(frame)
             used.add(dragon.level(frame))
-            assert dragon.level(frame) in dragon._lists
-        assert len(dragon._lists) <= LISTS
-    assert len(used) > LISTS
-    assert len(live_names()[1]) <= len(before) + LISTS - 1
+    assert len(used) > 2
+    assert live_names()[1] == made > before
     dragon.release()
+    assert live_names()[1] == before
+
+
+def test_levels_of_detail_from_the_cache_are_those_just_made(
+    stage: Stage, plain_folder, tmp_path, monkeypatch
+) -> None:
+    write_ply(plain_folder / "dragon.ply", *rough_ball())
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path / "cache"))
+    settings = small({**LIT, "camera.detail": 1.0})
+    pictures, made = [], []
+    monkeypatch.setattr(
+        "landscape.elements.animal.clustered", lambda *a: made.append(a) or clustered(*a)
+    )
+    for _ in range(2):
+        dragon = Dragon(settings, Assets(plain_folder))
+        with stage.frame(settings, Pose(20.0, 0.6, 26.0)) as frame:
+            dragon.draw(frame)
+        pictures.append(stage.read())
+        made.append("end")
+        dragon.release()
+    assert np.array_equal(*pictures) and pictures[0].std() > 1
+    assert made[-2:] == ["end", "end"] and len(made) > 2
 
 
 def test_in_the_mirror_image_an_animal_may_be_coarser(stage: Stage, plain_folder) -> None:
-    write_ply(plain_folder / "dragon.ply", CUBE, CUBE_FACES)
+    write_ply(plain_folder / "dragon.ply", *rough_ball())
     levels = []
     for coarse in (1.0, 8.0):
         settings = small(

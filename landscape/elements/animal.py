@@ -7,12 +7,13 @@ State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.cache import recall
 from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_points
 from landscape.frame import Frame, in_view
 from landscape.gl.calls import gl
@@ -25,9 +26,10 @@ from landscape.settings import Settings
 
 COLOR = (0.6, 0.6, 0.7, 1.0)  # section 7.2
 SHININESS = 40.0  # chosen: wet scales
-LISTS = 4  # chosen: levels of detail kept; the window and the mirror image show one each
 # Chosen: sides of the cubes whose vertices are drawn together, on a mesh of -1..1; 0 draws all.
-LEVELS = (0.0, 0.007, 0.01, 0.014, 0.02, 0.03, 0.04, 0.06, 0.08)
+CUBES = (0.0, 0.01, 0.014, 0.02, 0.03, 0.04, 0.06, 0.08)
+SPARED = 0.85  # chosen: a level of detail has at most this part of the finer one's triangles
+Levels = dict[float, Mesh]
 
 
 def by_axis(mesh: Mesh, repeat: float) -> Mesh:
@@ -72,6 +74,42 @@ def read_painted(assets: Assets, name: str, key: str, colours: bool) -> Mesh:
     return replace(mesh, colors=np.ascontiguousarray(np.hstack([found, opaque])))
 
 
+def levels_of_detail(mesh: Mesh, lay: Callable[[Mesh], Mesh], cubes: Sequence[float]) -> Levels:
+    """Return a mesh as it is to be drawn, by the side of the cubes it was coarsened with.
+
+    ``lay`` gives a mesh its texture coordinates. A level that spares too little is left out.
+    """
+    levels: Levels = {}
+    most = math.inf
+    for cube in cubes:
+        level = clustered(mesh, cube) if cube else mesh
+        if len(level.triangles) <= most:
+            levels[cube] = gathered(lay(level))
+            most = SPARED * len(level.triangles)
+    return levels
+
+
+def packed(levels: Levels) -> tuple[np.ndarray, ...]:
+    """Return levels of detail as arrays, for the cache."""
+    arrays = [np.array(list(levels))]
+    for mesh in levels.values():
+        colors = np.empty((0, 4), np.uint8) if mesh.colors is None else mesh.colors
+        arrays += [mesh.vertices, mesh.normals, mesh.triangles, *mesh.coordinates, colors]
+    return tuple(arrays)
+
+
+def unpacked(arrays: Sequence[np.ndarray]) -> Levels:
+    """Return the levels of detail that were packed."""
+    cubes, *rest = arrays
+    levels: Levels = {}
+    for cube, place in zip(cubes.tolist(), range(0, len(rest), 5), strict=True):
+        vertices, normals, triangles, coordinates, colors = rest[place : place + 5]
+        levels[cube] = Mesh(
+            vertices, normals, triangles, (coordinates,), colors if len(colors) else None
+        )
+    return levels
+
+
 class Animal:
     """A lit, textured mesh, standing somewhere; ``elements`` names it in a trace."""
 
@@ -81,6 +119,7 @@ class Animal:
         self,
         mesh: Mesh,
         lay: Callable[[Mesh], Mesh],
+        source: Iterable[bytes | str],
         texture: Texture,
         scale: float,
         place: tuple[float, float, float],
@@ -90,40 +129,36 @@ class Animal:
     ) -> None:
         """Scale a mesh of -1..1 to ``scale`` units and stand it at ``place``, ``yaw`` in degrees.
 
-        ``lay`` gives a mesh its texture coordinates. ``gloss``, 0 to 1, is the strength of the
-        sun's glint. Scaled here rather than by glScalef, which would scale the normals too and need
-        GL_NORMALIZE.
+        ``lay`` gives a mesh its texture coordinates; ``source`` tells mesh and layout from any
+        others, for the cache. ``gloss``, 0 to 1, is the strength of the sun's glint. Scaled here
+        rather than by glScalef, which would scale the normals too and need GL_NORMALIZE.
         """
         self._place, self._yaw, self._texture = place, yaw, texture
-        self._mesh, self._lay, self._scale = mesh, lay, scale
+        self._mesh, self._scale = mesh, scale
         self._reach = scale * float(np.linalg.norm(mesh.vertices, axis=1).max(initial=0.0))
         self._settings, self._gloss = settings, gloss
         self._closed = is_closed(mesh.triangles)
-        self._lists: dict[float, DisplayList] = {}
-        self._list(LEVELS[0])
-
-    def _list(self, cube: float) -> DisplayList:
-        """Return the list of a level of detail, compiled when it is asked for; LISTS are kept."""
-        if cube not in self._lists:
-            mesh = gathered(self._lay(clustered(self._mesh, cube) if cube else self._mesh))
-            scaled = replace(mesh, vertices=mesh.vertices * np.float32(self._scale))
-            if len(self._lists) == LISTS:
-                self._lists.pop(next(iter(self._lists))).release()
-            self._lists[cube] = DisplayList(scaled.draw)
-        # The last used comes last.
-        self._lists[cube] = self._lists.pop(cube)
-        return self._lists[cube]
+        cubes = CUBES if settings.camera.detail > 0.0 else CUBES[:1]
+        levels = recall(
+            ["levels of detail", repr(cubes), *source],
+            lambda: packed(levels_of_detail(mesh, lay, cubes)),
+        )
+        # All at once: a list that comes and goes leaves holes in the memory it lay in.
+        self._lists = {
+            cube: DisplayList(replace(level, vertices=level.vertices * np.float32(scale)).draw)
+            for cube, level in unpacked(levels).items()
+        }
 
     def level(self, frame: Frame | None) -> float:
-        """Return the cubes of the coarsest mesh that leaves out nothing larger than is allowed."""
+        """Return the cube of the coarsest mesh that leaves out nothing larger than is allowed."""
         allowed = self._settings.camera.detail
         if frame is None or allowed <= 0.0:
-            return LEVELS[0]
+            return CUBES[0]
         if frame.mirrored:
             allowed *= self._settings.reflection.coarse
         away = float(np.linalg.norm(frame.eye - self._middle(frame))) - self._reach
         unit = frame.pixels / max(away, self._settings.camera.near)
-        return max(cube for cube in LEVELS if cube * self._scale * unit <= allowed)
+        return max(cube for cube in self._lists if cube * self._scale * unit <= allowed)
 
     def _middle(self, frame: Frame) -> np.ndarray:
         """Return the animal's middle, or its mirror image if the frame is mirrored."""
@@ -161,7 +196,7 @@ class Animal:
             if self._gloss:
                 self._shine()
             with front_faces(self._closed and self._settings.camera.cull):
-                self._list(self.level(frame)).call()
+                self._lists[self.level(frame)].call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def _shine(self) -> None:

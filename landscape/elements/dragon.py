@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.cache import content
 from landscape.elements.animal import Animal, by_axis, read_painted
 from landscape.gl.mesh_tool import Mesh
 from landscape.gl.texture import Texture, read_image
@@ -43,6 +44,7 @@ class Dragon(Animal):
         super().__init__(
             mesh,
             lay,
+            (content(assets.path(dragon.mesh)), repr(dragon)),
             Texture(read_image(assets.path("animal.png"), "RGB")),
             dragon.scale,
             (dragon.x, y, dragon.z),

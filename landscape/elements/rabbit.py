@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.cache import content
 from landscape.elements.animal import Animal, by_axis, read_painted
 from landscape.elements.ground import HeightField
 from landscape.gl.mesh_tool import Mesh
@@ -50,6 +51,7 @@ class Rabbit(Animal):
         super().__init__(
             mesh,
             lay,
+            (content(assets.path(rabbit.mesh)), repr(rabbit)),
             Texture(read_image(assets.path("animal.png"), "RGB")),
             rabbit.scale,
             (rabbit.x, y, rabbit.z),

@@ -43,8 +43,6 @@ from landscape.gl.texture import Texture, mip_chain, read_image
 from landscape.settings import Settings
 
 CROWN_SHADE = 0.6  # chosen: how far a crown hides the sky from the ground, times the tree's width
-SHADE = 0.6  # chosen: how far a crown hides the sky from the ground, times the tree's width
-CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see _single
 SHADE = 0.5  # chosen: power of the ground's light; a plant stands up into more of it
 SUNWARD = 0.8  # chosen: times its height, how far sunward of a plant its light is asked for
 
