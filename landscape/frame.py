@@ -1,10 +1,15 @@
 """What an element is told about the frame it draws: no element reads a clock or draws a lot."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+
+# What is chosen to be drawn serves several frames, with what comes into view meanwhile.
+SPARE = 0.06  # chosen: units the eye may move until it is chosen anew
+TURN = math.radians(4.0)  # chosen: and the angle it may turn
 
 
 @dataclass(frozen=True)
@@ -62,6 +67,11 @@ class Frame:
         return self.modelview[[1, 5, 9]]
 
     @cached_property
+    def axes(self) -> np.ndarray:
+        """The modelview's 3x3 block, (9,), which turns the world's axes to the camera's."""
+        return self.modelview[[0, 1, 2, 4, 5, 6, 8, 9, 10]]
+
+    @cached_property
     def sides(self) -> np.ndarray:
         """Normals (3, 5) of the planes through the eye that bound the view, pointing into it.
 
@@ -75,6 +85,12 @@ class Frame:
         planes = [ahead * side - across, ahead * side + across, ahead * top - rise]
         return np.stack([*planes, ahead * top + rise, ahead], axis=1)
 
+    @cached_property
+    def side_rows(self) -> list[list[float]]:
+        """:attr:`sides` as plain numbers, a normal a row."""
+        rows: list[list[float]] = self.sides.T.tolist()
+        return rows
+
     @property
     def pixels(self) -> float:
         """How many pixels high a thing of one unit is, one unit away."""
@@ -86,15 +102,39 @@ class Frame:
         return points @ axis + points.dtype.type(self.modelview[14])
 
 
+def is_near(then: Frame, now: Frame, spare: float = SPARE, turn: float = TURN) -> bool:
+    """Return whether the eye of ``then`` has moved less than ``spare`` units, or not at all.
+
+    And turned less than ``turn`` radians about any axis, before the same window.
+    """
+    if (then.size, then.fov) != (now.size, now.fov):
+        return False
+    if then.pose == now.pose:
+        return True
+    # The trace of the rotation from one view to the other is 1 + 2 cos(angle).
+    trace = float(then.axes @ now.axes)
+    return math.dist(then.eye, now.eye) < spare and trace > 1.0 + 2.0 * math.cos(turn)
+
+
 def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarray:
     """Return whether balls about positions (n, 3) of radius ``reach`` (n,) meet the frustum, (n,).
 
     Its four sides go through the eye; near and far planes are left out.
     """
-    sides = frame.sides.astype(positions.dtype)
-    within = (positions - frame.eye.astype(positions.dtype)) @ sides
-    lengths = np.sqrt((sides * sides).sum(axis=0))
-    return np.asarray((within > -reach[:, None] * lengths).all(axis=1))
+    sides = frame.sides.astype(positions.dtype).T
+    within = sides @ (positions - frame.eye.astype(positions.dtype)).T
+    lengths = np.sqrt((sides * sides).sum(axis=1))
+    return np.asarray((within > -reach * lengths[:, None]).all(axis=0))
+
+
+def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
+    """Return what in_view does of one ball, without arrays: a tenth of the time."""
+    pose = frame.pose
+    x, y, z = middle[0] - pose.x, middle[1] - pose.y, middle[2] - pose.z
+    return all(
+        a * x + b * y + c * z > -reach * math.sqrt(a * a + b * b + c * c)
+        for a, b, c in frame.side_rows
+    )
 
 
 def boxes_in_view(frame: Frame, low: np.ndarray, high: np.ndarray) -> np.ndarray:

@@ -15,7 +15,7 @@ import numpy as np
 from landscape.assets import Assets
 from landscape.cache import recall
 from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_points
-from landscape.frame import Frame, in_view
+from landscape.frame import Frame, ball_in_view
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.mesh_tool import Mesh, centred, clustered, gathered, is_closed, vertex_normals
@@ -156,14 +156,14 @@ class Animal:
             return CUBES[0]
         if frame.mirrored:
             allowed *= self._settings.reflection.coarse
-        away = float(np.linalg.norm(frame.eye - self._middle(frame))) - self._reach
+        away = math.dist(frame.eye, self._middle(frame)) - self._reach
         unit = frame.pixels / max(away, self._settings.camera.near)
         return max(cube for cube in self._lists if cube * self._scale * unit <= allowed)
 
-    def _middle(self, frame: Frame) -> np.ndarray:
+    def _middle(self, frame: Frame) -> tuple[float, float, float]:
         """Return the animal's middle, or its mirror image if the frame is mirrored."""
         x, y, z = self._place
-        return np.array([x, 2.0 * self._settings.water.level - y if frame.mirrored else y, z])
+        return x, 2.0 * self._settings.water.level - y if frame.mirrored else y, z
 
     def cast(self, shadows: ShadowMap) -> None:
         """Throw the mesh's shadow, and darken the ground under it."""
@@ -178,7 +178,7 @@ class Animal:
 
     def visible(self, frame: Frame) -> bool:
         """Tell whether the ball round the mesh, mirrored if the frame is, meets the view."""
-        return bool(in_view(frame, self._middle(frame)[None], np.array([self._reach]))[0])
+        return ball_in_view(frame, self._middle(frame), self._reach)
 
     def draw(self, frame: Frame | None = None) -> None:
         """Draw the mesh where it stands; with ``camera.cull``, only if ``frame`` may show it."""

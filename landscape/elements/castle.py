@@ -33,7 +33,7 @@ from landscape.elements.castle_meshes import (
 )
 from landscape.elements.ground import HeightField
 from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_points, on_edges
-from landscape.frame import Frame, in_view
+from landscape.frame import Frame, ball_in_view
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.mesh_tool import revolve
@@ -212,7 +212,7 @@ class Castle:
         x, y, z = self.base[0], self.base[1] + 0.5, self.base[2]
         if frame.mirrored:
             y = 2.0 * self._settings.water.level - y
-        return bool(in_view(frame, np.array([(x, y, z)]), np.array([self._ball]))[0])
+        return ball_in_view(frame, (x, y, z), self._ball)
 
     def draw(self, frame: Frame) -> None:
         """Draw the castle, the door, the light on the wall, and the fire."""

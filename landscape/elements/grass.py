@@ -24,7 +24,7 @@ from landscape.assets import Assets
 from landscape.elements.ground import Ground
 from landscape.elements.height_field import greenness as greenness
 from landscape.elements.sprite_quads import sway
-from landscape.frame import Frame
+from landscape.frame import SPARE, TURN, Frame, is_near
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture, read_image
@@ -40,8 +40,6 @@ FOOT = 0.75  # chosen: how light a tinted blade is at its foot, in parts of the 
 TUFT_RADIUS = 0.017  # chosen: units, how far apart the roots of a tuft's blades are
 KEPT = 6  # chosen: times the blades in view are kept grown, for when the walker turns round
 LEAST = 40_000  # chosen: so many blades are kept in any case, 4 MB
-SPARE = 0.06  # chosen: units the eye may move until blades are chosen anew
-TURN = math.radians(4.0)  # chosen: and the angle it may turn
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
@@ -360,13 +358,7 @@ class Grass:
     def _still_holds(self, frame: Frame, spare: float, turn: float) -> bool:
         assert self._chosen_for is not None
         then, settings = self._chosen_for
-        if frame.pose == then.pose and settings is self._settings:
-            return (then.size, then.fov) == (frame.size, frame.fov)
-        if settings is not self._settings or (then.size, then.fov) != (frame.size, frame.fov):
-            return False
-        moved = math.dist(then.eye, frame.eye)
-        along = sum(a * b for a, b in zip(then.pose.forward, frame.pose.forward, strict=True))
-        return moved < spare and along > math.cos(turn)
+        return settings is self._settings and is_near(then, frame, spare, turn)
 
     def bend(self, frame: Frame, patch: Patch) -> np.ndarray:
         """Return a patch's blades, float32 (n, 5, 3), bent by the wind.

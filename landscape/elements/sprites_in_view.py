@@ -1,8 +1,9 @@
 """What a frame shows of the sprites, as arrays for one glDrawElements, far to near. No OpenGL.
 
-A frame asks for it once and draws it twice, mirrored and straight. What a sprite never changes
-(its place, picture and tint) is laid out once in the form that OpenGL takes, float32 and uint8; a
-frame gathers the rows it needs and adds what depends on the eye: the quads' corners, alpha, order.
+A frame asks for it once and draws it twice, mirrored and straight. The sprites that may show are
+chosen for several frames at once (:class:`Choice`), and all that stays the same of them is laid out
+in the form that OpenGL takes, float32 and uint8; a frame adds what depends on the eye: the quads'
+corners, alpha, order.
 """
 
 import math
@@ -31,7 +32,7 @@ from landscape.elements.sprite_quads import (
     upright_axes,
     within,
 )
-from landscape.frame import Frame, in_view
+from landscape.frame import SPARE, TURN, Frame, in_view, is_near
 from landscape.settings import Settings
 
 # Sines of the angle of a view from above, all chosen: between which a view from above comes in,
@@ -149,25 +150,58 @@ def has_top(settings: Settings, cells: np.ndarray) -> np.ndarray:
 
 
 @dataclass(frozen=True)
+class Choice:
+    """Sprites that may show while the eye stays about where it is, in order of their numbers.
+
+    Of each the place (n, 3), size (n, 2), atlas cell and radius; where the deer, the plants, and
+    those with a picture from above are; of their billboards texture coordinates (n, 4, 2), colours
+    (n, 4, 4), whose alpha each frame writes, and triangles (n, 6); and boxes of what is opaque in
+    their pictures (n, 8, 2), on the quad and in the atlas.
+    """
+
+    made_for: tuple[Frame, Settings]
+    which: np.ndarray
+    positions: np.ndarray
+    sizes: np.ndarray
+    cells: np.ndarray
+    radius: np.ndarray
+    deer: np.ndarray
+    plants: np.ndarray
+    topped: np.ndarray
+    coordinates: np.ndarray
+    colours: np.ndarray
+    triangles: np.ndarray
+    boxes: tuple[np.ndarray, np.ndarray]
+    crossed: "Crossed | None"
+
+
+@dataclass(frozen=True)
+class Crossed:
+    """Plants so near that they may be crossed quads: their numbers in a choice, (m,).
+
+    ``turns`` (m, k) are the angles of their k quads, ``still`` (m, 6 k, 3) these without wind,
+    ``feet`` (m, 2 k, 3) the middles of the half quads' feet, and texture coordinates (m, 6 k, 2).
+    """
+
+    which: np.ndarray
+    turns: np.ndarray
+    still: np.ndarray
+    feet: np.ndarray
+    coordinates: np.ndarray
+
+
+@dataclass(frozen=True)
 class Seen:
-    """Sprites that a frame shows: their numbers (n,) and, of each, what several quads need.
+    """How the eye sees each sprite of a choice, (n,) each.
 
     ``away`` is the distance on the map in units, ``below`` the sine of the angle at which the view
     goes down to it, ``depth`` the eye-space z, ``alpha`` 0..1.
     """
 
-    which: np.ndarray
-    positions: np.ndarray
-    sizes: np.ndarray
-    cells: np.ndarray
     away: np.ndarray
     below: np.ndarray
     depth: np.ndarray
     alpha: np.ndarray
-
-    def only(self, kept: np.ndarray) -> "Seen":
-        """Return those of a mask (n,), or of an array of indices."""
-        return Seen(*(values[kept] for values in vars(self).values()))
 
 
 class SpriteView:
@@ -183,33 +217,30 @@ class SpriteView:
         }
         self._sizes = np.ascontiguousarray(sprites.sizes, np.float32)
         self._cells, self._slopes, self._rows = sprites.cells, sprites.slopes, rows
-        self._looks = sprites.flipped.astype(int)
         self._flipped = sprites.flipped
         self._tints = sprites.tints.astype(np.uint8)
         self._coordinates = cell_coordinates(
             sprites.cells, sprites.flipped, CORNER_S, CORNER_T, rows
         )
         self._outlines, self._outline_coordinates = outlines, outline_coordinates
+        self._choice: Choice | None = None
 
     def arrays(self, frame: Frame, settings: Settings) -> tuple[np.ndarray, ...]:
         """Return vertices, colours, texture coordinates and indices, sorted if they are to be."""
-        seen = self.seen(frame, settings)
-        plant = seen.cells >= PLANT
-        board = ~plant
-        if within := settings.plants.crossed_within:
-            board |= seen.away > CROSSFADE[0] * within
-            plant &= seen.away < within
-        near = board & (seen.away < TRIM_WITHIN) & settings.transparent.trimmed
-        parts = [self._boards(frame, settings, seen.only(np.flatnonzero(board & ~near)))]
-        if near.any():
-            parts.append(self._boards(frame, settings, seen.only(near), trimmed=True))
-        if plant.any():
-            parts.append(self._crossed(frame, settings, seen.only(plant)))
-        if settings.trees.crown or settings.plants.rosette:
-            top = has_top(settings, seen.cells) & (seen.below > COMES[0])
-            if top.any():
-                parts.append(self._tops(frame, settings, seen.only(top)))
-        quads = Quads.join(parts)
+        choice = self.choice(frame, settings)
+        seen = self._seen(frame, settings, choice)
+        shown = seen.alpha > 0.0
+        parts = self._boards(frame, settings, choice, seen, shown)
+        if choice.crossed is not None:
+            near = shown[choice.crossed.which]
+            if settings.plants.crossed_within:
+                near &= seen.away[choice.crossed.which] < settings.plants.crossed_within
+            if near.any():
+                parts.append(self._crossed(frame, settings, choice, seen, np.flatnonzero(near)))
+        top = np.flatnonzero(choice.topped & (seen.below > COMES[0]))
+        if len(top):
+            parts.append(self._tops(frame, choice, seen, top))
+        quads = Quads.join(parts) if len(parts) > 1 else parts[0]
         return (
             np.ascontiguousarray(quads.vertices, np.float32),
             quads.colours,
@@ -217,97 +248,193 @@ class SpriteView:
             quads.indices(settings.transparent.sorted),
         )
 
-    def seen(self, frame: Frame, settings: Settings) -> Seen:
-        """Return the sprites to draw, mirrored or not, in order of their numbers."""
-        shared, places = settings.transparent, self._places[settings.transparent.rooted]
+    def choice(self, frame: Frame, settings: Settings) -> Choice:
+        """Return the sprites that may show, mirrored or not: the last choice while it serves.
+
+        What it holds too much does not show: it lies beside the window, or has faded away. Without
+        ``transparent.fade`` and ``transparent.trimmed`` each place of the eye has its own choice.
+        """
+        shared = settings.transparent
+        spare, turn = (SPARE, TURN) if shared.fade and shared.trimmed else (0.0, 0.0)
+        if self._choice is not None:
+            then, chosen_settings = self._choice.made_for
+            if chosen_settings is settings and is_near(then, frame, spare, turn):
+                return self._choice
+        places = self._places[shared.rooted]
         radius = radii(settings, self._cells, self._sizes[:, 1], frame)
-        if not shared.trimmed:
-            which = visible_order(frame, places, radius, sort=False)
+        if shared.trimmed:
+            which = self._around(frame, settings, places, radius, spare, turn)
         else:
-            dx, dz = places[:, 0] - frame.pose.x, places[:, 2] - frame.pose.z
-            which = np.flatnonzero(dx * dx + dz * dz < radius * radius)
-            sizes, middles = self._sizes[which], places[which]
-            middles[:, 1] += 0.5 * sizes[:, 1]
-            balls = sizes.sum(axis=1)
-            kept = in_view(frame, middles, balls)
-            if settings.reflection.enabled:
-                middles[:, 1] = 2.0 * settings.water.level - middles[:, 1]
-                kept |= in_view(frame, middles, balls)
-            which = which[kept]
-        positions, sizes, cells = places[which], self._sizes[which], self._cells[which]
-        line = positions - frame.eye.astype(np.float32)
-        flat = line[:, 0] * line[:, 0] + line[:, 2] * line[:, 2]
+            which = visible_order(frame, places, radius, sort=False)
+        cells = self._cells[which]
+        looks = self._flipped[which].astype(int), cells
+        self._choice = Choice(
+            made_for=(frame, settings),
+            which=which,
+            positions=places[which],
+            sizes=self._sizes[which],
+            cells=cells,
+            radius=radius[which],
+            deer=np.flatnonzero(is_deer(cells)),
+            plants=np.flatnonzero(cells >= PLANT),
+            topped=has_top(settings, cells),
+            coordinates=self._coordinates[which],
+            colours=np.repeat(self._tints[which][:, None], 4, axis=1),
+            triangles=4 * np.arange(len(which), dtype=np.uint32)[:, None] + QUAD,
+            boxes=(self._outlines[looks], self._outline_coordinates[looks]),
+            crossed=self._crossings(frame, settings, places, which, spare),
+        )
+        return self._choice
+
+    def _around(
+        self,
+        frame: Frame,
+        settings: Settings,
+        places: np.ndarray,
+        radius: np.ndarray,
+        spare: float,
+        turn: float,
+    ) -> np.ndarray:
+        """Return the numbers of what may show within ``spare`` units and ``turn`` radians."""
+        dx, dz = places[:, 0] - frame.pose.x, places[:, 2] - frame.pose.z
+        flat, reach = dx * dx + dz * dz, radius + np.float32(spare)
+        which = np.flatnonzero(flat < reach * reach)
+        sizes, middles = self._sizes[which], places[which]
+        middles[:, 1] += 0.5 * sizes[:, 1]
+        mirrored = middles.copy()
+        mirrored[:, 1] = 2.0 * settings.water.level - mirrored[:, 1]
+        kept = np.zeros(len(which), bool)
+        for points in (middles, mirrored) if settings.reflection.enabled else (middles,):
+            away = np.sqrt(flat[which] + np.square(points[:, 1] - np.float32(frame.pose.y)))
+            balls = sizes.sum(axis=1) + np.float32(spare) + np.float32(turn) * away
+            kept |= in_view(frame, points, balls)
+        return which[kept]
+
+    def _crossings(
+        self,
+        frame: Frame,
+        settings: Settings,
+        places: np.ndarray,
+        which: np.ndarray,
+        spare: float,
+    ) -> Crossed | None:
+        """Return those that may be crossed quads; None if there are none."""
+        far = settings.plants.crossed_within or np.inf
+        points = places[which]
+        away = np.hypot(points[:, 0] - frame.pose.x, points[:, 2] - frame.pose.z)
+        near = np.flatnonzero((self._cells[which] >= PLANT) & (away < far + spare))
+        if not len(near):
+            return None
+        count, own = settings.plants.quads, which[near]
+        turns = turned(points[near], count)
+        calm = np.zeros((len(near), 2), np.float32)
+        still = crossed_quads(points[near], self._sizes[own], calm, turns if count > 2 else None)
+        s, t = np.tile(CROSS_S, count), np.tile(CROSS_T, count)
+        coordinates = cell_coordinates(self._cells[own], self._flipped[own], s, t, self._rows)
+        return Crossed(near, turns, still, half_places(still), coordinates)
+
+    def _seen(self, frame: Frame, settings: Settings, choice: Choice) -> Seen:
+        line = choice.positions - frame.eye.astype(np.float32)
+        x, y, z = line.T
+        flat = x * x + z * z
         away = np.sqrt(flat)
-        below = -line[:, 1] / np.sqrt(np.maximum(flat + line[:, 1] * line[:, 1], 1e-12))
-        alpha = clearness(settings, radius[which], sizes[:, 0], away)
-        return Seen(which, positions, sizes, cells, away, below, frame.depth(positions), alpha)
+        below = -y / np.sqrt(np.maximum(flat + y * y, 1e-12))
+        alpha = clearness(settings, choice.radius, choice.sizes[:, 0], away)
+        return Seen(away, below, frame.depth(choice.positions), alpha)
 
-    def _colours(self, seen: Seen, alpha: np.ndarray) -> np.ndarray:
-        """Return the sprites' tints (n, 4) with this alpha (n,), or (n, k, 4) with (n, k)."""
-        colours = self._tints[seen.which]
-        if alpha.ndim == 2:
-            colours = np.repeat(colours[:, None], alpha.shape[1], axis=1)
-        colours[..., 3] = colours[..., 3] * alpha
-        return colours
+    def _boards(
+        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, shown: np.ndarray
+    ) -> list[Quads]:
+        """Return the billboards: trees, deer, and plants too far off to be more.
 
-    def _boards(self, frame: Frame, settings: Settings, seen: Seen, trimmed: bool = False) -> Quads:
-        """Return the billboards: trees, deer, and plants too far off to be more."""
+        Corners and colours are reckoned of all sprites, which costs less than to pick some.
+        """
         right, up = (
             upright_axes(frame.right) if settings.transparent.upright else (frame.right, frame.up)
         )
         quads = billboards(
-            seen.positions, seen.sizes, right.astype(np.float32), up.astype(np.float32)
+            choice.positions, choice.sizes, right.astype(np.float32), up.astype(np.float32)
         )
-        if settings.deer.follow_slope:
-            deer = np.flatnonzero(is_deer(seen.cells))
-            axes = slope_axes(frame.right, self._slopes[seen.which[deer]])
-            quads[deer] = billboards(seen.positions[deer], seen.sizes[deer], *axes)
+        deer, plants = choice.deer, choice.plants
+        if settings.deer.follow_slope and len(deer):
+            axes = slope_axes(frame.right, self._slopes[choice.which[deer]])
+            quads[deer] = billboards(choice.positions[deer], choice.sizes[deer], *axes)
         alpha = seen.alpha.copy()
-        above = np.flatnonzero(seen.below > GOES[0])
+        above = np.flatnonzero(choice.topped & (seen.below > GOES[0]))
         if len(above):
-            goes = smoothstep(*GOES, seen.below[above])
-            alpha[above] *= 1.0 - goes * has_top(settings, seen.cells[above])
-        plants = np.flatnonzero(seen.cells >= PLANT)
+            alpha[above] *= 1.0 - smoothstep(*GOES, seen.below[above])
         alpha[plants] *= crossing(settings, seen.away[plants])[0]
-        colours = self._colours(seen, alpha)
-        if not trimmed:
-            return Quads.of(quads, self._coordinates[seen.which], colours, QUAD, seen.depth)
-        looks = self._looks[seen.which], seen.cells
-        quads, coordinates = within(quads, self._outlines[looks]), self._outline_coordinates[looks]
-        return Quads.of(quads, coordinates, colours, np.concatenate([QUAD, QUAD + 4]), seen.depth)
+        board = shown.copy()
+        if within_ := settings.plants.crossed_within:
+            board[plants] &= seen.away[plants] > CROSSFADE[0] * within_
+        else:
+            board[plants] = False
+        colours = choice.colours
+        colours[..., 3] = (self._tints[choice.which, 3] * alpha)[:, None]
+        near = np.zeros_like(board)
+        if settings.transparent.trimmed:
+            near = board & (seen.away < TRIM_WITHIN)
+        far, near = np.flatnonzero(board & ~near), np.flatnonzero(near)
+        parts = [
+            Quads(
+                quads.reshape(-1, 3),
+                choice.coordinates.reshape(-1, 2),
+                colours.reshape(-1, 4),
+                choice.triangles[far],
+                seen.depth[far],
+            )
+        ]
+        if len(near):
+            corners, coordinates = (box[near] for box in choice.boxes)
+            boxes = within(quads[near], corners)
+            pattern = np.concatenate([QUAD, QUAD + 4])
+            depth = seen.depth[near]
+            parts.append(Quads.of(boxes, coordinates, colours[near, 0], pattern, depth))
+        return parts
 
-    def _crossed(self, frame: Frame, settings: Settings, seen: Seen) -> Quads:
-        """Return the half quads of the plants."""
-        count = settings.plants.quads
-        winds = sway(frame.kt, seen.positions, settings.plants.sway)
-        winds *= seen.sizes[:, 1:] / settings.plants.size_max
-        turns = turned(seen.positions, count)
-        quads = crossed_quads(seen.positions, seen.sizes, winds, turns if count > 2 else None)
-        alpha = seen.alpha * crossing(settings, seen.away)[1]
+    def _crossed(
+        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, near: np.ndarray
+    ) -> Quads:
+        """Return the half quads of those plants that are ``near``, by their place in crossed."""
+        assert choice.crossed is not None
+        crossed, count = choice.crossed, settings.plants.quads
+        which, turns, quads = crossed.which[near], crossed.turns[near], crossed.still[near]
+        positions, sizes = choice.positions[which], choice.sizes[which]
+        winds = sway(frame.kt, positions, settings.plants.sway)
+        winds *= sizes[:, 1:] / settings.plants.size_max
+        quads[:, 4::6, ::2] += winds[:, None]
+        alpha = seen.alpha[which] * crossing(settings, seen.away[which])[1]
         if settings.plants.rosette:
-            alpha *= 1.0 - smoothstep(*GOES, seen.below)
+            alpha *= 1.0 - smoothstep(*GOES, seen.below[which])
         if settings.plants.fade_edge_on:
-            line = seen.positions - frame.eye
+            line = positions - frame.eye
             alpha = alpha[:, None] * np.repeat(edge_on(line, turns), 6, axis=1)
-        s, t = np.tile(CROSS_S, count), np.tile(CROSS_T, count)
-        flipped = self._flipped[seen.which]
-        coordinates = cell_coordinates(seen.cells, flipped, s, t, self._rows)
-        depth = seen.depth
+        depth = seen.depth[which]
         if settings.transparent.split:
-            depth = frame.depth(half_places(quads))
+            depth = frame.depth(crossed.feet[near])
         bases = 6 * np.arange(count, dtype=np.uint32)[:, None, None]
         pattern = (HALVES + bases).reshape(-1, 6)
-        return Quads.of(quads, coordinates, self._colours(seen, alpha), pattern, depth)
+        colours = tinted(self._tints[choice.which[which]], alpha)
+        return Quads.of(quads, crossed.coordinates[near], colours, pattern, depth)
 
-    def _tops(self, frame: Frame, settings: Settings, seen: Seen) -> Quads:
-        """Return the crowns and rosettes of what is seen from above."""
-        plant, middles = seen.cells >= PLANT, seen.positions.copy()
-        looks = [plant & np.isin(seen.cells, FLOWERING), plant]
+    def _tops(self, frame: Frame, choice: Choice, seen: Seen, top: np.ndarray) -> Quads:
+        """Return the crowns and rosettes of what is seen from above, ``top`` of a choice."""
+        cells, sizes, middles = choice.cells[top], choice.sizes[top], choice.positions[top]
+        plant = cells >= PLANT
+        looks = [plant & np.isin(cells, FLOWERING), plant]
         rise = np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT)
-        middles[:, 1] += seen.sizes[:, 1] * rise
-        widths = seen.sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
-        colours = self._colours(seen, seen.alpha * smoothstep(*COMES, seen.below))
-        slopes = self._slopes[seen.which] * plant[:, None]
+        middles[:, 1] += sizes[:, 1] * rise
+        widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
+        which = choice.which[top]
+        colours = tinted(self._tints[which], seen.alpha[top] * smoothstep(*COMES, seen.below[top]))
+        slopes = self._slopes[which] * plant[:, None]
         quads = lying(middles, widths, slopes, own_turn(middles))
-        coordinates = top_coordinates(seen.cells, self._rows)
+        coordinates = top_coordinates(cells, self._rows)
         return Quads.of(quads, coordinates, colours, QUAD, frame.depth(middles))
+
+
+def tinted(tints: np.ndarray, alpha: np.ndarray) -> np.ndarray:
+    """Return tints (n, 4) with this alpha (n,), or (n, k, 4) with (n, k)."""
+    colours = tints if alpha.ndim == 1 else np.repeat(tints[:, None], alpha.shape[1], axis=1)
+    colours[..., 3] = colours[..., 3] * alpha
+    return colours
