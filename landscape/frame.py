@@ -137,12 +137,12 @@ def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
     )
 
 
-def boxes_in_view(frame: Frame, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of the boxes, corners (n, 3), that the camera may see.
+def boxes_in_view(frame: Frame, middles: np.ndarray, halves: np.ndarray) -> np.ndarray:
+    """Return a mask (n,) of the boxes, middles and half sides (n, 3), that the camera may see.
 
     A box is left out when all its corners lie behind one and the same side of the view: when the
     one that lies farthest along the side's normal does.
     """
-    middles, halves = (low + high) / 2 - frame.eye, (high - low) / 2
-    within = middles @ frame.sides + halves @ np.abs(frame.sides)
-    return np.asarray((within >= 0.0).all(axis=1))
+    sides = frame.sides.T
+    within = sides @ (middles - frame.eye).T + np.abs(sides) @ halves.T
+    return np.asarray((within >= 0.0).all(axis=0))

@@ -21,6 +21,7 @@ from landscape.elements.sprite_quads import (
     crossed_quads,
     edge_on,
     half_places,
+    leaning,
     lying,
     slope_axes,
     smoothstep,
@@ -203,7 +204,7 @@ def test_r4_from_above_an_upright_billboard_is_foreshortened(
 
 def test_r5_axes_lie_in_the_slope_and_stand_on_it() -> None:
     slopes = np.array([(0.0, 0.0), (0.5, 0.0), (0.3, -0.4), (30.0, 0.0)])
-    across, up = slope_axes(np.array([1.0, 0.0, 0.0]), slopes)
+    across, up = slope_axes(np.array([1.0, 0.0, 0.0]), leaning(slopes))
     assert np.allclose(np.linalg.norm(across, axis=1), 1) and np.allclose((across * up).sum(1), 0)
     assert np.allclose(across[1], np.array([1, 0.5, 0]) / math.hypot(1, 0.5))
     assert np.allclose(up[2], np.array([-0.3, 1, 0.4]) / math.sqrt(1.25))

@@ -98,7 +98,7 @@ def test_the_grid_is_sent_far_to_near_and_kept_inside_the_water() -> None:
 
 
 def test_slopes_are_the_derivatives_of_the_height(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(waves, "RELIEF_FROM", 0.0)
+    monkeypatch.setattr(waves, "LIFTING", len(waves.WAVES))
     step = 1e-3
     x, z = np.meshgrid(np.linspace(3, 4, 40), np.linspace(8, 9, 40))
     cell = np.zeros(40)
@@ -194,7 +194,7 @@ def test_without_waves_the_texture_lies_where_the_mirrored_scene_would(
     stage: Stage, plain: Assets, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     flat = mirror_picture(stage, plain, {})
-    monkeypatch.setattr(waves, "WAVES", waves.WAVES * (1, 1, 0))
+    monkeypatch.setattr(waves, "STEEP", 0.0 * waves.STEEP)
     textured = mirror_picture(stage, plain, {"reflection.rippled": True})
     assert (red(flat) != red(textured)).mean() < 0.01
     inside = project(POSE, (20.0, LEVEL - 0.4, 18.0))

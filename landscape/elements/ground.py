@@ -100,10 +100,18 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
     return parts
 
 
-def corners(tiles: list[Tile]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the low and the high corners of the tiles' boxes, (n, 3) each."""
-    low, high = ([getattr(tile, end) for tile in tiles] for end in ("low", "high"))
-    return np.array(low).reshape(-1, 3), np.array(high).reshape(-1, 3)
+def boxes(tiles: list[Tile], level: float | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Return the middles and the half sides of the tiles' boxes, (n, 3) each.
+
+    Mirrored at the height ``level``, if it is given.
+    """
+    low, high = (
+        np.array([getattr(tile, end) for tile in tiles]).reshape(-1, 3) for end in ("low", "high")
+    )
+    middles = (low + high) / 2
+    if level is not None:
+        middles[:, 1] = 2.0 * level - middles[:, 1]
+    return middles, (high - low) / 2
 
 
 def every_second(mesh: Mesh) -> Mesh:
@@ -308,7 +316,8 @@ class Ground:
             after()
 
         self._tiles = cut(self.mesh, count) if count > 1 else []
-        self._boxes = self._mirrored_boxes = corners(self._tiles)
+        level = self.field.water_level
+        self._boxes, self._mirrored_boxes = boxes(self._tiles), boxes(self._tiles, level)
         if not self._tiles:
             self._lists.append(DisplayList(whole))
             return
@@ -317,24 +326,24 @@ class Ground:
         if self._settings.reflection.coarse > 1:
             coarser = cut(every_second(self.mesh), count)
             self._mirrored = [DisplayList(tile.mesh.draw) for tile in coarser]
-            self._mirrored_boxes = corners(coarser)
+            self._mirrored_boxes = boxes(coarser, level)
 
     def tiles_in_view(self, frame: Frame) -> np.ndarray:
         """Return the numbers of the tiles that may show in the frame, mirrored or not.
 
         The nearest come first: what they hide is then rejected before its texels are looked up.
         """
-        low, high = self._mirrored_boxes if frame.mirrored else self._boxes
         level = self.field.water_level
-        cut = level if frame.mirrored else cut_level(self._settings)
-        seen = high[:, 1] >= cut if self._settings.ground.clip or frame.mirrored else True
         if frame.mirrored:
-            turned = np.array([0.0, 2.0 * level, 0.0]), np.array([1.0, -1.0, 1.0])
-            ends = turned[0] + turned[1] * low, turned[0] + turned[1] * high
-            low, high = np.minimum(*ends), np.maximum(*ends)
-        kept = np.flatnonzero(boxes_in_view(frame, low, high) & seen)
-        away = np.maximum(np.maximum(low[kept] - frame.eye, frame.eye - high[kept]), 0.0)
-        return kept[np.argsort((away**2).sum(axis=1), kind="stable")]
+            middles, halves = self._mirrored_boxes
+            above = middles[:, 1] - halves[:, 1] <= level
+        else:
+            middles, halves = self._boxes
+            cut = cut_level(self._settings) if self._settings.ground.clip else -np.inf
+            above = middles[:, 1] + halves[:, 1] >= cut
+        kept = np.flatnonzero(boxes_in_view(frame, middles, halves) & above)
+        away = np.maximum(np.abs(middles[kept] - frame.eye) - halves[kept], 0.0)
+        return kept[np.argsort((away * away).sum(axis=1), kind="stable")]
 
     def draw(self, frame: Frame | None = None) -> None:
         """Call the list, or the lists of the tiles that ``frame`` may show."""

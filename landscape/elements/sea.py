@@ -73,6 +73,7 @@ class Sea:
         if field is not None:
             at = (np.arange(BED_SIZE) + 0.5) / BED_SIZE * field.size
             self._depths = field.water_level - field.bed(at[None, :], at[:, None])
+        self._relief = np.clip(self._depths / SHOAL, 0.0, 1.0).astype(np.float32)
 
     def draw(
         self,
@@ -96,16 +97,17 @@ class Sea:
         y = np.full(grid.x.shape, water.level, np.float32)
         if water.relief:
             y += lift * self._shoaling(grid)
-        vertices = np.stack([grid.x, y, grid.z], axis=2).reshape(-1, 3)
+        vertices = np.empty((y.size, 3), np.float32)
+        vertices[:, 0], vertices[:, 1], vertices[:, 2] = grid.x.ravel(), y.ravel(), grid.z.ravel()
         colors = np.empty((len(vertices), 4), np.float32)
         colors[:] = water.color
         if water.fresnel:
             colors[:, 3] = opacity(facing(grid, slope_x, slope_z), water.color[3]).ravel()
-        plane = vertices[:, ::2].T / np.float32(water.patch)
-        layers = [wave_coordinates(plane, t, water.repeat)]
+        plane = np.stack([grid.x.ravel(), grid.z.ravel()])
+        layers = [wave_coordinates(plane / np.float32(water.patch), t, water.repeat)]
         bed = self._bed_texture() if water.shallow else None
         if bed is not None and self._field is not None:
-            layers.append(vertices[:, ::2] / np.float32(self._field.size))
+            layers.append(np.ascontiguousarray(plane.T / np.float32(self._field.size)))
             if cut_level(settings) < water.level:
                 self._draw_bottom(cut_level(settings), self._field.size)
         triangles = grid.triangles
@@ -135,7 +137,7 @@ class Sea:
             return np.ones_like(grid.x)
         scale = np.float32(BED_SIZE / self._field.size)
         row, column = (np.clip(a * scale, 0, BED_SIZE - 1).astype(int) for a in (grid.z, grid.x))
-        return np.clip(self._depths[row, column] / SHOAL, 0.0, 1.0).astype(np.float32)
+        return np.asarray(self._relief.take(row * BED_SIZE + column))
 
     def _bed_texture(self) -> Texture | None:
         if self._bed is None and self._field is not None:

@@ -124,24 +124,25 @@ def upright_axes(right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return level / max(float(np.linalg.norm(level)), 1e-9), np.array([0.0, 1.0, 0.0])
 
 
+def leaning(slopes: np.ndarray) -> np.ndarray:
+    """Return slopes (n, 2) = dy/dx, dy/dz as a deer leans with them: no steeper than STEEPEST."""
+    steep = np.hypot(slopes[:, 0], slopes[:, 1])
+    return np.asarray(slopes * np.minimum(1.0, STEEPEST / np.maximum(steep, 1e-9))[:, None])
+
+
 def slope_axes(right: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return right and up, (n, 3) each, of billboards that stand at right angles to a slope.
 
-    ``slopes`` (n, 2) = dy/dx, dy/dz, taken as no steeper than STEEPEST. Right is the camera's,
-    tilted into the slope; up is the slope's normal.
+    ``slopes`` (n, 2) = dy/dx, dy/dz. Right is the camera's, tilted into the slope; up is the
+    slope's normal.
     """
     level, _ = upright_axes(right)
-    steep = np.hypot(slopes[:, 0], slopes[:, 1])
-    limited = slopes * np.minimum(1.0, STEEPEST / np.maximum(steep, 1e-9))[:, None]
-    across = np.tile(level, (len(slopes), 1))
-    across[:, 1] = limited @ level[[0, 2]]
-    up = np.stack([-limited[:, 0], np.ones(len(slopes)), -limited[:, 1]], axis=1)
-    return _unit(across), _unit(up)
-
-
-def _unit(vectors: np.ndarray) -> np.ndarray:
-    """Return vectors (n, 3) at length 1."""
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+    across, up = np.empty((2, len(slopes), 3), slopes.dtype)
+    across[:], across[:, 1] = level, slopes @ level[[0, 2]].astype(slopes.dtype)
+    up[:, 0], up[:, 1], up[:, 2] = -slopes[:, 0], 1.0, -slopes[:, 1]
+    for axes in (across, up):
+        axes /= np.sqrt((axes * axes).sum(axis=1))[:, None]
+    return across, up
 
 
 def crossed_quads(
@@ -206,8 +207,9 @@ def edge_on(away: np.ndarray, turns: np.ndarray) -> np.ndarray:
     ``away`` (n, 3) leads from the eye to the plant. A quad's normal is (-sin, cos) of its turn: the
     share of it along the view is 1 face-on and 0 edge-on.
     """
-    flat = away[:, [0, 2]] / np.maximum(np.hypot(away[:, 0], away[:, 2]), 1e-9)[:, None]
-    facing = np.abs(flat[:, 1:] * np.cos(turns) - flat[:, :1] * np.sin(turns))
+    x, z = away[:, :1], away[:, 2:]
+    far = np.sqrt(np.maximum(x * x + z * z, 1e-18))
+    facing = np.abs(z * np.cos(turns) - x * np.sin(turns)) / far
     return smoothstep(0.08, 0.4, facing)  # chosen: 5 and 24 degrees
 
 

@@ -25,6 +25,7 @@ from landscape.elements.sprite_quads import (
     crossed_quads,
     edge_on,
     half_places,
+    leaning,
     lying,
     slope_axes,
     smoothstep,
@@ -153,8 +154,8 @@ def has_top(settings: Settings, cells: np.ndarray) -> np.ndarray:
 class Choice:
     """Sprites that may show while the eye stays about where it is, in order of their numbers.
 
-    Of each the place (n, 3), size (n, 2), atlas cell and radius; where the deer, the plants, and
-    those with a picture from above are; of their billboards texture coordinates (n, 4, 2), colours
+    Of each the place (n, 3), size (n, 2), atlas cell and radius; where the deer, and those with a
+    picture from above are; of their billboards texture coordinates (n, 4, 2), colours
     (n, 4, 4), whose alpha each frame writes, and triangles (n, 6); and boxes of what is opaque in
     their pictures (n, 8, 2), on the quad and in the atlas.
     """
@@ -166,13 +167,12 @@ class Choice:
     cells: np.ndarray
     radius: np.ndarray
     deer: np.ndarray
-    plants: np.ndarray
     topped: np.ndarray
     coordinates: np.ndarray
     colours: np.ndarray
     triangles: np.ndarray
     boxes: tuple[np.ndarray, np.ndarray]
-    crossed: "Crossed | None"
+    crossed: "Crossed"
 
 
 @dataclass(frozen=True)
@@ -217,6 +217,7 @@ class SpriteView:
         }
         self._sizes = np.ascontiguousarray(sprites.sizes, np.float32)
         self._cells, self._slopes, self._rows = sprites.cells, sprites.slopes, rows
+        self._leaning = leaning(sprites.slopes).astype(np.float32)
         self._flipped = sprites.flipped
         self._tints = sprites.tints.astype(np.uint8)
         self._coordinates = cell_coordinates(
@@ -229,14 +230,15 @@ class SpriteView:
         """Return vertices, colours, texture coordinates and indices, sorted if they are to be."""
         choice = self.choice(frame, settings)
         seen = self._seen(frame, settings, choice)
-        shown = seen.alpha > 0.0
-        parts = self._boards(frame, settings, choice, seen, shown)
-        if choice.crossed is not None:
-            near = shown[choice.crossed.which]
-            if settings.plants.crossed_within:
-                near &= seen.away[choice.crossed.which] < settings.plants.crossed_within
-            if near.any():
-                parts.append(self._crossed(frame, settings, choice, seen, np.flatnonzero(near)))
+        plants = choice.crossed.which
+        single, crossed = crossing(settings, seen.away[plants])
+        alpha = seen.alpha.copy()
+        alpha[plants] *= single
+        parts = self._boards(frame, settings, choice, seen, alpha)
+        crossed *= seen.alpha[plants]
+        near = np.flatnonzero(crossed)
+        if len(near):
+            parts.append(self._crossed(frame, settings, choice, seen, near, crossed[near]))
         top = np.flatnonzero(choice.topped & (seen.below > COMES[0]))
         if len(top):
             parts.append(self._tops(frame, choice, seen, top))
@@ -276,7 +278,6 @@ class SpriteView:
             cells=cells,
             radius=radius[which],
             deer=np.flatnonzero(is_deer(cells)),
-            plants=np.flatnonzero(cells >= PLANT),
             topped=has_top(settings, cells),
             coordinates=self._coordinates[which],
             colours=np.repeat(self._tints[which][:, None], 4, axis=1),
@@ -317,14 +318,12 @@ class SpriteView:
         places: np.ndarray,
         which: np.ndarray,
         spare: float,
-    ) -> Crossed | None:
-        """Return those that may be crossed quads; None if there are none."""
+    ) -> Crossed:
+        """Return the plants that may be crossed quads."""
         far = settings.plants.crossed_within or np.inf
         points = places[which]
         away = np.hypot(points[:, 0] - frame.pose.x, points[:, 2] - frame.pose.z)
         near = np.flatnonzero((self._cells[which] >= PLANT) & (away < far + spare))
-        if not len(near):
-            return None
         count, own = settings.plants.quads, which[near]
         turns = turned(points[near], count)
         calm = np.zeros((len(near), 2), np.float32)
@@ -343,9 +342,9 @@ class SpriteView:
         return Seen(away, below, frame.depth(choice.positions), alpha)
 
     def _boards(
-        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, shown: np.ndarray
+        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, alpha: np.ndarray
     ) -> list[Quads]:
-        """Return the billboards: trees, deer, and plants too far off to be more.
+        """Return the billboards of ``alpha`` (n,) over 0: trees, deer, plants too far to be more.
 
         Corners and colours are reckoned of all sprites, which costs less than to pick some.
         """
@@ -355,26 +354,18 @@ class SpriteView:
         quads = billboards(
             choice.positions, choice.sizes, right.astype(np.float32), up.astype(np.float32)
         )
-        deer, plants = choice.deer, choice.plants
+        deer = choice.deer
         if settings.deer.follow_slope and len(deer):
-            axes = slope_axes(frame.right, self._slopes[choice.which[deer]])
+            axes = slope_axes(frame.right, self._leaning[choice.which[deer]])
             quads[deer] = billboards(choice.positions[deer], choice.sizes[deer], *axes)
-        alpha = seen.alpha.copy()
+        board = alpha > 0.0
         above = np.flatnonzero(choice.topped & (seen.below > GOES[0]))
         if len(above):
             alpha[above] *= 1.0 - smoothstep(*GOES, seen.below[above])
-        alpha[plants] *= crossing(settings, seen.away[plants])[0]
-        board = shown.copy()
-        if within_ := settings.plants.crossed_within:
-            board[plants] &= seen.away[plants] > CROSSFADE[0] * within_
-        else:
-            board[plants] = False
         colours = choice.colours
         colours[..., 3] = (self._tints[choice.which, 3] * alpha)[:, None]
-        near = np.zeros_like(board)
-        if settings.transparent.trimmed:
-            near = board & (seen.away < TRIM_WITHIN)
-        far, near = np.flatnonzero(board & ~near), np.flatnonzero(near)
+        close = board & (seen.away < (TRIM_WITHIN if settings.transparent.trimmed else 0.0))
+        far, near = np.flatnonzero(board & ~close), np.flatnonzero(close)
         parts = [
             Quads(
                 quads.reshape(-1, 3),
@@ -393,19 +384,23 @@ class SpriteView:
         return parts
 
     def _crossed(
-        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, near: np.ndarray
+        self,
+        frame: Frame,
+        settings: Settings,
+        choice: Choice,
+        seen: Seen,
+        near: np.ndarray,
+        alpha: np.ndarray,
     ) -> Quads:
         """Return the half quads of those plants that are ``near``, by their place in crossed."""
-        assert choice.crossed is not None
         crossed, count = choice.crossed, settings.plants.quads
         which, turns, quads = crossed.which[near], crossed.turns[near], crossed.still[near]
         positions, sizes = choice.positions[which], choice.sizes[which]
         winds = sway(frame.kt, positions, settings.plants.sway)
         winds *= sizes[:, 1:] / settings.plants.size_max
         quads[:, 4::6, ::2] += winds[:, None]
-        alpha = seen.alpha[which] * crossing(settings, seen.away[which])[1]
         if settings.plants.rosette:
-            alpha *= 1.0 - smoothstep(*GOES, seen.below[which])
+            alpha = alpha * 1.0 - smoothstep(*GOES, seen.below[which])
         if settings.plants.fade_edge_on:
             line = positions - frame.eye
             alpha = alpha[:, None] * np.repeat(edge_on(line, turns), 6, axis=1)

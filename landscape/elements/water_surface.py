@@ -195,8 +195,9 @@ class WaterSurface:
             [(water.patch * kx, water.patch * kz) for kx in PATCHES for kz in PATCHES]
         )
         if water.cull:
-            low = np.insert(offsets, 1, water.level, axis=1)
-            offsets = offsets[boxes_in_view(frame, low, low + (water.patch, 0.0, water.patch))]
+            half = np.array([water.patch / 2, 0.0, water.patch / 2])
+            middles = np.insert(offsets, 1, water.level, axis=1) + half
+            offsets = offsets[boxes_in_view(frame, middles, np.broadcast_to(half, middles.shape))]
         if water.fresnel:
             self._draw_fresnel(frame, offsets, normals, coordinates)
         else:

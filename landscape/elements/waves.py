@@ -30,8 +30,13 @@ WAVES = np.array(
         (0.092, 1.10, 0.024), (0.061, -1.00, 0.020),
     ]
 )  # fmt: skip
+LENGTHS, STEEP = (WAVES[:, column].astype(np.float32)[:, None] for column in (0, 2))
+NUMBERS = 2 * np.pi / WAVES[:, 0]  # radians per unit
+HEADINGS = np.stack([np.cos(WAVES[:, 1]), np.sin(WAVES[:, 1])]).astype(np.float32)  # x and z
+VECTORS = (NUMBERS * HEADINGS).astype(np.float32)
 SPEED = 1.3  # chosen: waves in deep water run at a pace of SPEED * sqrt(wave number)
 RELIEF_FROM = 0.4  # chosen: units, shorter waves tilt the surface but do not lift it
+LIFTING = int((WAVES[:, 0] >= RELIEF_FROM).sum())  # the longest come first
 DAMPED = 0.02  # chosen: a wave this weak is left out
 MIRRORED = 0.6  # chosen: part of a ripple's tilt that moves the mirror image; 1 is a rough sea
 CALM = 0.8  # chosen: part of the way up to the horizon that a ripple may look
@@ -74,17 +79,22 @@ def triangles_of(columns: int, rows: int) -> np.ndarray:
     return grid_triangles(columns, rows)
 
 
+@lru_cache(maxsize=16)
+def window_border(fov: float, aspect: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return points on the window's border, to the right and up, (68,) each, one unit ahead."""
+    top = np.tan(np.radians(fov) / 2)
+    along = np.linspace(-1.0, 1.0, 17)
+    edge = np.ones_like(along)
+    a = top * aspect * np.concatenate([along, along, edge, -edge])
+    return a, top * np.concatenate([edge, -edge, along, along])
+
+
 def view_angles(frame: Frame) -> tuple[float, float, float, float] | None:
     """Return azimuth from, to and depression from, to of what the window shows below the horizon.
 
     Radians; azimuth 0 is north and grows eastward. None where only sky is in view.
     """
-    top = np.tan(np.radians(frame.fov) / 2)
-    side = top * frame.size[0] / frame.size[1]
-    along = np.linspace(-1.0, 1.0, 17)
-    edge = np.ones_like(along)
-    a = side * np.concatenate([along, along, edge, -edge])
-    b = top * np.concatenate([edge, -edge, along, along])
+    a, b = window_border(frame.fov, frame.size[0] / frame.size[1])
     yaw, pitch = np.radians(frame.pose.yaw), np.radians(frame.pose.pitch)
     ahead, up = np.cos(pitch) - b * np.sin(pitch), np.sin(pitch) + b * np.cos(pitch)
     low = np.arctan2(-up, np.hypot(ahead, a))
@@ -161,23 +171,21 @@ def waves(
     that a row's cells cannot show is damped there. Rows must come far to near. Only waves longer
     than RELIEF_FROM have height.
     """
-    lift, slope_x, slope_z = np.zeros((3, *x.shape), np.float32)
-    for number, (length, heading, steep) in enumerate(WAVES):
-        wave = 2 * np.pi / length
-        fade = (steep / (1.0 + np.square(cell / length * 2.0) ** 2)).astype(np.float32)
-        start = int(np.searchsorted(fade, DAMPED * steep))
-        if start >= len(fade):
-            continue
-        kx, kz = np.float32(wave * np.cos(heading)), np.float32(wave * np.sin(heading))
-        # Whole turns are taken off before the sum, as 32 bits count them badly.
-        turn = (1.7 * number - SPEED * np.sqrt(wave) * t) % (2 * np.pi)
-        phase = x[start:] * kx + (z[start:] * kz + np.float32(turn))
-        tilt = np.cos(phase) * fade[start:, None]
-        slope_x[start:] += tilt * (kx / np.float32(wave))
-        slope_z[start:] += tilt * (kz / np.float32(wave))
-        if length >= RELIEF_FROM:
-            lift[start:] += np.sin(phase) * (fade[start:, None] / np.float32(wave))
-    return lift, slope_x, slope_z
+    fade = STEEP / (1.0 + np.square(np.square(2.0 / LENGTHS * cell)))
+    fade[fade < DAMPED * STEEP] = 0.0
+    fade = fade[..., None]
+    # Whole turns are taken off before the sum, as 32 bits count them badly.
+    turns = (1.7 * np.arange(len(WAVES)) - SPEED * np.sqrt(NUMBERS) * t) % (2 * np.pi)
+    along_x, along_z, turns = (
+        column.astype(np.float32)[:, None, None] for column in (*VECTORS, turns)
+    )
+    # All waves at once: arrays this small cost what it costs to ask for them.
+    phase = x * along_x + (z * along_z + turns)
+    slopes = HEADINGS @ (np.cos(phase) * fade).reshape(len(WAVES), -1)
+    slope_x, slope_z = slopes.reshape(2, *x.shape)
+    high = (np.float32(1.0) / NUMBERS[:LIFTING]).astype(np.float32)
+    lift = high @ (np.sin(phase[:LIFTING]) * fade[:LIFTING]).reshape(LIFTING, -1)
+    return lift.reshape(x.shape), slope_x, slope_z
 
 
 def surface_normals(slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
