@@ -150,16 +150,17 @@ class Island:
             # OpenGL draws what it has while Python sorts, chooses and computes waves.
             gl.glFlush()
             sort()
-
-            # Land may hide all of the sea; a mirror image that is a texture can come late.
-            water = water if water and water.shows() else None
-            if water and not ready:
-                self._draw_reflection(frame, sort)
             if grass := shown(self.grass, "grass"):
                 grass.draw(frame)
             # The sky comes after them: the pixels they took need no sky.
             if sky := shown(self.sky, "sky"):
                 sky.draw(frame)
+            gl.glFlush()
+
+            # Land may hide all of the sea; a mirror image that is a texture can come late.
+            water = water if water and water.shows() else None
+            if water and not ready:
+                self._draw_reflection(frame, sort)
 
             # Blended things come last, far to near: the castle with its flames, the water, sprites.
             if castle := shown(self.castle, "castle"):

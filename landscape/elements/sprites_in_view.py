@@ -400,7 +400,7 @@ class SpriteView:
         winds *= sizes[:, 1:] / settings.plants.size_max
         quads[:, 4::6, ::2] += winds[:, None]
         if settings.plants.rosette:
-            alpha = alpha * 1.0 - smoothstep(*GOES, seen.below[which])
+            alpha = alpha * (1.0 - smoothstep(*GOES, seen.below[which]))
         if settings.plants.fade_edge_on:
             line = positions - frame.eye
             alpha = alpha[:, None] * np.repeat(edge_on(line, turns), 6, axis=1)
