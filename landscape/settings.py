@@ -150,6 +150,7 @@ class Water:
     points: int = setting(40, "section 3.2", "vertices per side of a patch", 2, 400)
     repeat: float = setting(4.0, "chosen", "LAMBDA_WATER, textures per patch", 0, 1000)
     sharp: float = setting(0.0, "chosen", "mip levels the texture is sharper by", 0, 4)
+    trilinear: bool = setting(True, "chosen", "look up two mip levels instead of the nearer one")
     textured: bool = setting(True, "figure 9", "lay the water texture on the surface")
     animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
     time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
@@ -407,6 +408,7 @@ BEST: dict[str, Value] = {
     "reflection.coarse": 8.0,
     "water.repeat": 7.0,
     "water.sharp": 0.7,
+    "water.trilinear": False,
     "water.relief": True,
     "water.shallow": True,
     "water.foam": True,

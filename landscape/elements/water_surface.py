@@ -99,7 +99,11 @@ class WaterSurface:
         self._vertices = np.ascontiguousarray(np.stack(place, axis=1), np.float32)
         self._triangles = grid_triangles(water.points, water.points)
         self._sea = self._build_sea() if water.horizon > 0 else None
-        self._texture = Texture(read_image(assets.path("water.png"), "RGB"), sharper=water.sharp)
+        self._texture = Texture(
+            read_image(assets.path("water.png"), "RGB"),
+            trilinear=water.trilinear,
+            sharper=water.sharp,
+        )
         self.mirror = MirrorImage()
         self._field = field
         self._cured: Sea | None = None
