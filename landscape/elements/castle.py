@@ -47,6 +47,8 @@ ELEMENT = "castle"
 BALL, ORNATE_BALL = 1.4, 1.8
 SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
 PENNANT = (0.75, 0.12, 0.10)  # chosen
+BEFORE, AFTER = np.array([0, 0, 1, 2, 3, 4]), np.array([1, 2, 3, 4, 5, 5])  # of a pennant's pairs
+PENNANT_QUADS = (np.arange(0, 10, 2)[:, None] + (0, 1, 3, 2)).ravel()  # of a strip of pairs
 FOOT_SHADE = 0.22  # chosen: units from the walls over which they hide the sky
 FLAME_Z = -0.07  # section 6.1
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
@@ -86,22 +88,19 @@ def light_shift(kt: float) -> tuple[float, float]:
 
 def draw_pennants(kt: float) -> None:
     """Draw the pennants on their masts; both sides show, the light changes with the waves."""
-    vertices, colours = [], []
-    for number, (x, z, foot, length) in enumerate(MASTS):
-        strip = pennant(kt + 11.0 * number, length)
-        lean = np.gradient(strip[::2, 2]) / length
-        pairs = np.arange(0, 10, 2)
-        quads = strip[np.stack([pairs, pairs + 1, pairs + 3, pairs + 2], axis=1)]
-        vertices.append(quads.reshape(-1, 3) + (x, foot + 1.15 * length, z))
-        light = np.repeat(np.clip(0.85 + 4.0 * lean, 0.5, 1.0), 2)
-        shades = light[np.stack([pairs, pairs + 1, pairs + 3, pairs + 2], axis=1)].reshape(-1, 1)
-        colours.append(np.hstack([shades * PENNANT, np.ones_like(shades)]))
-    packed = np.empty(20 * len(MASTS), [("colour", "u1", 4), ("place", "f4", 3)])
-    packed["colour"] = np.concatenate(colours) * 255
-    packed["place"] = np.concatenate(vertices)
+    x, z, foot, length = np.array(MASTS).T
+    strips = pennant(kt + 11.0 * np.arange(len(length)), length)
+    wave = strips[:, ::2, 2]
+    lean = (wave[:, AFTER] - wave[:, BEFORE]) / ((AFTER - BEFORE) * length[:, None])
+    shades = np.clip(0.85 + 4.0 * lean, 0.5, 1.0)[:, PENNANT_QUADS // 2]
+    packed = np.empty(shades.shape, [("colour", "u1", 4), ("place", "f4", 3)])
+    packed["colour"][..., :3] = shades[..., None] * (255.0 * np.array(PENNANT))
+    packed["colour"][..., 3] = 255
+    packed["place"] = strips[:, PENNANT_QUADS]
+    packed["place"] += np.stack([x, foot + 1.15 * length, z], axis=1)[:, None]
     gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
     gl.glInterleavedArrays(gl.GL_C4UB_V3F, 0, packed.view(np.uint8))
-    gl.glDrawArrays(gl.GL_QUADS, 0, len(packed))
+    gl.glDrawArrays(gl.GL_QUADS, 0, packed.size)
     gl.glPopClientAttrib()
 
 

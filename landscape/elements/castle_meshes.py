@@ -293,15 +293,19 @@ def roofs(repeat: float) -> Mesh:
     return merged([*cones, pyramid])
 
 
-def pennant(kt: float, length: float) -> np.ndarray:
-    """Return a pennant from its mast at x = 0 along x, a strip (12, 3) of pairs, waving with kt."""
+def pennant(kt: np.ndarray | float, length: np.ndarray | float) -> np.ndarray:
+    """Return a pennant from its mast at x = 0 along x, a strip (12, 3) of pairs, waving with kt.
+
+    With arrays (m,) of kt and lengths it returns as many pennants, (m, 12, 3).
+    """
+    kt, length = np.asarray(kt)[..., None], np.asarray(length)[..., None]
     s = np.linspace(0.0, 1.0, 6)
-    wave = 0.09 * length * s * np.sin(9.0 * s - 0.35 * kt)
-    sag = 0.06 * length * s * s
-    half = 0.16 * length * (1.0 - s)
-    upper = np.stack([length * s, half - sag, wave], axis=1)
-    lower = np.stack([length * s, -half - sag, wave], axis=1)
-    return np.ascontiguousarray(np.stack([upper, lower], axis=1).reshape(-1, 3), np.float32)
+    out = np.empty((*length.shape[:-1], 6, 2, 3), np.float32)
+    out[..., 0] = (length * s)[..., None]
+    half, sag = 0.16 * length * (1.0 - s), 0.06 * length * s * s
+    out[..., 0, 1], out[..., 1, 1] = half - sag, -half - sag
+    out[..., 2] = (0.09 * length * s * np.sin(9.0 * s - 0.35 * kt))[..., None]
+    return out.reshape(*length.shape[:-1], 12, 3)
 
 
 def rings(step: float, ornate: bool) -> list[tuple[np.ndarray, float, float]]:

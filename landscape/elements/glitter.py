@@ -79,10 +79,11 @@ class Glitter:
         frame: Frame,
         settings: Settings,
         grid: EyeGrid,
-        vertices: np.ndarray,
+        sea: tuple[np.ndarray, np.ndarray],
         slopes: tuple[np.ndarray, np.ndarray],
     ) -> None:
-        """Add the glints to the sea of these vertices, (n, 3), and slopes."""
+        """Add the glints to a ``sea`` of vertices (n, 3) at places x, z (n, 2), with slopes."""
+        vertices, places = sea
         share = sun_share(grid, *slopes, sun.direction(settings.sun))
         if settings.fog.enabled and settings.fog.mode == "exp2":
             away = np.hypot(grid.ring, grid.height)
@@ -93,7 +94,6 @@ class Glitter:
         colors = np.empty((len(vertices), 4), np.float32)
         colors[:, :3] = 2.4 * settings.water.glitter * np.array(settings.sun.diffuse)
         colors[:, 3] = PEAK * share.ravel()
-        plane = np.ascontiguousarray(vertices[:, ::2])
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):
             for cap in (gl.GL_LIGHTING, gl.GL_FOG):
@@ -104,7 +104,7 @@ class Glitter:
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE)
             self._layer(1, "ADD_SIGNED", 4.0)
             self._layer(0, "ADD", 1.0)
-            with client_arrays(vertices, None, colors, [plane, plane]):
+            with client_arrays(vertices, None, colors, [places, places]):
                 gl.glMatrixMode(gl.GL_TEXTURE)
                 with matrix():
                     self._move(0, frame.kt)

@@ -104,10 +104,11 @@ class Sea:
         if water.fresnel:
             colors[:, 3] = opacity(facing(grid, slope_x, slope_z), water.color[3]).ravel()
         plane = np.stack([grid.x.ravel(), grid.z.ravel()])
+        places = np.ascontiguousarray(plane.T)
         layers = [wave_coordinates(plane / np.float32(water.patch), t, water.repeat)]
         bed = self._bed_texture() if water.shallow else None
         if bed is not None and self._field is not None:
-            layers.append(np.ascontiguousarray(plane.T / np.float32(self._field.size)))
+            layers.append(places / np.float32(self._field.size))
             if cut_level(settings) < water.level:
                 self._draw_bottom(cut_level(settings), self._field.size)
         triangles = grid.triangles
@@ -129,7 +130,7 @@ class Sea:
         if water.glitter > 0:
             if self._glitter is None:
                 self._glitter = Glitter()
-            self._glitter.draw(frame, settings, grid, vertices, (slope_x, slope_z))
+            self._glitter.draw(frame, settings, grid, (vertices, places), (slope_x, slope_z))
 
     def _shoaling(self, grid: EyeGrid) -> np.ndarray:
         """Return the part of the relief left (rows, columns): none where the water ends."""

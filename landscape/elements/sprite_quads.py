@@ -110,10 +110,9 @@ def box_corners(boxes: np.ndarray) -> np.ndarray:
 
 def within(quads: np.ndarray, corners: np.ndarray) -> np.ndarray:
     """Return the points (n, k, 3) at s, t = ``corners`` (n, k, 2) of billboards (n, 4, 3)."""
-    quads, corners = quads.astype(np.float32), corners.astype(np.float32)
     low = quads[:, :1]
     points = corners[..., :1] * (quads[:, 1:2] - low)
-    points += (np.float32(1.0) - corners[..., 1:]) * (quads[:, 3:] - low)
+    points += (1.0 - corners[..., 1:]) * (quads[:, 3:] - low)
     points += low
     return np.asarray(points)
 

@@ -225,6 +225,7 @@ class SpriteView:
         )
         self._outlines, self._outline_coordinates = outlines, outline_coordinates
         self._choice: Choice | None = None
+        self._crowns: dict[bool, tuple[np.ndarray, ...]] = {}
 
     def arrays(self, frame: Frame, settings: Settings) -> tuple[np.ndarray, ...]:
         """Return vertices, colours, texture coordinates and indices, sorted if they are to be."""
@@ -241,7 +242,7 @@ class SpriteView:
             parts.append(self._crossed(frame, settings, choice, seen, near, crossed[near]))
         top = np.flatnonzero(choice.topped & (seen.below > COMES[0]))
         if len(top):
-            parts.append(self._tops(frame, choice, seen, top))
+            parts.append(self._tops(frame, settings, choice, seen, top))
         quads = Quads.join(parts) if len(parts) > 1 else parts[0]
         return (
             np.ascontiguousarray(quads.vertices, np.float32),
@@ -412,20 +413,32 @@ class SpriteView:
         colours = tinted(self._tints[choice.which[which]], alpha)
         return Quads.of(quads, crossed.coordinates[near], colours, pattern, depth)
 
-    def _tops(self, frame: Frame, choice: Choice, seen: Seen, top: np.ndarray) -> Quads:
+    def _tops(
+        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, top: np.ndarray
+    ) -> Quads:
         """Return the crowns and rosettes of what is seen from above, ``top`` of a choice."""
-        cells, sizes, middles = choice.cells[top], choice.sizes[top], choice.positions[top]
-        plant = cells >= PLANT
-        looks = [plant & np.isin(cells, FLOWERING), plant]
-        rise = np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT)
-        middles[:, 1] += sizes[:, 1] * rise
-        widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
         which = choice.which[top]
-        colours = tinted(self._tints[which], seen.alpha[top] * smoothstep(*COMES, seen.below[top]))
-        slopes = self._slopes[which] * plant[:, None]
-        quads = lying(middles, widths, slopes, own_turn(middles))
-        coordinates = top_coordinates(cells, self._rows)
+        quads, coordinates, middles = (a[which] for a in self._lying(settings.transparent.rooted))
+        alpha = seen.alpha[top] * smoothstep(*COMES, seen.below[top])
+        colours = tinted(self._tints[which], alpha)
         return Quads.of(quads, coordinates, colours, QUAD, frame.depth(middles))
+
+    def _lying(self, rooted: bool) -> tuple[np.ndarray, ...]:
+        """Return quads (n, 4, 3), coordinates and middles (n, 3) of all sprites' views from above.
+
+        Reckoned when one is first seen: they never change.
+        """
+        if rooted not in self._crowns:
+            cells, sizes, middles = self._cells, self._sizes, self._places[rooted].copy()
+            plant = cells >= PLANT
+            looks = [plant & np.isin(cells, FLOWERING), plant]
+            rise = np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT)
+            middles[:, 1] += sizes[:, 1] * rise
+            widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
+            quads = lying(middles, widths, self._slopes * plant[:, None], own_turn(middles))
+            coordinates = top_coordinates(cells, self._rows)
+            self._crowns[rooted] = quads.astype(np.float32), coordinates, middles
+        return self._crowns[rooted]
 
 
 def tinted(tints: np.ndarray, alpha: np.ndarray) -> np.ndarray:
