@@ -297,9 +297,10 @@ def draw_view(name: str, island: Island, plan: Plan, arriving: bool = False) -> 
 def measure_grass(plan: Plan, count: int) -> dict[str, Any]:
     """Measure ``count`` blades where the grass is dense.
 
-    ``select_ms``: choosing what to draw, alone; ``draw_ms``: the whole of Grass.draw: choosing,
-    bending in the wind, sending and drawing; ``static_ms``: a display list of the same blades, so
-    draw_ms / static_ms is what the grass costs against standing still; ``visible``: blades drawn.
+    ``select_ms``: choosing what to draw, alone; ``draw_ms``: the whole of Grass.draw: bending in
+    the wind, sending and drawing what is chosen for a while; ``static_ms``: a display list of the
+    same blades, so draw_ms / static_ms is what the grass costs against standing still;
+    ``visible``: blades drawn.
     Above 1,500,000 blades the land grows with them, so that they stand as thick as 200,000.
     """
     values = plan.values(VIEWS[GRASS_VIEW].settings)

@@ -347,8 +347,9 @@ def test_no_blade_is_a_line_seen_edge_on() -> None:
     spots = np.random.default_rng(5).random((721, 3)) * 6
     eye = np.array([3.0, 9.0])
     plain = blade_vertices(spots, angles)
-    turned = plain.copy()
-    facing(turned, (spots[:, ::2] - eye).astype(np.float32), 0.6)
+    columns = np.ascontiguousarray(plain.transpose(1, 2, 0))
+    facing(columns, (spots[:, ::2] - eye).astype(np.float32).T, 0.6)
+    turned = columns.transpose(2, 0, 1)
     assert seen_widths(plain, eye).min() < 0.05
     # sqrt(1 - (0.4 / 0.6)^2)
     assert seen_widths(turned, eye).min() > 0.74
@@ -360,10 +361,10 @@ def test_no_blade_is_a_line_seen_edge_on() -> None:
 
 
 def test_blades_turn_smoothly_as_the_walker_passes() -> None:
-    blade = blade_vertices(np.zeros((400, 3)), np.full(400, 0.3))
+    columns = blade_vertices(np.zeros((400, 3)), np.full(400, 0.3)).transpose(1, 2, 0).copy()
     around = np.linspace(0, 2 * np.pi, 400)
-    facing(blade, np.stack([np.cos(around), np.sin(around)], axis=1).astype(np.float32), 0.6)
-    side = (blade[:, 1] - blade[:, 0])[:, ::2] / 0.006
+    facing(columns, np.stack([np.cos(around), np.sin(around)]).astype(np.float32), 0.6)
+    side = (columns[1] - columns[0])[::2].T / 0.006
     assert np.linalg.norm(np.diff(side, axis=0), axis=1).max() < 0.1
 
 

@@ -13,6 +13,8 @@ from landscape.assets import Assets
 from landscape.elements.grass import (
     CELL,
     COORDINATES,
+    DENSE,
+    NEAR,
     STRIP_TRIANGLES,
     Grass,
     Patch,
@@ -20,7 +22,9 @@ from landscape.elements.grass import (
     blade_vertices,
     blade_wind,
     cells_around,
+    drawn_at,
     greenness,
+    nearness,
     visible_cells,
 )
 from landscape.elements.ground import Ground, HeightField
@@ -395,3 +399,12 @@ def test_tinted_blades_in_the_shadow_are_darker() -> None:
         grass._patch(row * across + across // 4) for row in (across // 4, 3 * across // 4)
     )
     assert south.tints[..., 1].mean() == pytest.approx(0.5 * north.tints[..., 1].mean(), rel=0.1)
+
+
+def test_a_sparse_meadow_is_thinned_out_later_and_shows_less_all_the_same() -> None:
+    assert nearness(DENSE) == nearness(10 * DENSE) == NEAR
+    near = [nearness(density) for density in (DENSE / 64, DENSE / 8, DENSE)]
+    assert near == sorted(near, reverse=True) and near[0] > 2 * NEAR
+    # Of as many square units: blades drawn up to 2 units away, at 1 and at 8 times the density.
+    few, many = (drawn_at(count, near_, 2.0) for count, near_ in ((1000, near[0]), (8000, near[1])))
+    assert few < many < 3 * few

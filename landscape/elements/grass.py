@@ -17,6 +17,7 @@ State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (Ope
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -33,8 +34,10 @@ from landscape.settings import Settings
 ELEMENT = "grass"
 
 CELL = 0.5  # chosen: units per side of a cell; small against the radius, large against a blade
-WIDENING = 0.5  # chosen: with grass.fade, blades that reach k times NEAR are k**WIDENING as wide
-NEAR = 0.28  # chosen: units within which, with grass.fade, every blade is drawn
+NEAR = 0.28  # chosen: units within which, with grass.fade, every blade of a dense meadow is drawn
+DENSE = 3_600.0  # chosen: blades on a square unit; 1,500,000 on the island
+SPARSE = 0.4  # chosen: in one with k times fewer blades it is k**SPARSE as far
+WIDENING = 0.5  # chosen: blades that reach k times as far are k**WIDENING as wide
 LAYER = 64  # chosen: blades in the first layer of a cell's lot
 FOOT = 0.75  # chosen: how light a tinted blade is at its foot, in parts of the ground's colour
 TUFT_RADIUS = 0.017  # chosen: units, how far apart the roots of a tuft's blades are
@@ -44,7 +47,7 @@ TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: what tall grass has more of the ground's colour
-BENT = np.array([0.5, 0.5, 1.0], np.float32)  # part of the wind on shoulders and tip
+WIND = ((2, np.float32(0.5)), (3, np.float32(0.5)), (4, np.float32(1.0)))  # vertex, its part
 SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # of a blade's feet and shoulders
 COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.float32)
 
@@ -94,35 +97,53 @@ def cells_around(x: float, z: float, radius: float, across: int) -> np.ndarray:
     return np.stack(np.meshgrid(columns, rows), axis=2).reshape(-1, 2)
 
 
-def thinned_reach(count: int, radius: float) -> np.ndarray:
+def nearness(density: float) -> float:
+    """Return the units within which every blade is drawn, by the blades on a square unit.
+
+    A sparse meadow is thinned out later than a dense one, so that far grass is there in both; but
+    not so late that it would show, and cost, as much.
+    """
+    return NEAR * max(DENSE / max(density, 1e-9), 1.0) ** SPARSE
+
+
+def thinned_reach(count: int, near: float, radius: float) -> np.ndarray:
     """Return how far each of a cell's blades is drawn, (count,) in 0..1 times ``radius``, falling.
 
-    All up to NEAR units; beyond, as many as keep the number per pixel the same: the part left at
-    distance d is (NEAR / d) squared.
+    All up to ``near`` units; beyond, as many as keep the number per pixel the same: the part left
+    at distance d is (near / d) squared.
     """
     part = (np.arange(count) + 1.0) / max(count, 1)
-    return np.asarray(np.minimum(NEAR / np.sqrt(part) / radius, 1.0))
+    return np.asarray(np.minimum(near / np.sqrt(part) / radius, 1.0))
 
 
-def drawn_at(count: int, distance: float) -> int:
+def drawn_at(count: int, near: float, distance: float) -> int:
     """Return how many of a cell's ``count`` blades reach ``distance`` units (thinned_reach)."""
-    return int(np.ceil(count * min(NEAR / max(distance, 1e-6), 1.0) ** 2))
+    return int(np.ceil(count * min(near / max(distance, 1e-6), 1.0) ** 2))
 
 
-def facing(blades: np.ndarray, away: np.ndarray, part: float) -> None:
-    """Turn blades, float32 (n, 5, 3), in place: their wide side to the viewer by ``part``.
+def facing(columns: np.ndarray, away: np.ndarray, part: float) -> None:
+    """Turn blades in place: their wide side to the viewer by ``part``. They keep width and tip.
 
-    ``away`` (n, 2) is x, z from the eye to each blade. A blade keeps its width and its tip.
+    ``columns``, float32 (5, 3, n), holds each coordinate of each vertex as a row of its own;
+    ``away`` (2, n) is x, z from the eye to each blade.
     """
     # Directions on the map as complex numbers, x + i z: one operation for both coordinates.
-    half = ((blades[:, 1, ::2] - blades[:, 0, ::2]) / 2).view(np.complex64)[:, 0]
-    sight = np.ascontiguousarray(away, np.float32).view(np.complex64)[:, 0]
+    half = complexes(*(columns[1, ::2] - columns[0, ::2]) / 2)
+    sight = complexes(*away)
     width = np.abs(half)
     across = sight * np.complex64(1j * part)
     turned = half * np.float32(1.0 - part) + across * (width / np.maximum(np.abs(sight), 1e-6))
     moved = turned * (width / np.maximum(np.abs(turned), 1e-9)) - half
-    blades[:, :4, 0] += moved.real[:, None] * SIDES
-    blades[:, :4, 2] += moved.imag[:, None] * SIDES
+    for vertex, side in enumerate(SIDES):
+        columns[vertex, 0] += side * moved.real
+        columns[vertex, 2] += side * moved.imag
+
+
+def complexes(real: np.ndarray, imaginary: np.ndarray) -> np.ndarray:
+    """Return complex64 (n,) of these parts."""
+    out = np.empty(len(real), np.complex64)
+    out.real, out.imag = real, imaginary
+    return out
 
 
 def meadow(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -179,6 +200,16 @@ class Patch:
     tints: np.ndarray
     reach: np.ndarray
 
+    @cached_property
+    def columns(self) -> np.ndarray:
+        """The still blades as (5, 3, n): what is reckoned of all is reckoned a row at a time."""
+        return np.ascontiguousarray(self.blades.transpose(1, 2, 0))
+
+    @cached_property
+    def places(self) -> np.ndarray:
+        """The places as (3, n)."""
+        return np.ascontiguousarray(self.positions.T)
+
 
 NOTHING = Patch(
     np.empty((0, 3), np.float32), np.empty((0, 5, 3), np.float32), np.empty((0, 5, 4), np.uint8),
@@ -193,6 +224,7 @@ class Grass:
         """Share the blades out over the cells by lot (``seed``)."""
         self._settings, self._ground, self._seed = settings, ground, seed
         self._across = int(np.ceil(ground.field.size / CELL))
+        self._near = NEAR
         self.counts = self._share()
         self._shared = self.counts.copy()
         self._patches: dict[int, Patch] = {}  # the last used last
@@ -226,6 +258,7 @@ class Grass:
         share = suits.mean(axis=(1, 3)).ravel()
         if not share.any():
             return np.zeros(len(share), int)
+        self._near = nearness(self._settings.grass.count / (share.sum() * CELL**2))
         return rng.multinomial(self._settings.grass.count, share / share.sum())
 
     def _patch(self, cell: int, wanted: int | None = None) -> Patch:
@@ -288,9 +321,10 @@ class Grass:
         blades = blade_vertices(positions, angles, grass.scale, grass.arch)
         reach = np.ones(len(xz))
         if grass.fade:
-            reach = thinned_reach(int(self.counts[cell]), grass.radius)[first : first + len(xz)]
+            reach = thinned_reach(int(self.counts[cell]), self._near, grass.radius)
+            reach = reach[first : first + len(xz)]
             grown = np.empty((len(xz), 1, 3))
-            wider = np.maximum(reach * grass.radius / NEAR, 1.0) ** WIDENING
+            wider = np.maximum(reach * grass.radius / self._near, 1.0) ** WIDENING
             grown[..., 0] = grown[..., 2] = wider[:, None]
             grown[..., 1] = rng.uniform(0.6, 1.25, (len(xz), 1))
             grown[:, 0, 1] *= 1.0 + grass.variety * self._tallness(roots, rng)[tuft]
@@ -329,7 +363,7 @@ class Grass:
         for number, distance in zip(numbers[seen].tolist(), nearest[seen].tolist(), strict=True):
             last = int(self.counts[number])
             if grass.fade:
-                last = drawn_at(last, distance)
+                last = drawn_at(last, self._near, distance)
             patch = self._patch(number, last)
             parts = (patch.positions, patch.blades, patch.tints, patch.reach)
             chosen.append(Patch(*(part[:last] for part in parts)))
@@ -362,24 +396,21 @@ class Grass:
 
         With ``grass.fade`` a blade sinks into the ground towards the end of its reach.
         """
-        grass, positions, blades = self._settings.grass, patch.positions, patch.blades.copy()
-        x, y, z = (blades[..., axis] for axis in range(3))
-        wind = blade_wind(frame.kt, positions, grass.scale[0]).astype(np.float32)
-        x[:, 2:] += wind[:, :1] * BENT
-        z[:, 2:] += wind[:, 1:] * BENT
-        away = positions[:, ::2] - np.array([frame.pose.x, frame.pose.z], np.float32)
+        grass, places, columns = self._settings.grass, patch.places, patch.columns.copy()
+        wind = blade_wind(frame.kt, places.T, grass.scale[0]).astype(np.float32).T
+        for vertex, part in WIND:
+            columns[vertex, ::2] += part * wind
+        away = places[::2] - np.array([[frame.pose.x], [frame.pose.z]], np.float32)
         if grass.facing > 0:
-            facing(blades, away, grass.facing)
+            facing(columns, away, grass.facing)
         if grass.fade:
             reach = np.float32(grass.radius) * patch.reach
-            far = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
-            sinking = np.flatnonzero(far > np.float32(0.75) * reach)
-            height = 4.0 * np.maximum(1.0 - far[sinking] / reach[sinking], 0.0)[:, None]
-            base = positions[sinking, 1:2]
-            y[sinking, 2:] = base + (y[sinking, 2:] - base) * height
-            gone = sinking[height[:, 0] <= 0.0]
-            blades[gone] = positions[gone, None]
-        return blades
+            far = np.sqrt(away[0] * away[0] + away[1] * away[1])
+            left = np.clip(4.0 * (1.0 - far / reach), 0.0, 1.0)
+            columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left
+            gone = np.flatnonzero(left <= 0.0)
+            columns[..., gone] = places[:, gone]
+        return np.ascontiguousarray(columns.transpose(2, 0, 1))
 
     def draw(self, frame: Frame) -> None:
         """Choose, bend and send the visible blades."""

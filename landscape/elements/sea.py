@@ -142,7 +142,7 @@ class Sea:
 
     def _bed_texture(self) -> Texture | None:
         if self._bed is None and self._field is not None:
-            self._bed = Texture(bed_picture(self._depths), repeat=False, trilinear=False)
+            self._bed = Texture(bed_picture(self._depths), repeat=False)
         return self._bed
 
     def _draw_bottom(self, level: float, size: float) -> None:
