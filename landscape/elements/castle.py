@@ -4,6 +4,7 @@ Techniques: a few meshes built once and drawn several times; a door texture with
 surround laid over the bricks; a light texture multiplied over both with
 glBlendFunc(GL_ZERO, GL_SRC_COLOR), whose far texture coordinates flicker; torches as parametric
 cylinder and cone; fire as a 4x4 sprite sheet on a quad.
+The ornate castle's bricks are multiplied by a light map in a second unit (castle_light.py).
 Cures: flames that turn to the viewer about the y axis (R2); bricks, door and light in one pass of
 three texture units, fogged and lit once (R11, section 11.2.4).
 Own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
@@ -12,10 +13,13 @@ texture units of OpenGL 1.3, and ARB_texture_env_crossbar (OpenGL 1.4).
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from landscape.assets import Assets
+from landscape.cache import recall
+from landscape.elements.castle_light import light_map
 from landscape.elements.castle_meshes import (
     CORNERS,
     MASTS,
@@ -27,7 +31,6 @@ from landscape.elements.castle_meshes import (
     rings,
     roofs,
     tower_mesh,
-    wall_light,
     walls_mesh,
     without_gate,
 )
@@ -51,6 +54,7 @@ BEFORE, AFTER = np.array([0, 0, 1, 2, 3, 4]), np.array([1, 2, 3, 4, 5, 5])  # of
 PENNANT_QUADS = (np.arange(0, 10, 2)[:, None] + (0, 1, 3, 2)).ravel()  # of a strip of pairs
 FOOT_SHADE = 0.22  # chosen: units from the walls over which they hide the sky
 FLAME_Z = -0.07  # section 6.1
+GATE_CORNERS = ((1.0, 0.0), (0.0, 0.0), (0.0, 1.0), (1.0, 1.0))  # x, y, as the bricks have them
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
 
 
@@ -125,11 +129,22 @@ class Castle:
         self._light_image = read_image(assets.path("castle_light.png"), "RGB")
         self._light = Texture(self._light_image)
         self._ball = ORNATE_BALL if castle.ornate else BALL
+        self._light_map = self._light_bricks(settings) if castle.ornate else None
         self._list = DisplayList(lambda: self._send(gate=True))
         # What only R11 needs is made when it is switched on.
         self._open: DisplayList | None = None
         self._gate: DisplayList | None = None
         self._halo_texture: Texture | None = None
+
+    def _light_bricks(self, settings: Settings) -> Texture:
+        """Make the bricks' mesh; return the light map that lies on it in a second unit."""
+        bricks, strips = ornate_masonry(self._repeat)
+        picture, self._lit = recall(
+            ["castle's light", repr((self._repeat, self._yaw, settings.sun))],
+            lambda: light_map(bricks, strips, settings.sun, self._yaw),
+        )
+        self._bricks = replace(bricks, coordinates=(*bricks.coordinates, self._lit))
+        return Texture(picture, repeat=False, mipmaps=False)
 
     def _open_list(self) -> DisplayList:
         """The castle without its gate wall, compiled when it is first asked for."""
@@ -152,8 +167,8 @@ class Castle:
         cone = revolve([(0.008, 0.0), (0.024, 0.04), (0.014, 0.04)], 10, (2, 1))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._brick.bind()
-        if self._settings.castle.ornate:
-            self._send_ornate(gate)
+        if self._light_map is not None:
+            self._send_ornate(self._light_map, gate)
         else:
             walls = walls_mesh(self._repeat)
             (walls if gate else without_gate(walls, self._repeat)).draw()
@@ -172,9 +187,18 @@ class Castle:
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
 
-    def _send_ornate(self, gate: bool) -> None:
+    def _send_ornate(self, light: Texture, gate: bool) -> None:
         """Send bricks, slates of the same bricks in another colour, masts and dark openings."""
-        ornate_masonry(self._repeat, gate).draw()
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        light.bind()
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        # The first quad is the gate wall.
+        first = 0 if gate else 2
+        replace(self._bricks, triangles=self._bricks.triangles[first:]).draw()
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        gl.glDisable(gl.GL_TEXTURE_2D)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
         gl.glColor3f(*SLATE)
         roofs(self._repeat).draw()
         self._stone.bind()
@@ -192,7 +216,7 @@ class Castle:
     def cast(self, shadows: ShadowMap) -> None:
         """Throw the shadow of walls and towers, and darken the ground along their feet."""
         yaw, step = math.radians(self._yaw), 0.7 * shadows.texel
-        turn = np.array([(math.cos(yaw), -math.sin(yaw)), (math.sin(yaw), math.cos(yaw))])
+        turn = np.array([(math.cos(yaw), math.sin(yaw)), (-math.sin(yaw), math.cos(yaw))])
 
         def feet(ring: np.ndarray) -> np.ndarray:
             xz = (ring - 0.5) @ turn.T + (self.base[0], self.base[2])
@@ -268,7 +292,7 @@ class Castle:
 
         Unit 0 mixes door and bricks by the door's alpha, and names unit 1's texture to do so (the
         crossbar); unit 1 multiplies by the halo, twice, so that it may brighten; unit 2 by the
-        sun's colour on the wall.
+        sun's colour on the wall; unit 3, of the ornate castle, by its light map.
         """
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
             shift_s, shift_t = light_shift(kt)
@@ -282,7 +306,7 @@ class Castle:
             gl.glMatrixMode(gl.GL_MODELVIEW)
 
     def _gate_wall(self) -> DisplayList:
-        """Return the list of the gate in three units, made when first asked for.
+        """Return the list of the gate in three units, or four, made when first asked for.
 
         It ends with unit 2 active, as it was.
         """
@@ -293,7 +317,14 @@ class Castle:
             mix |= {"OPERAND2_RGB": "SRC_ALPHA"}
             lit = {"COMBINE_RGB": "MODULATE", "SOURCE0_RGB": "PREVIOUS", "SOURCE1_RGB": "TEXTURE2"}
             shaded = {**lit, "SOURCE1_RGB": "PRIMARY_COLOR"}
-            units = ((self._brick, mix, 1.0), (self._door, lit, 2.0), (halo, shaded, 1.0))
+            units = [(self._brick, mix, 1.0), (self._door, lit, 2.0), (halo, shaded, 1.0)]
+            corners = [
+                [(x * repeat, (1.0 - y) * repeat) for x, y in GATE_CORNERS]
+                for repeat in (self._repeat, 1.0, 1.0)
+            ]
+            if self._light_map is not None:
+                units.append((self._light_map, {**lit, "SOURCE1_RGB": "TEXTURE3"}, 1.0))
+                corners.append(self._lit[:4].tolist())
 
             def send() -> None:
                 for unit, (texture, terms, scale) in enumerate(units):
@@ -303,20 +334,14 @@ class Castle:
                     combine(terms)
                     gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, scale)
 
+                gl.glActiveTexture(gl.GL_TEXTURE2)
                 gl.glNormal3f(0.0, 0.0, -1.0)
-                ornate = self._settings.castle.ornate
-                heights = np.linspace(0.0, 1.0, 11 if ornate else 2)
-                light = wall_light(np.insert(np.zeros((len(heights), 2)), 1, heights, axis=1))
-                gl.glBegin(gl.GL_QUAD_STRIP)
-                for y, grey in zip(heights.tolist(), light.tolist(), strict=True):
-                    gl.glColor3f(*([grey if ornate else 1.0] * 3))
-                    for x in (1.0, 0.0):
-                        for unit, repeat in enumerate((self._repeat, 1.0, 1.0)):
-                            name = getattr(gl, f"GL_TEXTURE{unit}")
-                            gl.glMultiTexCoord2f(name, x * repeat, (1.0 - y) * repeat)
-                        gl.glVertex3f(x, y, 0.0)
+                gl.glBegin(gl.GL_QUADS)
+                for k, (x, y) in enumerate(GATE_CORNERS):
+                    for unit, of_unit in enumerate(corners):
+                        gl.glMultiTexCoord2f(getattr(gl, f"GL_TEXTURE{unit}"), *of_unit[k])
+                    gl.glVertex3f(x, y, 0.0)
                 gl.glEnd()
-                gl.glColor3f(1.0, 1.0, 1.0)
 
             self._gate = DisplayList(send)
         return self._gate
@@ -365,7 +390,7 @@ class Castle:
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""
         self._list.release()
-        for made in (self._open, self._gate, self._halo_texture):
+        for made in (self._open, self._gate, self._halo_texture, self._light_map):
             if made is not None:
                 made.release()
         for texture in (self._brick, self._stone, self._door, self._fire, self._light):

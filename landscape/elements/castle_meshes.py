@@ -2,12 +2,9 @@
 
 In 2006 the castle was four walls and four towers. With ``castle.ornate`` they stand on a plinth and
 carry bands, loopholes and battlements; a keep rises in the court, and roofs on it and on the two
-towers behind. Vertex colours darken what the sky hardly sees: the feet of the walls, and what
-lies under a ledge.
+towers behind. Strips say how a surface may be laid into the light map: see castle_light.
 Own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
 """
-
-from collections.abc import Callable
 
 import numpy as np
 
@@ -29,7 +26,6 @@ GATE = (0.375, 0.635)  # x from and to of the gate wall that the plinth leaves f
 CONE = (TOWER_RADIUS + 0.05, TOWER_TOP + 0.36)  # radius of the eaves, height of the tip
 KEEP_ROOF = 0.34  # height of its pyramid
 MASTS = ((0.46, 0.72, 1.52 + KEEP_ROOF, 0.20), (0.0, 1.0, TOWER_TOP + 0.35, 0.14))
-FOOT_SHADE, LEDGE_SHADE = 0.62, 0.80  # light left at the walls' foot, and under a ledge
 
 
 def wall_boxes() -> list[tuple[float, float, float, float, float, float]]:
@@ -123,38 +119,17 @@ def moved(mesh: Mesh, x: float, z: float) -> Mesh:
     return Mesh(vertices, mesh.normals, mesh.triangles, mesh.coordinates, mesh.colors)
 
 
-def grid_quads(quads: np.ndarray, largest: float) -> np.ndarray:
-    """Cut quads (n, 4, 3), horizontal edge first, into some no higher than ``largest`` (m, 4, 3).
-
-    Light is reckoned at the vertices only: a wall of four of them can have no gradient.
-    """
-    out = []
-    for a, b, c, d in quads:
-        rows = max(int(np.ceil(np.linalg.norm(d - a) / largest)), 1)
-        t = np.linspace(0.0, 1.0, rows + 1)[:, None]
-        left, right = a + t * (d - a), b + t * (c - b)
-        out.append(np.stack([left[:-1], right[:-1], right[1:], left[1:]], axis=1))
-    return np.concatenate(out)
+def quad_strips(count: int, first: int = 0) -> list[np.ndarray]:
+    """Return the lower and upper rows (2, 2) of the vertices of ``count`` quads of quads_mesh."""
+    base = first + 4 * np.arange(count)[:, None, None]
+    return list(base + np.array([[0, 1], [3, 2]]))
 
 
-def weathered(mesh: Mesh, light: Callable[[np.ndarray], np.ndarray]) -> Mesh:
-    """Return a mesh with grey vertex colours, ``light`` (n,) in 0..1 of its vertices (n, 3)."""
-    grey = np.clip(light(mesh.vertices) * 255 + 0.5, 0, 255).astype(np.uint8)
-    colors = np.repeat(grey[:, None], 4, axis=1)
-    colors[:, 3] = 255
-    # Rain leaves the feet a little green.
-    foot = np.clip(1.0 - mesh.vertices[:, 1] / 0.25, 0.0, 1.0)
-    colors[:, 0] = colors[:, 0] * (1.0 - 0.10 * foot)
-    colors[:, 2] = colors[:, 2] * (1.0 - 0.20 * foot)
-    return Mesh(mesh.vertices, mesh.normals, mesh.triangles, mesh.coordinates, colors)
-
-
-def wall_light(places: np.ndarray) -> np.ndarray:
-    """Return the light (n,) the sky leaves on walls and towers at places (n, 3)."""
-    y = places[:, 1]
-    foot = 1.0 - (1.0 - FOOT_SHADE) * np.exp(-np.maximum(y, 0.0) / 0.10)
-    under = 1.0 - (1.0 - LEDGE_SHADE) * np.clip(1.0 - (BAND[0] - y) / 0.12, 0.0, 1.0)
-    return np.asarray(foot * np.where(y < BAND[0] + 1e-4, under, 1.0))
+def revolved_strips(segments: int, sides: int, first: int = 0) -> list[np.ndarray]:
+    """Return the rows (2, sides + 1) of the vertices of each segment of a revolved profile."""
+    upper = np.arange(sides + 1)
+    one = np.stack([upper + sides + 1, upper])
+    return [first + 2 * (sides + 1) * k + one for k in range(segments)]
 
 
 def belt(low: float, high: float, out: float, gate: tuple[float, float]) -> np.ndarray:
@@ -191,45 +166,46 @@ def ring_of_merlons(radius: float, base: float, count: int) -> np.ndarray:
     return np.array(quads)
 
 
-def ornate_tower(repeat: float) -> Mesh:
-    """Return a tower about the y axis with plinth, band and battlements, coloured."""
-    r, top = TOWER_RADIUS, TOWER_TOP
+def ornate_tower(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
+    """Return a tower about the y axis with plinth, band and battlements, and its strips."""
+    r, top, sides = TOWER_RADIUS, TOWER_TOP, 24
     low, high, out = PLINTH
-    profile = [(r + out, low), (r + out, high), (r, high + out)]
-    heights = np.linspace(high + out, BAND[0], 9)
-    profile += [(r, float(y)) for y in heights[1:]]
+    profile = [(r + out, low), (r + out, high), (r, high + out), (r, BAND[0])]
     profile += [(r + BAND[2], BAND[0]), (r + BAND[2], BAND[1]), (r, BAND[1] + BAND[2])]
     profile += [(r, top - 0.16), (r + 0.03, top - 0.10), (r + 0.03, top)]
     profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
-    length = sum(np.hypot(*np.subtract(b, a)) for a, b in zip(profile, profile[1:], strict=False))
-    shaft = revolve(profile, 24, (max(1, round(2 * np.pi * r * repeat)), float(length) * repeat))
+    shaft = revolve(profile, sides, (max(1, round(2 * np.pi * r * repeat)), 1))
     # Texture coordinates by height, so that the courses of towers and walls are level.
     round_, _ = shaft.coordinates[0].T
     level = np.stack([round_, (1.0 - shaft.vertices[:, 1]) * repeat], axis=1).astype(np.float32)
     shaft = Mesh(shaft.vertices, shaft.normals, shaft.triangles, (level,))
-    crown = quads_mesh(ring_of_merlons(r + 0.03, top, 9), repeat)
-    return weathered(merged([shaft, crown]), wall_light)
+    crown = ring_of_merlons(r + 0.03, top, 9)
+    strips = revolved_strips(len(profile) - 1, sides)
+    strips += quad_strips(len(crown), len(shaft.vertices))
+    return merged([shaft, quads_mesh(crown, repeat)]), strips
 
 
-def ornate_masonry(repeat: float, gate: bool) -> Mesh:
-    """Return all of the ornate castle that is of bricks, coloured.
+def ornate_masonry(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
+    """Return all of the ornate castle that is of bricks, and its strips for the light map.
 
-    Of the gate wall's outer face only what lies below y = 0, unless ``gate``.
+    The first quad is the gate wall's outer face above y = 0.
     """
     walls = walls_mesh(repeat).vertices.reshape(-1, 4, 3)
     under, over = walls[:1].copy(), walls[:1].copy()
     under[0, 2:, 1], over[0, :2, 1] = 0.0, 0.0
     rings = [belt(*BAND, (0.5, 0.5)), belt(*PLINTH, GATE)]
-    plain = np.concatenate([walls[1:], under, *([over] if gate else []), *rings])
     x0, z0, x1, z1, top = KEEP
-    keep = [box_quads(x0, -FOOT, z0, x1, top, z1)]
     out = 0.02
+    keep = [box_quads(x0, -FOOT, z0, x1, top, z1)]
     keep.append(box_quads(x0 - out, top - 0.10, z0 - out, x1 + out, top, z1 + out))
-    masonry = weathered(quads_mesh(grid_quads(plain, 0.10), repeat), wall_light)
-    tall = quads_mesh(grid_quads(np.concatenate(keep), 0.10), repeat)
-    tall = weathered(tall, lambda places: 0.55 + 0.45 * np.clip(places[:, 1] - 0.6, 0.0, 1.0))
-    towers = [moved(ornate_tower(repeat), x, z) for x in (0.0, 1.0) for z in (0.0, 1.0)]
-    return merged([masonry, tall, *towers])
+    quads = np.concatenate([over, under, walls[1:], *rings, *keep])
+    meshes, strips = [quads_mesh(quads, repeat)], quad_strips(len(quads))
+    tower, rows = ornate_tower(repeat)
+    for x, z in CORNERS:
+        first = sum(len(mesh.vertices) for mesh in meshes)
+        strips += [row + first for row in rows]
+        meshes.append(moved(tower, x, z))
+    return merged(meshes), strips
 
 
 def loopholes() -> np.ndarray:

@@ -102,6 +102,7 @@ class Texture:
         anisotropy: float = 1.0,
         trilinear: bool = True,
         sharper: float = 0.0,
+        mipmaps: bool = True,
     ) -> None:
         """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
 
@@ -109,6 +110,7 @@ class Texture:
         (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE;
         ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic. Not ``trilinear``, a texel is
         looked up in the nearer of two mip levels instead of in both: a third cheaper.
+        Without ``mipmaps`` it has none, as neighbours in an atlas would run together there.
         ``sharper``: mip levels finer than OpenGL's choice (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
         images = levels if isinstance(levels, list) else [levels]
@@ -117,6 +119,8 @@ class Texture:
         previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
         gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
         minified = gl.GL_LINEAR_MIPMAP_LINEAR if trilinear else gl.GL_LINEAR_MIPMAP_NEAREST
+        if not mipmaps:
+            minified = gl.GL_LINEAR
         parameters = {
             gl.GL_TEXTURE_WRAP_S: wrap,
             gl.GL_TEXTURE_WRAP_T: wrap,
@@ -131,7 +135,7 @@ class Texture:
             gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_ANISOTROPY, anisotropy)
         if len(images) > 1:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL, len(images) - 1)
-        else:
+        elif mipmaps:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, gl.GL_TRUE)
         # Rows of RGB images need not be a multiple of 4 bytes, the default alignment.
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
