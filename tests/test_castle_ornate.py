@@ -67,7 +67,7 @@ def test_bands_loopholes_and_towers_look_away_from_what_they_stand_on() -> None:
         outwards = (middle - 0.5) * (1, 0, 1)
         assert level.any() and ((turn * outwards).sum(axis=1)[level] > 0).all()
         assert np.abs(quads[..., [0, 2]] - 0.5).max() == pytest.approx(0.5 + out)
-    middle, turn, _ = faces(ornate_tower(4.0)[0])
+    middle, turn, _ = faces(ornate_tower(4.0, True)[0])
     round_ = (np.hypot(middle[:, 0], middle[:, 2]) > TOWER_RADIUS - 0.005) & (
         np.abs(turn[:, 1]) < 1e-9
     )
@@ -218,13 +218,13 @@ def test_a_corner_sees_less_of_the_sky_than_the_middle_of_a_wall() -> None:
     assert seen[0] == pytest.approx(1.0) and 0.1 < seen[1] < 0.9 and seen[2] == 0.0
 
 
-def test_light_is_least_in_shadow_and_at_the_damp_foot_and_never_more_than_all() -> None:
+def test_light_is_least_in_shadow_and_at_the_damp_foot() -> None:
     sun = Sun(azimuth=0.0, elevation=40.0)  # from the north, where the gate looks with yaw 0
     column = np.array([(0.5, y, 0.0) for y in (0.02, 0.4, 0.7)])
     behind = np.array([(0.5, 1.1, 0.56), (0.40, 1.3, 0.56)])
     facing = np.tile([0.0, 0.0, -1.0], (3, 1))
     lit = light(column, facing, sun, 0.0).mean(axis=1)
-    assert lit[0] < 0.8 * lit[1] and lit.max() <= 1.0 and lit[1:].min() > 0.5
+    assert lit[0] < 0.8 * lit[1] and lit[1:].min() > 0.5
     assert light(column, facing, sun, 180.0).mean() > 0.5  # turned away: no sun to lose
     keep = light(behind, np.tile([0.0, 0.0, -1.0], (2, 1)), sun, 0.0).mean(axis=1)
     assert (keep > 0.4).all()
@@ -256,4 +256,4 @@ def test_every_vertex_looks_up_the_light_of_its_own_place() -> None:
     column, row = np.round(texels[some]).astype(int).T
     assert np.allclose(texels[some], np.stack([column, row], axis=1), atol=1e-3)
     own = light(mesh.vertices[some].astype(float), mesh.normals[some].astype(float), sun, -160.0)
-    assert np.abs(picture[row, column] / 255 - own).max() < 0.01
+    assert np.abs(picture[row, column] / 127.5 - np.minimum(own, 2.0)).max() < 0.01

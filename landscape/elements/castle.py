@@ -52,6 +52,8 @@ SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  
 PENNANT = (0.75, 0.12, 0.10)  # chosen
 BEFORE, AFTER = np.array([0, 0, 1, 2, 3, 4]), np.array([1, 2, 3, 4, 5, 5])  # of a pennant's pairs
 PENNANT_QUADS = (np.arange(0, 10, 2)[:, None] + (0, 1, 3, 2)).ravel()  # of a strip of pairs
+NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
+BY_DAY = 0.5  # chosen: part of the torches' glow that is seen beside the sun's light
 FOOT_SHADE = 0.22  # chosen: units from the walls over which they hide the sky
 FLAME_Z = -0.07  # section 6.1
 GATE_CORNERS = ((1.0, 0.0), (0.0, 0.0), (0.0, 1.0), (1.0, 1.0))  # x, y, as the bricks have them
@@ -155,7 +157,10 @@ class Castle:
     def _halo(self) -> Texture:
         """The light as :func:`halo` has it, made when it is first asked for."""
         if self._halo_texture is None:
-            self._halo_texture = Texture(halo(self._light_image))
+            glow = halo(self._light_image)
+            if self._settings.castle.ornate:
+                glow = np.asarray(NEUTRAL + BY_DAY * (glow - NEUTRAL) + 0.5, np.uint8)
+            self._halo_texture = Texture(glow)
         return self._halo_texture
 
     def _send(self, gate: bool) -> None:
@@ -192,10 +197,13 @@ class Castle:
         gl.glActiveTexture(gl.GL_TEXTURE1)
         light.bind()
         gl.glEnable(gl.GL_TEXTURE_2D)
-        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
         # The first quad is the gate wall.
         first = 0 if gate else 2
         replace(self._bricks, triangles=self._bricks.triangles[first:]).draw()
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
         gl.glActiveTexture(gl.GL_TEXTURE0)
@@ -323,7 +331,7 @@ class Castle:
                 for repeat in (self._repeat, 1.0, 1.0)
             ]
             if self._light_map is not None:
-                units.append((self._light_map, {**lit, "SOURCE1_RGB": "TEXTURE3"}, 1.0))
+                units.append((self._light_map, {**lit, "SOURCE1_RGB": "TEXTURE3"}, 2.0))
                 corners.append(self._lit[:4].tolist())
 
             def send() -> None:

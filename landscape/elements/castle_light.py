@@ -41,6 +41,7 @@ BOUNCE = np.array([0.30, 0.29, 0.22])  # of the sky's light comes back from the 
 CONTACT = 0.10  # units over which the ground hides the foot of a wall
 LATTICE = 32  # places per side of the noise, which then repeats
 RUNS = 0.24  # units down which rain leaves its streaks under a ledge
+EXPOSURE = 1.08  # times the light: weather takes some of it away
 
 
 def turned_sun(sun: Sun, yaw: float) -> np.ndarray:
@@ -163,7 +164,7 @@ def weather(places: np.ndarray) -> np.ndarray:
     for ledge in (BAND[0], TOWER_TOP - 0.16, KEEP[4] - 0.10):
         below = ledge - y
         wet = np.maximum(wet, np.where(below > 0, np.exp(-below / RUNS), 0.0))
-    damp = np.exp(-np.maximum(y, 0.0) / (0.05 + 0.16 * noise(places, (6.0, 0.0, 6.0), 4)))
+    damp = np.exp(-np.maximum(y, 0.0) / (0.02 + 0.22 * noise(places, (5.0, 0.0, 5.0), 4)))
     grey = 1.0 - 0.19 * np.clip(1.5 * patches - 0.35, 0.0, 1.0)
     grey *= (1.0 - 0.38 * streaks * (0.15 + 0.85 * wet)) * (1.0 - 0.26 * damp)
     warm = np.array([0.05, 0.0, -0.06]) * (patches - 0.5)[:, None]
@@ -172,9 +173,10 @@ def weather(places: np.ndarray) -> np.ndarray:
 
 
 def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.ndarray:
-    """Return what is left of OpenGL's light at places (n, 3) with normals (n, 3): (n, 3) in 0..1.
+    """Return the colours (n, 3) to multiply OpenGL's light by at places and with normals (n, 3).
 
-    By what stands in the way of sun and sky, times the weather. ``yaw`` in degrees.
+    That is what walls leave of sun and sky, and the weather. OpenGL's light ends at 1, so that the
+    sun hardly shows beside the sky: these may be more than 1. ``yaw`` in degrees.
     """
     towards = turned_sun(sun, yaw)
     across = np.array([-towards[0], 0.5, -towards[2]]) / math.hypot(towards[0], towards[2], 0.5)
@@ -186,9 +188,8 @@ def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.n
     up = (1.0 + normals[:, 1:2]) / 2  # the part of what a face looks at that is sky
     seen = (up * sky + (1.0 - up) * BOUNCE * ground) / (up + (1.0 - up) * BOUNCE)
     sunny = open_to(places, normals, around(towards, SUN_RAYS, PENUMBRA))[:, None]
-    full = np.minimum(ambient + fill + direct, 1.0)  # OpenGL ends at 1
-    left = np.minimum((ambient + fill) * seen + direct * sunny, full)
-    return np.asarray(left / full * weather(places))
+    left = EXPOSURE * ((ambient + fill) * seen + direct * sunny)
+    return np.asarray(left / np.minimum(ambient + fill + direct, 1.0) * weather(places))
 
 
 def shelves(sizes: list[tuple[int, int]]) -> list[tuple[int, int]]:
@@ -224,6 +225,7 @@ def light_map(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the light map, uint8 (SIDE, SIDE, 3), and texture coordinates in it, float32 (n, 2).
 
+    It holds half of what multiplies, and is to be scaled by 2 (GL_RGB_SCALE).
     ``strips`` name the mesh's vertices, (2, c) each: a lower and an upper row, between which the
     surface lies. A strip's texels have their centres on its borders, so that nothing bleeds in.
     """
@@ -246,7 +248,8 @@ def light_map(
         boxes.append((slice(y, y + high), slice(x, x + wide)))
     facing = np.concatenate(normals)
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-9)
-    colours = np.asarray(light(np.concatenate(places), facing, sun, yaw) * 255 + 0.5, np.uint8)
+    shades = np.minimum(light(np.concatenate(places), facing, sun, yaw) / 2.0, 1.0)
+    colours = np.asarray(shades * 255 + 0.5, np.uint8)
     first = 0
     for box, part in zip(boxes, places, strict=True):
         shape = box[0].stop - box[0].start, box[1].stop - box[1].start, 3

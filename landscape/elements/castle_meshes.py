@@ -166,8 +166,11 @@ def ring_of_merlons(radius: float, base: float, count: int) -> np.ndarray:
     return np.array(quads)
 
 
-def ornate_tower(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
-    """Return a tower about the y axis with plinth, band and battlements, and its strips."""
+def ornate_tower(repeat: float, crowned: bool) -> tuple[Mesh, list[np.ndarray]]:
+    """Return a tower about the y axis with plinth and band, and its strips for the light map.
+
+    ``crowned`` with battlements, or bare for a roof.
+    """
     r, top, sides = TOWER_RADIUS, TOWER_TOP, 24
     low, high, out = PLINTH
     profile = [(r + out, low), (r + out, high), (r, high + out), (r, BAND[0])]
@@ -179,8 +182,10 @@ def ornate_tower(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
     round_, _ = shaft.coordinates[0].T
     level = np.stack([round_, (1.0 - shaft.vertices[:, 1]) * repeat], axis=1).astype(np.float32)
     shaft = Mesh(shaft.vertices, shaft.normals, shaft.triangles, (level,))
-    crown = ring_of_merlons(r + 0.03, top, 9)
     strips = revolved_strips(len(profile) - 1, sides)
+    if not crowned:
+        return shaft, strips
+    crown = ring_of_merlons(r + 0.03, top, 9)
     strips += quad_strips(len(crown), len(shaft.vertices))
     return merged([shaft, quads_mesh(crown, repeat)]), strips
 
@@ -200,8 +205,8 @@ def ornate_masonry(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
     keep.append(box_quads(x0 - out, top - 0.10, z0 - out, x1 + out, top, z1 + out))
     quads = np.concatenate([over, under, walls[1:], *rings, *keep])
     meshes, strips = [quads_mesh(quads, repeat)], quad_strips(len(quads))
-    tower, rows = ornate_tower(repeat)
     for x, z in CORNERS:
+        tower, rows = ornate_tower(repeat, (x, z) not in ROOFED)
         first = sum(len(mesh.vertices) for mesh in meshes)
         strips += [row + first for row in rows]
         meshes.append(moved(tower, x, z))
@@ -246,9 +251,10 @@ def loopholes() -> np.ndarray:
 
 
 def roofs(repeat: float) -> Mesh:
-    """Return the slated roofs: two cones, and the keep's pyramid."""
+    """Return the slated roofs, two cones and the keep's pyramid, with the undersides of eaves."""
     radius, tip = CONE
-    cone = revolve([(radius, TOWER_TOP + 0.02), (0.0, tip)], 20, (6, 2))
+    eaves_y = TOWER_TOP - 0.02
+    cone = revolve([(TOWER_RADIUS, eaves_y + 0.01), (radius, eaves_y), (0.0, tip)], 20, (6, 2))
     cones = [moved(cone, x, z) for x, z in ROOFED]
     x0, z0, x1, z1, top = KEEP
     out = 0.05
@@ -261,8 +267,11 @@ def roofs(repeat: float) -> Mesh:
         (ax, az), (bx, bz) = eaves[(k + 1) % 4], eaves[k]
         corners += [(ax, top, az), (bx, top, bz), peak]
         uv += [(0.0, 2.0), (2.0, 2.0), (1.0, 0.0)]
+    below = [(x, top, z) for x, z in eaves]
+    corners += [below[k] for k in (0, 1, 2, 0, 2, 3)]
+    uv += [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
     vertices = np.array(corners, np.float32)
-    triangles = np.arange(12, dtype=np.uint32).reshape(-1, 3)
+    triangles = np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)
     pyramid = Mesh(
         vertices, vertex_normals(vertices, triangles), triangles, (np.array(uv, np.float32),)
     )
