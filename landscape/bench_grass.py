@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, blade_vertices, blade_wind
+from landscape.elements.blades import COORDINATES, STRIP_TRIANGLES, blade_vertices, blade_wind
 from landscape.elements.ground import HeightField
 from landscape.elements.planting import scatter
 from landscape.frame import Frame

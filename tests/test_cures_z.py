@@ -12,7 +12,8 @@ from test_grass import frame_at, sow
 
 from landscape.assets import Assets
 from landscape.elements.animal import by_axis, read_animal
-from landscape.elements.grass import Grass, blade_vertices, facing, send_one_by_one
+from landscape.elements.blades import blade_vertices, facing
+from landscape.elements.grass import Grass, send_one_by_one
 from landscape.elements.ground import (
     Ground,
     clipped,

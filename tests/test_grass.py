@@ -10,23 +10,19 @@ import pytest
 from stage import Stage, close, pixel, project, small
 
 from landscape.assets import Assets
-from landscape.elements.grass import (
-    CELL,
+from landscape.elements.blades import (
     COORDINATES,
     DENSE,
     NEAR,
     STRIP_TRIANGLES,
-    Grass,
     Patch,
     blade_tints,
     blade_vertices,
     blade_wind,
-    cells_around,
     drawn_at,
-    greenness,
     nearness,
-    visible_cells,
 )
+from landscape.elements.grass import CELL, Grass, cells_around, greenness, visible_cells
 from landscape.elements.ground import Ground, HeightField
 from landscape.elements.sprite_quads import sway
 from landscape.frame import Frame, Pose
