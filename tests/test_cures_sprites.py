@@ -28,7 +28,8 @@ from landscape.elements.sprite_quads import (
     steepness,
     within,
 )
-from landscape.elements.sprites_in_view import clearness, radii, reach, turned
+from landscape.elements.sprite_rules import clearness, radii, reach
+from landscape.elements.sprites_in_view import turned
 from landscape.elements.transparent_elements import TransparentElements, outlines
 from landscape.frame import Frame, Pose, in_view
 from landscape.settings import Settings, with_settings

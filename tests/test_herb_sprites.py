@@ -28,7 +28,7 @@ from landscape.elements.atlas import (
 )
 from landscape.elements.ground import Ground
 from landscape.elements.planting import COURT, PLANT, Sprites, drifts_of, herbs_by_place, woodland
-from landscape.elements.sprites_in_view import crossing
+from landscape.elements.sprite_rules import crossing
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.frame import Pose
 from landscape.settings import preset, with_settings

@@ -21,7 +21,7 @@ from landscape.elements.sprite_quads import (
     sway,
     upright_axes,
 )
-from landscape.elements.sprites_in_view import visible_order
+from landscape.elements.sprite_rules import visible_order
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.frame import Frame, Pose
 
