@@ -14,6 +14,7 @@ from landscape.assets import Assets
 from landscape.elements.animal import CUBES, SPARED, levels_of_detail
 from landscape.elements.dragon import Dragon
 from landscape.elements.sea_watch import ABOVE, SeaWatch, compiling
+from landscape.elements.sprite_rules import radii
 from landscape.frame import Frame, Pose, ball_in_view, in_view, is_near
 from landscape.gl.calls import recording
 from landscape.gl.display_list import DisplayList
@@ -316,6 +317,11 @@ def test_what_was_chosen_for_several_frames_shows_as_if_chosen_anew(both) -> Non
             some.moment = replace(start, pose=pose)
             kept = some.draw()
             assert (sprites._choice, grass._chosen) == chosen
+            frame = looking(pose, SIZE)
+            places = sprites._places[island.settings.transparent.rooted]
+            far = radii(island.settings, sprites._cells, sprites._sizes[:, 1], frame)
+            now = sprites._around(frame, island.settings, places, far, 0.0, 0.0)
+            assert len(now) > 10 and np.isin(now, chosen[0].which).all()
         sprites._choice = grass._chosen = None
         assert np.array_equal(some.draw(), kept)
         # Farther on, all is chosen anew.
@@ -325,14 +331,14 @@ def test_what_was_chosen_for_several_frames_shows_as_if_chosen_anew(both) -> Non
         assert sprites._choice is not before
 
 
-def looking(pose: Pose) -> Frame:
+def looking(pose: Pose, size: tuple[int, int] = (160, 120)) -> Frame:
     """Return a frame seen from a pose, reckoned without OpenGL."""
     yaw, pitch = np.radians(pose.yaw), np.radians(pose.pitch)
     up = np.array([-np.sin(pitch) * np.sin(yaw), np.cos(pitch), np.sin(pitch) * np.cos(yaw)])
     axes = np.array([(np.cos(yaw), 0.0, np.sin(yaw)), up, -np.array(pose.forward)])
     view = np.eye(4)
     view[:3, :3], view[:3, 3] = axes, -axes @ (pose.x, pose.y, pose.z)
-    return Frame(pose, (160, 120), 0.0, view.T.ravel(), 60.0)
+    return Frame(pose, size, 0.0, view.T.ravel(), 60.0)
 
 
 def test_the_eye_is_near_until_it_has_moved_or_turned_too_far() -> None:
@@ -354,10 +360,10 @@ def test_the_eye_is_near_until_it_has_moved_or_turned_too_far() -> None:
 def test_one_ball_is_in_view_as_many_are() -> None:
     frame = looking(Pose(20.0, 3.0, 20.0, 33.0, -12.0))
     rng = np.random.default_rng(3)
-    places, radii = rng.random((300, 3)) * (40, 6, 40), rng.random(300)
+    places, sizes = rng.random((300, 3)) * (40, 6, 40), rng.random(300)
     one_by_one = [
         ball_in_view(frame, place, radius)
-        for place, radius in zip(places.tolist(), radii.tolist(), strict=True)
+        for place, radius in zip(places.tolist(), sizes.tolist(), strict=True)
     ]
-    assert one_by_one == in_view(frame, places, radii).tolist()
+    assert one_by_one == in_view(frame, places, sizes).tolist()
     assert 0.05 < np.mean(one_by_one) < 0.6
