@@ -505,24 +505,24 @@ CURES: tuple[Cure, ...] = (
     Cure(
         "best3",
         "The sun on the water",
-        Pose(30.0, 0.9, 34.0, 60.0, -8.0),
+        Pose(4.0, 0.9, 38.0, 250.0, -6.0),
         40.0,
         {"water.glitter": 0.0},
         {"water.glitter": 0.35},
         "In fig14a and the others no sunlight glints on the sea.",
         "The sun is low, straight ahead. After, its light lies on the water as a broken, "
-        "glittering path.",
+        "glittering path under it.",
         "The water is drawn once more with additive blending (GL_SRC_ALPHA, GL_ONE). A vertex is "
         "the brighter the better its slope mirrors the sun to the eye, and two moving textures of "
         "sparks break the light up.",
         (
             "a calm sea at sunset without any glint",
-            "the same sea with a path of white glints",
+            "the same sea with a narrow path of light under the sun",
         ),
         common={
             "sky.set": "sunset",
-            "sun.azimuth": 60.0,
-            "sun.elevation": 12.0,
+            "sun.azimuth": 250.0,  # where the pictures of the sunset have it
+            "sun.elevation": 5.0,
             "sun.diffuse": (1.0, 0.8, 0.55),
             "fog.color": (0.86, 0.72, 0.6),
             "water.fresnel": True,
