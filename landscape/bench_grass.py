@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.elements.blades import COORDINATES, STRIP_TRIANGLES, blade_vertices, blade_wind
+from landscape.elements.blades import COORDINATES, STRIP_TRIANGLES, WIND, blade_vertices, blade_wind
 from landscape.elements.ground import HeightField
 from landscape.elements.planting import scatter
 from landscape.frame import Frame
@@ -28,8 +28,6 @@ from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
-
-WIND = ((2, 0.5), (3, 0.5), (4, 1.0))  # section 5.3.2: vertex, part of the wind it takes
 
 
 @dataclass(frozen=True)

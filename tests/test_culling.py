@@ -9,13 +9,14 @@ import pytest
 import trimesh
 from stage import Stage, live_names, quad, small, write_ply
 from test_rabbit_dragon import CUBE, CUBE_FACES, LIT
+from test_transparent_elements import looking
 
 from landscape.assets import Assets
 from landscape.elements.animal import CUBES, SPARED, levels_of_detail
 from landscape.elements.dragon import Dragon
 from landscape.elements.sea_watch import ABOVE, SeaWatch, compiling
 from landscape.elements.sprite_rules import radii
-from landscape.frame import Frame, Pose, ball_in_view, in_view, is_near
+from landscape.frame import Pose, ball_in_view, in_view, is_near
 from landscape.gl.calls import recording
 from landscape.gl.display_list import DisplayList
 from landscape.gl.mesh_tool import Mesh, clustered, is_closed, vertex_normals
@@ -317,7 +318,7 @@ def test_what_was_chosen_for_several_frames_shows_as_if_chosen_anew(both) -> Non
             some.moment = replace(start, pose=pose)
             kept = some.draw()
             assert (sprites._choice, grass._chosen) == chosen
-            frame = looking(pose, SIZE)
+            frame = replace(looking(pose), size=SIZE)
             places = sprites._places[island.settings.transparent.rooted]
             far = radii(island.settings, sprites._cells, sprites._sizes[:, 1], frame)
             now = sprites._around(frame, island.settings, places, far, 0.0, 0.0)
@@ -329,16 +330,6 @@ def test_what_was_chosen_for_several_frames_shows_as_if_chosen_anew(both) -> Non
         before = sprites._choice
         some.draw()
         assert sprites._choice is not before
-
-
-def looking(pose: Pose, size: tuple[int, int] = (160, 120)) -> Frame:
-    """Return a frame seen from a pose, reckoned without OpenGL."""
-    yaw, pitch = np.radians(pose.yaw), np.radians(pose.pitch)
-    up = np.array([-np.sin(pitch) * np.sin(yaw), np.cos(pitch), np.sin(pitch) * np.cos(yaw)])
-    axes = np.array([(np.cos(yaw), 0.0, np.sin(yaw)), up, -np.array(pose.forward)])
-    view = np.eye(4)
-    view[:3, :3], view[:3, 3] = axes, -axes @ (pose.x, pose.y, pose.z)
-    return Frame(pose, size, 0.0, view.T.ravel(), 60.0)
 
 
 def test_the_eye_is_near_until_it_has_moved_or_turned_too_far() -> None:

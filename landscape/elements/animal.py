@@ -90,7 +90,7 @@ def levels_of_detail(mesh: Mesh, lay: Callable[[Mesh], Mesh], cubes: Sequence[fl
 
 
 def packed(levels: Levels) -> tuple[np.ndarray, ...]:
-    """Return levels of detail as arrays, for the cache."""
+    """Return levels of detail, of one texture unit, as arrays for the cache: see unpacked."""
     arrays = [np.array(list(levels))]
     for mesh in levels.values():
         colors = np.empty((0, 4), np.uint8) if mesh.colors is None else mesh.colors
@@ -99,7 +99,7 @@ def packed(levels: Levels) -> tuple[np.ndarray, ...]:
 
 
 def unpacked(arrays: Sequence[np.ndarray]) -> Levels:
-    """Return the levels of detail that were packed."""
+    """Return the levels of detail that were packed: their cubes, then five arrays of each."""
     cubes, *rest = arrays
     levels: Levels = {}
     for cube, place in zip(cubes.tolist(), range(0, len(rest), 5), strict=True):

@@ -24,7 +24,8 @@ TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: what tall grass has more of the ground's colour
-WIND = ((2, np.float32(0.5)), (3, np.float32(0.5)), (4, np.float32(1.0)))  # vertex, its part
+WIND = ((2, np.float32(0.5)), (3, np.float32(0.5)), (4, np.float32(1.0)))  # section 5.3.2:
+# vertex, and the part of the wind it takes
 SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # of a blade's feet and shoulders
 COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.float32)
 

@@ -9,6 +9,7 @@ as in castle_meshes. Not in the report; a technique of its time.
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
@@ -54,6 +55,7 @@ def turned_sun(sun: Sun, yaw: float) -> np.ndarray:
     return np.array([x * c - z * s, y, x * s + z * c])
 
 
+@lru_cache(maxsize=1)
 def solids() -> tuple[list[Box], list[Cylinder]]:
     """Return what stops light: boxes (x0, y0, z0, x1, y1, z1), cylinders (x, z, radius, y0, y1)."""
     boxes = [
@@ -155,7 +157,8 @@ def noise(places: np.ndarray, frequency: tuple[float, float, float], seed: int) 
 def weather(places: np.ndarray) -> np.ndarray:
     """Return what time has done to the stones at places (n, 3): a colour (n, 3) up to 1.
 
-    Paler and darker patches, streaks of rain under ledges, damp and green at the foot.
+    Paler and darker patches, streaks of rain under ledges, damp and green at the foot; all its
+    numbers are chosen by eye.
     """
     y = places[:, 1]
     patches = 0.6 * noise(places, (3.1, 3.7, 3.1), 1) + 0.4 * noise(places, (9.0, 11.0, 9.0), 2)

@@ -52,6 +52,7 @@ CROWN_HEIGHT, CROWN_WIDTH = 0.62, 0.95  # chosen: times the tree's height and wi
 FOOT = 0.07  # chosen: half a trunk, times the tree's width
 TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay
 
+TWO_BOXES = np.concatenate([QUAD, QUAD + 4])  # what is opaque in a picture, see outlines
 CORNER_S, CORNER_T = np.array([0, 1, 1, 0.0]), np.array([1, 1, 0, 0.0])
 CROSS_S, CROSS_T = np.array([0, 0.5, 1.0, 0, 0.5, 1.0]), np.repeat([1.0, 0.0], 3)
 
@@ -87,9 +88,9 @@ class Choice:
     """Sprites that may show while the eye stays about where it is, in order of their numbers.
 
     Of each the place (n, 3), size (n, 2), atlas cell and radius; where the deer, and those with a
-    picture from above are; of their billboards texture coordinates (n, 4, 2), colours
-    (n, 4, 4), whose alpha each frame writes, and triangles (n, 6); and boxes of what is opaque in
-    their pictures (n, 8, 2), on the quad and in the atlas.
+    picture from above are; of their billboards texture coordinates (n, 4, 2), the tint's opacity
+    (n,) in 0..255, colours (n, 4, 4), whose alpha each frame writes, and triangles (n, 6); and
+    boxes of what is opaque in their pictures (n, 8, 2), on the quad and in the atlas.
     """
 
     made_for: tuple[Frame, Settings]
@@ -101,6 +102,7 @@ class Choice:
     deer: np.ndarray
     topped: np.ndarray
     coordinates: np.ndarray
+    opacity: np.ndarray
     colours: np.ndarray
     triangles: np.ndarray
     boxes: tuple[np.ndarray, np.ndarray]
@@ -213,6 +215,7 @@ class SpriteView:
             deer=np.flatnonzero(is_deer(cells)),
             topped=has_top(settings, cells),
             coordinates=self._coordinates[which],
+            opacity=self._tints[which, 3],
             colours=np.repeat(self._tints[which][:, None], 4, axis=1),
             triangles=4 * np.arange(len(which), dtype=np.uint32)[:, None] + QUAD,
             boxes=(self._outlines[looks], self._outline_coordinates[looks]),
@@ -266,6 +269,7 @@ class SpriteView:
         return Crossed(near, turns, still, half_places(still), coordinates)
 
     def _seen(self, frame: Frame, settings: Settings, choice: Choice) -> Seen:
+        """Return how the eye of a frame sees the sprites of a choice."""
         line = choice.positions - frame.eye.astype(np.float32)
         x, y, z = line.T
         flat = x * x + z * z
@@ -296,7 +300,7 @@ class SpriteView:
         if len(above):
             alpha[above] *= 1.0 - smoothstep(*GOES, seen.below[above])
         colours = choice.colours
-        colours[..., 3] = (self._tints[choice.which, 3] * alpha)[:, None]
+        colours[..., 3] = (choice.opacity * alpha)[:, None]
         close = board & (seen.away < (TRIM_WITHIN if settings.transparent.trimmed else 0.0))
         far, near = np.flatnonzero(board & ~close), np.flatnonzero(close)
         parts = [
@@ -311,9 +315,8 @@ class SpriteView:
         if len(near):
             corners, coordinates = (box[near] for box in choice.boxes)
             boxes = within(quads[near], corners)
-            pattern = np.concatenate([QUAD, QUAD + 4])
             depth = seen.depth[near]
-            parts.append(Quads.of(boxes, coordinates, colours[near, 0], pattern, depth))
+            parts.append(Quads.of(boxes, coordinates, colours[near, 0], TWO_BOXES, depth))
         return parts
 
     def _crossed(

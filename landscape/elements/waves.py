@@ -33,7 +33,7 @@ WAVES = np.array(
 LENGTHS, STEEP = (WAVES[:, column].astype(np.float32)[:, None] for column in (0, 2))
 NUMBERS = 2 * np.pi / WAVES[:, 0]  # radians per unit
 HEADINGS = np.stack([np.cos(WAVES[:, 1]), np.sin(WAVES[:, 1])]).astype(np.float32)  # x and z
-VECTORS = (NUMBERS * HEADINGS).astype(np.float32)
+ALONG_X, ALONG_Z = (NUMBERS * HEADINGS).astype(np.float32)[..., None, None]  # radians per unit
 SPEED = 1.3  # chosen: waves in deep water run at a pace of SPEED * sqrt(wave number)
 RELIEF_FROM = 0.4  # chosen: units, shorter waves tilt the surface but do not lift it
 LIFTING = int((WAVES[:, 0] >= RELIEF_FROM).sum())  # the longest come first
@@ -176,11 +176,8 @@ def waves(
     fade = fade[..., None]
     # Whole turns are taken off before the sum, as 32 bits count them badly.
     turns = (1.7 * np.arange(len(WAVES)) - SPEED * np.sqrt(NUMBERS) * t) % (2 * np.pi)
-    along_x, along_z, turns = (
-        column.astype(np.float32)[:, None, None] for column in (*VECTORS, turns)
-    )
     # All waves at once: arrays this small cost what it costs to ask for them.
-    phase = x * along_x + (z * along_z + turns)
+    phase = x * ALONG_X + (z * ALONG_Z + turns.astype(np.float32)[:, None, None])
     slopes = HEADINGS @ (np.cos(phase) * fade).reshape(len(WAVES), -1)
     slope_x, slope_z = slopes.reshape(2, *x.shape)
     high = (np.float32(1.0) / NUMBERS[:LIFTING]).astype(np.float32)
