@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from landscape import keys
 from landscape import settings as settings_module
 from landscape.errors import InputError, NoOpenGLError
 from landscape.frame import Pose
@@ -258,7 +259,7 @@ def _pose(text: str) -> Pose:
 
 def _changes(options: argparse.Namespace) -> dict[str, Any]:
     """Return the settings of --settings and --set, the latter winning."""
-    changes = settings_module.read_toml(options.settings) if options.settings else {}
+    changes = keys.read_toml(options.settings) if options.settings else {}
     return {**changes, **dict(options.changes)}
 
 
@@ -282,13 +283,11 @@ def _offscreen_options(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _walk(options: argparse.Namespace) -> int:
-    from landscape.app import walk
-    from landscape.assets import Assets
+    from landscape.files.assets import Assets
+    from landscape.window.app import walk
 
     _check_view(options.view)
-    values = settings_module.with_settings(
-        settings_module.preset(_preset(options)), _changes(options)
-    )
+    values = keys.with_settings(settings_module.preset(_preset(options)), _changes(options))
     return walk(
         settings=values,
         assets=Assets(options.assets),
@@ -307,8 +306,8 @@ def _walk(options: argparse.Namespace) -> int:
 
 
 def _render(options: argparse.Namespace) -> int:
-    from landscape.output import Progress, output_paths
-    from landscape.render_many import render_all
+    from landscape.files.output import Progress, output_paths
+    from landscape.tools.render_many import render_all
 
     for name in options.views:
         _check_view(name)
@@ -344,7 +343,7 @@ def _views(options: argparse.Namespace) -> int:
 
 
 def _figures(options: argparse.Namespace) -> int:
-    from landscape import figures
+    from landscape.gallery import figures
 
     # The gallery is kept in the checkout; elsewhere it is looked for in the current folder.
     kept = Path(__file__).resolve().parents[1] / "screenshots"
@@ -363,7 +362,7 @@ def _figures(options: argparse.Namespace) -> int:
 
 
 def _trace(options: argparse.Namespace) -> int:
-    from landscape.trace import as_text, trace_view
+    from landscape.tools.trace import as_text, trace_view
 
     _check_view(options.view)
     # A trace shows the report's own calls unless told otherwise.
@@ -391,14 +390,14 @@ def _assets_build(options: argparse.Namespace) -> int:
 
 
 def _assets_check(options: argparse.Namespace) -> int:
-    from landscape.check import report
+    from landscape.tools.asset_check import report
 
     return report(options.assets, options.json)
 
 
 def _assets_sheet(options: argparse.Namespace) -> int:
-    from landscape.output import save_png
-    from landscape.sheet import contact_sheet
+    from landscape.files.output import save_png
+    from landscape.gallery.sheet import contact_sheet
 
     save_png(contact_sheet(options.assets), options.out)
     print(options.out)
@@ -406,7 +405,7 @@ def _assets_sheet(options: argparse.Namespace) -> int:
 
 
 def _assets_fetch(options: argparse.Namespace) -> int:
-    from landscape.stanford import StanfordError, fetch
+    from landscape.files.stanford import StanfordError, fetch
 
     try:
         rabbit, dragon = fetch(options.out, progress=(lambda *_: None) if options.quiet else None)
@@ -417,8 +416,8 @@ def _assets_fetch(options: argparse.Namespace) -> int:
 
 
 def _bench(options: argparse.Namespace) -> int:
-    from landscape import bench
-    from landscape.output import Progress, write_whole
+    from landscape.files.output import Progress, write_whole
+    from landscape.tools import bench
 
     for name in options.views:
         _check_view(name)
@@ -440,10 +439,8 @@ def _bench(options: argparse.Namespace) -> int:
 
 
 def _settings(options: argparse.Namespace) -> int:
-    values = settings_module.with_settings(
-        settings_module.preset(_preset(options)), _changes(options)
-    )
-    rows = settings_module.table(values)
+    values = keys.with_settings(settings_module.preset(_preset(options)), _changes(options))
+    rows = keys.table(values)
     if options.json:
         print(json.dumps(rows, indent=1))
     else:
@@ -455,7 +452,7 @@ def _settings(options: argparse.Namespace) -> int:
 
 
 def _doctor(options: argparse.Namespace) -> int:
-    from landscape.doctor import examine, report
+    from landscape.tools.doctor import examine, report
 
     found = examine()
     print(json.dumps(found, indent=1) if options.json else report(found))

@@ -1,15 +1,10 @@
-"""What an element is told about the frame it draws: no element reads a clock or draws a lot."""
+"""What an element is told about the frame it draws. No element reads a clock."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-
-# What is chosen to be drawn serves several frames, with what comes into view meanwhile.
-SPARE = 0.06  # chosen: units the eye may move until it is chosen anew
-TURN = math.radians(4.0)  # chosen: and the angle it may turn
 
 
 @dataclass(frozen=True)
@@ -72,7 +67,7 @@ class Frame:
         return self.modelview[[0, 1, 2, 4, 5, 6, 8, 9, 10]]
 
     @cached_property
-    def sides(self) -> np.ndarray:
+    def frustum_planes(self) -> np.ndarray:
         """Normals (3, 5) of the planes through the eye that bound the view, pointing into it.
 
         The last is the view's direction, of length 1; those of the frustum's four sides have the
@@ -86,9 +81,9 @@ class Frame:
         return np.stack([*planes, ahead * top + rise, ahead], axis=1)
 
     @cached_property
-    def side_rows(self) -> list[list[float]]:
-        """:attr:`sides` as plain numbers, a normal a row."""
-        rows: list[list[float]] = self.sides.T.tolist()
+    def frustum_rows(self) -> list[list[float]]:
+        """:attr:`frustum_planes` as plain numbers, a normal a row."""
+        rows: list[list[float]] = self.frustum_planes.T.tolist()
         return rows
 
     @property
@@ -100,49 +95,3 @@ class Frame:
         """Return the eye-space z of points (n, 3): negative before the camera (section 5.1.1)."""
         axis = self.modelview[[2, 6, 10]].astype(points.dtype)
         return points @ axis + points.dtype.type(self.modelview[14])
-
-
-def is_near(then: Frame, now: Frame, spare: float = SPARE, turn: float = TURN) -> bool:
-    """Return whether the eye of ``then`` has moved less than ``spare`` units, or not at all.
-
-    And turned less than ``turn`` radians about any axis, before the same window.
-    """
-    if (then.size, then.fov) != (now.size, now.fov):
-        return False
-    if then.pose == now.pose:
-        return True
-    # The trace of the rotation from one view to the other is 1 + 2 cos(angle).
-    trace = float(then.axes @ now.axes)
-    return math.dist(then.eye, now.eye) < spare and trace > 1.0 + 2.0 * math.cos(turn)
-
-
-def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    """Return whether balls about positions (n, 3) of radius ``reach`` (n,) meet the frustum, (n,).
-
-    Its four sides go through the eye; near and far planes are left out.
-    """
-    sides = frame.sides.astype(positions.dtype).T
-    within = sides @ (positions - frame.eye.astype(positions.dtype)).T
-    lengths = np.sqrt((sides * sides).sum(axis=1))
-    return np.asarray((within > -reach * lengths[:, None]).all(axis=0))
-
-
-def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
-    """Return what in_view does of one ball, without arrays: a tenth of the time."""
-    pose = frame.pose
-    x, y, z = middle[0] - pose.x, middle[1] - pose.y, middle[2] - pose.z
-    return all(
-        a * x + b * y + c * z > -reach * math.sqrt(a * a + b * b + c * c)
-        for a, b, c in frame.side_rows
-    )
-
-
-def boxes_in_view(frame: Frame, middles: np.ndarray, halves: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of the boxes, middles and half sides (n, 3), that the camera may see.
-
-    A box is left out when all its corners lie behind one and the same side of the view: when the
-    one that lies farthest along the side's normal does.
-    """
-    sides = frame.sides.T
-    within = sides @ (middles - frame.eye).T + np.abs(sides) @ halves.T
-    return np.asarray((within >= 0.0).all(axis=0))

@@ -8,8 +8,6 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from landscape.assets import Assets
-from landscape.cache import recall
 from landscape.elements import fog, sun
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
@@ -18,12 +16,14 @@ from landscape.elements.ground import Ground, clipped
 from landscape.elements.map import Map
 from landscape.elements.rabbit import Rabbit
 from landscape.elements.reflection import mirrored, reflected
-from landscape.elements.shadows import ShadowMap
+from landscape.elements.sea.waves import cut_level
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sword import Sword
+from landscape.elements.terrain.shadows import ShadowMap
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
-from landscape.elements.waves import cut_level
+from landscape.files.assets import Assets
+from landscape.files.cache import recall
 from landscape.frame import Frame, Pose
 from landscape.gl.calls import begin_pass, gl
 from landscape.gl.state import attrib

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from landscape import keys
 from landscape import settings as settings_module
-from landscape.assets import Assets
 from landscape.errors import InputError
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 from landscape.gl.context import Context, open_context
@@ -42,7 +43,7 @@ class Offscreen:
         self.size = size
         self._base = settings_module.preset(preset)
         self._given = dict(settings or {})
-        settings_module.with_settings(self._base, self._given)
+        keys.with_settings(self._base, self._given)
         self._only, self._seed = only, seed
         self._assets = Assets(Path(assets) if assets is not None else None)
         self._context: Context | None = open_context(backend)
@@ -78,7 +79,7 @@ class Offscreen:
 
     def _build(self, changes: Mapping[str, Any], shown: tuple[str, ...]) -> None:
         """Build the island these settings ask for, unless it is the one that stands."""
-        values = settings_module.with_settings(self._base, changes)
+        values = keys.with_settings(self._base, changes)
         only = tuple(e for e in ELEMENTS if e in shown and e in self._only)
         if self._built_for != (values, only):
             self._enter()

@@ -1,34 +1,14 @@
-"""Every constant of the island as a setting: key, value, unit, source.
+"""The island's constants as settings: key, value, unit, source; and its two presets.
 
-Keys are dotted, ``group.name``. The defaults are the preset ``2006``: the report's numbers where it
-gives them, "chosen" where it does not. The preset ``best`` is a table of differences.
-A setting's value is a bool, an int, a float, a text or a tuple of floats; :func:`with_settings`
-reads it from text, checks it, and raises :class:`InputError` naming the key.
+The defaults are the preset ``2006``: the report's numbers where it gives them, "chosen" where it
+does not. The preset ``best`` is a table of differences. See :mod:`landscape.keys`.
 """
 
-import dataclasses
-import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any
+from dataclasses import dataclass
+from typing import ClassVar
 
-from landscape.errors import InputError
-
-Value = bool | int | float | str | tuple[float, ...]
-
-
-def setting(
-    default: Any,
-    source: str,
-    unit: str = "",
-    low: float | None = None,
-    high: float | None = None,
-    choices: tuple[str, ...] = (),
-) -> Any:
-    """Declare one setting: its 2006 value, where it comes from, its unit and its limits."""
-    meta = {"source": source, "unit": unit, "low": low, "high": high, "choices": choices}
-    return field(default=default, metadata=meta)
+from landscape import keys
+from landscape.keys import Renamed, Value, setting
 
 
 @dataclass(frozen=True)
@@ -38,8 +18,12 @@ class Camera:
     fov: float = setting(60.0, "chosen", "degrees, vertical", 1, 170)
     near: float = setting(0.02, "chosen", "units", 1e-4, 10)
     cull: bool = setting(False, "chosen", "skip what is out of view, and faces turned away")
-    detail: float = setting(
-        0.0, "chosen", "pixels that a coarser mesh of an animal may leave out; 0 is none", 0, 100
+    lod_pixels: float = setting(
+        0.0,
+        "chosen",
+        "pixels of error allowed in a mesh simplified by vertex clustering; 0 is full detail",
+        0,
+        100,
     )
     far: float = setting(120.0, "chosen", "units", 1, 1e5)
 
@@ -119,8 +103,8 @@ class Ground:
     tiles: int = setting(
         1, "chosen", "display lists per side; those out of view are skipped", 1, 64
     )
-    unstretched: bool = setting(
-        False, "chosen", "details follow the slopes instead of being drawn out by them"
+    low_stretch: bool = setting(
+        False, "chosen", "low-stretch UVs: detail textures keep their scale on slopes"
     )
     shadows: bool = setting(False, "chosen", "what stands on the ground casts a shadow on it")
 
@@ -135,8 +119,8 @@ class Reflection:
     rippled: bool = setting(
         False, "R16, section 12", "the mirror image breaks up on the waves, drawn as a texture"
     )
-    coarse: float = setting(
-        1.0, "chosen", "times as coarse as elsewhere meshes may be in the mirror image", 1, 100
+    lod_scale: float = setting(
+        1.0, "chosen", "times camera.lod_pixels, for meshes in the mirror image", 1, 100
     )
 
 
@@ -149,7 +133,9 @@ class Water:
     patch: float = setting(10.0, "section 3.2", "units per side of a patch", 0.1, 1000)
     points: int = setting(40, "section 3.2", "vertices per side of a patch", 2, 400)
     repeat: float = setting(4.0, "chosen", "LAMBDA_WATER, textures per patch", 0, 1000)
-    sharp: float = setting(0.0, "chosen", "mip levels the texture is sharper by", 0, 4)
+    lod_bias: float = setting(
+        0.0, "chosen", "mip levels added to OpenGL's choice; below 0 is sharper", -4, 4
+    )
     trilinear: bool = setting(True, "chosen", "look up two mip levels instead of the nearer one")
     textured: bool = setting(True, "figure 9", "lay the water texture on the surface")
     animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
@@ -202,7 +188,7 @@ class Transparent:
     trimmed: bool = setting(
         False, "chosen", "quads end where the picture does, and none lies out of view"
     )
-    least: float = setting(0.0, "chosen", "pixels; what is less high fades away", 0, 100)
+    min_pixels: float = setting(0.0, "chosen", "pixels; smaller sprites fade out", 0, 100)
     trilinear: bool = setting(True, "chosen", "look up two mip levels instead of the nearer one")
 
 
@@ -368,6 +354,14 @@ class Fog:
 class Settings:
     """All groups; ``Settings()`` is the preset 2006."""
 
+    RENAMED: ClassVar[dict[str, Renamed]] = {
+        "camera.detail": Renamed("camera.lod_pixels"),
+        "ground.unstretched": Renamed("ground.low_stretch"),
+        "reflection.coarse": Renamed("reflection.lod_scale"),
+        "transparent.least": Renamed("transparent.min_pixels"),
+        "water.sharp": Renamed("water.lod_bias", negated=True),
+    }
+
     camera: Camera = Camera()
     clock: Clock = Clock()
     walk: Walk = Walk()
@@ -390,7 +384,7 @@ class Settings:
 
 BEST: dict[str, Value] = {
     "camera.cull": True,
-    "camera.detail": 0.25,
+    "camera.lod_pixels": 0.25,
     "walk.mouse_relative": True,
     "sun.fill": 0.45,
     "ground.resolution": 160,
@@ -400,14 +394,14 @@ BEST: dict[str, Value] = {
     "ground.exact_height": True,
     "ground.tiles": 8,
     "ground.shadows": True,
-    "ground.unstretched": True,
+    "ground.low_stretch": True,
     "ground.texture_size": 2048,
     "reflection.stencil": True,
     "reflection.castle": True,
     "reflection.rippled": True,
-    "reflection.coarse": 8.0,
+    "reflection.lod_scale": 8.0,
     "water.repeat": 7.0,
-    "water.sharp": 0.7,
+    "water.lod_bias": -0.7,
     "water.trilinear": False,
     "water.relief": True,
     "water.shallow": True,
@@ -429,7 +423,7 @@ BEST: dict[str, Value] = {
     "transparent.clear_near": True,
     "transparent.rooted": True,
     "transparent.trimmed": True,
-    "transparent.least": 2.5,
+    "transparent.min_pixels": 2.5,
     "transparent.trilinear": False,
     "transparent.radius": 26.0,
     "trees.species": 4,
@@ -472,141 +466,6 @@ BEST: dict[str, Value] = {
 PRESETS: dict[str, dict[str, Value]] = {"2006": {}, "best": BEST}
 
 
-def keys() -> list[tuple[str, dataclasses.Field[Any]]]:
-    """Return every (dotted key, dataclass field), in order."""
-    return [
-        (f"{group.name}.{item.name}", item)
-        for group in dataclasses.fields(Settings)
-        for item in dataclasses.fields(group.default)  # type: ignore[arg-type]
-    ]
-
-
-_FIELDS = dict(keys())
-
-
-def get(settings: Settings, key: str) -> Value:
-    """Return the value of a dotted key."""
-    group, name = key.split(".")
-    value: Value = getattr(getattr(settings, group), name)
-    return value
-
-
 def preset(name: str) -> Settings:
-    """Return the settings of a preset; InputError if there is none of that name."""
-    if name not in PRESETS:
-        raise InputError(f"preset {name!r}: expected one of {', '.join(PRESETS)}")
-    return with_settings(Settings(), PRESETS[name])
-
-
-def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
-    """Return settings with some keys changed; values may be texts, as from the command line.
-
-    Raises InputError that names the key and what was expected.
-    """
-    for key, value in changes.items():
-        if key not in _FIELDS:
-            raise InputError(f"setting {key!r}: no such key; `landscape settings` lists them all")
-        group, name = key.split(".")
-        part = dataclasses.replace(getattr(settings, group), **{name: _checked(key, value)})
-        settings = dataclasses.replace(settings, **{group: part})
-    return settings
-
-
-def read_toml(path: Path) -> dict[str, Any]:
-    """Read a TOML file of settings into a flat table of dotted keys."""
-    try:
-        # "utf-8-sig": Windows' editors begin a file with a byte order mark.
-        tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from error
-    except (ValueError, RecursionError) as error:  # TOMLDecodeError and UnicodeDecodeError as well
-        raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
-    flat: dict[str, Any] = {}
-    for group, table in tables.items():
-        if not isinstance(table, dict):
-            raise InputError(f"{path}: {group}: expected a table such as [fog] or [grass]")
-        flat |= {f"{group}.{name}": value for name, value in table.items()}
-    return flat
-
-
-def _checked(key: str, value: Any) -> Value:
-    """Convert a text or a TOML value to the type of the key's default, and check its limits."""
-    item = _FIELDS[key]
-    meta, default = item.metadata, item.default
-    wrong = InputError(f"setting {key}: expected {expected(key)}, not {_short(value)}")
-    if isinstance(default, bool):
-        if isinstance(value, str):
-            words = {"true": True, "on": True, "1": True, "yes": True}
-            words |= {"false": False, "off": False, "0": False, "no": False}
-            value = words.get(value.lower())
-        if not isinstance(value, bool):
-            raise wrong
-        return value
-    if isinstance(default, str):
-        text = str(value)
-        if not isinstance(value, str) or (meta["choices"] and text not in meta["choices"]):
-            raise wrong
-        if not meta["choices"] and (not text or "\0" in text):
-            raise wrong
-        return text
-    if isinstance(default, tuple):
-        parts = value.split(",") if isinstance(value, str) else value
-        if not isinstance(parts, (list, tuple)) or len(parts) != len(default):
-            raise wrong
-        return tuple(_number(part, meta, wrong, float) for part in parts)
-    return _number(value, meta, wrong, type(default))
-
-
-def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) -> Any:
-    if isinstance(value, bool):
-        raise wrong
-    try:
-        number = kind(value.replace("_", "") if isinstance(value, str) else value)
-    except (TypeError, ValueError, OverflowError):
-        raise wrong from None
-    if isinstance(value, float) and number != value:
-        raise wrong
-    # Comparing is safe where converting is not: a whole number may be beyond all floats.
-    if not meta["low"] <= number <= meta["high"]:
-        raise wrong
-    return number
-
-
-def _short(value: Any) -> str:
-    """Write a value given for a setting, cut where it is long."""
-    try:
-        text = repr(value)
-    except ValueError:
-        return "a number of thousands of digits"
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-def expected(key: str) -> str:
-    """Say in words what values a key takes."""
-    item = _FIELDS[key]
-    meta, default = item.metadata, item.default
-    if isinstance(default, bool):
-        return "true or false"
-    if meta["choices"]:
-        return "one of " + ", ".join(meta["choices"])
-    if isinstance(default, str):
-        return "a file name"
-    limits = f"from {meta['low']} to {meta['high']}"
-    if isinstance(default, tuple):
-        return f"{len(default)} numbers {limits}, separated by commas"
-    return f"{'a whole number' if isinstance(default, int) else 'a number'} {limits}"
-
-
-def table(settings: Settings) -> list[dict[str, Any]]:
-    """Return every key with its value, its 2006 default, unit, source and what it takes."""
-    return [
-        {
-            "key": key,
-            "value": get(settings, key),
-            "default": item.default,
-            "unit": item.metadata["unit"],
-            "source": item.metadata["source"],
-            "expected": expected(key),
-        }
-        for key, item in keys()
-    ]
+    """Return the island's settings of a preset; InputError if there is none of that name."""
+    return keys.preset(Settings(), PRESETS, name)

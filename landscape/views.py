@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from landscape.frame import Pose
 
 if TYPE_CHECKING:
-    from landscape.elements.ground import HeightField
+    from landscape.geometry.height_field import HeightField
 
 ALL = (
     "ground", "water", "sky", "trees", "deer", "plants", "grass", "castle", "rabbit", "dragon",
@@ -209,8 +209,9 @@ VIEWS = _table(
 
 def placed_views() -> list[dict[str, Any]]:
     """Return every view as `landscape views --json` prints it, heights filled in."""
-    from landscape.assets import Assets
-    from landscape.elements.ground import height_field, read_heights
+    from landscape.files.assets import Assets
+    from landscape.files.images import read_heights
+    from landscape.geometry.height_field import height_field
     from landscape.settings import preset
 
     entries = []

@@ -16,7 +16,7 @@ from typing import Any
 
 from PIL import Image
 
-from landscape.assets import shipped
+from landscape.files.assets import shipped
 
 TESTS = Path(__file__).resolve().parent
 SECONDS = 120  # a command that takes longer hangs

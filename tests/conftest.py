@@ -17,8 +17,8 @@ from pathlib import Path
 import pytest
 from stage import Stage, changes, snapshot, write_plain
 
-from landscape.assets import Assets
 from landscape.errors import NoOpenGLError
+from landscape.files.assets import Assets
 from landscape.gl.context import open_context
 
 

@@ -20,7 +20,8 @@ from landscape.gl.calls import gl
 from landscape.gl.context import Context
 from landscape.gl.framebuffer import Framebuffer
 from landscape.island import Island, Moment
-from landscape.settings import Settings, with_settings
+from landscape.keys import with_settings
+from landscape.settings import Settings
 
 SIZE = (160, 120)
 

@@ -16,14 +16,14 @@ import pytest
 from commands import environment
 from PIL import Image
 
-from landscape import check as checks
-from landscape.assets import Assets, shipped
-from landscape.check import check, report
 from landscape.cli import main
 from landscape.errors import InputError
-from landscape.gl.mesh_tool import vertex_normals
-from landscape.meshes import read_ply
-from landscape.output import write_whole
+from landscape.files.assets import Assets, shipped
+from landscape.files.meshes import read_ply
+from landscape.files.output import write_whole
+from landscape.geometry.mesh import vertex_normals
+from landscape.tools import asset_check as checks
+from landscape.tools.asset_check import check, report
 
 
 @pytest.fixture(scope="module")

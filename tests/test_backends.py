@@ -269,7 +269,7 @@ def test_doctor_explains_in_lines_for_a_reader() -> None:
 def test_doctor_ends_with_status_3_and_the_packages_where_nothing_works() -> None:
     code = """
 import sys
-from landscape import doctor
+from landscape.tools import doctor
 from landscape.gl.context import PACKAGES
 from landscape.cli import main
 doctor.probe = lambda name: {"ok": False, "reason": f"install {PACKAGES[name]}"}
@@ -285,7 +285,7 @@ sys.exit(main(["doctor", *sys.argv[1:]]))
 def test_doctor_survives_a_backend_that_crashes_or_hangs() -> None:
     code = """
 import json
-from landscape import doctor
+from landscape.tools import doctor
 doctor.SECONDS = 2
 doctor._PROBE = "import os, sys, time; os.abort() if sys.argv[1] == 'egl' else time.sleep(60)"
 print(json.dumps([doctor.probe("egl"), doctor.probe("osmesa")]))

@@ -15,7 +15,7 @@ import pytest
 from commands import Done, Shell, python
 from PIL import Image
 
-from landscape import settings
+from landscape import keys, settings
 
 GREY = np.random.default_rng(1).integers(0, 255, (48, 48), dtype=np.uint8)
 SMALL = ("render", "--preset", "2006", "--size", "40x30", "--samples", "0", "--set", "fog.mode=exp")
@@ -489,11 +489,11 @@ def test_the_largest_values_allowed_are_drawn(shell: Shell) -> None:
 
 
 def test_every_number_has_a_largest_and_a_smallest_value() -> None:
-    for key, item in settings.keys():  # noqa: SIM118  (a module, not a dictionary)
+    for key, item in keys.fields(settings.Settings).items():
         sample = item.default[0] if isinstance(item.default, tuple) else item.default
         if not isinstance(sample, bool | str):
             assert item.metadata["low"] < item.metadata["high"], key
-    assert settings.with_settings(settings.Settings(), {"grass.count": 10_000_000})
+    assert keys.with_settings(settings.Settings(), {"grass.count": 10_000_000})
 
 
 # --- the other arguments -----------------------------------------------------------------------
@@ -627,4 +627,4 @@ def test_the_contact_sheet_of_broken_assets_is_not_written(shell: Shell) -> None
 
 
 def test_the_settings_command_still_prints_json_after_all_this(shell: Shell) -> None:
-    assert len(json.loads(shell("settings", "--json").out)) == len(settings.keys())
+    assert len(json.loads(shell("settings", "--json").out)) == len(keys.fields(settings.Settings))

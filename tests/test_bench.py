@@ -12,16 +12,16 @@ import pytest
 from commands import TESTS, environment, landscape
 from stage import SMALL, Stage, live_names, small
 
-from landscape import bench
-from landscape.assets import Assets
-from landscape.bench_grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
 from landscape.cli import main
-from landscape.elements.ground import HeightField
 from landscape.errors import InputError
+from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
 from landscape.gl.replay import Replay
 from landscape.gl.texture import Texture
 from landscape.island import Island
+from landscape.tools import bench
+from landscape.tools.bench_grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
 
 LIGHT = {**SMALL, "deer.count": 4}
 TINY = bench.Plan(

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape import cache
-from landscape.assets import Assets
-from landscape.gl.texture import read_image
+from landscape.files import cache
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
 
 ARRAYS = (
     np.arange(30, dtype=np.uint8).reshape(2, 5, 3),

@@ -18,7 +18,7 @@ from landscape.gl import calls
 from landscape.gl.calls import Call, gl, plain, recording
 from landscape.gl.display_list import DisplayList
 from landscape.island import ELEMENTS
-from landscape.trace import as_text, trace_view
+from landscape.tools.trace import as_text, trace_view
 from landscape.views import VIEWS
 
 PACKAGE = Path(calls.__file__).resolve().parents[1]

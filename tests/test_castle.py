@@ -7,9 +7,8 @@ import pytest
 from PIL import Image
 from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write_plain
 
-from landscape.assets import Assets
 from landscape.elements.castle import FLAME_Z, Castle, flame_frame, light_shift
-from landscape.elements.castle_meshes import (
+from landscape.elements.ornate.castle_meshes import (
     FOOT,
     TORCHES,
     TOWER_RADIUS,
@@ -20,9 +19,10 @@ from landscape.elements.castle_meshes import (
     wall_boxes,
     walls_mesh,
 )
-from landscape.elements.ground import HeightField
+from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.mesh_tool import Mesh
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.mesh import Mesh
 
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
 BRICK, DOOR = np.array(PLAIN["castle_brick.png"]), np.array(PLAIN["castle_door.png"][:3])

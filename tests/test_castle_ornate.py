@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 from stage import Stage, pixel, project, small
 
-from landscape.assets import Assets
 from landscape.elements.castle import GATE_CORNERS, Castle
-from landscape.elements.castle_light import (
+from landscape.elements.ornate.castle_light import (
     SIDE,
     light,
     light_map,
@@ -15,7 +14,7 @@ from landscape.elements.castle_light import (
     stopped,
     turned_sun,
 )
-from landscape.elements.castle_meshes import (
+from landscape.elements.ornate.castle_meshes import (
     BAND,
     CORNERS,
     GATE,
@@ -34,12 +33,13 @@ from landscape.elements.castle_meshes import (
     rings,
     roofs,
 )
-from landscape.elements.ground import HeightField
-from landscape.elements.shadows import ShadowMap
 from landscape.elements.sun import direction
+from landscape.elements.terrain.shadows import ShadowMap
+from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.mesh import Mesh, vertex_normals
 from landscape.gl.calls import gl
-from landscape.gl.mesh_tool import Mesh, vertex_normals
 from landscape.settings import Sun
 
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)

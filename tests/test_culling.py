@@ -11,21 +11,22 @@ from stage import Stage, live_names, quad, small, write_ply
 from test_rabbit_dragon import CUBE, CUBE_FACES, LIT
 from test_transparent_elements import looking
 
-from landscape.assets import Assets
 from landscape.elements.animal import CUBES, SPARED, levels_of_detail
 from landscape.elements.dragon import Dragon
-from landscape.elements.sea_watch import ABOVE, SeaWatch, compiling
-from landscape.elements.sprite_rules import radii
-from landscape.frame import Pose, ball_in_view, in_view, is_near
+from landscape.elements.sea.sea_watch import ABOVE, SeaWatch, compiling
+from landscape.elements.sprites.sprite_rules import radii
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.geometry.camera import ball_in_view, in_view, is_near
+from landscape.geometry.mesh import Mesh, clustered, is_closed, vertex_normals
 from landscape.gl.calls import recording
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import Mesh, clustered, is_closed, vertex_normals
 from landscape.render import Offscreen
 
 SIZE = (320, 240)
-ALL_DRAWN = {"camera.cull": False, "camera.detail": 0.0, "water.query": False}
+ALL_DRAWN = {"camera.cull": False, "camera.lod_pixels": 0.0, "water.query": False}
 FEW = {
-    "grass.count": 200_000, "trees.count": 700, "plants.count": 500, "reflection.coarse": 1.0
+    "grass.count": 200_000, "trees.count": 700, "plants.count": 500, "reflection.lod_scale": 1.0
 }  # fmt: skip
 
 
@@ -55,7 +56,7 @@ def test_the_picture_is_that_of_everything_drawn(both, view: str) -> None:
 @pytest.mark.slow
 def test_a_coarser_mirror_image_changes_the_water_alone_and_little(both) -> None:
     fine, _ = both
-    with Offscreen(SIZE, "best", {**FEW, "reflection.coarse": 8.0}, samples=0) as coarse:
+    with Offscreen(SIZE, "best", {**FEW, "reflection.lod_scale": 8.0}, samples=0) as coarse:
         for view, horizon in (("fig35a", 115), ("fig35i", 115)):
             pictures = []
             for offscreen in (fine, coarse):
@@ -204,7 +205,7 @@ def test_the_farther_an_animal_the_coarser_its_mesh(stage: Stage, plain_folder) 
     assets = Assets(plain_folder)
     levels = {}
     for detail in (0.0, 1.0):
-        settings = small({**LIT, "camera.detail": detail})
+        settings = small({**LIT, "camera.lod_pixels": detail})
         dragon = Dragon(settings, assets)
         for away in (2.0, 10.0, 40.0, 400.0):
             with stage.frame(settings, Pose(20.0, 0.6, 20.0 + away)) as frame:
@@ -230,7 +231,7 @@ def test_each_level_of_detail_spares_enough_to_be_kept() -> None:
 
 def test_the_lists_of_all_levels_are_made_at_once_and_released(stage: Stage, plain_folder) -> None:
     write_ply(plain_folder / "dragon.ply", *rough_ball())
-    settings = small({**LIT, "camera.detail": 0.2, "camera.cull": True})
+    settings = small({**LIT, "camera.lod_pixels": 0.2, "camera.cull": True})
     before = live_names()[1]
     dragon, used = Dragon(settings, Assets(plain_folder)), set()
     made = live_names()[1]
@@ -249,7 +250,7 @@ def test_levels_of_detail_from_the_cache_are_those_just_made(
 ) -> None:
     write_ply(plain_folder / "dragon.ply", *rough_ball())
     monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path / "cache"))
-    settings = small({**LIT, "camera.detail": 1.0})
+    settings = small({**LIT, "camera.lod_pixels": 1.0})
     pictures, made = [], []
     monkeypatch.setattr(
         "landscape.elements.animal.clustered", lambda *a: made.append(a) or clustered(*a)
@@ -270,7 +271,7 @@ def test_in_the_mirror_image_an_animal_may_be_coarser(stage: Stage, plain_folder
     levels = []
     for coarse in (1.0, 8.0):
         settings = small(
-            {**LIT, "camera.detail": 0.05, "reflection.coarse": coarse, "dragon.z": 20.0}
+            {**LIT, "camera.lod_pixels": 0.05, "reflection.lod_scale": coarse, "dragon.z": 20.0}
         )
         dragon = Dragon(settings, Assets(plain_folder))
         with stage.frame(settings, Pose(20.0, 0.6, 30.0)) as frame:

@@ -13,9 +13,7 @@ import numpy as np
 import pytest
 from stage import SIZE, SMALL, Stage, changes, live_names, snapshot, write_plain, write_ply
 
-from landscape.assets import Assets
 from landscape.elements import sun
-from landscape.elements.atlas import CELLS
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
 from landscape.elements.grass import Grass
@@ -24,15 +22,18 @@ from landscape.elements.map import Map
 from landscape.elements.rabbit import Rabbit
 from landscape.elements.reflection import mirrored
 from landscape.elements.sky_box import SkyBox
+from landscape.elements.sprites.atlas import CELLS
 from landscape.elements.sword import Sword
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.errors import InputError
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl, recording
 from landscape.gl.state import attrib, client_arrays, flat_projection, matrix
 from landscape.island import Island, Moment
-from landscape.settings import PRESETS, Settings, preset, with_settings
+from landscape.keys import with_settings
+from landscape.settings import PRESETS, Settings, preset
 
 POSE = Pose(20.0, 3.5, 21.0, 10.0, -6.0)
 PLACED = {

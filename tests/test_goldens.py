@@ -14,13 +14,14 @@ import pytest
 from PIL import Image
 from stage import Stage
 
-from landscape.assets import Assets
-from landscape.elements.ground import HeightField
+from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import recording
 from landscape.gl.framebuffer import Framebuffer
 from landscape.island import Island, Moment
-from landscape.settings import Settings, with_settings
+from landscape.keys import with_settings
+from landscape.settings import Settings
 
 pytestmark = pytest.mark.golden
 

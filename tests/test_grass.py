@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from stage import Stage, close, pixel, project, small
 
-from landscape.assets import Assets
-from landscape.elements.blades import (
+from landscape.elements.grass import CELL, Grass, cells_around, greenness, visible_cells
+from landscape.elements.ground import Ground
+from landscape.elements.meadow.blades import (
     COORDINATES,
     DENSE,
     NEAR,
@@ -22,10 +23,10 @@ from landscape.elements.blades import (
     drawn_at,
     nearness,
 )
-from landscape.elements.grass import CELL, Grass, cells_around, greenness, visible_cells
-from landscape.elements.ground import Ground, HeightField
-from landscape.elements.sprite_quads import sway
+from landscape.elements.sprites.sprite_quads import sway
+from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
+from landscape.geometry.height_field import HeightField
 from landscape.settings import Settings
 
 ORIGIN = np.zeros((1, 3))

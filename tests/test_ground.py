@@ -5,18 +5,18 @@ import pytest
 from PIL import Image
 from stage import Stage, close, pixel, project, small
 
-from landscape.assets import Assets
 from landscape.elements.ground import Ground, clipped
-from landscape.elements.height_field import (
+from landscape.files.assets import Assets
+from landscape.files.images import read_heights
+from landscape.frame import Pose
+from landscape.geometry.height_field import (
     HeightField,
     colour_by_height,
     ground_mesh,
     height_field,
     lookup,
-    read_heights,
-    unstretched,
+    low_stretch_coordinates,
 )
-from landscape.frame import Pose
 from landscape.settings import Ground as GroundSettings
 
 SUN = np.array([0.0, 1.0, 0.0], np.float32)
@@ -65,23 +65,23 @@ def test_a_16_bit_image_keeps_its_bits(tmp_path) -> None:
 def test_heights_between_vertices_are_bilinear() -> None:
     heights = np.array([[0, 1, 0], [2, 5, 0], [0, 0, 0]], np.float32)
     field = HeightField(heights, 40.0, -1.0)
-    assert field.bed(20.0, 20.0) == pytest.approx(5.0)
-    assert field.bed(10.0, 0.0) == pytest.approx(0.5)
+    assert field.terrain_height(20.0, 20.0) == pytest.approx(5.0)
+    assert field.terrain_height(10.0, 0.0) == pytest.approx(0.5)
     # A quarter of the first cell along x, half of it along z.
     near, far = 0.75 * 0 + 0.25 * 1, 0.75 * 2 + 0.25 * 5
-    assert field.bed(5.0, 10.0) == pytest.approx((near + far) / 2)
+    assert field.terrain_height(5.0, 10.0) == pytest.approx((near + far) / 2)
 
 
 def test_outside_the_map_the_border_goes_on() -> None:
     field = plane(0.1, 0.05)
-    assert field.bed(-3.0, 20.0) == pytest.approx(field.bed(0.0, 20.0))
-    assert field.bed(50.0, 41.0) == pytest.approx(0.1 * 40 + 0.05 * 40 + 1, rel=1e-6)
+    assert field.terrain_height(-3.0, 20.0) == pytest.approx(field.terrain_height(0.0, 20.0))
+    assert field.terrain_height(50.0, 41.0) == pytest.approx(0.1 * 40 + 0.05 * 40 + 1, rel=1e-6)
 
 
 def test_nobody_stands_below_the_water() -> None:
     field = plane(0.1, 0.0, level=3.0)
     assert field.height(5.0, 7.0) == pytest.approx(3.0)
-    assert field.bed(5.0, 7.0) == pytest.approx(1.5)
+    assert field.terrain_height(5.0, 7.0) == pytest.approx(1.5)
     assert field.height(30.0, 7.0) == pytest.approx(4.0)
 
 
@@ -231,7 +231,7 @@ def test_the_colour_asked_for_is_the_colour_drawn(stage: Stage, plain_folder) ->
 
 
 def test_a_textile_on_level_ground_stays_as_it_was_cut() -> None:
-    laid = unstretched(np.full((9, 9), 3.0, np.float32), 0.5)
+    laid = low_stretch_coordinates(np.full((9, 9), 3.0, np.float32), 0.5)
     x, z = np.meshgrid(np.arange(9) * 0.5, np.arange(9) * 0.5)
     assert np.allclose(laid - laid[0, 0], np.stack([x, z], axis=2), atol=1e-5)
 
@@ -240,7 +240,7 @@ def test_on_a_steep_bank_a_texture_is_no_longer_drawn_out() -> None:
     # Level, a bank of 60 degrees, level again; seen from above each cell is one unit long.
     profile = np.concatenate([np.zeros(12), 1.732 * np.arange(1, 9), np.full(12, 1.732 * 8)])
     heights = np.repeat(profile[None].astype(np.float32), 32, axis=0)
-    laid = unstretched(heights, 1.0)
+    laid = low_stretch_coordinates(heights, 1.0)
     along = np.hypot(*(laid[:, 1:] - laid[:, :-1]).transpose(2, 0, 1))
     on_ground = np.hypot(1.0, np.diff(heights, axis=1))
     assert 1 / on_ground.max() == pytest.approx(0.5, abs=1e-3)  # what x and z alone would give

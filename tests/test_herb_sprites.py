@@ -11,8 +11,8 @@ from stage import Stage, close, pixel, project, small, write_plain
 from test_planting import grow, hill
 from test_transparent_elements import PLANT_GREEN, RED, put
 
-from landscape.assets import Assets
-from landscape.elements.atlas import (
+from landscape.elements.ground import Ground
+from landscape.elements.sprites.atlas import (
     CELL,
     CELLS,
     COLUMNS,
@@ -26,12 +26,20 @@ from landscape.elements.atlas import (
     cell_coordinates,
     top_coordinates,
 )
-from landscape.elements.ground import Ground
-from landscape.elements.planting import COURT, PLANT, Sprites, drifts_of, herbs_by_place, woodland
-from landscape.elements.sprite_rules import crossing
+from landscape.elements.sprites.planting import (
+    COURT,
+    PLANT,
+    Sprites,
+    drifts_of,
+    herbs_by_place,
+    woodland,
+)
+from landscape.elements.sprites.sprite_rules import crossing
 from landscape.elements.transparent_elements import TransparentElements
+from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.settings import preset, with_settings
+from landscape.keys import with_settings
+from landscape.settings import preset
 
 FERN, OXEYE, WILLOWHERB, MARRAM, HEATHER = range(HERB, HERB + len(HERBS))
 COLOURS = [(40 + 40 * k, 255 - 45 * k, 20 + 30 * k, 255) for k in range(len(HERBS))]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage, close, project, small
 
-from landscape.assets import Assets
+from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.gl.calls import gl, recording
 from landscape.island import ELEMENTS, Island, Moment

@@ -5,8 +5,8 @@ import pytest
 from PIL import Image
 from stage import Stage, close, small
 
-from landscape.assets import Assets
 from landscape.elements.map import Map, place_on_map
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 

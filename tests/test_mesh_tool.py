@@ -8,17 +8,11 @@ import pytest
 from stage import Stage, close, small, write_ply
 
 from landscape.errors import InputError
+from landscape.files.meshes import read_colours, read_mesh, read_ply
 from landscape.frame import Pose
+from landscape.geometry.mesh import Mesh, centred, gathered, grid_triangles, revolve, vertex_normals
 from landscape.gl.calls import recording
-from landscape.gl.mesh_tool import (
-    Mesh,
-    centred,
-    gathered,
-    grid_triangles,
-    revolve,
-    vertex_normals,
-)
-from landscape.meshes import read_colours, read_mesh, read_ply
+from landscape.gl.draw import draw_mesh
 
 
 def test_a_grid_cuts_each_cell_along_its_diagonal() -> None:
@@ -132,7 +126,7 @@ def test_a_mesh_is_sent_by_one_draw_call_where_its_vertices_are(stage: Stage) ->
     mesh = Mesh(vertices, normals, np.array([(0, 1, 2), (0, 2, 3)], np.uint32))
     with stage.frame(small(), Pose(0.0, 0.0, 0.0)):
         with recording() as recorder:
-            mesh.draw()
+            draw_mesh(mesh)
         picture = stage.read()
     draws = [call for call in recorder.calls if call.name.startswith("glDraw")]
     assert [call.name for call in draws] == ["glDrawElements"]

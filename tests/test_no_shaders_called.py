@@ -13,7 +13,7 @@ from stage import SMALL as FEW
 from stage import write_plain, write_ply
 
 from landscape.elements import transparent_elements
-from landscape.elements.atlas import CELLS
+from landscape.elements.sprites.atlas import CELLS
 from landscape.elements.water_surface import WaterSurface
 from landscape.gl.calls import Call, gl, recording
 from landscape.render import Offscreen

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape import output
 from landscape.errors import InputError
-from landscape.output import Progress, output_paths, save_png, write_whole
+from landscape.files import output
+from landscape.files.output import Progress, output_paths, save_png, write_whole
 
 
 def full_disk(*_: object, **__: object) -> None:

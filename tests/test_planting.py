@@ -6,8 +6,8 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from landscape.elements.ground import Ground, HeightField
-from landscape.elements.planting import (
+from landscape.elements.ground import Ground
+from landscape.elements.sprites.planting import (
     DEER,
     PLANT,
     Sprites,
@@ -16,7 +16,9 @@ from landscape.elements.planting import (
     species_by_place,
     woodland,
 )
-from landscape.settings import Settings, with_settings
+from landscape.geometry.height_field import HeightField
+from landscape.keys import with_settings
+from landscape.settings import Settings
 
 ALL = {"trees", "deer", "plants"}
 
@@ -47,8 +49,8 @@ def grow(kinds: set[str] = ALL, seed: int = 5, field: HeightField | None = None,
 def test_every_sprite_stands_on_land_at_the_grounds_height(grouped: bool) -> None:
     _, sprites = grow(trees__grouped=grouped)
     x, y, z = sprites.positions.T
-    assert (hill().bed(x, z) > 1.0).all()
-    assert np.allclose(y, hill().bed(x, z))
+    assert (hill().terrain_height(x, z) > 1.0).all()
+    assert np.allclose(y, hill().terrain_height(x, z))
     assert x.min() >= 0 and x.max() <= 40 and z.min() >= 0 and z.max() <= 40
 
 

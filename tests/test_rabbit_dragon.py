@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from stage import PLAIN, Stage, close, pixel, project, small, write_ply
 
-from landscape.assets import Assets
 from landscape.elements.animal import COLOR, read_animal
 from landscape.elements.dragon import Dragon, planar
-from landscape.elements.ground import HeightField
 from landscape.elements.rabbit import Rabbit, cylindrical
+from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
 
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from stage import Stage, close, pixel, project, quad, small
 
-from landscape.assets import Assets
 from landscape.elements.reflection import MIRROR, inside_water, mirrored
 from landscape.elements.water_surface import WaterSurface
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib

@@ -12,9 +12,9 @@ import pytest
 from commands import environment
 from PIL import Image
 
-from landscape import render_many
 from landscape.errors import InputError
 from landscape.render import Offscreen
+from landscape.tools import render_many
 from landscape.views import VIEWS
 
 ARGUMENTS = {"size": (48, 32), "preset": "2006", "only": ("ground", "sky", "fog"), "samples": 0}

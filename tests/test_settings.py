@@ -5,15 +5,16 @@ from pathlib import Path
 
 import pytest
 
-from landscape import settings
+from landscape import keys, settings
 from landscape.errors import InputError
-from landscape.settings import Settings, get, preset, read_toml, with_settings
+from landscape.keys import get, read_toml, with_settings
+from landscape.settings import Settings, preset
 
-KEYS = dict(settings.keys())
+KEYS = keys.fields(Settings)
 NUMBERS = [key for key, item in KEYS.items() if type(item.default) in (int, float)]
 
 
-def changed(key: str, value: object) -> settings.Value:
+def changed(key: str, value: object) -> keys.Value:
     return get(with_settings(Settings(), {key: value}), key)
 
 
@@ -33,7 +34,7 @@ def test_every_key_says_its_unit_and_its_source(key: str) -> None:
     # A place in the report, one of its wishes (R1 to R19), a neighbour of it, or "chosen".
     known = r"(section|figure) \d+(\.\d+)*|introduction|R\d+|glskel effects|chosen"
     assert re.fullmatch(rf"({known})(, ({known}))*", meta["source"])
-    assert settings.expected(key)
+    assert keys.expected(KEYS[key])
 
 
 @pytest.mark.parametrize("key", NUMBERS)
@@ -135,7 +136,7 @@ def test_the_message_says_what_would_do() -> None:
 
 
 def test_the_table_lists_every_key_with_value_and_default() -> None:
-    rows = {row["key"]: row for row in settings.table(preset("best"))}
+    rows = {row["key"]: row for row in keys.table(preset("best"))}
     assert rows.keys() == KEYS.keys()
     row = rows["fog.density"]
     assert row["default"] == 0.12 and row["value"] == settings.BEST["fog.density"]

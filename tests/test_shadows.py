@@ -4,18 +4,19 @@ import numpy as np
 import pytest
 from stage import Stage, small
 
-from landscape.assets import Assets
-from landscape.elements.ground import Ground, HeightField
-from landscape.elements.planting import Sprites
-from landscape.elements.shadows import (
+from landscape.elements.ground import Ground
+from landscape.elements.sprites.planting import Sprites
+from landscape.elements.sun import direction
+from landscape.elements.terrain.shadows import (
     LIGHT_LEFT,
     ShadowMap,
     cast_points,
     cast_sprites,
     on_edges,
 )
-from landscape.elements.sun import direction
+from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
 
 SIDE = 400
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)

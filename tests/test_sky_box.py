@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from stage import Stage, close, pixel, project, quad, small, write_plain
 
-from landscape.assets import Assets
 from landscape.elements.fog import visibility
 from landscape.elements.sky_box import (
     CLOUD_ALPHA,
@@ -20,6 +19,7 @@ from landscape.elements.sky_box import (
     face_coordinates,
     face_corners,
 )
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from landscape import stanford
-from landscape.stanford import StanfordError
+from landscape.files import stanford
+from landscape.files.stanford import StanfordError
 
 VERTICES = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -0.25)]
 FACES = [(0, 1, 2), (0, 2, 3)]

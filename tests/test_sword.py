@@ -7,8 +7,8 @@ import pytest
 from PIL import Image
 from stage import PLAIN, Stage, close, small
 
-from landscape.assets import Assets
 from landscape.elements.sword import ASPECT, STROKES, Sword, bob
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 

@@ -5,10 +5,11 @@ import pytest
 from PIL import Image
 from stage import Stage, close, live_names, quad, small
 
+from landscape.files.images import mip_chain, read_image
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib
-from landscape.gl.texture import Texture, mip_chain, read_image
+from landscape.gl.texture import Texture
 
 SCREEN = np.array([(-4.0, -3.0, -5.196), (4, -3, -5.196), (4, 3, -5.196), (-4, 3, -5.196)])
 """The quad that fills the 4:3 target at a field of view of 60 degrees."""
@@ -75,7 +76,7 @@ def test_between_two_mip_levels_they_are_mixed_or_the_nearer_taken(stage: Stage)
     assert 30 < mixed[0] < 54
     nearer = shown(stage, Texture(levels, trilinear=False))
     assert set(np.unique(nearer)) <= {28, 56}
-    sharper = shown(stage, Texture(levels, trilinear=False, sharper=1.0))
+    sharper = shown(stage, Texture(levels, trilinear=False, lod_bias=-1.0))
     assert set(np.unique(sharper)) <= {0, 28} and (sharper < nearer).all()
 
 

@@ -8,11 +8,10 @@ import pytest
 from PIL import Image
 from stage import Stage, close, pixel, project, small, write_plain
 
-from landscape.assets import Assets
-from landscape.elements.atlas import CELL, CELLS, GUTTER, atlas, cell_coordinates
 from landscape.elements.ground import Ground
-from landscape.elements.planting import PLANT, Sprites
-from landscape.elements.sprite_quads import (
+from landscape.elements.sprites.atlas import CELL, CELLS, GUTTER, atlas, cell_coordinates
+from landscape.elements.sprites.planting import PLANT, Sprites
+from landscape.elements.sprites.sprite_quads import (
     HALVES,
     QUAD,
     Quads,
@@ -21,8 +20,9 @@ from landscape.elements.sprite_quads import (
     sway,
     upright_axes,
 )
-from landscape.elements.sprite_rules import visible_order
+from landscape.elements.sprites.sprite_rules import visible_order
 from landscape.elements.transparent_elements import TransparentElements
+from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255

@@ -8,11 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.elements.castle_meshes import FOOT, walls_mesh
-from landscape.elements.ground import HeightField
+from landscape.elements.ornate.castle_meshes import FOOT, walls_mesh
 from landscape.frame import Pose
-from landscape.settings import Castle, Dragon, Rabbit, Settings, with_settings
-from landscape.walker import (
+from landscape.geometry.height_field import HeightField
+from landscape.keys import with_settings
+from landscape.settings import Castle, Dragon, Rabbit, Settings
+from landscape.window.walker import (
     FALL,
     FLOOR,
     FLY,
@@ -349,9 +350,7 @@ def test_a_stroke_is_not_begun_again_while_it_runs():
 
 
 def test_the_walker_needs_no_opengl():
-    code = (
-        "import sys, landscape.walker; sys.exit('OpenGL' in sys.modules or 'glfw' in sys.modules)"
-    )
+    code = "import sys, landscape.window.walker; sys.exit('OpenGL' in sys.modules or 'glfw' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from stage import WHITE_LIGHT, Stage, close, pixel, project, small
 
-from landscape.assets import Assets
+from landscape.elements.sea.waves import fresnel_alpha, wave_coordinates
 from landscape.elements.water_surface import (
     PATCHES,
     WaterSurface,
@@ -14,7 +14,7 @@ from landscape.elements.water_surface import (
     sea_ring,
     wave_normals,
 )
-from landscape.elements.waves import fresnel_alpha, wave_coordinates
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255

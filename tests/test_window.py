@@ -24,18 +24,21 @@ from commands import environment, landscape, python
 from PIL import Image, ImageFont
 from stage import Stage, changes, snapshot
 
-from landscape import recording, texts
-from landscape.app import HELP, JUMP, NAMED_KEYS, SETTINGS, SWITCHES, Hands, next_free
-from landscape.assets import Assets
-from landscape.elements.ground import height_field, read_heights
-from landscape.elements.panel import Panel, font, keys_image, line_image, writable
 from landscape.errors import InputError
+from landscape.files.assets import Assets
+from landscape.files.images import read_heights
 from landscape.frame import Pose
+from landscape.geometry.height_field import height_field
 from landscape.gl.calls import gl
 from landscape.island import ELEMENTS
-from landscape.recording import Plan, Recorder, Tick
-from landscape.settings import preset, with_settings
-from landscape.walker import Intent, Walker, advance, start
+from landscape.keys import with_settings
+from landscape.settings import preset
+from landscape.window import recording
+from landscape.window import words as texts
+from landscape.window.app import HELP, JUMP, NAMED_KEYS, SETTINGS, SWITCHES, Hands, next_free
+from landscape.window.panel import Panel, font, keys_image, line_image, writable
+from landscape.window.recording import Plan, Recorder, Tick
+from landscape.window.walker import Intent, Walker, advance, start
 
 pytestmark = pytest.mark.window
 
@@ -370,13 +373,14 @@ SCRIPTED = """
 import hashlib, json, sys, time
 from pathlib import Path
 import glfw
-from landscape.app import Walk, run
-from landscape.assets import Assets
+from landscape.window.app import Walk, run
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 from landscape.island import ELEMENTS
-from landscape.recording import Plan, Recorder, read
-from landscape.settings import preset, with_settings
+from landscape.window.recording import Plan, Recorder, read
+from landscape.settings import preset
+from landscape.keys import with_settings
 
 class Watched(Walk):
     script, seen, rested = {}, [], 0
@@ -532,13 +536,14 @@ def test_every_switch_changes_the_picture(scripted) -> None:
 
 STILLS = """
 import hashlib, json, sys
-from landscape.app import Walk, run
-from landscape.assets import Assets
-from landscape.cures import CURES
+from landscape.window.app import Walk, run
+from landscape.files.assets import Assets
+from landscape.gallery.fixes import FIXES
 from landscape.frame import Pose
-from landscape.recording import Plan, Tick
-from landscape.settings import preset, with_settings
-from landscape.walker import Intent
+from landscape.window.recording import Plan, Tick
+from landscape.settings import preset
+from landscape.keys import with_settings
+from landscape.window.walker import Intent
 
 plan = Plan(with_settings(preset("best"), json.loads(sys.argv[1])), "", Pose(8.0, 1.0, 33.5, 25.0),
             (160, 120))
@@ -555,10 +560,10 @@ with Walk(plan, Assets(), "osmesa") as walk:
         on = frame(name), frame(seconds=3.0)
         off = frame(name), frame(seconds=3.0)
         seen[name] = [*on, *off]
-    while CURES[walk._cure].name != "R16":
-        frame("next_cure")
+    while FIXES[walk._fix].name != "R16":
+        frame("next_fix")
     frame(seconds=3.0)
-    seen["cure"] = frame("cure"), frame(seconds=3.0), frame("cure"), frame(seconds=3.0)
+    seen["fix"] = frame("fix"), frame(seconds=3.0), frame("fix"), frame(seconds=3.0)
 print(json.dumps([hint, seen]))
 """
 

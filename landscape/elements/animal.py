@@ -2,26 +2,29 @@
 
 What the rabbit and the dragon share: mapping by the axis a face looks at (R12, section 11.2.5),
 vertex colours that the mesh file brings, a glint, and levels of detail: a mesh of fewer triangles
-is drawn while what it leaves out is smaller than ``camera.detail`` pixels.
+is drawn while what it leaves out is smaller than ``camera.lod_pixels`` pixels.
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL.
 """
 
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
-from landscape.assets import Assets
-from landscape.cache import recall
-from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_points
-from landscape.frame import Frame, ball_in_view
+from landscape.elements.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points
+from landscape.files.assets import Assets
+from landscape.files.cache import recall
+from landscape.files.meshes import read_colours, read_mesh
+from landscape.frame import Frame
+from landscape.geometry.camera import ball_in_view
+from landscape.geometry.mesh import Mesh, centred, clustered, gathered, is_closed, vertex_normals
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import Mesh, centred, clustered, gathered, is_closed, vertex_normals
+from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, front_faces, matrix
 from landscape.gl.texture import Texture
-from landscape.meshes import read_colours, read_mesh
 from landscape.settings import Settings
 
 COLOR = (0.6, 0.6, 0.7, 1.0)  # section 7.2
@@ -110,6 +113,11 @@ def unpacked(arrays: Sequence[np.ndarray]) -> Levels:
     return levels
 
 
+def scaled(mesh: Mesh, scale: float) -> Mesh:
+    """Return a mesh ``scale`` times as large."""
+    return replace(mesh, vertices=mesh.vertices * np.float32(scale))
+
+
 class Animal:
     """A lit, textured mesh, standing somewhere; ``elements`` names it in a trace."""
 
@@ -138,24 +146,24 @@ class Animal:
         self._reach = scale * float(np.linalg.norm(mesh.vertices, axis=1).max(initial=0.0))
         self._settings, self._gloss = settings, gloss
         self._closed = is_closed(mesh.triangles)
-        cubes = CUBES if settings.camera.detail > 0.0 else CUBES[:1]
+        cubes = CUBES if settings.camera.lod_pixels > 0.0 else CUBES[:1]
         levels = recall(
             ["levels of detail", repr(cubes), *source],
             lambda: packed(levels_of_detail(mesh, lay, cubes)),
         )
         # All at once: a list that comes and goes leaves holes in the memory it lay in.
         self._lists = {
-            cube: DisplayList(replace(level, vertices=level.vertices * np.float32(scale)).draw)
+            cube: DisplayList(partial(draw_mesh, scaled(level, scale)))
             for cube, level in unpacked(levels).items()
         }
 
     def level(self, frame: Frame | None) -> float:
         """Return the cube of the coarsest mesh that leaves out nothing larger than is allowed."""
-        allowed = self._settings.camera.detail
+        allowed = self._settings.camera.lod_pixels
         if frame is None or allowed <= 0.0:
             return CUBES[0]
         if frame.mirrored:
-            allowed *= self._settings.reflection.coarse
+            allowed *= self._settings.reflection.lod_scale
         away = math.dist(frame.eye, self._middle(frame)) - self._reach
         unit = frame.pixels / max(away, self._settings.camera.near)
         return max(cube for cube in self._lists if cube * self._scale * unit <= allowed)

@@ -5,7 +5,7 @@ surround laid over the bricks; a light texture multiplied over both with
 glBlendFunc(GL_ZERO, GL_SRC_COLOR), whose far texture coordinates flicker; torches as parametric
 cylinder and cone; fire as a 4x4 sprite sheet on a quad.
 The ornate castle's bricks are multiplied by a light map in a second unit (castle_light.py).
-Cures: flames that turn to the viewer about the y axis (R2); bricks, door and light in one pass of
+Fixes: flames that turn to the viewer about the y axis (R2); bricks, door and light in one pass of
 three texture units, fogged and lit once (R11, section 11.2.4).
 Own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset; for R11 the combiners and three
@@ -17,10 +17,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from landscape.assets import Assets
-from landscape.cache import recall
-from landscape.elements.castle_light import light_map
-from landscape.elements.castle_meshes import (
+from landscape.elements.ornate.castle_light import light_map
+from landscape.elements.ornate.castle_meshes import (
     CORNERS,
     MASTS,
     TORCHES,
@@ -34,14 +32,19 @@ from landscape.elements.castle_meshes import (
     walls_mesh,
     without_gate,
 )
-from landscape.elements.ground import HeightField
-from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_points, on_edges
-from landscape.frame import Frame, ball_in_view
+from landscape.elements.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points, on_edges
+from landscape.files.assets import Assets
+from landscape.files.cache import recall
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.geometry.camera import ball_in_view
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.mesh import revolve
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import revolve
+from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, combine, matrix
-from landscape.gl.texture import Texture, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 ELEMENT = "castle"
@@ -176,19 +179,19 @@ class Castle:
             self._send_ornate(self._light_map, gate)
         else:
             walls = walls_mesh(self._repeat)
-            (walls if gate else without_gate(walls, self._repeat)).draw()
+            draw_mesh(walls if gate else without_gate(walls, self._repeat))
             tower = tower_mesh(self._repeat)
             for x in (0.0, 1.0):
                 for z in (0.0, 1.0):
                     with matrix():
                         gl.glTranslatef(x, 0.0, z)
-                        tower.draw()
+                        draw_mesh(tower)
         self._stone.bind()
         for x in TORCHES:
             for mesh, y in ((holder, TORCH_BASE), (cone, TORCH_TOP - 0.04)):
                 with matrix():
                     gl.glTranslatef(x, y, FLAME_Z)
-                    mesh.draw()
+                    draw_mesh(mesh)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
 
@@ -201,23 +204,23 @@ class Castle:
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
         # The first quad is the gate wall.
         first = 0 if gate else 2
-        replace(self._bricks, triangles=self._bricks.triangles[first:]).draw()
+        draw_mesh(replace(self._bricks, triangles=self._bricks.triangles[first:]))
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
         gl.glActiveTexture(gl.GL_TEXTURE0)
         gl.glColor3f(*SLATE)
-        roofs(self._repeat).draw()
+        draw_mesh(roofs(self._repeat))
         self._stone.bind()
         gl.glColor3f(*WOOD)
         for x, z, foot, length in MASTS:
             with matrix():
                 gl.glTranslatef(x, foot - 0.03, z)
-                revolve([(0.006, 0.0), (0.003, 0.03 + 1.4 * length)], 6, (1, 1)).draw()
+                draw_mesh(revolve([(0.006, 0.0), (0.003, 0.03 + 1.4 * length)], 6, (1, 1)))
         gl.glDisable(gl.GL_TEXTURE_2D)
         gl.glColor3f(*DARK)
-        quads_mesh(loopholes(), 1.0).draw()
+        draw_mesh(quads_mesh(loopholes(), 1.0))
         gl.glEnable(gl.GL_TEXTURE_2D)
         gl.glColor3f(1.0, 1.0, 1.0)
 
@@ -228,7 +231,7 @@ class Castle:
 
         def feet(ring: np.ndarray) -> np.ndarray:
             xz = (ring - 0.5) @ turn.T + (self.base[0], self.base[2])
-            return np.insert(xz, 1, shadows.field.bed(*xz.T), axis=1)
+            return np.insert(xz, 1, shadows.field.terrain_height(*xz.T), axis=1)
 
         for ring, low, high in rings(step, self._settings.castle.ornate):
             heights = np.arange(low, high, step)

@@ -15,8 +15,8 @@ import math
 
 import numpy as np
 
-from landscape.assets import Assets
-from landscape.elements.blades import (
+from landscape.elements.ground import Ground
+from landscape.elements.meadow.blades import (
     COORDINATES,
     LUSH,
     NEAR,
@@ -37,12 +37,14 @@ from landscape.elements.blades import (
     thinned_reach,
     within,
 )
-from landscape.elements.ground import Ground
-from landscape.elements.height_field import greenness
-from landscape.frame import SPARE, TURN, Frame, is_near
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.geometry.camera import REUSE_ANGLE, REUSE_DISTANCE, is_near
+from landscape.geometry.height_field import greenness
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
-from landscape.gl.texture import Texture, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 ELEMENT = "grass"
@@ -126,7 +128,7 @@ class Grass:
     def _suits(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return 0..1: land, outside the castle; tinted grass keeps off what is not green."""
         field, castle = self._ground.field, self._settings.castle
-        land = (field.bed(x, z) > field.water_level + 0.004).astype(float)
+        land = (field.terrain_height(x, z) > field.water_level + 0.004).astype(float)
         land *= np.hypot(x - castle.x, z - castle.z) > 0.75
         land *= (x < field.size) & (z < field.size)
         if self._settings.grass.tinted:
@@ -201,7 +203,7 @@ class Grass:
             # Outwards, the way a blade leans: its tip bends to (sin, cos) of its angle.
             away = TUFT_RADIUS * np.sqrt(rng.random(len(tuft)))
             xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
-        positions = np.insert(xz, 1, self._ground.field.bed(xz[:, 0], xz[:, 1]), axis=1)
+        positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
         blades = blade_vertices(positions, angles, grass.scale, grass.arch)
         reach = np.ones(len(xz))
         if grass.fade:
@@ -237,7 +239,7 @@ class Grass:
         grass, radius = self._settings.grass, self._settings.grass.radius
         cells = cells_around(frame.pose.x, frame.pose.z, radius + spare, self._across)
         middle = (cells + 0.5) * CELL
-        y = self._ground.field.bed(middle[:, 0], middle[:, 1])
+        y = self._ground.field.terrain_height(middle[:, 0], middle[:, 1])
         centres = np.stack([middle[:, 0], y, middle[:, 1]], axis=1)
         numbers = cells[:, 1] * self._across + cells[:, 0]
         seen = visible_cells(frame, centres, radius, spare, turn) & (self.counts[numbers] > 0)
@@ -264,7 +266,7 @@ class Grass:
         much does not show: it lies outside the window, or its blades have sunk into the ground.
         """
         # Without grass.fade no blade sinks at the end of its reach: each place has its own choice.
-        spare, turn = (SPARE, TURN) if self._settings.grass.fade else (0.0, 0.0)
+        spare, turn = (REUSE_DISTANCE, REUSE_ANGLE) if self._settings.grass.fade else (0.0, 0.0)
         if self._chosen is None or not self._still_holds(frame, spare, turn):
             self._chosen = self.select(frame, spare, turn)
             self._chosen_for = frame, self._settings

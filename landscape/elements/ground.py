@@ -15,28 +15,31 @@ State used: texture units 0 to 3, the current colour, GL_CLIP_PLANE0.
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from PIL import Image
 
-from landscape.assets import Assets
-from landscape.cache import content, recall
-from landscape.elements.height_field import (
+from landscape.elements.sea.waves import cut_level
+from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
+from landscape.files.images import read_heights, read_image
+from landscape.frame import Frame
+from landscape.geometry.camera import boxes_in_view
+from landscape.geometry.height_field import (
     HeightField,
     colour_by_height,
     greenness,
     ground_mesh,
     height_field,
     lookup,
-    read_heights,
 )
-from landscape.elements.waves import cut_level
-from landscape.frame import Frame, boxes_in_view
+from landscape.geometry.mesh import Mesh, grid_triangles
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList, call_lists
-from landscape.gl.mesh_tool import Mesh, grid_triangles
+from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, front_faces
-from landscape.gl.texture import Texture, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
@@ -256,7 +259,7 @@ class Ground:
             repeats = [repeat for _, repeat in units[ground.units]]
         self._splat = splat
         self._light: np.ndarray | None = None
-        self.mesh = ground_mesh(self.field, tuple(repeats), ground.unstretched)
+        self.mesh = ground_mesh(self.field, tuple(repeats), ground.low_stretch)
         if mixed:
             colors = np.full((len(self.mesh.vertices), 4), 255, np.uint8)
             x, z = self.mesh.vertices[:, 0], self.mesh.vertices[:, 2]
@@ -312,7 +315,7 @@ class Ground:
 
         def whole() -> None:
             before()
-            self.mesh.draw()
+            draw_mesh(self.mesh)
             after()
 
         self._tiles = cut(self.mesh, count) if count > 1 else []
@@ -321,11 +324,11 @@ class Ground:
         if not self._tiles:
             self._lists.append(DisplayList(whole))
             return
-        self._lists += [DisplayList(tile.mesh.draw) for tile in self._tiles]
+        self._lists += [DisplayList(partial(draw_mesh, tile.mesh)) for tile in self._tiles]
         self._around = [DisplayList(before), DisplayList(after)]
-        if self._settings.reflection.coarse > 1:
+        if self._settings.reflection.lod_scale > 1:
             coarser = cut(every_second(self.mesh), count)
-            self._mirrored = [DisplayList(tile.mesh.draw) for tile in coarser]
+            self._mirrored = [DisplayList(partial(draw_mesh, tile.mesh)) for tile in coarser]
             self._mirrored_boxes = boxes(coarser, level)
 
     def tiles_in_view(self, frame: Frame) -> np.ndarray:

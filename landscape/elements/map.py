@@ -6,12 +6,13 @@ the identity and glOrtho for matrices; a blended quad from a display list, and o
 State used: viewport, both matrices, GL_BLEND, GL_TEXTURE_2D; depth test and fog off.
 """
 
-from landscape.assets import Assets
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, flat_projection
-from landscape.gl.texture import Texture, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 ELEMENT = "map"

@@ -13,12 +13,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from landscape.assets import Assets
-from landscape.cache import content
 from landscape.elements.animal import Animal, by_axis, read_painted
-from landscape.elements.ground import HeightField
-from landscape.gl.mesh_tool import Mesh
-from landscape.gl.texture import Texture, read_image
+from landscape.files.assets import Assets
+from landscape.files.cache import content
+from landscape.files.images import read_image
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.mesh import Mesh
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 ELEMENT = "rabbit"

@@ -1,7 +1,7 @@
 """The sky: five textured walls round the walker (Sky_box, section 4).
 
 Technique: a sky box in a display list, translated with the viewer before it is called. In 2006 it
-follows in x and z, never in y, stands in the fog and hides what lies behind its walls. Three cures:
+follows in x and z, never in y, stands in the fog and hides what lies behind its walls. Three fixes:
 ``sky.follow_y`` centres it on the eye in every axis; ``sky.background`` gives it the greatest depth
 by glDepthRange(1, 1), so that it shows only where nothing else is, however near its walls;
 ``sky.unfogged`` leaves the fog off, as the haze is painted on its walls. Together they put the sky
@@ -11,13 +11,14 @@ State used: GL_TEXTURE_2D, fog, depth range and writes, GL_CLIP_PLANE0, GL_BLEND
 
 import numpy as np
 
-from landscape.assets import Assets
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.mesh import grid_triangles
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.mesh_tool import grid_triangles
 from landscape.gl.state import attrib, client_arrays, matrix
-from landscape.gl.texture import Texture, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 ELEMENT = "sky"

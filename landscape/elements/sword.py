@@ -7,12 +7,13 @@ State used: GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 
 import math
 
-from landscape.assets import Assets
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, matrix
-from landscape.gl.texture import Texture, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 ELEMENT = "sword"

@@ -5,16 +5,15 @@ modelview matrix, so that they always face it; crossed quads, two fixed quads at
 top-centre vertex sways. Blending wants far before near, and the z buffer cannot do that: all of
 them together are sorted by their eye-space depth. All sprites share one texture, an atlas, so that
 one glDrawElements draws them in any order.
-Cures of section 11.2, all by vertices and vertex alpha: upright billboards, deer that stand on the
+Fixes of section 11.2, all by vertices and vertex alpha: upright billboards, deer that stand on the
 slope, half quads sorted one by one, quads that fade edge-on, crowns and rosettes from above.
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 
 import numpy as np
 
-from landscape.assets import Assets
-from landscape.cache import content, recall
-from landscape.elements.atlas import (
+from landscape.elements.ground import Ground
+from landscape.elements.sprites.atlas import (
     CELL,
     CELLS,
     COLUMNS,
@@ -30,16 +29,18 @@ from landscape.elements.atlas import (
     padded,
     tops_cell,
 )
-from landscape.elements.ground import Ground
-from landscape.elements.planting import DEER, PLANT, Sprites, plant_everything
-from landscape.elements.shadows import SKY_HIDDEN, ShadowMap, cast_sprites
-from landscape.elements.sprite_quads import box_corners
-from landscape.elements.sprites_in_view import SpriteView
+from landscape.elements.sprites.planting import DEER, PLANT, Sprites, plant_everything
+from landscape.elements.sprites.sprite_quads import box_corners
+from landscape.elements.sprites.sprites_in_view import SpriteView
 from landscape.elements.sun import direction
+from landscape.elements.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_sprites
+from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
+from landscape.files.images import mip_chain, read_image
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
-from landscape.gl.texture import Texture, mip_chain, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 CROWN_SHADE = 0.6  # chosen: how far a crown hides the sky from the ground, times the tree's width

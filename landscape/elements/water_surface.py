@@ -13,18 +13,20 @@ State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 
 import numpy as np
 
-from landscape.assets import Assets
-from landscape.elements.foam import Foam
-from landscape.elements.ground import HeightField
 from landscape.elements.reflection import MirrorImage
-from landscape.elements.sea import Sea
-from landscape.elements.sea_watch import SeaWatch
-from landscape.elements.waves import TWO_PI, fresnel_alpha, wave_coordinates
-from landscape.frame import Frame, boxes_in_view
+from landscape.elements.sea.foam import Foam
+from landscape.elements.sea.sea import Sea
+from landscape.elements.sea.sea_watch import SeaWatch
+from landscape.elements.sea.waves import TWO_PI, fresnel_alpha, wave_coordinates
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.geometry.camera import boxes_in_view
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.mesh import grid_triangles
 from landscape.gl.calls import gl
-from landscape.gl.mesh_tool import grid_triangles
 from landscape.gl.state import attrib, client_arrays, matrix
-from landscape.gl.texture import Texture, read_image
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 ELEMENT = "water"
@@ -90,7 +92,7 @@ class WaterSurface:
     def __init__(
         self, settings: Settings, assets: Assets, field: HeightField | None = None
     ) -> None:
-        """Build the patch and load the texture; ``field`` tells the cures how deep the sea is."""
+        """Build the patch and load the texture; ``field`` tells the fixes how deep the sea is."""
         self._settings = settings
         water = settings.water
         self._plane = patch_plane(water.points)
@@ -102,11 +104,11 @@ class WaterSurface:
         self._texture = Texture(
             read_image(assets.path("water.png"), "RGB"),
             trilinear=water.trilinear,
-            sharper=water.sharp,
+            lod_bias=water.lod_bias,
         )
         self.mirror = MirrorImage()
         self._field = field
-        self._cured: Sea | None = None
+        self._fixed: Sea | None = None
         self._foam: Foam | None = None
         self._watch = SeaWatch(water.level, self.square)
 
@@ -160,25 +162,25 @@ class WaterSurface:
     def draw(self, frame: Frame) -> None:
         """Blend the surface over the mirrored scene."""
         settings, water = self._settings, self._settings.water
-        cured = settings.reflection.rippled or water.relief or water.shallow
+        fixed = settings.reflection.rippled or water.relief or water.shallow
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):
-            if not cured:
+            if not fixed:
                 gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glEnable(gl.GL_LIGHTING)
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
-            if water.glitter > 0 and not cured:
+            if water.glitter > 0 and not fixed:
                 self._shine(water.glitter)
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
             mirror = self.mirror.take()
-            if cured:
-                if self._cured is None:
-                    self._cured = Sea(self._texture, self._field)
-                self._cured.draw(frame, settings, self.square, mirror)
+            if fixed:
+                if self._fixed is None:
+                    self._fixed = Sea(self._texture, self._field)
+                self._fixed.draw(frame, settings, self.square, mirror)
             else:
                 self._draw_patches(frame)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
@@ -260,6 +262,6 @@ class WaterSurface:
     def release(self) -> None:
         """Delete what was made; may be called twice."""
         self._texture.release()
-        for owner in (self.mirror, self._watch, self._cured, self._foam):
+        for owner in (self.mirror, self._watch, self._fixed, self._foam):
             if owner is not None:
                 owner.release()

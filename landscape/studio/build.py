@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from landscape.assets import shipped
 from landscape.errors import InputError
-from landscape.output import Progress, write_whole
+from landscape.files.assets import shipped
+from landscape.files.output import Progress, write_whole
 
 # The height field first: ground and map are made from it.
 MODULES = (

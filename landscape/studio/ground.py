@@ -15,13 +15,7 @@ from scipy import ndimage
 from scipy.interpolate import splev, splprep
 
 from landscape.studio import light, terrain
-from landscape.studio.images import (
-    smoothstep,
-    spectral_noise,
-    to_linear,
-    to_srgb,
-    to_uint8,
-)
+from landscape.studio.images import smoothstep, spectral_noise, to_linear, to_srgb, to_uint8
 
 LARGE = 2048  # chosen: 51 texels a unit, a third of a metre each
 DETAIL = 512  # chosen: repeated every half unit, a centimetre and a half per texel

@@ -1,0 +1,1 @@
+"""What the preset `best` adds to the water: a grid about the eye, waves, foam, sun glitter."""

@@ -1,0 +1,155 @@
+"""Foam: small breakers that run out on the beaches, white along the water's edge (fix).
+
+Technique: the triangles of the ground's grid along the coast, lifted to the water's level, in a
+display list made once: no vertex is sent again. Unit 0 holds pictures of breakers, moments along s
+and depths along t; its texture matrix moves s with kt. Unit 1 holds lace in map coordinates. The
+combiner adds both and stretches the contrast (GL_ADD_SIGNED with GL_ALPHA_SCALE 4, OpenGL 1.3),
+so that a line of foam frays instead of fading.
+State used: two texture units, texture matrices, GL_BLEND, polygon offset, no depth writes.
+"""
+
+import numpy as np
+
+from landscape.frame import Frame
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.mesh import grid_triangles
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.state import attrib, client_arrays, combine, matrix
+from landscape.gl.texture import Texture
+
+ELEMENT = "water"
+
+DEEP = 0.11  # chosen: units of depth where the foam begins
+LAND = 0.012  # chosen: units above the water that it runs up to
+BREAKERS = 2  # chosen: lines of foam on their way at any moment
+PERIOD = 150.0  # chosen: kt from one breaker to the next but one
+PROFILE = (256, 128)  # chosen: moments and depths of the breakers' texture
+LACE = 256  # chosen: texels per side of the lace
+LACE_REPEAT = 0.9  # chosen: lace tiles per unit
+COLOUR = (0.95, 0.97, 0.97)  # chosen
+
+
+def breakers(moments: int, depths: int) -> np.ndarray:
+    """Return how much foam there is, float (depths, moments): periodic in time, 0 at both ends.
+
+    Row 0 is LAND above the water's edge, the last row DEEP below it. A breaker comes in from the
+    deep, steep before and thinning out behind, and grows until it reaches the edge.
+    """
+    depth = np.linspace(-LAND, DEEP, depths)[:, None] / DEEP
+    time = np.arange(moments)[None, :] / moments
+    foam = 0.34 * np.exp(-np.abs(depth) / 0.07)
+    for number in range(BREAKERS):
+        gone = (time + number / BREAKERS) % 1.0
+        crest = 0.95 - 1.12 * gone
+        behind = depth - crest
+        line = np.where(behind > 0, np.exp(-behind / 0.17), np.exp(behind / 0.025))
+        swell = np.clip(gone / 0.25, 0, 1) * np.clip((1.0 - gone) / 0.12, 0, 1)
+        foam = np.maximum(foam, 0.70 * line * swell * (0.45 + 0.55 * gone))
+    ends = np.clip((depth + LAND / DEEP) / 0.06, 0, 1) * np.clip((1.0 - depth) / 0.2, 0, 1)
+    return foam * ends
+
+
+def lace(size: int = LACE, seed: int = 2006) -> np.ndarray:
+    """Return a tile of lace, float (size, size) in 0..0.5: bright threads between round holes."""
+    noise = np.random.default_rng(seed).standard_normal((2, size, size))
+    k = np.hypot(*np.meshgrid(*[np.fft.fftfreq(size) * size] * 2))
+    threads = np.zeros((size, size))
+    for one, scale, share in ((noise[0], 14.0, 0.6), (noise[1], 34.0, 0.4)):
+        band = np.exp(-np.square((k - scale) / (0.35 * scale)))
+        wave = np.fft.ifft2(np.fft.fft2(one) * band).real
+        threads += share * np.exp(-np.abs(wave) / wave.std() * 1.3)
+    threads -= threads.min()
+    return 0.5 * threads / threads.max()
+
+
+def shore(field: HeightField) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return vertices (n, 3), coordinates of units 0 and 1 (n, 2) and triangles (m, 3).
+
+    The part of the ground's grid where the water is at most DEEP. Unit 0's t is 0 at LAND above
+    the water and 1 at DEEP; its s shifts the moment along the coast, as no beach keeps time.
+    """
+    n = len(field.heights)
+    along = np.arange(n) / (n - 1) * field.size
+    x, z = (a.ravel() for a in np.meshgrid(along, along))
+    rise = field.heights.ravel() - field.water_level
+    triangles = grid_triangles(n, n)
+    corners = rise[triangles]
+    triangles = triangles[(corners.max(axis=1) > -DEEP) & (corners.min(axis=1) < LAND)]
+    y = field.water_level + np.clip(rise, 0.0, LAND)
+    moment = 0.35 * np.sin(0.9 * x + 0.4 * z) + 0.25 * np.sin(1.7 * z - 0.6 * x)
+    unit_0 = np.stack([moment, (LAND - rise) / (DEEP + LAND)], axis=1)
+    used, triangles = np.unique(triangles, return_inverse=True)
+    place = np.stack([x, y, z], axis=1)[used].astype(np.float32)
+    return (
+        place,
+        np.ascontiguousarray(unit_0[used], np.float32),
+        np.ascontiguousarray(place[:, ::2] * LACE_REPEAT, np.float32),
+        np.ascontiguousarray(triangles.reshape(-1, 3), np.uint32),
+    )
+
+
+def alpha_only(alpha: np.ndarray) -> np.ndarray:
+    """Return a white picture (h, w, 4) with this alpha (h, w) of 0..1."""
+    picture = np.full((*alpha.shape, 4), 255, np.uint8)
+    picture[..., 3] = np.clip(alpha, 0, 1) * 255 + 0.5
+    return picture
+
+
+class Foam:
+    """The foam along all coasts."""
+
+    def __init__(self, field: HeightField) -> None:
+        """Make the textures and compile the list."""
+        self._profile = Texture(alpha_only(breakers(*PROFILE)))
+        self._profile.bind()
+        gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_WRAP_T, gl.GL_CLAMP_TO_EDGE)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        self._lace = Texture(alpha_only(lace()))
+        vertices, unit_0, unit_1, triangles = shore(field)
+
+        def send() -> None:
+            self._units()
+            with client_arrays(vertices, coordinates=[unit_0, unit_1]):
+                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+
+        self._list = DisplayList(send)
+
+    def draw(self, frame: Frame) -> None:
+        """Blend the foam of the frame's kt over the water."""
+        groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
+        with attrib(groups | gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT):
+            gl.glDisable(gl.GL_LIGHTING)
+            gl.glDepthMask(gl.GL_FALSE)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
+            gl.glPolygonOffset(-1.0, -2.0)
+            gl.glColor4f(*COLOUR, 1.0)
+            gl.glMatrixMode(gl.GL_TEXTURE)
+            with matrix():
+                # Whole turns are taken off: the moment needs all its digits.
+                gl.glTranslatef(frame.kt / PERIOD % 1.0, 0.0, 0.0)
+                self._list.call()
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    def _units(self) -> None:
+        """Alpha: 4 x (breakers + lace - 0.5); ends with unit 0 active, as it was."""
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._lace.bind()
+        combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
+        combine({"COMBINE_ALPHA": "ADD_SIGNED"})
+        combine({"SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "TEXTURE"})
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._profile.bind()
+        combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PRIMARY_COLOR"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "TEXTURE"})
+
+    def release(self) -> None:
+        """Delete list and textures; may be called twice."""
+        self._list.release()
+        self._profile.release()
+        self._lace.release()

@@ -1,0 +1,1 @@
+"""Reading and writing files: assets, images, meshes, the cache, output. No OpenGL."""

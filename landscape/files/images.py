@@ -1,0 +1,108 @@
+"""Image files as arrays: pictures, heights, and the mip levels of sprites. No OpenGL."""
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from landscape.errors import InputError
+from landscape.files.cache import content, recall
+
+MAX_SIZE = 4096  # chosen: more texels than the largest window has pixels serve nothing
+
+
+def read_image(path: Path, mode: str = "RGBA", largest: int = MAX_SIZE) -> np.ndarray:
+    """Read an image file as uint8 of shape (h, w, 3 or 4), by mode "RGB" or "RGBA".
+
+    16-bit, grey and palette images are converted; one with more than ``largest`` texels along a
+    side is reduced. InputError names a file that is missing, truncated, or not an image.
+    """
+    return recall((content(path), f"{mode} {largest}"), lambda: (_decoded(path, mode, largest),))[0]
+
+
+def _decoded(path: Path, mode: str, largest: int) -> np.ndarray:
+    image = open_image(path)
+    if image.mode.startswith(("I", "F")):
+        image = Image.fromarray(_grey8(np.asarray(image)))
+    if image.width > largest or image.height > largest:
+        image.thumbnail((largest, largest), Image.Resampling.BOX)
+    return np.ascontiguousarray(image.convert(mode))
+
+
+def open_image(path: Path) -> Image.Image:
+    """Open and decode an image; InputError where that fails."""
+    try:
+        with warnings.catch_warnings(), path.open("rb") as file:
+            # Pillow warns of large images, which are welcome, and of damage it could mend.
+            warnings.simplefilter("ignore")
+            image: Image.Image = Image.open(file)
+            image.load()
+            if image.mode == "P":
+                image = image.convert("RGBA" if "transparency" in image.info else "RGB")
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such image file") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: expected an image file, found a folder") from None
+    except Image.DecompressionBombError:
+        raise InputError(f"{path}: the image is too large; expected under 178 megapixels") from None
+    except Exception as error:
+        # A decoder raises whatever it stumbled on: any of it means a damaged file here.
+        reason = str(error).split(" <_io")[0].split(f" {str(path)!r}")[0] or type(error).__name__
+        raise InputError(f"{path}: expected an image such as PNG ({reason})") from None
+    return image
+
+
+def _grey8(values: np.ndarray) -> np.ndarray:
+    """Scale the 16 bits (or floats in 0..1) of a grey image to bytes."""
+    scale = 255.0 if values.dtype.kind == "f" else 255.0 / 65535.0
+    return (np.clip(np.nan_to_num(values) * scale, 0, 255) + 0.5).astype(np.uint8)
+
+
+def read_heights(path: Path) -> np.ndarray:
+    """Read a height image's red channel as float32 (h, w) in 0..255; 16-bit images keep their bits.
+
+    Palette, alpha and 16-bit images are taken; very large ones are reduced. InputError names a
+    file that cannot be read.
+    """
+    image = open_image(path)
+    if max(image.size) > MAX_SIZE:
+        image.thumbnail((MAX_SIZE, MAX_SIZE))
+    if image.mode.startswith("I"):
+        return np.clip(np.asarray(image, np.float32), 0.0, 65535.0) / np.float32(257.0)
+    if image.mode == "F":
+        values = np.nan_to_num(np.asarray(image, np.float32))
+        return np.clip(values, 0.0, 1.0) * np.float32(255.0)
+    return np.asarray(image.convert("RGB"), np.float32)[..., 0]
+
+
+def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
+    """Return up to ``levels`` mip levels of a sprite, (h, w, 4) uint8 first, alpha coverage kept.
+
+    Averages colours weighted by alpha, so that no colour of transparent texels leaks in, then
+    scales each level's alpha until as large a part of it is over one half as in level 0: without
+    that, far trees thin out and vanish. Sides must be even as long as levels are asked.
+    """
+    chain = [rgba]
+    level = rgba.astype(np.float32) / 255.0
+    level[..., :3] *= level[..., 3:]
+    covered = float((level[..., 3] > 0.5).mean())
+    while len(chain) < levels and min(level.shape[:2]) > 1:
+        level = (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2]) / 4
+        alpha = level[..., 3:]
+        scale = _coverage_scale(alpha, covered)
+        colour = level[..., :3] / np.maximum(alpha, 1e-4)
+        fallback = chain[-1][::2, ::2, :3] / np.float32(255.0)
+        colour = np.where(alpha > 1e-3, colour, fallback)
+        out = np.concatenate([colour, np.clip(alpha * scale, 0, 1)], axis=2)
+        chain.append((np.clip(out, 0, 1) * 255 + 0.5).astype(np.uint8))
+    return chain
+
+
+def _coverage_scale(alpha: np.ndarray, covered: float) -> float:
+    """Return the factor on ``alpha`` that makes the part over one half equal to ``covered``."""
+    # A sprite with hard edges may keep its coverage as it is, and is not to be made translucent.
+    if abs(float((alpha > 0.5).mean()) - covered) < 1e-3:
+        return 1.0
+    threshold = float(np.quantile(alpha, 1.0 - covered))
+    return float(np.clip(0.5 / max(threshold, 1e-3), 0.75, 2.5))

@@ -1,0 +1,34 @@
+"""The contact sheet: all assets on one picture, on a checkerboard where they are transparent."""
+
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from landscape.files.assets import Assets, shipped
+from landscape.files.images import read_image
+
+CELL = 256  # chosen: pixels per side of an asset on the sheet
+COLUMNS = 7
+
+
+def contact_sheet(folder: Path | None = None) -> np.ndarray:
+    """Return the sheet, uint8 (h, w, 3), of every PNG among the assets, ``folder``'s own first."""
+    assets = Assets(folder)
+    names = {path.name for path in shipped().glob("*.png")}
+    names |= {path.name for path in folder.glob("*.png")} if folder else set()
+    ordered = sorted(names)
+    rows = -(-len(ordered) // COLUMNS)
+    sheet = Image.new("RGB", (COLUMNS * CELL, rows * (CELL + 16)), (32, 32, 32))
+    pen = ImageDraw.Draw(sheet)
+    board = (np.indices((CELL, CELL)) // 16).sum(axis=0) % 2 * 40 + 100
+    checks = Image.fromarray(np.repeat(board[..., None], 3, axis=2).astype(np.uint8))
+    for number, name in enumerate(ordered):
+        row, column = divmod(number, COLUMNS)
+        corner = (column * CELL, row * (CELL + 16))
+        picture = Image.fromarray(read_image(assets.path(name)))
+        picture.thumbnail((CELL, CELL))
+        sheet.paste(checks.crop((0, 0, *picture.size)), corner)
+        sheet.paste(picture, corner, picture)
+        pen.text((corner[0] + 4, corner[1] + CELL + 2), name, fill=(230, 230, 230))
+    return np.asarray(sheet)

@@ -1,0 +1,1 @@
+"""Plain geometry on arrays: cameras, meshes, height fields, obstacles. No OpenGL."""

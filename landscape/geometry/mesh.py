@@ -1,0 +1,158 @@
+"""Triangle meshes as arrays (Mesh_tool in 2006). No OpenGL."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """Vertices (n, 3) and normals (n, 3) float32, triangles (m, 3) uint32, one (n, 2) per unit.
+
+    ``colors``, uint8 (n, 4), may be left out.
+    """
+
+    vertices: np.ndarray
+    normals: np.ndarray
+    triangles: np.ndarray
+    coordinates: tuple[np.ndarray, ...] = ()
+    colors: np.ndarray | None = None
+
+
+def grid_triangles(columns: int, rows: int) -> np.ndarray:
+    """Return the two triangles of each cell of a grid of vertices, uint32 (m, 3).
+
+    Vertex number is column + row * columns; with columns along x and rows along z the triangles
+    are counter-clockwise seen from above. The diagonal runs from (0, 0) to (1, 1) of each cell.
+    """
+    c, r = np.meshgrid(np.arange(columns - 1), np.arange(rows - 1))
+    corner = (c + r * columns).ravel()
+    right, below, across = corner + 1, corner + columns, corner + columns + 1
+    two = np.stack([corner, below, across, corner, across, right], axis=1)
+    return np.ascontiguousarray(two.reshape(-1, 3), np.uint32)
+
+
+def vertex_normals(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Return unit normals, float32 (n, 3): each the sum of its triangles' area vectors.
+
+    A vertex that no triangle uses gets (0, 1, 0).
+    """
+    a, b, c = (vertices[triangles[:, k]].astype(np.float64) for k in range(3))
+    area = np.cross(b - a, c - a)
+    corners = triangles.T.ravel()
+    summed = [np.bincount(corners, np.tile(area[:, k], 3), len(vertices)) for k in range(3)]
+    normals = np.stack(summed, axis=1)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    unit = np.where(length > 0, normals / np.where(length > 0, length, 1.0), (0.0, 1.0, 0.0))
+    return np.ascontiguousarray(unit, np.float32)
+
+
+def revolve(
+    profile: Sequence[tuple[float, float]], sides: int, repeat: tuple[float, float]
+) -> Mesh:
+    """Return the surface a profile of (radius, height) points sweeps about the y axis.
+
+    x = r cos v, y = h, z = r sin v, as the truncated cone of section 6; texture coordinates run
+    ``repeat`` times round and along. Each segment of the profile has vertices of its own, so that
+    edges between segments stay sharp.
+    """
+    angle = np.linspace(0.0, 2.0 * np.pi, sides + 1)
+    points = np.array(profile, np.float64)
+    lengths = np.hypot(*np.diff(points, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
+    vertices: list[np.ndarray] = []
+    coordinates: list[np.ndarray] = []
+    for k in range(len(points) - 1):
+        for end in (k + 1, k):
+            radius, y = points[end]
+            ring = [radius * np.cos(angle), np.full_like(angle, y), radius * np.sin(angle)]
+            vertices.append(np.stack(ring, axis=1))
+            s = angle / (2 * np.pi) * repeat[0]
+            t = np.full_like(s, (1 - along[end]) * repeat[1])
+            coordinates.append(np.stack([s, t], axis=1))
+    band = grid_triangles(sides + 1, 2)[:, ::-1]
+    v = np.ascontiguousarray(np.concatenate(vertices), np.float32)
+    starts = np.arange(len(points) - 1)[:, None, None] * 2 * (sides + 1)
+    t = np.ascontiguousarray((band + starts).reshape(-1, 3), np.uint32)
+    n = vertex_normals(v, t)
+    for ring_start in range(0, len(v), sides + 1):
+        # First and last vertex of a ring are one point: without this the seam shows in the light.
+        last = ring_start + sides
+        mean = n[ring_start] + n[last]
+        n[ring_start] = n[last] = mean / np.linalg.norm(mean)
+    return Mesh(v, n, t, (np.ascontiguousarray(np.concatenate(coordinates), np.float32),))
+
+
+def clustered(mesh: Mesh, cell: float) -> Mesh:
+    """Return the mesh with all vertices of a cube of side ``cell`` drawn together to their mean.
+
+    Triangles whose corners meet are left out: a level of detail (Rossignac and Borrel 1993), good
+    while a cube is no larger than a pixel. Texture coordinates are left out; normals and colours
+    are means.
+    """
+    cubes = np.floor(mesh.vertices / cell).astype(np.int64)
+    cubes -= cubes.min(axis=0)
+    spans = cubes.max(axis=0) + 1
+    number = (cubes[:, 0] * spans[1] + cubes[:, 1]) * spans[2] + cubes[:, 2]
+    used, own, count = np.unique(number, return_inverse=True, return_counts=True)
+
+    def mean(values: np.ndarray) -> np.ndarray:
+        sums = [np.bincount(own, column, len(used)) for column in values.T.astype(np.float64)]
+        return np.stack(sums, axis=1) / count[:, None]
+
+    triangles = own[mesh.triangles]
+    a, b, c = triangles.T
+    kept = np.flatnonzero((a != b) & (b != c) & (c != a))
+    normals = mean(mesh.normals)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    return Mesh(
+        np.ascontiguousarray(mean(mesh.vertices), np.float32),
+        np.ascontiguousarray(normals, np.float32),
+        np.ascontiguousarray(triangles[kept], np.uint32),
+        (),
+        None if mesh.colors is None else np.ascontiguousarray(mean(mesh.colors), np.uint8),
+    )
+
+
+def gathered(mesh: Mesh) -> Mesh:
+    """Return the mesh with its triangles in the order of a Morton curve, vertices by first use.
+
+    OpenGL transforms a vertex again once it has left the cache of those used last: triangles that
+    are neighbours in space had better be neighbours in the list. The picture stays the same.
+    """
+    centres = mesh.vertices[mesh.triangles].mean(axis=1)
+    low, high = centres.min(axis=0, initial=np.inf), centres.max(axis=0, initial=-np.inf)
+    cube = (centres - low) / max(float((high - low).max(initial=0.0)), 1e-9) * 1023.0
+    code = np.zeros(len(cube), np.int64)
+    for bit in range(10):
+        for axis in range(3):
+            code |= (cube[:, axis].astype(np.int64) >> bit & 1) << (3 * bit + axis)
+    triangles = mesh.triangles[np.argsort(code, kind="stable")]
+    used, first = np.unique(triangles, return_index=True)
+    order = used[np.argsort(first)]
+    place = np.zeros(len(mesh.vertices), np.uint32)
+    place[order] = np.arange(len(order))
+    return Mesh(
+        mesh.vertices[order],
+        mesh.normals[order],
+        place[triangles],
+        tuple(c[order] for c in mesh.coordinates),
+        None if mesh.colors is None else mesh.colors[order],
+    )
+
+
+def is_closed(triangles: np.ndarray) -> bool:
+    """Return whether every edge of triangles (m, 3) has one other that runs the other way."""
+    corners = triangles.astype(np.int64)
+    starts, ends = corners.ravel(), corners[:, [1, 2, 0]].ravel()
+    side = int(corners.max(initial=0)) + 1
+    forth, back = np.sort(starts * side + ends), np.sort(ends * side + starts)
+    return bool(np.array_equal(forth, back) and (np.diff(forth) > 0).all())
+
+
+def centred(vertices: np.ndarray) -> np.ndarray:
+    """Move and scale vertices (n, 3) so that they fill -1..1 along their largest side."""
+    low, high = (end(axis=0).astype(np.float64) for end in (vertices.min, vertices.max))
+    half = float((high - low).max()) / 2 or 1.0
+    return np.ascontiguousarray((vertices - (low + high) / 2) / half, np.float32)

@@ -1,0 +1,214 @@
+"""Dotted settings: how they are declared, checked, changed, read from TOML, and listed.
+
+A scene's settings are a frozen dataclass of groups, each a frozen dataclass of values declared by
+:func:`setting`. The key of a value is ``group.name``. A value is a bool, an int, a float, a text or
+a tuple of floats. No setting is named here: each scene brings its own.
+"""
+
+import dataclasses
+import tomllib
+from collections.abc import Mapping
+from dataclasses import field
+from pathlib import Path
+from typing import Any, TypeVar
+
+from landscape.errors import InputError
+
+Value = bool | int | float | str | tuple[float, ...]
+Settings = TypeVar("Settings")
+Field = dataclasses.Field[Any]
+
+
+@dataclasses.dataclass(frozen=True)
+class Renamed:
+    """What became of a key that files may still have: its new name, or "" if it is gone.
+
+    ``negated`` values changed their sign.
+    """
+
+    key: str = ""
+    negated: bool = False
+
+
+def setting(
+    default: Any,
+    source: str,
+    unit: str = "",
+    low: float | None = None,
+    high: float | None = None,
+    choices: tuple[str, ...] = (),
+) -> Any:
+    """Declare one setting: its default, where that comes from, its unit and its limits."""
+    meta = {"source": source, "unit": unit, "low": low, "high": high, "choices": choices}
+    return field(default=default, metadata=meta)
+
+
+_FIELDS: dict[type, dict[str, Field]] = {}
+
+
+def fields(kind: type) -> dict[str, Field]:
+    """Return the fields of a settings class by dotted key, in order."""
+    if kind not in _FIELDS:
+        _FIELDS[kind] = {
+            f"{group.name}.{item.name}": item
+            for group in dataclasses.fields(kind)
+            for item in dataclasses.fields(group.default)  # type: ignore[arg-type]
+        }
+    return _FIELDS[kind]
+
+
+def get(settings: Any, key: str) -> Value:
+    """Return the value of a dotted key."""
+    group, name = key.split(".")
+    value: Value = getattr(getattr(settings, group), name)
+    return value
+
+
+def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
+    """Return settings with some keys changed; values may be texts, as from the command line.
+
+    Renamed keys are taken as well. Raises InputError that names the key and what was expected.
+    """
+    known = fields(type(settings))
+    for key, value in current_names(type(settings), changes)[0].items():
+        if key not in known:
+            raise InputError(f"setting {key!r}: no such key; `landscape settings` lists them all")
+        group, name = key.split(".")
+        checked = _checked(key, known[key], value)
+        part = dataclasses.replace(getattr(settings, group), **{name: checked})
+        settings = dataclasses.replace(settings, **{group: part})  # type: ignore[type-var]
+    return settings
+
+
+def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name: str) -> Settings:
+    """Return settings with a preset's differences; InputError if there is none of that name."""
+    if name not in presets:
+        raise InputError(f"preset {name!r}: expected one of {', '.join(presets)}")
+    return with_settings(defaults, presets[name])
+
+
+def current_names(kind: type, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """Return changes under today's names, and one line of notice for each key that had another.
+
+    The class attribute ``RENAMED`` of a settings class, if it has one, maps old keys to
+    :class:`Renamed`.
+    """
+    renamed: Mapping[str, Renamed] = getattr(kind, "RENAMED", {})
+    current: dict[str, Any] = {}
+    notices = []
+    for key, value in changes.items():
+        new = renamed.get(key)
+        if new is None:
+            current[key] = value
+        elif not new.key:
+            notices.append(f"setting {key}: no longer used, ignored")
+        else:
+            current[new.key] = _negated(value) if new.negated else value
+            notices.append(f"setting {key}: now called {new.key}")
+    return current, notices
+
+
+def _negated(value: Any) -> Any:
+    """Return a number, or the text of one, with its sign changed; anything else as it is."""
+    try:
+        return -float(value)
+    except (TypeError, ValueError, OverflowError):
+        return value
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Read a TOML file of settings into a flat table of dotted keys."""
+    try:
+        # "utf-8-sig": Windows' editors begin a file with a byte order mark.
+        tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from error
+    except (ValueError, RecursionError) as error:  # TOMLDecodeError and UnicodeDecodeError as well
+        raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
+    flat: dict[str, Any] = {}
+    for group, table in tables.items():
+        if not isinstance(table, dict):
+            raise InputError(f"{path}: {group}: expected a table such as [fog] or [grass]")
+        flat |= {f"{group}.{name}": value for name, value in table.items()}
+    return flat
+
+
+def _checked(key: str, item: Field, value: Any) -> Value:
+    """Convert a text or a TOML value to the type of the key's default, and check its limits."""
+    meta, default = item.metadata, item.default
+    wrong = InputError(f"setting {key}: expected {expected(item)}, not {_short(value)}")
+    if isinstance(default, bool):
+        if isinstance(value, str):
+            words = {"true": True, "on": True, "1": True, "yes": True}
+            words |= {"false": False, "off": False, "0": False, "no": False}
+            value = words.get(value.lower())
+        if not isinstance(value, bool):
+            raise wrong
+        return value
+    if isinstance(default, str):
+        text = str(value)
+        if not isinstance(value, str) or (meta["choices"] and text not in meta["choices"]):
+            raise wrong
+        if not meta["choices"] and (not text or "\0" in text):
+            raise wrong
+        return text
+    if isinstance(default, tuple):
+        parts = value.split(",") if isinstance(value, str) else value
+        if not isinstance(parts, (list, tuple)) or len(parts) != len(default):
+            raise wrong
+        return tuple(_number(part, meta, wrong, float) for part in parts)
+    return _number(value, meta, wrong, type(default))
+
+
+def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) -> Any:
+    if isinstance(value, bool):
+        raise wrong
+    try:
+        number = kind(value.replace("_", "") if isinstance(value, str) else value)
+    except (TypeError, ValueError, OverflowError):
+        raise wrong from None
+    if isinstance(value, float) and number != value:
+        raise wrong
+    # Comparing is safe where converting is not: a whole number may be beyond all floats.
+    if not meta["low"] <= number <= meta["high"]:
+        raise wrong
+    return number
+
+
+def _short(value: Any) -> str:
+    """Write a value given for a setting, cut where it is long."""
+    try:
+        text = repr(value)
+    except ValueError:
+        return "a number of thousands of digits"
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def expected(item: Field) -> str:
+    """Say in words what values a setting takes."""
+    meta, default = item.metadata, item.default
+    if isinstance(default, bool):
+        return "true or false"
+    if meta["choices"]:
+        return "one of " + ", ".join(meta["choices"])
+    if isinstance(default, str):
+        return "a file name"
+    limits = f"from {meta['low']} to {meta['high']}"
+    if isinstance(default, tuple):
+        return f"{len(default)} numbers {limits}, separated by commas"
+    return f"{'a whole number' if isinstance(default, int) else 'a number'} {limits}"
+
+
+def table(settings: Any) -> list[dict[str, Any]]:
+    """Return every key with its value, its default, unit, source and what it takes."""
+    return [
+        {
+            "key": key,
+            "value": get(settings, key),
+            "default": item.default,
+            "unit": item.metadata["unit"],
+            "source": item.metadata["source"],
+            "expected": expected(item),
+        }
+        for key, item in fields(type(settings)).items()
+    ]

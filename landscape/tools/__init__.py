@@ -1,0 +1,1 @@
+"""Tools: trace, doctor, benchmarks, asset checks, rendering many stills."""

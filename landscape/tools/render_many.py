@@ -1,0 +1,78 @@
+"""Many stills, drawn by several processes: one draws on one core and a half, by Python in between.
+
+Each process has one context and one island, as ``landscape render`` has; which of them draws a
+picture does not show in it.
+"""
+
+import multiprocessing
+import os
+import signal
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
+from typing import Any
+
+from landscape.errors import InputError
+from landscape.files.output import save_png
+from landscape.frame import Pose
+from landscape.render import Offscreen
+
+FEWEST = 16  # chosen: below that another process's start costs more than it gains
+MOST_PROCESSES = 4  # chosen: llvmpipe's own threads keep the other cores busy
+
+Job = tuple[str, str | Pose, Path]  # name, view, file
+_offscreen: Offscreen | None = None
+
+
+def render_all(
+    jobs: Sequence[Job],
+    arguments: Mapping[str, Any],
+    kt: float | None,
+    wireframe: bool,
+    done: Callable[[str], None],
+) -> None:
+    """Draw and save each job, and tell ``done`` its name; ``arguments`` are an Offscreen's.
+
+    After Ctrl-C, or when one cannot be drawn, those under way are finished and no other is begun:
+    what lies on the disk is whole.
+    """
+    count = min(os.cpu_count() or 1, MOST_PROCESSES, len(jobs) // (FEWEST // 2))
+    if count < 2:
+        with Offscreen(**arguments) as offscreen:
+            for name, view, path in jobs:
+                offscreen.look(view, kt, wireframe)
+                save_png(offscreen.draw(), path)
+                done(name)
+        return
+    # Spawned, not forked: a fork of a process that has used OpenGL may hang.
+    spawn = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(count, spawn, initializer=_prepare) as pool:
+        names = {
+            pool.submit(_draw, dict(arguments), view, kt, wireframe, path): name
+            for name, view, path in jobs
+        }
+        try:
+            for drawn in as_completed(names):
+                drawn.result()
+                done(names[drawn])
+        except BrokenProcessPool:
+            raise InputError("render: a process was killed (perhaps out of memory)") from None
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _prepare() -> None:
+    """Leave Ctrl-C to the process that waits for the pictures."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _draw(
+    arguments: dict[str, Any], view: str | Pose, kt: float | None, wireframe: bool, path: Path
+) -> None:
+    """Draw one picture in a process of the pool, whose first it may be."""
+    global _offscreen
+    if _offscreen is None:
+        _offscreen = Offscreen(**arguments)
+    _offscreen.look(view, kt, wireframe)
+    save_png(_offscreen.draw(), path)

@@ -1,0 +1,1 @@
+"""The window: the walk, its keys, the help panel, recordings."""

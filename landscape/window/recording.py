@@ -1,0 +1,275 @@
+"""Walks written down: a JSON Lines file from which a walk can be walked again, pixel for pixel.
+
+The first line is the plan (format version, settings, seed, view, size, ...); then comes a line a
+frame: its length in seconds and what the user asked for, and only what differs from the default;
+the last line counts the frames, so that a truncated file is known as such. Floats are written in
+full. Assets are not kept: a walk over one's own island needs the same ``--assets`` again.
+"""
+
+import json
+import math
+import os
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+from typing import IO, Any
+
+from landscape.errors import InputError
+from landscape.frame import Pose
+from landscape.island import ELEMENTS
+from landscape.keys import fields as keys_of
+from landscape.keys import get, with_settings
+from landscape.settings import Settings
+from landscape.window.walker import Intent
+
+VERSION = 1
+MAX_SECONDS = 1.0  # chosen: a frame that took longer (a suspended machine) counts as this
+MAX_SIDE = 16384  # pixels, as on the command line
+ACTIONS = (
+    "map",
+    "wireframe",
+    "fog",
+    "reflection",
+    "sorting",
+    "help",
+    "next_fix",
+    "fix",
+)  # switches
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a walk starts from; ``pose.y`` may be NaN: eye height above the ground."""
+
+    settings: Settings
+    view: str
+    pose: Pose
+    size: tuple[int, int]
+    kt: float = 0.0
+    seed: int = 0
+    only: tuple[str, ...] = ELEMENTS
+    wireframe: bool = False
+    language: str = "en"
+
+
+@dataclass(frozen=True)
+class Tick:
+    """One frame of a walk: its length, what was asked for, and the window's size in pixels.
+
+    ``actions`` are some of ACTIONS; ``note`` is a message that no action explains.
+    """
+
+    seconds: float
+    intent: Intent
+    actions: tuple[str, ...]
+    size: tuple[int, int]
+    note: str = ""
+
+
+def plan_line(plan: Plan) -> dict[str, Any]:
+    """Return a plan as JSON; a y of NaN, which JSON has not, becomes null."""
+    pose = plan.pose
+    return {
+        "landscape walk": VERSION,
+        "view": plan.view,
+        "pose": [pose.x, None if math.isnan(pose.y) else pose.y, pose.z, pose.yaw, pose.pitch],
+        "kt": plan.kt,
+        "size": list(plan.size),
+        "seed": plan.seed,
+        "only": list(plan.only),
+        "wireframe": plan.wireframe,
+        "language": plan.language,
+        "settings": {key: get(plan.settings, key) for key in keys_of(type(plan.settings))},
+    }
+
+
+def tick_line(tick: Tick, size: tuple[int, int]) -> dict[str, Any]:
+    """Return a frame as JSON; its size is left out where it is still ``size``."""
+    default = asdict(Intent())
+    line: dict[str, Any] = {"dt": tick.seconds}
+    line |= {name: v for name, v in asdict(tick.intent).items() if v != default[name]}
+    if tick.actions:
+        line["do"] = list(tick.actions)
+    if tick.size != size:
+        line["size"] = list(tick.size)
+    if tick.note:
+        line["note"] = tick.note
+    return line
+
+
+class Recorder:
+    """Writes a recording under another name, and gives it its own when the walk ends."""
+
+    def __init__(self, path: Path, plan: Plan) -> None:
+        """Begin the file; InputError where it cannot be written."""
+        self._path, self._size, self._count = path, plan.size, 0
+        self._part = path.with_name(f".{path.name}.{os.getpid()}.part")
+        if path.is_dir():
+            raise InputError(f"--record {path}: expected a file, found a folder")
+        self._file: IO[str] | None = None
+        try:
+            # Line by line: even a walk that is killed leaves its frames in the other file.
+            self._file = open(self._part, "w", buffering=1, encoding="utf-8")  # noqa: SIM115
+        except OSError as error:
+            raise InputError(f"--record {path}: cannot be written ({error.strerror})") from None
+        self._write(plan_line(plan))
+
+    def _write(self, line: Mapping[str, Any]) -> None:
+        assert self._file is not None
+        try:
+            self._file.write(json.dumps(line, allow_nan=False) + "\n")
+        except OSError as error:
+            self.discard()
+            raise InputError(f"--record {self._path}: {error.strerror}") from None
+
+    def add(self, tick: Tick) -> None:
+        """Write a frame down."""
+        self._write(tick_line(tick, self._size))
+        self._size = tick.size
+        self._count += 1
+
+    def finish(self) -> bool:
+        """Close the file and give it its name; tell whether there is one: not without a frame."""
+        if self._file is None or not self._count:
+            self.discard()
+            return False
+        self._write({"frames": self._count})
+        try:
+            self._file.flush()
+            os.fsync(self._file.fileno())
+            self._file.close()
+            os.replace(self._part, self._path)
+        except OSError as error:
+            self.discard()
+            raise InputError(f"--record {self._path}: {error.strerror}") from None
+        self._file = None
+        return True
+
+    def discard(self) -> None:
+        """Leave nothing behind."""
+        if self._file is not None:
+            file, self._file = self._file, None
+            # On a full disk closing fails: what could not be written is not wanted any more.
+            with suppress(OSError):
+                file.close()
+            self._part.unlink(missing_ok=True)
+
+
+def read(path: Path) -> tuple[Plan, list[Tick]]:
+    """Read a recording; InputError names the file and the line that is not as expected."""
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except OSError as error:
+        raise InputError(f"--replay {path}: cannot be read ({error.strerror})") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}:1: expected a recorded walk, found no text") from None
+    parsed = [_object(path, number, line) for number, line in enumerate(lines, 1)]
+    if not parsed or parsed[0].get("landscape walk") != VERSION:
+        raise InputError(f'{path}:1: expected a line with "landscape walk": {VERSION}')
+    last = len(parsed)
+    if last < 2 or parsed[-1] != {"frames": last - 2}:
+        raise InputError(f"{path}:{last}: truncated: expected a last line that counts the frames")
+    try:
+        plan = _plan(parsed[0])
+    except (InputError, ValueError, TypeError, KeyError) as error:
+        raise InputError(f"{path}:1: {_reason(error)}") from None
+    ticks, size = [], plan.size
+    for number, line in enumerate(parsed[1:-1], 2):
+        try:
+            ticks.append(_tick(line, size))
+        except (ValueError, TypeError, KeyError) as error:
+            raise InputError(f"{path}:{number}: {_reason(error)}") from None
+        size = ticks[-1].size
+    return plan, ticks
+
+
+def _object(path: Path, number: int, line: str) -> dict[str, Any]:
+    try:
+        value = json.loads(line)
+    except (ValueError, RecursionError):
+        value = None
+    if not isinstance(value, dict):
+        raise InputError(f"{path}:{number}: expected a JSON object a line, as --record writes")
+    return value
+
+
+def _reason(error: Exception) -> str:
+    return f"expected {error}" if isinstance(error, KeyError) else str(error)
+
+
+def _number(value: Any, name: str, low: float, high: float) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+        raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, not {value!r}")
+    return float(value)
+
+
+def _numbers(value: Any, name: str, count: int, low: float, high: float) -> tuple[float, ...]:
+    if not isinstance(value, list) or len(value) != count:
+        raise ValueError(f"{name}: expected {count} numbers, not {value!r}")
+    return tuple(_number(item, name, low, high) for item in value)
+
+
+def _size(value: Any) -> tuple[int, int]:
+    width, height = _numbers(value, "size", 2, 1, MAX_SIDE)
+    return int(width), int(height)
+
+
+def _kind(value: Any, name: str, kind: type) -> Any:
+    if type(value) is not kind:
+        raise ValueError(f"{name}: expected {kind.__name__}, not {value!r}")
+    return value
+
+
+def _names(value: Any, name: str) -> tuple[str, ...]:
+    return tuple(_kind(item, name, str) for item in _kind(value, name, list))
+
+
+def _plan(line: Mapping[str, Any]) -> Plan:
+    x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
+    x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -1e6, 1e6)
+    y = math.nan if y is None else _number(y, "pose", -1e6, 1e6)
+    only = _names(line["only"], "only")
+    if not set(only) <= set(ELEMENTS):
+        raise ValueError(f"only: expected some of {', '.join(ELEMENTS)}")
+    seed = _kind(line["seed"], "seed", int)
+    if seed < 0:
+        raise ValueError(f"seed: expected a whole number from 0, not {seed}")
+    return Plan(
+        settings=with_settings(Settings(), _kind(line["settings"], "settings", dict)),
+        view=_kind(line["view"], "view", str),
+        pose=Pose(x, y, z, yaw, pitch),
+        size=_size(line["size"]),
+        kt=_number(line["kt"], "kt", -1e12, 1e12),
+        seed=seed,
+        only=only,
+        wireframe=_kind(line["wireframe"], "wireframe", bool),
+        language=_kind(line["language"], "language", str),
+    )
+
+
+def _tick(line: Mapping[str, Any], size: tuple[int, int]) -> Tick:
+    intent: dict[str, Any] = {}
+    for item in fields(Intent):
+        if item.name not in line:
+            continue
+        value = line[item.name]
+        if item.name == "look":
+            intent["look"] = _numbers(value, "look", 2, -1e6, 1e6)
+        elif isinstance(item.default, bool):
+            intent[item.name] = _kind(value, item.name, bool)
+        else:
+            intent[item.name] = _number(value, item.name, -1, 1)
+    known = {item.name for item in fields(Intent)} | {"dt", "do", "size", "note"}
+    if not set(line) <= known:
+        raise ValueError(f"unknown: {', '.join(sorted(set(line) - known))}")
+    actions = _names(line.get("do", []), "do")
+    if not set(actions) <= set(ACTIONS):
+        raise ValueError(f"do: expected some of {', '.join(ACTIONS)}")
+    return Tick(
+        seconds=_number(line["dt"], "dt", 0, MAX_SECONDS),
+        intent=Intent(**intent),
+        actions=actions,
+        size=_size(line["size"]) if "size" in line else size,
+        note=_kind(line.get("note", ""), "note", str),
+    )

@@ -1,0 +1,124 @@
+"""All words the window shows, by language. English is complete; others may leave texts out."""
+
+from collections.abc import Mapping
+
+TEXTS: dict[str, dict[str, str]] = {
+    "en": {
+        "help.title": "Keys",
+        "help.walk": "walk (arrows up and down as well)",
+        "help.turn": "turn; or click, then move the mouse",
+        "help.escape": "let the mouse go; again: leave",
+        "help.run": "run",
+        "help.strike": "strike with the sword (or left button)",
+        "help.fly": "fly, walk again",
+        "help.up_down": "fly up and down",
+        "help.map": "map",
+        "help.wireframe": "wireframe",
+        "help.fog": "fog",
+        "help.reflection": "reflection in the water",
+        "help.sorting": "sorting of the trees",
+        "help.next_fix": "choose the next remedy",
+        "help.fix": "turn the chosen remedy on or off",
+        "help.fullscreen": "full screen",
+        "help.screenshot": "save a picture",
+        "help.help": "these keys",
+        "key.up": "Up",
+        "key.down": "Down",
+        "key.left": "Left",
+        "key.right": "Right",
+        "key.space": "Space",
+        "key.page_up": "Page up",
+        "key.page_down": "Page down",
+        "key.left_shift": "Shift",
+        "key.escape": "Esc",
+        "key.f11": "F11",
+        "key.f12": "F12",
+        "hint": "{letter}: keys",
+        "fly.on": "flying",
+        "fly.off": "walking",
+        "map.on": "map on",
+        "map.off": "map off",
+        "wireframe.on": "wireframe on",
+        "wireframe.off": "wireframe off",
+        "fog.on": "fog on",
+        "fog.off": "fog off",
+        "reflection.on": "reflection on",
+        "reflection.off": "reflection off",
+        "sorting.on": "sorting on",
+        "sorting.off": "sorting off",
+        "fix.on": "on",
+        "fix.off": "off",
+        "saved": "{name} saved",
+        "not_saved": "the picture could not be saved here",
+        "no_monitor": "no full screen here",
+    },
+    "fr": {
+        "help.title": "Touches",
+        "help.walk": "marcher (ou flèches haut et bas)",
+        "help.turn": "tourner ; ou cliquer, puis la souris",
+        "help.escape": "libérer la souris ; encore : quitter",
+        "help.run": "courir",
+        "help.strike": "coup d'épée (ou bouton gauche)",
+        "help.fly": "voler, marcher de nouveau",
+        "help.up_down": "monter et descendre en vol",
+        "help.map": "carte",
+        "help.wireframe": "fil de fer",
+        "help.fog": "brouillard",
+        "help.reflection": "reflet dans l'eau",
+        "help.sorting": "tri des arbres",
+        "help.next_fix": "choisir le remède suivant",
+        "help.fix": "mettre ou ôter le remède choisi",
+        "help.fullscreen": "plein écran",
+        "help.screenshot": "enregistrer une image",
+        "help.help": "ces touches",
+        "key.up": "Haut",
+        "key.down": "Bas",
+        "key.left": "Gauche",
+        "key.right": "Droite",
+        "key.space": "Espace",
+        "key.page_up": "Page préc.",
+        "key.page_down": "Page suiv.",
+        "key.left_shift": "Maj",
+        "key.escape": "Échap",
+        "hint": "{letter} : touches",
+        "fly.on": "en vol",
+        "fly.off": "à pied",
+        "map.on": "carte affichée",
+        "map.off": "carte cachée",
+        "wireframe.on": "fil de fer",
+        "wireframe.off": "faces pleines",
+        "fog.on": "avec brouillard",
+        "fog.off": "sans brouillard",
+        "reflection.on": "avec reflet",
+        "reflection.off": "sans reflet",
+        "sorting.on": "arbres triés",
+        "sorting.off": "arbres non triés",
+        "fix.on": "mis",
+        "fix.off": "ôté",
+        "saved": "{name} enregistré",
+        "not_saved": "l'image ne peut être enregistrée ici",
+        "no_monitor": "pas de plein écran ici",
+    },
+}
+
+
+def language(environment: Mapping[str, str]) -> str:
+    """Return the language the environment asks for and TEXTS has, else "en".
+
+    LANGUAGE may list several, best first; else LC_ALL, LC_MESSAGES and LANG count, in this order.
+    """
+    wanted = environment.get("LANGUAGE", "").split(":")
+    locale = next(
+        (environment[v] for v in ("LC_ALL", "LC_MESSAGES", "LANG") if environment.get(v)), ""
+    )
+    for name in (*wanted, locale):
+        code = name.replace("-", "_").split("_")[0].split(".")[0].lower()
+        if code in TEXTS:
+            return code
+    return "en"
+
+
+def text(language: str, key: str, **words: str) -> str:
+    """Return a text in a language, or in English where it has none; ``words`` fill its {names}."""
+    table = TEXTS.get(language, {})
+    return table.get(key, TEXTS["en"][key]).format(**words)
