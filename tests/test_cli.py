@@ -17,7 +17,7 @@ import pytest
 from commands import SECONDS, Shell, environment, landscape, python
 from PIL import Image
 
-from landscape import cli, settings
+from landscape import cli, keys, settings
 from landscape.island import ELEMENTS
 from landscape.views import VIEWS
 
