@@ -350,7 +350,10 @@ def test_a_stroke_is_not_begun_again_while_it_runs():
 
 
 def test_the_walker_needs_no_opengl():
-    code = "import sys, landscape.window.walker; sys.exit('OpenGL' in sys.modules or 'glfw' in sys.modules)"
+    code = (
+        "import sys, landscape.window.walker;"
+        "sys.exit('OpenGL' in sys.modules or 'glfw' in sys.modules)"
+    )
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
 
 
