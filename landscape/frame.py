@@ -9,10 +9,13 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Pose:
-    """Where the eye is: x, y, z in units; yaw 0 looks north (-z), 90 east (+x); pitch up."""
+    """Where the eye is: x, y, z in units; yaw 0 looks north (-z), 90 east (+x); pitch up.
+
+    Angles in degrees. ``y`` may be None in a place to go to: eye height above the ground there.
+    """
 
     x: float
-    y: float
+    y: float | None
     z: float
     yaw: float = 0.0
     pitch: float = 0.0
@@ -47,9 +50,15 @@ class Frame:
     mirrored: bool = False
 
     @cached_property
+    def eye_y(self) -> float:
+        """The eye's height, the pose's y."""
+        assert self.pose.y is not None
+        return self.pose.y
+
+    @cached_property
     def eye(self) -> np.ndarray:
         """The eye's place, float64 (3,)."""
-        return np.array([self.pose.x, self.pose.y, self.pose.z])
+        return np.array([self.pose.x, self.eye_y, self.pose.z])
 
     @cached_property
     def right(self) -> np.ndarray:

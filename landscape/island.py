@@ -1,14 +1,13 @@
 """The island: owns the elements and draws one frame; the order of drawing is the lesson."""
 
 import functools
-import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, TypeVar
 
 import numpy as np
 
-from landscape.elements import fog, sun
+from landscape.elements import sun
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
 from landscape.elements.grass import Grass
@@ -24,30 +23,20 @@ from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
-from landscape.frame import Frame, Pose
+from landscape.files.images import read_heights
+from landscape.fixes import FIXES
+from landscape.frame import Frame
+from landscape.geometry.height_field import HeightField, height_field
+from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import begin_pass, gl
 from landscape.gl.state import attrib
-from landscape.settings import Settings
+from landscape.scene import SEED, Moment, Scene, begin_frame
+from landscape.settings import PRESETS, Settings
+from landscape.views import ALL, MAIN, VIEWS
 
-ELEMENTS = (
-    "ground", "water", "sky", "trees", "deer", "plants", "grass", "castle", "rabbit", "dragon",
-    "sword", "map", "fog", "reflection",
-)  # fmt: skip
+ELEMENTS = ALL
 SPRITES = {"trees", "deer", "plants"}
-SEED = 2006  # chosen: the year of the report
 Element = TypeVar("Element")
-
-
-@dataclass(frozen=True)
-class Moment:
-    """What a frame shows: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4)."""
-
-    pose: Pose
-    size: tuple[int, int]
-    kt: float = 0.0
-    step: float = 0.0
-    stroke: int = 0
-    wireframe: bool = False
 
 
 class Island:
@@ -111,7 +100,7 @@ class Island:
         files = values.ground.height_image, values.rabbit.mesh
         self.ground.shade(*recall((what, *assets.contents(*files)), shadows))
 
-    def apply(self, settings: Settings) -> None:
+    def apply(self, settings: Settings) -> bool:
         """Take settings that differ in what is read at each frame: fog, reflection, sorting, map.
 
         What was built from the others (meshes, lists, places drawn by lot) stays as it is.
@@ -120,11 +109,12 @@ class Island:
         for element in self._owned:
             if hasattr(element, "_settings"):
                 element._settings = settings
+        return True
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
         begin_pass("main")
-        frame = self.begin(moment)
+        frame = self._begin(moment)
         settings, shown = self.settings, self._shown
         sprites, water = shown(self.sprites, *SPRITES), shown(self.water, "water")
         # Sorted once for both passes, and when it is first asked for.
@@ -177,6 +167,13 @@ class Island:
         if (map := shown(self.map, "map")) and settings.overlay.map:
             map.draw(frame)
 
+    def _begin(self, moment: Moment) -> Frame:
+        """Begin a frame of the island's own camera, sun and fog."""
+        values = self.settings
+        # The sea reaches farther than anything that stands on the island.
+        far = 1.5 * values.water.horizon
+        return begin_frame(moment, values.camera, values.sun, values.fog, "fog" in self.shown, far)
+
     def _draw_reflection(self, frame: Frame, sort: Callable[[], Any]) -> None:
         """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
         settings, shown = self.settings, self._shown
@@ -199,35 +196,24 @@ class Island:
                 sprites.draw(frame, sort())
         begin_pass("main")
 
-    def begin(self, moment: Moment) -> Frame:
-        """Clear, set the viewport, the camera, the sun and the fog; return what elements need."""
-        camera, pose = self.settings.camera, moment.pose
-        gl.glViewport(0, 0, *moment.size)
-        gl.glClearColor(*self.settings.fog.color, 1.0)
-        gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
-        gl.glEnable(gl.GL_DEPTH_TEST)
-        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+    @property
+    def size(self) -> float:
+        """The side of the map in units."""
+        return self.ground.field.size
 
-        gl.glMatrixMode(gl.GL_PROJECTION)
-        gl.glLoadIdentity()
-        top = camera.near * math.tan(math.radians(camera.fov) / 2)
-        right = top * moment.size[0] / moment.size[1]
-        far = max(camera.far, 2 * camera.near, 1.5 * self.settings.water.horizon)
-        gl.glFrustum(-right, right, -top, top, camera.near, far)
-        gl.glMatrixMode(gl.GL_MODELVIEW)
-        gl.glLoadIdentity()
-        gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
-        gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
-        gl.glTranslatef(-pose.x, -pose.y, -pose.z)
+    def height(self, x: float, z: float) -> float:
+        """Return the height of what one stands on at x, z in units: the ground or the water."""
+        return float(self.ground.field.height(x, z))
 
-        sun.shine(self.settings.sun)
-        if "fog" in self.shown and self.settings.fog.enabled:
-            fog.enable(self.settings.fog)
-        else:
-            gl.glDisable(gl.GL_FOG)
-        modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
-        return Frame(
-            pose, moment.size, moment.kt, modelview, camera.fov, moment.step, moment.stroke
+    @property
+    def obstacles(self) -> tuple[Obstacle, ...]:
+        """What the walker goes round: the castle's walls, the rabbit, the dragon."""
+        standing = (self.castle, self.rabbit, self.dragon)
+        return tuple(
+            each
+            for element in standing
+            if element
+            for each in getattr(element, "obstacles", tuple)()
         )
 
     def _shown(self, element: Element | None, *names: str) -> Element | None:
@@ -238,3 +224,24 @@ class Island:
         """Release the elements, last built first; may be called twice."""
         while self._owned:
             self._owned.pop().release()
+
+
+def terrain(settings: Settings, assets: Assets) -> HeightField:
+    """Return the island's heights, without OpenGL."""
+    path = assets.path(settings.ground.height_image, "ground.height_image")
+    return height_field(read_heights(path), settings.ground, settings.water.level)
+
+
+SCENE = Scene(
+    name="island",
+    elements=ELEMENTS,
+    views=VIEWS,
+    settings=Settings(),
+    presets=PRESETS,
+    preset="best",
+    start="fig35e",
+    main=MAIN,
+    open=Island,
+    terrain=terrain,
+    fixes=FIXES,
+)

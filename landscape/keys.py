@@ -70,7 +70,7 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     Renamed keys are taken as well. Raises InputError that names the key and what was expected.
     """
     known = fields(type(settings))
-    for key, value in current_names(type(settings), changes)[0].items():
+    for key, value in current_names(settings, changes)[0].items():
         if key not in known:
             raise InputError(f"setting {key!r}: no such key; `landscape settings` lists them all")
         group, name = key.split(".")
@@ -87,13 +87,13 @@ def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name:
     return with_settings(defaults, presets[name])
 
 
-def current_names(kind: type, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
+def current_names(settings: Any, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
     """Return changes under today's names, and one line of notice for each key that had another.
 
     The class attribute ``RENAMED`` of a settings class, if it has one, maps old keys to
     :class:`Renamed`.
     """
-    renamed: Mapping[str, Renamed] = getattr(kind, "RENAMED", {})
+    renamed: Mapping[str, Renamed] = getattr(settings, "RENAMED", {})
     current: dict[str, Any] = {}
     notices = []
     for key, value in changes.items():

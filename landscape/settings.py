@@ -48,6 +48,7 @@ class Walk:
     )
     eye: float = setting(0.1, "section 8.2", "units above the ground", 0.001, 10)
     bob: float = setting(0.006, "section 8.2", "units, amplitude of the head's bob", 0, 1)
+    stroke_kt: float = setting(4.0, "chosen", "kt per frame of the sword's stroke", 0.01, 1000)
     steps_per_unit: float = setting(30.0, "chosen", "steps (k_step) per unit walked", 0, 1000)
 
 
@@ -335,7 +336,6 @@ class Overlay:
     sword: bool = setting(True, "section 8", "show the sword")
     map: bool = setting(True, "section 9", "show the map")
     map_alpha: float = setting(0.75, "chosen", "opacity of the map", 0, 1)
-    stroke_kt: float = setting(4.0, "chosen", "kt per frame of the sword's stroke", 0.01, 1000)
 
 
 @dataclass(frozen=True)
@@ -356,6 +356,7 @@ class Settings:
 
     RENAMED: ClassVar[dict[str, Renamed]] = {
         "camera.detail": Renamed("camera.lod_pixels"),
+        "overlay.stroke_kt": Renamed("walk.stroke_kt"),
         "ground.unstretched": Renamed("ground.low_stretch"),
         "reflection.coarse": Renamed("reflection.lod_scale"),
         "transparent.least": Renamed("transparent.min_pixels"),

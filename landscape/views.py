@@ -1,60 +1,34 @@
 """Named views: one for each render panel of the report's figures (figures.csv).
 
-A pose's y of None means the walker's eye height above the ground there. Poses are chosen: the
-report gives pictures, not places.
+Poses are chosen: the report gives pictures, not places. Views of whole places use the scene's
+default preset; views that show one technique, or one flaw, use the preset 2006, which shows it.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
 
 from landscape.frame import Pose
-
-if TYPE_CHECKING:
-    from landscape.geometry.height_field import HeightField
+from landscape.scene import View
 
 ALL = (
     "ground", "water", "sky", "trees", "deer", "plants", "grass", "castle", "rabbit", "dragon",
     "sword", "map", "fog", "reflection",
 )  # fmt: skip
 SCENE = tuple(e for e in ALL if e not in ("sword", "map"))
-
-
-@dataclass(frozen=True)
-class View:
-    """A place and its switches. ``pose.y`` may be NaN: eye height above the ground."""
-
-    name: str
-    shows: str
-    pose: Pose
-    kt: float = 0.0
-    preset: str = "2006"
-    shown: tuple[str, ...] = ALL
-    settings: Mapping[str, Any] = field(default_factory=dict)
-    stroke: int = 0
-    wireframe: bool = False
-
-    @property
-    def figure(self) -> str:
-        """The report's figure and panel, as in "35 a"."""
-        return f"{self.name[3:-1]} {self.name[-1]}" if self.name.startswith("fig") else ""
-
-    def place(self, ground: "HeightField", eye: float) -> Pose:
-        """Return the pose with its y: ``eye`` units above the ground where none is given."""
-        pose = self.pose
-        if pose.y == pose.y:
-            return pose
-        y = float(ground.height(pose.x, pose.z)) + eye
-        return Pose(pose.x, y, pose.z, pose.yaw, pose.pitch)
+MAIN = tuple(f"fig35{panel}" for panel in "abcdefghi")  # figure 35: the report's own choice
+WHOLE = ("25", "29", "32", "33", "35")  # figures that show a place, not one technique or flaw
 
 
 def walking(x: float, z: float, yaw: float, pitch: float = 0.0) -> Pose:
-    """Return a pose at eye height above the ground."""
-    return Pose(x, float("nan"), z, yaw, pitch)
+    """Return a pose at eye height above the ground; angles in degrees."""
+    return Pose(x, None, z, yaw, pitch)
 
 
 def _table(*views: View) -> dict[str, View]:
-    return {view.name: view for view in views}
+    """Return views by name, with the preset 2006 where that shows what they are for."""
+    return {
+        view.name: view if view.figure.split()[0] in WHOLE else replace(view, preset="2006")
+        for view in views
+    }
 
 
 NO_FOG = {"fog.enabled": False}
@@ -205,28 +179,3 @@ VIEWS = _table(
     View("fig43a", "flaw: the mapping pinched at the axis", Pose(20.46, 1.42, 24.02, 30.0, -78.0),
          0, shown=SCENE, settings={"camera.fov": 40.0}),
 )  # fmt: skip
-
-
-def placed_views() -> list[dict[str, Any]]:
-    """Return every view as `landscape views --json` prints it, heights filled in."""
-    from landscape.files.assets import Assets
-    from landscape.files.images import read_heights
-    from landscape.geometry.height_field import height_field
-    from landscape.settings import preset
-
-    entries = []
-    for view in VIEWS.values():
-        values = preset(view.preset)
-        path = Assets().path(values.ground.height_image)
-        ground = height_field(read_heights(path), values.ground, values.water.level)
-        pose = view.place(ground, values.walk.eye)
-        entries.append(
-            {
-                "name": view.name,
-                "figure": view.figure,
-                "pose": [round(v, 4) for v in (pose.x, pose.y, pose.z, pose.yaw, pose.pitch)],
-                "kt": view.kt,
-                "preset": view.preset,
-            }
-        )
-    return entries

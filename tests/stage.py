@@ -1,7 +1,7 @@
 """What the GL tests stand on: one small target, a frame round each test, and plain assets.
 
-A test draws inside ``with stage.frame(settings, pose) as frame``. The frame begins as the island's
-own frames do; when the block ends, every piece of state that a later element would trip over must
+A test draws inside ``with stage.frame(settings, pose) as frame``. The frame begins as a scene's own
+frames do; when the block ends, every piece of state that a later element would trip over must
 be as the frame began, or the test fails.
 """
 
@@ -9,8 +9,7 @@ import math
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from types import SimpleNamespace
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -19,8 +18,8 @@ from landscape.frame import Frame, Pose
 from landscape.gl.calls import gl
 from landscape.gl.context import Context
 from landscape.gl.framebuffer import Framebuffer
-from landscape.island import Island, Moment
 from landscape.keys import with_settings
+from landscape.scene import Moment, begin_frame
 from landscape.settings import Settings
 
 SIZE = (160, 120)
@@ -126,9 +125,10 @@ class Stage:
         size: tuple[int, int] = SIZE,
     ) -> Iterator[Frame]:
         """Begin a frame as the island does; the block must leave the state as it found it."""
-        owner = cast(Island, SimpleNamespace(settings=settings, shown={"fog"} if fog else set()))
         with self.borrowed():
-            frame = Island.begin(owner, Moment(pose, size, kt, step, stroke))
+            moment = Moment(pose, size, kt, step, stroke)
+            far = 1.5 * settings.water.horizon
+            frame = begin_frame(moment, settings.camera, settings.sun, settings.fog, fog, far)
             before = snapshot()
             yield frame
             changed = changes(before, snapshot())

@@ -4,6 +4,7 @@ and a long run that keeps its memory. Nothing here fails because a machine is sl
 import json
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +20,14 @@ from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.gl.replay import Replay
 from landscape.gl.texture import Texture
-from landscape.island import Island
+from landscape.scene import SEED, find_view
+from landscape.settings import preset
 from landscape.tools import bench
 from landscape.tools.bench_grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
+from landscape.tools.timing import Layer, clear
 
 LIGHT = {**SMALL, "deer.count": 4}
-TINY = bench.Plan(
+TINY = bench.Options(
     views=("fig35b", "fig35i", "fig34a"),
     size=(96, 64),
     settings=LIGHT,
@@ -98,11 +101,11 @@ def test_the_report_shows_every_view_and_figure(result: dict[str, Any]) -> None:
 
 
 def test_the_default_views_and_counts_are_those_of_the_contract() -> None:
-    plan = bench.Plan()
-    assert list(plan.views) == [f"fig35{panel}" for panel in "abcdefghi"]
-    assert list(plan.grass) == [200_000, 1_500_000, 10_000_000]
-    assert plan.samples == 0
-    assert plan.preset == "best"
+    options = bench.Options()
+    assert list(options.views) == [f"fig35{panel}" for panel in "abcdefghi"]
+    assert list(options.grass) == [200_000, 1_500_000, 10_000_000]
+    assert options.samples == 0
+    assert {options.values(*find_view(name)) for name in options.views} == {preset("best")}
 
 
 def test_the_command_writes_the_figures_and_prints_the_tables(
@@ -111,10 +114,10 @@ def test_the_command_writes_the_figures_and_prints_the_tables(
     capsys: pytest.CaptureFixture[str],
     result: dict[str, Any],
 ) -> None:
-    plans: list[bench.Plan] = []
+    asked: list[bench.Options] = []
 
-    def measured(plan: bench.Plan, done: Any) -> dict[str, Any]:
-        plans.append(plan)
+    def measured(options: bench.Options, done: Any) -> dict[str, Any]:
+        asked.append(options)
         figures: dict[str, Any] = result["result"]
         return figures
 
@@ -124,10 +127,10 @@ def test_the_command_writes_the_figures_and_prints_the_tables(
     assert main([*command, "--json", str(file), "--preset", "2006"]) == 0
     assert json.loads(file.read_text()) == result["result"]
     assert capsys.readouterr().out.strip() == bench.report(result["result"])
-    assert plans[0].views == ["fig35a", "fig35f"]
-    assert plans[0].size == (320, 200)
-    assert plans[0].preset == "2006"
-    assert plans[0].values({}).grass.count == 7
+    assert asked[0].views == ["fig35a", "fig35f"]
+    assert asked[0].size == (320, 200)
+    assert asked[0].preset == "2006"
+    assert asked[0].values(*find_view("fig35a")).grass.count == 7
 
 
 def test_an_unknown_view_is_bad_input() -> None:
@@ -136,25 +139,27 @@ def test_an_unknown_view_is_bad_input() -> None:
     assert done.err.startswith("landscape: view 'fig99z'")
 
 
-def test_a_view_unknown_to_the_plan_is_bad_input() -> None:
+def test_an_unknown_view_is_bad_input_from_python() -> None:
     with pytest.raises(InputError, match="fig99z"):
-        bench.measure_views(bench.Plan(views=("fig99z",)), lambda name: None)
+        bench.measure_views(bench.Options(views=("fig99z",)), lambda name: None)
 
 
 @pytest.mark.parametrize("preset", ["best", "2006"])
 @pytest.mark.parametrize("name", ["fig35a", "fig35f", "fig35i"])
 def test_the_replayed_picture_is_the_frame(stage: Stage, name: str, preset: str) -> None:
-    plan = bench.Plan(size=stage.size, preset=preset, settings=LIGHT)
+    options = bench.Options(size=stage.size, preset=preset, settings=LIGHT)
+    kind, view = find_view(name)
     with stage.borrowed():
-        island = Island(plan.values({}), Assets())
+        island = kind.open(options.values(kind, view), Assets(), SEED, kind.elements)
+        draw = partial(bench.draw_view, view, island, set(kind.shown(view)), options)
         try:
             for _ in range(2):  # what is made at the first frame must not get into the list
-                bench.draw_view(name, island, plan)
+                draw()
             direct = stage.read()
-            replay = Replay(lambda: bench.draw_view(name, island, plan))
+            replay = Replay(draw)
             # Another mirror image lies in its texture by now, and another picture in the window.
-            bench.draw_view(name, island, plan, arriving=True)
-            bench.clear()
+            draw(arriving=True)
+            clear()
             replay.call()
             replayed = stage.read()
             replay.release()
@@ -165,13 +170,13 @@ def test_the_replayed_picture_is_the_frame(stage: Stage, name: str, preset: str)
 
 
 def test_a_layer_covers_every_pixel_and_leaves_the_state(stage: Stage) -> None:
-    layer = bench.Layer(stage.size)
+    layer = Layer(stage.size)
     with stage.frame(small(), Pose(0, 0, 0)):
-        bench.clear()
+        clear()
         layer.draw()
         picture = stage.read()
-        clear = stage.read()[0, 0] * 0 + np.round(np.array(small().fog.color) * 255)
-        assert (np.abs(picture - clear).sum(axis=2) > 0).mean() > 0.99
+        cleared = np.round(np.array(small().fog.color) * 255)
+        assert (np.abs(picture - cleared).sum(axis=2) > 0).mean() > 0.99
     layer.release()
     layer.release()
 
@@ -207,7 +212,7 @@ def test_the_four_ways_draw_the_same_picture(stage: Stage) -> None:
         for way in WAYS:
             drawn = way(blades, texture)
             for _ in range(2):
-                bench.clear()
+                clear()
                 drawn.draw(frame)
             pictures.append(stage.read())
             drawn.release()
@@ -266,11 +271,11 @@ def names():
 with Offscreen((96, 64), "best", json.loads(sys.argv[2]), samples=0) as offscreen:
     offscreen.look("fig35i")
     rng = np.random.default_rng(1)
-    size = offscreen.island.settings.ground.size
+    size = offscreen.scene.settings.ground.size
     def walk(frames):
         for kt in range(frames):
             x, z = rng.random(2) * size
-            y = float(offscreen.island.ground.field.height(x, z)) + 0.1
+            y = float(offscreen.scene.height(x, z)) + 0.1
             yaw, pitch = rng.uniform(0, 360), rng.uniform(-30, 20)
             offscreen.moment = type(offscreen.moment)(
                 Pose(float(x), y, float(z), yaw, pitch), (96, 64), float(kt), stroke=kt % 5)
@@ -304,8 +309,9 @@ def test_500_frames_of_changing_views_keep_memory_and_release_what_they_make() -
 def test_names_of_gl_objects_are_all_released(stage: Stage) -> None:
     before = live_names()
     with stage.borrowed():
-        plan = bench.Plan(settings=LIGHT, size=stage.size)
-        island = Island(plan.values({}), Assets())
-        bench.draw_view("fig35i", island, plan)
+        options = bench.Options(settings=LIGHT, size=stage.size)
+        kind, view = find_view("fig35i")
+        island = kind.open(options.values(kind, view), Assets(), SEED, kind.elements)
+        bench.draw_view(view, island, set(kind.elements), options)
         island.release()
     assert live_names() == before

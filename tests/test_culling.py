@@ -306,7 +306,7 @@ def test_what_was_chosen_for_several_frames_shows_as_if_chosen_anew(both) -> Non
     for view in ("fig35d", "fig35g"):
         some.look(view)
         some.draw()
-        start, island = some.moment, some.island
+        start, island = some.moment, some.scene
         sprites, grass = island.sprites._view, island.grass
         chosen = sprites._choice, grass._chosen
         for step in (1, 2, 3):

@@ -31,8 +31,9 @@ from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl, recording
 from landscape.gl.state import attrib, client_arrays, flat_projection, matrix
-from landscape.island import Island, Moment
+from landscape.island import Island
 from landscape.keys import with_settings
+from landscape.scene import Moment, begin_frame
 from landscape.settings import PRESETS, Settings, preset
 
 POSE = Pose(20.0, 3.5, 21.0, 10.0, -6.0)
@@ -186,7 +187,8 @@ def test_a_whole_frame_leaves_the_state_as_its_beginning_set_it(
     island = Island(values, assets)
     moment = Moment(POSE, SIZE, 12.0, 3.0, 2)
     with stage.borrowed():
-        island.begin(moment)
+        far = 1.5 * values.water.horizon
+        begin_frame(moment, values.camera, values.sun, values.fog, True, far)
         found = snapshot()
         for wireframe in (False, True):
             island.draw(replace(moment, wireframe=wireframe))

@@ -6,8 +6,8 @@ from stage import Stage, small
 
 from landscape.elements.sky_box import SkyBox, cloud_disc
 from landscape.files.assets import Assets, shipped
+from landscape.fixes import FIXES
 from landscape.frame import Pose
-from landscape.gallery.fixes import FIXES
 from landscape.gl.calls import gl
 from landscape.keys import get, with_settings
 from landscape.settings import preset

@@ -19,8 +19,9 @@ from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import recording
 from landscape.gl.framebuffer import Framebuffer
-from landscape.island import Island, Moment
+from landscape.island import Island
 from landscape.keys import with_settings
+from landscape.scene import Moment
 from landscape.settings import Settings
 
 pytestmark = pytest.mark.golden

@@ -11,7 +11,8 @@ from stage import SIZE, Stage, close, project, small
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.gl.calls import gl, recording
-from landscape.island import ELEMENTS, Island, Moment
+from landscape.island import ELEMENTS, Island
+from landscape.scene import Moment
 
 POSE = Pose(21.0, 2.0, 24.0, 25.0, -5.0)
 MOMENT = Moment(POSE, SIZE, 20.0, 5.0)

@@ -33,11 +33,12 @@ from landscape.gl.calls import gl
 from landscape.island import ELEMENTS
 from landscape.keys import with_settings
 from landscape.settings import preset
-from landscape.window import recording
-from landscape.window import words as texts
-from landscape.window.app import HELP, JUMP, NAMED_KEYS, SETTINGS, SWITCHES, Hands, next_free
+from landscape.window import recording, words
+from landscape.window.app import next_free
+from landscape.window.hands import JUMP, Hands
+from landscape.window.keys import BINDINGS, NAMED_KEYS, SETTINGS, SWITCHES
 from landscape.window.panel import Panel, font, keys_image, line_image, writable
-from landscape.window.recording import Plan, Recorder, Tick
+from landscape.window.recording import Plan, Tick, Writer
 from landscape.window.walker import Intent, Walker, advance, start
 
 pytestmark = pytest.mark.window
@@ -157,18 +158,22 @@ def test_a_lost_focus_lets_keys_and_mouse_go() -> None:
 
 
 def test_every_word_that_is_shown_exists() -> None:
-    english = texts.TEXTS["en"]
-    shown = {name for name, _ in HELP} | set(NAMED_KEYS.values()) | {"help.title", "hint"}
+    english = words.TEXTS["en"]
+    shown = (
+        {f"help.{binding.action}" for binding in BINDINGS}
+        | set(NAMED_KEYS.values())
+        | {"help.title", "hint"}
+    )
     shown |= {f"{name}.{way}" for name in (*SETTINGS, "fly", "wireframe") for way in ("on", "off")}
     assert shown <= set(english)
-    for table in texts.TEXTS.values():
+    for table in words.TEXTS.values():
         assert set(table) <= set(english)
-    for key, words in texts.TEXTS["fr"].items():
-        assert words.count("{") == english[key].count("{")
+    for key, french in words.TEXTS["fr"].items():
+        assert french.count("{") == english[key].count("{")
 
 
 def test_every_switch_is_in_the_list_of_keys() -> None:
-    listed = {key for _, keys in HELP for key in keys}
+    listed = {key for binding in BINDINGS for key in binding.keys}
     assert set(SWITCHES) <= listed
 
 
@@ -185,7 +190,7 @@ def test_every_switch_is_in_the_list_of_keys() -> None:
     ],
 )
 def test_the_environment_chooses_the_language(variables: dict[str, str], language: str) -> None:
-    assert texts.language(variables) == language
+    assert words.language(variables) == language
 
 
 ROWS = [("W A S D", "walk (arrows up and down as well)"), ("Page up", "fly, and so on")] * 8
@@ -258,7 +263,9 @@ def test_the_panel_shows_its_texels_one_to_one(stage: Stage) -> None:
 
 def plan(**changes: Any) -> Plan:
     values = with_settings(preset("best"), {"fog.density": 0.1 + 0.2, "water.color": (0, 1, 0, 1)})
-    settled = Plan(values, "fig35e", Pose(21.1, math.nan, 20.5, 62.0, 3.0), (320, 240), 50.0, 7)
+    settled = Plan(
+        "island", values, "fig35e", Pose(21.1, None, 20.5, 62.0, 3.0), (320, 240), 50.0, 7
+    )
     return dataclasses.replace(settled, **changes)
 
 
@@ -271,10 +278,10 @@ TICKS = [
 
 
 def write(path: Path, plan: Plan, ticks: list[Tick]) -> Path:
-    recorder = Recorder(path, plan)
+    writer = Writer(path, plan)
     for tick in ticks:
-        recorder.add(tick)
-    assert recorder.finish()
+        writer.add(tick)
+    assert writer.finish()
     return path
 
 
@@ -283,16 +290,16 @@ def test_a_recording_reads_back_to_the_last_bit(tmp_path: Path) -> None:
     got, ticks = recording.read(write(tmp_path / "a.jsonl", wanted, TICKS))
     assert (got, ticks) == (wanted, TICKS)
     got, _ = recording.read(write(tmp_path / "a.jsonl", plan(), TICKS))
-    assert math.isnan(got.pose.y)
+    assert got.pose.y is None
     assert [path.name for path in tmp_path.iterdir()] == ["a.jsonl"]
 
 
 def test_a_recording_without_a_frame_or_unfinished_loses_no_earlier_file(tmp_path: Path) -> None:
     path = tmp_path / "a.jsonl"
     path.write_text("earlier")
-    empty, broken = Recorder(path, plan()), None
+    empty, broken = Writer(path, plan()), None
     assert not empty.finish()
-    broken = Recorder(path, plan())
+    broken = Writer(path, plan())
     broken.add(TICKS[1])
     assert path.read_text() == "earlier"
     broken.discard()
@@ -303,7 +310,7 @@ def test_a_recording_without_a_frame_or_unfinished_loses_no_earlier_file(tmp_pat
 @pytest.mark.parametrize("name", ["missing/a.jsonl", "."])
 def test_a_place_that_cannot_be_written_is_bad_input(tmp_path: Path, name: str) -> None:
     with pytest.raises(InputError, match="--record"):
-        Recorder(tmp_path / name, plan())
+        Writer(tmp_path / name, plan())
 
 
 def _with(line: int, **changes: Any):
@@ -377,8 +384,7 @@ from landscape.window.app import Walk, run
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
-from landscape.island import ELEMENTS
-from landscape.window.recording import Plan, Recorder, read
+from landscape.window.recording import Plan, Writer, read
 from landscape.settings import preset
 from landscape.keys import with_settings
 
@@ -420,7 +426,7 @@ def capture(walk):
 def move(x, y): return lambda walk: walk.hands.motion(x, y)
 
 path, changes = Path(sys.argv[1]), json.loads(sys.argv[2])
-plan = Plan(with_settings(preset("best"), changes), "", Pose(20.0, float("nan"), 30.0, 190.0),
+plan = Plan("island", with_settings(preset("best"), changes), "", Pose(20.0, None, 30.0, 190.0),
             (160, 120), 20.0, 2006)
 live = Watched(plan, Assets(), "osmesa")
 live.seen, live.script = [], {
@@ -434,13 +440,13 @@ live.seen, live.script = [], {
     26: [press(glfw.KEY_F12)],
     29: [lambda walk: glfw.set_window_should_close(walk.window, True)],
 }
-recorder = Recorder(path, plan)
+writer = Writer(path, plan)
 with live:
-    drawn = run(live, recorder=recorder, frames=1000)
+    drawn = run(live, writer=writer, frames=1000)
     mode = glfw.get_input_mode(live.window, glfw.CURSOR) == glfw.CURSOR_NORMAL
     # The window is closed inside the block, and once more on leaving it.
     live.close()
-recorder.finish()
+writer.finish()
 plan, ticks = read(path)
 again = Watched(plan, Assets(), "osmesa")
 again.seen = []
@@ -538,15 +544,15 @@ STILLS = """
 import hashlib, json, sys
 from landscape.window.app import Walk, run
 from landscape.files.assets import Assets
-from landscape.gallery.fixes import FIXES
+from landscape.fixes import FIXES
 from landscape.frame import Pose
 from landscape.window.recording import Plan, Tick
 from landscape.settings import preset
 from landscape.keys import with_settings
 from landscape.window.walker import Intent
 
-plan = Plan(with_settings(preset("best"), json.loads(sys.argv[1])), "", Pose(8.0, 1.0, 33.5, 25.0),
-            (160, 120))
+values = with_settings(preset("best"), json.loads(sys.argv[1]))
+plan = Plan("island", values, "", Pose(8.0, 1.0, 33.5, 25.0), (160, 120))
 seen = {}
 with Walk(plan, Assets(), "osmesa") as walk:
     def frame(*actions, seconds=0.0):

@@ -18,6 +18,7 @@ from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.files.output import Progress, save_png, write_whole
+from landscape.fixes import FIXES, Fix
 from landscape.gallery.captions import (
     ADDED,
     ASSET_PANELS,
@@ -28,7 +29,6 @@ from landscape.gallery.captions import (
     SEEN,
 )
 from landscape.gallery.compare import agree, amplified
-from landscape.gallery.fixes import FIXES, Fix
 from landscape.island import ELEMENTS
 from landscape.render import Offscreen
 from landscape.views import VIEWS
@@ -136,7 +136,7 @@ def fix_panel(fix: Fix, after: bool) -> Panel:
     changes = fix.settings(after)
     place = fix.place(after)
     numbers = (place.x, place.y, place.z, place.yaw, place.pitch)
-    pose = ",".join("ground" if v != v else f"{v:g}" for v in numbers)
+    pose = ",".join("ground" if v is None else f"{v:g}" for v in numbers)
     command = ["landscape", "render", f"--pose={pose}", "--only", ",".join(fix.only)]
     command += ["--preset", "2006", "--size", f"{SIZE[0]}x{SIZE[1]}", "--kt", f"{fix.kt:g}"]
     for key, value in changes.items():

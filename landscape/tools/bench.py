@@ -1,53 +1,43 @@
 """Measuring: what a frame costs, and what of it is Python's doing (`landscape bench`).
 
-Milliseconds say little on a machine that does other things as well, so two ratios are printed. A
-frame is measured in *layers*, times a full-screen, trilinear-filtered, EXP2-fogged textured quad of
-the same size; and against its *replay*, the same frame compiled into one display list and called,
-which is what OpenGL alone needs. What is compared is timed in turns, a round of each, so that a
-slow moment meets all of them; medians are taken. Every time ends in glFinish, and every
-combination of states is drawn before it is timed: llvmpipe compiles code at its first use.
+A frame is measured in *layers*, times a full-screen, trilinear-filtered, EXP2-fogged textured quad
+of the same size; and against its *replay*, the same frame compiled into one display list and
+called, which is what OpenGL alone needs. Medians are taken. Every combination of states is drawn
+before it is timed: llvmpipe compiles code at its first use.
 """
 
 import json
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from statistics import median
-from types import SimpleNamespace
-from typing import Any, cast
-
-import numpy as np
+from typing import Any
 
 from landscape import keys
-from landscape import settings as settings_module
-from landscape.elements import sun
-from landscape.elements.grass import Grass
-from landscape.elements.ground import Ground
 from landscape.errors import InputError
 from landscape.files.assets import Assets
-from landscape.files.images import read_image
-from landscape.frame import Frame
 from landscape.gl.calls import gl, recording
 from landscape.gl.context import open_context
-from landscape.gl.display_list import DisplayList
 from landscape.gl.framebuffer import Framebuffer
 from landscape.gl.replay import Replay
-from landscape.gl.state import attrib, flat_projection
-from landscape.gl.texture import Texture
-from landscape.island import ELEMENTS, SEED, Island, Moment
-from landscape.settings import Settings
-from landscape.tools.bench_grass import WAYS, sow
-from landscape.views import VIEWS
+from landscape.scene import (
+    SCENES,
+    SEED,
+    Moment,
+    OpenScene,
+    Scene,
+    View,
+    find_view,
+    placed,
+    scene,
+)
+from landscape.tools import bench_blades
+from landscape.tools.timing import Layer, in_turns
 
-MAIN_VIEWS = tuple(f"fig35{panel}" for panel in "abcdefghi")
-GRASS_VIEW = "fig35b"  # chosen: dense grass
-LOT = 200_000  # section 5.3.1: blades on the island
-COUNTS = (LOT, 1_500_000, 10_000_000)
-MOST_ON_ISLAND = 1_500_000  # section 5.3.1; more blades stand on proportionally larger land
 STARTS = 3  # chosen: the first of one more start fills the disk caches
 RATE = 30.0  # chosen: frames a second at which the walker comes to a view that is timed
 LOOK = 30.0  # chosen: degrees per second he turns then
@@ -56,7 +46,9 @@ _FIRST_FRAME = """
 import json, sys
 from landscape import cli
 from landscape.render import Offscreen
+from landscape.scene import SCENES
 asked = json.loads(sys.argv[1])
+SCENES.update(asked.pop("scenes"))
 view, size = asked.pop("view"), asked.pop("size")
 offscreen = Offscreen(tuple(size), **asked)
 offscreen.look(view)
@@ -68,105 +60,39 @@ offscreen.close()
 
 
 @dataclass(frozen=True)
-class Plan:
+class Options:
     """What to measure, and how: the common options of the command line, and how often."""
 
-    views: Sequence[str] = MAIN_VIEWS
+    views: Sequence[str] = field(default_factory=lambda: scene().main)
     size: tuple[int, int] = (800, 600)
-    preset: str = "best"
+    preset: str | None = None
     settings: Mapping[str, Any] = field(default_factory=dict)
     backend: str = "auto"
     samples: int = 0
     assets: Path | None = None
-    only: tuple[str, ...] = ELEMENTS
+    only: Iterable[str] | None = None
     seed: int = SEED
     wireframe: bool = False
     rounds: int = 15  # chosen: how often each thing is timed
-    grass: Sequence[int] = COUNTS
-    ways: int = LOT  # blades of the comparison against 2006; 0 leaves it out
+    grass: Sequence[int] = bench_blades.COUNTS
+    ways: int = bench_blades.BLADES  # blades of the comparison against 2006; 0 leaves it out
     starts: int = STARTS
 
-    def values(self, changes: Mapping[str, Any]) -> Settings:
-        """Return the preset with a view's settings and then the user's own."""
-        base = settings_module.preset(self.preset)
-        return keys.with_settings(base, {**changes, **self.settings})
+    def values(self, kind: Scene, view: View) -> Any:
+        """Return the settings a view is drawn with."""
+        return kind.values(self.preset or kind.preset_of(view), view.settings, self.settings)
+
+    @property
+    def grassy(self) -> bool:
+        """Whether the scene of the first view has grass, which is then measured too."""
+        return "grass" in _kind(self).elements
 
 
-def timed(action: Callable[[], object]) -> float:
-    """Return how long ``action`` takes, in milliseconds, all drawing done before and after."""
-    gl.glFinish()
-    start = time.perf_counter()
-    action()
-    gl.glFinish()
-    return (time.perf_counter() - start) * 1e3
+def _kind(options: Options) -> Scene:
+    return find_view(options.views[0])[0] if options.views else scene()
 
 
-def in_turns(
-    actions: Mapping[str, Callable[[], object]],
-    rounds: int,
-    before: Mapping[str, Callable[[], object]] | None = None,
-) -> dict[str, list[float]]:
-    """Time the actions one after the other, ``rounds`` times, each on a cleared target.
-
-    Returns the times of each in milliseconds. Each is run twice first. ``before`` holds what is
-    done, untimed, before an action each time.
-    """
-    times: dict[str, list[float]] = {name: [] for name in actions}
-    for turn in range(-2, rounds):
-        for name, action in actions.items():
-            if before and name in before:
-                before[name]()
-            clear()
-            spent = timed(action)
-            if turn >= 0:
-                times[name].append(spent)
-    return times
-
-
-def clear() -> None:
-    """Clear what is drawn on."""
-    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
-
-
-class Layer:
-    """The yardstick: a full-screen quad, trilinear-filtered, depth-tested, in EXP2 fog."""
-
-    SIDE = 512  # chosen: texels per side
-    TEXELS = 1.4142  # chosen: texels per pixel, half-way between two mip levels
-
-    def __init__(self, size: tuple[int, int]) -> None:
-        """Make a texture of noise."""
-        noise = np.random.default_rng(SEED).integers(0, 256, (self.SIDE, self.SIDE, 3), np.uint8)
-        self._texture = Texture(noise)
-        self._size = size
-
-    def draw(self) -> None:
-        """Cover the whole target, which must have been cleared."""
-        s, t = (self.TEXELS * side / self.SIDE for side in self._size)
-        groups = gl.GL_ENABLE_BIT | gl.GL_FOG_BIT | gl.GL_CURRENT_BIT | gl.GL_VIEWPORT_BIT
-        with attrib(groups), flat_projection(-1, 1, -1, 1, 1, 9):
-            gl.glViewport(0, 0, *self._size)
-            for off in (gl.GL_LIGHTING, gl.GL_BLEND, gl.GL_CLIP_PLANE0, gl.GL_STENCIL_TEST):
-                gl.glDisable(off)
-            for on in (gl.GL_DEPTH_TEST, gl.GL_TEXTURE_2D, gl.GL_FOG):
-                gl.glEnable(on)
-            gl.glFogi(gl.GL_FOG_MODE, gl.GL_EXP2)
-            gl.glFogf(gl.GL_FOG_DENSITY, 0.1)
-            self._texture.bind()
-            gl.glColor4f(1.0, 1.0, 1.0, 1.0)
-            gl.glBegin(gl.GL_QUADS)
-            for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
-                gl.glTexCoord2f(s * (x + 1) / 2, t * (y + 1) / 2)
-                gl.glVertex3f(x, y, -5.0)
-            gl.glEnd()
-            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
-
-    def release(self) -> None:
-        """Delete the texture; may be called twice."""
-        self._texture.release()
-
-
-def measure(plan: Plan, done: Callable[[str], None] = lambda name: None) -> dict[str, Any]:
+def measure(options: Options, done: Callable[[str], None] = lambda name: None) -> dict[str, Any]:
     """Measure all of the plan; return what `bench --json` prints. ``done`` hears of each step.
 
     - ``layer_ms``: the median time of one layer, measured between the frames.
@@ -175,35 +101,36 @@ def measure(plan: Plan, done: Callable[[str], None] = lambda name: None) -> dict
       frame as one display list; ``python_ms`` their difference, which is what Python, PyOpenGL and
       sending the frame's arrays cost (noise can bring it below 0); ``python_tax`` their quotient;
       ``layers`` frame_ms / layer_ms; ``gl_calls`` how many calls the program makes in it.
-    - ``grass``: see :func:`measure_grass`. ``ways``: see :func:`measure_ways`.
+    - ``grass`` and ``ways``: see :mod:`landscape.tools.bench_blades`; empty for a scene without
+      grass.
     - ``startup_ms``: see :func:`measure_startup`; null where no start was asked for.
     """
-    context = open_context(plan.backend)
+    context = open_context(options.backend)
     try:
-        target = Framebuffer(plan.size, plan.samples)
+        target = Framebuffer(options.size, options.samples)
         try:
             result: dict[str, Any] = {
                 "renderer": gl.glGetString(gl.GL_RENDERER).decode(),
-                "size": list(plan.size),
-                "preset": plan.preset,
-                "settings": {key: str(value) for key, value in plan.settings.items()},
+                "size": list(options.size),
+                "preset": options.preset or _kind(options).preset,
+                "settings": {key: str(value) for key, value in options.settings.items()},
             }
-            result |= measure_views(plan, done)
-            result["grass"] = [_told(measure_grass(plan, n), f"{n:,}", done) for n in plan.grass]
-            result["ways"] = _told(measure_ways(plan), "2006", done) if plan.ways else []
+            result |= measure_views(options, done)
+            result |= measure_blades(options, done)
         finally:
             target.release()
     finally:
         context.release()
     result["startup_ms"] = None
-    if plan.starts:
-        result["startup_ms"] = _told(measure_startup(plan), "start", done)
+    if options.starts:
+        result["startup_ms"] = _told(measure_startup(options), "start", done)
     return result
 
 
-def steps(plan: Plan) -> int:
+def steps(options: Options) -> int:
     """Return how often :func:`measure` will call ``done``."""
-    return len(plan.views) + len(plan.grass) + bool(plan.ways) + bool(plan.starts)
+    blades = len(options.grass) + bool(options.ways) if options.grassy else 0
+    return len(options.views) + blades + bool(options.starts)
 
 
 def _told(value: Any, name: str, done: Callable[[str], None]) -> Any:
@@ -211,19 +138,18 @@ def _told(value: Any, name: str, done: Callable[[str], None]) -> Any:
     return value
 
 
-def measure_views(plan: Plan, done: Callable[[str], None]) -> dict[str, Any]:
-    """Return ``layer_ms`` and ``views``; one island serves all views of the same settings."""
-    groups: dict[Settings, list[str]] = {}
-    for name in dict.fromkeys(plan.views):
-        if name not in VIEWS:
-            raise InputError(f"view {name!r}: no such view; `landscape views` lists them all")
-        groups.setdefault(plan.values(VIEWS[name].settings), []).append(name)
-    layer = Layer(plan.size)
+def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, Any]:
+    """Return ``layer_ms`` and ``views``; one open scene serves all its views of one setting."""
+    groups: dict[tuple[str, Any], list[str]] = {}
+    for name in dict.fromkeys(options.views):
+        kind, view = find_view(name)
+        groups.setdefault((kind.name, options.values(kind, view)), []).append(name)
+    layer = Layer(options.size)
     times: dict[str, list[float]] = {}
     calls: dict[str, int] = {}
     try:
-        for values, names in groups.items():
-            times |= _measure_group(plan, values, names, layer, calls, done)
+        for (kind_name, values), names in groups.items():
+            times |= _measure_group(options, scene(kind_name), values, names, layer, calls, done)
     finally:
         layer.release()
     layer_ms = median(t for k, v in times.items() if k.endswith(" layer") for t in v)
@@ -242,22 +168,25 @@ def measure_views(plan: Plan, done: Callable[[str], None]) -> dict[str, Any]:
 
 
 def _measure_group(
-    plan: Plan,
-    values: Settings,
+    options: Options,
+    kind: Scene,
+    values: Any,
     names: Sequence[str],
     layer: Layer,
     calls: dict[str, int],
     done: Callable[[str], None],
 ) -> dict[str, list[float]]:
-    """Time frames, replays and layers of views that share an island; count the frames' calls."""
-    shown = set().union(*(VIEWS[name].shown for name in names)) & set(plan.only)
-    island = Island(values, Assets(plan.assets), plan.seed, tuple(sorted(shown)))
+    """Time frames, replays and layers of views that share a scene; count the frames' calls."""
+    views = {name: find_view(name)[1] for name in names}
+    shown = {e for view in views.values() for e in kind.shown(view, options.only)}
+    opened = kind.open(values, Assets(options.assets), options.seed, kind.only(shown))
     lists: list[Replay] = []
     actions: dict[str, Callable[[], object]] = {}
     before: dict[str, Callable[[], object]] = {}
     try:
         for name in names:
-            draw = partial(draw_view, name, island, plan)
+            shown_here = set(kind.shown(views[name], options.only))
+            draw = partial(draw_view, views[name], opened, shown_here, options)
             draw()  # once makes what is made once
             with recording() as recorder:
                 draw()
@@ -272,131 +201,73 @@ def _measure_group(
                 f"{name} replay": lists[-1].call,
                 f"{name} layer": layer.draw,
             }
-            before[f"{name} frame"] = partial(draw_view, name, island, plan, arriving=True)
+            before[f"{name} frame"] = partial(draw, arriving=True)
             done(name)
-        return in_turns(actions, plan.rounds, before)
+        return in_turns(actions, options.rounds, before)
     finally:
         for list_ in lists:
             list_.release()
-        island.release()
+        opened.release()
 
 
-def draw_view(name: str, island: Island, plan: Plan, arriving: bool = False) -> None:
-    """Draw one frame of a named view of an island, or of the step before on the way there."""
-    view = VIEWS[name]
-    island.shown = set(view.shown) & set(plan.only)
-    pose = view.place(island.ground.field, island.settings.walk.eye)
+def draw_view(
+    view: View, opened: OpenScene, shown: set[str], options: Options, arriving: bool = False
+) -> None:
+    """Draw one frame of a view of an open scene, or of the step before on the way there."""
+    opened.shown = shown
+    values = opened.settings
+    pose = placed(view.pose, opened, values.walk.eye)
     kt = view.kt
     if arriving:
         x, _, z = pose.forward
-        back = island.settings.walk.speed / RATE
+        back = values.walk.speed / RATE
         pose = replace(pose, x=pose.x - back * x, z=pose.z - back * z, yaw=pose.yaw - LOOK / RATE)
-        kt -= island.settings.clock.kt_per_second / RATE
-    wireframe = plan.wireframe or view.wireframe
-    island.draw(Moment(pose, plan.size, kt, stroke=view.stroke, wireframe=wireframe))
+        kt -= values.clock.kt_per_second / RATE
+    wireframe = options.wireframe or view.wireframe
+    opened.draw(Moment(pose, options.size, kt, stroke=view.stroke, wireframe=wireframe))
 
 
-def measure_grass(plan: Plan, count: int) -> dict[str, Any]:
-    """Measure ``count`` blades where the grass is dense.
-
-    ``select_ms``: choosing what to draw, alone; ``draw_ms``: the whole of Grass.draw: bending in
-    the wind, sending and drawing what is chosen for a while; ``static_ms``: a display list of the
-    same blades, so draw_ms / static_ms is what the grass costs against standing still;
-    ``visible``: blades drawn.
-    Above 1,500,000 blades the land grows with them, so that they stand as thick as 200,000.
-    """
-    values = plan.values(VIEWS[GRASS_VIEW].settings)
-    wider = 1.0 if count <= MOST_ON_ISLAND else float(np.sqrt(count / LOT))
-    values = replace(
-        values,
-        grass=replace(values.grass, count=count),
-        ground=replace(values.ground, size=values.ground.size * wider),
-        castle=replace(values.castle, x=values.castle.x * wider, z=values.castle.z * wider),
-    )
-    assets = Assets(plan.assets)
-    owned: list[Any] = []
-    try:
-        owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
-        owned.append(grass := Grass(values, assets, ground, plan.seed))
-        view = VIEWS[GRASS_VIEW]
-        place = replace(view.pose, x=view.pose.x * wider, z=view.pose.z * wider)
-        pose = replace(view, pose=place).place(ground.field, values.walk.eye)
-        frame = begin_frame(values, Moment(pose, plan.size, view.kt))
-        grass.draw(frame)
-        drawn = len(grass.select(frame).positions)
-        owned.append(static := DisplayList(lambda: grass.draw(frame)))
-        times = in_turns(
-            {
-                "select": lambda: grass.select(frame),
-                "draw": lambda: grass.draw(frame),
-                "static": static.call,
-            },
-            plan.rounds,
+def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, Any]:
+    """Return ``grass`` and ``ways``, if there is grass."""
+    if not options.grassy:
+        return {"grass": [], "ways": []}
+    kind = _kind(options)
+    values = keys.with_settings(kind.values(options.preset), options.settings)
+    common = options.size, Assets(options.assets), options.seed
+    grass = [
+        _told(
+            bench_blades.measure_grass(values, count, *common, options.rounds), f"{count:,}", done
         )
-    finally:
-        for owner in reversed(owned):
-            owner.release()
-    return {
-        "count": count,
-        "select_ms": median(times["select"]),
-        "visible": drawn,
-        "draw_ms": median(times["draw"]),
-        "static_ms": median(times["static"]),
-    }
+        for count in options.grass
+    ]
+    rounds = max(1, options.rounds // 3)
+    ways = []
+    if options.ways:
+        ways = bench_blades.measure_ways(values, options.ways, *common, rounds)
+        done("2006")
+    return {"grass": grass, "ways": ways}
 
 
-def begin_frame(values: Settings, moment: Moment) -> Frame:
-    """Begin a frame with fog, as the island does, and without one."""
-    owner = SimpleNamespace(settings=values, shown={"fog"})
-    return Island.begin(cast(Island, owner), moment)
-
-
-def measure_ways(plan: Plan) -> list[dict[str, Any]]:
-    """Draw the same blades in four ways, the report's first (see bench_grass).
-
-    Returns for each its ``name``, the blades on the land (``count``), and the ``ms`` of a frame.
-    """
-    values = plan.values(VIEWS[GRASS_VIEW].settings)
-    assets = Assets(plan.assets)
-    owned: list[Any] = []
-    try:
-        owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
-        path = assets.path("blade.png")
-        owned.append(texture := Texture(read_image(path, "RGB"), repeat=False))
-        blades = sow(ground.field, plan.ways, plan.seed, values.grass.radius, values.grass.scale)
-        view = VIEWS[GRASS_VIEW]
-        pose = view.place(ground.field, values.walk.eye)
-        frame = begin_frame(values, Moment(pose, plan.size, view.kt))
-        ways = [way(blades, texture) for way in WAYS]
-        owned += ways
-        actions = {way.name: (lambda way=way: way.draw(frame)) for way in ways}
-        times = in_turns(actions, max(1, plan.rounds // 3))
-    finally:
-        for owner in reversed(owned):
-            owner.release()
-    count = len(blades.positions)
-    return [{"name": name, "count": count, "ms": median(spent)} for name, spent in times.items()]
-
-
-def measure_startup(plan: Plan) -> float:
+def measure_startup(options: Options) -> float:
     """Return the median time in milliseconds from the command to the first frame, drawn.
 
-    Each is a process of its own: the interpreter, all imports, the context, building the island,
+    Each is a process of its own: the interpreter, all imports, the context, building the scene,
     one frame read back. One start more comes first and is not counted, so disk caches are warm.
     """
     asked = {
-        "view": plan.views[0] if plan.views else MAIN_VIEWS[0],
-        "size": list(plan.size),
-        "preset": plan.preset,
-        "settings": dict(plan.settings),
-        "backend": plan.backend,
-        "samples": plan.samples,
-        "assets": None if plan.assets is None else str(plan.assets),
-        "only": list(plan.only),
-        "seed": plan.seed,
+        "view": options.views[0] if options.views else _kind(options).start,
+        "scenes": SCENES,
+        "size": list(options.size),
+        "preset": options.preset,
+        "settings": dict(options.settings),
+        "backend": options.backend,
+        "samples": options.samples,
+        "assets": None if options.assets is None else str(options.assets),
+        "only": None if options.only is None else list(options.only),
+        "seed": options.seed,
     }
     times = []
-    for _ in range(plan.starts + 1):
+    for _ in range(options.starts + 1):
         start = time.perf_counter()
         child = subprocess.Popen(
             [sys.executable, "-c", _FIRST_FRAME, json.dumps(asked)],
@@ -427,19 +298,7 @@ def report(result: Mapping[str, Any]) -> str:
             f"{name:9} {view['frame_ms']:9.1f} {view['layers']:7.1f} {view['replay_ms']:10.1f}"
             f" {view['python_ms']:10.1f} {view['python_tax']:5.2f} {view['gl_calls']:7d}"
         )
-    if result["grass"]:
-        lines += ["", "blades      select ms   visible  draw ms  static ms  draw / static"]
-    for row in result["grass"]:
-        ratio = row["draw_ms"] / row["static_ms"]
-        lines.append(
-            f"{row['count']:10,d} {row['select_ms']:10.2f} {row['visible']:9,d}"
-            f" {row['draw_ms']:8.2f} {row['static_ms']:10.2f} {ratio:14.2f}"
-        )
-    if result["ways"]:
-        first = result["ways"][0]
-        lines += ["", f"{first['count']:,} blades, four ways            ms   times as fast"]
-    for row in result["ways"]:
-        lines.append(f"{row['name']:30} {row['ms']:10.2f} {first['ms'] / row['ms']:15.1f}")
+    lines += bench_blades.report(result)
     if result["startup_ms"] is not None:
         lines += ["", f"from the command to the first frame: {result['startup_ms']:.0f} ms"]
     return "\n".join(lines)

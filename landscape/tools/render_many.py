@@ -17,6 +17,7 @@ from landscape.errors import InputError
 from landscape.files.output import save_png
 from landscape.frame import Pose
 from landscape.render import Offscreen
+from landscape.scene import SCENES
 
 FEWEST = 16  # chosen: below that another process's start costs more than it gains
 MOST_PROCESSES = 4  # chosen: llvmpipe's own threads keep the other cores busy
@@ -47,7 +48,7 @@ def render_all(
         return
     # Spawned, not forked: a fork of a process that has used OpenGL may hang.
     spawn = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(count, spawn, initializer=_prepare) as pool:
+    with ProcessPoolExecutor(count, spawn, _prepare, (dict(SCENES),)) as pool:
         names = {
             pool.submit(_draw, dict(arguments), view, kt, wireframe, path): name
             for name, view, path in jobs
@@ -62,8 +63,9 @@ def render_all(
             pool.shutdown(cancel_futures=True)
 
 
-def _prepare() -> None:
-    """Leave Ctrl-C to the process that waits for the pictures."""
+def _prepare(scenes: Mapping[str, str]) -> None:
+    """Know the same scenes, and leave Ctrl-C to the process that waits for the pictures."""
+    SCENES.update(scenes)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 

@@ -11,7 +11,7 @@ SIZE = (320, 240)  # chosen: which calls are made does not depend on it
 
 def trace_view(
     view: str,
-    preset: str,
+    preset: str | None = None,
     settings: Mapping[str, Any] | None = None,
     wireframe: bool = False,
     **options: Any,
@@ -22,8 +22,7 @@ def trace_view(
     """
     with Offscreen(SIZE, preset, settings, **options) as offscreen, recording() as recorder:
         offscreen.look(view, wireframe=wireframe)
-        assert offscreen.island is not None
-        offscreen.island.draw(offscreen.moment)
+        offscreen.submit()
         return list(recorder.calls)
 
 

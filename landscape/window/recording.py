@@ -7,7 +7,6 @@ full. Assets are not kept: a walk over one's own island needs the same ``--asset
 """
 
 import json
-import math
 import os
 from collections.abc import Mapping
 from contextlib import suppress
@@ -17,10 +16,9 @@ from typing import IO, Any
 
 from landscape.errors import InputError
 from landscape.frame import Pose
-from landscape.island import ELEMENTS
 from landscape.keys import fields as keys_of
 from landscape.keys import get, with_settings
-from landscape.settings import Settings
+from landscape.scene import scene
 from landscape.window.walker import Intent
 
 VERSION = 1
@@ -36,19 +34,24 @@ ACTIONS = (
     "next_fix",
     "fix",
 )  # switches
+FORMER = {"next_cure": "next_fix", "cure": "fix"}  # names in older recordings
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What a walk starts from; ``pose.y`` may be NaN: eye height above the ground."""
+    """What a walk starts from; ``pose.y`` may be None: eye height above the ground.
 
-    settings: Settings
+    ``only`` names the elements; empty means all.
+    """
+
+    scene: str
+    settings: Any
     view: str
     pose: Pose
     size: tuple[int, int]
     kt: float = 0.0
     seed: int = 0
-    only: tuple[str, ...] = ELEMENTS
+    only: tuple[str, ...] = ()
     wireframe: bool = False
     language: str = "en"
 
@@ -68,12 +71,13 @@ class Tick:
 
 
 def plan_line(plan: Plan) -> dict[str, Any]:
-    """Return a plan as JSON; a y of NaN, which JSON has not, becomes null."""
+    """Return a plan as JSON."""
     pose = plan.pose
     return {
         "landscape walk": VERSION,
+        "scene": plan.scene,
         "view": plan.view,
-        "pose": [pose.x, None if math.isnan(pose.y) else pose.y, pose.z, pose.yaw, pose.pitch],
+        "pose": [pose.x, pose.y, pose.z, pose.yaw, pose.pitch],
         "kt": plan.kt,
         "size": list(plan.size),
         "seed": plan.seed,
@@ -98,7 +102,7 @@ def tick_line(tick: Tick, size: tuple[int, int]) -> dict[str, Any]:
     return line
 
 
-class Recorder:
+class Writer:
     """Writes a recording under another name, and gives it its own when the walk ends."""
 
     def __init__(self, path: Path, plan: Plan) -> None:
@@ -228,15 +232,16 @@ def _names(value: Any, name: str) -> tuple[str, ...]:
 def _plan(line: Mapping[str, Any]) -> Plan:
     x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
     x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -1e6, 1e6)
-    y = math.nan if y is None else _number(y, "pose", -1e6, 1e6)
-    only = _names(line["only"], "only")
-    if not set(only) <= set(ELEMENTS):
-        raise ValueError(f"only: expected some of {', '.join(ELEMENTS)}")
+    y = None if y is None else _number(y, "pose", -1e6, 1e6)
+    # Recordings made before there were several scenes name none: the first is meant.
+    kind = scene(_kind(line.get("scene", ""), "scene", str))
+    only = kind.only(_names(line["only"], "only"))
     seed = _kind(line["seed"], "seed", int)
     if seed < 0:
         raise ValueError(f"seed: expected a whole number from 0, not {seed}")
     return Plan(
-        settings=with_settings(Settings(), _kind(line["settings"], "settings", dict)),
+        scene=kind.name,
+        settings=with_settings(kind.settings, _kind(line["settings"], "settings", dict)),
         view=_kind(line["view"], "view", str),
         pose=Pose(x, y, z, yaw, pitch),
         size=_size(line["size"]),
@@ -263,7 +268,7 @@ def _tick(line: Mapping[str, Any], size: tuple[int, int]) -> Tick:
     known = {item.name for item in fields(Intent)} | {"dt", "do", "size", "note"}
     if not set(line) <= known:
         raise ValueError(f"unknown: {', '.join(sorted(set(line) - known))}")
-    actions = _names(line.get("do", []), "do")
+    actions = tuple(FORMER.get(name, name) for name in _names(line.get("do", []), "do"))
     if not set(actions) <= set(ACTIONS):
         raise ValueError(f"do: expected some of {', '.join(ACTIONS)}")
     return Tick(

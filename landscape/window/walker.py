@@ -9,16 +9,13 @@ A :class:`Walker` is a plain value: :func:`advance` makes the next one from what
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
-from landscape.elements.ornate.castle_meshes import MERLON, TOWER_RADIUS, TOWER_TOP, WALL
 from landscape.elements.sword import STROKES
 from landscape.frame import Pose
-from landscape.geometry.height_field import HeightField
-from landscape.geometry.obstacles import Obstacle, Tower, Wall
-from landscape.settings import Castle, Dragon, Rabbit, Settings
+from landscape.geometry.obstacles import Obstacle
+from landscape.scene import Terrain
 
-RABBIT_ROUND = 0.6  # chosen, times its scale: the radius of a ring round haunches and chest
-DRAGON_LONG = (0.85, 0.16)  # chosen, times its scale: half its length and half its thickness
 RADIUS = 0.05  # chosen: units, half the walker's width; 2.5 times the near plane's distance
 MARGIN = 0.1  # chosen: units kept from the map's border
 STRIDE = (
@@ -76,40 +73,6 @@ class Walker:
         return Pose(self.x, self.y, self.z, self.yaw, self.pitch)
 
 
-def castle_obstacles(castle: Castle, base: float) -> tuple[Obstacle, ...]:
-    """Return the castle's four walls and four towers; ``base`` is its foot's height in units."""
-    yaw = math.radians(castle.yaw)
-    c, s = math.cos(yaw), math.sin(yaw)
-
-    def place(u: float, w: float) -> tuple[float, float]:
-        """Turn as glRotatef(yaw, 0, 1, 0) does, about the centre of the unit square."""
-        return castle.x + c * u + s * w, castle.z - s * u + c * w
-
-    edge, half = 0.5 - WALL / 2, WALL / 2
-    walls = [Wall(*place(0, side), 0.5, half, yaw, base + 1 + MERLON) for side in (-edge, edge)]
-    walls += [Wall(*place(side, 0), half, 0.5, yaw, base + 1 + MERLON) for side in (-edge, edge)]
-    corners = [place(u, w) for u in (-0.5, 0.5) for w in (-0.5, 0.5)]
-    return (*walls, *(Tower(*corner, TOWER_RADIUS, base + TOWER_TOP) for corner in corners))
-
-
-def animal_obstacles(
-    rabbit: Rabbit | None, dragon: Dragon | None, field: HeightField
-) -> tuple[Obstacle, ...]:
-    """Return what the walker must go round of the animals that are there: a round and a long one.
-
-    The meshes fill -1..1 times their scale: the dragon is long along its own x axis.
-    """
-    found: list[Obstacle] = []
-    if rabbit is not None:
-        top = float(field.height(rabbit.x, rabbit.z)) + 2 * rabbit.scale
-        found.append(Tower(rabbit.x, rabbit.z, RABBIT_ROUND * rabbit.scale, top))
-    if dragon is not None:
-        length, thickness = (part * dragon.scale for part in DRAGON_LONG)
-        top, yaw = field.water_level + dragon.scale, math.radians(dragon.yaw)
-        found.append(Wall(dragon.x, dragon.z, length, thickness, yaw, top))
-    return tuple(found)
-
-
 def _gap(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, float, float]:
     """Return the nearest obstacle's gap and way out; infinity where there is none."""
     return min((o.gap(x, z) for o in obstacles), default=(math.inf, 1.0, 0.0))
@@ -146,21 +109,24 @@ def aimed(
     return turn / mouse, (down * 2 * MAX_PITCH + walker.pitch) / mouse
 
 
-def start(pose: Pose, field: HeightField, settings: Settings) -> Walker:
-    """Return a walker at a pose; one well above the eye's height flies, y = NaN means walking."""
-    at_eye = float(field.height(pose.x, pose.z)) + settings.walk.eye
-    flying = pose.y > at_eye + settings.walk.bob + FLOOR
-    walker = Walker(pose.x, pose.y if flying else at_eye, pose.z, pose.yaw, pose.pitch, 0.0, flying)
-    return advance(walker, Intent(), 0.0, field, (), settings)
+def start(pose: Pose, ground: Terrain, settings: Any) -> Walker:
+    """Return a walker at a pose; one well above eye height flies. A pose without y walks."""
+    y = at_eye = float(ground.height(pose.x, pose.z)) + settings.walk.eye
+    flying = pose.y is not None and pose.y > at_eye + settings.walk.bob + FLOOR
+    if flying:
+        assert pose.y is not None
+        y = pose.y
+    walker = Walker(pose.x, y, pose.z, pose.yaw, pose.pitch, 0.0, flying)
+    return advance(walker, Intent(), 0.0, ground, (), settings)
 
 
 def advance(
     walker: Walker,
     intent: Intent,
     seconds: float,
-    field: HeightField,
+    ground: Terrain,
     obstacles: Sequence[Obstacle],
-    settings: Settings,
+    settings: Any,
 ) -> Walker:
     """Return the walker ``seconds`` later; however long that is, he goes through no wall."""
     walk = settings.walk
@@ -176,35 +142,35 @@ def advance(
         drop=max(walker.drop - FALL * seconds, 0.0),
     )
     if intent.fly:
-        walker = _take_off_or_land(walker, field, settings)
+        walker = _take_off_or_land(walker, ground, settings)
     reach = walk.speed * (walk.run if intent.run else 1.0) * seconds
     if walker.flying:
-        return _fly(walker, intent, heading, FLY * reach, field, obstacles)
-    return _walk(walker, intent, heading, reach, field, obstacles, settings)
+        return _fly(walker, intent, heading, FLY * reach, ground, obstacles)
+    return _walk(walker, intent, heading, reach, ground, obstacles, settings)
 
 
-def _strike(walker: Walker, intent: Intent, kt: float, settings: Settings) -> Walker:
+def _strike(walker: Walker, intent: Intent, kt: float, settings: Any) -> Walker:
     """Go on with the sword's stroke, or begin one; one that runs is not begun again."""
     if walker.stroke == 0:
         return replace(walker, stroke=1, struck=0.0) if intent.strike else walker
     struck = walker.struck + kt
-    stroke = 1 + int(struck / settings.overlay.stroke_kt)
+    stroke = 1 + int(struck / settings.walk.stroke_kt)
     if stroke > STROKES:
         return replace(walker, stroke=0, struck=0.0)
     return replace(walker, stroke=stroke, struck=struck)
 
 
-def eye_height(x: float, z: float, step: float, field: HeightField, settings: Settings) -> float:
+def eye_height(x: float, z: float, step: float, ground: Terrain, settings: Any) -> float:
     """Return the walking eye's y in units: the ground or the water, the bob, and the body."""
     walk = settings.walk
-    return float(field.height(x, z)) + walk.bob * math.cos(step / 3) + walk.eye
+    return float(ground.height(x, z)) + walk.bob * math.cos(step / 3) + walk.eye
 
 
-def _take_off_or_land(walker: Walker, field: HeightField, settings: Settings) -> Walker:
+def _take_off_or_land(walker: Walker, ground: Terrain, settings: Any) -> Walker:
     """Begin to fly where the eye is, or begin to fall from there."""
     if not walker.flying:
         return replace(walker, flying=True, drop=0.0)
-    height = walker.y - eye_height(walker.x, walker.z, walker.step, field, settings)
+    height = walker.y - eye_height(walker.x, walker.z, walker.step, ground, settings)
     return replace(walker, flying=False, drop=max(height, 0.0))
 
 
@@ -213,20 +179,20 @@ def _solid(obstacles: Sequence[Obstacle], y: float) -> list[Obstacle]:
     return [o for o in obstacles if y < o.top + FLOOR]
 
 
-def _inside(x: float, z: float, field: HeightField) -> tuple[float, float]:
+def _inside(x: float, z: float, ground: Terrain) -> tuple[float, float]:
     """Return x, z moved on to the map."""
-    last = field.size - MARGIN
+    last = ground.size - MARGIN
     return min(max(x, MARGIN), last), min(max(z, MARGIN), last)
 
 
 def _reachable(
     start: tuple[float, float],
     to: tuple[float, float],
-    field: HeightField,
+    ground: Terrain,
     solid: Sequence[Obstacle],
 ) -> tuple[float, float]:
     """Return where a short move ends: slid along a wall, or not made at all in a corner."""
-    x, z = _inside(*push_out(*_inside(*to, field), solid), field)
+    x, z = _inside(*push_out(*_inside(*to, ground), solid), ground)
     free = _gap(x, z, solid)[0] >= RADIUS - 1e-6
     return (x, z) if free or start == to else start
 
@@ -236,20 +202,20 @@ def _walk(
     intent: Intent,
     heading: float,
     reach: float,
-    field: HeightField,
+    ground: Terrain,
     obstacles: Sequence[Obstacle],
-    settings: Settings,
+    settings: Any,
 ) -> Walker:
     """Walk up to ``reach`` units towards ``heading`` in degrees, on the ground or in the water."""
     long = math.hypot(intent.forward, intent.right)
     # Both keys at once go no faster than one.
-    left = min(reach * min(long, 1.0), 2 * field.size)
+    left = min(reach * min(long, 1.0), 2 * ground.size)
     c, s = math.cos(math.radians(heading)), math.sin(math.radians(heading))
     ux = (intent.forward * s + intent.right * c) / (long or 1.0)
     uz = (-intent.forward * c + intent.right * s) / (long or 1.0)
     x, z, step = walker.x, walker.z, walker.step
-    solid = _solid(obstacles, eye_height(x, z, step, field, settings) + walker.drop)
-    x, z = _reachable((x, z), (x, z), field, solid)
+    solid = _solid(obstacles, eye_height(x, z, step, ground, settings) + walker.drop)
+    x, z = _reachable((x, z), (x, z), ground, solid)
     while left > 1e-12:
         # Far from any wall the rest is one move; near it none is longer than a STRIDE.
         stride = min(left, max(_gap(x, z, obstacles)[0] - RADIUS, STRIDE))
@@ -257,14 +223,14 @@ def _walk(
         # The sum of the report's small term over the steps made.
         drift = 4 * WANDER * (math.sin(after / 4) - math.sin(step / 4))
         to = x + stride * ux, z + stride * uz - drift
-        there = _reachable((x, z), to, field, solid)
+        there = _reachable((x, z), to, ground, solid)
         moved = 1.0 if there == to else math.hypot(there[0] - x, there[1] - z) / stride
         if moved < 1e-6:
             break
         step += stride * min(moved, 1.0) * settings.walk.steps_per_unit
         x, z = there
         left -= stride
-    y = eye_height(x, z, step, field, settings) + walker.drop
+    y = eye_height(x, z, step, ground, settings) + walker.drop
     return replace(walker, x=x, y=y, z=z, step=step)
 
 
@@ -273,7 +239,7 @@ def _fly(
     intent: Intent,
     heading: float,
     reach: float,
-    field: HeightField,
+    ground: Terrain,
     obstacles: Sequence[Obstacle],
 ) -> Walker:
     """Fly up to ``reach`` units along the line of sight, aside and up, over the walls at most."""
@@ -284,16 +250,16 @@ def _fly(
     vz = intent.forward * fz + intent.right * s
     speed = max(math.sqrt(vx * vx + vy * vy + vz * vz), 1.0)
     x, y, z = walker.x, walker.y, walker.z
-    x, z = _reachable((x, z), (x, z), field, _solid(obstacles, y))
-    left = min(reach, 3 * field.size) if vx or vy or vz else 0.0
+    x, z = _reachable((x, z), (x, z), ground, _solid(obstacles, y))
+    left = min(reach, 3 * ground.size) if vx or vy or vz else 0.0
     while True:
         stride = min(left, max(_gap(x, z, obstacles)[0] - RADIUS, STRIDE)) / speed
         to = x + stride * vx, z + stride * vz
-        x, z = _reachable((x, z), to, field, _solid(obstacles, y))
+        x, z = _reachable((x, z), to, ground, _solid(obstacles, y))
         under = [o.top for o in obstacles if o.gap(x, z)[0] < RADIUS - 1e-6 and y >= o.top + FLOOR]
-        floor = max([float(field.height(x, z)), *under]) + FLOOR
+        floor = max([float(ground.height(x, z)), *under]) + FLOOR
         # As high as the map is wide: from there the whole island is in view.
-        y = min(max(y + stride * vy, floor), max(field.size, floor))
+        y = min(max(y + stride * vy, floor), max(ground.size, floor))
         left -= stride * speed
         if left <= 1e-12:
             return replace(walker, x=x, y=y, z=z)

@@ -51,7 +51,7 @@ class SeaWatch:
         """Ask whether any of the sea may show over what is in the depth buffer now."""
         if compiling():
             return
-        self._asked = frame.pose.y > self._height
+        self._asked = frame.eye_y > self._height
         if not self._asked:
             self._shows = True
             return

@@ -122,7 +122,7 @@ def lattice(start: float, end: float, step: float, most: int) -> np.ndarray:
 def eye_grid(frame: Frame, level: float, reach: float) -> "EyeGrid | None":
     """Return the grid the window's view of the water needs; None where no water is in view."""
     angles = view_angles(frame)
-    height = max(frame.pose.y - level, LOWEST)
+    height = max(frame.eye_y - level, LOWEST)
     horizon = np.arctan(height / reach)
     if angles is None or angles[3] <= horizon:
         return None

@@ -240,7 +240,7 @@ class SpriteView:
         mirrored[:, 1] = 2.0 * settings.water.level - mirrored[:, 1]
         kept = np.zeros(len(which), bool)
         for points in (middles, mirrored) if settings.reflection.enabled else (middles,):
-            away = np.sqrt(flat[which] + np.square(points[:, 1] - np.float32(frame.pose.y)))
+            away = np.sqrt(flat[which] + np.square(points[:, 1] - np.float32(frame.eye_y)))
             balls = sizes.sum(axis=1) + np.float32(spare) + np.float32(turn) * away
             kept |= in_view(frame, points, balls)
         return which[kept]

@@ -10,7 +10,7 @@ from typing import Any
 from landscape.frame import Pose
 from landscape.views import SCENE, VIEWS
 
-GROUND = float("nan")  # a pose's y: eye height above the ground
+GROUND = None  # a pose's y: eye height above the ground
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,215 @@
+"""The options of the command line, and how their values are read."""
+
+import argparse
+import re
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from landscape.errors import InputError
+from landscape.frame import Pose
+from landscape.scene import SEED
+
+MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow less
+Commands = Mapping[str, Callable[[argparse.Namespace], int]]
+
+BY_VIEW = (
+    "best or 2006; default: the view's own (see `landscape views`), which is best, or 2006 where "
+    "the view shows one technique or flaw of the report"
+)
+
+
+def parse(argv: Sequence[str] | None, commands: Commands) -> argparse.Namespace:
+    """Parse the command line; views may stand before, between and after the options.
+
+    ``commands`` maps each command's name to the function that runs it.
+    """
+    parser = build_parser(commands)
+    options, rest = parser.parse_known_args(argv)
+    if rest:
+        # argparse itself takes those before the first option only.
+        if "views" not in options or any(word.startswith("-") for word in rest):
+            parser.error(f"unrecognized arguments: {' '.join(rest)}")
+        options.views = [*options.views, *rest]
+    return options
+
+
+class _Parser(argparse.ArgumentParser):
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        # What begins so is a value, never an option: a pose may be -1,2,3,0,0.
+        self._negative_number_matcher = re.compile(r"-\.?\d")
+
+    def error(self, message: str) -> Any:
+        """End in one line, as all bad input does."""
+        raise InputError(f"{message} (see `{self.prog} --help`)")
+
+
+def build_parser(run: Commands) -> argparse.ArgumentParser:
+    """Return the parser of all commands."""
+    parser = _Parser(
+        prog="landscape",
+        description="The landscape of the 2006 report, in fixed-function OpenGL.",
+        epilog="example: landscape render fig35e --size 1600x900",
+    )
+    commands = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=_Parser)
+
+    def command(name: str, help_: str, example: str) -> Any:
+        sub = commands.add_parser(
+            name, help=help_, description=help_, epilog=f"example: landscape {name} {example}"
+        )
+        sub.set_defaults(run=run[name])
+        return sub
+
+    walk = command("walk", "walk the island in a window", "fig35a --fullscreen")
+    walk.add_argument("view", nargs="?", default="", metavar="VIEW", help="a view or a scene")
+    walk.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
+    walk.add_argument("--fullscreen", action="store_true")
+    walk.add_argument("--record", type=Path, metavar="FILE", help="write the walk down")
+    walk.add_argument("--replay", type=Path, metavar="FILE", help="walk a recorded walk again")
+    walk.add_argument("--frames", type=_count, metavar="N", help="end after N frames")
+    _common(walk, samples=0, preset="best or 2006; default: best")
+
+    render = command("render", "render views to PNG files", "fig35e --out castle.png")
+    render.add_argument("views", nargs="*", metavar="VIEW", help="see `landscape views`")
+    render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
+    render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
+    render.add_argument("--kt", type=_number, metavar="N", help="the animation's counter")
+    render.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
+    _common(render, samples=4)
+
+    views = command("views", "list the named views", "--json")
+    views.add_argument("--json", action="store_true")
+
+    figures = command("figures", "make the report's figures", "35 --out figures")
+    figures.add_argument("names", nargs="*", metavar="FIG", help="35, fig35a or R6; default: all")
+    figures.add_argument("--out", type=Path, default=Path("figures"), metavar="DIR")
+    figures.add_argument("--check", action="store_true", help="compare with the kept pictures")
+    figures.add_argument("--update", action="store_true", help="renew the kept pictures")
+    _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
+
+    trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
+    trace.add_argument("view", metavar="VIEW")
+    trace.add_argument("--element", metavar="NAME", help="only the calls of one element")
+    trace.add_argument("--json", action="store_true")
+    _common(trace, samples=0)
+
+    assets = commands.add_parser(
+        "assets",
+        help="make, show or fetch assets",
+        description="make, show or fetch assets",
+        epilog="example: landscape assets fetch-stanford",
+    )
+    actions = assets.add_subparsers(metavar="ACTION", required=True, parser_class=_Parser)
+    build = actions.add_parser(
+        "build",
+        help="make assets from code (needs the extra `studio`)",
+        epilog="example: landscape assets build water.png --assets mine",
+    )
+    build.add_argument("names", nargs="*", metavar="NAME", help="file names; default: all")
+    build.add_argument("--assets", type=Path, metavar="DIR", help="where to; default: in place")
+    build.add_argument("-q", "--quiet", action="store_true")
+    build.set_defaults(run=run["assets build"])
+    check = actions.add_parser(
+        "check",
+        help="measure every asset: seams, edges, sizes, meshes",
+        epilog="example: landscape assets check --assets mine",
+    )
+    check.add_argument("--assets", type=Path, metavar="DIR", help="your own files, before ours")
+    check.add_argument("--json", action="store_true")
+    check.set_defaults(run=run["assets check"])
+    sheet = actions.add_parser(
+        "sheet",
+        help="one contact sheet of all assets",
+        epilog="example: landscape assets sheet --out sheet.png",
+    )
+    sheet.add_argument("--out", type=Path, default=Path("sheet.png"), metavar="FILE.png")
+    sheet.add_argument("--assets", type=Path, metavar="DIR")
+    sheet.set_defaults(run=run["assets sheet"])
+    fetch = actions.add_parser(
+        "fetch-stanford",
+        help="download the Stanford bunny and dragon",
+        description="Download the Stanford bunny and dragon, check them, and say how to use them. "
+        "Terms: acknowledge the Stanford Computer Graphics Laboratory; no commercial use without "
+        "permission.",
+        epilog="example: landscape assets fetch-stanford --out stanford",
+    )
+    fetch.add_argument("--out", type=Path, default=Path("stanford"), metavar="DIR")
+    fetch.add_argument("-q", "--quiet", action="store_true")
+    fetch.set_defaults(run=run["assets fetch-stanford"])
+
+    bench = command("bench", "measure frames, grass and the start", "fig35a --json out.json")
+    bench.add_argument("views", nargs="*", metavar="VIEW", help="default: the nine of figure 35")
+    bench.add_argument("--json", type=Path, metavar="FILE", help="write the figures down")
+    bench.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
+    _common(bench, samples=0)
+
+    values = command("settings", "list every setting", "--preset best --json")
+    values.add_argument("--json", action="store_true")
+    _common(values, samples=0, preset="best or 2006; default: best")
+
+    doctor = command("doctor", "say which OpenGL backends work here", "--json")
+    doctor.add_argument("--json", action="store_true")
+    return parser
+
+
+def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:
+    """Add the options that all drawing commands share; ``preset`` explains the default one."""
+    add = parser.add_argument_group("common options").add_argument
+    add("--backend", choices=("auto", "osmesa", "egl", "glfw"), default="auto")
+    add("--preset", default=None, help=preset)
+    add("--set", action="append", type=_pair, default=[], metavar="KEY=VALUE", dest="changes")
+    add("--settings", type=Path, metavar="FILE.toml")
+    add("--assets", type=Path, metavar="DIR", help="your own files, before the shipped ones")
+    add("--only", type=_elements, default=None, metavar="ELEMENT,...")
+    add("--wireframe", action="store_true")
+    add("--samples", type=int, choices=(0, 4), default=samples, help="antialiasing")
+    add("--seed", type=_count, default=SEED, metavar="N")
+    add("-q", "--quiet", action="store_true")
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, _, height = text.lower().partition("x")
+    if not (width.isascii() and width.isdigit() and height.isascii() and height.isdigit()):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected WxH such as 800x600")
+    size = int(width[:9]), int(height[:9])
+    if not all(0 < side <= MAX_SIDE for side in size):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected from 1x1 to {MAX_SIDE}x{MAX_SIDE}")
+    return size
+
+
+def _count(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) < 19):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number from 0")
+    return int(text)
+
+
+def _number(text: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = float("nan")
+    if not abs(number) < 1e9:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a number")
+    return number
+
+
+def _pair(text: str) -> tuple[str, str]:
+    key, equals, value = text.partition("=")
+    if not equals:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected KEY=VALUE such as fog.density=0.05")
+    return key.strip(), value.strip()
+
+
+def _elements(text: str) -> tuple[str, ...]:
+    return tuple(name.strip() for name in text.split(","))
+
+
+def _pose(text: str) -> Pose:
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) != 5:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y,Z,YAW,PITCH")
+    if "ground" in (parts[0], *parts[2:]):
+        raise argparse.ArgumentTypeError(f"{text!r}: only Y may be `ground`")
+    x, z, yaw, pitch = (_number(part) for part in (parts[0], *parts[2:]))
+    return Pose(x, None if parts[1] == "ground" else _number(parts[1]), z, yaw, pitch)

@@ -1,0 +1,283 @@
+"""What a scene is, how its frames begin, and the one list of scenes.
+
+A scene is a module with a :class:`Scene` named ``SCENE``: the names of its elements, its views,
+its settings and presets, and a function that opens it in the current OpenGL context. Walking,
+rendering, tracing and measuring work on any scene in :data:`SCENES`; a new scene is one line there.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from importlib import import_module
+from typing import Any, Protocol
+
+import numpy as np
+
+from landscape import keys
+from landscape.elements import fog, sun
+from landscape.errors import InputError
+from landscape.files.assets import Assets
+from landscape.frame import Frame, Pose
+from landscape.geometry.obstacles import Obstacle
+from landscape.gl.calls import gl
+from landscape.keys import Value
+from landscape.settings import Camera, Fog, Sun
+
+SEED = 2006  # chosen: the year of the report
+
+# Name to module. A module is imported when one of its views is first asked for; the first scene is
+# the one that is meant where nothing says which.
+SCENES: dict[str, str] = {
+    "island": "landscape.island",
+}
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What a frame shows: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4).
+
+    The pose's ``y`` must be a number.
+    """
+
+    pose: Pose
+    size: tuple[int, int]
+    kt: float = 0.0
+    step: float = 0.0
+    stroke: int = 0
+    wireframe: bool = False
+
+
+class Terrain(Protocol):
+    """What a walker stands on: a square of ``size`` units from (0, 0) to (size, size)."""
+
+    @property
+    def size(self) -> float:
+        """The side of the square in units."""
+
+    def height(self, x: float, z: float) -> Any:
+        """Return the height in units of what one stands on at x, z: ground or water."""
+
+
+class Fix(Protocol):
+    """A fix that the walk can switch: settings for the flaw (``off``) and without it (``on``)."""
+
+    @property
+    def name(self) -> str:
+        """A short name, as R4."""
+
+    @property
+    def title(self) -> str:
+        """What it fixes, in a few words."""
+
+    @property
+    def off(self) -> Mapping[str, Any]:
+        """The settings that show the flaw."""
+
+    @property
+    def on(self) -> Mapping[str, Any]:
+        """The settings that fix it."""
+
+
+class OpenScene(Terrain, Protocol):
+    """A scene whose elements are built, in the OpenGL context that was current then."""
+
+    settings: Any
+    shown: set[str]  # names of elements to draw; may be changed between frames
+
+    @property
+    def obstacles(self) -> Sequence[Obstacle]:
+        """What the walker goes round."""
+
+    def draw(self, moment: Moment) -> None:
+        """Draw one frame into the current framebuffer."""
+
+    def apply(self, settings: Any) -> bool:
+        """Take other settings without building anything; False, and no change, if that cannot be.
+
+        The caller then opens the scene again.
+        """
+
+    def release(self) -> None:
+        """Delete what was made in OpenGL; may be called twice."""
+
+
+@dataclass(frozen=True)
+class View:
+    """A named place and its switches.
+
+    ``pose.y`` may be None: the walker's eye height above the ground there. ``shown`` names the
+    elements to draw; empty means all of the scene's. ``preset`` is the one it is drawn with unless
+    another is asked for; empty means the scene's own default. ``settings`` change the preset.
+    """
+
+    name: str
+    shows: str
+    pose: Pose
+    kt: float = 0.0
+    preset: str = ""
+    shown: tuple[str, ...] = ()
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    stroke: int = 0
+    wireframe: bool = False
+
+    @property
+    def figure(self) -> str:
+        """The report's figure and panel, as in "35 a"; empty for a view that is none."""
+        return f"{self.name[3:-1]} {self.name[-1]}" if self.name.startswith("fig") else ""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What a scene brings; nothing of it needs OpenGL until it is opened.
+
+    ``settings`` is an instance of the scene's settings class with the defaults (see
+    :mod:`landscape.keys`); it must have the groups ``camera``, ``clock`` and ``walk``. ``presets``
+    map a name to differences from it, ``preset`` is the default one. ``start`` names the view where
+    a walk begins, ``main`` the views that are measured when none is named. ``open`` builds the
+    elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without OpenGL.
+    """
+
+    name: str
+    elements: tuple[str, ...]
+    views: Mapping[str, View]
+    settings: Any
+    presets: Mapping[str, Mapping[str, Value]]
+    preset: str
+    start: str
+    main: tuple[str, ...]
+    open: Callable[[Any, Assets, int, tuple[str, ...]], OpenScene]
+    terrain: Callable[[Any, Assets], Terrain]
+    fixes: Sequence[Fix] = ()
+
+    def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
+        """Return the settings of a preset (None: the default) with changes, the last winning."""
+        values = keys.preset(self.settings, self.presets, preset or self.preset)
+        for each in changes:
+            values = keys.with_settings(values, each)
+        return values
+
+    def preset_of(self, view: View) -> str:
+        """Return the preset a view is drawn with unless another is asked for."""
+        return view.preset or self.preset
+
+    def only(self, names: Iterable[str] | None) -> tuple[str, ...]:
+        """Return the elements in ``names`` in the scene's order, all for None; InputError."""
+        wanted = self.elements if names is None else tuple(names)
+        for name in wanted:
+            if name not in self.elements:
+                raise InputError(f"--only {name!r}: expected some of {', '.join(self.elements)}")
+        return tuple(name for name in self.elements if name in wanted)
+
+    def shown(self, view: View, only: Iterable[str] | None = None) -> tuple[str, ...]:
+        """Return the elements a view draws, of those in ``only``."""
+        allowed = self.only(only)
+        return tuple(name for name in allowed if not view.shown or name in view.shown)
+
+
+def scene(name: str = "") -> Scene:
+    """Return a scene by name, the first of the list without one; InputError if there is none."""
+    name = name or next(iter(SCENES))
+    if name not in SCENES:
+        raise InputError(f"scene {name!r}: expected one of {', '.join(SCENES)}")
+    found: Scene = import_module(SCENES[name]).SCENE
+    return found
+
+
+def check_options(
+    preset: str | None, settings: Mapping[str, Any], only: Iterable[str] | None
+) -> None:
+    """Check options given for views that are not known yet: some scene must take all of them.
+
+    Raises the first scene's InputError where none does.
+    """
+    reasons = []
+    for kind in map(scene, SCENES):
+        try:
+            keys.with_settings(kind.values(preset), settings)
+            kind.only(only)
+            return
+        except InputError as error:
+            reasons.append(error)
+    raise reasons[0]
+
+
+def find_view(name: str) -> tuple[Scene, View]:
+    """Return a view and its scene; a scene's name stands for the view where its walk begins.
+
+    InputError if there is neither.
+    """
+    if name in SCENES:
+        found = scene(name)
+        return found, found.views[found.start]
+    for found in map(scene, SCENES):
+        if name in found.views:
+            return found, found.views[name]
+    raise InputError(f"view {name!r}: no such view; `landscape views` lists them all")
+
+
+def placed(pose: Pose, terrain: Terrain, eye: float) -> Pose:
+    """Return a pose with a height: ``eye`` units above the ground where it has none."""
+    if pose.y is not None:
+        return pose
+    return replace(pose, y=float(terrain.height(pose.x, pose.z)) + eye)
+
+
+def listed_views() -> list[dict[str, Any]]:
+    """Return every view of every scene as `landscape views --json` prints it, heights filled in."""
+    entries = []
+    for found in map(scene, SCENES):
+        terrains: dict[str, Terrain] = {}
+        for view in found.views.values():
+            preset = found.preset_of(view)
+            values = found.values(preset)
+            if preset not in terrains:
+                terrains[preset] = found.terrain(values, Assets())
+            pose = placed(view.pose, terrains[preset], values.walk.eye)
+            numbers = (pose.x, pose.y, pose.z, pose.yaw, pose.pitch)
+            entries.append(
+                {
+                    "name": view.name,
+                    "scene": found.name,
+                    "figure": view.figure,
+                    "pose": [round(v, 4) for v in numbers if v is not None],
+                    "kt": view.kt,
+                    "preset": preset,
+                    "shows": view.shows,
+                }
+            )
+    return entries
+
+
+def begin_frame(
+    moment: Moment, camera: Camera, light: Sun, haze: Fog, fogged: bool = True, far: float = 0.0
+) -> Frame:
+    """Clear, set the viewport, the camera, the sun and the fog; return what elements need.
+
+    ``far`` may move the far plane beyond ``camera.far``, in units.
+    """
+    pose = moment.pose
+    assert pose.y is not None
+    gl.glViewport(0, 0, *moment.size)
+    gl.glClearColor(*haze.color, 1.0)
+    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
+    gl.glEnable(gl.GL_DEPTH_TEST)
+    gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glLoadIdentity()
+    top = camera.near * math.tan(math.radians(camera.fov) / 2)
+    right = top * moment.size[0] / moment.size[1]
+    gl.glFrustum(-right, right, -top, top, camera.near, max(camera.far, 2 * camera.near, far))
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glLoadIdentity()
+    gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
+    gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
+    gl.glTranslatef(-pose.x, -pose.y, -pose.z)
+
+    sun.shine(light)
+    if fogged and haze.enabled:
+        fog.enable(haze)
+    else:
+        gl.glDisable(gl.GL_FOG)
+    modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
+    return Frame(pose, moment.size, moment.kt, modelview, camera.fov, moment.step, moment.stroke)

@@ -1,0 +1,104 @@
+"""What keyboard and mouse report between two frames, turned into what the walker intends."""
+
+from collections.abc import Iterable
+
+import glfw
+
+from landscape.window.keys import (
+    BACKWARD,
+    DOWN,
+    FORWARD,
+    LEFTWARD,
+    ORDERS,
+    RIGHTWARD,
+    RUN,
+    SWITCHES,
+    TURN_LEFT,
+    TURN_RIGHT,
+    UP,
+)
+from landscape.window.walker import Intent
+
+JUMP = 200.0  # chosen: pixels; larger motions between two reports are the pointer being moved
+
+
+class Hands:
+    """Collects what GLFW reports between two frames; needs no window."""
+
+    def __init__(self) -> None:
+        self.captured = False
+        self.orders: list[str] = []
+        self._held: set[int] = set()
+        self._tapped: set[int] = set()
+        self._switches: list[str] = []
+        self._look = [0.0, 0.0]
+        self._last: tuple[float, float] | None = None
+
+    def key(self, key: int, action: int) -> None:
+        """Note that a key went down or up; key repeats are ignored."""
+        if action == glfw.RELEASE:
+            self._held.discard(key)
+        if action != glfw.PRESS:
+            return
+        self._held.add(key)
+        self._tapped.add(key)
+        if key in SWITCHES:
+            self._switches.append(SWITCHES[key])
+        elif key == glfw.KEY_ESCAPE:
+            self.orders.append("release" if self.captured else "quit")
+        elif key in ORDERS:
+            self.orders.append(ORDERS[key])
+
+    def button(self, button: int, action: int) -> None:
+        """Capture the mouse at the first click, strike at later ones."""
+        if button == glfw.MOUSE_BUTTON_LEFT and action == glfw.PRESS:
+            if self.captured:
+                self._switches.append("strike")
+            else:
+                self.orders.append("capture")
+
+    def motion(self, x: float, y: float) -> None:
+        """Note that the mouse is at x, y in pixels; its motion turns the view."""
+        if not self.captured:
+            return
+        if self._last is not None:
+            for axis, way in enumerate((x - self._last[0], y - self._last[1])):
+                self._look[axis] += max(-JUMP, min(way, JUMP))
+        self._last = x, y
+
+    def capture(self, captured: bool) -> None:
+        """Start or stop looking by the mouse; the first motion afterwards is dropped."""
+        self.captured = captured
+        self._last = None
+
+    def focus(self, focused: bool) -> None:
+        """Release all keys when another window gets the focus: no release would be reported."""
+        self._last = None
+        if not focused:
+            self._held.clear()
+            self._tapped.clear()
+            self._look = [0.0, 0.0]
+            if self.captured:
+                self.orders.append("release")
+
+    def take(self) -> tuple[Intent, tuple[str, ...]]:
+        """Return what was asked for since the last call: the intent, and names of switches."""
+        down = self._held | self._tapped  # a key tapped between two slow frames counts as well
+
+        def pair(plus: Iterable[int], minus: Iterable[int]) -> float:
+            return float(not down.isdisjoint(plus)) - float(not down.isdisjoint(minus))
+
+        switches = self._switches
+        intent = Intent(
+            forward=pair(FORWARD, BACKWARD),
+            right=pair(RIGHTWARD, LEFTWARD),
+            up=pair(UP, DOWN),
+            turn=pair(TURN_RIGHT, TURN_LEFT),
+            look=(self._look[0], self._look[1]),
+            run=not down.isdisjoint(RUN),
+            strike="strike" in switches,
+            # Pressed twice within a frame cancels out.
+            fly=switches.count("fly") % 2 == 1,
+        )
+        self._tapped, self._switches, self._look = set(), [], [0.0, 0.0]
+        return intent, tuple(name for name in switches if name not in ("strike", "fly"))
