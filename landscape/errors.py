@@ -1,4 +1,4 @@
-"""The two ways a run can end badly through no fault of the program."""
+"""The two errors that users see as one line."""
 
 
 class InputError(ValueError):

@@ -61,12 +61,14 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         sub.set_defaults(run=run[name])
         return sub
 
-    walk = command("walk", "walk the island in a window", "fig35a --fullscreen")
-    walk.add_argument("view", nargs="?", default="", metavar="VIEW", help="a view or a scene")
+    walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
+    walk.add_argument(
+        "view", nargs="?", default="", metavar="VIEW", help="or a scene"
+    )
     walk.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
     walk.add_argument("--fullscreen", action="store_true")
-    walk.add_argument("--record", type=Path, metavar="FILE", help="write the walk down")
-    walk.add_argument("--replay", type=Path, metavar="FILE", help="walk a recorded walk again")
+    walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
+    walk.add_argument("--replay", type=Path, metavar="FILE", help="replay a recorded walk")
     walk.add_argument("--frames", type=_count, metavar="N", help="end after N frames")
     _common(walk, samples=0, preset="best or 2006; default: best")
 
@@ -74,7 +76,9 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     render.add_argument("views", nargs="*", metavar="VIEW", help="see `landscape views`")
     render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
-    render.add_argument("--kt", type=_number, metavar="N", help="the animation's counter")
+    render.add_argument(
+        "--kt", type=_number, metavar="N", help="animation time"
+    )
     render.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
     _common(render, samples=4)
 
@@ -84,8 +88,8 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     figures = command("figures", "make the report's figures", "35 --out figures")
     figures.add_argument("names", nargs="*", metavar="FIG", help="35, fig35a or R6; default: all")
     figures.add_argument("--out", type=Path, default=Path("figures"), metavar="DIR")
-    figures.add_argument("--check", action="store_true", help="compare with the kept pictures")
-    figures.add_argument("--update", action="store_true", help="renew the kept pictures")
+    figures.add_argument("--check", action="store_true", help="compare with the committed pictures")
+    figures.add_argument("--update", action="store_true", help="replace the committed pictures")
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
     trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
@@ -112,7 +116,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     build.set_defaults(run=run["assets build"])
     check = actions.add_parser(
         "check",
-        help="measure every asset: seams, edges, sizes, meshes",
+        help="check every asset: seams, edges, sizes, meshes",
         epilog="example: landscape assets check --assets mine",
     )
     check.add_argument("--assets", type=Path, metavar="DIR", help="your own files, before ours")
@@ -140,7 +144,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
 
     bench = command("bench", "measure frames, grass and the start", "fig35a --json out.json")
     bench.add_argument("views", nargs="*", metavar="VIEW", help="default: the nine of figure 35")
-    bench.add_argument("--json", type=Path, metavar="FILE", help="write the figures down")
+    bench.add_argument("--json", type=Path, metavar="FILE", help="write the results as JSON")
     bench.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
     _common(bench, samples=0)
 
@@ -148,7 +152,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     values.add_argument("--json", action="store_true")
     _common(values, samples=0, preset="best or 2006; default: best")
 
-    doctor = command("doctor", "say which OpenGL backends work here", "--json")
+    doctor = command("doctor", "report which OpenGL backends work here", "--json")
     doctor.add_argument("--json", action="store_true")
     return parser
 
@@ -160,7 +164,12 @@ def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW
     add("--preset", default=None, help=preset)
     add("--set", action="append", type=_pair, default=[], metavar="KEY=VALUE", dest="changes")
     add("--settings", type=Path, metavar="FILE.toml")
-    add("--assets", type=Path, metavar="DIR", help="your own files, before the shipped ones")
+    add(
+        "--assets",
+        type=Path,
+        metavar="DIR",
+        help="your own files, used first",
+    )
     add("--only", type=_elements, default=None, metavar="ELEMENT,...")
     add("--wireframe", action="store_true")
     add("--samples", type=int, choices=(0, 4), default=samples, help="antialiasing")

@@ -113,19 +113,19 @@ class Walk:
         self._message, self._until = message, self.seconds + SHOWN
 
     def resting(self) -> bool:
-        """Tell whether the window shows nothing, minimised or without area; wait a little then."""
+        """Return whether the window is minimised or has no area; if so, wait a little."""
         glfw.poll_events()
         shut = 0 in glfw.get_framebuffer_size(self.window)
         iconified = glfw.get_window_attrib(self.window, glfw.ICONIFIED)
         if glfw.window_should_close(self.window) or not (shut or iconified):
             return False
-        # GLFW's own waiting does not wait on the null platform.
+        # glfw.wait_events returns at once on the null platform.
         time.sleep(REST)
         self._last = glfw.get_time()
         return True
 
     def listen(self) -> Tick | None:
-        """Return the next frame as the user wants it, or None to leave."""
+        """Return the next frame's input, or None if the user leaves."""
         glfw.poll_events()
         orders, self.hands.orders = self.hands.orders, []
         for order in orders:
@@ -145,20 +145,20 @@ class Walk:
         return Tick(seconds, intent, switches, (width, height), note)
 
     def follow(self, tick: Tick) -> Tick | None:
-        """Make the window ready for a recorded frame; None if the user leaves instead."""
+        """Prepare the window for a recorded frame; return None if the user leaves."""
         live = self.listen()
         if live is None:
             return None
         if live.size != tick.size:
             glfw.set_window_size(self.window, *tick.size)
         if not self.headless:
-            # Not faster than it was walked.
+            # A replay is no faster than the walk was.
             time.sleep(max(tick.seconds - live.seconds, 0.0))
             self._last = glfw.get_time()
         return tick
 
     def _obey(self, order: str) -> None:
-        """Do to the window what no recording needs to know."""
+        """Carry out an order to the window, which recordings leave out."""
         if order == "quit":
             glfw.set_window_should_close(self.window, True)
         elif order == "screenshot":
@@ -167,7 +167,7 @@ class Walk:
             self._toggle_fullscreen()
         else:
             captured = order == "capture"
-            # The cursor's own place counts where the mouse is not relative: it stays to be seen.
+            # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
             hidden = captured and self.settings.walk.mouse_relative
             mode = glfw.CURSOR_DISABLED if hidden else glfw.CURSOR_NORMAL
             glfw.set_input_mode(self.window, glfw.CURSOR, mode)
@@ -189,7 +189,7 @@ class Walk:
         self.hands.capture(self.hands.captured)
 
     def advance(self, tick: Tick) -> None:
-        """Let a frame's time pass: the clock, the switches, the walker."""
+        """Advance the clock, the switches and the walker by one frame."""
         assert self._scene is not None
         self.seconds += tick.seconds
         self.kt += tick.seconds * self.settings.clock.kt_per_second
@@ -211,7 +211,7 @@ class Walk:
         self._size = tick.size
 
     def _switch(self, name: str) -> None:
-        """Do what a switch says."""
+        """Carry out a switch."""
         if name == "help":
             self._help = not self._help
         elif name == "wireframe":
@@ -226,7 +226,7 @@ class Walk:
             self._tell(name, on)
 
     def _apply(self, changes: Mapping[str, Any]) -> None:
-        """Change settings; where the scene cannot take them as it stands, open it again."""
+        """Change settings; open the scene again if it cannot take them as it is."""
         assert self._scene is not None
         self.settings = keys.with_settings(self.settings, changes)
         if not self._scene.apply(self.settings):
@@ -251,9 +251,9 @@ class Walk:
         self._say(self._word(f"{name}.{'on' if on else 'off'}"))
 
     def draw(self) -> None:
-        """Draw the frame, words included, into the window's back buffer."""
+        """Draw the frame and the panel into the window's back buffer."""
         assert self._scene is not None and self._panel is not None and self._context is not None
-        # OSMesa takes a buffer of the new size, and a lost context its window, when made current.
+        # Making the context current gives OSMesa a buffer of the window's new size.
         self._context.make_current()
         walker = self.walker
         self._scene.draw(
@@ -264,11 +264,11 @@ class Walk:
         self._panel.draw(self._size, self._help, message, min(max(left, 0.0) / FADE, 1.0))
 
     def pixels(self) -> np.ndarray:
-        """Return the frame drawn and not yet presented, uint8 (h, w, 3), top row first."""
+        """Return the frame drawn but not yet presented, uint8 (h, w, 3), top row first."""
         return read_pixels(self._size)
 
     def present(self) -> None:
-        """Show the frame; save it first if asked to; count frames in the title."""
+        """Show the frame, after saving it if asked to; show the frame rate in the title."""
         if self._shoot:
             self._shoot = False
             self._note = self._save()
@@ -281,7 +281,7 @@ class Walk:
             self._counted, self._counted_from = 0, glfw.get_time()
 
     def _save(self) -> str:
-        """Save the frame under the next free name in the current folder; return what to say."""
+        """Save the frame under the next free name in the current folder; return a message."""
         try:
             path = next_free("screenshot", ".png")
         except OSError:
@@ -308,7 +308,7 @@ class Walk:
 
 
 def next_free(stem: str, suffix: str, folder: Path | None = None) -> Path:
-    """Make an empty file STEM-0001SUFFIX, or the next that does not exist; OSError if none can."""
+    """Create an empty file STEM-0001SUFFIX, or the next free number; OSError if impossible."""
     for number in itertools.count(1):
         path = (folder or Path()) / f"{stem}-{number:04}{suffix}"
         with suppress(FileExistsError):
@@ -394,7 +394,7 @@ def walk(
         with Walk(plan, assets, backend, fullscreen) as opened:
             run(opened, ticks, writer, frames)
     finally:
-        # After Ctrl-C or an error the walk so far is worth keeping, to see what led there.
+        # After Ctrl-C or an error the recording so far shows what led to it.
         kept = writer is not None and writer.finish()
     if kept and not quiet:
         print(record)

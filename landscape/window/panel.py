@@ -1,4 +1,4 @@
-"""The panel: words over the picture, the list of keys and a line of message.
+"""The panel: text over the picture, a list of keys and a line for messages.
 
 Not in the report. Technique: Pillow writes the text into an image, which becomes a texture of
 sides that are powers of two; one blended quad shows it texel for pixel under a glOrtho of the
@@ -21,9 +21,9 @@ from landscape.gl.texture import Texture
 ELEMENT = "panel"
 
 FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
-SMALLEST = 8  # chosen: pixels per line of text; smaller cannot be read
-LINES = 34  # chosen: lines of text that would fill the window's height
-PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white words over snow-white clouds
+SMALLEST = 8  # chosen: pixels per line of text; smaller is unreadable
+LINES = 34  # chosen: lines of text that fill the window's height
+PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white text over white clouds
 WORDS, KEYS, TITLE = (240, 240, 235), (255, 214, 120), (255, 255, 255)  # chosen: RGB
 
 
@@ -39,7 +39,7 @@ def font(size: int) -> Any:
 
 
 def writable(text: str, face: Any) -> str:
-    """Return the text with what the font lacks written plainly: no accents, or a question mark."""
+    """Return the text with characters the font lacks replaced: without accents, or by "?"."""
     missing = bytes(face.getmask("\uffff"))
 
     def known(character: str) -> str:
@@ -52,14 +52,14 @@ def writable(text: str, face: Any) -> str:
 
 
 def text_size(size: tuple[int, int]) -> int:
-    """Return the height of a line of text in pixels that suits a window of ``size``."""
+    """Return the font size in pixels for a window of ``size``."""
     return max(SMALLEST, min(size[1] // LINES, size[0] // 40))
 
 
 def keys_image(title: str, rows: Sequence[tuple[str, str]], size: tuple[int, int]) -> np.ndarray:
-    """Write a title and rows of (keys, what they do) on a plate, uint8 (h, w, 4).
+    """Render a title and rows of (keys, what they do) on a plate, uint8 (h, w, 4).
 
-    The letters suit a window of ``size`` pixels; where the plate would not fit they get smaller.
+    The font suits a window of ``size`` pixels; it shrinks until the plate fits.
     """
     for pixels in range(text_size(size), SMALLEST - 1, -1):
         face = font(pixels)
@@ -86,7 +86,7 @@ def keys_image(title: str, rows: Sequence[tuple[str, str]], size: tuple[int, int
 
 
 def line_image(text: str, size: tuple[int, int]) -> np.ndarray:
-    """Write one line on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
+    """Render one line of text on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
     for pixels in range(text_size(size), SMALLEST - 1, -1):
         face = font(pixels)
         text = writable(text, face)
@@ -99,7 +99,7 @@ def line_image(text: str, size: tuple[int, int]) -> np.ndarray:
 
 
 def padded(image: np.ndarray) -> np.ndarray:
-    """Return the image (h, w, 4) at the upper left of one whose sides are powers of two."""
+    """Return the image (h, w, 4) padded at right and bottom to sides that are powers of two."""
     h, w = (1 << (side - 1).bit_length() for side in image.shape[:2])
     canvas = np.zeros((h, w, 4), np.uint8)
     canvas[: image.shape[0], : image.shape[1]] = image
@@ -107,7 +107,7 @@ def padded(image: np.ndarray) -> np.ndarray:
 
 
 class Plate:
-    """Owner of the texture of one image, to be shown texel for pixel."""
+    """One image as a texture, drawn one texel per pixel."""
 
     def __init__(self, image: np.ndarray) -> None:
         """Upload an image, uint8 (h, w, 4)."""
@@ -142,7 +142,7 @@ class Panel:
     """The list of keys in the middle of the window, the message at its lower edge."""
 
     def __init__(self, title: str, rows: Sequence[tuple[str, str]]) -> None:
-        """Keep the words; textures are made when first shown, and anew for another size."""
+        """Keep the text; textures are made when first shown, and again for another size."""
         self._title, self._rows = title, list(rows)
         self._keys: Plate | None = None
         self._line: Plate | None = None
@@ -151,7 +151,7 @@ class Panel:
     def draw(
         self, size: tuple[int, int], keys: bool = False, message: str = "", opacity: float = 1.0
     ) -> None:
-        """Draw what is to be shown in a window of ``size`` pixels; ``opacity`` of the message."""
+        """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1."""
         if not keys and not message:
             return
         begin_pass("overlay")

@@ -1,4 +1,4 @@
-"""Walks written down: a JSON Lines file from which a walk can be walked again, pixel for pixel.
+"""Recorded walks: a JSON Lines file from which a walk is replayed, pixel for pixel.
 
 The first line is the plan (format version, settings, seed, view, size, ...); then comes a line a
 frame: its length in seconds and what the user asked for, and only what differs from the default;
@@ -22,7 +22,7 @@ from landscape.scene import scene
 from landscape.window.walker import Intent
 
 VERSION = 1
-MAX_SECONDS = 1.0  # chosen: a frame that took longer (a suspended machine) counts as this
+MAX_SECONDS = 1.0  # chosen: a longer frame (a suspended machine) counts as this
 MAX_SIDE = 16384  # pixels, as on the command line
 ACTIONS = (
     "map",
@@ -103,17 +103,17 @@ def tick_line(tick: Tick, size: tuple[int, int]) -> dict[str, Any]:
 
 
 class Writer:
-    """Writes a recording under another name, and gives it its own when the walk ends."""
+    """Writes a recording to a temporary file, which gets its name when the walk ends."""
 
     def __init__(self, path: Path, plan: Plan) -> None:
-        """Begin the file; InputError where it cannot be written."""
+        """Create the file; InputError if it cannot be written."""
         self._path, self._size, self._count = path, plan.size, 0
         self._part = path.with_name(f".{path.name}.{os.getpid()}.part")
         if path.is_dir():
             raise InputError(f"--record {path}: expected a file, found a folder")
         self._file: IO[str] | None = None
         try:
-            # Line by line: even a walk that is killed leaves its frames in the other file.
+            # Line buffered: a walk that is killed still leaves its frames in the temporary file.
             self._file = open(self._part, "w", buffering=1, encoding="utf-8")  # noqa: SIM115
         except OSError as error:
             raise InputError(f"--record {path}: cannot be written ({error.strerror})") from None
@@ -128,13 +128,13 @@ class Writer:
             raise InputError(f"--record {self._path}: {error.strerror}") from None
 
     def add(self, tick: Tick) -> None:
-        """Write a frame down."""
+        """Write one frame."""
         self._write(tick_line(tick, self._size))
         self._size = tick.size
         self._count += 1
 
     def finish(self) -> bool:
-        """Close the file and give it its name; tell whether there is one: not without a frame."""
+        """Close the file and give it its name; return False if no frame was recorded."""
         if self._file is None or not self._count:
             self.discard()
             return False
@@ -151,17 +151,17 @@ class Writer:
         return True
 
     def discard(self) -> None:
-        """Leave nothing behind."""
+        """Delete the temporary file."""
         if self._file is not None:
             file, self._file = self._file, None
-            # On a full disk closing fails: what could not be written is not wanted any more.
+            # Closing fails on a full disk, but the file is being discarded anyway.
             with suppress(OSError):
                 file.close()
             self._part.unlink(missing_ok=True)
 
 
 def read(path: Path) -> tuple[Plan, list[Tick]]:
-    """Read a recording; InputError names the file and the line that is not as expected."""
+    """Read a recording; InputError names the file and the first bad line."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except OSError as error:
@@ -233,7 +233,7 @@ def _plan(line: Mapping[str, Any]) -> Plan:
     x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
     x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -1e6, 1e6)
     y = None if y is None else _number(y, "pose", -1e6, 1e6)
-    # Recordings made before there were several scenes name none: the first is meant.
+    # Older recordings name no scene: they are of the first one.
     kind = scene(_kind(line.get("scene", ""), "scene", str))
     only = kind.only(_names(line["only"], "only"))
     seed = _kind(line["seed"], "seed", int)

@@ -1,4 +1,4 @@
-"""Where the walker stands and how he moves (Position, section 8.2). No OpenGL here.
+"""The walker: where the eye stands and how it moves (Position in 2006, section 8.2). No OpenGL.
 
 The report moves the walker a fixed dL per key event: x += dL sin(yaw), z -= dL cos(yaw) plus
 0.0005 cos(step/4), eye = height(x, z) + 0.006 cos(step/3) + 0.1. Here the same is said per second,
@@ -18,13 +18,11 @@ from landscape.scene import Terrain
 
 RADIUS = 0.05  # chosen: units, half the walker's width; 2.5 times the near plane's distance
 MARGIN = 0.1  # chosen: units kept from the map's border
-STRIDE = (
-    0.02  # chosen: units moved at once near a wall, far less than a wall and a walker are thick
-)
+STRIDE = 0.02  # chosen: units, the longest step near a wall; far less than a wall's thickness
 WANDER = 0.0005  # section 8.2: units a step drifts to the north, times cos(step / 4)
 FLY = 2.0  # chosen: times the walking speed
-FLOOR = 0.05  # chosen: units a flyer keeps above the ground, the water and the castle
-FALL = 6.0  # chosen: units per second, from where flying ends to the ground
+FLOOR = 0.05  # chosen: units a flying eye keeps above the ground, the water and obstacles
+FALL = 6.0  # chosen: units per second, falling after a flight
 SWEEP = 360.0  # chosen: degrees of yaw across the window's width
 MAX_PITCH = 89.0  # degrees; at 90 "forward" would have no direction on the map
 
@@ -50,7 +48,7 @@ class Intent:
 
 @dataclass(frozen=True)
 class Walker:
-    """The eye's place in units, yaw and pitch in degrees, and what the body does.
+    """The eye's position in units, yaw and pitch in degrees, and the state of the body.
 
     ``step`` is the report's k_step; ``drop`` the height in units still to fall after a flight;
     ``stroke`` is 0 at rest and 1 to 4 in a stroke of the sword, ``struck`` kt ago.
@@ -74,12 +72,12 @@ class Walker:
 
 
 def _gap(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, float, float]:
-    """Return the nearest obstacle's gap and way out; infinity where there is none."""
+    """Return the distance to the nearest obstacle and the direction away; infinity if none."""
     return min((o.gap(x, z) for o in obstacles), default=(math.inf, 1.0, 0.0))
 
 
 def push_out(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, float]:
-    """Return the place nearest to x, z in units where the walker touches no obstacle.
+    """Return the point nearest to x, z, in units, where the walker touches no obstacle.
 
     Where a wall meets a tower each push may lead into the other: eight come close enough.
     """
@@ -94,7 +92,7 @@ def push_out(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, 
 def aimed(
     walker: Walker, cursor: tuple[float, float], size: tuple[int, int], mouse: float
 ) -> tuple[float, float]:
-    """Return the look, pixels to the right and down, that turns the head where the cursor points.
+    """Return the look, in pixels right and down, that turns the view to where the cursor points.
 
     In 2006 the mouse's place set the rotation (R13): here the window's width is SWEEP degrees of
     yaw with north in its middle, its height as many of pitch as fit. ``cursor`` and ``size`` are in
@@ -128,12 +126,12 @@ def advance(
     obstacles: Sequence[Obstacle],
     settings: Any,
 ) -> Walker:
-    """Return the walker ``seconds`` later; however long that is, he goes through no wall."""
+    """Return the walker ``seconds`` later; a long frame never takes it through a wall."""
     walk = settings.walk
     walker = _strike(walker, intent, seconds * settings.clock.kt_per_second, settings)
     turned = intent.turn * walk.turn * seconds + intent.look[0] * walk.mouse
     pitch = walker.pitch - intent.look[1] * walk.mouse
-    # Walking on a curve: the direction half-way is right at any frame rate, nearly.
+    # On a curve, the heading half-way through the frame depends least on the frame rate.
     heading = walker.yaw + turned / 2
     walker = replace(
         walker,
@@ -150,7 +148,7 @@ def advance(
 
 
 def _strike(walker: Walker, intent: Intent, kt: float, settings: Any) -> Walker:
-    """Go on with the sword's stroke, or begin one; one that runs is not begun again."""
+    """Advance the sword's stroke, or start one if none is running."""
     if walker.stroke == 0:
         return replace(walker, stroke=1, struck=0.0) if intent.strike else walker
     struck = walker.struck + kt
@@ -161,13 +159,13 @@ def _strike(walker: Walker, intent: Intent, kt: float, settings: Any) -> Walker:
 
 
 def eye_height(x: float, z: float, step: float, ground: Terrain, settings: Any) -> float:
-    """Return the walking eye's y in units: the ground or the water, the bob, and the body."""
+    """Return the walking eye's y in units: ground or water, plus the bob, plus eye height."""
     walk = settings.walk
     return float(ground.height(x, z)) + walk.bob * math.cos(step / 3) + walk.eye
 
 
 def _take_off_or_land(walker: Walker, ground: Terrain, settings: Any) -> Walker:
-    """Begin to fly where the eye is, or begin to fall from there."""
+    """Start flying at the eye's position, or start falling from it."""
     if not walker.flying:
         return replace(walker, flying=True, drop=0.0)
     height = walker.y - eye_height(walker.x, walker.z, walker.step, ground, settings)
@@ -175,12 +173,12 @@ def _take_off_or_land(walker: Walker, ground: Terrain, settings: Any) -> Walker:
 
 
 def _solid(obstacles: Sequence[Obstacle], y: float) -> list[Obstacle]:
-    """Return the obstacles that an eye at y cannot pass over."""
+    """Return the obstacles too high for an eye at ``y`` to pass over."""
     return [o for o in obstacles if y < o.top + FLOOR]
 
 
 def _inside(x: float, z: float, ground: Terrain) -> tuple[float, float]:
-    """Return x, z moved on to the map."""
+    """Return x, z clamped to the map."""
     last = ground.size - MARGIN
     return min(max(x, MARGIN), last), min(max(z, MARGIN), last)
 
@@ -191,7 +189,7 @@ def _reachable(
     ground: Terrain,
     solid: Sequence[Obstacle],
 ) -> tuple[float, float]:
-    """Return where a short move ends: slid along a wall, or not made at all in a corner."""
+    """Return where a short move ends: it slides along walls, and stops in a corner."""
     x, z = _inside(*push_out(*_inside(*to, ground), solid), ground)
     free = _gap(x, z, solid)[0] >= RADIUS - 1e-6
     return (x, z) if free or start == to else start
@@ -208,7 +206,7 @@ def _walk(
 ) -> Walker:
     """Walk up to ``reach`` units towards ``heading`` in degrees, on the ground or in the water."""
     long = math.hypot(intent.forward, intent.right)
-    # Both keys at once go no faster than one.
+    # Two keys held together are no faster than one.
     left = min(reach * min(long, 1.0), 2 * ground.size)
     c, s = math.cos(math.radians(heading)), math.sin(math.radians(heading))
     ux = (intent.forward * s + intent.right * c) / (long or 1.0)
@@ -217,10 +215,10 @@ def _walk(
     solid = _solid(obstacles, eye_height(x, z, step, ground, settings) + walker.drop)
     x, z = _reachable((x, z), (x, z), ground, solid)
     while left > 1e-12:
-        # Far from any wall the rest is one move; near it none is longer than a STRIDE.
+        # Far from obstacles the rest is one move; near them no move is longer than STRIDE.
         stride = min(left, max(_gap(x, z, obstacles)[0] - RADIUS, STRIDE))
         after = step + stride * settings.walk.steps_per_unit
-        # The sum of the report's small term over the steps made.
+        # The report's small term, summed over the steps of this move.
         drift = 4 * WANDER * (math.sin(after / 4) - math.sin(step / 4))
         to = x + stride * ux, z + stride * uz - drift
         there = _reachable((x, z), to, ground, solid)
@@ -242,7 +240,7 @@ def _fly(
     ground: Terrain,
     obstacles: Sequence[Obstacle],
 ) -> Walker:
-    """Fly up to ``reach`` units along the line of sight, aside and up, over the walls at most."""
+    """Fly up to ``reach`` units along the line of sight, sideways and up, above all obstacles."""
     fx, fy, fz = Pose(0.0, 0.0, 0.0, heading, walker.pitch).forward
     c, s = math.cos(math.radians(heading)), math.sin(math.radians(heading))
     vx = intent.forward * fx + intent.right * c
@@ -258,7 +256,7 @@ def _fly(
         x, z = _reachable((x, z), to, ground, _solid(obstacles, y))
         under = [o.top for o in obstacles if o.gap(x, z)[0] < RADIUS - 1e-6 and y >= o.top + FLOOR]
         floor = max([float(ground.height(x, z)), *under]) + FLOOR
-        # As high as the map is wide: from there the whole island is in view.
+        # The ceiling is as high as the map is wide: from there all of it is in view.
         y = min(max(y + stride * vy, floor), max(ground.size, floor))
         left -= stride * speed
         if left <= 1e-12:

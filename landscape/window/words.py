@@ -1,4 +1,4 @@
-"""All words the window shows, by language. English is complete; others may leave texts out."""
+"""All texts of the window, by language. English is complete; others may leave texts out."""
 
 from collections.abc import Mapping
 
@@ -6,21 +6,21 @@ TEXTS: dict[str, dict[str, str]] = {
     "en": {
         "help.title": "Keys",
         "help.walk": "walk (arrows up and down as well)",
-        "help.turn": "turn; or click, then move the mouse",
-        "help.escape": "let the mouse go; again: leave",
+        "help.turn": "turn (or click, then move the mouse)",
+        "help.escape": "release the mouse; again to quit",
         "help.run": "run",
         "help.strike": "strike with the sword (or left button)",
-        "help.fly": "fly, walk again",
+        "help.fly": "fly, or walk again",
         "help.up_down": "fly up and down",
         "help.map": "map",
         "help.wireframe": "wireframe",
         "help.fog": "fog",
         "help.reflection": "reflection in the water",
         "help.sorting": "sorting of the trees",
-        "help.next_fix": "choose the next remedy",
-        "help.fix": "turn the chosen remedy on or off",
+        "help.next_fix": "choose the next fix",
+        "help.fix": "turn the chosen fix on or off",
         "help.fullscreen": "full screen",
-        "help.screenshot": "save a picture",
+        "help.screenshot": "save a screenshot",
         "help.help": "these keys",
         "key.up": "Up",
         "key.down": "Down",
@@ -49,27 +49,27 @@ TEXTS: dict[str, dict[str, str]] = {
         "fix.on": "on",
         "fix.off": "off",
         "saved": "{name} saved",
-        "not_saved": "the picture could not be saved here",
+        "not_saved": "the screenshot could not be saved here",
         "no_monitor": "no full screen here",
     },
     "fr": {
         "help.title": "Touches",
         "help.walk": "marcher (ou flèches haut et bas)",
-        "help.turn": "tourner ; ou cliquer, puis la souris",
-        "help.escape": "libérer la souris ; encore : quitter",
+        "help.turn": "tourner (ou cliquer, puis bouger la souris)",
+        "help.escape": "libérer la souris ; encore une fois : quitter",
         "help.run": "courir",
         "help.strike": "coup d'épée (ou bouton gauche)",
-        "help.fly": "voler, marcher de nouveau",
+        "help.fly": "voler, ou marcher de nouveau",
         "help.up_down": "monter et descendre en vol",
         "help.map": "carte",
         "help.wireframe": "fil de fer",
         "help.fog": "brouillard",
         "help.reflection": "reflet dans l'eau",
         "help.sorting": "tri des arbres",
-        "help.next_fix": "choisir le remède suivant",
-        "help.fix": "mettre ou ôter le remède choisi",
+        "help.next_fix": "choisir la correction suivante",
+        "help.fix": "activer ou désactiver la correction",
         "help.fullscreen": "plein écran",
-        "help.screenshot": "enregistrer une image",
+        "help.screenshot": "enregistrer une capture d'écran",
         "help.help": "ces touches",
         "key.up": "Haut",
         "key.down": "Bas",
@@ -93,8 +93,8 @@ TEXTS: dict[str, dict[str, str]] = {
         "reflection.off": "sans reflet",
         "sorting.on": "arbres triés",
         "sorting.off": "arbres non triés",
-        "fix.on": "mis",
-        "fix.off": "ôté",
+        "fix.on": "activé",
+        "fix.off": "désactivé",
         "saved": "{name} enregistré",
         "not_saved": "l'image ne peut être enregistrée ici",
         "no_monitor": "pas de plein écran ici",
@@ -103,7 +103,7 @@ TEXTS: dict[str, dict[str, str]] = {
 
 
 def language(environment: Mapping[str, str]) -> str:
-    """Return the language the environment asks for and TEXTS has, else "en".
+    """Return the first language the environment asks for that TEXTS has, else "en".
 
     LANGUAGE may list several, best first; else LC_ALL, LC_MESSAGES and LANG count, in this order.
     """
