@@ -251,10 +251,11 @@ def _pose(text: str) -> Pose:
     parts = [part.strip() for part in text.split(",")]
     if len(parts) != 5:
         raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y,Z,YAW,PITCH")
-    numbers = [float("nan") if part == "ground" else _number(part) for part in parts]
-    if any(part == "ground" for k, part in enumerate(parts) if k != 1):
+    x, y, *rest = parts
+    if "ground" in (x, *rest):
         raise argparse.ArgumentTypeError(f"{text!r}: only Y may be `ground`")
-    return Pose(*numbers)
+    height = None if y == "ground" else _number(y)
+    return Pose(_number(x), height, *map(_number, rest))
 
 
 def _changes(options: argparse.Namespace) -> dict[str, Any]:

@@ -3,16 +3,21 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where the eye is: x, y, z in units; yaw 0 looks north (-z), 90 east (+x); pitch up."""
+    """Where the eye is: x, y, z in units; yaw 0 looks north (-z), 90 east (+x); pitch up.
+
+    ``y`` is a number in everything that is drawn; None means eye height above the ground, and
+    ``View.place`` replaces it.
+    """
 
     x: float
-    y: float
+    y: Any
     z: float
     yaw: float = 0.0
     pitch: float = 0.0

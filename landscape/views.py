@@ -22,7 +22,7 @@ SCENE = tuple(e for e in ALL if e not in ("sword", "map"))
 
 @dataclass(frozen=True)
 class View:
-    """A place and its switches. ``pose.y`` may be NaN: eye height above the ground."""
+    """A place and its switches. ``pose.y`` may be None: eye height above the ground."""
 
     name: str
     shows: str
@@ -42,7 +42,7 @@ class View:
     def place(self, ground: "HeightField", eye: float) -> Pose:
         """Return the pose with its y: ``eye`` units above the ground where none is given."""
         pose = self.pose
-        if pose.y == pose.y:
+        if pose.y is not None:
             return pose
         y = float(ground.height(pose.x, pose.z)) + eye
         return Pose(pose.x, y, pose.z, pose.yaw, pose.pitch)
@@ -50,7 +50,7 @@ class View:
 
 def walking(x: float, z: float, yaw: float, pitch: float = 0.0) -> Pose:
     """Return a pose at eye height above the ground."""
-    return Pose(x, float("nan"), z, yaw, pitch)
+    return Pose(x, None, z, yaw, pitch)
 
 
 def _table(*views: View) -> dict[str, View]:

@@ -403,7 +403,7 @@ with landscape.Offscreen(size=(640, 480), settings={"fog.density": 0.05}, **opti
     assert (abs(pixels[0].astype(int) - fog) <= 1).all()
     assert (abs(pixels[-1].astype(int) - fog) > 1).any()
     kept = pixels.copy()
-    view.look((20.0, float("nan"), 20.0, 0.0, 0.0))
+    view.look((20.0, None, 20.0, 0.0, 0.0))
     ground = float(view.island.ground.field.height(20.0, 20.0))
     assert abs(view.moment.pose.y - ground - 0.1) < 1e-6
     assert (view.draw() != kept).any() and (pixels == kept).all(), "a picture was drawn over"

@@ -45,7 +45,7 @@ def hills(seed: int = 1) -> HeightField:
 
 
 def at(x: float, z: float, yaw: float = 0.0, field: HeightField | None = None) -> Walker:
-    return start(Pose(x, math.nan, z, yaw, 0.0), field or flat(), SETTINGS)
+    return start(Pose(x, None, z, yaw, 0.0), field or flat(), SETTINGS)
 
 
 def go(walker, intent, seconds, field=None, obstacles=(), frames=1, settings=SETTINGS):
@@ -303,7 +303,7 @@ def test_one_who_falls_on_a_wall_slips_off_it():
 
 def test_a_view_from_above_starts_in_flight_and_one_at_eye_height_on_foot():
     assert start(Pose(20, 3.0, 20), flat(), SETTINGS).flying
-    for y in (math.nan, 1.1, 0.2):
+    for y in (None, 1.1, 0.2):
         walker = start(Pose(20, y, 20, 12.0, -3.0), flat(), SETTINGS)
         assert not walker.flying
         assert walker.y == pytest.approx(1.106)

@@ -258,7 +258,7 @@ def test_the_panel_shows_its_texels_one_to_one(stage: Stage) -> None:
 
 def plan(**changes: Any) -> Plan:
     values = with_settings(preset("best"), {"fog.density": 0.1 + 0.2, "water.color": (0, 1, 0, 1)})
-    settled = Plan(values, "fig35e", Pose(21.1, math.nan, 20.5, 62.0, 3.0), (320, 240), 50.0, 7)
+    settled = Plan(values, "fig35e", Pose(21.1, None, 20.5, 62.0, 3.0), (320, 240), 50.0, 7)
     return dataclasses.replace(settled, **changes)
 
 
@@ -283,7 +283,7 @@ def test_a_recording_reads_back_to_the_last_bit(tmp_path: Path) -> None:
     got, ticks = recording.read(write(tmp_path / "a.jsonl", wanted, TICKS))
     assert (got, ticks) == (wanted, TICKS)
     got, _ = recording.read(write(tmp_path / "a.jsonl", plan(), TICKS))
-    assert math.isnan(got.pose.y)
+    assert got.pose.y is None
     assert [path.name for path in tmp_path.iterdir()] == ["a.jsonl"]
 
 
@@ -420,7 +420,7 @@ def capture(walk):
 def move(x, y): return lambda walk: walk.hands.motion(x, y)
 
 path, changes = Path(sys.argv[1]), json.loads(sys.argv[2])
-plan = Plan(with_settings(preset("best"), changes), "", Pose(20.0, float("nan"), 30.0, 190.0),
+plan = Plan(with_settings(preset("best"), changes), "", Pose(20.0, None, 30.0, 190.0),
             (160, 120), 20.0, 2006)
 live = Watched(plan, Assets(), "osmesa")
 live.seen, live.script = [], {

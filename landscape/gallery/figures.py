@@ -136,7 +136,7 @@ def fix_panel(fix: Fix, after: bool) -> Panel:
     changes = fix.settings(after)
     place = fix.place(after)
     numbers = (place.x, place.y, place.z, place.yaw, place.pitch)
-    pose = ",".join("ground" if v != v else f"{v:g}" for v in numbers)
+    pose = ",".join("ground" if v is None else f"{v:g}" for v in numbers)
     command = ["landscape", "render", f"--pose={pose}", "--only", ",".join(fix.only)]
     command += ["--preset", "2006", "--size", f"{SIZE[0]}x{SIZE[1]}", "--kt", f"{fix.kt:g}"]
     for key, value in changes.items():

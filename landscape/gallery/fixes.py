@@ -10,7 +10,7 @@ from typing import Any
 from landscape.frame import Pose
 from landscape.views import SCENE, VIEWS
 
-GROUND = float("nan")  # a pose's y: eye height above the ground
+GROUND = None  # a pose's y: eye height above the ground
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Fix:
         return {**self.common, **(self.on if after else self.off)}
 
     def place(self, after: bool) -> Pose:
-        """Return one picture's pose; y is NaN where it follows the ground."""
+        """Return one picture's pose; y is None where it follows the ground."""
         if after and self.after_pose is not None:
             return self.after_pose
         return VIEWS[self.view].pose if isinstance(self.view, str) else self.view

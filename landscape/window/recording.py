@@ -7,7 +7,6 @@ full. Assets are not kept: a walk over one's own island needs the same ``--asset
 """
 
 import json
-import math
 import os
 from collections.abc import Mapping
 from contextlib import suppress
@@ -40,7 +39,7 @@ ACTIONS = (
 
 @dataclass(frozen=True)
 class Plan:
-    """What a walk starts from; ``pose.y`` may be NaN: eye height above the ground."""
+    """What a walk starts from; ``pose.y`` may be None: eye height above the ground."""
 
     settings: Settings
     view: str
@@ -68,12 +67,12 @@ class Tick:
 
 
 def plan_line(plan: Plan) -> dict[str, Any]:
-    """Return a plan as JSON; a y of NaN, which JSON has not, becomes null."""
+    """Return a plan as JSON; a y of None becomes null."""
     pose = plan.pose
     return {
         "landscape walk": VERSION,
         "view": plan.view,
-        "pose": [pose.x, None if math.isnan(pose.y) else pose.y, pose.z, pose.yaw, pose.pitch],
+        "pose": [pose.x, pose.y, pose.z, pose.yaw, pose.pitch],
         "kt": plan.kt,
         "size": list(plan.size),
         "seed": plan.seed,
@@ -228,7 +227,7 @@ def _names(value: Any, name: str) -> tuple[str, ...]:
 def _plan(line: Mapping[str, Any]) -> Plan:
     x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
     x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -1e6, 1e6)
-    y = math.nan if y is None else _number(y, "pose", -1e6, 1e6)
+    y = None if y is None else _number(y, "pose", -1e6, 1e6)
     only = _names(line["only"], "only")
     if not set(only) <= set(ELEMENTS):
         raise ValueError(f"only: expected some of {', '.join(ELEMENTS)}")

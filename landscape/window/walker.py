@@ -147,9 +147,9 @@ def aimed(
 
 
 def start(pose: Pose, field: HeightField, settings: Settings) -> Walker:
-    """Return a walker at a pose; one well above the eye's height flies, y = NaN means walking."""
+    """Return a walker at a pose; one well above eye height flies, y = None means walking."""
     at_eye = float(field.height(pose.x, pose.z)) + settings.walk.eye
-    flying = pose.y > at_eye + settings.walk.bob + FLOOR
+    flying = pose.y is not None and pose.y > at_eye + settings.walk.bob + FLOOR
     walker = Walker(pose.x, pose.y if flying else at_eye, pose.z, pose.yaw, pose.pitch, 0.0, flying)
     return advance(walker, Intent(), 0.0, field, (), settings)
 
