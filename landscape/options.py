@@ -62,9 +62,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         return sub
 
     walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
-    walk.add_argument(
-        "view", nargs="?", default="", metavar="VIEW", help="or a scene"
-    )
+    walk.add_argument("view", nargs="?", default="", metavar="VIEW", help="or a scene")
     walk.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
     walk.add_argument("--fullscreen", action="store_true")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
@@ -76,9 +74,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     render.add_argument("views", nargs="*", metavar="VIEW", help="see `landscape views`")
     render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
-    render.add_argument(
-        "--kt", type=_number, metavar="N", help="animation time"
-    )
+    render.add_argument("--kt", type=_number, metavar="N", help="animation time")
     render.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
     _common(render, samples=4)
 

@@ -5,12 +5,9 @@ import pytest
 from stage import Stage, small
 
 from landscape.elements.sky_box import SkyBox, cloud_disc
-from landscape.files.assets import Assets, shipped
-from landscape.fixes import FIXES
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
-from landscape.keys import get, with_settings
-from landscape.settings import preset
 
 BACK = {"sky.follow_y": True, "sky.background": True, "sky.unfogged": True}
 
@@ -87,20 +84,3 @@ def test_r10_corner_and_middle_of_a_wall_are_equally_hazed(
     box.release()
     apart = np.abs(seen[0] - seen[1]).max()
     assert apart <= 2 if unfogged else apart > 20
-
-
-@pytest.mark.parametrize("fix", FIXES, ids=lambda fix: fix.name)
-def test_every_pair_differs_in_settings_and_2006_is_its_before(fix) -> None:
-    assert fix.off.keys() <= fix.on.keys() and dict(fix.off) != dict(fix.on)
-    before = preset("2006")
-    for key, value in fix.off.items():
-        if fix.name != "R18":
-            assert get(before, key) == value, key
-    assert with_settings(before, fix.settings(True)) != with_settings(before, fix.settings(False))
-
-
-def test_there_is_a_pair_for_each_remedy_of_the_report() -> None:
-    assert {f"R{k}" for k in range(1, 20)} == {
-        fix.name.rstrip("ab") for fix in FIXES if fix.name.startswith("R")
-    }
-    assert shipped().is_dir()

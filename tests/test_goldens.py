@@ -1,8 +1,8 @@
-"""Golden pictures: each element alone and whole scenes, at fixed places, times and settings.
+"""Golden pictures: each element alone and whole scenes, with fixed poses, times and settings.
 
-To accept what is drawn now: pytest tests/test_goldens.py --update-golden, and look at each picture
-that changed. The settings below are the tests' own: tuning the presets or the named views does not
-change these pictures, changing an asset or an element does.
+To accept new pictures, run pytest tests/test_goldens.py --update-golden and look at each one that
+changed. The settings below belong to these tests: changing a preset or a named view does not affect
+the pictures, changing an asset or an element does.
 """
 
 from collections.abc import Iterator
@@ -16,6 +16,7 @@ from stage import Stage
 
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.gallery.compare import AMPLIFICATION, agree
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import recording
 from landscape.gl.framebuffer import Framebuffer
@@ -46,7 +47,7 @@ CHOSEN: dict[str, Any] = {
     **{"dragon.x": 11.0, "dragon.z": 29.0, "dragon.yaw": 30.0, "dragon.scale": 0.9},
     **{"dragon.sink": -0.15, "overlay.map_alpha": 0.75},
 }
-"""What the report does not give, as these pictures have it."""
+"""Values for what the report does not give."""
 
 BETTER: dict[str, Any] = {
     **{"ground.resolution": 100, "ground.height_image": "height16.png", "ground.mid_repeat": 13.0},
@@ -64,13 +65,13 @@ BETTER: dict[str, Any] = {
     **{"grass.count": 1_000_000, "grass.scale": (0.9, 1.3), "grass.radius": 5.0},
     **{"fog.density": 0.04, "fog.color": (0.66, 0.76, 0.84)},
 }
-"""Every technique beyond the report that the preset best turns on."""
+"""Techniques beyond the report, as the preset `best` turns them on."""
 
-WALK = 0.1  # units: the eye above the ground
+EYE = 0.1  # units above the ground
 
 
 def stand(field: HeightField, x: float, z: float, yaw: float, pitch: float = 0.0) -> Pose:
-    return Pose(x, float(field.height(x, z)) + WALK, z, yaw, pitch)
+    return Pose(x, float(field.height(x, z)) + EYE, z, yaw, pitch)
 
 
 COAST = Pose(9.0, 1.0, 33.0, 25.0, -6.0)
@@ -103,7 +104,7 @@ SCENES: dict[str, Any] = {
 
 @pytest.fixture(scope="module")
 def islands(the_stage: Stage) -> Iterator[dict[str, Island]]:
-    """The island of 2006, and the one with everything better, both with the settings above."""
+    """The island of 2006 and the improved one, both with the settings above."""
     the_stage.enter()
     old = with_settings(Settings(), CHOSEN)
     made = {
@@ -118,7 +119,7 @@ def islands(the_stage: Stage) -> Iterator[dict[str, Island]]:
 
 @pytest.fixture(scope="module")
 def target(the_stage: Stage) -> Iterator[Framebuffer]:
-    """A larger target for the whole scenes."""
+    """A larger target, for whole scenes."""
     the_stage.enter()
     made = Framebuffer(LARGE)
     the_stage.target.bind()
@@ -153,7 +154,7 @@ def test_an_element_looks_as_it_did(
     stage: Stage, islands: dict[str, Island], request: pytest.FixtureRequest, name: str
 ) -> None:
     picture = draw(stage, islands["2006"], *ELEMENTS[name])
-    assert picture.std() > 5, "a golden picture of nothing proves nothing"
+    assert picture.std() > 5, "an empty golden picture proves nothing"
     pictures.check(name, picture, request.config.getoption("--update-golden"))
 
 
@@ -184,15 +185,15 @@ def test_a_whole_scene_looks_as_it_did(
 
 @pytest.fixture
 def coast(stage: Stage, islands: dict[str, Island]) -> np.ndarray:
-    """A picture to spoil."""
+    """A picture to compare with wrong ones."""
     return draw(stage, islands["2006"], COAST, 30, ALL)
 
 
 @pytest.mark.parametrize("same", [True, False])
 def test_the_comparison_fails_on_a_picture_shifted_by_one_pixel(coast, same: bool) -> None:
-    assert pictures.agree(coast, coast, same)
-    assert not pictures.agree(coast, np.roll(coast, 1, axis=1), same)
-    assert not pictures.agree(coast, np.roll(coast, 1, axis=0), same)
+    assert agree(coast, coast, same)
+    assert not agree(coast, np.roll(coast, 1, axis=1), same)
+    assert not agree(coast, np.roll(coast, 1, axis=0), same)
 
 
 @pytest.mark.parametrize("same", [True, False])
@@ -202,7 +203,7 @@ def test_the_comparison_fails_when_one_element_is_missing(
 ) -> None:
     gone = {missing} if missing != "trees" else {"trees", "deer", "plants"}
     without = draw(stage, islands["2006"], COAST, 30, tuple(e for e in ALL if e not in gone))
-    assert not pictures.agree(coast, without, same)
+    assert not agree(coast, without, same)
 
 
 def test_the_comparison_fails_on_one_wrong_blend_function(
@@ -216,24 +217,24 @@ def test_the_comparison_fails_on_one_wrong_blend_function(
     expected = draw(stage, islands["2006"], *ELEMENTS["castle"])
     with recording(wrong):
         spoilt = draw(stage, islands["2006"], *ELEMENTS["castle"])
-    assert not pictures.agree(expected, spoilt, same_renderer=False)
+    assert not agree(expected, spoilt, same_renderer=False)
 
 
-def test_levels_are_compared_as_signed_numbers_and_a_few_are_forgiven() -> None:
+def test_levels_are_compared_as_signed_numbers_and_few_pixels_may_differ_by_more() -> None:
     black = np.zeros((100, 100, 3), np.uint8)
     one, four, five = (np.full_like(black, level) for level in (1, 4, 5))
-    assert pictures.agree(black, one, True) and pictures.agree(one, black, True)
-    assert not pictures.agree(black, four, True)
-    assert pictures.agree(four, black, False) and not pictures.agree(black, five, False)
+    assert agree(black, one, True) and agree(one, black, True)
+    assert not agree(black, four, True)
+    assert agree(four, black, False) and not agree(black, five, False)
     specks = black.copy()
-    specks[0, :10] = 255  # a thousandth of the pixels
-    assert pictures.agree(black, specks, False) and not pictures.agree(black, specks, True)
+    specks[0, :10] = 255  # 0.1 % of the pixels
+    assert agree(black, specks, False) and not agree(black, specks, True)
     specks[0, 10] = 255
-    assert not pictures.agree(black, specks, False)
-    assert not pictures.agree(black, black[:50], False)
+    assert not agree(black, specks, False)
+    assert not agree(black, black[:50], False)
 
 
-def test_a_missing_golden_fails_and_a_wrong_one_leaves_three_pictures(
+def test_a_missing_golden_fails_and_a_difference_leaves_three_pictures(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, tmp_path, coast: np.ndarray
 ) -> None:
     monkeypatch.setattr(pictures, "GOLDEN", tmp_path / "golden")
@@ -251,7 +252,7 @@ def test_a_missing_golden_fails_and_a_wrong_one_leaves_three_pictures(
     names = sorted(path.name for path in (tmp_path / "failures").iterdir())
     assert names == ["coast-actual.png", "coast-difference.png", "coast-expected.png"]
     shown = np.asarray(Image.open(tmp_path / "failures" / "coast-difference.png"))
-    assert shown[50, 50].min() == 9 * pictures.AMPLIFIED and shown[0, 0].max() == 0
+    assert shown[50, 50].min() == 9 * AMPLIFICATION and shown[0, 0].max() == 0
 
 
 def test_every_golden_picture_belongs_to_a_test() -> None:

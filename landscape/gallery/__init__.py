@@ -1,1 +1,1 @@
-"""The gallery: the report's figures made again, and the fixes in pairs of pictures."""
+"""The gallery: the report's figures drawn again, and the fixes in pairs of pictures."""

@@ -1,0 +1,134 @@
+"""What the preset `best` adds beyond the report, as pairs of pictures, before and after."""
+
+from typing import Any
+
+from landscape.fixes.fix import Fix
+from landscape.frame import Pose
+
+SEA_OF_BEST: dict[str, Any] = {
+    "water.fresnel": True,
+    "reflection.rippled": True,
+    "ground.resolution": 160,
+    "water.color": (0.16, 0.32, 0.38, 0.88),
+    "fog.density": 0.05,
+}
+
+BEST_FIXES: tuple[Fix, ...] = (
+    Fix(
+        "best1",
+        "Clear shallows",
+        Pose(8.0, 2.0, 30.0, -20.0, -35.0),
+        20.0,
+        {"water.shallow": False},
+        {"water.shallow": True},
+        "In fig9a the sea is equally dark everywhere, and meets the beach in a hard edge.",
+        "Follow the edge of the sand. Before, it is a sharp, angular line; after, the sea floor "
+        "shows through where the water is shallow, and the sea turns from turquoise to blue.",
+        "A texture of the water's depth, on a second texture unit, sets the colour of the water "
+        "and its alpha (for glBlendFunc). The ground is now drawn a little below the water as "
+        "well.",
+        (
+            "a wooded spit of sand in dark water, with an angular edge",
+            "the same spit fading softly into turquoise water",
+        ),
+        common=SEA_OF_BEST,
+        only=("ground", "water", "sky", "trees", "reflection", "fog"),
+    ),
+    Fix(
+        "best2",
+        "Foam along the beach",
+        Pose(8.0, 1.6, 30.2, -20.0, -35.0),
+        20.0,
+        {"water.foam": False},
+        {"water.foam": True},
+        "In fig11a the water just ends where the beach begins.",
+        "After, white lines of foam run around the sand; in the walk they move towards it.",
+        "A strip of triangles along the coast has a texture of breakers. Across the strip the "
+        "texture coordinate is the depth of the water, and the texture matrix moves it with time. "
+        "A second texture, full of holes, frays the lines.",
+        (
+            "a spit of sand in clear water",
+            "the same spit with white foam around it",
+        ),
+        common={**SEA_OF_BEST, "water.shallow": True},
+        only=("ground", "water", "sky", "reflection", "fog"),
+    ),
+    Fix(
+        "best3",
+        "The sun on the water",
+        Pose(4.0, 0.9, 38.0, 250.0, -6.0),
+        40.0,
+        {"water.glitter": 0.0},
+        {"water.glitter": 0.35},
+        "In fig14a and all other figures no sunlight glints on the sea.",
+        "The sun is low, straight ahead. After, its light lies on the water as a broken, "
+        "glittering path.",
+        "The water is drawn once more with additive blending (GL_SRC_ALPHA, GL_ONE). The better "
+        "the slope at a vertex mirrors the sun to the eye, the brighter the vertex; two moving "
+        "textures of sparkles break the light up.",
+        (
+            "a calm sea at sunset without any glint",
+            "the same sea with a narrow path of light under the sun",
+        ),
+        common={
+            "sky.set": "sunset",
+            "sun.azimuth": 250.0,  # where the textures of the sunset have it
+            "sun.elevation": 5.0,
+            "sun.diffuse": (1.0, 0.8, 0.55),
+            "fog.color": (0.86, 0.72, 0.6),
+            "water.fresnel": True,
+            "water.horizon": 400.0,
+            "fog.density": 0.03,
+            "reflection.rippled": True,
+            "sky.background": True,
+        },
+        only=("water", "sky", "reflection", "fog"),
+    ),
+    Fix(
+        "best4",
+        "Turf, sand and rock",
+        Pose(31.6, 0.9, 20.5, 300.0, 3.0),
+        0.0,
+        {"ground.materials": False, "ground.mid_repeat": 0.0},
+        {"ground.materials": True, "ground.mid_repeat": 13.0},
+        "In fig4c the same grain lies on grass, sand and rock.",
+        "Before, the whole slope has one fine grain; after, the steep parts are cracked rock, the "
+        "flat ones turf.",
+        "Four texture units mix three detail textures: sand where the alpha of the large texture "
+        "says so, rock where the slope is steep (by vertex alpha), turf elsewhere. The colours of "
+        "the large texture multiply the result.",
+        (
+            "a hillside above the sea with the same fine grain everywhere",
+            "the same hillside with cracked rock below and turf above",
+        ),
+        common={"ground.height_image": "height16.png", "ground.resolution": 160},
+        only=("ground", "sky", "fog", "water", "reflection"),
+    ),
+    Fix(
+        "best5",
+        "Grass in tufts",
+        "fig35d",
+        0.0,
+        {"grass.tufts": 0, "grass.variety": 0.0},
+        {"grass.tufts": 7, "grass.variety": 1.0},
+        "In fig22b all blades are alike and evenly spread.",
+        "Both pictures have the same number of blades. Before, they are evenly spread, all of one "
+        "height and colour; after, the meadow has tufts that are taller or shorter, greener or "
+        "browner.",
+        "Seven blades share a root and lean apart; each tuft has its own height and its own "
+        "colour, set per vertex.",
+        (
+            "a stag in even, dull green grass",
+            "the same stag in uneven grass with brown and green tufts",
+        ),
+        common={
+            "grass.tinted": True,
+            "grass.fade": True,
+            "grass.facing": 0.6,
+            "grass.count": 8000000,
+            "grass.scale": (0.4, 1.1),
+            "grass.arch": 4.0,
+            "grass.radius": 7.0,
+        },
+    ),
+)
