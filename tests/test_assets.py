@@ -23,6 +23,7 @@ from landscape.files.meshes import read_ply
 from landscape.files.output import write_whole
 from landscape.geometry.mesh import vertex_normals
 from landscape.tools import asset_check as checks
+from landscape.tools import asset_measures as measures
 from landscape.tools.asset_check import check, report
 
 
@@ -62,20 +63,20 @@ def grain(seed: int = 1, size: int = 64) -> np.ndarray:
 
 def test_a_tile_has_no_seam() -> None:
     tile = np.tile(grain(), (2, 2, 1))[:64, :64]
-    assert all(seam.ok for seam in checks.seams(tile))
+    assert all(seam.ok for seam in measures.seams(tile))
 
 
 @pytest.mark.parametrize("axis", [0, 1])
 def test_a_cut_tile_has_a_seam(axis: int) -> None:
     cut = np.take(grain(), np.arange(40), axis=axis)
-    assert [seam.ok for seam in checks.seams(cut)] == [axis == 1, axis == 0][::-1]
+    assert [seam.ok for seam in measures.seams(cut)] == [axis == 1, axis == 0][::-1]
 
 
 def test_a_step_from_light_to_dark_is_found_in_fine_grain() -> None:
     noise = np.random.default_rng(2).integers(60, 180, (128, 128, 3))
-    assert all(seam.ok for seam in checks.seams(noise.astype(np.uint8)))
+    assert all(seam.ok for seam in measures.seams(noise.astype(np.uint8)))
     slope = np.linspace(0, 40, 128)[None, :, None]
-    columns, rows = checks.seams((noise + slope).astype(np.uint8))
+    columns, rows = measures.seams((noise + slope).astype(np.uint8))
     assert not columns.ok and rows.ok
 
 
@@ -98,7 +99,7 @@ def sky() -> dict[str, np.ndarray]:
 
 
 def test_the_faces_of_one_sky_agree_along_all_eight_edges() -> None:
-    edges = checks.sky_edges(sky())
+    edges = measures.sky_edges(sky())
     assert len(edges) == 8
     assert max(edges.values()) <= 2.0
 
@@ -115,13 +116,13 @@ def test_the_faces_of_one_sky_agree_along_all_eight_edges() -> None:
 def test_a_face_that_disagrees_is_found(face: str, part: Any, edge: str) -> None:
     faces = sky()
     faces[face][part] += 20
-    assert checks.sky_edges(faces)[edge] >= 18.0
+    assert measures.sky_edges(faces)[edge] >= 18.0
 
 
 def test_a_mirrored_face_is_found() -> None:
     faces = sky()
     faces["top"] = faces["top"][:, ::-1]
-    assert max(checks.sky_edges(faces).values()) > 20.0
+    assert max(measures.sky_edges(faces).values()) > 20.0
 
 
 def sprite() -> np.ndarray:
@@ -135,28 +136,28 @@ def sprite() -> np.ndarray:
 
 def test_bled_colours_pass_whichever_of_two_near_ones_they_take() -> None:
     rgba = sprite()
-    assert checks.unbled(rgba) == 0
+    assert measures.count_unbled(rgba) == 0
     rgba[3, 11] = (200, 20, 20, 0)
-    assert checks.unbled(rgba) == 0  # red and green squares that are equally near
+    assert measures.count_unbled(rgba) == 0  # red and green squares that are equally near
     rgba[3, 11] = (20, 200, 20, 0)
-    assert checks.unbled(rgba) == 1
+    assert measures.count_unbled(rgba) == 1
 
 
 def test_a_sprite_on_black_is_found() -> None:
     rgba = sprite()
     rgba[rgba[..., 3] == 0] = 0
-    assert checks.unbled(rgba) == 24 * 24 - 64
+    assert measures.count_unbled(rgba) == 24 * 24 - 64
 
 
 def test_coverage_is_kept_for_a_disc_and_lost_for_scattered_dots() -> None:
     y, x = np.mgrid[0:512, 0:512]
     disc = np.zeros((512, 512, 4), np.uint8)
     disc[..., 3] = np.where(np.hypot(x - 256, y - 256) < 180, 255, 0)
-    first, last = checks.coverage(disc)
+    first, last = measures.coverage(disc)
     assert abs(last / first - 1) < 0.05
     dots = np.zeros((512, 512, 4), np.uint8)
     dots[4::12, 4::12, 3] = dots[5::12, 4::12, 3] = dots[4::12, 5::12, 3] = 255
-    first, last = checks.coverage(dots)
+    first, last = measures.coverage(dots)
     assert abs(last / first - 1) > 0.05
 
 
@@ -165,14 +166,14 @@ def test_a_jump_at_the_loops_end_is_found() -> None:
     frames[..., 3] = 255
     for k in range(16):
         frames[k, :, 2 * k : 2 * k + 2, :3] = 200
-    assert checks.loop_steps(frames)[-1] <= checks.loop_steps(frames)[:-1].max()
+    assert measures.loop_steps(frames)[-1] <= measures.loop_steps(frames)[:-1].max()
     frames[15] = 255
-    assert checks.loop_steps(frames)[-1] > checks.loop_steps(frames)[:-2].max()
+    assert measures.loop_steps(frames)[-1] > measures.loop_steps(frames)[:-2].max()
 
 
 def test_frames_are_cut_row_by_row() -> None:
     sheet = np.arange(16).reshape(4, 4).repeat(3, 0).repeat(3, 1)[..., None]
-    cut = checks.frames(sheet, 4)
+    cut = measures.frames(sheet, 4)
     assert cut.shape == (16, 3, 3, 1)
     assert (cut[:, 0, 0, 0] == np.arange(16)).all()
 
@@ -182,24 +183,24 @@ TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], np.uint32)
 
 
 def test_a_closed_mesh_passes_and_a_hole_or_a_turned_face_is_found() -> None:
-    assert checks.open_edges(TETRAHEDRON) == 0
-    assert checks.volume(CORNERS, TETRAHEDRON) == pytest.approx(1 / 6)
-    assert checks.open_edges(TETRAHEDRON[:3]) == 3
+    assert measures.open_edges(TETRAHEDRON) == 0
+    assert measures.volume(CORNERS, TETRAHEDRON) == pytest.approx(1 / 6)
+    assert measures.open_edges(TETRAHEDRON[:3]) == 3
     turned = TETRAHEDRON.copy()
     turned[3] = turned[3, ::-1]
-    assert checks.open_edges(turned) > 0
+    assert measures.open_edges(turned) > 0
 
 
 def test_a_mesh_turned_inside_out_is_found() -> None:
-    assert checks.volume(CORNERS, TETRAHEDRON[:, ::-1]) < 0
+    assert measures.volume(CORNERS, TETRAHEDRON[:, ::-1]) < 0
 
 
 def test_normals_that_look_inward_are_found() -> None:
     regular = np.array([[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]], np.float32)
-    assert checks.volume(regular, TETRAHEDRON) > 0
+    assert measures.volume(regular, TETRAHEDRON) > 0
     normals = vertex_normals(regular, TETRAHEDRON)
-    assert checks.crossed_normals(regular, TETRAHEDRON, normals) == 0.0
-    assert checks.crossed_normals(regular, TETRAHEDRON, -normals) == 1.0
+    assert measures.flipped_normals(regular, TETRAHEDRON, normals) == 0.0
+    assert measures.flipped_normals(regular, TETRAHEDRON, -normals) == 1.0
 
 
 # ---- faults in files --------------------------------------------------------------------------
