@@ -148,8 +148,8 @@ def clear_sky(scene: Scene, d: np.ndarray) -> np.ndarray:
     """Return the tone-mapped clear sky, linear, for unit vectors (..., 3) above the horizon."""
     elevation = np.arcsin(np.clip(d[..., 1], 0.0, 1.0))
     turn = np.arctan2(d[..., 0], -d[..., 2]) - np.radians(scene.azimuth_deg)
-    away = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
-    where = [np.sqrt(elevation / (np.pi / 2)) * 95, away / np.pi * 95]
+    from_sun = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
+    where = [np.sqrt(elevation / (np.pi / 2)) * 95, from_sun / np.pi * 95]
     table = air_table(scene)
     return np.stack(
         [ndimage.map_coordinates(table[..., c], where, order=3, mode="mirror") for c in range(3)],

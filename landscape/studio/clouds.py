@@ -105,9 +105,9 @@ def _density(
         return -60.0, 0.0
     if u < 1.0 or u > ACROSS - 2.0 or w < 1.0 or w > ACROSS - 2.0:
         return -400.0, 0.0
-    away = clear[int(u), int(w)]
-    if away > 2.5 * VOXEL:
-        return -(away - 1.5 * VOXEL), 0.0
+    free_distance = clear[int(u), int(w)]
+    if free_distance > 2.5 * VOXEL:
+        return -(free_distance - 1.5 * VOXEL), 0.0
     value = _depth(field, u, v, w)
     if value < -95.0:
         return min(-8.0, value + 75.0), 0.0

@@ -109,8 +109,8 @@ def convolve_along(noise, along, steps):  # type: ignore[no-untyped-def]
 def draw_hairs(colour, covered, starts, directions, lengths, tints):  # type: ignore[no-untyped-def]
     """Draw single hairs into ``colour`` (h, w, 3) and ``covered`` (h, w), in place.
 
-    Each hair starts at ``starts`` (n, 2: row, column), follows the screen direction ``ways`` (n, 2)
-    for ``lengths`` (n,) samples, and goes from the colour of its root to that times ``tints`` (n,).
+    Each hair starts at ``starts`` (n, 2: row, column) and follows ``directions`` (n, 2) for
+    ``lengths`` (n,) samples, from the colour of its root to that times ``tints`` (n,).
     """
     h, w = covered.shape
     for i in range(starts.shape[0]):

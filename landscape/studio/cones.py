@@ -213,10 +213,10 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                     total = 0.0
                     for c in range(count):
                         cone = cones[selected[c]]
-                        away = max(0.0, round_cone(cone, x, y, z))
+                        surface_distance = max(0.0, round_cone(cone, x, y, z))
                         # Hairless cones (eye, nose, hooves) do not blend with their neighbours.
                         spread = 0.35 * cone[8] + 0.004
-                        weight = np.exp(-((away / spread) ** 2))
+                        weight = np.exp(-((surface_distance / spread) ** 2))
                         if cone[10] == 0.0:
                             weight *= 40.0
                         total += weight

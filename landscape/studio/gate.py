@@ -86,8 +86,8 @@ def add_planks(gate: Gate) -> None:
     shift = rng.uniform(0.0, 10.0, PLANKS)
     bend = 0.0035 * gate.noise(2.2, 21, 1.0)
     for x0, y0 in ((-0.071, 0.19), (-0.024, 0.07), (0.03, 0.27), (0.062, 0.105), (0.085, 0.22)):
-        away = np.hypot((gate.x - x0) / 0.006, (gate.y - y0) / 0.02)
-        bend = bend + 0.0045 * np.sign(gate.x - x0) * np.exp(-(away**2))
+        knot_distance = np.hypot((gate.x - x0) / 0.006, (gate.y - y0) / 0.02)
+        bend = bend + 0.0045 * np.sign(gate.x - x0) * np.exp(-(knot_distance**2))
     across = (gate.x + bend) * 230.0 + shift[number] * 7.0
     ring = np.sin(across + 2.5 * gate.noise(1.8, 22, 2.0) + 6.0 * gate.y * (1 + shift[number] % 1))
     fibre = ndimage.gaussian_filter(gate.noise(0.5, 23), (26.0, 0.8), mode="wrap")

@@ -194,10 +194,10 @@ def willowherb() -> np.ndarray:
         parts.append(
             kites(at, rise, UP + 0.5 * VIEWER - 0 * out, 0.62 * long, 0.115 * long + 0.012, green)
         )
-        bent = at + unit(rise) * (0.52 * long)[:, None]
+        tip_root = at + unit(rise) * (0.52 * long)[:, None]
         parts.append(
             kites(
-                bent,
+                tip_root,
                 out - 0.12 * UP,
                 UP + 0.5 * VIEWER - 0 * out,
                 0.52 * long,

@@ -61,9 +61,9 @@ def _ground(x: float, z: float, islands: np.ndarray, texture: np.ndarray) -> flo
     for k in range(islands.shape[0]):
         a = np.radians(islands[k, 0])
         c, s = np.cos(a), np.sin(a)
-        away = (x * s - z * c - islands[k, 1]) / islands[k, 3]
-        side = (x * c + z * s) / islands[k, 2]
-        r = away * away + side * side
+        along_view = (x * s - z * c - islands[k, 1]) / islands[k, 3]
+        across_view = (x * c + z * s) / islands[k, 2]
+        r = along_view * along_view + across_view * across_view
         if r < 4.0:
             mask = np.exp(-1.6 * r) - 0.10 + 0.35 * variation * np.exp(-0.6 * r)
             best = max(best, islands[k, 4] * mask * (0.35 + 1.75 * peak))

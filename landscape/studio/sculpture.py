@@ -241,9 +241,11 @@ def unpinch(vertices: np.ndarray, faces: np.ndarray) -> Mesh:
 def is_closed(faces: np.ndarray) -> bool:
     """Return whether every edge has two faces that traverse it in opposite directions."""
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
-    ways = edges @ np.array([1 << 32, 1])
-    back = edges @ np.array([1, 1 << 32])
-    return len(np.unique(ways)) == len(ways) and np.array_equal(np.sort(ways), np.sort(back))
+    forward = edges @ np.array([1 << 32, 1])
+    backward = edges @ np.array([1, 1 << 32])
+    return len(np.unique(forward)) == len(forward) and np.array_equal(
+        np.sort(forward), np.sort(backward)
+    )
 
 
 def sculpt(
