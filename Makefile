@@ -1,12 +1,12 @@
-# make demo    walk the island, or render its main views where there is no screen
+# make demo    walk the island, or render its main views if there is no display
 # make test    check style and types, then run the tests
-# Both set up all they need first, once.
+# Both install what they need on the first run.
 
 SHELL := /bin/bash
 BIN := .venv/bin
 OUT ?= out
 VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
-# More options for the program, for instance: make demo ARGS="--preset 2006"
+# Further options for the program, for example: make demo ARGS="--preset 2006"
 ARGS ?=
 
 .PHONY: demo test lint bench assets clean
@@ -16,7 +16,7 @@ demo:
 	@if scripts/setup.sh screen; then \
 	    exec $(BIN)/landscape walk $(ARGS); \
 	else \
-	    echo "No screen: rendering $(words $(VIEWS)) views to $(OUT)/"; \
+	    echo "No display: rendering $(words $(VIEWS)) views to $(OUT)/"; \
 	    $(BIN)/landscape render $(VIEWS) --out $(OUT) -q $(ARGS) && ls -1 $(VIEWS:%=$(OUT)/%.png); \
 	fi
 

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Sets up what a make target needs, and says nothing when there is nothing to do.
+# Installs what a make target needs. Prints nothing if there is nothing to do.
 #
 #   scripts/setup.sh demo     .venv with the package, and an OpenGL library
-#   scripts/setup.sh studio   the same and what makes the assets
-#   scripts/setup.sh test     all of it, the checking tools, and a screen for the window tests
-#   scripts/setup.sh screen   sets up nothing: status 0 if a window can be opened, 1 if not
+#   scripts/setup.sh studio   the same, and the dependencies of the asset generator
+#   scripts/setup.sh test     all of these, the linters, and a virtual display for the window tests
+#   scripts/setup.sh screen   installs nothing: status 0 if a window can be opened, 1 if not
 #
-# PYTHON chooses the interpreter. System packages are installed only with apt-get, and only as root
-# or where sudo asks for no password. Status 3: no OpenGL, as in the program itself.
+# PYTHON selects the interpreter. System packages are installed only with apt-get, as root or with
+# sudo if it needs no password. Status 3 means that OpenGL is missing, as in the program itself.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -19,7 +19,7 @@ die() {
     exit "$status"
 }
 
-# Run a command with its output in a log; show the log's end if it fails.
+# Run a command without output; if it fails, show the end of its output.
 quietly() {
     local log
     log=$(mktemp)
@@ -42,11 +42,11 @@ may_install() {
 
 listed_packages() { sed -e 's/#.*//' system-packages.txt | xargs; }
 
-# Say how a person who may do so installs them.
+# Print instructions for installing the packages by hand.
 how_to_install() {
     local package known=()
     if ! command -v apt-get >/dev/null; then
-        echo "Install what Debian calls: $(listed_packages)"
+        echo "Install the equivalents of these Debian packages: $(listed_packages)"
         return
     fi
     for package in $(listed_packages); do
@@ -57,10 +57,10 @@ how_to_install() {
 
 apt_knows() { apt-cache show "$1" >/dev/null 2>&1; }
 
-# Install the packages named, leaving out those that this system's apt does not know.
+# Install the given packages, except those that apt does not know on this system.
 apt_install() {
     local package known=() unknown=()
-    quietly as_root apt-get update -q || say "apt-get update failed; trying with the lists at hand"
+    quietly as_root apt-get update -q || say "apt-get update failed; trying with the existing package lists"
     for package in "$@"; do
         if apt_knows "$package"; then
             known+=("$package")
@@ -68,7 +68,7 @@ apt_install() {
             unknown+=("$package")
         fi
     done
-    [ ${#unknown[@]} -eq 0 ] || say "not known to apt here, left out: ${unknown[*]}"
+    [ ${#unknown[@]} -eq 0 ] || say "skipping packages unknown to apt: ${unknown[*]}"
     [ ${#known[@]} -gt 0 ] || return 1
     say "installing ${known[*]} (apt-get)"
     quietly as_root env DEBIAN_FRONTEND=noninteractive \
@@ -79,11 +79,11 @@ apt_install() {
 
 new_enough() { "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; }
 
-# Print the first Python 3.11 or newer; an interpreter named by PYTHON is the only one tried.
+# Print the first Python 3.11 or newer. If PYTHON is set, no other interpreter is tried.
 find_python() {
     local candidate
     if [ -n "${PYTHON:-}" ]; then
-        new_enough "$PYTHON" || die 1 "PYTHON=$PYTHON is not a Python 3.11 or newer"
+        new_enough "$PYTHON" || die 1 "PYTHON=$PYTHON is not Python 3.11 or newer"
         printf '%s\n' "$PYTHON"
         return
     fi
@@ -93,9 +93,9 @@ find_python() {
             return
         fi
     done
-    die 1 "Python 3.11 or newer is needed; python3 is $(python3 --version 2>&1 || true)." \
-        "Install one (Debian 12, Ubuntu 24.04 and newer: apt-get install python3 python3-venv;" \
-        "elsewhere: https://www.python.org/downloads/), or name one: make PYTHON=/path/to/python3"
+    die 1 "Python 3.11 or newer is required; python3 is $(python3 --version 2>&1 || true)." \
+        "Install it (Debian 12, Ubuntu 24.04 and newer: apt-get install python3 python3-venv;" \
+        "others: https://www.python.org/downloads/), or set make PYTHON=/path/to/python3"
 }
 
 can_make_venv() { "$1" -c 'import ensurepip, venv' 2>/dev/null; }
@@ -106,16 +106,16 @@ make_venv() {
     if ! can_make_venv "$python"; then
         version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
         if may_install; then apt_install python3-venv "python$version-venv" || true; fi
-        can_make_venv "$python" || die 1 "$python cannot make a virtual environment:" \
-            "its module venv or ensurepip is missing." \
+        can_make_venv "$python" || die 1 "$python cannot create a virtual environment:" \
+            "the module venv or ensurepip is missing." \
             "On Debian and Ubuntu: sudo apt-get install python$version-venv"
     fi
-    say "making .venv with $("$python" --version)"
+    say "creating .venv with $("$python" --version)"
     quietly "$python" -m venv --clear .venv || die 1 "$python -m venv failed"
 }
 
-# Install the package with the given extras, once for each content of pyproject.toml. The stamp also
-# holds the folder: a virtual environment that was moved with its checkout is no longer any good.
+# Install the package with the given extras; repeat only when pyproject.toml changes. The stamp also
+# holds the folder, because a virtual environment does not work after its checkout was moved.
 install_package() {
     local extras=$1 stamp=.venv/.installed now
     now="$PWD $(cksum <pyproject.toml)"
@@ -131,8 +131,8 @@ install_package() {
     [ "$extras" = package ] || target=".[$extras]"
     say "installing $target into .venv (pip; the first time takes a minute or two)"
     quietly .venv/bin/python -m pip install -q --disable-pip-version-check -e "$target" ||
-        die 1 "pip could not install $target; is the network there?"
-    # What an extra contains is installed with it.
+        die 1 "pip could not install $target; is the network available?"
+    # Record the extras that are included in this one.
     case $extras in
         dev) extras="package studio dev" ;;
         studio) extras="package studio" ;;
@@ -142,7 +142,7 @@ install_package() {
 
 # --- OpenGL ------------------------------------------------------------------------------------
 
-# Succeed if this machine can draw without a screen: OSMesa, or EGL with no surface.
+# Succeed if this machine can render without a display, through OSMesa or surfaceless EGL.
 have_opengl() {
     .venv/bin/python - 2>/dev/null <<'PYTHON'
 import ctypes, sys
@@ -173,31 +173,31 @@ have_window_library() {
     .venv/bin/python -c 'import ctypes; ctypes.CDLL("libGL.so.1")' 2>/dev/null
 }
 
-# Without OpenGL nothing works. What is only wished for (a window's library, Xvfb) is installed once
-# if that may be, and missed with one line if not.
+# Install missing system packages. OpenGL is required. The library for windows and Xvfb are optional:
+# one attempt is made to install them, and if that is not possible, one line says so.
 check_system() {
-    local purpose=$1 wished=() tried
+    local purpose=$1 optional=() tried
     [ "$(uname -s)" = Linux ] || return 0
     tried=.venv/.system-$purpose-$(cksum <system-packages.txt | cut -d ' ' -f 1)
     if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || [ "$purpose" = test ]; then
-        have_window_library || wished+=(libGL.so.1)
+        have_window_library || optional+=(libGL.so.1)
     fi
     if [ "$purpose" = test ]; then
-        command -v Xvfb >/dev/null || wished+=(Xvfb)
+        command -v Xvfb >/dev/null || optional+=(Xvfb)
     fi
-    if have_opengl && { [ ${#wished[@]} -eq 0 ] || [ -e "$tried" ]; }; then
+    if have_opengl && { [ ${#optional[@]} -eq 0 ] || [ -e "$tried" ]; }; then
         return
     fi
-    # shellcheck disable=SC2046  # one word a package is what is meant
+    # shellcheck disable=SC2046  # word splitting is intended: one word per package
     if may_install; then
         apt_install $(listed_packages) || say "apt-get failed"
     fi
-    have_opengl || die 3 "no OpenGL library for drawing without a screen was found (OSMesa or EGL)." \
+    have_opengl || die 3 "found no OpenGL library for offscreen rendering (OSMesa or EGL)." \
         "$(how_to_install)"
     if may_install; then
         : >"$tried"
-    elif [ ${#wished[@]} -gt 0 ]; then
-        say "missing: ${wished[*]}; what needs it is left out. $(how_to_install)"
+    elif [ ${#optional[@]} -gt 0 ]; then
+        say "missing: ${optional[*]}; features that need it are disabled. $(how_to_install)"
     fi
 }
 
@@ -205,7 +205,7 @@ check_system() {
 
 can_open_window() {
     [ -z "${CI:-}" ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || return 1
-    # A display that does not answer must not hold us up.
+    # Do not wait for a display that does not answer.
     timeout 20 .venv/bin/python - >/dev/null 2>&1 <<'PYTHON'
 import sys, glfw
 

@@ -1,7 +1,7 @@
-"""Command lines run as a user's, many of them in one other process, for speed.
+"""Run command lines as a user would; many of them share one child process, for speed.
 
-The process is another one because PyOpenGL binds to one platform for good, and because a context
-opened and closed there cannot disturb the tests' own.
+They run in a separate process because PyOpenGL binds to one platform per process, and because a
+context opened there cannot disturb the context of the tests.
 """
 
 import json
@@ -19,13 +19,13 @@ from PIL import Image
 from landscape.files.assets import shipped
 
 TESTS = Path(__file__).resolve().parent
-SECONDS = 120  # a command that takes longer hangs
+SECONDS = 120  # timeout of a command
 
 _CHILD = """
 import contextlib, io, json, os, sys, traceback, warnings
 from landscape.cli import main
 
-# Every warning counts: it would be a second line on the user's screen.
+# Show every warning: the user would see it on standard error.
 for kind in (RuntimeWarning, UserWarning, FutureWarning):
     warnings.simplefilter("always", kind)
 replies = os.fdopen(os.dup(1), "w")
@@ -48,7 +48,7 @@ for line in sys.stdin:
 
 
 def environment(**changes: str | None) -> dict[str, str]:
-    """Return the environment of a user's shell with no screen; None removes a variable."""
+    """Return the environment of a shell without a display; a value of None removes a variable."""
     ours = ("PYOPENGL_PLATFORM", "LANDSCAPE_GL_CHECKS", "DISPLAY", "WAYLAND_DISPLAY")
     kept = {name: value for name, value in os.environ.items() if name not in ours}
     kept["PYTHONPATH"] = str(TESTS.parent)
@@ -57,29 +57,29 @@ def environment(**changes: str | None) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Done:
-    """How a command ended."""
+    """Exit status and output of a command."""
 
     status: int
     out: str
     err: str
 
     def json(self) -> Any:
-        """Return what the command printed, as JSON."""
+        """Return the command's standard output, parsed as JSON."""
         assert self.status == 0, self.err
         return json.loads(self.out)
 
 
 def small_textures(folder: Path) -> None:
-    """Write the textures that almost every picture needs, small: loading them takes the time."""
+    """Write small copies of the textures that are slowest to load."""
     for name in ("ground_large", "ground_detail", "animal", "water"):
         with Image.open(shipped() / f"{name}.png") as image:
             image.resize((64, 64)).save(folder / f"{name}.png")
 
 
 class Shell:
-    """Runs command lines one after the other in one process; `cwd` is where they start.
+    """Runs command lines one after another in one process, in the directory ``cwd``.
 
-    `small` are options that make drawing quick.
+    ``small`` are options that make rendering fast.
     """
 
     def __init__(self, env: Mapping[str, str] | None = None) -> None:
@@ -102,7 +102,7 @@ class Shell:
         self._process.stdin.write(json.dumps(asked) + "\n")
         self._process.stdin.flush()
         line = self._process.stdout.readline()
-        assert line, f"the process died of {args}"
+        assert line, f"the process died while running {args}"
         return Done(**json.loads(line))
 
     def close(self) -> None:
@@ -115,7 +115,7 @@ class Shell:
 
 
 def landscape(*args: str | Path, env: Mapping[str, str] | None = None, **options: Any) -> Done:
-    """Run `landscape ARGS` in a process of its own, as from a shell."""
+    """Run `landscape ARGS` in a new process, as from a shell."""
     done = subprocess.run(
         [sys.executable, "-m", "landscape", *map(str, args)],
         capture_output=True,
@@ -128,7 +128,7 @@ def landscape(*args: str | Path, env: Mapping[str, str] | None = None, **options
 
 
 def python(code: str, *args: str, env: Mapping[str, str] | None = None) -> Done:
-    """Run Python code in a process of its own."""
+    """Run Python code in a new process."""
     done = subprocess.run(
         [sys.executable, "-c", code, *args],
         capture_output=True,

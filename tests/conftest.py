@@ -1,13 +1,13 @@
-"""Fixtures of all tests: PyOpenGL checks every call, and GL tests leave the state as they found it.
+"""Fixtures for all tests. PyOpenGL checks every call, and GL tests must not leave changed state.
 
-A GL test asks for ``stage``; see stage.py.
+A GL test uses the fixture ``stage``; see stage.py.
 """
 
 import os
 import shutil
 import tempfile
 
-# The tests neither use nor leave anything in the user's own cache.
+# The tests do not use the user's own cache.
 os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
 
@@ -30,17 +30,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--update-golden",
         action="store_true",
-        help="write the golden pictures anew instead of comparing with them",
+        help="write the golden images instead of comparing with them",
     )
 
 
 @pytest.fixture(scope="session")
 def the_stage() -> Iterator[Stage]:
-    """The one context and target of this run."""
+    """The context and the target of the whole test run."""
     try:
         context = open_context("auto")
     except NoOpenGLError as error:
-        pytest.fail(f"the tests need OpenGL: {error}")
+        pytest.fail(f"the tests require OpenGL: {error}")
     stage = Stage(context)
     yield stage
     stage.release()
@@ -48,7 +48,7 @@ def the_stage() -> Iterator[Stage]:
 
 @pytest.fixture
 def stage(the_stage: Stage) -> Iterator[Stage]:
-    """The shared stage, current; the test fails if it leaves an error or changed state."""
+    """The shared stage, made current. The test fails if it leaves an error or changed state."""
     the_stage.enter()
     before = snapshot()
     yield the_stage
@@ -59,7 +59,7 @@ def stage(the_stage: Stage) -> Iterator[Stage]:
 
 @pytest.fixture(scope="session")
 def plain(tmp_path_factory: pytest.TempPathFactory) -> Assets:
-    """Assets of one colour each."""
+    """Assets whose images have one colour each."""
     return Assets(write_plain(tmp_path_factory.mktemp("plain")))
 
 
@@ -71,7 +71,7 @@ def shipped() -> Assets:
 
 @pytest.fixture
 def plain_folder(tmp_path: Path) -> Path:
-    """A folder of plain pictures of the test's own, to change some."""
+    """A folder of one-colour images that the test may modify."""
     folder = tmp_path / "plain"
     folder.mkdir()
     return write_plain(folder)

@@ -1,8 +1,8 @@
-"""What the GL tests stand on: one small target, a frame round each test, and plain assets.
+"""Shared support for the GL tests: a small render target, frames with a state check, plain assets.
 
-A test draws inside ``with stage.frame(settings, pose) as frame``. The frame begins as a scene's own
-frames do; when the block ends, every piece of state that a later element would trip over must
-be as the frame began, or the test fails.
+A test draws inside ``with stage.frame(settings, pose) as frame``. The frame begins like the frames
+of a scene. When the block ends, all state that could affect a later element must be as it was at
+the beginning, or the test fails.
 """
 
 import math
@@ -31,10 +31,10 @@ SMALL: dict[str, Any] = {
     "deer.count": 10,
     "ground.resolution": 40,
 }
-"""A light island, for speed."""
+"""An island with few objects, for speed."""
 
 WHITE_LIGHT: dict[str, Any] = {"sun.ambient": (1.0, 1.0, 1.0), "sun.diffuse": (0.0, 0.0, 0.0)}
-"""A light under which lit things show their own colour whichever way they face."""
+"""Lighting under which lit surfaces show their own colour whatever their normals."""
 
 CAPS = (
     *("DEPTH_TEST", "BLEND", "FOG", "LIGHTING", "LIGHT0", "CLIP_PLANE0", "ALPHA_TEST"),
@@ -70,8 +70,8 @@ def snapshot() -> dict[str, Any]:
         state[name] = _plain(gl.glGetFloatv(getattr(gl, f"GL_{name}")))
     for name in (*CAPS, *CLIENT_ARRAYS):
         state[name] = bool(gl.glIsEnabled(getattr(gl, f"GL_{name}")))
-    # GL_COLOR_MATERIAL makes the material's ambient and diffuse the current colour's shadow; the
-    # program lets every lit element set its own.
+    # Ambient and diffuse are left out: with GL_COLOR_MATERIAL they follow the current colour, and
+    # every lit element sets its own.
     for name in ("SPECULAR", "EMISSION", "SHININESS"):
         material = gl.glGetMaterialfv(gl.GL_FRONT, getattr(gl, f"GL_{name}"))
         state[f"material {name}"] = _plain(material)
@@ -95,12 +95,12 @@ def snapshot() -> dict[str, Any]:
 
 
 def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, tuple[Any, Any]]:
-    """Return what differs between two snapshots: name to (before, after)."""
+    """Return the differences between two snapshots: name to (before, after)."""
     return {name: (before[name], after[name]) for name in before if before[name] != after[name]}
 
 
 class Stage:
-    """The context and the small target that all GL tests share."""
+    """The context and the small render target that all GL tests share."""
 
     size = SIZE
 
@@ -109,7 +109,7 @@ class Stage:
         self.target = Framebuffer(SIZE, 0)
 
     def enter(self) -> None:
-        """Make the context current: another test may have opened and closed its own."""
+        """Make the context current; another test may have opened and closed its own."""
         self.context.make_current()
         self.target.bind()
 
@@ -124,7 +124,7 @@ class Stage:
         stroke: int = 0,
         size: tuple[int, int] = SIZE,
     ) -> Iterator[Frame]:
-        """Begin a frame as the island does; the block must leave the state as it found it."""
+        """Begin a frame as a scene does; assert that the block leaves the state unchanged."""
         with self.borrowed():
             moment = Moment(pose, size, kt, step, stroke)
             far = 1.5 * settings.water.horizon
@@ -136,7 +136,7 @@ class Stage:
 
     @contextmanager
     def borrowed(self) -> Iterator[None]:
-        """Put everything that the block changes back, so that tests do not meet."""
+        """Restore all state after the block, so that tests do not affect each other."""
         gl.glPushAttrib(gl.GL_ALL_ATTRIB_BITS)
         for mode in (gl.GL_PROJECTION, gl.GL_MODELVIEW):
             gl.glMatrixMode(mode)
@@ -150,7 +150,7 @@ class Stage:
             gl.glPopAttrib()
 
     def read(self) -> np.ndarray:
-        """Return the picture, int64 (h, w, 3), top row first."""
+        """Return the rendered image, int64 (h, w, 3), top row first."""
         return self.target.read().astype(np.int64)
 
     def release(self) -> None:
@@ -161,17 +161,17 @@ class Stage:
 
 
 def live_names() -> tuple[set[int], set[int]]:
-    """Return the names of the textures and of the display lists that exist."""
-    names = range(1, 6000)  # Mesa hands names out upwards and does not use one again
+    """Return the names of all existing textures and display lists."""
+    names = range(1, 6000)  # Mesa assigns names in ascending order and does not reuse them
     return {n for n in names if gl.glIsTexture(n)}, {n for n in names if gl.glIsList(n)}
 
 
 def project(
     pose: Pose, point: tuple[float, ...], fov: float = 60.0, size: tuple[int, int] = SIZE
 ) -> tuple[float, float]:
-    """Return column and row, from the top left, where a camera at ``pose`` sees ``point``.
+    """Return the column and row, from the top left, at which a camera at ``pose`` sees ``point``.
 
-    Written from the definition of the perspective, not from the program's matrices.
+    Computed from the definition of perspective, not from the program's matrices.
     """
     yaw, pitch = math.radians(pose.yaw), math.radians(pose.pitch)
     right = np.array([math.cos(yaw), 0.0, math.sin(yaw)])
@@ -190,17 +190,17 @@ def pixel(picture: np.ndarray, at: tuple[float, float]) -> np.ndarray:
 
 
 def close(got: np.ndarray, wanted: Any, levels: float = 1.0) -> bool:
-    """Say whether colours agree to within ``levels`` of 255."""
+    """Return whether colours are equal within ``levels`` (of 255)."""
     return bool((np.abs(np.asarray(got, float) - np.asarray(wanted, float)) <= levels).all())
 
 
 def small(changes: Mapping[str, Any] | None = None) -> Settings:
-    """Return the 2006 settings with few of everything, and some keys changed."""
+    """Return the settings of 2006 with few objects and the given changes."""
     return with_settings(Settings(), {**SMALL, **(changes or {})})
 
 
 def quad(corners: np.ndarray) -> None:
-    """Send a quad (4, 3) in the current colour, texture coordinates (0, 0) to (1, 1)."""
+    """Draw a quad (4, 3) in the current colour with texture coordinates (0, 0) to (1, 1)."""
     gl.glBegin(gl.GL_QUADS)
     for (s, t), corner in zip(((0, 0), (1, 0), (1, 1), (0, 1)), corners.tolist(), strict=True):
         gl.glTexCoord2f(float(s), float(t))
@@ -233,7 +233,7 @@ PLAIN: dict[str, Colour] = {
 
 
 def write_plain(folder: Path, changed: Mapping[str, Colour | np.ndarray] | None = None) -> Path:
-    """Fill ``folder`` with pictures of one colour each, so that pixels can be computed by hand."""
+    """Fill ``folder`` with one-colour images, so that expected pixels can be computed by hand."""
     for name, value in {**PLAIN, **(changed or {})}.items():
         image = value if isinstance(value, np.ndarray) else np.full((4, 4, len(value)), value)
         Image.fromarray(image.astype(np.uint8)).save(folder / name)

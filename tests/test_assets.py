@@ -1,4 +1,4 @@
-"""The assets measure up, every measure finds its fault, and building leaves only whole files."""
+"""The shipped assets pass every check, every check finds its fault, builds leave complete files."""
 
 import io
 import os
@@ -23,12 +23,13 @@ from landscape.files.meshes import read_ply
 from landscape.files.output import write_whole
 from landscape.geometry.mesh import vertex_normals
 from landscape.tools import asset_check as checks
+from landscape.tools import asset_measures as measures
 from landscape.tools.asset_check import check, report
 
 
 @pytest.fixture(scope="module")
 def studio() -> Any:
-    """The studio's builder, where its extra is installed."""
+    """The studio's build module, if its extra is installed."""
     for name in ("scipy", "numba", "skimage", "fast_simplification"):
         pytest.importorskip(name, reason="the extra `studio` is not installed")
     from landscape.studio import build
@@ -39,13 +40,13 @@ def studio() -> Any:
 # ---- the shipped assets -----------------------------------------------------------------------
 
 
-def test_the_shipped_assets_pass_every_measure() -> None:
+def test_the_shipped_assets_pass_every_check() -> None:
     found = list(check())
     assert len(found) > 90
     assert [finding.line() for finding in found if not finding.ok] == []
 
 
-def test_every_asset_of_the_studio_is_measured(studio: Any) -> None:
+def test_every_asset_of_the_studio_is_checked(studio: Any) -> None:
     assert set(studio.table()) == set(checks.SIZES) | set(checks.MESHES)
 
 
@@ -53,7 +54,7 @@ def test_every_asset_of_the_studio_is_measured(studio: Any) -> None:
 
 
 def grain(seed: int = 1, size: int = 64) -> np.ndarray:
-    """Coarse noise that tiles, uint8 (size, size, 3)."""
+    """Return coarse tiling noise, uint8 (size, size, 3)."""
     noise = np.random.default_rng(seed).random((size, size, 3))
     for axis in (0, 1):
         noise = np.mean([np.roll(noise, k, axis) for k in range(5)], axis=0)
@@ -62,25 +63,25 @@ def grain(seed: int = 1, size: int = 64) -> np.ndarray:
 
 def test_a_tile_has_no_seam() -> None:
     tile = np.tile(grain(), (2, 2, 1))[:64, :64]
-    assert all(seam.ok for seam in checks.seams(tile))
+    assert all(seam.ok for seam in measures.seams(tile))
 
 
 @pytest.mark.parametrize("axis", [0, 1])
 def test_a_cut_tile_has_a_seam(axis: int) -> None:
     cut = np.take(grain(), np.arange(40), axis=axis)
-    assert [seam.ok for seam in checks.seams(cut)] == [axis == 1, axis == 0][::-1]
+    assert [seam.ok for seam in measures.seams(cut)] == [axis == 1, axis == 0][::-1]
 
 
-def test_a_step_from_light_to_dark_is_found_in_fine_grain() -> None:
+def test_a_step_in_brightness_is_found_in_fine_grain() -> None:
     noise = np.random.default_rng(2).integers(60, 180, (128, 128, 3))
-    assert all(seam.ok for seam in checks.seams(noise.astype(np.uint8)))
+    assert all(seam.ok for seam in measures.seams(noise.astype(np.uint8)))
     slope = np.linspace(0, 40, 128)[None, :, None]
-    columns, rows = checks.seams((noise + slope).astype(np.uint8))
+    columns, rows = measures.seams((noise + slope).astype(np.uint8))
     assert not columns.ok and rows.ok
 
 
 def sky() -> dict[str, np.ndarray]:
-    """Five small faces, all a function of the direction; walls twice as fine as the top."""
+    """Return five small faces that match; the walls have twice the resolution of the top."""
 
     def colour(x: Any, y: Any, z: Any) -> np.ndarray:
         x, y, z = np.broadcast_arrays(x, y, z)
@@ -97,8 +98,8 @@ def sky() -> dict[str, np.ndarray]:
     }
 
 
-def test_the_faces_of_one_sky_agree_along_all_eight_edges() -> None:
-    edges = checks.sky_edges(sky())
+def test_the_faces_of_one_sky_match_along_all_eight_edges() -> None:
+    edges = measures.sky_edges(sky())
     assert len(edges) == 8
     assert max(edges.values()) <= 2.0
 
@@ -112,20 +113,20 @@ def test_the_faces_of_one_sky_agree_along_all_eight_edges() -> None:
         ("top", np.s_[:, -1], "east-top"),
     ],
 )
-def test_a_face_that_disagrees_is_found(face: str, part: Any, edge: str) -> None:
+def test_a_face_that_does_not_match_is_found(face: str, part: Any, edge: str) -> None:
     faces = sky()
     faces[face][part] += 20
-    assert checks.sky_edges(faces)[edge] >= 18.0
+    assert measures.sky_edges(faces)[edge] >= 18.0
 
 
 def test_a_mirrored_face_is_found() -> None:
     faces = sky()
     faces["top"] = faces["top"][:, ::-1]
-    assert max(checks.sky_edges(faces).values()) > 20.0
+    assert max(measures.sky_edges(faces).values()) > 20.0
 
 
 def sprite() -> np.ndarray:
-    """A red and a green square on nothing, their colours bled, (24, 24, 4)."""
+    """Return a red and a green square on transparency, with bled colours, (24, 24, 4)."""
     rgba = np.zeros((24, 24, 4), np.uint8)
     rgba[:, :12] = (200, 20, 20, 0)
     rgba[:, 12:] = (20, 200, 20, 0)
@@ -133,46 +134,46 @@ def sprite() -> np.ndarray:
     return rgba
 
 
-def test_bled_colours_pass_whichever_of_two_near_ones_they_take() -> None:
+def test_bled_colours_may_come_from_either_of_two_equally_near_texels() -> None:
     rgba = sprite()
-    assert checks.unbled(rgba) == 0
+    assert measures.count_unbled(rgba) == 0
     rgba[3, 11] = (200, 20, 20, 0)
-    assert checks.unbled(rgba) == 0  # red and green squares that are equally near
+    assert measures.count_unbled(rgba) == 0  # the red and the green square are equally near
     rgba[3, 11] = (20, 200, 20, 0)
-    assert checks.unbled(rgba) == 1
+    assert measures.count_unbled(rgba) == 1
 
 
 def test_a_sprite_on_black_is_found() -> None:
     rgba = sprite()
     rgba[rgba[..., 3] == 0] = 0
-    assert checks.unbled(rgba) == 24 * 24 - 64
+    assert measures.count_unbled(rgba) == 24 * 24 - 64
 
 
 def test_coverage_is_kept_for_a_disc_and_lost_for_scattered_dots() -> None:
     y, x = np.mgrid[0:512, 0:512]
     disc = np.zeros((512, 512, 4), np.uint8)
     disc[..., 3] = np.where(np.hypot(x - 256, y - 256) < 180, 255, 0)
-    first, last = checks.coverage(disc)
+    first, last = measures.coverage(disc)
     assert abs(last / first - 1) < 0.05
     dots = np.zeros((512, 512, 4), np.uint8)
     dots[4::12, 4::12, 3] = dots[5::12, 4::12, 3] = dots[4::12, 5::12, 3] = 255
-    first, last = checks.coverage(dots)
+    first, last = measures.coverage(dots)
     assert abs(last / first - 1) > 0.05
 
 
-def test_a_jump_at_the_loops_end_is_found() -> None:
+def test_a_jump_at_the_end_of_a_loop_is_found() -> None:
     frames = np.zeros((16, 8, 32, 4), np.uint8)
     frames[..., 3] = 255
     for k in range(16):
         frames[k, :, 2 * k : 2 * k + 2, :3] = 200
-    assert checks.loop_steps(frames)[-1] <= checks.loop_steps(frames)[:-1].max()
+    assert measures.loop_steps(frames)[-1] <= measures.loop_steps(frames)[:-1].max()
     frames[15] = 255
-    assert checks.loop_steps(frames)[-1] > checks.loop_steps(frames)[:-2].max()
+    assert measures.loop_steps(frames)[-1] > measures.loop_steps(frames)[:-2].max()
 
 
 def test_frames_are_cut_row_by_row() -> None:
     sheet = np.arange(16).reshape(4, 4).repeat(3, 0).repeat(3, 1)[..., None]
-    cut = checks.frames(sheet, 4)
+    cut = measures.frames(sheet, 4)
     assert cut.shape == (16, 3, 3, 1)
     assert (cut[:, 0, 0, 0] == np.arange(16)).all()
 
@@ -181,32 +182,32 @@ CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
 TETRAHEDRON = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], np.uint32)
 
 
-def test_a_closed_mesh_passes_and_a_hole_or_a_turned_face_is_found() -> None:
-    assert checks.open_edges(TETRAHEDRON) == 0
-    assert checks.volume(CORNERS, TETRAHEDRON) == pytest.approx(1 / 6)
-    assert checks.open_edges(TETRAHEDRON[:3]) == 3
+def test_a_closed_mesh_passes_and_a_hole_or_a_flipped_face_is_found() -> None:
+    assert measures.open_edges(TETRAHEDRON) == 0
+    assert measures.volume(CORNERS, TETRAHEDRON) == pytest.approx(1 / 6)
+    assert measures.open_edges(TETRAHEDRON[:3]) == 3
     turned = TETRAHEDRON.copy()
     turned[3] = turned[3, ::-1]
-    assert checks.open_edges(turned) > 0
+    assert measures.open_edges(turned) > 0
 
 
 def test_a_mesh_turned_inside_out_is_found() -> None:
-    assert checks.volume(CORNERS, TETRAHEDRON[:, ::-1]) < 0
+    assert measures.volume(CORNERS, TETRAHEDRON[:, ::-1]) < 0
 
 
-def test_normals_that_look_inward_are_found() -> None:
+def test_normals_that_point_inward_are_found() -> None:
     regular = np.array([[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]], np.float32)
-    assert checks.volume(regular, TETRAHEDRON) > 0
+    assert measures.volume(regular, TETRAHEDRON) > 0
     normals = vertex_normals(regular, TETRAHEDRON)
-    assert checks.crossed_normals(regular, TETRAHEDRON, normals) == 0.0
-    assert checks.crossed_normals(regular, TETRAHEDRON, -normals) == 1.0
+    assert measures.flipped_normals(regular, TETRAHEDRON, normals) == 0.0
+    assert measures.flipped_normals(regular, TETRAHEDRON, -normals) == 1.0
 
 
 # ---- faults in files --------------------------------------------------------------------------
 
 
 def failures(folder: Path, group: Any) -> set[tuple[str, str]]:
-    """Return the asset and the measure of what fails with the files of ``folder``."""
+    """Return asset and measure of each check that fails with the files in ``folder``."""
     return {(f.asset, f.measure) for f in group(Assets(folder)) if not f.ok}
 
 
@@ -214,14 +215,14 @@ def save(pixels: np.ndarray, path: Path) -> None:
     Image.fromarray(pixels).save(path)
 
 
-def test_a_picture_of_the_wrong_size_or_kind_is_found(tmp_path: Path) -> None:
+def test_an_image_of_the_wrong_size_or_mode_is_found(tmp_path: Path) -> None:
     save(np.zeros((100, 100, 3), np.uint8), tmp_path / "blade.png")
     save(np.zeros((512, 512, 3), np.uint8), tmp_path / "plant.png")
     found = failures(tmp_path, checks.check_files)
     assert found == {("plant.png", "size"), ("blade.png", "size")}
 
 
-def test_too_many_bytes_are_found(tmp_path: Path) -> None:
+def test_exceeding_the_total_size_is_found(tmp_path: Path) -> None:
     shutil.copy(shipped() / "dragon.ply", tmp_path)
     with (tmp_path / "dragon.ply").open("ab") as file:
         file.write(bytes(checks.MAX_BYTES))
@@ -234,7 +235,7 @@ def test_a_detail_that_darkens_is_found(tmp_path: Path) -> None:
     assert failures(tmp_path, checks.check_tiles) == {("ground_detail.png", "mean")}
 
 
-def test_a_horizon_that_is_not_the_fogs_is_found(tmp_path: Path) -> None:
+def test_a_horizon_without_the_fog_colour_is_found(tmp_path: Path) -> None:
     wall = np.asarray(Image.open(shipped() / "sky_north.png")).copy()
     wall[-1] += 9
     save(wall, tmp_path / "sky_north.png")
@@ -244,7 +245,7 @@ def test_a_horizon_that_is_not_the_fogs_is_found(tmp_path: Path) -> None:
     }
 
 
-def test_heights_that_disagree_and_a_moved_hill_are_found(tmp_path: Path) -> None:
+def test_different_heights_and_a_displaced_hill_are_found(tmp_path: Path) -> None:
     heights = np.asarray(Image.open(shipped() / "height16.png"))
     save(np.roll(heights, 20, axis=1), tmp_path / "height16.png")
     found = failures(tmp_path, checks.check_heights)
@@ -264,7 +265,7 @@ def ply(vertices: np.ndarray, triangles: np.ndarray) -> bytes:
     return (head + "\n".join(rows) + "\n").encode()
 
 
-def test_a_wrong_mesh_is_found_out_in_every_way(tmp_path: Path) -> None:
+def test_every_fault_of_a_mesh_is_found(tmp_path: Path) -> None:
     (tmp_path / "rabbit.ply").write_bytes(ply(CORNERS, TETRAHEDRON[:, ::-1]))
     found = failures(tmp_path, checks.check_meshes)
     assert found >= {("rabbit.ply", name) for name in ("count", "winding", "centred")}
@@ -275,7 +276,7 @@ def test_a_wrong_mesh_is_found_out_in_every_way(tmp_path: Path) -> None:
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-def test_a_broken_file_is_a_finding_not_an_end(
+def test_a_broken_file_is_a_finding_and_the_checks_continue(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     data = (shipped() / "fire.png").read_bytes()
@@ -284,10 +285,10 @@ def test_a_broken_file_is_a_finding_not_an_end(
     assert report(tmp_path, as_json=False) == 1
     out = capsys.readouterr().out
     assert "FAIL" in out and "fire.png" in out and "1 of" in out
-    assert "height16.png" in out  # the other measures went on
+    assert "height16.png" in out  # the other checks were run
 
 
-def test_the_command_says_what_failed_by_its_status(
+def test_the_exit_status_of_the_command_says_whether_a_check_failed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(checks, "CHECKS", (checks.check_heights,))
@@ -311,7 +312,7 @@ def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
     made, kept = studio.make(name), (shipped() / name).read_bytes()
     assert made == studio.make(name)
     if made != kept:
-        # Another processor rounds the last bit of a sine otherwise, another zlib packs otherwise.
+        # Another processor may round a sine differently; another zlib may compress differently.
         difference = np.abs(pixels(made) - pixels(kept))
         assert difference.max() <= 1 and (difference > 0).mean() < 1e-3
 
@@ -321,12 +322,12 @@ def test_two_processes_make_the_same_bytes_as_one(studio: Any) -> None:
     assert dict(studio.make_all(names)) == {name: studio.make(name) for name in names}
 
 
-def test_an_unknown_asset_is_named(studio: Any, tmp_path: Path) -> None:
+def test_the_error_for_an_unknown_asset_names_it(studio: Any, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="moon"):
         studio.build(["moon.png"], tmp_path, quiet=True)
 
 
-def test_an_interrupted_build_leaves_only_whole_files(
+def test_an_interrupted_build_leaves_only_complete_files(
     studio: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def make_all(names: list[str]) -> Iterator[tuple[str, bytes]]:
@@ -341,7 +342,7 @@ def test_an_interrupted_build_leaves_only_whole_files(
 
 
 @pytest.mark.parametrize("step", ["chmod", "replace"])
-def test_a_write_that_is_interrupted_keeps_the_old_file(
+def test_an_interrupted_write_keeps_the_old_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str
 ) -> None:
     def interrupt(*_: object) -> None:
@@ -356,8 +357,8 @@ def test_a_write_that_is_interrupted_keeps_the_old_file(
     assert path.read_bytes() == b"old"
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
-def test_a_build_stopped_by_the_user_ends_at_once_and_leaves_nothing(
+@pytest.mark.skipif(sys.platform == "win32", reason="requires POSIX signals")
+def test_a_build_interrupted_by_the_user_ends_at_once_and_leaves_nothing(
     studio: Any, tmp_path: Path
 ) -> None:
     command = [sys.executable, "-m", "landscape", "assets", "build", "sky_north.png", "fire.png"]
@@ -372,7 +373,7 @@ def test_a_build_stopped_by_the_user_ends_at_once_and_leaves_nothing(
     deadline = time.monotonic() + 60
     while not (tmp_path / "made").exists() and time.monotonic() < deadline:
         time.sleep(0.05)
-    time.sleep(1.0)  # the pool is starting or at work
+    time.sleep(1.0)  # the pool is starting or working
     os.killpg(process.pid, signal.SIGINT)
     _, error = process.communicate(timeout=30)
     assert process.returncode == 130

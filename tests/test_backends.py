@@ -1,6 +1,6 @@
-"""The contexts: each opens, all give the same pixels, and one that is missing says what to install.
+"""The backends: each opens, all give the same pixels, and a missing one says what to install.
 
-PyOpenGL binds to one platform for a process, so each is tried in a process of its own.
+PyOpenGL binds to one platform per process, so each backend is tested in its own process.
 """
 
 import ctypes.util
@@ -25,7 +25,7 @@ SCENE = (
 )
 BACKENDS = ("osmesa", "egl", "glfw")
 
-# Draws one picture without and one with antialiasing; prints what they are made with, and hashes.
+# Renders an image without and one with antialiasing; prints the renderer and their hashes.
 DRAW = """
 import hashlib, json, sys
 import landscape
@@ -33,7 +33,7 @@ from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 
 if sys.argv[1] == "null":
-    # By this road: the package's own `render` is the function.
+    # Through sys.modules, because landscape.render is the function of that name.
     stills = sys.modules["landscape.render"]
     stills.open_context = lambda _: GLFWContext(size=(40, 30), headless=True)
 only = ("ground", "water", "sky", "castle", "trees", "map", "fog", "reflection")
@@ -49,7 +49,7 @@ for samples in (0, 4):
 print(json.dumps(found))
 """
 
-# Runs a command line as if the libraries named first were not installed.
+# Runs a command line as if the libraries in the first argument were not installed.
 WITHOUT = """
 import ctypes.util, sys
 from landscape.cli import main
@@ -74,7 +74,7 @@ def need_library(*names: str) -> None:
 
 @pytest.fixture(scope="module")
 def screen() -> Iterator[dict[str, str]]:
-    """The environment of a user at a screen: Xvfb."""
+    """The environment of a user with a display, which is Xvfb."""
     if shutil.which("Xvfb") is None:
         pytest.skip("Xvfb is not installed")
     need_library("GL")
@@ -86,7 +86,7 @@ def screen() -> Iterator[dict[str, str]]:
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
         if not number:
-            pytest.skip("Xvfb does not start here")
+            pytest.skip("Xvfb does not start")
         yield environment(DISPLAY=f":{number}")
     finally:
         server.terminate()
@@ -95,7 +95,7 @@ def screen() -> Iterator[dict[str, str]]:
 
 @pytest.fixture(scope="module")
 def reference() -> dict[str, str]:
-    """What OSMesa draws, or EGL where that is not installed."""
+    """The result of OSMesa, or of EGL if OSMesa is not installed."""
     backend = "osmesa" if ctypes.util.find_library("OSMesa") else "egl"
     done = python(DRAW, backend)
     assert done.status == 0, done.err
@@ -109,7 +109,7 @@ def check_same(kind: str, env: dict[str, str], reference: dict[str, str]) -> Non
     assert done.status == 0, done.err
     found = json.loads(done.out)
     if found["renderer"] != reference["renderer"]:
-        pytest.skip(f"{kind} draws with another renderer: {found['renderer']}")
+        pytest.skip(f"{kind} uses another renderer: {found['renderer']}")
     assert found == reference
 
 
@@ -126,7 +126,9 @@ def test_a_hidden_window_gives_the_same_pixels(
 
 
 @pytest.mark.window
-def test_glfw_s_null_platform_with_osmesa_gives_the_same_pixels(reference: dict[str, str]) -> None:
+def test_the_null_platform_of_glfw_with_osmesa_gives_the_same_pixels(
+    reference: dict[str, str],
+) -> None:
     need_library("OSMesa")
     check_same("null", environment(), reference)
 
@@ -144,7 +146,7 @@ def test_render_in_a_hidden_window_writes_the_same_file(
 
 
 @pytest.mark.window
-def test_a_window_asked_for_without_a_screen_ends_with_status_3() -> None:
+def test_the_glfw_backend_without_a_display_ends_with_status_3() -> None:
     done = landscape("render", *SCENE, "--backend", "glfw")
     assert done.status == 3 and done.out == ""
     assert done.err.startswith("landscape: GLFW found no screen") and done.err.count("\n") == 1
@@ -160,7 +162,7 @@ def test_a_window_asked_for_without_a_screen_ends_with_status_3() -> None:
         ("auto", "OSMesa,EGL,GL,glfw", "libosmesa6"),
     ],
 )
-def test_a_missing_library_ends_with_status_3_and_the_package(
+def test_a_missing_library_ends_with_status_3_and_names_the_package(
     backend: str, hidden: str, package: str, tmp_path: Path
 ) -> None:
     out = tmp_path / "out.png"
@@ -172,13 +174,13 @@ def test_a_missing_library_ends_with_status_3_and_the_package(
 
 
 @pytest.mark.window
-def test_a_missing_gl_library_for_windows_is_named(screen: dict[str, str]) -> None:
+def test_a_missing_libgl_is_named_by_its_package(screen: dict[str, str]) -> None:
     done = python(WITHOUT, "GL", "render", *SCENE, "--backend", "glfw", env=screen)
     assert done.status == 3
     assert one_line(done.err) and "libgl1" in done.err
 
 
-def test_a_library_that_is_no_library_ends_with_status_3(tmp_path: Path) -> None:
+def test_an_unloadable_library_ends_with_status_3(tmp_path: Path) -> None:
     fake = tmp_path / "libOSMesa.so"
     fake.write_text("not a library")
     code = WITHOUT.replace("None if name in hidden", f"{str(fake)!r} if name in hidden")
@@ -186,7 +188,7 @@ def test_a_library_that_is_no_library_ends_with_status_3(tmp_path: Path) -> None
     assert done.status == 3 and one_line(done.err) and "libosmesa6" in done.err
 
 
-def test_auto_takes_the_next_backend_where_the_first_is_missing(tmp_path: Path) -> None:
+def test_auto_uses_the_next_backend_if_the_first_is_missing(tmp_path: Path) -> None:
     need_library("OSMesa", "EGL")
     for name, hidden in (("first", "nothing"), ("next", "OSMesa")):
         out = str(tmp_path / f"{name}.png")
@@ -195,7 +197,7 @@ def test_auto_takes_the_next_backend_where_the_first_is_missing(tmp_path: Path) 
     assert (tmp_path / "first.png").read_bytes() == (tmp_path / "next.png").read_bytes()
 
 
-def test_a_second_platform_in_one_process_is_refused_in_words() -> None:
+def test_a_second_platform_in_one_process_is_refused_with_an_explanation() -> None:
     need_library("OSMesa", "EGL")
     code = """
 from landscape.errors import NoOpenGLError
@@ -211,7 +213,7 @@ except NoOpenGLError as error:
 
 
 @pytest.mark.parametrize("backend", ["osmesa", "egl"])
-def test_contexts_open_and_close_again_and_again_in_one_process(backend: str) -> None:
+def test_contexts_can_be_opened_and_closed_repeatedly_in_one_process(backend: str) -> None:
     need_library({"osmesa": "OSMesa", "egl": "EGL"}[backend])
     code = """
 import sys
@@ -230,7 +232,7 @@ for _ in range(20):
 # --- doctor ------------------------------------------------------------------------------------
 
 
-def test_doctor_json_has_the_contract_s_shape() -> None:
+def test_doctor_json_has_the_documented_fields() -> None:
     done = landscape("doctor", "--json")
     found = done.json()
     assert set(found) == {"backends", "chosen", "python", "packages"}
@@ -250,15 +252,15 @@ def test_doctor_json_has_the_contract_s_shape() -> None:
     assert found["backends"]["glfw"] == {
         "ok": False,
         "reason": found["backends"]["glfw"].get("reason"),
-    }, "there is no screen here"
+    }, "there is no display here"
 
 
 @pytest.mark.window
-def test_doctor_finds_the_window_backend_where_there_is_a_screen(screen: dict[str, str]) -> None:
+def test_doctor_finds_the_glfw_backend_if_there_is_a_display(screen: dict[str, str]) -> None:
     assert landscape("doctor", "--json", env=screen).json()["backends"]["glfw"]["ok"]
 
 
-def test_doctor_explains_in_lines_for_a_reader() -> None:
+def test_doctor_prints_one_line_per_backend() -> None:
     done = landscape("doctor")
     assert done.status == 0 and done.err == ""
     lines = done.out.splitlines()
@@ -266,7 +268,7 @@ def test_doctor_explains_in_lines_for_a_reader() -> None:
     assert lines[3].startswith("`auto` takes ")
 
 
-def test_doctor_ends_with_status_3_and_the_packages_where_nothing_works() -> None:
+def test_doctor_ends_with_status_3_and_names_packages_if_nothing_works() -> None:
     code = """
 import sys
 from landscape.tools import doctor

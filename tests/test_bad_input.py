@@ -1,7 +1,7 @@
-"""Bad input, as a user would give it: it works as expected, or ends in one clear line.
+"""Unusual and bad input from a user either works or ends with one clear error line.
 
-Every case is a whole command line. "One clear line" is exit status 2 and a single line on standard
-error that begins with "landscape: " and names the file or the key; nothing is left behind.
+Every case is a complete command line. A clear error is exit status 2 and a single line on standard
+error that begins with "landscape: " and names the file or the key. No files are left behind.
 """
 
 import json
@@ -36,7 +36,7 @@ def shell(process: Shell, tmp_path: Path) -> Shell:
 
 
 def refused(done: Done, *words: str) -> None:
-    """Check that a command ended in one line that holds the words."""
+    """Assert that a command ended with one error line that contains the words."""
     assert done.status == 2, done
     assert done.out == ""
     assert re.fullmatch(r"landscape: [^\n]+\n", done.err), done.err
@@ -44,8 +44,8 @@ def refused(done: Done, *words: str) -> None:
         assert word in done.err
 
 
-def taken(done: Done, path: Path) -> np.ndarray:
-    """Check that a command ended well and without a word of complaint; return its picture."""
+def succeeded(done: Done, path: Path) -> np.ndarray:
+    """Assert that a command succeeded without errors or warnings; return its image."""
     assert (done.status, done.err) == (0, ""), done
     with Image.open(path) as image:
         return np.array(image)
@@ -59,7 +59,7 @@ def files(folder: Path) -> dict[str, bytes]:
 
 
 def draw_heights(shell: Shell, image: str) -> Done:
-    """Draw the ground over a height image, far from the default island."""
+    """Render the ground from a height image instead of the default island."""
     change = f"ground.height_image={image}"
     drawn = (*SMALL, *POSE, *shell.small, "--only", "ground", "--set", change)
     return shell(*drawn, "--out", "out.png")
@@ -72,16 +72,16 @@ def save(values: np.ndarray, path: Path, mode: str = "") -> None:
 
 @pytest.fixture(scope="module")
 def plain_heights(process: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
-    """The picture that the 8-bit grey image gives."""
+    """The image rendered from the 8-bit grey height image."""
     process.cwd = tmp_path_factory.mktemp("plain")
     save(GREY, process.cwd / "grey.png")
-    picture = taken(draw_heights(process, "grey.png"), process.cwd / "out.png")
+    picture = succeeded(draw_heights(process, "grey.png"), process.cwd / "out.png")
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 50, "the pose shows no ground"
     return picture
 
 
 @pytest.mark.parametrize("kind", ["16 bits", "palette", "alpha", "grey and alpha", "RGB", "TIFF"])
-def test_a_height_image_of_any_kind_gives_the_island_of_its_8_bit_twin(
+def test_a_height_image_in_any_format_gives_the_same_island_as_8_bit_grey(
     kind: str, shell: Shell, plain_heights: np.ndarray
 ) -> None:
     path = shell.cwd / ("heights.tif" if kind == "TIFF" else "heights.png")
@@ -101,7 +101,7 @@ def test_a_height_image_of_any_kind_gives_the_island_of_its_8_bit_twin(
             save(colours, path)
         case "TIFF":
             Image.fromarray(GREY.astype(np.float32) / 255).save(path)
-    picture = taken(draw_heights(shell, path.name), shell.cwd / "out.png")
+    picture = succeeded(draw_heights(shell, path.name), shell.cwd / "out.png")
     far = np.abs(picture.astype(int) - plain_heights.astype(int)).max()
     assert far <= (2 if kind == "TIFF" else 0)
 
@@ -109,8 +109,8 @@ def test_a_height_image_of_any_kind_gives_the_island_of_its_8_bit_twin(
 def test_a_height_image_of_one_pixel_is_a_plain(shell: Shell) -> None:
     save(np.full((1, 1), 128, np.uint8), shell.cwd / "one.png")
     save(np.full((9, 9), 128, np.uint8), shell.cwd / "nine.png")
-    one = taken(draw_heights(shell, "one.png"), shell.cwd / "out.png")
-    nine = taken(draw_heights(shell, "nine.png"), shell.cwd / "out.png")
+    one = succeeded(draw_heights(shell, "one.png"), shell.cwd / "out.png")
+    nine = succeeded(draw_heights(shell, "nine.png"), shell.cwd / "out.png")
     assert (one == nine).all()
 
 
@@ -118,42 +118,42 @@ def test_a_height_image_that_is_not_square_is_stretched_over_the_map(
     shell: Shell, plain_heights: np.ndarray
 ) -> None:
     save(np.repeat(GREY, 3, axis=1), shell.cwd / "wide.png")
-    picture = taken(draw_heights(shell, "wide.png"), shell.cwd / "out.png")
+    picture = succeeded(draw_heights(shell, "wide.png"), shell.cwd / "out.png")
     assert picture.shape == plain_heights.shape and (picture != picture[0, 0]).any()
 
 
 @pytest.mark.parametrize("deep", [False, True], ids=["8 bits", "16 bits"])
-def test_a_height_image_8000_pixels_wide_is_taken(deep: bool, shell: Shell) -> None:
+def test_a_height_image_8000_pixels_wide_is_accepted(deep: bool, shell: Shell) -> None:
     wide = np.repeat(np.repeat(GREY, 4, axis=0), 167, axis=1)[:, :8000]
     save(wide.astype(np.uint16) * 257 if deep else wide, shell.cwd / "wide.png")
-    taken(draw_heights(shell, "wide.png"), shell.cwd / "out.png")
+    succeeded(draw_heights(shell, "wide.png"), shell.cwd / "out.png")
 
 
-def test_a_very_large_height_image_is_taken_without_a_warning(shell: Shell) -> None:
-    # 96 megapixels: Pillow would warn of a "decompression bomb".
+def test_a_very_large_height_image_is_accepted_without_a_warning(shell: Shell) -> None:
+    # At 96 megapixels Pillow would warn of a "decompression bomb".
     Image.new("1", (12000, 8000), 1).save(shell.cwd / "large.png")
-    taken(draw_heights(shell, "large.png"), shell.cwd / "out.png")
+    succeeded(draw_heights(shell, "large.png"), shell.cwd / "out.png")
 
 
-def test_an_image_beyond_all_measure_is_refused(shell: Shell) -> None:
+def test_an_excessively_large_image_is_refused(shell: Shell) -> None:
     Image.new("1", (20000, 10000)).save(shell.cwd / "bomb.png")
     refused(draw_heights(shell, "bomb.png"), "bomb.png", "too large")
 
 
 @pytest.mark.parametrize("name", ["é ü.png", " leading.png", "-.png", "n\u0303 山.png"])
-def test_a_file_name_may_hold_spaces_and_any_letters(
+def test_a_file_name_may_contain_spaces_and_any_letters(
     name: str, shell: Shell, plain_heights: np.ndarray
 ) -> None:
     save(GREY, shell.cwd / name)
     change = f"ground.height_image={shell.cwd}/{name}"
     drawn = (*SMALL, *POSE, *shell.small, "--only", "ground", "--set", change)
     done = shell(*drawn, "--out", f"o {name}")
-    assert (taken(done, shell.cwd / f"o {name}") == plain_heights).all()
+    assert (succeeded(done, shell.cwd / f"o {name}") == plain_heights).all()
     assert done.out == f"o {name}\n"
 
 
 def broken_images(folder: Path) -> None:
-    """Write what is not a whole image."""
+    """Write files that are not complete images."""
     save(GREY, folder / "whole.png")
     whole = (folder / "whole.png").read_bytes()
     Image.fromarray(np.dstack([GREY] * 3)).save(folder / "whole.jpg")
@@ -172,7 +172,7 @@ def broken_images(folder: Path) -> None:
     ["truncated.png", "header.png", "empty.png", "text.png", "mesh.png", "folder.png"]
     + ["truncated.jpg", "missing.png", "~nosuchuser/x.png", "x" * 300 + ".png", "two\nlines.png"],
 )
-def test_what_is_no_height_image_is_refused_by_name(name: str, shell: Shell) -> None:
+def test_a_file_that_is_no_image_is_refused_by_name(name: str, shell: Shell) -> None:
     broken_images(shell.cwd)
     before = files(shell.cwd)
     refused(draw_heights(shell, name), name.replace("\n", " "))
@@ -216,7 +216,11 @@ def ply(
     kind: str = "float",
     line_end: str = "\n",
 ) -> bytes:
-    """Return a PLY file; `extra` are types of further properties, all 1; `counts` may lie."""
+    """Return a PLY file.
+
+    ``extra`` and ``face_extra`` are the types of further properties, all of value 1. ``counts``
+    replaces the element counts in the header.
+    """
     promised = counts or (len(vertices), len(faces))
     head = ["ply", f"format {form} 1.0", "comment by hand", f"element vertex {promised[0]}"]
     head += [f"property {kind} {axis}" for axis in "xyz"]
@@ -239,7 +243,7 @@ def ply(
 
 
 def draw_mesh(shell: Shell, data: bytes) -> Done:
-    """Draw a mesh in the rabbit's place, large."""
+    """Render a mesh, enlarged, in place of the rabbit."""
     (shell.cwd / "mesh.ply").write_bytes(data)
     place = {"mesh": "mesh.ply", "x": "20", "z": "20", "scale": "0.5", "yaw": "30"}
     changes = [f"--set=rabbit.{key}={value}" for key, value in place.items()]
@@ -249,9 +253,9 @@ def draw_mesh(shell: Shell, data: bytes) -> Done:
 
 @pytest.fixture(scope="module")
 def plain_mesh(process: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
-    """The picture of the box as ASCII triangles."""
+    """The image of the box as ASCII triangles."""
     process.cwd = tmp_path_factory.mktemp("plain")
-    picture = taken(draw_mesh(process, ply()), process.cwd / "out.png")
+    picture = succeeded(draw_mesh(process, ply()), process.cwd / "out.png")
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 20, "the pose shows no mesh"
     return picture
 
@@ -286,11 +290,11 @@ GOOD_MESHES = {
 
 
 @pytest.mark.parametrize("kind", GOOD_MESHES)
-def test_a_mesh_in_any_dialect_of_ply_looks_as_it_should(
+def test_a_mesh_in_any_variant_of_ply_looks_the_same(
     kind: str, shell: Shell, plain_mesh: np.ndarray
 ) -> None:
-    picture = taken(draw_mesh(shell, GOOD_MESHES[kind]), shell.cwd / "out.png")
-    # Flat quads may be cut along the other diagonal: their normals' last bits differ.
+    picture = succeeded(draw_mesh(shell, GOOD_MESHES[kind]), shell.cwd / "out.png")
+    # Flat quads may be split along the other diagonal, which changes the last bits of normals.
     assert np.abs(picture.astype(int) - plain_mesh.astype(int)).max() <= 2
 
 
@@ -350,9 +354,9 @@ def test_a_mesh_that_is_missing_or_a_folder_is_refused_by_key_or_name(shell: She
         refused(shell(*draw, f"{key}=folder.ply"), "folder.ply", "cannot be read")
 
 
-def test_coordinates_at_the_limit_of_floats_draw_without_a_warning(shell: Shell) -> None:
+def test_coordinates_at_the_limit_of_float32_give_no_warning(shell: Shell) -> None:
     corners = [(x * 3e38, y, z) for x, y, z in CORNERS]
-    taken(draw_mesh(shell, ply(LITTLE, vertices=corners)), shell.cwd / "out.png")
+    succeeded(draw_mesh(shell, ply(LITTLE, vertices=corners)), shell.cwd / "out.png")
 
 
 # --- textures ----------------------------------------------------------------------------------
@@ -371,7 +375,7 @@ TEXTURES = {
 
 
 @pytest.mark.parametrize("element", TEXTURES)
-def test_a_broken_texture_of_ones_own_is_refused_by_name(element: str, shell: Shell) -> None:
+def test_a_broken_texture_of_the_user_is_refused_by_name(element: str, shell: Shell) -> None:
     mine = shell.cwd / "mine"
     mine.mkdir()
     for name in TEXTURES[element]:
@@ -382,7 +386,7 @@ def test_a_broken_texture_of_ones_own_is_refused_by_name(element: str, shell: Sh
 
 
 @pytest.mark.parametrize("kind", ["37 x 53", "1 x 1", "grey", "palette", "16 bits"])
-def test_textures_of_any_size_and_kind_are_taken(kind: str, shell: Shell) -> None:
+def test_textures_of_any_size_and_format_are_accepted(kind: str, shell: Shell) -> None:
     mine = shell.cwd / "mine"
     mine.mkdir()
     height, width = {"37 x 53": (53, 37), "1 x 1": (1, 1)}.get(kind, (64, 64))
@@ -395,10 +399,10 @@ def test_textures_of_any_size_and_kind_are_taken(kind: str, shell: Shell) -> Non
             save(np.dstack([grey] * 4), mine / name, modes.get(kind, "RGBA"))
     counts = [f"--set={group}.count=40" for group in ("trees", "plants", "deer", "grass")]
     view = ("--pose", "20,3,24,0,-20", "--assets", "mine", *counts, "--out", "out.png")
-    taken(shell(*SMALL, *view), shell.cwd / "out.png")
+    succeeded(shell(*SMALL, *view), shell.cwd / "out.png")
 
 
-def test_a_texture_named_in_the_settings_that_is_missing_is_refused_by_key(shell: Shell) -> None:
+def test_a_missing_texture_named_in_the_settings_is_refused_by_key(shell: Shell) -> None:
     for key in ("ground.large_texture", "ground.detail_texture"):
         refused(shell(*SMALL, *POSE, "--only=ground", f"--set={key}=none.png"), key, "none.png")
 
@@ -423,7 +427,7 @@ def test_a_wrong_setting_is_refused_by_its_key(change: str, shell: Shell) -> Non
         view = ["fig35a"] if command == "render" else []
         done = shell(command, *view, "--set", change)
         refused(done, change.partition("=")[0])
-        assert len(done.err) < 200, "a long value is cut"
+        assert len(done.err) < 200, "a long value should be truncated"
     assert files(shell.cwd) == {}
 
 
@@ -476,8 +480,8 @@ def test_a_settings_file_that_cannot_be_read_is_refused(shell: Shell) -> None:
         refused(shell("settings", "--settings", name), name)
 
 
-def test_the_largest_values_allowed_are_drawn(shell: Shell) -> None:
-    # One at a time: each is heavy enough.
+def test_the_largest_allowed_values_are_rendered(shell: Shell) -> None:
+    # One at a time, because each is slow.
     for change in (
         "grass.count=10000000",
         "grass.radius=1000",
@@ -485,7 +489,7 @@ def test_the_largest_values_allowed_are_drawn(shell: Shell) -> None:
         "trees.size_max=100",
     ):
         done = shell(*SMALL, *POSE, "--only=ground,grass,trees", "--set", change, "--out=out.png")
-        taken(done, shell.cwd / "out.png")
+        succeeded(done, shell.cwd / "out.png")
 
 
 def test_every_number_has_a_largest_and_a_smallest_value() -> None:
@@ -549,7 +553,7 @@ def test_a_wrong_argument_of_render_is_refused(
 
 
 def test_a_size_beyond_this_opengl_is_refused() -> None:
-    # The command line's own limit is that of llvmpipe; here is what stands behind it.
+    # The command line has the limit of llvmpipe; the library checks that of the context.
     code = "import landscape; landscape.Offscreen(size=(16385, 10))"
     done = python(code)
     assert done.status == 1 and "InputError: --size 16385x10: expected from 1x1 to" in done.err
@@ -579,7 +583,7 @@ def test_a_wrong_argument_of_another_command_is_refused(
     refused(shell(*arguments), word)
 
 
-# --- where the pictures go ---------------------------------------------------------------------
+# --- output files ------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -608,7 +612,7 @@ def test_an_output_that_cannot_be_written_is_refused(
     assert (shell.cwd / "file").read_text() == "kept"
 
 
-def test_a_run_that_fails_keeps_the_earlier_file_and_leaves_no_folder(shell: Shell) -> None:
+def test_a_failed_run_keeps_the_earlier_file_and_leaves_no_folder(shell: Shell) -> None:
     (shell.cwd / "old.png").write_bytes(b"earlier")
     (shell.cwd / "bad.ply").write_bytes(b"ply\n")
     bad = ("--only=rabbit", "--set=rabbit.mesh=bad.ply")
@@ -626,5 +630,5 @@ def test_the_contact_sheet_of_broken_assets_is_not_written(shell: Shell) -> None
     assert list(files(shell.cwd)) == ["water.png"]
 
 
-def test_the_settings_command_still_prints_json_after_all_this(shell: Shell) -> None:
+def test_the_settings_command_still_works_after_all_these_errors(shell: Shell) -> None:
     assert len(json.loads(shell("settings", "--json").out)) == len(keys.fields(settings.Settings))

@@ -1,4 +1,4 @@
-"""The command line and the Python face, as the contract has them."""
+"""The command line and the Python interface, as documented."""
 
 import argparse
 import json
@@ -43,7 +43,7 @@ def shell(process: Shell, tmp_path: Path) -> Shell:
 def commands(
     parser: argparse.ArgumentParser, prefix: tuple[str, ...] = ()
 ) -> list[tuple[str, ...]]:
-    """Return every command and sub-command of the parser."""
+    """Return every command and subcommand of the parser."""
     found = [prefix]
     for action in parser._actions:
         if isinstance(action, argparse._SubParsersAction):
@@ -71,7 +71,7 @@ def test_every_command_has_help_with_an_example(command: tuple[str, ...], shell:
         assert "example: landscape " + " ".join(command) in " ".join(done.out.split())
 
 
-def test_the_contract_s_commands_exist() -> None:
+def test_the_documented_commands_exist() -> None:
     names = {" ".join(command) for command in ALL}
     wanted = {"walk", "render", "views", "figures", "trace", "bench", "settings", "doctor"}
     assert "assets check" in names
@@ -79,7 +79,7 @@ def test_the_contract_s_commands_exist() -> None:
 
 
 @pytest.mark.parametrize("command", ["walk", "render", "trace", "settings"])
-def test_the_common_options_are_common(command: str, shell: Shell) -> None:
+def test_rendering_commands_share_the_common_options(command: str, shell: Shell) -> None:
     text = shell(command, "--help").out
     for option in ("--backend", "--preset", "--set", "--settings", "--assets", "--only"):
         assert option in text
@@ -88,17 +88,17 @@ def test_the_common_options_are_common(command: str, shell: Shell) -> None:
 
 
 @pytest.mark.parametrize("command", ["walk", "render", "trace"])
-def test_an_example_in_the_help_is_a_command_line_that_parses(command: str, shell: Shell) -> None:
+def test_the_example_in_the_help_parses(command: str, shell: Shell) -> None:
     text = " ".join(shell(command, "--help").out.split())
     arguments = text.partition("example: landscape ")[2].split()
     assert arguments[0] == command
     assert parse(arguments, cli.COMMANDS).run is not None
 
 
-# --- the shapes of JSON ------------------------------------------------------------------------
+# --- JSON output -------------------------------------------------------------------------------
 
 
-def test_views_json_lists_names_figures_places_kt_and_presets(shell: Shell) -> None:
+def test_views_json_lists_names_figures_poses_kt_and_presets(shell: Shell) -> None:
     found = shell("views", "--json").json()
     assert isinstance(found, list)
     for entry in found:
@@ -112,7 +112,7 @@ def test_views_json_lists_names_figures_places_kt_and_presets(shell: Shell) -> N
     assert found[names.index("fig35a")]["figure"] == "35 a"
 
 
-def test_views_lists_a_line_for_each_view(shell: Shell) -> None:
+def test_views_prints_one_line_per_view(shell: Shell) -> None:
     lines = shell("views").out.splitlines()
     assert [line.split()[0] for line in lines] == list(VIEWS)
 
@@ -154,7 +154,7 @@ def check_call(call: dict[str, Any]) -> None:
         check_call(inner)
 
 
-def test_trace_json_is_the_calls_in_order_with_arguments_by_name_and_lists_nested(
+def test_trace_json_lists_the_calls_in_order_with_named_constants_and_nested_lists(
     shell: Shell,
 ) -> None:
     only = ("--preset", "2006", "--only", "ground,water,fog,map")
@@ -171,7 +171,7 @@ def test_trace_json_is_the_calls_in_order_with_arguments_by_name_and_lists_neste
     assert array["dtype"] == "float32" and len(array["values"]) == 64
 
 
-def test_trace_can_be_narrowed_to_one_element_and_read_as_text(shell: Shell) -> None:
+def test_trace_can_be_limited_to_one_element_and_printed_as_text(shell: Shell) -> None:
     only = ("trace", "fig35a", "--only", "ground,fog", "--element", "fog")
     calls = shell(*only, "--json").json()
     assert calls and {call["element"] for call in calls} == {"fog"}
@@ -180,13 +180,13 @@ def test_trace_can_be_narrowed_to_one_element_and_read_as_text(shell: Shell) -> 
     assert any("glFogi(GL_FOG_MODE, GL_EXP2)" in line for line in lines)
 
 
-# --- the program as a process ------------------------------------------------------------------
+# --- process behaviour -------------------------------------------------------------------------
 
 
 def test_the_module_and_the_console_script_do_the_same() -> None:
     script = Path(sys.executable).with_name("landscape")
     if not script.exists():
-        pytest.skip("the package is not installed, only on the path")
+        pytest.skip("the package is not installed")
     options: dict[str, Any] = {"capture_output": True, "timeout": SECONDS, "env": environment()}
     for arguments in (["settings", "--json"], ["render", "fig99z"]):
         one, two = (subprocess.run([*c, *arguments], **options) for c in (MODULE, [str(script)]))
@@ -199,7 +199,7 @@ def test_bad_input_gives_the_process_status_2_and_one_line() -> None:
     assert done.err == "landscape: view 'fig99z': no such view; `landscape views` lists them all\n"
 
 
-def test_a_reader_that_leaves_early_is_no_error() -> None:
+def test_a_closed_pipe_on_standard_output_is_not_an_error() -> None:
     read, write = os.pipe()
     os.close(read)
     with os.fdopen(write, "wb") as stdout:
@@ -212,7 +212,7 @@ def test_a_reader_that_leaves_early_is_no_error() -> None:
     assert (done.returncode, done.stderr) == (0, b"")
 
 
-def test_a_full_disk_behind_standard_output_is_said_in_one_line() -> None:
+def test_a_full_disk_on_standard_output_gives_one_error_line() -> None:
     if not os.path.exists("/dev/full"):
         pytest.skip("there is no /dev/full on this system")
     with open("/dev/full", "wb") as stdout:
@@ -223,21 +223,21 @@ def test_a_full_disk_behind_standard_output_is_said_in_one_line() -> None:
     assert done.stderr == b"landscape: standard output: No space left on device\n"
 
 
-def test_closed_standard_streams_do_no_harm(tmp_path: Path) -> None:
+def test_closed_standard_streams_are_tolerated(tmp_path: Path) -> None:
     line = f"{sys.executable} -m landscape render fig35a fig35b {' '.join(SMALL)} >&- 2>&-"
     done = subprocess.run(["sh", "-c", line], cwd=tmp_path, env=environment(), timeout=SECONDS)
     assert done.returncode == 0
     assert pictures(tmp_path) == ["fig35a.png", "fig35b.png"]
 
 
-def test_a_name_beyond_the_terminal_s_alphabet_is_printed_somehow(tmp_path: Path) -> None:
+def test_a_name_that_the_terminal_cannot_encode_is_escaped(tmp_path: Path) -> None:
     env = environment(PYTHONIOENCODING="ascii")
     done = landscape("render", "fig35a", *SMALL, "--out", "é.png", env=env, cwd=tmp_path)
     assert (done.status, done.err) == (0, "")
     assert done.out == "\\xe9.png\n" and pictures(tmp_path) == ["é.png"]
 
 
-def test_ctrl_c_in_the_middle_of_many_views_leaves_whole_files_only(tmp_path: Path) -> None:
+def test_ctrl_c_while_rendering_many_views_leaves_only_complete_files(tmp_path: Path) -> None:
     command = [*MODULE, "render", *NINE, "--preset", "2006", "--size", "640x480", "--out", "many"]
     process = subprocess.Popen(
         command,
@@ -246,7 +246,7 @@ def test_ctrl_c_in_the_middle_of_many_views_leaves_whole_files_only(tmp_path: Pa
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        # A test run in the background ignores the signal, and would bequeath that.
+        # A test run in the background ignores SIGINT, and the child would inherit that.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )
     first = tmp_path / "many" / "fig35a.png"
@@ -264,30 +264,30 @@ def test_ctrl_c_in_the_middle_of_many_views_leaves_whole_files_only(tmp_path: Pa
             assert image.size == (640, 480)
 
 
-# --- what is said, and where -------------------------------------------------------------------
+# --- messages ----------------------------------------------------------------------------------
 
 
-def test_a_run_names_its_files_on_standard_output_and_says_no_more(shell: Shell) -> None:
+def test_a_run_prints_its_file_names_and_nothing_else(shell: Shell) -> None:
     done = shell("render", "fig35a", "fig35b", *SMALL, *shell.small, "--out", "two views")
     assert (done.status, done.err) == (0, "")
     assert done.out == "two views/fig35a.png\ntwo views/fig35b.png\n"
 
 
 @pytest.mark.parametrize("quiet", ["-q", "--quiet"])
-def test_a_quiet_run_says_nothing(quiet: str, shell: Shell) -> None:
+def test_a_quiet_run_prints_nothing(quiet: str, shell: Shell) -> None:
     done = shell("render", "fig35a", *SMALL, *shell.small, quiet)
     assert (done.status, done.out, done.err) == (0, "", "")
     assert pictures(shell.cwd) == ["fig35a.png"]
 
 
 @pytest.mark.parametrize("quiet", [False, True])
-def test_progress_shows_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Path) -> None:
+def test_progress_is_shown_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Path) -> None:
     ours, theirs = pty.openpty()
     command = [*MODULE, "render", "fig35a", "fig35b", *SMALL, *(["-q"] if quiet else [])]
     done = subprocess.run(
         command, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, stderr=theirs
     )
-    # Something to read, or reading would wait where nothing was written.
+    # Write something, because reading would block if nothing else was written.
     os.write(theirs, b"end")
     os.close(theirs)
     shown = os.read(ours, 10_000).decode()
@@ -312,14 +312,14 @@ def test_the_same_command_twice_gives_the_same_bytes(tmp_path: Path) -> None:
     assert first == second
 
 
-def test_one_view_goes_beside_the_user_by_default(shell: Shell) -> None:
+def test_one_view_is_written_to_the_current_directory_by_default(shell: Shell) -> None:
     shell("render", "fig35a", *SMALL)
     assert pictures(shell.cwd) == ["fig35a.png"]
     with Image.open(shell.cwd / "fig35a.png") as image:
         assert image.size == (48, 36) and image.mode == "RGB"
 
 
-def test_views_may_stand_before_between_and_after_the_options(shell: Shell) -> None:
+def test_views_may_come_before_between_and_after_the_options(shell: Shell) -> None:
     small = (*SMALL, *shell.small)
     done = shell("render", "fig35a", "--kt", "3", "fig35b", *small, "fig35c", "--out", "d")
     assert done.status == 0, done.err
@@ -357,11 +357,11 @@ def rendered(shell: Shell, *arguments: str) -> bytes:
     ],
     ids=" ".join,
 )
-def test_each_option_of_render_changes_the_picture(change: list[str], shell: Shell) -> None:
+def test_each_option_of_render_changes_the_image(change: list[str], shell: Shell) -> None:
     assert rendered(shell, "fig35a", *SMALL, *change) != rendered(shell, "fig35a", *SMALL)
 
 
-def test_another_seed_plants_other_trees_and_no_other_ground(shell: Shell) -> None:
+def test_the_seed_changes_the_trees_but_not_the_ground(shell: Shell) -> None:
     def picture(only: str, seed: str) -> bytes:
         return rendered(shell, "fig35a", *SMALL, "--only", only, "--seed", seed)
 
@@ -369,13 +369,13 @@ def test_another_seed_plants_other_trees_and_no_other_ground(shell: Shell) -> No
     assert picture("ground", "1") == picture("ground", "2")
 
 
-def test_a_pose_may_begin_with_a_minus_and_kt_be_negative(shell: Shell) -> None:
+def test_a_pose_may_start_with_a_minus_sign_and_kt_may_be_negative(shell: Shell) -> None:
     west = rendered(shell, *SMALL, "--pose", "-3,2,20,90,-5", "--kt", "-4")
     assert west == rendered(shell, *SMALL, "--pose=-3,2,20,90,-5", "--kt=-4")
     assert west != rendered(shell, *SMALL, "--pose", "3,2,20,90,-5", "--kt", "-4")
 
 
-def test_yaw_90_looks_east_and_pitch_up() -> None:
+def test_yaw_90_looks_east_and_pitch_90_looks_up() -> None:
     def forward(pose: str) -> tuple[float, ...]:
         arguments = ["render", f"--pose={pose}"]
         return parse(arguments, cli.COMMANDS).pose.forward  # type: ignore[no-any-return]
@@ -403,7 +403,7 @@ with landscape.Offscreen(size=(640, 480), settings={"fog.density": 0.05}, **opti
     assert pixels.shape == (480, 640, 3) and pixels.dtype == np.uint8
     assert (pixels == view.draw(kt=40)).all()
     assert (pixels != view.draw(kt=55)).any(), "the water stands still"
-    # The top row first: the sky's fog colour is there and not at the walker's feet.
+    # The top row comes first: it has the fog colour of the sky, the bottom row does not.
     fog = np.round(np.array(view.scene.settings.fog.color) * 255)
     assert (abs(pixels[0].astype(int) - fog) <= 1).all()
     assert (abs(pixels[-1].astype(int) - fog) > 1).any()
@@ -411,7 +411,7 @@ with landscape.Offscreen(size=(640, 480), settings={"fog.density": 0.05}, **opti
     view.look((20.0, None, 20.0, 0.0, 0.0))
     ground = float(view.scene.height(20.0, 20.0))
     assert abs(view.moment.pose.y - ground - 0.1) < 1e-6
-    assert (view.draw() != kept).any() and (pixels == kept).all(), "a picture was drawn over"
+    assert (view.draw() != kept).any() and (pixels == kept).all(), "an earlier image was changed"
 
 with landscape.Offscreen((32, 24), **options) as thicker:
     thicker.look("fig35d")
@@ -422,7 +422,7 @@ with landscape.Offscreen((32, 24), settings={"fog.density": 0.05}, **options) as
     thinner.close()
 thinner.close()
 
-# Two at once, in turns: each draws into its own context.
+# Two at once, alternating: each draws into its own context.
 with landscape.Offscreen((32, 24), preset="2006", only=("ground", "fog")) as one:
     one.look("fig35d")
     alone = one.draw()
@@ -451,7 +451,7 @@ print("good")
 """
 
 
-def test_the_contract_s_python_example_holds() -> None:
+def test_the_python_interface_works_as_documented() -> None:
     done = python(EXAMPLE)
     assert (done.status, done.out, done.err) == (0, "good\n", "")
 
@@ -461,6 +461,6 @@ def test_importing_landscape_imports_no_opengl() -> None:
     assert done.out == "[]\n", done.err
 
 
-def test_json_printed_for_scripts_holds_no_nan(shell: Shell) -> None:
+def test_json_output_contains_no_nan(shell: Shell) -> None:
     for command in (["views"], ["settings"], ["trace", "fig35a", "--only", "ground,fog"]):
         json.loads(shell(*command, "--json").out, parse_constant=lambda name: 1 / 0)

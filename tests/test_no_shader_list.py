@@ -1,6 +1,6 @@
-"""The list of entry points this program may never call is complete, and no file names any of them.
+"""The list of forbidden entry points is complete, and no file of the program names any of them.
 
-The list is made from PyOpenGL's own tables by the rules below. To write it anew:
+The list is generated from PyOpenGL's tables by the rules below. To regenerate it:
 
     python tests/test_no_shader_list.py > shaders_none/forbidden.txt
 """
@@ -16,28 +16,28 @@ ROOT = Path(__file__).resolve().parents[1]
 LIST = ROOT / "shaders_none" / "forbidden.txt"
 
 HEADER = """\
-# Every entry point of OpenGL that creates, compiles, links, binds, feeds, runs or questions a
-# shader or a program, core or extension, in PyOpenGL's tables. None is called by this program: the
-# test suite traces every view and looks for them. tests/test_no_shader_list.py made this list.
+# Every OpenGL entry point in PyOpenGL's tables, core or extension, that creates, compiles, links,
+# binds, supplies data to, runs or queries a shader or a program. This program calls none of them:
+# the test suite traces every view and checks. tests/test_no_shader_list.py generated this list.
 #
-# Not on it, because they are fixed stages with settings and not programs: texture environments and
-# combiners, NV register combiners, evaluators, ATI environment bump mapping, sampler objects, the
-# fragment lights of SGIX.
+# Not listed, because they are configurable fixed stages and not programs: texture environments and
+# combiners, NV register combiners, evaluators, ATI environment bump mapping, sampler objects, SGIX
+# fragment lighting.
 """
 
 NAMES = re.compile(
     r"""
-      Shader | Program | Uniform | Subroutine | Variant   # objects, their sources and their inputs
+      Shader | Program | Uniform | Subroutine | Variant   # objects, their sources and inputs
     | VertexAttrib | Attrib(?:Array|Location|Divisor) | ActiveAttrib   # generic vertex attributes
     | VertexArray\w*(?:Attrib|Binding|VertexBuffer) | BindVertexBuffer
     | FragData | Varying | TransformFeedback              # their outputs
-    | DispatchCompute | MeshTasks | PatchParameter        # what only runs through them
+    | DispatchCompute | MeshTasks | PatchParameter        # calls that only run shaders
     | ImageTexture | ImageHandle | StorageBlock | AtomicCounter | MemoryBarrier  # their memory
     | BindBuffers?(?:Base|Range|Offset)
     """,
     re.VERBOSE,
 )
-"""Parts of a name that give a shader's business away, whatever the extension."""
+"""Parts of a name that mark a shader function, whatever the extension."""
 
 MODULES = (
     "AMD.vertex_shader_tessellator",
@@ -55,12 +55,12 @@ MODULES = (
     "NV.bindless_texture",
     "NV.vertex_program",
 )
-"""Extensions of which every entry point is a shader's business."""
+"""Extensions whose entry points are all shader functions."""
 
 
 def entry_points() -> dict[str, set[str]]:
-    """Return every GL function in PyOpenGL's raw tables and the modules that define it."""
-    spec = importlib.util.find_spec("OpenGL")  # finds it without loading any OpenGL library
+    """Return every GL function in PyOpenGL's raw tables with the modules that define it."""
+    spec = importlib.util.find_spec("OpenGL")  # does not load any OpenGL library
     assert spec is not None and spec.submodule_search_locations is not None
     raw = Path(spec.submodule_search_locations[0]) / "raw" / "GL"
     found: dict[str, set[str]] = {}
@@ -72,7 +72,7 @@ def entry_points() -> dict[str, set[str]]:
 
 
 def forbidden_by_rule() -> list[str]:
-    """Return the sorted names that the rules above choose from PyOpenGL's tables."""
+    """Return the sorted names in PyOpenGL's tables that match the rules above."""
     return sorted(
         name
         for name, modules in entry_points().items()
@@ -81,32 +81,32 @@ def forbidden_by_rule() -> list[str]:
 
 
 def listed() -> list[str]:
-    """Return the names in the list, as they stand there."""
+    """Return the names in the list, in file order."""
     lines = LIST.read_text(encoding="utf-8").splitlines()
     return [line for line in lines if line and not line.startswith("#")]
 
 
-def test_the_list_is_sorted_and_has_no_name_twice() -> None:
+def test_the_list_is_sorted_and_has_no_duplicates() -> None:
     assert listed() == sorted(set(listed()))
 
 
-def test_every_name_exists_in_pyopengl() -> None:
+def test_every_listed_name_exists_in_pyopengl() -> None:
     assert set(listed()) <= set(entry_points())
 
 
-def test_every_name_of_a_shaders_business_is_listed() -> None:
+def test_every_shader_function_is_listed() -> None:
     assert set(forbidden_by_rule()) <= set(listed()), (
-        "write the list anew, see the top of this file"
+        "regenerate the list, see the top of this file"
     )
 
 
-def test_every_rule_chooses_something() -> None:
+def test_every_extension_in_the_rules_exists() -> None:
     modules = set().union(*entry_points().values())
     assert set(MODULES) <= modules
 
 
 @pytest.mark.parametrize(
-    "pillar",
+    "name",
     [
         *("glCreateShader", "glShaderSource", "glCompileShader", "glAttachShader"),
         *("glCreateProgram", "glLinkProgram", "glUseProgram", "glUniform1i", "glUniformMatrix4fv"),
@@ -120,12 +120,12 @@ def test_every_rule_chooses_something() -> None:
         *("glVertexArrayAttribFormat", "glBindBufferBase", "glGetnUniformfv"),
     ],
 )
-def test_the_list_holds(pillar: str) -> None:
-    assert pillar in listed()
+def test_the_list_contains(name: str) -> None:
+    assert name in listed()
 
 
 @pytest.mark.parametrize(
-    "stage",
+    "name",
     [
         *("glTexEnvi", "glActiveTexture", "glFogf", "glLightfv", "glTexGeni", "glClipPlane"),
         *("glVertexPointer", "glTexCoordPointer", "glBindBuffer", "glBlitFramebuffer"),
@@ -133,12 +133,12 @@ def test_the_list_holds(pillar: str) -> None:
         *("glTexParameteri", "glPointParameterf", "glEvalMesh2", "glBindFramebuffer"),
     ],
 )
-def test_the_fixed_stages_are_not_on_the_list(stage: str) -> None:
-    assert stage in entry_points()
-    assert stage not in listed()
+def test_fixed_function_calls_are_not_listed(name: str) -> None:
+    assert name in entry_points()
+    assert name not in listed()
 
 
-def test_no_file_of_the_program_names_one() -> None:
+def test_no_file_of_the_program_contains_a_listed_name() -> None:
     names = set(listed())
     files = sorted((ROOT / "landscape").rglob("*.py"))
     assert files

@@ -1,4 +1,4 @@
-"""The contact sheet: all assets on one picture, on a checkerboard where they are transparent."""
+"""The contact sheet: all image assets on one page, with a checkerboard behind transparency."""
 
 from pathlib import Path
 
@@ -8,12 +8,12 @@ from PIL import Image, ImageDraw
 from landscape.files.assets import Assets, shipped
 from landscape.files.images import read_image
 
-CELL = 256  # chosen: pixels per side of an asset on the sheet
-COLUMNS = 7
+CELL = 256  # chosen: side of a thumbnail in pixels
+COLUMNS = 7  # chosen
 
 
 def contact_sheet(folder: Path | None = None) -> np.ndarray:
-    """Return the sheet, uint8 (h, w, 3), of every PNG among the assets, ``folder``'s own first."""
+    """Return the sheet, uint8 (h, w, 3), of all PNG assets; files in ``folder`` take precedence."""
     assets = Assets(folder)
     names = {path.name for path in shipped().glob("*.png")}
     names |= {path.name for path in folder.glob("*.png")} if folder else set()

@@ -1,4 +1,4 @@
-"""Making the assets: every studio module's table, written whole file by whole file."""
+"""Build the assets: run the makers from the studio modules' tables and write their files."""
 
 import io
 import multiprocessing
@@ -20,14 +20,15 @@ from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.files.output import Progress, write_whole
 
-# The height field first: ground and map are made from it.
+# The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
-    "masonry", "trees", "deer", "plants", "herbs", "rabbit", "dragon", "sword",
+    "masonry", "gate", "trees", "deer", "plants", "herbs", "rabbit", "dragon", "sword",
 )  # fmt: skip
 
-PROCESSES = 2  # chosen: what the smallest machine has; each needs half a gigabyte
-# Grain of nearly one hue: a palette of so many colours shows no difference and saves two thirds.
+PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte
+# Number of palette colours for textures of nearly one hue. The loss is not visible, and the file
+# is two thirds smaller.
 PALETTES = {
     "ground_detail.png": 256,
     "ground_sand.png": 256,
@@ -37,7 +38,7 @@ PALETTES = {
 
 
 def table() -> dict[str, Callable[[], Any]]:
-    """Return every asset's file name and the function that makes it."""
+    """Return the function that makes each asset, by file name."""
     makers: dict[str, Callable[[], Any]] = {}
     for name in MODULES:
         makers |= import_module(f"landscape.studio.{name}").ASSETS
@@ -47,7 +48,7 @@ def table() -> dict[str, Callable[[], Any]]:
 def ply(vertices: np.ndarray, faces: np.ndarray, colours: np.ndarray) -> bytes:
     """Encode vertices (n, 3), triangles (m, 3) and colours uint8 (n, 3) as a binary PLY.
 
-    Indices are short if they may be.
+    Indices are 16-bit where the vertex count allows it.
     """
     kind, number = ("ushort", "<u2") if len(vertices) <= 65536 else ("uint", "<u4")
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
@@ -63,9 +64,9 @@ def ply(vertices: np.ndarray, faces: np.ndarray, colours: np.ndarray) -> bytes:
 
 
 def encoded(made: Any, colours: int = 0) -> bytes:
-    """Encode what a studio function returned: pixels as PNG, (vertices, faces, colours) as PLY.
+    """Encode the result of a maker: pixels as PNG, (vertices, faces, colours) as PLY.
 
-    ``colours`` other than 0 reduces an RGB picture to a palette of that size.
+    If ``colours`` is not 0, an RGB image is reduced to a palette of that size.
     """
     if isinstance(made, tuple):
         return ply(*made)
@@ -78,17 +79,17 @@ def encoded(made: Any, colours: int = 0) -> bytes:
 
 
 def make(name: str) -> bytes:
-    """Return the bytes of the asset's file."""
+    """Make one asset and return the bytes of its file."""
     return encoded(table()[name](), PALETTES.get(name, 0))
 
 
 def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
-    """Make the assets in as many processes as help, and yield them in the order they are done."""
+    """Make the assets in up to PROCESSES processes; yield name and bytes as each one completes."""
     count = min(PROCESSES, os.cpu_count() or 1, len(names))
     if count == 1:
         yield from ((name, make(name)) for name in names)
         return
-    # Spawned, not forked: a fork of a process with threads in it may hang.
+    # Spawned, not forked: forking a process that has threads can deadlock.
     spawn = multiprocessing.get_context("spawn")
     pool = ProcessPoolExecutor(count, spawn, initializer=_start)
     try:
@@ -98,7 +99,7 @@ def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
     except BrokenProcessPool:
         raise InputError("assets build: a process was killed (perhaps out of memory)") from None
     except BaseException:
-        # The others are of no use any more, and may have minutes to go.
+        # The other processes' results are no longer needed, and they could run for minutes.
         for process in multiprocessing.active_children():
             process.terminate()
         raise
@@ -107,37 +108,38 @@ def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
 
 
 def _start() -> None:
-    """Prepare a process of the pool: it ends when its parent says so, or with its parent."""
+    """Initialise a worker process: it ignores Ctrl-C and exits when its parent does."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
 
-    def follow() -> None:
+    def exit_with_parent() -> None:
         if parent is not None:
             parent.join()
             os._exit(1)
 
-    threading.Thread(target=follow, daemon=True).start()
+    threading.Thread(target=exit_with_parent, daemon=True).start()
 
 
 def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> int:
-    """Make the named assets, or all, into ``folder`` (by default where the shipped ones are).
+    """Build the named assets (all if none are named) into ``folder``.
 
-    InputError for a name that is no asset, a folder that cannot be written, or a missing extra.
+    The default folder is that of the shipped assets. Raises InputError for an unknown asset, a
+    folder that cannot be created, or a missing extra.
     """
     try:
         makers = table()
     except ImportError as error:
-        raise InputError(f"assets build: needs the extra `studio` ({error})") from None
-    wanted = list(dict.fromkeys(names)) or list(makers)
-    for name in wanted:
+        raise InputError(f"assets build: requires the extra `studio` ({error})") from None
+    selected = list(dict.fromkeys(names)) or list(makers)
+    for name in selected:
         if name not in makers:
-            raise InputError(f"assets build {name}: expected some of {', '.join(makers)}")
+            raise InputError(f"assets build {name}: no such asset; choose from {', '.join(makers)}")
     target = folder or shipped()
     try:
         target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"--assets {target}: cannot be made ({error.strerror})") from None
-    with Progress(len(wanted), quiet) as progress, closing(make_all(wanted)) as made:
+        raise InputError(f"--assets {target}: cannot be created ({error.strerror})") from None
+    with Progress(len(selected), quiet) as progress, closing(make_all(selected)) as made:
         for name, data in made:
             write_whole(target / name, data)
             progress.step(name)

@@ -1,4 +1,4 @@
-"""The drawn map: shaded relief with hachured waters, as on an engraved chart."""
+"""The map: shaded relief with coastal water lines and ink drawings, like an engraved chart."""
 
 import math
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from landscape.studio.images import shrink, smoothstep, spectral_noise, to_uint8
 
 MAP = 512  # chosen
 
-# Chosen: the map's inks and washes, sRGB.
+# Chosen: ink and fill colours, sRGB; land tints by height.
 INK = (62, 46, 34)
 LAND_TINTS = [
     (0.60, (232, 214, 168)), (0.85, (202, 198, 138)), (1.20, (170, 180, 112)),
@@ -24,39 +24,41 @@ SHALLOW_TINT = (188, 208, 196)
 DEEP_TINT = (112, 152, 164)
 SEA_INK = (52, 88, 104)
 CONTOURS = (1.2, 1.8, 2.4, 3.0, 3.6, 4.2)
-FINE = 4  # the pen draws at four times the size
+SUPERSAMPLING = 4  # supersampling factor of the ink drawings
 
 
-def line_of(field: np.ndarray, level: float, width: float) -> np.ndarray:
-    """Return the cover (0..1) of a pen line ``width`` texels wide where ``field`` is ``level``."""
+def contour(field: np.ndarray, level: float, width: float) -> np.ndarray:
+    """Return the coverage (0..1) of a contour line of ``field`` at ``level``, ``width`` texels."""
     gz, gx = np.gradient(field)
-    away = np.abs(field - level) / np.maximum(np.hypot(gx, gz), 1e-4)
-    return np.clip(width / 2.0 + 0.5 - away, 0.0, 1.0)
+    distance = np.abs(field - level) / np.maximum(np.hypot(gx, gz), 1e-4)
+    return np.clip(width / 2.0 + 0.5 - distance, 0.0, 1.0)
 
 
-def washes() -> np.ndarray:
-    """Return the map without its drawings: tinted shaded relief and sea, (MAP, MAP, 3), 0..255."""
+def base_layer() -> np.ndarray:
+    """Return the map without its drawings: tinted relief and sea, (MAP, MAP, 3) in 0..255."""
     h = ndimage.gaussian_filter(terrain.build()[0], 0.8)
     land = h > terrain.WATER_LEVEL
     levels = [level for level, _ in LAND_TINTS]
     tints = np.array([tint for _, tint in LAND_TINTS], float)
     ground = np.stack([np.interp(h, levels, tints[:, c]) for c in range(3)], axis=-1)
-    lamp = np.array([-0.55, 0.62, -0.55]) / math.hypot(0.55, 0.62, 0.55)  # maps are lit from above
+    lamp = np.array([-0.55, 0.62, -0.55]) / math.hypot(
+        0.55, 0.62, 0.55
+    )  # by convention maps are lit from the upper left
     shade = normals(h, terrain.CELL) @ lamp / lamp[1]
     ground *= np.clip(0.42 + 0.58 * shade, 0.40, 1.22)[..., None]
 
     pen = np.array(INK, float)
     for level in CONTOURS:
-        ground += (pen - ground) * 0.30 * line_of(h, level, 1.0)[..., None]
-    away = ndimage.distance_transform_edt(~land)
-    deep = np.clip(away / 46.0, 0.0, 1.0)[..., None] ** 0.7
+        ground += (pen - ground) * 0.30 * contour(h, level, 1.0)[..., None]
+    to_coast = ndimage.distance_transform_edt(~land)
+    deep = np.clip(to_coast / 46.0, 0.0, 1.0)[..., None] ** 0.7
     sea = np.array(SHALLOW_TINT) * (1.0 - deep) + np.array(DEEP_TINT) * deep
-    smooth = ndimage.gaussian_filter(away, 1.5)
+    smooth = ndimage.gaussian_filter(to_coast, 1.5)
     for k, distance in enumerate((4.5, 9.0, 14.5, 21.0)):
         cover = (0.55 - 0.12 * k) * np.clip(1.1 - np.abs(smooth - distance), 0.0, 1.0)
         sea += (np.array(SEA_INK) - sea) * cover[..., None]
     rgb = np.where(land[..., None], ground, sea)
-    signed = ndimage.gaussian_filter(away - ndimage.distance_transform_edt(land), 0.7)
+    signed = ndimage.gaussian_filter(to_coast - ndimage.distance_transform_edt(land), 0.7)
     rgb += (pen - rgb) * 0.9 * np.clip(1.6 - np.abs(signed), 0.0, 1.0)[..., None]
     paper = 1.0 + 0.022 * spectral_noise(MAP, 0.9, 51, 4.0) + 0.02 * spectral_noise(MAP, 2.0, 52)
     x = np.linspace(-1.0, 1.0, MAP)
@@ -65,7 +67,7 @@ def washes() -> np.ndarray:
 
 
 def draw_compass(pen: ImageDraw.ImageDraw, x: float, y: float, r: float) -> None:
-    """Draw a rose of eight points round (x, y), the north one the longest, with an N above it."""
+    """Draw an eight-point compass rose of radius ``r`` at (x, y) with an N above it."""
     pen.ellipse((x - 0.62 * r, y - 0.62 * r, x + 0.62 * r, y + 0.62 * r), outline=INK, width=6)
     for long, first in ((0.62, 45), (1.0, 0)):
         for angle in range(first, first + 360, 90):
@@ -80,7 +82,7 @@ def draw_compass(pen: ImageDraw.ImageDraw, x: float, y: float, r: float) -> None
 
 
 def draw_castle(pen: ImageDraw.ImageDraw, x: float, y: float, s: float) -> None:
-    """Draw a little castle of two towers and a gate, ``s`` wide, its foot's middle at (x, y)."""
+    """Draw a castle with two towers and a gate, ``s`` wide, bottom centre at (x, y)."""
     stone, roof = (240, 228, 204), (168, 62, 44)
     pen.rectangle((x - 0.30 * s, y - 0.55 * s, x + 0.30 * s, y), fill=stone, outline=INK, width=8)
     for k in (-0.2, 0.0, 0.2):
@@ -99,7 +101,7 @@ def draw_castle(pen: ImageDraw.ImageDraw, x: float, y: float, s: float) -> None:
 
 
 def draw_serpent(pen: ImageDraw.ImageDraw, x: float, y: float, s: float) -> None:
-    """Draw a sea serpent ``s`` wide, its water line from (x, y) eastwards: humps, neck and head."""
+    """Draw a sea serpent ``s`` wide whose water line starts at (x, y) and runs east."""
     t = np.linspace(0.0, 1.0, 260)
     body_x = x + s * (0.02 + 0.66 * t + 0.03 * np.sin(4.0 * math.pi * t))
     body_y = y - s * (0.13 + 0.05 * t) * np.sin(6.0 * math.pi * t - 0.6)
@@ -123,8 +125,8 @@ def draw_serpent(pen: ImageDraw.ImageDraw, x: float, y: float, s: float) -> None
 
 
 def drawings() -> np.ndarray:
-    """Return all that the pen draws, the frame included, as premultiplied RGBA (MAP, MAP, 4)."""
-    size = MAP * FINE
+    """Return the ink drawings and the frame as premultiplied RGBA (MAP, MAP, 4)."""
+    size = MAP * SUPERSAMPLING
     sheet = Image.new("RGBA", (size, size), (0, 0, 0, 0))
     pen = ImageDraw.Draw(sheet)
     scale = size / terrain.WORLD
@@ -139,7 +141,7 @@ def drawings() -> np.ndarray:
     paper = (232, 214, 172)
     pen.rectangle((0, 0, size - 1, size - 1), outline=paper, width=round(inner))
     step = size / marks
-    for k in range(0, marks, 2):  # a chart's chequered frame, two units to a field
+    for k in range(0, marks, 2):  # chequered frame, two units per field
         a, b = k * step, (k + 1) * step
         pen.rectangle((a, outer, b, inner), fill=INK)
         pen.rectangle((a + step, size - inner, b + step, size - outer), fill=INK)
@@ -149,13 +151,13 @@ def drawings() -> np.ndarray:
     pen.rectangle((inner, inner, size - inner, size - inner), outline=INK, width=8)
     rgba = np.asarray(sheet, float) / 255.0
     rgba[..., :3] *= rgba[..., 3:]
-    return shrink(rgba, FINE)
+    return shrink(rgba, SUPERSAMPLING)
 
 
 def island_map() -> np.ndarray:
-    """Return the map of the island, north up, uint8 (MAP, MAP, 3); its edges are the island's."""
+    """Return the map, uint8 (MAP, MAP, 3): north up, covering the 40 x 40 units exactly."""
     ink = drawings()
-    return to_uint8(washes() / 255.0 * (1.0 - ink[..., 3:]) + ink[..., :3])
+    return to_uint8(base_layer() / 255.0 * (1.0 - ink[..., 3:]) + ink[..., :3])
 
 
 ASSETS: dict[str, Callable[[], np.ndarray]] = {"map.png": island_map}

@@ -1,8 +1,8 @@
-"""The moving cloud layer: thin broken cloud that drifts over the painted sky (R1).
+"""The moving cloud layer: thin broken cloud that drifts over the sky box (R1).
 
-Method: tileable fractal noise, bent by another, whose excess over a coverage is the thickness;
-opacity is 1 - exp(-k thickness), and a short march towards the sun within the layer's plane shades
-the side that is turned away.
+The thickness is domain-warped tileable fractal noise above a threshold; the opacity is
+1 - exp(-k thickness). A short march towards the sun in the plane of the layer shades the side that
+faces away from it.
 """
 
 from collections.abc import Callable
@@ -14,20 +14,20 @@ from landscape.studio.images import bleed, smoothstep, spectral_noise, to_uint8
 from landscape.studio.light import sun_direction
 
 SIZE = 512
-COVERAGE = 0.35  # chosen: noise below this leaves blue sky, in deviations
+THRESHOLD = 0.35  # chosen: noise below this is clear sky, in standard deviations
 OPACITY = 0.8  # chosen
-BEND = 14.0  # chosen: texels the noise is bent by, which draws it out into wisps
-MARCH = 9  # chosen: texels towards the sun that cast shade
+WARP = 14.0  # chosen: domain warp in texels, which stretches the noise into wisps
+MARCH = 9  # chosen: length of the march towards the sun, texels
 
 
 def clouds() -> np.ndarray:
-    """Return the layer, uint8 (512, 512, 4), tileable; the texture's top is north."""
+    """Return the layer, uint8 (512, 512, 4), tileable; row 0 is north."""
     rows, columns = np.indices((SIZE, SIZE), dtype=float)
-    bend = [BEND * spectral_noise(SIZE, 1.9, seed, 2.0) for seed in (31, 32)]
+    warp = [WARP * spectral_noise(SIZE, 1.9, seed, 2.0) for seed in (31, 32)]
     noise = 0.85 * spectral_noise(SIZE, 1.9, 33, 2.0) + 0.25 * spectral_noise(SIZE, 1.5, 34, 6.0)
-    places = [columns + bend[0], rows + bend[1]][::-1]
-    noise = ndimage.map_coordinates(noise, places, order=1, mode="grid-wrap")
-    thickness = np.maximum(noise - COVERAGE, 0.0)
+    positions = [columns + warp[0], rows + warp[1]][::-1]
+    noise = ndimage.map_coordinates(noise, positions, order=1, mode="grid-wrap")
+    thickness = np.maximum(noise - THRESHOLD, 0.0)
     alpha = 1.0 - np.exp(-OPACITY * thickness)
     x, _, z = sun_direction()
     shade = np.zeros_like(thickness)

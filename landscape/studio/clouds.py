@@ -1,9 +1,9 @@
 """The clouds of the sky box.
 
-The cumulus are the heaps of :mod:`landscape.studio.heaps`, whose surface volumes of billows and of
-wisps bend and fray. They are marched with Beer's law and a few octaves of softened light for the
-multiple scattering (Schneider 2015; Wrenninge et al. 2013). Cirrus lie on a deck above. Both are
-functions of the direction alone.
+The shapes of the cumulus come from :mod:`landscape.studio.cumulus`; volumes of Worley and fractal
+noise displace and fray their surfaces. They are ray marched with Beer's law and a few octaves of
+attenuated light for the multiple scattering (Schneider 2015; Wrenninge et al. 2013). Cirrus lie on
+a plane above them. Both depend on the view direction only.
 """
 
 import functools
@@ -13,26 +13,26 @@ import numpy as np
 from scipy import ndimage
 
 from landscape.studio.air import Scene
-from landscape.studio.grids import solid
-from landscape.studio.heaps import ACROSS, BELOW, HIGH, VOXEL, heaps
+from landscape.studio.cumulus import ACROSS, BELOW, HIGH, VOXEL, distance_field
+from landscape.studio.grids import trilinear
 from landscape.studio.images import smoothstep, spectral_noise
 
-# Cumulus, metres. Chosen: fair-weather heaps, low enough to look near.
-BASE, DEPTH = 950.0, 1400.0  # above the sea, and from there to the highest top
-BILLOW_PERIOD, BILLOW = 1700.0, 190.0  # of the volume of domes, and how far they bulge
-CURL_PERIOD, CURL = 360.0, 74.0  # of the same volume, again
-WISP_PERIOD, WISP = 900.0, 42.0  # of the volume of wisps, and how far they fray a surface
-EXTINCTION = 0.055  # per metre in the densest part
+# Cumulus, in metres. Chosen: fair-weather clouds, low enough to look near.
+BASE, DEPTH = 950.0, 1400.0  # height of the cloud base, and from there to the highest top
+BILLOW_PERIOD, BILLOW = 1700.0, 190.0  # period and amplitude of the Worley displacement
+CURL_PERIOD, CURL = 360.0, 74.0  # the same for a second, finer lookup in the same volume
+WISP_PERIOD, WISP = 900.0, 42.0  # period and amplitude of the fractal displacement
+EXTINCTION = 0.055  # per metre at full density
 HAZE = 52.0  # width of the fringe of thin wisps
-SOFT, HARD = 85.0, 22.0  # depth in which a cloud grows dense, at its base and its top
-FAR = 27e3  # the march ends here; air hides the rest
-AIR_FADE = 23e3  # distance in which a cloud is lost in the air by a factor e
+SOFT, HARD = 85.0, 22.0  # depth over which the density rises to 1, at the base and at the top
+FAR = 27e3  # end of the march; beyond it the air hides the clouds
+AIR_FADE = 23e3  # distance over which a cloud fades into the air by a factor e
 CIRRUS_HEIGHT, CIRRUS_PERIOD = 9000.0, 52e3
 
 
 @numba.njit(cache=False)
 def _worley(size: int, cells: int, points: np.ndarray) -> np.ndarray:
-    """Square of the distance to the nearest of one point per cell, in cells; (size,)*3, wraps."""
+    """Return tiling Worley noise (size,)*3: squared distance to the nearest point, in cells."""
     out = np.empty((size, size, size), np.float32)
     for i in range(size):
         for j in range(size):
@@ -51,18 +51,18 @@ def _worley(size: int, cells: int, points: np.ndarray) -> np.ndarray:
 
 @functools.lru_cache(maxsize=1)
 def billows() -> np.ndarray:
-    """Return the tiling volume of domes of three sizes, (128, 128, 128) float32, mean 0."""
+    """Return inverted Worley noise of three sizes, tiling, (128, 128, 128) float32, mean 0."""
     rng = np.random.default_rng(31)
     total = np.zeros((128, 128, 128), np.float32)
     for cells, weight in ((4, 0.44), (8, 0.31), (16, 0.25)):
-        # The square makes round domes with creases between them; distance itself makes cones.
+        # The squared distance gives round domes with creases between them; the distance, cones.
         total -= weight * _worley(128, cells, rng.random((cells, cells, cells, 3)))
     return total - total.mean()
 
 
 @functools.lru_cache(maxsize=1)
 def wisps() -> np.ndarray:
-    """Return the tiling volume of fractal noise, (96, 96, 96) float32, mean 0, deviation 1."""
+    """Return tiling fractal noise, (96, 96, 96) float32, mean 0, standard deviation 1."""
     size = 96
     k = np.fft.fftfreq(size) * size
     k3 = np.sqrt(k[:, None, None] ** 2 + k[None, :, None] ** 2 + k[None, None, :] ** 2)
@@ -74,7 +74,7 @@ def wisps() -> np.ndarray:
 
 @numba.njit
 def _depth(field: np.ndarray, x: float, y: float, z: float) -> float:
-    """Trilinear lookup in the field of distances, in voxels; metres."""
+    """Look up the distance field (decimetres) trilinearly at a voxel position; return metres."""
     i, j, k = int(x), int(y), int(z)
     f, g, h = x - i, y - j, z - k
     a = field[i, k, j] * (1 - g) + field[i, k, j + 1] * g
@@ -88,46 +88,47 @@ def _depth(field: np.ndarray, x: float, y: float, z: float) -> float:
 def _density(
     field: np.ndarray,
     clear: np.ndarray,
-    domes: np.ndarray,
-    frays: np.ndarray,
+    billow_volume: np.ndarray,
+    wisp_volume: np.ndarray,
     x: float,
     y: float,
     z: float,
     detail: bool,
 ) -> tuple[float, float]:
-    """Return the density, 0 to 1, or if negative the metres to the next cloud; and the crease.
+    """Return the density (0..1) and the surface displacement (metres) at a point (x, y, z).
 
-    The crease is how far the surface is drawn in here, metres, where little sky is seen.
+    A negative density is minus a distance that is free of cloud. A negative displacement marks a
+    crease, which sees little of the sky.
     """
     u, v, w = x / VOXEL + ACROSS // 2, (y - BASE) / VOXEL + BELOW, z / VOXEL + ACROSS // 2
     if v < 0.0 or v >= HIGH - 1.001:
         return -60.0, 0.0
     if u < 1.0 or u > ACROSS - 2.0 or w < 1.0 or w > ACROSS - 2.0:
         return -400.0, 0.0
-    away = clear[int(u), int(w)]
-    if away > 2.5 * VOXEL:
-        return -(away - 1.5 * VOXEL), 0.0
+    free_distance = clear[int(u), int(w)]
+    if free_distance > 2.5 * VOXEL:
+        return -(free_distance - 1.5 * VOXEL), 0.0
     value = _depth(field, u, v, w)
     if value < -95.0:
         return min(-8.0, value + 75.0), 0.0
     up = y - BASE
-    s = frays.shape[0] / WISP_PERIOD
-    fray = solid(frays, x * s, y * s, z * s)
-    s = domes.shape[0] / BILLOW_PERIOD
-    bent = BILLOW * solid(domes, x * s, y * s, z * s)
+    s = wisp_volume.shape[0] / WISP_PERIOD
+    fray = trilinear(wisp_volume, x * s, y * s, z * s)
+    s = billow_volume.shape[0] / BILLOW_PERIOD
+    displaced = BILLOW * trilinear(billow_volume, x * s, y * s, z * s)
     if detail:
-        s = domes.shape[0] / CURL_PERIOD
-        bent += CURL * solid(domes, z * s + 3.0 * fray, x * s, y * s - 3.0 * fray)
-    loose = 1.0 - min(1.0, max(0.0, up / 300.0))  # towards the base, more ragged
-    value += bent + WISP * fray * (0.25 + 0.75 * loose) - 14.0 - 10.0 * loose
-    # The base is flat where the air becomes moist enough, and only a little ragged.
+        s = billow_volume.shape[0] / CURL_PERIOD
+        displaced += CURL * trilinear(billow_volume, z * s + 3.0 * fray, x * s, y * s - 3.0 * fray)
+    loose = 1.0 - min(1.0, max(0.0, up / 300.0))  # more ragged towards the base
+    value += displaced + WISP * fray * (0.25 + 0.75 * loose) - 14.0 - 10.0 * loose
+    # The base is nearly flat: water condenses from one height upwards.
     value = min(value, up * 1.2 + 14.0 * fray)
-    # Wisps hang about it, much thinner than the body.
+    # Wisps surround the body and are much thinner.
     edge = value + HAZE * min(1.0, max(0.0, fray - 0.1))
     if edge <= 0.0:
-        return min(-4.0, 0.7 * edge), bent
+        return min(-4.0, 0.7 * edge), displaced
     soft = (HARD + (SOFT - HARD) * loose) * min(3.5, max(0.35, 1.0 + fray))
-    return min(1.0, max(value / soft, 0.06 * min(1.0, edge / HAZE))), bent
+    return min(1.0, max(value / soft, 0.06 * min(1.0, edge / HAZE))), displaced
 
 
 @numba.njit
@@ -135,14 +136,14 @@ def march(
     d: np.ndarray,
     field: np.ndarray,
     clear: np.ndarray,
-    domes: np.ndarray,
-    frays: np.ndarray,
+    billow_volume: np.ndarray,
+    wisp_volume: np.ndarray,
     sun: np.ndarray,
     steps_m: float,
 ) -> np.ndarray:
     """March each direction (n, 3); return (n, 4): sunlight, skylight, transmittance, distance.
 
-    Sunlight and skylight are what the cloud sends to the eye for a unit of each.
+    Sunlight and skylight are the light that reaches the eye per unit of each incident light.
     """
     out = np.zeros((d.shape[0], 4), np.float32)
     reaches = np.array([18.0, 50.0, 110.0, 220.0, 430.0, 800.0])
@@ -157,48 +158,53 @@ def march(
         while t < end and through > 0.01:
             fine = steps_m + 0.0012 * t
             x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-            rho, bent = _density(field, clear, domes, frays, x, y, z, True)
+            rho, displaced = _density(field, clear, billow_volume, wisp_volume, x, y, z, True)
             if rho <= 0.0:
                 jump = max(fine, -rho)
                 t += jump
                 continue
             if jump > 0.0:
-                # Find the surface between the last clear point and this one.
+                # Bisect for the surface between the last clear point and this one.
                 low, high = t - jump, t
                 for _ in range(5):
                     t = 0.5 * (low + high)
                     x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-                    if _density(field, clear, domes, frays, x, y, z, True)[0] > 0.0:
+                    if _density(field, clear, billow_volume, wisp_volume, x, y, z, True)[0] > 0.0:
                         high = t
                     else:
                         low = t
                 t, jump = high + 0.35 * fine, 0.0
                 x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-                rho, bent = _density(field, clear, domes, frays, x, y, z, True)
+                rho, displaced = _density(field, clear, billow_volume, wisp_volume, x, y, z, True)
                 rho = max(1e-3, rho)
             fine *= 2.0 if rho < 0.07 else 1.0  # wisps take longer steps
             sigma = EXTINCTION * rho
             absorbed = 1.0 - np.exp(-sigma * fine)
-            tau, before = 0.0, 0.0
+            tau, previous = 0.0, 0.0
             for s in range(6):
-                r = 0.5 * (before + reaches[s])
+                r = 0.5 * (previous + reaches[s])
                 at_x, at_y, at_z = x + sun[0] * r, y + sun[1] * r, z + sun[2] * r
-                q, _ = _density(field, clear, domes, frays, at_x, at_y, at_z, s < 3)
-                tau += EXTINCTION * max(q, 0.0) * (reaches[s] - before)
-                before = reaches[s]
-            # Octaves of softened light stand for light scattered more than once.
-            glow, part, thin, g = 0.0, 1.0, 1.0, 0.60
+                q, _ = _density(field, clear, billow_volume, wisp_volume, at_x, at_y, at_z, s < 3)
+                tau += EXTINCTION * max(q, 0.0) * (reaches[s] - previous)
+                previous = reaches[s]
+            # Octaves of reduced extinction and anisotropy approximate multiple scattering.
+            glow, gain, extinction_scale, g = 0.0, 1.0, 1.0, 0.60
             for _ in range(4):
                 forward = (1 - g * g) / (1 + g * g - 2 * g * cos) ** 1.5
                 back = (1 - 0.06) / (1 + 0.06 + 0.5 * cos) ** 1.5
-                glow += part * (0.65 * forward + 0.35 * back) * np.exp(-tau * thin) / (4 * np.pi)
-                part, thin, g = part * 0.54, thin * 0.3, g * 0.5
+                glow += (
+                    gain
+                    * (0.65 * forward + 0.35 * back)
+                    * np.exp(-tau * extinction_scale)
+                    / (4 * np.pi)
+                )
+                gain, extinction_scale, g = gain * 0.54, extinction_scale * 0.3, g * 0.5
             up = (y - BASE) / DEPTH
-            crease = 1.0 / (1.0 + np.exp(-0.06 * bent))
+            crease = 1.0 / (1.0 + np.exp(-0.06 * displaced))
             lit += through * absorbed * (0.85 + 1.25 * crease) * glow
-            roof, _ = _density(field, clear, domes, frays, x, y + 70.0, z, False)
-            # Little sky is seen under a roof of cloud and in a crease.
-            open_sky = np.exp(-1.1 * max(0.0, roof)) * crease
+            overhead, _ = _density(field, clear, billow_volume, wisp_volume, x, y + 70.0, z, False)
+            # Cloud overhead and creases hide the sky.
+            open_sky = np.exp(-1.1 * max(0.0, overhead)) * crease
             filled += through * absorbed * (0.25 + 1.3 * min(1.0, 0.2 + up * 2.0) * open_sky)
             seen += through * absorbed * t
             weight += through * absorbed
@@ -211,21 +217,25 @@ def march(
 
 
 def add_cumulus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
-    """Return the sky (h, w, 3) with the cumulus before it."""
-    marched = march(d.reshape(-1, 3), *heaps(), billows(), wisps(), scene.towards_sun(), 6.0)
+    """Return the sky (h, w, 3) with the cumulus composited over it."""
+    marched = march(
+        d.reshape(-1, 3), *distance_field(), billows(), wisps(), scene.towards_sun(), 6.0
+    )
     lit, filled, through, far = np.moveaxis(marched.reshape(*d.shape[:2], 4), -1, 0)
     through = np.clip(through, 0.0, 1.0)[..., None]
-    cover = np.maximum(1.0 - through, 1e-3)  # what follows is the colour of the cloud alone
+    cover = np.maximum(
+        1.0 - through, 1e-3
+    )  # un-premultiply: from here on, the colour of the cloud alone
     lit, filled = lit[..., None] / cover, filled[..., None] / cover
     cloud = lit * np.array(scene.sun) + filled * np.array(scene.shade)
     cloud += 0.7 * np.clip(1.0 - filled, 0.0, None) * np.array(scene.bounce)
-    cloud = 1.0 - np.exp(-(cloud**1.15))  # chosen: white lights and grey shades
+    cloud = 1.0 - np.exp(-(cloud**1.15))  # chosen: white where lit, grey in the shade
     clear = np.exp(-np.clip(far, 0.0, FAR) / AIR_FADE)[..., None]
     return sky + (1.0 - through) * clear * (cloud - sky)
 
 
 def add_cirrus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
-    """Return the sky with thin streaks of ice on a high deck."""
+    """Return the sky (h, w, 3) with thin streaks of cirrus composited over it."""
     up = np.maximum(d[..., 1], 0.02)
     x, z = d[..., 0] / up * CIRRUS_HEIGHT, d[..., 2] / up * CIRRUS_HEIGHT
     n = 1024
@@ -239,8 +249,8 @@ def add_cirrus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
 
     bend = 26.0 * at(wide, along * 0.7 + 300.0, across * 0.7)
     streak = at(fine, along * 0.7 + bend, across * 1.7 + 1.4 * bend)
-    gather = at(wide, along * 0.8, across * 0.8)
-    amount = smoothstep(-0.3, 3.4, streak + 0.9 * gather) * smoothstep(-0.2, 1.6, gather)
+    clusters = at(wide, along * 0.8, across * 0.8)
+    amount = smoothstep(-0.3, 3.4, streak + 0.9 * clusters) * smoothstep(-0.2, 1.6, clusters)
     amount = 0.45 * amount * smoothstep(np.sin(0.07), np.sin(0.42), d[..., 1])
     sun = np.array(scene.sun)
     colour = 1.0 - np.exp(-(0.30 * sun + 0.7 * np.array(scene.shade)))
@@ -249,5 +259,5 @@ def add_cirrus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
 
 @functools.lru_cache(maxsize=1)
 def _cirrus_tiles() -> tuple[np.ndarray, np.ndarray]:
-    """Return fine and wide noise for the cirrus, each (1024, 1024), tiling."""
+    """Return tiling noise for the cirrus, fine and coarse, each (1024, 1024)."""
     return spectral_noise(1024, 1.75, 51, low_cut=4.0), spectral_noise(1024, 2.4, 52, low_cut=1.0)

@@ -1,8 +1,8 @@
-"""The coat of a deer: its colours and markings, combed hair, light, and the finished sprite.
+"""The coat of a deer: colours and markings, fur, lighting, and the finished sprite.
 
-The hair is a line integral convolution of white noise (Cabral and Leedom 1993) along the direction
-that every cone of the body carries; :mod:`landscape.studio.cones` traces the body at three times
-the final size.
+The fur is a line integral convolution of white noise (Cabral and Leedom 1993) along the hair
+direction, which follows the axes of the cones. :mod:`landscape.studio.cones` traces the body at
+three times the final resolution.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from landscape.studio.light import GROUND_BOUNCE, SKY_COLOR, SPRITE_SUN, SUN_COL
 
 SIZE = 512
 SUPERSAMPLING = 3
-SUN_GAIN = 2.2  # chosen: as the trees
+SUN_GAIN = 2.2  # chosen: similar to the trees
 SKY_GAIN = 0.95  # chosen
 
 # Linear colours of the summer coat of Cervus elaphus, chosen by eye.
@@ -39,21 +39,21 @@ EYE = (0.010, 0.007, 0.005)
 
 @dataclass
 class Traced:
-    """What :func:`trace` found, one value per sample; arrays (side, side) or (side, side, k)."""
+    """The output of :func:`trace`: one value per sample, (side, side) or (side, side, k)."""
 
     hit: np.ndarray
     x: np.ndarray
     y: np.ndarray
     normal: np.ndarray
     albedo: np.ndarray
-    along: np.ndarray  # direction of the hair on the screen, unit or 0
-    hair: np.ndarray
-    sun: np.ndarray  # parts of the sun and of the sky that are open
-    sky: np.ndarray
+    along: np.ndarray  # direction of the hair on the screen, a unit vector or 0
+    hair: np.ndarray  # length of the hair, 0 to 1
+    sun: np.ndarray  # fraction of the sun that is visible
+    sky: np.ndarray  # fraction of the sky that is visible
 
 
-def look_at(model: Model) -> Traced:
-    """Trace a model so that it fills the square, its hooves on the last row."""
+def trace_model(model: Model) -> Traced:
+    """Trace a model scaled to fill the square, with its hooves on the last row."""
     cones = np.array(model.cones)
     ends = np.concatenate([cones[:, 0:4], cones[:, 4:8]])
     left, right = (ends[:, 0] - ends[:, 3]).min(), (ends[:, 0] + ends[:, 3]).max()
@@ -67,7 +67,7 @@ def look_at(model: Model) -> Traced:
     colours = np.array(model.colours)
     out = trace(cones, colours, side, left, span, span / side, grid, low, CELL, SPRITE_SUN)
     hit = out[..., 0] > 0
-    along = np.stack([out[..., 10], 0.25 - out[..., 11]], -1)  # hair also hangs
+    along = np.stack([out[..., 10], 0.25 - out[..., 11]], -1)  # gravity pulls the hair down
     along *= hit[..., None] / (np.linalg.norm(along, axis=-1, keepdims=True) + 1e-9)
     return Traced(
         hit,
@@ -83,8 +83,8 @@ def look_at(model: Model) -> Traced:
 
 
 @njit
-def comb(noise, along, steps):  # type: ignore[no-untyped-def]
-    """Line integral convolution of noise (h, w) along screen directions (h, w, 2)."""
+def convolve_along(noise, along, steps):  # type: ignore[no-untyped-def]
+    """Return the line integral convolution of noise (h, w) along screen directions (h, w, 2)."""
     h, w = noise.shape
     out = np.zeros((h, w))
     for row in range(h):
@@ -106,41 +106,50 @@ def comb(noise, along, steps):  # type: ignore[no-untyped-def]
 
 
 @njit
-def fringe(colour, covered, starts, ways, lengths, tints):  # type: ignore[no-untyped-def]
-    """Draw hairs (n, 2) long ``lengths`` along screen directions, in the colour of their roots."""
+def draw_hairs(colour, covered, starts, directions, lengths, tints):  # type: ignore[no-untyped-def]
+    """Draw single hairs into ``colour`` (h, w, 3) and ``covered`` (h, w), in place.
+
+    Each hair starts at ``starts`` (n, 2: row, column) and follows ``directions`` (n, 2) for
+    ``lengths`` (n,) samples, from the colour of its root to that times ``tints`` (n,).
+    """
     h, w = covered.shape
     for i in range(starts.shape[0]):
         row, column = starts[i]
         y, x = row + 0.5, column + 0.5
-        wx, wy = ways[i]
+        wx, wy = directions[i]
         for k in range(lengths[i]):
-            part = k / lengths[i]
-            for side in range(2 if part < 0.6 else 1):
+            fraction = k / lengths[i]
+            for side in range(2 if fraction < 0.6 else 1):
                 r, c = int(y - side * wx), int(x + side * wy)
                 if r < 0 or c < 0 or r >= h or c >= w:
                     continue
                 covered[r, c] = 1.0
                 for j in range(3):
-                    colour[r, c, j] = colour[row, column, j] * (1.0 + (tints[i] - 1.0) * part)
+                    colour[r, c, j] = colour[row, column, j] * (1.0 + (tints[i] - 1.0) * fraction)
             wy += 0.02
             x += wx
             y += wy
 
 
-def paint_coat(seen: Traced, mane: float) -> np.ndarray:
-    """Paint the coat's markings where they lie on every red deer; ``mane`` (0 to 1) is the depth
-    of the neck's colour. Returns where the hair is long (side, side)."""
-    x, y, up = seen.x, seen.y, seen.normal[..., 1]
+def paint_coat(traced: Traced, mane: float) -> np.ndarray:
+    """Paint the markings of a red deer onto the albedo, in place.
+
+    ``mane`` (0 to 1) is the strength of the neck's colour. Returns the mask of the long hair,
+    (side, side) in 0..1.
+    """
+    x, y, up = traced.x, traced.y, traced.normal[..., 1]
 
     def paint(colour: tuple[float, float, float], amount: np.ndarray) -> None:
-        weight = (amount * (seen.hair > 0.5))[..., None]
-        seen.albedo += (np.array(colour) - seen.albedo) * weight
+        weight = (amount * (traced.hair > 0.5))[..., None]
+        traced.albedo += (np.array(colour) - traced.albedo) * weight
 
     body = smoothstep(-0.52, -0.38, x) * smoothstep(0.50, 0.56, y)
     belly = smoothstep(0.25, 0.85, -up) * body
     back = smoothstep(0.75, 0.98, up) * body * smoothstep(0.9, 0.97, y)
     off_rump = np.hypot((x - 0.60) * 1.2, (y - 0.79) * 0.85)
-    rump = smoothstep(0.19, 0.10, off_rump) * smoothstep(0.92, 0.98, seen.hair)  # not the tail
+    rump = smoothstep(0.19, 0.10, off_rump) * smoothstep(
+        0.92, 0.98, traced.hair
+    )  # excludes the tail
     thigh = smoothstep(0.57, 1.02, x) * smoothstep(0.68, 0.60, y) * smoothstep(0.45, 0.55, y)
     throat = smoothstep(0.05, 0.7, -up) * smoothstep(0.84, 0.92, y) * smoothstep(-0.40, -0.46, x)
     ruff = smoothstep(-0.20, -0.37, x) * smoothstep(0.62, 0.74, y) * smoothstep(1.36, 1.22, y)
@@ -153,64 +162,64 @@ def paint_coat(seen: Traced, mane: float) -> np.ndarray:
     return mane * ruff
 
 
-def grow_fur(seen: Traced, long_hair: np.ndarray, rng: np.random.Generator) -> None:
-    """Vary the colour and the normals by combed noise: hairs, locks, and larger patches."""
+def grow_fur(traced: Traced, long_hair: np.ndarray, rng: np.random.Generator) -> None:
+    """Modulate albedo and normals by convolved noise at the scale of hairs, locks and patches."""
 
     def noise(blur: float) -> np.ndarray:
-        return ndimage.gaussian_filter(rng.standard_normal(seen.hit.shape), blur)
+        return ndimage.gaussian_filter(rng.standard_normal(traced.hit.shape), blur)
 
     fine, locks, patches = (
-        comb(noise(0.8), seen.along, 9),
-        comb(noise(2.5), seen.along, 24),
+        convolve_along(noise(0.8), traced.along, 9),
+        convolve_along(noise(2.5), traced.along, 24),
         noise(22),
     )
-    fur = fine / fine[seen.hit].std() + (0.4 + long_hair) * 0.8 * locks / locks[seen.hit].std()
-    fur *= seen.hair
+    fur = fine / fine[traced.hit].std() + (0.4 + long_hair) * 0.8 * locks / locks[traced.hit].std()
+    fur *= traced.hair
     gy, gx = np.gradient(ndimage.gaussian_filter(fur, 0.8))
-    seen.normal += 0.30 * np.stack([-gx, gy, np.zeros_like(gx)], -1)
-    seen.normal /= np.linalg.norm(seen.normal, axis=-1, keepdims=True) + 1e-9
-    tone = 0.13 * fur + 0.07 * patches / patches.std() * seen.hair
-    seen.albedo *= np.clip(1.0 + tone, 0.3, 2.0)[..., None]
+    traced.normal += 0.30 * np.stack([-gx, gy, np.zeros_like(gx)], -1)
+    traced.normal /= np.linalg.norm(traced.normal, axis=-1, keepdims=True) + 1e-9
+    tone = 0.13 * fur + 0.07 * patches / patches.std() * traced.hair
+    traced.albedo *= np.clip(1.0 + tone, 0.3, 2.0)[..., None]
 
 
-def shade(seen: Traced) -> np.ndarray:
-    """Light the samples: sun, sky, ground, and the gloss of eyes, nose, hooves and horn."""
-    up, front = seen.normal[..., 1], np.clip(seen.normal[..., 2], 0, 1)
-    sun = np.clip((seen.normal @ SPRITE_SUN + 0.12) / 1.12, 0, 1) * seen.sun
-    sky = (0.55 + 0.45 * up) * seen.sky
-    ground = (0.5 - 0.5 * up) * seen.sky
+def shade(traced: Traced) -> np.ndarray:
+    """Shade the samples: sun, sky, ground bounce, and gloss of eyes, nose, hooves and antlers."""
+    up, front = traced.normal[..., 1], np.clip(traced.normal[..., 2], 0, 1)
+    sun = np.clip((traced.normal @ SPRITE_SUN + 0.12) / 1.12, 0, 1) * traced.sun
+    sky = (0.55 + 0.45 * up) * traced.sky
+    ground = (0.5 - 0.5 * up) * traced.sky
     half = SPRITE_SUN + np.array([0.0, 0.0, 1.0])
-    gloss = np.maximum(seen.normal @ (half / np.linalg.norm(half)), 0)
-    bare = 1.0 - smoothstep(0.2, 0.6, seen.hair)
-    shine = (0.05 * gloss**12 + 0.6 * bare * gloss**50) * seen.sun
-    # Hair lets light through at the outline.
-    shine += 0.10 * (1 - front) ** 3 * seen.hair * np.clip(0.3 + up, 0, 1) * seen.sky
+    gloss = np.maximum(traced.normal @ (half / np.linalg.norm(half)), 0)
+    bare = 1.0 - smoothstep(0.2, 0.6, traced.hair)
+    shine = (0.05 * gloss**12 + 0.6 * bare * gloss**50) * traced.sun
+    # Rim light: hair transmits light at the silhouette.
+    shine += 0.10 * (1 - front) ** 3 * traced.hair * np.clip(0.3 + up, 0, 1) * traced.sky
     light = (
         SUN_GAIN * SUN_COLOR * sun[..., None]
         + SKY_GAIN * SKY_COLOR * sky[..., None]
         + 1.3 * GROUND_BOUNCE * ground[..., None]
     )
-    return seen.albedo * light + SUN_COLOR * shine[..., None]
+    return traced.albedo * light + SUN_COLOR * shine[..., None]
 
 
 def render(model: Model, seed: int, mane: float) -> np.ndarray:
-    """Trace, paint, comb and light a model; returns the sprite (512, 512, 4)."""
+    """Trace, paint and shade a model; return the sprite, uint8 (512, 512, 4)."""
     rng = np.random.default_rng(seed)
-    seen = look_at(model)
-    long_hair = paint_coat(seen, mane)
-    grow_fur(seen, long_hair, rng)
-    colour, covered = shade(seen), seen.hit.astype(float)
-    # Single hairs over the outline, and over the mane: fur has no sharp edge.
-    edge = seen.hit & (ndimage.distance_transform_edt(seen.hit) < 5) & (seen.hair > 0.6)
+    traced = trace_model(model)
+    long_hair = paint_coat(traced, mane)
+    grow_fur(traced, long_hair, rng)
+    colour, covered = shade(traced), traced.hit.astype(float)
+    # Single hairs over the silhouette and the mane, because fur has no sharp edge.
+    edge = traced.hit & (ndimage.distance_transform_edt(traced.hit) < 5) & (traced.hair > 0.6)
     chance = np.maximum(0.25 * edge, 0.05 * long_hair)
     roots = np.nonzero(rng.random(chance.shape) < chance)
-    ways = seen.along[roots] + 0.30 * seen.normal[roots][:, :2] * np.array([1.0, -1.0])
-    ways += 0.15 * rng.standard_normal(ways.shape)
-    ways /= np.linalg.norm(ways, axis=1, keepdims=True) + 1e-9
-    shaggy = smoothstep(0.75, 1.0, seen.hair[roots]) * smoothstep(0.45, 0.7, seen.y[roots])
+    directions = traced.along[roots] + 0.30 * traced.normal[roots][:, :2] * np.array([1.0, -1.0])
+    directions += 0.15 * rng.standard_normal(directions.shape)
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True) + 1e-9
+    shaggy = smoothstep(0.75, 1.0, traced.hair[roots]) * smoothstep(0.45, 0.7, traced.y[roots])
     reach = 2.0 + 4.0 * shaggy + 13.0 * long_hair[roots]
     lengths = (reach * rng.uniform(0.5, 1.2, len(reach))).astype(np.int64)
     tints = rng.uniform(0.75, 1.35, len(reach))
-    fringe(colour, covered, np.stack(roots, 1), ways, lengths, tints)
+    draw_hairs(colour, covered, np.stack(roots, 1), directions, lengths, tints)
     premultiplied = np.concatenate([colour * covered[..., None], covered[..., None]], -1)
     return sprite(shrink(premultiplied, SUPERSAMPLING))

@@ -1,10 +1,10 @@
-"""A body made of round cones, and the tracer that sees it.
+"""Bodies made of round cones, and the sphere tracer that renders them.
 
-A body is a signed distance field of round cones (Quilez, "Distance functions"), one chain of them
-per muscle, bone or tine, joined by the polynomial smooth union, and sphere traced (Hart 1996). A
-coarse grid of the same distances serves the soft shadows and the ambient occlusion.
+A body is a signed distance field of round cones (Quilez, "Distance functions"): one chain per
+muscle, bone or tine, joined by the polynomial smooth union. It is sphere traced (Hart 1996). A
+coarse grid of the same distances is used for soft shadows and ambient occlusion.
 
-Frame of the model: x right, y up, z towards the viewer.
+Model space: x right, y up, z towards the viewer.
 """
 
 from dataclasses import dataclass, field
@@ -13,16 +13,16 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-TILE = 16  # chosen: samples per side of the tiles that share a list of cones
-CHAIN_BLEND = 0.3  # chosen: the blend inside a chain, as a part of the chain's own
-CELL = 0.02  # chosen: cell of the shadow grid, in withers' heights
+TILE = 16  # chosen: side of a screen tile in samples; each tile has its own list of cones
+CHAIN_BLEND = 0.3  # chosen: blend inside a chain, as a fraction of its blend with the rest
+CELL = 0.02  # chosen: cell size of the shadow grid; unit: height of the withers
 Point = tuple[float, float, float]
-Joint = tuple[float, float, float, float]  # a place and the radius there
+Joint = tuple[float, float, float, float]  # position and radius
 
 
 class Skin(NamedTuple):
-    """What covers a chain: linear colour, blend with the rest (a length), flatness across the
-    animal (1 is round), and the length of its hair (0 to 1)."""
+    """Properties of a chain: linear colour, blend length with other chains, z scale of the cross
+    section (1 is round), and length of the hair (0 to 1)."""
 
     colour: tuple[float, float, float]
     blend: float
@@ -32,18 +32,20 @@ class Skin(NamedTuple):
 
 @dataclass
 class Model:
-    """Round cones, rows of: a (3), its radius, b (3), its radius, blend, flatness, hair, chain."""
+    """Round cones: rows of a (3), radius at a, b (3), radius at b, blend, flatness, hair, chain."""
 
     cones: list[list[float]] = field(default_factory=list)
     colours: list[tuple[float, float, float]] = field(default_factory=list)
     chains: int = 0
-    stretch: float = 0.90  # chosen: the length of the body against the height of the withers
+    stretch: float = 0.90  # chosen: scale of the body along x
 
     def limb(
         self, skin: Skin, *joints: Joint, last: tuple[float, float, float] | None = None
     ) -> None:
-        """Add a chain of cones through the joints; the hair lies from the first to the last.
-        ``last`` is the colour of the last cone, where it differs."""
+        """Add a chain of cones through the joints; hair points from the first to the last.
+
+        ``last`` is the colour of the last cone, if it differs.
+        """
         self.chains += 1
         path = [(x * self.stretch, y, z, r) for x, y, z, r in joints]
         for a, b in zip(path, path[1:], strict=False):
@@ -52,17 +54,17 @@ class Model:
         self.colours[-1] = last or skin.colour
 
     def ball(self, skin: Skin, at: Point, radius: float) -> None:
-        """Add a ball: a chain of one short cone."""
+        """Add a ball as a chain of one very short cone."""
         x, y, z = at
         self.limb(skin, (x, y, z, radius), (x + 1e-3, y - 5e-4, z, radius))
 
 
 @njit
 def round_cone(cone, x, y, z):  # type: ignore[no-untyped-def]
-    """Distance from a point to one round cone; ``flat`` under 1 narrows it across the animal."""
+    """Return the distance to one round cone; a flatness under 1 narrows it along z."""
     flat = cone[9]
     bx, by, bz = cone[4] - cone[0], cone[5] - cone[1], cone[6] - cone[2]
-    # Flattening is about the cone's own axis, so that paired limbs keep their place.
+    # Flatten about the cone's own axis, so that left and right limbs stay in place.
     px, py = x - cone[0], y - cone[1]
     r1, r2 = cone[3], cone[7]
     l2 = bx * bx + by * by + bz * bz
@@ -91,21 +93,21 @@ def round_cone(cone, x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def smooth_union(d, e, k):  # type: ignore[no-untyped-def]
-    """Quilez's polynomial minimum of two distances, rounded over the length ``k``."""
+    """Return Quilez's polynomial smooth minimum of two distances with blend length ``k``."""
     h = min(1.0, max(0.0, 0.5 + 0.5 * (d - e) / k))
     return d + (e - d) * h - k * h * (1.0 - h)
 
 
 @njit
-def distance(cones, chosen, count, x, y, z):  # type: ignore[no-untyped-def]
-    """Smooth union of the cones ``chosen[:count]`` at a point, cut by the ground.
+def distance(cones, selected, count, x, y, z):  # type: ignore[no-untyped-def]
+    """Return the smooth union of the cones ``selected[:count]`` at a point, cut by the ground.
 
-    The union swells where two cones overlap, so those of one chain, which share their ends, are
-    joined more sharply than chains are to each other: else every joint would be a knob.
+    A smooth union bulges where two cones overlap. Cones of one chain share their ends, so they are
+    joined more sharply than different chains; otherwise every joint would be a knob.
     """
     d, chain_d, chain, chain_k = 1e3, 1e3, -1.0, 1.0
     for i in range(count):
-        cone = cones[chosen[i]]
+        cone = cones[selected[i]]
         e = round_cone(cone, x, y, z)
         if cone[11] != chain:
             d = smooth_union(d, chain_d, chain_k)
@@ -117,7 +119,7 @@ def distance(cones, chosen, count, x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def bake(cones, low, shape, cell):  # type: ignore[no-untyped-def]
-    """Distances on a grid of ``shape`` from the corner ``low``."""
+    """Return the distances, float32, on a grid of ``shape`` with its corner at ``low``."""
     everything = np.arange(cones.shape[0])
     grid = np.empty(shape, np.float32)
     for i in range(shape[0]):
@@ -136,7 +138,7 @@ def bake(cones, low, shape, cell):  # type: ignore[no-untyped-def]
 
 @njit
 def sample(grid, low, cell, x, y, z):  # type: ignore[no-untyped-def]
-    """Trilinear lookup; outside the grid there is nothing."""
+    """Look up a grid trilinearly; outside it, return 1 (empty space)."""
     fx, fy, fz = (x - low[0]) / cell, (y - low[1]) / cell, (z - low[2]) / cell
     i, j, k = int(np.floor(fx)), int(np.floor(fy)), int(np.floor(fz))
     n, m, o = grid.shape
@@ -154,13 +156,13 @@ def sample(grid, low, cell, x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type: ignore[no-untyped-def]
-    """Trace an orthographic picture (side, side) that looks along -z.
+    """Trace an orthographic view along -z; return (side, side, 15) float32.
 
-    Returns per sample: hit (1 or 0), position, normal, colour, hair direction on the screen and
-    length, and the open parts of the sun and of the sky: (side, side, 15).
+    Per sample: hit (1 or 0), position (3), normal (3), colour (3), hair direction on the screen
+    (2), hair length, and the visible fractions of the sun and of the sky.
     """
     out = np.zeros((side, side, 15), np.float32)
-    chosen = np.empty(cones.shape[0], np.int64)
+    selected = np.empty(cones.shape[0], np.int64)
     for tile_row in range(0, side, TILE):
         for tile_column in range(0, side, TILE):
             cx = left + (tile_column + TILE / 2) * pixel
@@ -174,7 +176,7 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                 t = min(1.0, max(0.0, t))
                 gap = np.hypot(cx - cones[i, 0] - t * bx, cy - cones[i, 1] - t * by)
                 if gap < reach + max(cones[i, 3], cones[i, 7]) + 1.3 * cones[i, 8] + 0.03:
-                    chosen[count] = i
+                    selected[count] = i
                     count += 1
                     front = max(cones[i, 2] + cones[i, 3], cones[i, 6] + cones[i, 7])
                     nearest = max(nearest, front + cones[i, 8])
@@ -187,7 +189,7 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                     z = nearest
                     hit = False
                     for _ in range(90):
-                        d = distance(cones, chosen, count, x, y, z)
+                        d = distance(cones, selected, count, x, y, z)
                         if d < 4e-4:
                             hit = True
                             break
@@ -197,24 +199,24 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                     if not hit:
                         continue
                     e = 1.5e-3
-                    nx = distance(cones, chosen, count, x + e, y, z) - distance(
-                        cones, chosen, count, x - e, y, z
+                    nx = distance(cones, selected, count, x + e, y, z) - distance(
+                        cones, selected, count, x - e, y, z
                     )
-                    ny = distance(cones, chosen, count, x, y + e, z) - distance(
-                        cones, chosen, count, x, y - e, z
+                    ny = distance(cones, selected, count, x, y + e, z) - distance(
+                        cones, selected, count, x, y - e, z
                     )
-                    nz = distance(cones, chosen, count, x, y, z + e) - distance(
-                        cones, chosen, count, x, y, z - e
+                    nz = distance(cones, selected, count, x, y, z + e) - distance(
+                        cones, selected, count, x, y, z - e
                     )
                     norm = np.sqrt(nx * nx + ny * ny + nz * nz) + 1e-12
                     nx, ny, nz = nx / norm, ny / norm, nz / norm
                     total = 0.0
                     for c in range(count):
-                        cone = cones[chosen[c]]
-                        away = max(0.0, round_cone(cone, x, y, z))
-                        # Sharp cones (eye, nose, hooves) keep their colour to themselves.
+                        cone = cones[selected[c]]
+                        surface_distance = max(0.0, round_cone(cone, x, y, z))
+                        # Hairless cones (eye, nose, hooves) do not blend with their neighbours.
                         spread = 0.35 * cone[8] + 0.004
-                        weight = np.exp(-((away / spread) ** 2))
+                        weight = np.exp(-((surface_distance / spread) ** 2))
                         if cone[10] == 0.0:
                             weight *= 40.0
                         total += weight
@@ -224,7 +226,7 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                         out[row, column, 11] += weight * ay / size * cone[10]
                         out[row, column, 12] += weight * cone[10]
                         for k in range(3):
-                            out[row, column, 7 + k] += weight * colours[chosen[c], k]
+                            out[row, column, 7 + k] += weight * colours[selected[c], k]
                     for k in range(7, 13):
                         out[row, column, k] /= total + 1e-12
                     lit, t = 1.0, 0.03
@@ -243,16 +245,16 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                         t += max(0.012, 0.8 * d)
                     lit = max(0.0, lit)
                     lit = lit * lit * (3 - 2 * lit)
-                    closed = 0.0
+                    occlusion = 0.0
                     for s in range(1, 7):
                         far = 0.035 * s
                         d = sample(
                             grid, low, cell, x + nx * far, y + (ny + 0.15) * far, z + nz * far
                         )
-                        closed += max(0.0, far - d) * 0.72**s
+                        occlusion += max(0.0, far - d) * 0.72**s
                     out[row, column, 0] = 1.0
                     out[row, column, 1], out[row, column, 2], out[row, column, 3] = x, y, z
                     out[row, column, 4], out[row, column, 5], out[row, column, 6] = nx, ny, nz
                     out[row, column, 13] = lit
-                    out[row, column, 14] = max(0.10, 1.0 - 6.5 * closed)
+                    out[row, column, 14] = max(0.10, 1.0 - 6.5 * occlusion)
     return out

@@ -1,9 +1,9 @@
-"""A red deer stag and a doe in profile, for the billboards.
+"""The deer billboards: a red deer stag and a doe in profile.
 
-Their bodies are chains of round cones (:mod:`landscape.studio.cones`), one per muscle, bone or
-tine; :mod:`landscape.studio.coat` paints and lights them.
+The bodies are chains of round cones (:mod:`landscape.studio.cones`), one per muscle, bone or tine;
+:mod:`landscape.studio.coat` paints and shades them.
 
-Frame of the model: x right, y up, z towards the viewer; unit: the height of the withers.
+Model space: x right, y up, z towards the viewer; unit: the height of the withers.
 """
 
 import functools
@@ -33,8 +33,8 @@ HOOVES = Skin(HOOF, 0.006, hair=0.0)
 SKULL = Skin(FACE, 0.03, hair=0.7)
 ANTLER = Skin(HORN, 0.003, hair=0.0)
 
-# Chosen: the antler of a twelve-pointer. x forward is negative, y up, z out from the middle; in
-# front of each tine stands its radius.
+# Chosen: one antler of a twelve-pointer. -x is forward, y is up, z is outward from the midline.
+# The first number of each tine is its radius.
 BEAM = (
     (0, 0, 0.035),
     (0.045, 0.11, 0.10),
@@ -59,8 +59,10 @@ TINES = (
 
 
 def legs(model: Model, spread: float, fore: float, hind: float) -> None:
-    """The four legs: shoulder or thigh, joints, cannon bone, pastern and cloven hoof. The far ones
-    stand ``fore`` and ``hind`` further back than the near ones."""
+    """Add the four legs: shoulder or thigh, joints, cannon bone, pastern and cloven hoof.
+
+    The legs on the far side are shifted along x by ``fore`` and ``hind``.
+    """
     for side, shift, back in ((1.0, 0.0, 0.0), (-1.0, fore, hind)):
         z = side * spread
         fx = -0.35 + shift
@@ -109,7 +111,7 @@ def legs(model: Model, spread: float, fore: float, hind: float) -> None:
 
 
 def hoof(model: Model, x: float, z: float) -> None:
-    """Two toes side by side, and the dew claws behind."""
+    """Add two toes side by side and the dew claws behind them."""
     for toe in (z - 0.014, z + 0.014):
         splay = z + 1.3 * (toe - z)
         model.limb(HOOVES, (x, 0.046, toe, 0.019), (x - 0.026, 0.006, splay, 0.018))
@@ -118,7 +120,7 @@ def hoof(model: Model, x: float, z: float) -> None:
 
 
 def trunk(model: Model, girth: float) -> None:
-    """Rib cage, back, rump, brisket and tail; ``girth`` scales the chest."""
+    """Add rib cage, back, rump, brisket and tail; ``girth`` scales the chest."""
     model.limb(
         Skin(COAT, 0.07, 0.82),
         (-0.36, 0.785, 0, 0.190 * girth),
@@ -145,13 +147,16 @@ def trunk(model: Model, girth: float) -> None:
 def head(
     model: Model, origin: Point, nod: float, yaw: float, ear: tuple[float, float]
 ) -> Callable[[float, float, float], Point]:
-    """The head with its poll at ``origin``, turned down by ``nod`` and towards the viewer by
-    ``yaw`` radians, ears reaching by ``ear``; returns the map from its frame to the model's."""
+    """Add the head with its poll (top) at ``origin``; return the map from head to model space.
+
+    ``nod`` turns it down and ``yaw`` towards the viewer, in radians; ``ear`` is the offset (x, y)
+    of an ear's tip from its base.
+    """
     c, s = np.cos(nod), np.sin(nod)
     model.stretch = 1.0
 
     def at(x: float, y: float, z: float) -> Point:
-        # The head's frame: -x along the face to the nose, y up from it.
+        # Head space: -x along the face to the nose, y up from the face.
         forward, up = c * x - s * y, s * x + c * y
         return (
             float(origin[0] + np.cos(yaw) * forward + np.sin(yaw) * z),
@@ -187,11 +192,11 @@ def head(
 
 
 def antlers(model: Model, at: Callable[[float, float, float], Point]) -> None:
-    """Two beams, each with brow, bez and trez tines and a crown of three."""
+    """Add two beams, each with brow, bez and trez tines and a crown of three."""
     for side in (1.0, -1.0):
 
         def place(point: Point, side: float = side) -> Point:
-            # Out along the head's own sides, but upright whatever the nod.
+            # Sideways in head space, but upright in model space whatever the nod.
             foot, out = at(-0.02, 0.03, 0.0), at(-0.02, 0.03, side * point[2])
             return (out[0] + point[0], foot[1] + point[1], out[2])
 
@@ -204,7 +209,7 @@ def antlers(model: Model, at: Callable[[float, float, float], Point]) -> None:
 
 
 def smooth(path: list[Point], radii: Sequence[float] | np.ndarray) -> list[Joint]:
-    """Joints with the given radii, evenly along a spline through ``path``."""
+    """Return joints with the given radii, evenly spaced along a spline through ``path``."""
     spline = CubicSpline(np.linspace(0, 1, len(path)), np.array(path))
     points = spline(np.linspace(0, 1, len(radii)))
     return [
@@ -214,7 +219,7 @@ def smooth(path: list[Point], radii: Sequence[float] | np.ndarray) -> list[Joint
 
 @functools.cache
 def stag() -> np.ndarray:
-    """A stag on the look-out, head high, twelve points."""
+    """Return a twelve-point stag with its head raised."""
     model = Model()
     trunk(model, 1.03)
     legs(model, 0.115, 0.075, -0.12)
@@ -238,7 +243,7 @@ def stag() -> np.ndarray:
 
 @functools.cache
 def doe() -> np.ndarray:
-    """A doe with her neck stretched forward, listening."""
+    """Return a doe with her neck stretched forward."""
     model = Model(stretch=0.86)
     trunk(model, 0.90)
     legs(model, 0.10, -0.09, 0.09)

@@ -1,10 +1,11 @@
-"""The sea dragon: a serpent that arches in and out of the water, one closed mesh.
+"""The sea dragon: a serpent that arches in and out of the water, as one closed mesh.
 
-A Catmull-Rom curve with a radius carries the body; every point of the field looks up its nearest
-point of the curve and is expressed there in the curve's own frame (along, towards the back, to the
-side), in which scales, belly plates and the crest are simple functions. The head and the tail fin
-are modelled in the frames of the two ends (tools: sculpture.py). The vertex count is that of the
-Stanford dragon at its third resolution, so that the 2006 numbers hold for ours too.
+The body follows a Catmull-Rom curve with a radius. Every sample of the distance field finds its
+nearest point on the curve and is expressed in the curve's local frame (along, towards the back, to
+the side), where scales, belly plates and the crest are simple functions. The head and the tail fin
+are modelled in the frames of the two ends; the operators are in :mod:`landscape.studio.shapes`.
+The vertex count is that of the Stanford dragon at its third resolution, so the numbers of 2006
+hold for this mesh too.
 """
 
 import math
@@ -15,9 +16,8 @@ import numpy as np
 from numba import njit
 
 from landscape.studio.paint import dragon_colours
-from landscape.studio.sculpture import (
-    PaintedMesh,
-    carry_out,
+from landscape.studio.sculpture import PaintedMesh, sculpt
+from landscape.studio.shapes import (
     carve,
     catmull_rom,
     clamp,
@@ -32,12 +32,12 @@ from landscape.studio.sculpture import (
 
 VERTICES = 22998  # dragon_vrip_res3.ply of the 2006 report
 STEP = 0.0075  # chosen: about two thirds of the final edge length
-BOX = ((-1.35, -0.56, -0.30), (1.24, 1.06, 0.34))  # chosen: holds the curve and the head
+BOX = ((-1.35, -0.56, -0.30), (1.24, 1.06, 0.34))  # chosen: contains the curve and the head
 HORN_SAMPLES = 30  # chosen
-SAMPLES = 420  # chosen: points of the body curve, so close that the crest shows no corners
+SAMPLES = 420  # chosen: points of the body curve, dense enough for a smooth crest
 
-# The body from the tail to the nape: x, y, z, radius. The water will stand at about y = 0 here.
-# All chosen: two arches, a dive, and the S of the neck, swaying a little to both sides.
+# The body from the tail to the nape: x, y, z, radius. The water level is at about y = 0.
+# All chosen: two arches, a dive, and an S-shaped neck, swaying a little to both sides.
 BODY = np.array(
     [
         (-1.02, 0.17, 0.10, 0.020),
@@ -68,8 +68,8 @@ BODY = np.array(
         (0.75, 0.68, 0.03, 0.070),
     ]
 )
-HEAD_PITCH_DEG = -12.0  # chosen: the muzzle points a little down
-# One horn in the frame of the head, from the root to the tip: x, y, z, radius. Chosen.
+HEAD_PITCH_DEG = -12.0  # chosen: the muzzle points slightly down
+# Chosen: one horn in head space, from the root to the tip: x, y, z, radius.
 HORN = np.array(
     [
         (0.02, 0.06, 0.055, 0.038),
@@ -79,16 +79,16 @@ HORN = np.array(
         (-0.34, 0.225, 0.140, 0.008),
     ]
 )
-SPINE_GAP = 0.11  # chosen: from one spine of the crest to the next
-SCALES_AROUND = 12  # chosen: rows of scales round the body
+SPINE_GAP = 0.11  # chosen: distance between two spines of the crest
+SCALES_AROUND = 12  # chosen: scales around the body
 
 
 def body_curve() -> np.ndarray:
     """Return the body as (SAMPLES, 14), one row per point from the tail to the nape.
 
-    Columns: 0..2 position, 3 radius, 4 phase (grows by 1 per row of scales), 5..7 towards the back,
-    8..10 to the side, 11 arc length from the tail, 12 arc length to the nape,
-    13 phase of the crest (grows by 1 per spine, measured along its rim).
+    Columns: 0..2 position, 3 radius, 4 phase (increases by 1 per row of scales), 5..7 unit vector
+    towards the back, 8..10 unit vector to the side, 11 arc length from the tail, 12 arc length to
+    the nape, 13 phase of the crest (increases by 1 per spine, measured along its rim).
     """
     curve = catmull_rom(BODY, SAMPLES)
     tangent = np.gradient(curve[:, :3], axis=0)
@@ -107,7 +107,7 @@ def body_curve() -> np.ndarray:
 
 @njit
 def _relief(phase: float, angle: float, radius: float) -> float:
-    """Height of scales (back and flanks) and plates (belly) over the body, in units."""
+    """Return the height of the scales (back and flanks) and plates (belly) above the body."""
     plates = step_smooth(2.25, 2.45, abs(angle))
     f = phase * 0.6 - math.floor(phase * 0.6)
     plate = f**0.7 * (1.0 - step_smooth(0.82, 1.0, f))
@@ -125,16 +125,16 @@ def _relief(phase: float, angle: float, radius: float) -> float:
 
 @njit
 def _crest(
-    spine: float, s: float, left: float, height: float, u: float, v: float, radius: float
+    spine: float, s: float, ahead: float, height: float, u: float, v: float, radius: float
 ) -> float:
-    """The fin along the back: s and left are the arc lengths behind and before the point.
+    """Return the distance to the fin along the back.
 
-    It stands up on the arches and folds down towards the water (``height``), where the coils
-    come close to each other.
+    ``s`` and ``ahead`` are the arc lengths to the tail and to the nape. The fin is tall on the
+    arches and low near the water (``height`` is y), where the coils come close to each other.
     """
     f = spine - math.floor(spine)
     tall = (0.045 + 0.75 * radius) * mix(0.30, 1.0, step_smooth(-0.10, 0.15, height))
-    tall *= step_smooth(0.02, 0.25, s) * step_smooth(0.0, 0.15, left)
+    tall *= step_smooth(0.02, 0.25, s) * step_smooth(0.0, 0.15, ahead)
     saw = f / 0.2 if f < 0.2 else ((1.0 - f) / 0.8) ** 1.7
     edge = tall * (0.38 + 0.72 * saw)
     rib = math.exp(-(((f - 0.2) / 0.13) ** 2))
@@ -145,7 +145,7 @@ def _crest(
 
 @njit
 def _tail_fin(x: float, y: float, z: float) -> float:
-    """The fluke in the frame of the tail's end: x outwards, y to the back, z across."""
+    """Return the distance to the fluke in the frame of the tail: x outward, y to the back."""
     x = x + 0.03
     rho, phi = math.sqrt(x * x + y * y), math.atan2(abs(y), x)
     ribs = phi / 0.36
@@ -158,9 +158,9 @@ def _tail_fin(x: float, y: float, z: float) -> float:
 
 @njit
 def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
-    """The head in its own frame: origin at the nape, x to the muzzle, y up, z mirrored."""
+    """Return the distance to the head: origin at the nape, x to the muzzle, y up, mirrored in z."""
     a = abs(z)
-    # Skull and upper jaw, knobbly behind, then the nostrils.
+    # Skull and upper jaw, with knobs at the back, then the nostrils.
     d = ellipsoid(x - 0.07, y - 0.02, a, 0.145, 0.098, 0.098)
     upper = limb(x, y * 1.15, a * 0.85, 0.10, 0.015, 0.0, 0.080, 0.34, 0.0, 0.0, 0.052)
     d = union(d, upper, 0.05)
@@ -173,7 +173,7 @@ def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
     lower = limb(x, y * 1.1, a * 0.8, 0.05, -0.07, 0.0, 0.060, 0.30, -0.165, 0.0, 0.034)
     d = union(d, lower, 0.03)
     d = union(d, ellipsoid(x - 0.03, y + 0.045, a - 0.07, 0.08, 0.06, 0.04), 0.03)
-    # Brow, socket and eye.
+    # Brow, eye socket and eye.
     d = union(d, limb(x, y, a, 0.03, 0.085, 0.055, 0.026, 0.195, 0.078, 0.078, 0.020), 0.02)
     d = carve(d, ellipsoid(x - 0.145, y - 0.045, a - 0.095, 0.044, 0.030, 0.025), 0.015)
     d = union(d, ellipsoid(x - 0.145, y - 0.045, a - 0.072, 0.032, 0.027, 0.024), 0.006)
@@ -183,7 +183,7 @@ def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
     thick = mix(horn_curve[i, 3], horn_curve[i + 1, 3], t)
     horn = distance - thick * (1.0 + 0.07 * ring)
     d = union(d, horn, 0.02)
-    # Ear fin: three spines and the skin between them.
+    # Ear fin: three spines with skin between them.
     p, q = turn(x, a - 0.075, 0.60)
     fan = 1e9
     for k in range(3):
@@ -208,7 +208,7 @@ def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
 
 @njit
 def dragon_field(x: float, y: float, z: float, data: Any) -> float:
-    """Signed distance to the dragon: x to the front, y up, z to its right."""
+    """Return the signed distance to the dragon: x to the front, y up, z to its right."""
     curve, pitch, horn = data
     i, t, distance = nearest(curve, x, y, z)
     radius = mix(curve[i, 3], curve[i + 1, 3], t)
@@ -223,11 +223,11 @@ def dragon_field(x: float, y: float, z: float, data: Any) -> float:
             u += o * mix(curve[i, 5 + k], curve[i + 1, 5 + k], t)
             v += o * mix(curve[i, 8 + k], curve[i + 1, 8 + k], t)
         s = mix(curve[i, 11], curve[i + 1, 11], t)
-        left = mix(curve[i, 12], curve[i + 1, 12], t)
+        ahead = mix(curve[i, 12], curve[i + 1, 12], t)
         spine = mix(curve[i, 13], curve[i + 1, 13], t)
         d -= _relief(mix(curve[i, 4], curve[i + 1, 4], t), math.atan2(v, u), radius)
-        if s > 0.0 and left > 0.0:  # not beyond the ends, where the frame says nothing
-            d = union(d, _crest(spine, s, left, y, u, v, radius), 0.012)
+        if s > 0.0 and ahead > 0.0:  # beyond the ends of the curve the frame is undefined
+            d = union(d, _crest(spine, s, ahead, y, u, v, radius), 0.012)
     end = curve.shape[0] - 1
     hx, hy = turn(x - curve[end, 0], y - curve[end, 1], -pitch)
     if hx * hx + hy * hy < 0.36:
@@ -236,7 +236,7 @@ def dragon_field(x: float, y: float, z: float, data: Any) -> float:
     if tx * tx + ty * ty + tz * tz < 0.16:
         bx, by, bz = curve[0, 5], curve[0, 6], curve[0, 7]
         sx, sy, sz = curve[0, 8], curve[0, 9], curve[0, 10]
-        # back x side is the tangent, towards the head: the fin grows the other way.
+        # back x side is the tangent, which points to the head; the fin points the other way.
         out = -(tx * (by * sz - bz * sy) + ty * (bz * sx - bx * sz) + tz * (bx * sy - by * sx))
         up, side = tx * bx + ty * by + tz * bz, tx * sx + ty * sy + tz * sz
         d = union(d, _tail_fin(out, up, side), 0.02)
@@ -244,13 +244,13 @@ def dragon_field(x: float, y: float, z: float, data: Any) -> float:
 
 
 def dragon() -> PaintedMesh:
-    """Return the dragon: vertices float32 (22998, 3) in -1..1 facing +x, and its int32 faces.
+    """Return the dragon, facing +x.
 
-    And the vertices' colours, uint8 (22998, 3).
+    Vertices float32 (22998, 3) in -1..1, faces int32 (m, 3), vertex colours uint8 (22998, 3).
     """
     data = (body_curve(), math.radians(HEAD_PITCH_DEG), catmull_rom(HORN, HORN_SAMPLES))
     low, high = np.array(BOX[0]), np.array(BOX[1])
-    return carry_out(dragon_field, data, low, high, STEP, VERTICES, dragon_colours, data)
+    return sculpt(dragon_field, data, low, high, STEP, VERTICES, dragon_colours, data)
 
 
 ASSETS: dict[str, Callable[[], Any]] = {"dragon.ply": dragon}

@@ -1,11 +1,10 @@
-"""How the leaves and the limbs of a sprite are lit and drawn.
+"""A software rasterizer that lights and draws the leaves and limbs of a plant sprite.
 
-Limbs are tapered cylinders with bark; leaves and needles are folded kites. All go into one depth
-buffer at four times the final size. The light that reaches them is the sun and the sky, attenuated
-exponentially by the leaf area met on the way (Beer and Lambert), which a coarse grid of densities
-records.
+Limbs are tapered cylinders with bark; leaves and needles are folded kites. All share one depth
+buffer at four times the final resolution. Light from the sun and the sky is attenuated
+exponentially (Beer-Lambert) by the leaf area along its path, looked up in a coarse density grid.
 
-World frame of a sprite: x right in -1..1, y up in 0..2 (0 is the ground), z towards the viewer.
+Sprite space: x right in -1..1, y up in 0..2 (0 is the ground), z towards the viewer.
 """
 
 from dataclasses import dataclass
@@ -18,14 +17,18 @@ from landscape.studio.images import bleed, shrink, to_srgb, to_uint8
 from landscape.studio.light import GROUND_BOUNCE, SKY_COLOR, SPRITE_SUN, SUN_COLOR
 
 SIZE = 512  # texels per side of a sprite
-SUPERSAMPLING = 4  # per axis: sixteen samples a texel give the smooth edge of alpha
+SUPERSAMPLING = 4  # per axis: sixteen samples per texel antialias the alpha channel
 GRID = 96  # chosen: cells of the density grid per axis, about five texels each
-GRID_LOW = np.array([-1.15, -0.15, -1.15])  # chosen: a little more than the sprite's frame
+GRID_LOW = np.array([-1.15, -0.15, -1.15])  # chosen: slightly larger than the sprite
 GRID_SPAN = 2.3
-SUN_GAIN = 2.3  # chosen: exposure, full sun on a leaf comes out at about 60 % of white
+SUN_GAIN = 2.3  # chosen: exposure; a leaf in full sun is at about 60 % of white
 SKY_GAIN = 1.15  # chosen: the shaded side stays readable against a bright sky
-SUN_SCREEN = (float(SPRITE_SUN[0]), float(-SPRITE_SUN[1]), float(SPRITE_SUN[2]))  # rows grow down
-SKY_DIRECTIONS = np.array(  # chosen: the sky seen through the crown, and the viewer's own direction
+SUN_SCREEN = (
+    float(SPRITE_SUN[0]),
+    float(-SPRITE_SUN[1]),
+    float(SPRITE_SUN[2]),
+)  # rows run downward
+SKY_DIRECTIONS = np.array(  # chosen: the upper hemisphere, and towards the viewer
     [
         [0.0, 1.0, 0.0],
         [-0.77, 0.64, 0.0],
@@ -38,8 +41,11 @@ SKY_DIRECTIONS = np.array(  # chosen: the sky seen through the crown, and the vi
 
 
 def sprite(premultiplied: np.ndarray) -> np.ndarray:
-    """Turn linear premultiplied RGBA (h, w, 4) into a straight-alpha sRGB sprite whose border is
-    clear, but for the last row, where it stands, and whose colours bleed outward."""
+    """Convert linear premultiplied RGBA (h, w, 4) to an sRGB sprite with straight alpha.
+
+    The border is made transparent, except for the last row, where the sprite meets the ground.
+    Colours are bled into the transparent texels.
+    """
     alpha = premultiplied[..., 3:]
     straight = to_srgb(premultiplied[..., :3] / np.maximum(alpha, 1e-6))
     rgba = to_uint8(np.concatenate([straight, alpha], -1))
@@ -49,7 +55,7 @@ def sprite(premultiplied: np.ndarray) -> np.ndarray:
 
 @dataclass
 class Canvas:
-    """A supersampled picture: linear colour (h, w, 3) and depth (h, w), larger is nearer."""
+    """A supersampled image: linear colour (h, w, 3) and depth (h, w), where larger is nearer."""
 
     colour: np.ndarray
     depth: np.ndarray
@@ -60,22 +66,22 @@ class Canvas:
         return cls(np.zeros((side, side, 3), np.float32), np.full((side, side), -1e9, np.float32))
 
     def to_screen(self, points: np.ndarray) -> np.ndarray:
-        """World points (..., 3) to sample coordinates: columns, rows, depth."""
+        """Transform points (..., 3) from sprite space to samples: column, row, depth."""
         half = self.depth.shape[0] / 2
         return np.stack(
             [(points[..., 0] + 1) * half, (2 - points[..., 1]) * half, points[..., 2] * half], -1
         )
 
     def finish(self) -> np.ndarray:
-        """Reduce to a sprite (size, size, 4)."""
+        """Downsample to a sprite, uint8 (size, size, 4)."""
         covered = (self.depth > -1e8)[..., None].astype(np.float32)
-        small = shrink(np.concatenate([self.colour * covered, covered], -1), SUPERSAMPLING)
-        return sprite(small)
+        downsampled = shrink(np.concatenate([self.colour * covered, covered], -1), SUPERSAMPLING)
+        return sprite(downsampled)
 
 
 @njit
 def fill_triangles(colour, depth, corners, shades):  # type: ignore[no-untyped-def]
-    """Draw (n, 3, 3) screen triangles with linear colours (n, 3, 3) at their corners."""
+    """Rasterize screen triangles (n, 3, 3) with linear colours (n, 3, 3) at their corners."""
     h, w = depth.shape
     for i in range(corners.shape[0]):
         x0, y0, z0 = corners[i, 0]
@@ -106,13 +112,13 @@ def fill_triangles(colour, depth, corners, shades):  # type: ignore[no-untyped-d
 def fill_limbs(  # type: ignore[no-untyped-def]
     colour, depth, ends, radii, along, turns, lights, bark, twig, sun, sky, bounce
 ):
-    """Draw tapered cylinders with bark.
+    """Rasterize tapered cylinders with bark.
 
-    ends (n, 2, 3) in screen samples, radii (n, 2) in samples, along (n, 2) the distance from the
-    ground in texels of ``bark`` (m, m, 4: colour, relief), turns (n,) the texel round the limb that
-    faces the viewer, lights (n, 2, 2) the parts of the sun and of the sky that reach both ends.
-    Limbs thinner than ten samples take the colour ``twig``. sun, sky and bounce are colours of
-    light.
+    ends (n, 2, 3): end points in screen samples. radii (n, 2): in samples. along (n, 2): distance
+    from the ground along the limb, in texels of ``bark`` (m, m, 4: colour, relief). turns (n,): the
+    texel around the limb that faces the viewer. lights (n, 2, 2): fractions of the sun and of the
+    sky that reach both ends. twig: colour of thin limbs; it blends to bark between radii of 3 and
+    10 samples. sun, sky, bounce: colours of the lights.
     """
     h, w = depth.shape
     m = bark.shape[0]
@@ -131,7 +137,7 @@ def fill_limbs(  # type: ignore[no-untyped-def]
             px, py = 1.0, 0.0
         else:
             px, py = -dy / flat, dx / flat
-        # The direction across the limb that looks at the viewer: axis x across.
+        # The direction perpendicular to the limb that faces the viewer: axis x across.
         qx, qy, qz = -dz * py / length, dz * px / length, (dx * py - dy * px) / length
         if qz < 0:
             qx, qy, qz = -qx, -qy, -qz
@@ -152,7 +158,8 @@ def fill_limbs(  # type: ignore[no-untyped-def]
                 z = az + t * dz + r * up
                 if z <= depth[row, column]:
                     continue
-                # Neighbours' caps overlap: past its ends a limb's bark runs on, or it would smear.
+                # The round caps of neighbouring limbs overlap. Extrapolate the bark's texture
+                # coordinate past the ends: clamped, the bark would smear there.
                 t = (x * dx + y * dy) / (flat * flat) if flat > 1e-4 else 0.0
                 t = min(2.0, max(-1.0, t))
                 fu = (np.arcsin(s) * r + turns[i]) % m
@@ -183,7 +190,7 @@ def fill_limbs(  # type: ignore[no-untyped-def]
 
 @njit
 def optical_depth(density, points, direction, step, reach):  # type: ignore[no-untyped-def]
-    """Leaf area (n,) met from each of the points (n, 3), in cells, along a direction (3,)."""
+    """Return the leaf area (n,) along a direction (3,) from points (n, 3), both in grid cells."""
     n = density.shape[0]
     total = np.zeros(points.shape[0])
     for i in range(points.shape[0]):
@@ -198,13 +205,13 @@ def optical_depth(density, points, direction, step, reach):  # type: ignore[no-u
 
 
 def unit(vectors: np.ndarray) -> np.ndarray:
-    """Scale vectors (..., 3) to length 1."""
+    """Return vectors (..., 3) scaled to length 1."""
     return vectors / (np.linalg.norm(vectors, axis=-1, keepdims=True) + 1e-12)
 
 
 @dataclass
 class Leaves:
-    """Kites: centres, axes, normals (n, 3), lengths and widths (n,), albedo (n, 3), linear."""
+    """Kites: centres, axes, normals (n, 3), lengths and widths (n,), linear albedos (n, 3)."""
 
     centre: np.ndarray
     axis: np.ndarray
@@ -215,26 +222,26 @@ class Leaves:
 
 
 def join(parts: list[Leaves]) -> Leaves:
-    """Gather the leaves of several parts into one."""
+    """Concatenate the leaves of several parts."""
     return Leaves(*(np.concatenate([getattr(p, f) for p in parts]) for f in vars(parts[0])))
 
 
 def light_at(
     density: np.ndarray, points: np.ndarray, extinction: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the parts (n,) of the sun and of the sky that reach world points (n, 3)."""
+    """Return the fractions (n,) of the sun and of the sky that reach points (n, 3)."""
     cells = (points - GRID_LOW) / GRID_SPAN * GRID
     step, reach = 0.9, int(GRID * 0.8)
     sun = np.exp(-extinction * optical_depth(density, cells, SPRITE_SUN, step, reach))
     sky = np.zeros(len(points))
     for direction in SKY_DIRECTIONS:
-        way = direction / np.linalg.norm(direction)
-        sky += np.exp(-0.7 * extinction * optical_depth(density, cells, way, step, reach))
+        toward_sky = direction / np.linalg.norm(direction)
+        sky += np.exp(-0.7 * extinction * optical_depth(density, cells, toward_sky, step, reach))
     return sun, sky / len(SKY_DIRECTIONS)
 
 
 def foliage_density(leaves: Leaves) -> np.ndarray:
-    """Leaf area per cell (GRID, GRID, GRID), in areas of a cell's face."""
+    """Return the leaf area per cell, (GRID, GRID, GRID), in units of the area of a cell face."""
     cell = GRID_SPAN / GRID
     index = np.clip(((leaves.centre - GRID_LOW) / cell).astype(int), 0, GRID - 1)
     density = np.zeros((GRID, GRID, GRID))
@@ -243,16 +250,17 @@ def foliage_density(leaves: Leaves) -> np.ndarray:
 
 
 def draw_leaves(
-    canvas: Canvas, leaves: Leaves, density: np.ndarray, extinction: float, stray: float = 0.0
+    canvas: Canvas, leaves: Leaves, density: np.ndarray, extinction: float, min_sky: float = 0.0
 ) -> None:
-    """Light the kites and draw them: four triangles each, folded along the midrib.
+    """Shade and rasterize the kites: four triangles each, folded along the midrib.
 
-    ``stray`` is the part of the sky's light that finds its way in from leaf to leaf, however deep.
+    ``min_sky`` is a lower bound on the visible fraction of the sky. It stands for light that is
+    scattered from leaf to leaf into the interior.
     """
     sun, sky = light_at(density, leaves.centre, extinction)
-    sky = stray + (1.0 - stray) * sky
-    # The crown's own normal, from the density's slope: without it a crown of leaves that point
-    # everywhere is lit evenly and looks flat.
+    sky = min_sky + (1.0 - min_sky) * sky
+    # The normal of the crown, from the gradient of the density. Leaves point in all directions, so
+    # shaded by their own normals alone a crown looks flat.
     soft = ndimage.gaussian_filter(density, 3.0)
     cells = ((leaves.centre - GRID_LOW) / GRID_SPAN * GRID).T
     crown = unit(
@@ -289,7 +297,7 @@ def draw_leaves(
             + SKY_GAIN * SKY_COLOR * (sky * up)[:, None]
             + GROUND_BOUNCE * (sky * (1.0 - up))[:, None]
         )
-        # Light that crosses a leaf loses its blue: the yellow glow of a crown against the sun.
+        # Transmitted light loses its blue: the yellow glow of a crown against the sun.
         lit += leaves.albedo * np.array([1.25, 1.1, 0.4]) * SUN_COLOR * through[:, None] * 1.1
         gloss = np.maximum(normal @ unit(SPRITE_SUN + np.array([0.0, 0.0, 1.0])), 0.0) ** 24
         lit += (0.10 * gloss * sun)[:, None] * SUN_COLOR
@@ -312,8 +320,8 @@ def draw_limbs(
     along: np.ndarray,
     turns: np.ndarray,
 ) -> None:
-    """Draw limbs with ends (n, 2, 3) and radii (n, 2) in world units; the rest as for
-    :func:`fill_limbs`, along (n, 2) in world units."""
+    """Draw limbs; the arguments are those of :func:`fill_limbs`, but ``ends``, ``radii`` and
+    ``along`` are in units of sprite space."""
     half = canvas.depth.shape[0] / 2
     fill_limbs(
         canvas.colour,
@@ -332,5 +340,5 @@ def draw_limbs(
 
 
 def light_on_limbs(density: np.ndarray, ends: np.ndarray, extinction: float) -> np.ndarray:
-    """Return the parts of the sun and of the sky (n, 2, 2) that reach the ends (n, 2, 3)."""
+    """Return the fractions of the sun and of the sky (n, 2, 2) at limb ends (n, 2, 3)."""
     return np.stack(light_at(density, ends.reshape(-1, 3), extinction), -1).reshape(-1, 2, 2)

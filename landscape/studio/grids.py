@@ -1,12 +1,12 @@
-"""Looking up wrapping squares and cubes of noise between their samples, from compiled code."""
+"""Interpolated lookups in tiling 2D and 3D grids of noise, for use in compiled functions."""
 
 import numba
 import numpy as np
 
 
 @numba.njit
-def flat(grid: np.ndarray, u: float, v: float) -> float:
-    """Bilinear lookup in a wrapping square, u and v in texels."""
+def bilinear(grid: np.ndarray, u: float, v: float) -> float:
+    """Look up a tiling square grid bilinearly; u and v in texels."""
     n = grid.shape[0]
     i, j = int(np.floor(u)), int(np.floor(v))
     f, g = u - i, v - j
@@ -18,8 +18,8 @@ def flat(grid: np.ndarray, u: float, v: float) -> float:
 
 
 @numba.njit
-def solid(grid: np.ndarray, x: float, y: float, z: float) -> float:
-    """Trilinear lookup in a wrapping cube, in texels."""
+def trilinear(grid: np.ndarray, x: float, y: float, z: float) -> float:
+    """Look up a tiling cubic grid trilinearly; x, y and z in texels."""
     n = grid.shape[0]
     i, j, k = int(np.floor(x)), int(np.floor(y)), int(np.floor(z))
     f, g, h = x - i, y - j, z - k

@@ -1,9 +1,9 @@
-"""The colours of the island: the large picture over it, and the repeated detail.
+"""The ground textures: the large colour texture over the island, and the repeated detail.
 
-The large picture is an albedo chosen from height, slope, hollows and the flow of water (the rules
-of every terrain painter since Musgrave), lit once and for all: the sun with soft cast shadows, the
-sky by the share of it that each place sees (ambient occlusion by horizon search, Max 1988). The
-detail is grass drawn blade by blade, with pebbles and soil between, all on a torus.
+The large texture is an albedo chosen by height, slope, curvature and water flow (the usual rules of
+procedural terrain since Musgrave) with the lighting baked in: the sun with soft cast shadows, and
+the sky with ambient occlusion from a horizon search (Max 1988). The detail texture is grass drawn
+blade by blade over pebbles and soil; drawing wraps around, so it tiles.
 """
 
 import math
@@ -17,11 +17,10 @@ from scipy.interpolate import splev, splprep
 from landscape.studio import light, terrain
 from landscape.studio.images import smoothstep, spectral_noise, to_linear, to_srgb, to_uint8
 
-LARGE = 2048  # chosen: 51 texels a unit, a third of a metre each
-DETAIL = 512  # chosen: repeated every half unit, a centimetre and a half per texel
+LARGE = 2048  # chosen: 51 texels per unit, a third of a metre each
+DETAIL = 512  # chosen: repeated every half unit, 1.5 centimetres per texel
 
-# Chosen: sRGB as they look in full sun, after photographs of the Hebrides (grass is more olive,
-# rock warmer than one remembers).
+# Chosen: sRGB colours in full sun, after photographs of the Hebrides.
 COLORS = {
     "lush": (92, 106, 60), "grass": (107, 114, 69), "olive": (126, 123, 77), "dark": (77, 90, 54),
     "dry": (147, 137, 98), "heath": (112, 96, 79), "bracken": (128, 100, 66),
@@ -32,22 +31,22 @@ COLORS = {
     "weed": (70, 86, 64), "snow": (234, 237, 240),
 }  # fmt: skip
 
-# Chosen: a footpath as (x, z), from the bay's beach over the meadow to the castle's court.
+# Chosen: a footpath as (x, z), from the beach of the bay over the meadow to the castle court.
 PATH = [
     (14.4, 27.3), (15.8, 26.4), (17.6, 26.5), (19.6, 26.0), (21.4, 24.6), (23.2, 23.6),
     (24.1, 21.9), (25.2, 20.2), (26.1, 18.9), (26.9, 17.4),
 ]  # fmt: skip
 COURT = (27.0, 17.0)
-COURT_RADIUS = 1.0  # chosen: trodden ground round the castle
-SUN_SHARE = 0.66  # chosen: with the sky's share, a level lit place keeps its own colour
-SKY_SHARE = 0.50
+COURT_RADIUS = 1.0  # chosen: bare ground around the castle
+SUN_WEIGHT = 0.66  # chosen: with SKY_WEIGHT, level ground in the sun keeps its albedo
+SKY_WEIGHT = 0.50  # chosen
 ROCK_RELIEF = 0.017  # chosen: a third of a metre
-SUN_BLUR = 0.07  # chosen: how fast a shadow's edge widens with distance, softer than the real sun
+SUN_BLUR = 0.07  # chosen: penumbra width per distance, softer than the real sun's
 
 
 @njit(cache=True)
 def sun_shadow(h: np.ndarray, cell: float, sun: np.ndarray, blur: float) -> np.ndarray:
-    """Return the share of the sun (0..1) that reaches each cell of ``h`` (n, n)."""
+    """Return the fraction of the sun (0..1) visible from each cell of heights ``h`` (n, n)."""
     n = h.shape[0]
     out = np.ones((n, n))
     level = math.hypot(sun[0], sun[2])
@@ -77,7 +76,10 @@ def sun_shadow(h: np.ndarray, cell: float, sun: np.ndarray, blur: float) -> np.n
 
 @njit(cache=True)
 def sky_view(h: np.ndarray, cell: float, directions: int, reach: float) -> np.ndarray:
-    """Return the share of the sky (0..1) that each cell of ``h`` (n, n) sees over its horizon."""
+    """Return the fraction of the sky (0..1) visible from each cell of heights ``h`` (n, n).
+
+    ``reach`` is the length of the horizon search in cells, ``directions`` the number of azimuths.
+    """
     n = h.shape[0]
     out = np.zeros((n, n))
     for k in range(directions):
@@ -98,28 +100,28 @@ def sky_view(h: np.ndarray, cell: float, directions: int, reach: float) -> np.nd
 
 
 def enlarge(field: np.ndarray, size: int) -> np.ndarray:
-    """Resample (n, n) to (size, size) by cubic splines, centres of cells on centres of cells."""
+    """Resample (n, n) to (size, size) with cubic splines, aligned at the cell centres."""
     k = (np.arange(size) + 0.5) * field.shape[0] / size - 0.5
     rows, columns = np.meshgrid(k, k, indexing="ij")
     return ndimage.map_coordinates(field, [rows, columns], order=3, mode="nearest")
 
 
 def normals(h: np.ndarray, cell: float) -> np.ndarray:
-    """Return unit normals (n, n, 3) of heights ``h`` on cells of ``cell`` units."""
+    """Return unit normals (n, n, 3) of heights ``h`` (n, n) with cells of ``cell`` units."""
     dz, dx = np.gradient(h, cell)
     n = np.stack([-dx, np.ones_like(h), -dz], axis=-1)
     return n / np.linalg.norm(n, axis=-1, keepdims=True)
 
 
 def path_points() -> tuple[np.ndarray, np.ndarray]:
-    """Return x and z along the footpath, smoothly through PATH."""
+    """Return x and z along the footpath, a smooth curve through PATH."""
     spline, _ = splprep(np.array(PATH).T, s=0)
     x, z = splev(np.linspace(0.0, 1.0, 6000), spline)
     return np.asarray(x), np.asarray(z)
 
 
 def path_distance(size: int) -> np.ndarray:
-    """Return the distance (size, size) to the footpath in units."""
+    """Return the distance (size, size) to the footpath, in units."""
     x, z = path_points()
     elsewhere = np.ones((size, size), bool)
     scale = size / terrain.WORLD
@@ -128,19 +130,19 @@ def path_distance(size: int) -> np.ndarray:
 
 
 class Paint:
-    """A linear RGB picture to which colours are laid on by name and weight."""
+    """A linear RGB image into which the colours of COLORS are blended by name."""
 
     def __init__(self, size: int, name: str) -> None:
         self.colors = {k: to_linear(np.array(v) / 255.0) for k, v in COLORS.items()}
         self.rgb = np.broadcast_to(self.colors[name], (size, size, 3)).copy()
 
-    def lay(self, name: str, weight: np.ndarray) -> None:
-        """Mix the colour in by ``weight`` (size, size), clipped to 0..1."""
+    def blend(self, name: str, weight: np.ndarray) -> None:
+        """Blend a colour in by ``weight`` (size, size), clipped to 0..1."""
         self.rgb += (self.colors[name] - self.rgb) * np.clip(weight, 0.0, 1.0)[..., None]
 
 
 def rock_cracks(size: int) -> np.ndarray:
-    """Return blocky noise (size, size), mean 0: sharp clefts (low) between rounded faces (high)."""
+    """Return blocky noise (size, size), mean 0: sharp low clefts between rounded high blocks."""
     folds = sum(
         weight * np.abs(spectral_noise(size, 1.5, seed, low))
         for weight, seed, low in ((1.0, 35, 24.0), (0.5, 36, 70.0), (0.25, 37, 160.0))
@@ -151,7 +153,7 @@ def rock_cracks(size: int) -> np.ndarray:
 def albedo(
     h: np.ndarray, slope: np.ndarray, hollow: np.ndarray, flow: np.ndarray, cracks: np.ndarray
 ) -> np.ndarray:
-    """Return the ground's own colour, linear (n, n, 3), from y, slope, hollows, flow and cracks."""
+    """Return the albedo, linear (n, n, 3), by height, slope, hollowness, water flow and cracks."""
     size = h.shape[0]
     broad, patch = spectral_noise(size, 1.8, 31, 3.0), spectral_noise(size, 1.6, 34, 9.0)
     mid, small = spectral_noise(size, 1.4, 32, 20.0), spectral_noise(size, 1.1, 33, 90.0)
@@ -159,55 +161,55 @@ def albedo(
     steep = slope + 0.06 * mid + 0.04 * small
 
     land = Paint(size, "grass")
-    land.lay("lush", 0.75 * smoothstep(-0.2, 1.3, broad))
-    land.lay("olive", 0.85 * smoothstep(0.0, 1.5, patch - 0.3 * broad))
-    land.lay("dark", 0.65 * smoothstep(0.4, 1.7, 0.4 * mid - patch))
-    land.lay("bracken", 0.55 * smoothstep(0.9, 2.2, patch + 0.6 * mid) * smoothstep(1.0, 1.3, y))
-    land.lay("lush", 0.6 * smoothstep(3.2, 6.0, flow + 0.3 * mid))
-    land.lay("dry", 0.65 * smoothstep(1.1, 2.1, y + 0.30 * patch))
-    land.lay("heath", 0.70 * smoothstep(2.0, 3.0, y + 0.35 * broad + 0.15 * mid))
-    land.lay("soil", 0.55 * smoothstep(0.42, 0.80, steep + 2.0 * hollow))
-    land.lay("scree", 0.80 * smoothstep(2.5, 3.7, y + 0.25 * mid + 1.5 * hollow))
+    land.blend("lush", 0.75 * smoothstep(-0.2, 1.3, broad))
+    land.blend("olive", 0.85 * smoothstep(0.0, 1.5, patch - 0.3 * broad))
+    land.blend("dark", 0.65 * smoothstep(0.4, 1.7, 0.4 * mid - patch))
+    land.blend("bracken", 0.55 * smoothstep(0.9, 2.2, patch + 0.6 * mid) * smoothstep(1.0, 1.3, y))
+    land.blend("lush", 0.6 * smoothstep(3.2, 6.0, flow + 0.3 * mid))
+    land.blend("dry", 0.65 * smoothstep(1.1, 2.1, y + 0.30 * patch))
+    land.blend("heath", 0.70 * smoothstep(2.0, 3.0, y + 0.35 * broad + 0.15 * mid))
+    land.blend("soil", 0.55 * smoothstep(0.42, 0.80, steep + 2.0 * hollow))
+    land.blend("scree", 0.80 * smoothstep(2.5, 3.7, y + 0.25 * mid + 1.5 * hollow))
 
     x, z = np.meshgrid(*[(np.arange(size) + 0.5) * terrain.WORLD / size] * 2)
-    beds = np.sin(11.0 * (h + 0.22 * x - 0.13 * z) + 1.6 * patch + 0.9 * mid)
+    strata = np.sin(11.0 * (h + 0.22 * x - 0.13 * z) + 1.6 * patch + 0.9 * mid)
     rock = Paint(size, "rock")
-    rock.lay("slate", 0.45 + 0.24 * beds + 0.22 * mid)
-    rock.lay("cleft", 0.55 * smoothstep(0.8, 2.2, -cracks))
-    rock.lay("lichen", 0.45 * smoothstep(0.2, 1.5, patch) * smoothstep(3.6, 2.0, y))
-    # A crest is level for a few texels, yet bare: there the slope of its surroundings counts.
+    rock.blend("slate", 0.45 + 0.24 * strata + 0.22 * mid)
+    rock.blend("cleft", 0.55 * smoothstep(0.8, 2.2, -cracks))
+    rock.blend("lichen", 0.45 * smoothstep(0.2, 1.5, patch) * smoothstep(3.6, 2.0, y))
+    # A crest is level for a few texels but bare, so the slope of its surroundings counts too.
     around = ndimage.gaussian_filter(slope, size / 256)
     bare = np.maximum(steep, 0.95 * around + 0.06 * mid)
     bare = smoothstep(0.62, 0.98, bare + 0.10 * smoothstep(2.0, 4.0, y) - 0.8 * hollow)
     land.rgb += (rock.rgb - land.rgb) * bare[..., None]
     frost = smoothstep(4.15, 4.75, y + 0.12 * mid + 0.10 * small + 1.0 * hollow)
-    land.lay("snow", 0.62 * frost * smoothstep(2.6, 1.3, steep))
+    land.blend("snow", 0.62 * frost * smoothstep(2.6, 1.3, steep))
 
     flat = smoothstep(0.50, 0.28, steep)
-    land.lay("dry", 0.7 * smoothstep(0.96, 0.80, y + 0.05 * patch) * flat)
-    land.lay("sand", smoothstep(0.86, 0.70, y + 0.035 * patch - 0.02 * mid) * flat)
-    land.lay("shingle", 0.8 * smoothstep(0.74, 0.64, y) * smoothstep(0.22, 0.42, steep))
-    land.lay("wet", 0.85 * smoothstep(0.665, 0.61, h + 0.006 * patch))
+    land.blend("dry", 0.7 * smoothstep(0.96, 0.80, y + 0.05 * patch) * flat)
+    land.blend("sand", smoothstep(0.86, 0.70, y + 0.035 * patch - 0.02 * mid) * flat)
+    land.blend("shingle", 0.8 * smoothstep(0.74, 0.64, y) * smoothstep(0.22, 0.42, steep))
+    land.blend("wet", 0.85 * smoothstep(0.665, 0.61, h + 0.006 * patch))
     dry_land = smoothstep(0.66, 0.75, h)
     r = path_distance(size) + 0.035 * mid + 0.02 * small
-    land.lay("path", 0.85 * smoothstep(0.12, 0.03, r) * dry_land)
-    land.lay("dry", 0.35 * smoothstep(0.26, 0.08, r) * dry_land)
+    land.blend("path", 0.85 * smoothstep(0.12, 0.03, r) * dry_land)
+    land.blend("dry", 0.35 * smoothstep(0.26, 0.08, r) * dry_land)
     court = np.hypot(x - COURT[0], z - COURT[1]) + 0.10 * mid
-    land.lay("path", 0.70 * smoothstep(COURT_RADIUS + 0.35, COURT_RADIUS - 0.35, court))
+    land.blend("path", 0.70 * smoothstep(COURT_RADIUS + 0.35, COURT_RADIUS - 0.35, court))
     grain = 1.0 + 0.05 * mid + 0.05 * small - np.clip(2.2 * hollow, -0.18, 0.22)
     land.rgb *= grain[..., None]
 
     depth = np.maximum(terrain.WATER_LEVEL - h, 0.0)
     sea = Paint(size, "wet")
-    sea.lay("shallow", smoothstep(0.0, 0.12, depth))
+    sea.blend("shallow", smoothstep(0.0, 0.12, depth))
     meadow = smoothstep(0.03, 0.15, depth) * smoothstep(0.42, 0.25, depth)
-    sea.lay("weed", 0.7 * meadow * smoothstep(0.3, 1.9, patch + 0.3 * mid))
-    sea.lay("deep", 1.0 - np.exp(-((depth / 0.24) ** 1.3)))
+    sea.blend("weed", 0.7 * meadow * smoothstep(0.3, 1.9, patch + 0.3 * mid))
+    sea.blend("deep", 1.0 - np.exp(-((depth / 0.24) ** 1.3)))
     return np.where((depth > 0.0)[..., None], sea.rgb, land.rgb)
 
 
 def relief() -> tuple[np.ndarray, np.ndarray]:
-    """Return sun and sky (each LARGE x LARGE, 0..1 or a little above) on the island and the sea."""
+    """Return the visible fractions of the sun and of the sky, each (LARGE, LARGE) in 0..1."""
     h = terrain.build()[0]
     surface = np.maximum(h, terrain.WATER_LEVEL)
     middle = 2 * terrain.SIZE
@@ -218,14 +220,15 @@ def relief() -> tuple[np.ndarray, np.ndarray]:
 
 
 def ground_large() -> np.ndarray:
-    """Return the lit colours of the whole island, uint8 (LARGE, LARGE, 3)."""
+    """Return the large ground texture, lit, uint8 (LARGE, LARGE, 3)."""
     coarse, water = terrain.build()
     h = enlarge(coarse, LARGE)
     n = normals(h, terrain.WORLD / LARGE)
     slope = np.hypot(n[..., 0], n[..., 2]) / n[..., 1]
     cracks = rock_cracks(LARGE)
-    # Relief too small for the mesh shows in the light only: blocks of rock, tussocks elsewhere.
-    # The sea's floor has none: it is seen through the water, and would cost a fifth of the file.
+    # Relief that is too small for the mesh affects the lighting only: blocks of rock, tussocks
+    # elsewhere. The sea floor has none: it is seen through water, and would cost a fifth of the
+    # file.
     dry = smoothstep(terrain.WATER_LEVEL - 0.20, terrain.WATER_LEVEL, h)
     bumps = h + dry * cracks * (0.0015 + ROCK_RELIEF * smoothstep(0.50, 0.95, slope))
     n = normals(bumps, terrain.WORLD / LARGE)
@@ -234,17 +237,17 @@ def ground_large() -> np.ndarray:
     shadow, sky = relief()
     sun = light.sun_direction()
     direct = np.maximum(n @ sun, 0.0) / sun[1] * shadow
-    # Under water the sea's surface is lit, not the floor: keep only a hint of the floor's form.
+    # Under water, keep only a hint of the shading: the water surface is lit, not the floor.
     direct = np.where(h < terrain.WATER_LEVEL, 0.6 + 0.4 * direct, direct)
-    # A gentle shoulder: slopes that face the sun would otherwise bleach.
+    # A soft shoulder, or slopes that face the sun would be overexposed.
     direct = direct * 1.35 / (1.0 + 0.35 * direct)
     blue = light.SKY_COLOR / light.SKY_COLOR.mean()
-    # Ribs stand out and gullies recede even where the sun shines straight onto a face.
+    # Brighten ribs and darken gullies, which the sun alone hides where it is perpendicular.
     fold = enlarge(ndimage.gaussian_filter(coarse, 1.8) - coarse, LARGE)
     direct = direct * (1.0 - np.clip(6.0 * fold, -0.16, 0.30))
     dome = sky * (0.6 + 0.4 * n[..., 1])
-    lit = SUN_SHARE * direct[..., None] * light.SUN_COLOR / light.SUN_COLOR.mean()
-    lit = lit + SKY_SHARE * dome[..., None] * (0.5 + 0.5 * blue) + 0.08 * light.GROUND_BOUNCE
+    lit = SUN_WEIGHT * direct[..., None] * light.SUN_COLOR / light.SUN_COLOR.mean()
+    lit = lit + SKY_WEIGHT * dome[..., None] * (0.5 + 0.5 * blue) + 0.08 * light.GROUND_BOUNCE
     return to_uint8(to_srgb(albedo(h, slope, hollow, flow, cracks) * lit))
 
 
@@ -252,7 +255,10 @@ def ground_large() -> np.ndarray:
 def draw_blades(
     size: int, count: int, rng: np.random.Generator, tone: np.ndarray, top: np.ndarray
 ) -> None:
-    """Draw blades of grass into ``tone``, their heights into ``top`` (size, size), on a torus."""
+    """Draw blades of grass into ``tone`` and their heights into ``top``, both (size, size).
+
+    Both arrays are modified in place, and drawing wraps around at the borders.
+    """
     for k in range(count):
         x, y = rng.random() * size, rng.random() * size
         angle = rng.random() * 2.0 * math.pi
@@ -283,7 +289,7 @@ def draw_blades(
 def draw_pebbles(
     tone: np.ndarray, top: np.ndarray, hue: np.ndarray, count: int, rng: np.random.Generator
 ) -> None:
-    """Set small lit stones into ``tone``, their height into ``top``, their warmth into ``hue``."""
+    """Draw small lit stones, in place: brightness, height and warmth into tone, top and hue."""
     size = tone.shape[0]
     for _ in range(count):
         cx, cy = rng.uniform(0, size, 2)
@@ -307,7 +313,7 @@ def draw_pebbles(
 
 
 def ground_detail() -> np.ndarray:
-    """Return turf from above, tileable uint8 (DETAIL, DETAIL, 3), each channel's mean 127.5."""
+    """Return turf seen from above, tileable uint8 (DETAIL, DETAIL, 3), mean 127.5 per channel."""
     n = DETAIL
     soil = 0.34 + 0.10 * spectral_noise(n, 0.5, 41, 30.0) + 0.08 * spectral_noise(n, 1.2, 42, 14.0)
     tone = np.clip(soil, 0.08, 0.75)

@@ -1,7 +1,7 @@
-"""Details of bare ground, repeated over the island beside the turf: sand, and rock.
+"""Detail textures of bare ground, used beside the turf: sand and rock.
 
-Both are drawn as heights on a torus, lit from one side, and brought to a mean of one half: laid
-over the large colours at double strength they change the grain and not the colour.
+Both are tiling height fields, lit from one side and normalised to a mean of one half. Multiplied
+with the large texture at a scale of two, they add grain without changing its colour.
 """
 
 from collections.abc import Callable
@@ -13,37 +13,37 @@ from scipy.spatial import cKDTree
 from landscape.studio.ground import DETAIL, draw_pebbles
 from landscape.studio.images import smoothstep, spectral_noise, to_uint8
 
-ROCK = 1024  # chosen: seen from afar as well as from near, where it is repeated every 2 units
+ROCK = 1024  # chosen: repeated every 2 units, and seen from near and far
 
-# Chosen: faces along a side, seed, texels by which their borders are bent, strength.
+# Chosen: number of faces along a side, seed, warp of their borders in texels, strength.
 ROCK_FACES = ((7, 81, 26.0, 1.0), (19, 85, 12.0, 0.7), (48, 89, 6.0, 0.45))
 
 
-def level(tone: np.ndarray, strength: float, reach: float) -> np.ndarray:
-    """Return ``tone`` (n, n) without what is wider than ``reach`` texels, soft-limited, mean 0.
+def high_pass(tone: np.ndarray, strength: float, reach: float) -> np.ndarray:
+    """Return ``tone`` (n, n) without features wider than ``reach`` texels, soft-clipped, mean 0.
 
-    What is wide shows as a pattern when the picture is repeated.
+    Wide features show as a pattern when the texture is repeated.
     """
     tone = tone - ndimage.gaussian_filter(tone, reach, mode="wrap")
     tone = np.tanh(tone / tone.std() * 0.6) * strength
     return np.asarray(tone - tone.mean())
 
 
-def slope_light(height: np.ndarray) -> np.ndarray:
-    """Return the light (n, n), mean about 0, on heights in texels, from the upper left."""
+def shade_slopes(height: np.ndarray) -> np.ndarray:
+    """Return the shading (n, n), mean about 0, of heights in texels lit from the upper left."""
     dx = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) / 2
     dy = (np.roll(height, -1, 0) - np.roll(height, 1, 0)) / 2
     return np.asarray((-0.6 * dx - 0.8 * dy) / np.sqrt(1.0 + dx * dx + dy * dy))
 
 
 def ground_sand() -> np.ndarray:
-    """Return trodden sand with grains, dimples and a few stones, tileable uint8 (n, n, 3)."""
+    """Return sand with grains, dimples and a few stones, tileable uint8 (n, n, 3)."""
     n = DETAIL
     grain = spectral_noise(n, 0.15, 61, 90.0)
     dimples = spectral_noise(n, 2.2, 62, 9.0)
-    light = slope_light(2.6 * dimples)
+    light = shade_slopes(2.6 * dimples)
     tone = 0.06 * grain + 0.55 * light + 0.05 * spectral_noise(n, 1.1, 63, 10.0)
-    tone = level(tone, 0.10, 60.0) + 0.5
+    tone = high_pass(tone, 0.10, 60.0) + 0.5
     hue = 0.5 * spectral_noise(n, 0.8, 64, 20.0)
     draw_pebbles(tone, np.zeros((n, n)), hue, 70, np.random.default_rng(65))
     tone -= tone.mean()
@@ -51,46 +51,46 @@ def ground_sand() -> np.ndarray:
     return to_uint8(rgb - rgb.mean(axis=(0, 1)) + 0.5)
 
 
-def facets(n: int, cells: int, seed: int, bend: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return broken faces and the clefts between them, each (n, n), tileable.
+def facets(n: int, cells: int, seed: int, warp: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the heights of broken faces and the clefts between them, each (n, n), tileable.
 
-    The plane is cut into the regions nearest to ``cells`` x ``cells`` points, bent by ``bend``
-    texels of noise; each region is a face tilted its own way. Heights are in texels; clefts are 1
-    on a border and fall to 0 a few texels off.
+    The faces are the Voronoi cells of ``cells`` x ``cells`` jittered points, warped by ``bend``
+    texels of noise; each is tilted at random. Heights are in texels; clefts are 1 on a border and
+    fall to 0 within a few texels.
     """
     rng = np.random.default_rng(seed)
     rows, columns = np.indices((n, n), dtype=float)
-    rows += bend * spectral_noise(n, 2.0, seed + 1, 3.0)
-    columns += bend * spectral_noise(n, 2.0, seed + 2, 3.0)
+    rows += warp * spectral_noise(n, 2.0, seed + 1, 3.0)
+    columns += warp * spectral_noise(n, 2.0, seed + 2, 3.0)
     grid = np.indices((cells, cells)).reshape(2, -1).T
     points = (grid + rng.uniform(0.05, 0.95, grid.shape)) * (n / cells) % n
-    places = np.stack([rows, columns], axis=-1).reshape(-1, 2) % n
-    away, nearest = cKDTree(points, boxsize=n).query(places, k=2)
+    positions = np.stack([rows, columns], axis=-1).reshape(-1, 2) % n
+    distance, nearest = cKDTree(points, boxsize=n).query(positions, k=2)
     tilt = rng.normal(0.0, 0.33, (len(points), 2))[nearest[:, 0]]
-    off = (places - points[nearest[:, 0]] + n / 2) % n - n / 2
+    off = (positions - points[nearest[:, 0]] + n / 2) % n - n / 2
     height = (tilt * off).sum(axis=1) + rng.normal(0.0, 0.10 * n / cells, len(points))[
         nearest[:, 0]
     ]
-    cleft = np.exp(-(((away[:, 1] - away[:, 0]) / (0.045 * n / cells)) ** 2))
+    cleft = np.exp(-(((distance[:, 1] - distance[:, 0]) / (0.045 * n / cells)) ** 2))
     return height.reshape(n, n), cleft.reshape(n, n)
 
 
 def ground_rock() -> np.ndarray:
-    """Return weathered rock, broken faces between clefts, tileable uint8 (n, n, 3)."""
+    """Return weathered rock: broken faces between clefts, tileable uint8 (n, n, 3)."""
     n = ROCK
     height, hollow = np.zeros((n, n)), np.zeros((n, n))
-    for cells, seed, bend, weight in ROCK_FACES:
-        faces, clefts = facets(n, cells, seed, bend)
+    for cells, seed, warp, weight in ROCK_FACES:
+        faces, clefts = facets(n, cells, seed, warp)
         patchy = smoothstep(-0.6, 0.7, spectral_noise(n, 2.0, seed + 3, 2.0))
         height += weight * patchy * (faces - 0.05 * n / cells * clefts)
         hollow = np.maximum(hollow, weight * patchy * clefts)
     height = ndimage.gaussian_filter(height, 1.1, mode="wrap")
     height += 0.5 * spectral_noise(n, 1.1, 74, 50.0)
-    # Where the ground lies lower than round about, less of the sky is seen.
+    # Ambient occlusion: low areas see less of the sky.
     low = ndimage.gaussian_filter(height, 14.0, mode="wrap") - height
-    tone = 0.62 * slope_light(height) - 0.40 * hollow - 0.022 * np.clip(low, 0.0, 12.0)
+    tone = 0.62 * shade_slopes(height) - 0.40 * hollow - 0.022 * np.clip(low, 0.0, 12.0)
     tone += 0.05 * spectral_noise(n, 0.4, 75, 50.0)
-    tone = level(tone, 0.30, 110.0)
+    tone = high_pass(tone, 0.30, 110.0)
     lichen = smoothstep(1.1, 1.9, spectral_noise(n, 1.5, 77, 14.0)) * (1.0 - hollow)
     tone += 0.05 * lichen
     hue = spectral_noise(n, 1.3, 76, 6.0)

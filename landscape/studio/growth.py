@@ -1,9 +1,10 @@
-"""How the trees grow: skeletons of limbs, from the foot to the twigs.
+"""Growth of the trees' skeletons, from the foot to the twigs.
 
-The broad-leaved skeletons grow by space colonisation (Runions, Lane and Prusinkiewicz 2007,
-"Modeling trees with a space colonization algorithm") inside a crown made of ellipsoidal lobes; the
-spruce is built whorl by whorl in the manner of Weber and Penn 1995 ("Creation and rendering of
-realistic trees"). Radii follow the pipe model. Frame: as :mod:`landscape.studio.foliage`.
+The skeletons of the broad-leaved trees grow by space colonisation (Runions, Lane and Prusinkiewicz
+2007, "Modeling trees with a space colonization algorithm") inside a crown made of ellipsoidal
+lobes. The spruce is built whorl by whorl, similar to Weber and Penn 1995 ("Creation and rendering
+of realistic trees"). Radii follow the pipe model. Coordinates are those of
+:mod:`landscape.studio.foliage`.
 """
 
 from dataclasses import dataclass
@@ -13,18 +14,18 @@ from scipy.spatial import cKDTree
 
 from landscape.studio.foliage import unit
 
-PIPE_EXPONENT = 2.3  # Runions 2007: between da Vinci's 2 and 3
+PIPE_EXPONENT = 2.3  # Runions 2007: values lie between 2 (da Vinci) and 3
 
 
 @dataclass
 class Skeleton:
-    """Limbs as a tree of nodes: positions (n, 3), parent indices (n,), -1 at the foot."""
+    """Limbs as a tree of nodes: positions (n, 3) and parent indices (n,), -1 at the foot."""
 
     points: np.ndarray
     parents: np.ndarray
 
     def radii(self, twig: float, trunk: float) -> np.ndarray:
-        """Pipe-model radii (n,), from ``twig`` at the tips, rescaled to ``trunk`` at the foot."""
+        """Return the radii (n,) of the pipe model, from ``twig`` at the tips to ``trunk``."""
         area = np.zeros(len(self.points))
         for i in range(len(self.points) - 1, -1, -1):
             area[i] = max(area[i], 1.0)
@@ -35,11 +36,11 @@ class Skeleton:
         return twig * r**gamma
 
     def child_counts(self) -> np.ndarray:
-        """Number of children (n,) of every node."""
+        """Return the number of children (n,) of every node."""
         return np.bincount(self.parents[self.parents >= 0], minlength=len(self.points))
 
     def smooth(self, passes: int) -> None:
-        """Relax every node with one child towards its neighbours: branches bend, not zigzag."""
+        """Move every node with one child towards its neighbours' midpoint, to remove zigzags."""
         counts = self.child_counts()
         child = np.full(len(self.points), -1)
         child[self.parents[1:]] = np.arange(1, len(self.points))
@@ -50,9 +51,12 @@ class Skeleton:
 
 
 def colonise(
-    attractors: np.ndarray, stems: list[np.ndarray], step: float, pull: np.ndarray, seed: int
+    attractors: np.ndarray, stems: list[np.ndarray], step: float, bias: np.ndarray, seed: int
 ) -> Skeleton:
-    """Grow limbs from the stems (polylines (k, 3) from the foot) towards the attractors (n, 3)."""
+    """Grow limbs from the stems (polylines (k, 3) from the foot) towards the attractors (n, 3).
+
+    Each new node is ``step`` from its parent; ``pull`` (3,) is a constant bias of the direction.
+    """
     rng = np.random.default_rng(seed)
     points, parents = [np.array([0.0, 0.0, 0.0])], [-1]
     for line in stems:
@@ -62,7 +66,7 @@ def colonise(
             parents.append(last)
             last = len(points) - 1
     nodes, origin = np.array(points), np.array(parents)
-    # If every node of a stem could branch, its limbs would stand out like the teeth of a comb.
+    # If every node of a stem could branch, the limbs would look like the teeth of a comb.
     fertile = rng.random(len(nodes)) < 0.4
     fertile[np.cumsum([len(line) for line in stems])] = True
     for _ in range(220):
@@ -75,15 +79,15 @@ def colonise(
         if not near.any():
             break
         toward = np.zeros_like(nodes)
-        pulls = attractors[near] - nodes[nearest[near]]
-        np.add.at(toward, nearest[near], pulls / np.linalg.norm(pulls, axis=1, keepdims=True))
+        offsets = attractors[near] - nodes[nearest[near]]
+        np.add.at(toward, nearest[near], offsets / np.linalg.norm(offsets, axis=1, keepdims=True))
         growing = np.unique(nearest[near])
-        way = toward[growing]
-        way /= np.linalg.norm(way, axis=1, keepdims=True) + 1e-9
-        way += pull + 0.18 * rng.standard_normal(way.shape)
-        way /= np.linalg.norm(way, axis=1, keepdims=True)
-        fresh = nodes[growing] + step * way
-        # A node caught between two attractors would grow the same twig for ever: drop repeats.
+        direction = toward[growing]
+        direction /= np.linalg.norm(direction, axis=1, keepdims=True) + 1e-9
+        direction += bias + 0.18 * rng.standard_normal(direction.shape)
+        direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+        fresh = nodes[growing] + step * direction
+        # A node between two attractors would grow the same twig forever: drop duplicates.
         free = cKDTree(nodes).query(fresh)[0] > 0.55 * step
         if not free.any():
             break
@@ -95,7 +99,7 @@ def colonise(
 
 
 def stem(*points: tuple[float, float, float], step: float = 0.04) -> np.ndarray:
-    """A polyline (k, 3) through the points, one node every ``step`` or so."""
+    """Return a polyline (k, 3) through the points with a node about every ``step``."""
     p = np.array(points)
     t = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(p, axis=0), axis=1))])
     s = np.linspace(0.0, t[-1], max(2, round(t[-1] / step) + 1))[1:]
@@ -105,7 +109,7 @@ def stem(*points: tuple[float, float, float], step: float = 0.04) -> np.ndarray:
 def in_lobes(
     centres: np.ndarray, radii: np.ndarray, count: int, rng: np.random.Generator
 ) -> np.ndarray:
-    """Scatter points (count, 3) in ellipsoids with centres and radii (n, 3), more where larger."""
+    """Scatter points (count, 3) in ellipsoids (centres and radii (n, 3)), more in larger ones."""
     weight = radii.prod(axis=1) ** 0.8
     lobe = rng.choice(len(centres), count, p=weight / weight.sum())
     direction = rng.standard_normal((count, 3))
@@ -121,8 +125,10 @@ def crown_lobes(
     low: float,
     seed: int,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Put ``count`` lobes evenly over an ellipsoid's surface, above ``low`` (-1 is its bottom): the
-    clumps of a crown. Returns centres and radii (count, 3)."""
+    """Return the lobes of a crown, centres and radii (count, 3), spread over an ellipsoid.
+
+    ``low`` is the lowest position on the ellipsoid: -1 is its bottom, 1 its top.
+    """
     rng = np.random.default_rng(seed)
     k = np.arange(count) + 0.5
     y = 1.0 - (1.0 - low) * k / count
@@ -141,36 +147,40 @@ def hang_twigs(
     step: float,
     rng: np.random.Generator,
 ) -> Skeleton:
-    """Let a twig of ``steps`` (least, most) nodes fall from each of the nodes ``tips``."""
+    """Add a hanging twig to each of the nodes ``tips``; ``steps`` is its (least, most) nodes."""
     points, parents = list(skeleton.points), list(skeleton.parents)
     for tip in tips:
-        way = unit(skeleton.points[tip] - skeleton.points[skeleton.parents[tip]])
+        direction = unit(skeleton.points[tip] - skeleton.points[skeleton.parents[tip]])
         last = tip
         for _ in range(rng.integers(*steps)):
-            way = unit(way + np.array([0.0, -0.33, 0.0]) + 0.12 * rng.standard_normal(3))
-            points.append(points[last] + step * way)
+            direction = unit(
+                direction + np.array([0.0, -0.33, 0.0]) + 0.12 * rng.standard_normal(3)
+            )
+            points.append(points[last] + step * direction)
             parents.append(last)
             last = len(points) - 1
     return Skeleton(np.array(points), np.array(parents))
 
 
 def spruce_limbs(rng: np.random.Generator) -> tuple[Skeleton, np.ndarray]:
-    """The spruce's trunk, whorls and hanging twigs; also the nodes (k,) that carry needles."""
+    """Return the spruce's trunk, whorls and hanging twigs, and the nodes (k,) that bear needles."""
     points, parents, twigs = [np.zeros(3)], [-1], []
 
     def grow(
-        start: int, way: np.ndarray, length: float, step: float, bend: float, green: bool
+        start: int, direction: np.ndarray, length: float, step: float, bend: float, green: bool
     ) -> list[int]:
         made = []
         last = start
         for k in range(max(2, round(length / step))):
             lift = bend * (k * step / length - 0.35)
-            # The lowest boughs sweep over the ground, not into it.
+            # Keep the lowest boughs above the ground.
             lift += 5.0 * max(0.0, 0.21 - points[last][1]) / length
-            way = unit(
-                way + np.array([0.0, lift * step / length * 2, 0.0]) + 0.05 * rng.standard_normal(3)
+            direction = unit(
+                direction
+                + np.array([0.0, lift * step / length * 2, 0.0])
+                + 0.05 * rng.standard_normal(3)
             )
-            points.append(points[last] + step * way)
+            points.append(points[last] + step * direction)
             parents.append(last)
             last = len(points) - 1
             made.append(last)
@@ -185,17 +195,17 @@ def spruce_limbs(rng: np.random.Generator) -> tuple[Skeleton, np.ndarray]:
         trunk.append(len(points) - 1)
     y = 0.27
     while y < 1.92:
-        part = (y - 0.27) / 1.69
-        reach = 0.86 * (1 - part) ** 0.92 * min(1.0, 0.62 + 2.2 * part) + 0.018
+        fraction = (y - 0.27) / 1.69
+        reach = 0.86 * (1 - fraction) ** 0.92 * min(1.0, 0.62 + 2.2 * fraction) + 0.018
         turn = rng.uniform(0, 2 * np.pi)
         count = 7 if y < 1.5 else 5
         for k in range(count):
             angle = turn + 2 * np.pi * (k + rng.uniform(-0.3, 0.3)) / count
             length = reach * rng.uniform(0.72, 1.12)
-            slope = -0.36 + 1.25 * part**1.6 + rng.uniform(-0.1, 0.1)
-            way = unit(np.array([np.cos(angle), slope, np.sin(angle)]))
+            slope = -0.36 + 1.25 * fraction**1.6 + rng.uniform(-0.1, 0.1)
+            direction = unit(np.array([np.cos(angle), slope, np.sin(angle)]))
             node = trunk[min(len(trunk) - 1, int((y + rng.uniform(-0.015, 0.015)) / 0.02))]
-            branch = grow(node, way, length, 0.03, 0.7, False)
+            branch = grow(node, direction, length, 0.03, 0.7, False)
             for j, at in enumerate(branch):
                 if j * 0.03 > 0.1 * length:
                     twigs.append(at)
@@ -207,5 +217,5 @@ def spruce_limbs(rng: np.random.Generator) -> tuple[Skeleton, np.ndarray]:
                 for side in (-1, 1):
                     out = unit(run * 0.8 + side * flat + np.array([0.0, -0.25, 0.0]))
                     grow(at, out, side_length * rng.uniform(0.7, 1.2), 0.026, -0.5, True)
-        y += 0.052 + 0.03 * (1 - part) * rng.uniform(0.7, 1.3)
+        y += 0.052 + 0.03 * (1 - fraction) * rng.uniform(0.7, 1.3)
     return Skeleton(np.array(points), np.array(parents)), np.array(twigs + trunk[-9:])

@@ -1,32 +1,18 @@
-"""The low plants of the preset `best`: a lady fern, ox-eye daisies, willow-herb, marram, heather.
+"""The herbs of the preset `best`: lady fern, ox-eye daisies, rosebay willow-herb, marram, heather.
 
-Each is a clump of curved stems (:func:`landscape.studio.plants.midrib`) that carry kites:
-pinnules, leaves, petals or bells. :mod:`landscape.studio.foliage` lights and draws them, in its
-frame: x right in -1..1, y up in 0..2, z to the viewer. A clump fills the picture; how wide it is
-for its height is for `landscape/elements/planting.py` to say.
+Each is a clump (:mod:`landscape.studio.clumps`) that fills its sprite; its size in the scene is set
+in `landscape/elements/sprites/planting.py`.
 """
 
 from collections.abc import Callable
 
 import numpy as np
 
-from landscape.studio.foliage import (
-    Canvas,
-    Leaves,
-    draw_leaves,
-    draw_limbs,
-    foliage_density,
-    join,
-    light_on_limbs,
-    unit,
-)
-from landscape.studio.plants import midrib, tilt
+from landscape.studio.clumps import DEPTH, UP, VIEWER, Stems, along, kites, sprite_of, stem, whorl
+from landscape.studio.foliage import Leaves, join, unit
+from landscape.studio.plants import tilt
 
-SIDE = 256  # texels: a clump is a third as high as its viewer, and seldom met closer than a pace
-UP = np.array([0.0, 1.0, 0.0])
-VIEWER = np.array([0.0, 0.0, 1.0])
-DEPTH = 0.6  # chosen: how deep a clump is for its width; what points at the viewer is a blob
-# Linear colours, all chosen by looking at the pictures under this sun.
+# Linear colours, all chosen by eye.
 FERN_OLD, FERN_YOUNG = np.array([0.050, 0.115, 0.022]), np.array([0.125, 0.205, 0.040])
 STALK = np.array([0.12, 0.14, 0.045])
 HERB_LEAF, HERB_STEM = np.array([0.052, 0.098, 0.028]), np.array([0.095, 0.130, 0.045])
@@ -39,7 +25,7 @@ MARRAM = np.array(
 SEED_HEAD = np.array([0.330, 0.265, 0.135])
 HEATH_LEAF, HEATH_BELL = np.array([0.050, 0.072, 0.030]), np.array([0.290, 0.130, 0.245])
 HEATH_WOOD = np.array([0.085, 0.055, 0.038])
-# Chosen: lean (radians, under 0 to the left), turn to the viewer, length; from the back forward.
+# Chosen: lean (radians, negative to the left), turn towards the viewer, length; from back to front.
 FERN_FRONDS = (
     (0.20, -0.6, 0.90), (-0.34, -0.7, 0.92), (0.50, -0.4, 1.16), (-0.60, -0.4, 1.18),
     (0.74, -0.1, 1.32), (-0.84, -0.1, 1.30), (0.08, 1.0, 0.84), (1.02, 0.1, 1.24),
@@ -47,144 +33,54 @@ FERN_FRONDS = (
     (0.92, 0.6, 1.04), (-1.22, 0.5, 0.92), (1.20, 0.5, 0.94),
 )  # fmt: skip
 
-Stems = list[tuple[np.ndarray, float, float, np.ndarray]]
-
-
-def stem(
-    foot: np.ndarray, length: float, lean: float, bend: float, azimuth: float, count: int
-) -> np.ndarray:
-    """Points (count, 3) along a curve from ``foot`` (3,); the angles are those of a midrib."""
-    path = midrib(length, lean, bend, azimuth, count)
-    path = np.concatenate([np.zeros((1, 3)), path[:-1]])
-    path[:, 2] *= DEPTH
-    return np.asarray(path + foot)
-
-
-def along(path: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return points and unit tangents (n, 3) at ``shares`` (n,) in 0..1 of a path (m, 3)."""
-    at = np.clip(shares, 0.0, 1.0) * (len(path) - 1)
-    slopes = np.gradient(path, axis=0)
-    axes = range(3)
-    points = np.stack([np.interp(at, np.arange(len(path)), path[:, k]) for k in axes], 1)
-    tangents = np.stack([np.interp(at, np.arange(len(path)), slopes[:, k]) for k in axes], 1)
-    return points, unit(tangents)
-
-
-def kites(
-    root: np.ndarray,
-    axis: np.ndarray,
-    normal: np.ndarray,
-    length: np.ndarray | float,
-    width: np.ndarray | float,
-    albedo: np.ndarray,
-) -> Leaves:
-    """Leaves that start at ``root`` (n, 3) and point along ``axis`` (n, 3)."""
-    n = len(root)
-    axis = unit(axis)
-    lengths = np.broadcast_to(np.asarray(length, float), n).copy()
-    widths = np.broadcast_to(np.asarray(width, float), n).copy()
-    face = unit(normal - axis * (normal * axis).sum(1, keepdims=True))
-    middle = root + axis * lengths[:, None] / 2
-    return Leaves(middle, axis, face, lengths, widths, np.broadcast_to(albedo, (n, 3)).copy())
-
-
-def whorl(axes: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Return directions (n, 3) at right angles to ``axes`` (n, 3), turned by ``angles`` (n,)."""
-    one = unit(np.cross(axes, VIEWER + 0.01))
-    other = np.cross(axes, one)
-    return np.asarray(one * np.cos(angles)[:, None] + other * np.sin(angles)[:, None])
-
-
-def sprite_of(leaves: Leaves, stems: Stems, extinction: float, lowered: float = 0.04) -> np.ndarray:
-    """Fit a clump into the picture, light it and draw it: uint8 (SIDE, SIDE, 4).
-
-    ``stems`` are paths (m, 3) with their radius at foot and tip and their colour. ``lowered``: how
-    far the root lies under the picture's last row.
-    """
-    everything = np.concatenate([leaves.centre, *(path for path, *_ in stems)])
-    low, high = np.quantile(everything, [0.001, 0.999], axis=0)
-    scale = np.array([0.93 / max(-low[0], high[0]), (1.86 + lowered) / high[1], 1.0])
-    scale[2] = scale[0]
-    reach = leaves.axis * leaves.length[:, None] * scale
-    leaves.length = np.linalg.norm(reach, axis=1)
-    leaves.axis = unit(reach)
-    leaves.width = leaves.width * np.sqrt(scale[0] * scale[1])
-    leaves.centre = leaves.centre * scale - lowered * UP
-    paths = [path * scale - lowered * UP for path, *_ in stems]
-    filled = leaves
-    if stems:
-        # Stems shade as leaves do: as kites as wide as they are.
-        points = np.concatenate(paths)
-        thick = np.concatenate([np.linspace(a, b, len(p)) for p, a, b, _ in stems])
-        run = np.concatenate([np.linalg.norm(np.gradient(p, axis=0), axis=1) for p in paths])
-        none = np.zeros_like(points)
-        filled = join([leaves, Leaves(points, none, none, run, 4.0 * thick, none)])
-    density = foliage_density(filled)
-    canvas = Canvas.blank(SIDE)
-    for path, (_, foot, tip, colour) in zip(paths, stems, strict=True):
-        ends = np.stack([path[:-1], path[1:]], 1)
-        taper = np.linspace(foot, tip, len(path))
-        radii = np.stack([taper[:-1], taper[1:]], 1)
-        skin = np.broadcast_to([*colour, 0.0], (4, 4, 4)).copy()
-        flat = np.zeros_like(radii)
-        lights = light_on_limbs(density, ends, extinction)
-        draw_limbs(canvas, ends, radii, lights, skin, colour, flat, flat[:, 0])
-    draw_leaves(canvas, leaves, density, extinction, 0.08)
-    return thrifty(canvas.finish())
-
-
-def thrifty(rgba: np.ndarray) -> np.ndarray:
-    """Round the levels of a sprite (h, w, 4): a third off the file; foliage hides it."""
-    colour = (rgba[..., :3].astype(int) + 3) // 6 * 6
-    alpha = (rgba[..., 3:].astype(int) + 8) // 17 * 17
-    alpha = np.where(rgba[..., 3:] == 0, 0, np.maximum(alpha, 17))
-    return np.concatenate([np.minimum(colour, 255), alpha], -1).astype(np.uint8)
-
 
 def pinnate(path: np.ndarray, roll: float, size: float, rng: np.random.Generator) -> Leaves:
-    """The pinnules of a frond twice divided, as a lady fern's, along its midrib (m, 3).
+    """Return the pinnules of a twice-divided frond, like a lady fern's, along its midrib (m, 3).
 
-    ``roll`` (radians) turns the frond's plane about the midrib, ``size`` is the longest pinna.
+    ``roll`` (radians) rotates the plane of the frond about the midrib; ``size`` is the length of
+    the longest pinna.
     """
-    count, cut = 21, 5  # chosen: pinnae a side, pinnules along each of their sides
-    shares = np.linspace(0.10, 0.99, count)
-    root, tangent = along(path, shares)
+    count, cut = 21, 5  # chosen: pinnae per side, pinnules per side of a pinna
+    fractions = np.linspace(0.10, 0.99, count)
+    root, tangent = along(path, fractions)
     flat = unit(np.cross(tangent, UP) + 1e-6)
     span = flat * np.cos(roll) + np.cross(flat, tangent) * np.sin(roll)
     face = np.cross(span, tangent)
     face *= np.where(face[:, 1:2] < 0, -1.0, 1.0)
-    # A lance: widest at a third, drawn out to a fine tip.
-    reach = size * np.minimum((shares / 0.33) ** 0.75, 1.06 * (1.0 - shares) ** 0.85 + 0.30) + 0.01
-    reach *= np.where(shares > 0.33, np.minimum(1.0, (1.02 - shares) / 0.42) ** 0.8, 1.0)
+    # Lanceolate outline: widest at a third of the length, with a long fine tip.
+    reach = (
+        size * np.minimum((fractions / 0.33) ** 0.75, 1.06 * (1.0 - fractions) ** 0.85 + 0.30)
+        + 0.01
+    )
+    reach *= np.where(fractions > 0.33, np.minimum(1.0, (1.02 - fractions) / 0.42) ** 0.8, 1.0)
     tone = rng.uniform(0.80, 1.15)
     parts = []
     for side in (-1.0, 1.0):
         long = reach * rng.uniform(0.88, 1.06, count)
         way = unit(
-            side * span + tangent * (0.30 + 0.5 * shares[:, None]) - 0.12 * face
+            side * span + tangent * (0.30 + 0.5 * fractions[:, None]) - 0.12 * face
             + 0.05 * rng.standard_normal((count, 3))
         )  # fmt: skip
         for k in range(cut):
             t = (k + 0.6) / cut
-            # Tips of pinnae hang.
+            # The tips of the pinnae hang down.
             at = root + way * (t * long)[:, None] - UP * (0.16 * t * t * long)[:, None]
             small = np.maximum(0.38 * long * (1.0 - 0.72 * t), 0.026)
             for edge in (-1.0, 1.0):
                 axis = unit(way * 0.75 + edge * np.cross(face, way) - 0.15 * UP * t)
                 normal = face + 0.22 * rng.standard_normal((count, 3))
-                green = FERN_OLD + (FERN_YOUNG - FERN_OLD) * (0.75 * shares + 0.25 * t)[:, None]
+                green = FERN_OLD + (FERN_YOUNG - FERN_OLD) * (0.75 * fractions + 0.25 * t)[:, None]
                 green = green * tone * rng.uniform(0.82, 1.16, (count, 1))
                 parts.append(kites(at, axis, normal, small, 0.52 * small + 0.004, green))
     return join(parts)
 
 
 def fern() -> np.ndarray:
-    """A lady fern: a loose shuttlecock of fronds that arch low, each twice divided."""
+    """Return a lady fern: a loose funnel of low-arching, twice-divided fronds."""
     rng = np.random.default_rng(21)
     parts: list[Leaves] = []
     stems: Stems = []
     for lean, turn, length in FERN_FRONDS:
-        # A lean under 0 is to the left.
         azimuth = turn if lean > 0 else np.pi - turn
         bend = 1.20 + 0.25 * rng.uniform(-1, 1)
         path = tilt(stem(np.zeros(3), length, abs(lean), bend, azimuth, 40))
@@ -197,7 +93,7 @@ def fern() -> np.ndarray:
 def daisy_head(
     centre: np.ndarray, towards: np.ndarray, size: float, rng: np.random.Generator
 ) -> Leaves:
-    """The kites of one ox-eye head about ``centre`` (3,), looking along ``towards`` (3,)."""
+    """Return the kites of one ox-eye head at ``centre`` (3,) that faces along ``towards`` (3,)."""
     count = 17
     face = unit(towards)
     angles = np.arange(count) * 2 * np.pi / count + rng.uniform(0, 1)
@@ -227,7 +123,7 @@ def daisy_head(
 
 
 def oxeye() -> np.ndarray:
-    """A clump of ox-eye daisies among their own leaves and a little grass."""
+    """Return a clump of ox-eye daisies with their leaves and a little grass."""
     rng = np.random.default_rng(8)
     parts: list[Leaves] = []
     stems: Stems = []
@@ -250,7 +146,7 @@ def oxeye() -> np.ndarray:
         green = HERB_LEAF * rng.uniform(0.8, 1.35, (leaf_count, 1))
         small = rng.uniform(0.12, 0.2, leaf_count)
         parts.append(kites(at, out, np.cross(out, way) + UP, small, 0.26 * small, green))
-    # The leaves at the root: spoons in a low dome.
+    # Basal leaves, in a low dome.
     n = 130
     foot = np.stack([rng.uniform(-0.62, 0.62, n), np.zeros(n), rng.normal(0, 0.16, n)], 1)
     angles = rng.uniform(0, 2 * np.pi, n)
@@ -276,7 +172,7 @@ def oxeye() -> np.ndarray:
 
 
 def willowherb() -> np.ndarray:
-    """Rosebay willow-herb: straight stems set with narrow leaves, each with a spire of flowers."""
+    """Return rosebay willow-herb: straight stems with narrow leaves, each with a flower spike."""
     rng = np.random.default_rng(14)
     parts: list[Leaves] = []
     stems: Stems = []
@@ -287,21 +183,21 @@ def willowherb() -> np.ndarray:
         azimuth = rng.uniform(-0.7, 0.7) + (0.0 if x > 0 else np.pi)
         path = stem(foot, length, abs(x) * 0.45, rng.uniform(-0.05, 0.25), azimuth, 40)
         stems.append((path, 0.013, 0.005, REDDISH * rng.uniform(0.85, 1.15)))
-        # Leaves stand in a spiral, shorter upward, and arch down at their tips: two kites each.
+        # Leaves in a spiral, shorter towards the top. Two kites each, so that the tips arch down.
         n = 34
-        shares = np.linspace(0.06, 0.66, n)
-        at, way = along(path, shares)
+        fractions = np.linspace(0.06, 0.66, n)
+        at, way = along(path, fractions)
         out = whorl(way, np.arange(n) * 2.4 + rng.uniform(0, 6))
-        long = (0.32 - 0.22 * shares) * rng.uniform(0.8, 1.15, n)
-        green = HERB_LEAF * rng.uniform(0.85, 1.35, (n, 1)) * (0.8 + 0.6 * shares[:, None])
+        long = (0.32 - 0.22 * fractions) * rng.uniform(0.8, 1.15, n)
+        green = HERB_LEAF * rng.uniform(0.85, 1.35, (n, 1)) * (0.8 + 0.6 * fractions[:, None])
         rise = out + 0.55 * UP
         parts.append(
             kites(at, rise, UP + 0.5 * VIEWER - 0 * out, 0.62 * long, 0.115 * long + 0.012, green)
         )
-        bent = at + unit(rise) * (0.52 * long)[:, None]
+        tip_root = at + unit(rise) * (0.52 * long)[:, None]
         parts.append(
             kites(
-                bent,
+                tip_root,
                 out - 0.12 * UP,
                 UP + 0.5 * VIEWER - 0 * out,
                 0.52 * long,
@@ -309,11 +205,11 @@ def willowherb() -> np.ndarray:
                 green * 1.08,
             )
         )
-        # Flowers: open below, buds above, on short stalks all round.
+        # Flowers on short stalks all around: open at the bottom, buds at the top.
         n = 30
-        shares = np.linspace(0.62, 0.90, n)
-        ripe = 1.0 - (shares - 0.62) / 0.30
-        at, way = along(path, shares)
+        fractions = np.linspace(0.62, 0.90, n)
+        ripe = 1.0 - (fractions - 0.62) / 0.30
+        at, way = along(path, fractions)
         out = whorl(way, np.arange(n) * 2.4 + rng.uniform(0, 6)) + 0.35 * UP
         heart = at + out * (0.020 + 0.055 * ripe)[:, None]
         face = unit(out + 0.6 * VIEWER)
@@ -332,15 +228,17 @@ def willowherb() -> np.ndarray:
                 )
             )
         n = 26
-        shares = np.linspace(0.86, 1.0, n)
-        at, way = along(path, shares)
-        out = whorl(way, np.arange(n) * 2.4) + 0.75 * UP * (1 + 2 * (shares[:, None] - 0.86) / 0.14)
+        fractions = np.linspace(0.86, 1.0, n)
+        at, way = along(path, fractions)
+        out = whorl(way, np.arange(n) * 2.4) + 0.75 * UP * (
+            1 + 2 * (fractions[:, None] - 0.86) / 0.14
+        )
         parts.append(
             kites(
                 at,
                 out,
                 VIEWER + 0.4 * out,
-                0.065 * (1.3 - 4.0 * (shares - 0.86)),
+                0.065 * (1.3 - 4.0 * (fractions - 0.86)),
                 0.024,
                 BUD * rng.uniform(0.8, 1.5, (n, 1)),
             )
@@ -349,7 +247,7 @@ def willowherb() -> np.ndarray:
 
 
 def marram() -> np.ndarray:
-    """A tussock of marram: rolled blades that arch outward, some dry, and a few seed heads."""
+    """Return a tussock of marram: rolled blades that arch outward, some dry, and seed heads."""
     rng = np.random.default_rng(3)
     stems: Stems = []
     for _ in range(230):
@@ -371,17 +269,17 @@ def marram() -> np.ndarray:
         )
         stems.append((path, 0.009, 0.006, MARRAM[3]))
         n = 90
-        shares = rng.uniform(0.84, 1.0, n)
-        at, way = along(path, shares)
+        fractions = rng.uniform(0.84, 1.0, n)
+        at, way = along(path, fractions)
         out = way + 0.28 * whorl(way, rng.uniform(0, 6.3, n))
-        thick = np.sin(np.pi * (shares - 0.83) / 0.18) * 0.5 + 0.5
+        thick = np.sin(np.pi * (fractions - 0.83) / 0.18) * 0.5 + 0.5
         tone = SEED_HEAD * rng.uniform(0.75, 1.2, (n, 1))
         parts.append(kites(at, out, VIEWER + 0 * out, 0.07 * thick + 0.01, 0.026, tone))
     return sprite_of(join(parts), stems, 0.30, 0.05)
 
 
 def heather() -> np.ndarray:
-    """A cushion of heather: wiry twigs, dark scales below and mauve bells above."""
+    """Return a cushion of heather: wiry twigs, dark scale leaves below and mauve bells above."""
     rng = np.random.default_rng(9)
     parts: list[Leaves] = []
     stems: Stems = []
@@ -394,14 +292,14 @@ def heather() -> np.ndarray:
         path = stem(foot, length, lean, rng.uniform(-0.7, 0.5), azimuth, 18)
         stems.append((path, 0.009, 0.004, HEATH_WOOD * rng.uniform(0.8, 1.2)))
         n = 46
-        shares = rng.uniform(0.02, 0.75, n)
-        at, way = along(path, shares)
+        fractions = rng.uniform(0.02, 0.75, n)
+        at, way = along(path, fractions)
         side = way + 0.9 * whorl(way, rng.uniform(0, 6.3, n))
         tone = HEATH_LEAF * rng.uniform(0.7, 1.45, (n, 1))
         parts.append(kites(at, side, side + VIEWER, rng.uniform(0.045, 0.075, n), 0.026, tone))
         n = 44 if rng.random() < 0.85 else 6
-        shares = rng.uniform(0.60, 1.0, n)
-        at, way = along(path, shares)
+        fractions = rng.uniform(0.60, 1.0, n)
+        at, way = along(path, fractions)
         side = 0.5 * way + whorl(way, rng.uniform(0, 6.3, n))
         tone = HEATH_BELL * rng.uniform(0.65, 1.35, (n, 1)) * rng.uniform(0.85, 1.1)
         parts.append(kites(at, side, side + VIEWER, rng.uniform(0.035, 0.05, n), 0.030, tone))

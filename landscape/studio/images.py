@@ -1,4 +1,4 @@
-"""What all studio pictures share: tone, noise, edges, resampling."""
+"""Image tools of the studio: colour encoding, noise, downsampling, colour bleeding."""
 
 import numpy as np
 from scipy import ndimage
@@ -21,10 +21,10 @@ def to_uint8(values: np.ndarray) -> np.ndarray:
 
 
 def spectral_noise(size: int, exponent: float, seed: int, low_cut: float = 0.0) -> np.ndarray:
-    """Return (size, size) noise of mean 0 and deviation 1 whose amplitude falls as k**-exponent.
+    """Return noise (size, size), mean 0, standard deviation 1, with amplitude ~ k**-exponent.
 
-    Made in the Fourier domain, so it tiles. Wave numbers below ``low_cut`` (cycles per tile) are
-    left out, which keeps a repeated tile from showing as a pattern of light and dark patches.
+    It is made in the Fourier domain, so it tiles. Wave numbers below ``low_cut`` (cycles per tile)
+    are left out; in a repeated tile they would show as a pattern of light and dark patches.
     """
     rng = np.random.default_rng(seed)
     kx = np.fft.fftfreq(size)[None, :] * size
@@ -37,22 +37,22 @@ def spectral_noise(size: int, exponent: float, seed: int, low_cut: float = 0.0) 
 
 
 def smoothstep(low: float, high: float, x: np.ndarray) -> np.ndarray:
-    """Cubic step from 0 at ``low`` to 1 at ``high``."""
+    """Return the cubic step from 0 at ``low`` to 1 at ``high``."""
     t = np.clip((x - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t)
 
 
 def shrink(image: np.ndarray, factor: int) -> np.ndarray:
-    """Average (h, w, c) blocks of ``factor`` x ``factor``; RGBA must be premultiplied floats."""
+    """Downsample (h, w, c) by a box filter of ``factor``; RGBA must be premultiplied floats."""
     h, w, c = image.shape
     return image.reshape(h // factor, factor, w // factor, factor, c).mean(axis=(1, 3))
 
 
 def bleed(rgba: np.ndarray, threshold: int = 1) -> np.ndarray:
-    """Give every texel of alpha under ``threshold`` the colour of the nearest other one.
+    """Give every texel with alpha under ``threshold`` the colour of the nearest other texel.
 
-    (h, w, 4) uint8 in and out. Without this, filtering mixes the colour of nothing into the
-    edges: the white or black halo round a leaf.
+    uint8 (h, w, 4) in and out. Without this, filtering mixes the colour of transparent texels into
+    the edges and leaves a white or black halo.
     """
     empty = rgba[..., 3] < threshold
     if empty.all() or not empty.any():

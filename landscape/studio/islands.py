@@ -1,5 +1,7 @@
-"""The far islands behind the open sea: a height field swept column by column from near to far,
-each step more lost in the air, into a panorama all round.
+"""The distant islands on the sky box.
+
+A height field is rendered into a full panorama by marching each column from near to far; the
+farther a hit, the more the air hides it.
 """
 
 import functools
@@ -9,10 +11,10 @@ import numpy as np
 from scipy import ndimage
 
 from landscape.studio.air import Scene
-from landscape.studio.grids import flat
+from landscape.studio.grids import bilinear
 from landscape.studio.images import spectral_noise
 
-# Far islands: azimuth (deg), then metres: distance, half width, half depth, height.
+# Chosen: azimuth (degrees), then in metres distance, half width, half depth and height.
 ISLANDS = np.array(
     [
         [4.0, 34e3, 9.0e3, 4.0e3, 1900.0],
@@ -30,14 +32,14 @@ ISLANDS = np.array(
         [308.0, 29e3, 4.6e3, 2.6e3, 950.0],
     ]
 )
-PANORAMA_DEG = 5.5  # height of the panorama of the islands
-FOOT_DEG = 1.1  # chosen: elevation below which the feet are lost in the haze, by a factor e
-RIDGE_PERIOD = 30e3  # of the mountain texture, metres
+PANORAMA_DEG = 5.5  # height of the panorama
+FOOT_DEG = 1.1  # chosen: elevation over which the haze at the foot of the land thins by a factor e
+RIDGE_PERIOD = 30e3  # period of the ridge texture, metres
 
 
 @functools.lru_cache(maxsize=1)
 def ridges() -> np.ndarray:
-    """Return the tiling mountain texture, (1024, 1024) float32 in about 0..1."""
+    """Return the tiling ridge texture (ridged multifractal), (1024, 1024) float32 in 0..1."""
     total = np.zeros((1024, 1024))
     weight = np.ones((1024, 1024))
     for octave in range(6):
@@ -51,19 +53,19 @@ def ridges() -> np.ndarray:
 
 @numba.njit
 def _ground(x: float, z: float, islands: np.ndarray, texture: np.ndarray) -> float:
-    """Height of the far land at a point, negative at sea; metres."""
+    """Return the height of the far land at a point in metres, negative at sea."""
     n = texture.shape[0]
-    peak = flat(texture, x / RIDGE_PERIOD * n, z / RIDGE_PERIOD * n)
-    wobble = flat(texture, x / 90e3 * n + 200.0, z / 90e3 * n) - 0.4
+    peak = bilinear(texture, x / RIDGE_PERIOD * n, z / RIDGE_PERIOD * n)
+    variation = bilinear(texture, x / 90e3 * n + 200.0, z / 90e3 * n) - 0.4
     best = -50.0
     for k in range(islands.shape[0]):
         a = np.radians(islands[k, 0])
         c, s = np.cos(a), np.sin(a)
-        away = (x * s - z * c - islands[k, 1]) / islands[k, 3]
-        side = (x * c + z * s) / islands[k, 2]
-        r = away * away + side * side
+        along_view = (x * s - z * c - islands[k, 1]) / islands[k, 3]
+        across_view = (x * c + z * s) / islands[k, 2]
+        r = along_view * along_view + across_view * across_view
         if r < 4.0:
-            mask = np.exp(-1.6 * r) - 0.10 + 0.35 * wobble * np.exp(-0.6 * r)
+            mask = np.exp(-1.6 * r) - 0.10 + 0.35 * variation * np.exp(-0.6 * r)
             best = max(best, islands[k, 4] * mask * (0.35 + 1.75 * peak))
     return best
 
@@ -72,7 +74,7 @@ def _ground(x: float, z: float, islands: np.ndarray, texture: np.ndarray) -> flo
 def _sweep(
     columns: int, rows: int, islands: np.ndarray, texture: np.ndarray, sun: np.ndarray
 ) -> np.ndarray:
-    """Return (rows, columns, 3), row 0 at the horizon: cover, light on the land, distance."""
+    """Return cover, sunlight and distance, (rows, columns, 3), with row 0 at the horizon."""
     out = np.zeros((rows, columns, 3), np.float32)
     for i in range(columns):
         a = 2 * np.pi * (i + 0.5) / columns
@@ -81,7 +83,7 @@ def _sweep(
         while t < 75e3:
             y = _ground(s * t, c * t, islands, texture)
             if y > 0.0:
-                top = (y - t * t / 14.9e6) / t  # the sea curves away; air bends the light a little
+                top = (y - t * t / 14.9e6) / t  # earth's curvature, with refraction
                 row = min(int(np.degrees(top) / PANORAMA_DEG * rows), rows)
                 if row > filled:
                     e = 60.0
@@ -98,7 +100,7 @@ def _sweep(
 
 @functools.lru_cache(maxsize=2)
 def panorama(scene: Scene) -> np.ndarray:
-    """Return the islands all round, (192, 8192, 3): cover, cover * light, cover * clearness."""
+    """Return the panorama, (192, 8192, 3): cover, cover * sunlight, cover * transmittance."""
     swept = _sweep(16384, 768, ISLANDS, ridges(), scene.towards_sun())
     cover = swept[..., 0]
     clear = np.exp(-swept[..., 2] / 26e3) * 2.0
@@ -107,7 +109,7 @@ def panorama(scene: Scene) -> np.ndarray:
 
 
 def add_islands(scene: Scene, d: np.ndarray, sky: np.ndarray, haze: np.ndarray) -> np.ndarray:
-    """Return the sky with the far islands before it; ``haze`` (3,) is the colour at sea level."""
+    """Return the sky with the islands composited over it; ``haze`` (3,) is the sea-level colour."""
     elevation = np.degrees(np.arcsin(d[..., 1]))
     azimuth = np.arctan2(d[..., 0], -d[..., 2]) / (2 * np.pi) % 1.0
     layers = panorama(scene)
@@ -120,7 +122,7 @@ def add_islands(scene: Scene, d: np.ndarray, sky: np.ndarray, haze: np.ndarray) 
     cover = np.where(elevation < PANORAMA_DEG - 0.1, cover, 0.0)
     whole = np.maximum(cover, 1e-4)
     lit, clear = lit / whole, clear / whole
-    # The feet dissolve in the haze; above it the air before the land is bluer than the sky's.
+    # The foot of the land fades into the haze; above it, the air in front of it is bluer.
     risen = 1.0 - np.exp(-np.clip(elevation, 0.0, None)[..., None] / FOOT_DEG)
     clear = clear[..., None] * risen
     tone = np.array([0.035, 0.062, 0.075]) + lit[..., None] * np.array(scene.sun) * np.array(

@@ -1,6 +1,6 @@
-"""One sun and one sky for every picture the studio makes.
+"""The light that all assets share: one sun and one sky.
 
-Axes are the island's: x east, y up, z south. Colours are linear RGB unless a name says ``_SRGB``.
+Axes are the island's: x east, y up, z south. Colours are linear RGB unless named ``_SRGB``.
 """
 
 import math
@@ -8,16 +8,16 @@ import math
 import numpy as np
 
 SUN_AZIMUTH_DEG = 130.0  # chosen: south-east, 0 is north and 90 east
-SUN_ELEVATION_DEG = 38.0  # chosen: late morning, shadows as long as things are high
+SUN_ELEVATION_DEG = 38.0  # chosen: late morning, shadows 1.3 times as long as objects are high
 SUN_COLOR = np.array([1.00, 0.93, 0.80])  # chosen: slightly warm
-SKY_COLOR = np.array([0.42, 0.55, 0.75])  # chosen: the blue that fills the shadows
-GROUND_BOUNCE = np.array([0.20, 0.19, 0.13])  # chosen: light that comes back from grass and soil
+SKY_COLOR = np.array([0.42, 0.55, 0.75])  # chosen: the blue fill light of the shadows
+GROUND_BOUNCE = np.array([0.20, 0.19, 0.13])  # chosen: light reflected by grass and soil
 
 HORIZON_SRGB = np.array([0.66, 0.76, 0.84])  # chosen: haze at the horizon, and the fog of `best`
 
 
 def sun_direction() -> np.ndarray:
-    """Return the unit vector (3,) that points from the ground towards the sun."""
+    """Return the unit vector (3,) towards the sun."""
     azimuth, elevation = math.radians(SUN_AZIMUTH_DEG), math.radians(SUN_ELEVATION_DEG)
     return np.array(
         [
@@ -28,7 +28,7 @@ def sun_direction() -> np.ndarray:
     )
 
 
-# Billboards turn with the viewer, so the sun that lights a sprite has a fixed place in the sprite's
-# own frame (x right, y up, z towards the viewer): high, from the left, a little from the front.
+# Billboards turn with the viewer, so the sun has a fixed direction in sprite space (x right, y up,
+# z towards the viewer): from the upper left, slightly from the front.
 SPRITE_SUN = np.array([-0.55, 0.68, 0.48])  # chosen
 SPRITE_SUN = SPRITE_SUN / np.linalg.norm(SPRITE_SUN)

@@ -1,7 +1,8 @@
-"""The colours of the animals' vertices: coat, belly, eyes and horns of the rabbit and the dragon.
+"""Vertex colours of the rabbit and the dragon: coat, belly, eyes, horns and fins.
 
-Each vertex is asked where it lies on the same curves and limbs that the animal was sculpted from.
-Colours are between 0 and 1; what they are multiplied with is the animals' texture, nearly white.
+The colour of a vertex depends on its position relative to the curves and limbs that the animal is
+sculpted from. Colours are in 0..1; the program multiplies them with the nearly white texture of
+the animals.
 """
 
 import math
@@ -10,16 +11,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from landscape.studio.sculpture import (
-    clamp,
-    ellipsoid,
-    limb,
-    mix,
-    nearest,
-    noise,
-    step_smooth,
-    turn,
-)
+from landscape.studio.shapes import clamp, ellipsoid, limb, mix, nearest, noise, step_smooth, turn
 
 # All chosen.
 COAT, BACK, CREAM = (0.66, 0.53, 0.39), (0.46, 0.35, 0.25), (0.97, 0.91, 0.82)
@@ -34,32 +26,32 @@ DRAGON_EYE, MOUTH = (1.0, 0.72, 0.12), (0.55, 0.16, 0.16)
 
 
 @njit
-def _blend(colour, other, part):  # type: ignore[no-untyped-def]
-    """Mix ``part`` of another colour into a colour (3,)."""
-    part = clamp(part, 0.0, 1.0)
+def _blend(colour, other, weight):  # type: ignore[no-untyped-def]
+    """Blend a colour (3,) towards another by ``weight`` (clamped to 0..1), in place."""
+    weight = clamp(weight, 0.0, 1.0)
     for k in range(3):
-        colour[k] += (other[k] - colour[k]) * part
+        colour[k] += (other[k] - colour[k]) * weight
 
 
 @njit
-def _rabbit_colours(places, normals, head_yaw):  # type: ignore[no-untyped-def]
-    """Colours (n, 3) of places (n, 3) in the rabbit's own frame, see rabbit.py."""
-    out = np.empty_like(places)
-    for i in range(len(places)):
-        x, y, z = places[i, 0], places[i, 1], places[i, 2]
+def _rabbit_colours(positions, normals, head_yaw):  # type: ignore[no-untyped-def]
+    """Return the colours (n, 3) of positions (n, 3) in the rabbit's own frame (see rabbit.py)."""
+    out = np.empty_like(positions)
+    for i in range(len(positions)):
+        x, y, z = positions[i, 0], positions[i, 1], positions[i, 2]
         up = normals[i, 1]
         hair = noise(9 * x + 4 * y, 24 * y - 6 * x, 24 * z)
         colour = np.array(COAT)
         _blend(colour, BACK, 0.75 * step_smooth(-0.1, 0.9, up) * step_smooth(0.5, 0.9, y))
         _blend(colour, BACK, 0.30 * step_smooth(0.2, 1.0, hair))
-        # Belly, chest, throat and the undersides of the feet are pale, and so is the tail.
+        # Belly, chest, throat, tail and the undersides of the feet are pale.
         _blend(colour, CREAM, 0.85 * step_smooth(0.1, -0.7, up) * step_smooth(1.5, 1.1, y))
         chest = step_smooth(0.45, 0.62, x) * step_smooth(0.45, 0.65, y)
         _blend(colour, CREAM, 0.7 * chest * step_smooth(1.02, 0.85, y))
         _blend(colour, CREAM, 0.45 * step_smooth(0.22, 0.08, y))
         tail = ellipsoid(x + 0.98, y - 0.45, z, 0.19, 0.19, 0.18)
         _blend(colour, CREAM, step_smooth(0.06, 0.0, tail))
-        # The head has a frame of its own.
+        # Head, in its own frame.
         hx, hz = turn(x - 0.62, z, head_yaw)
         hy, a = y - 1.18, abs(hz)
         if hx * hx + hy * hy + hz * hz < 1.6 and y > 0.9:
@@ -69,7 +61,7 @@ def _rabbit_colours(places, normals, head_yaw):  # type: ignore[no-untyped-def]
             _blend(colour, CREAM, 0.65 * step_smooth(0.03, -0.02, snout))
             nose = ellipsoid(hx - 0.385, hy + 0.012, a, 0.045, 0.038, 0.05)
             _blend(colour, NOSE, step_smooth(0.015, 0.0, nose))
-            # Coloured by vertices, an eye blurs by half an edge: it is painted a little small.
+            # Vertex colours spread by half an edge, so the eye is painted slightly smaller.
             eye = ellipsoid(hx - 0.11, hy - 0.075, a - 0.162, 0.062, 0.052, 0.062)
             _blend(colour, RABBIT_EYE, step_smooth(0.006, 0.0, eye))
             u, w = turn(hx + 0.10, a - 0.098, 0.23)
@@ -87,13 +79,13 @@ def _rabbit_colours(places, normals, head_yaw):  # type: ignore[no-untyped-def]
 
 
 @njit
-def _dragon_colours(places, normals, data):  # type: ignore[no-untyped-def]
-    """Colours (n, 3) of places (n, 3) in the dragon's own frame, see dragon.py."""
+def _dragon_colours(positions, normals, data):  # type: ignore[no-untyped-def]
+    """Return the colours (n, 3) of positions (n, 3) in the dragon's own frame (see dragon.py)."""
     curve, pitch, horn = data
-    out = np.empty_like(places)
+    out = np.empty_like(positions)
     end = curve.shape[0] - 1
-    for n in range(len(places)):
-        x, y, z = places[n, 0], places[n, 1], places[n, 2]
+    for n in range(len(positions)):
+        x, y, z = positions[n, 0], positions[n, 1], positions[n, 2]
         i, t, distance = nearest(curve, x, y, z)
         radius = mix(curve[i, 3], curve[i + 1, 3], t)
         u = v = 0.0
@@ -107,7 +99,7 @@ def _dragon_colours(places, normals, data):  # type: ignore[no-untyped-def]
         _blend(colour, PLATES, step_smooth(2.0, 2.45, angle))
         spots = noise(13 * x, 13 * y, 13 * z)
         _blend(colour, SPINE, 0.5 * step_smooth(0.25, 0.8, spots) * step_smooth(2.3, 1.9, angle))
-        # Between the scales less light gets in.
+        # The gaps between the scales are darker.
         deep = step_smooth(0.19, 0.02, (distance - radius) / radius)
         for k in range(3):
             colour[k] *= 1.0 - 0.45 * deep
@@ -136,14 +128,14 @@ def _dragon_colours(places, normals, data):  # type: ignore[no-untyped-def]
             tooth = min(tooth, one)
             one = limb(hx, hy, a, 0.28, -0.12, 0.026, 0.014, 0.285, -0.085, 0.026, 0.005)
             _blend(colour, TOOTH, step_smooth(0.010, 0.003, min(tooth, one)))
-            # The ear fin stands off the neck, behind the jaw.
+            # Ear fin: away from the neck, behind the jaw.
             p, q = turn(hx, a - 0.075, 0.60)
             ear = step_smooth(0.015, 0.03, distance - radius) * step_smooth(0.05, 0.03, abs(q))
             _blend(colour, FIN, ear * step_smooth(0.0, -0.05, p) * step_smooth(0.13, 0.10, hy))
-            j, s, off = nearest(horn, hx, hy, a)
-            off -= mix(horn[j, 3], horn[j + 1, 3], s) * 1.1
+            j, s, gap = nearest(horn, hx, hy, a)
+            gap -= mix(horn[j, 3], horn[j + 1, 3], s) * 1.1
             along = (j + s) / (horn.shape[0] - 1)
-            _blend(colour, HORN, step_smooth(0.012, 0.002, off) * step_smooth(0.05, 0.2, along))
+            _blend(colour, HORN, step_smooth(0.012, 0.002, gap) * step_smooth(0.05, 0.2, along))
         tx, ty, tz = x - curve[0, 0], y - curve[0, 1], z - curve[0, 2]
         far = math.sqrt(tx * tx + ty * ty + tz * tz)
         if i < 3:
@@ -154,14 +146,14 @@ def _dragon_colours(places, normals, data):  # type: ignore[no-untyped-def]
     return out
 
 
-def rabbit_colours(places: np.ndarray, normals: np.ndarray, head_yaw: float) -> np.ndarray:
-    """Return a colour, uint8 (n, 3), for places (n, 3) on the rabbit, in its own frame."""
-    return _bytes(_rabbit_colours(places, normals, head_yaw))
+def rabbit_colours(positions: np.ndarray, normals: np.ndarray, head_yaw: float) -> np.ndarray:
+    """Return the colours, uint8 (n, 3), of points (n, 3) on the rabbit, in its own frame."""
+    return _bytes(_rabbit_colours(positions, normals, head_yaw))
 
 
-def dragon_colours(places: np.ndarray, normals: np.ndarray, data: Any) -> np.ndarray:
-    """Return a colour, uint8 (n, 3), for places (n, 3) on the dragon, in its own frame."""
-    return _bytes(_dragon_colours(places, normals, data))
+def dragon_colours(positions: np.ndarray, normals: np.ndarray, data: Any) -> np.ndarray:
+    """Return the colours, uint8 (n, 3), of points (n, 3) on the dragon, in its own frame."""
+    return _bytes(_dragon_colours(positions, normals, data))
 
 
 def _bytes(colours: np.ndarray) -> np.ndarray:

@@ -1,9 +1,9 @@
-"""A fern for the crossed quads, and the texture of one blade of grass.
+"""A fern for the crossed quads, and the texture of a blade of grass.
 
-The fern is a rosette of fronds: each midrib is a curve whose lean from the vertical grows with its
-length, as a leaf's does that bends under its own weight, and carries two rows of pinnae, each a
-row of overlapping lobes. :mod:`landscape.studio.foliage` lights and draws them, in its frame: x
-right in -1..1, y up in 0..2, z to the viewer. The blade's axes are across and along it.
+The fern is a rosette of fronds. Each midrib is a curve that leans more towards its tip, like a leaf
+that bends under its own weight. It carries two rows of pinnae, each a row of overlapping lobes.
+:mod:`landscape.studio.foliage` lights and draws them, in its sprite space: x right in -1..1, y up
+in 0..2, z towards the viewer.
 """
 
 from collections.abc import Callable
@@ -22,9 +22,9 @@ from landscape.studio.foliage import (
 )
 from landscape.studio.images import smoothstep, spectral_noise, to_srgb, to_uint8
 
-# Chosen: the side (1 is right), the turn from it towards the viewer, the lean at the foot and the
-# bend to the tip (all radians), the length, and the length of the longest pinna. From the back to
-# the front; no frond stands upright in the middle, where it would show how the quads cross.
+# Chosen: side (1 is right), turn from the side towards the viewer, lean at the foot and bend to the
+# tip (all in radians), length, and length of the longest pinna. Ordered from back to front. No
+# frond is upright in the middle, where it would reveal the crossing of the quads.
 FRONDS = (
     (1, -0.6, 0.16, 1.90, 1.66, 0.20),
     (-1, -0.5, 0.18, 1.85, 1.62, 0.20),
@@ -38,15 +38,15 @@ FRONDS = (
     (-1, 0.8, 0.64, 1.50, 0.96, 0.17),
     (-1, 0.3, 1.08, 0.95, 1.10, 0.17),
 )
-PITCH_RAD = 0.30  # chosen: the tuft is seen a little from above, as from a walker's height
-EXTINCTION = 0.5  # chosen: the inside of the tuft is dark, the tips are not
+PITCH_RAD = 0.30  # chosen: the tuft is seen slightly from above, from the walker's height
+EXTINCTION = 0.5  # chosen: the inside of the tuft is dark, the tips are light
 STALK_ALBEDO = np.array([0.13, 0.14, 0.045])  # chosen: green-brown midribs
-LOBES = np.array([0.20, 0.38, 0.56, 0.74])  # chosen: where along a pinna its four kites sit
+LOBES = np.array([0.20, 0.38, 0.56, 0.74])  # chosen: positions of the four kites along a pinna
 BLADE_SIZE = 64
 
 
 def midrib(length: float, lean: float, bend: float, azimuth: float, count: int) -> np.ndarray:
-    """Points (count, 3) along a midrib: its angle from the vertical is lean + bend s**1.4."""
+    """Return points (count, 3) along a midrib at lean + bend s**1.4 radians from the vertical."""
     s = np.linspace(0.0, 1.0, count)
     theta = lean + bend * s**1.4
     out = np.cumsum(np.sin(theta)) * length / count
@@ -55,8 +55,11 @@ def midrib(length: float, lean: float, bend: float, azimuth: float, count: int) 
 
 
 def frond(path: np.ndarray, roll: float, size: float, rng: np.random.Generator) -> Leaves:
-    """The small leaves of one frond along its midrib ``path`` (n, 3); ``size`` is the length of the
-    longest pinna; ``roll`` (radians) turns the frond's plane about the midrib."""
+    """Return the kites of one frond along its midrib ``path`` (n, 3).
+
+    ``roll`` (radians) rotates the plane of the frond about the midrib; ``size`` is the length of
+    the longest pinna.
+    """
     n = len(path)
     tangent = unit(np.gradient(path, axis=0))
     flat = unit(np.cross(tangent, np.array([0.0, 1.0, 0.0])) + 1e-6)
@@ -72,14 +75,14 @@ def frond(path: np.ndarray, roll: float, size: float, rng: np.random.Generator) 
         reach = size * (np.sin(np.pi * min(1.0, s * 0.84 + 0.15)) ** 0.9) * (1.1 - 0.35 * s) + 0.012
         reach *= rng.uniform(0.9, 1.06)
         for side in (-1.0, 1.0):
-            way = unit(side * span[i] + tangent[i] * (0.22 + 0.75 * s * s) - 0.10 * face[i])
-            # A pinna is a row of kites that overlap: it bends, and its edge is toothed.
+            direction = unit(side * span[i] + tangent[i] * (0.22 + 0.75 * s * s) - 0.10 * face[i])
+            # A pinna is a row of overlapping kites, so that it bends and has a toothed edge.
             t = LOBES
             k = len(t)
             root = path[i] + tangent[i] * (0.25 * side * gap)
             sag = np.outer(t, [0.0, 1.0, 0.0])
-            spine = root + np.outer(t * reach, way) - 0.20 * reach * t[:, None] * sag
-            axis = unit(way - 0.40 * sag + 0.05 * rng.standard_normal((k, 3)))
+            spine = root + np.outer(t * reach, direction) - 0.20 * reach * t[:, None] * sag
+            axis = unit(direction - 0.40 * sag + 0.05 * rng.standard_normal((k, 3)))
             normal = unit(
                 face[i] + 0.16 * rng.standard_normal(3) + 0.05 * rng.standard_normal((k, 3))
             )
@@ -92,22 +95,22 @@ def frond(path: np.ndarray, roll: float, size: float, rng: np.random.Generator) 
 
 
 def tilt(points: np.ndarray) -> np.ndarray:
-    """Turn (n, 3) about the x axis so that the tuft shows some of its upper side."""
+    """Rotate points (n, 3) by PITCH_RAD about the x axis, to show some of the upper side."""
     c, s = np.cos(PITCH_RAD), np.sin(PITCH_RAD)
     x, y, z = points.T
     return np.stack([x, c * y - s * z, s * y + c * z], 1)
 
 
 def plant() -> np.ndarray:
-    """A tuft of fern fronds arching outward, about as many and as long on both sides."""
+    """Return a tuft of fern fronds that arch outward, about equally on both sides."""
     rng = np.random.default_rng(5)
     fronds, paths = [], []
     for side, turn, lean, bend, length, size in FRONDS:
-        # Not far towards the viewer or away from him: foreshortened fronds are blobs.
+        # Keep the fronds close to the picture plane: foreshortened ones look like blobs.
         azimuth = (turn if side > 0 else np.pi - turn) + rng.uniform(-0.05, 0.05)
         path = midrib(length * rng.uniform(0.96, 1.04), lean, bend, azimuth, 44)
         path[:, 2] *= 0.6
-        # Fronds that lean left or right would be seen edge on: roll them towards the viewer.
+        # Fronds that lean left or right would be seen edge-on: roll them towards the viewer.
         roll = -side * rng.uniform(0.45, 0.75)
         fronds.append(frond(path, roll, size, rng))
         paths.append(path)
@@ -115,7 +118,7 @@ def plant() -> np.ndarray:
     leaves.centre, leaves.axis, leaves.normal = map(
         tilt, (leaves.centre, leaves.axis, leaves.normal)
     )
-    # The crown of the root lies under the ground, so the tuft spreads from the picture's last row.
+    # The base of the tuft is below the ground, so that it already spreads at the last row.
     leaves.centre[:, 1] -= 0.05
     paths = [tilt(p) - np.array([0.0, 0.05, 0.0]) for p in paths]
     low, high = leaves.centre.min(0), leaves.centre.max(0)
@@ -137,7 +140,7 @@ def plant() -> np.ndarray:
 
 
 def blade() -> np.ndarray:
-    """The texture (64, 64, 3) of a blade: base at the bottom rows, tip at the top ones."""
+    """Return the texture of a blade, uint8 (64, 64, 3): base in the last row, tip in the first."""
     v, u = (np.mgrid[0:BLADE_SIZE, 0:BLADE_SIZE] + 0.5) / BLADE_SIZE
     tip = (1.0 - v)[..., None]
     base_colour = np.array([0.068, 0.122, 0.022])
@@ -145,7 +148,7 @@ def blade() -> np.ndarray:
     tip_colour = np.array([0.300, 0.320, 0.070])
     colour = base_colour + (middle_colour - base_colour) * smoothstep(0.0, 0.55, tip)
     colour = colour + (tip_colour - colour) * smoothstep(0.45, 1.05, tip)
-    # The strip's middle is at u = 0.5 all along: the midrib is straight.
+    # The middle of the strip is at u = 0.5 everywhere, so the midrib is straight.
     across = u - 0.5
     rib = np.exp(-((across / 0.035) ** 2)) - 0.45 * np.exp(
         -(((np.abs(across) - 0.085) / 0.04) ** 2)

@@ -1,8 +1,9 @@
-"""The sitting rabbit, and the texture that the two animals share.
+"""The sitting rabbit, and the texture that the rabbit and the dragon share.
 
-The rabbit is one distance field (see sculpture.py): ellipsoids and limbs joined by smooth unions,
-ears as hollowed leaves, fur as noise stretched along the lie of the hair. The vertex count is that
-of the Stanford bunny at its second resolution, so that the 2006 numbers hold for ours too.
+The rabbit is one distance field (:mod:`landscape.studio.shapes`): ellipsoids and limbs joined by
+smooth unions, hollowed ears, and fur as noise stretched along the direction of the hair. The vertex
+count is that of the Stanford bunny at its second resolution, so the numbers of 2006 hold for this
+mesh too.
 """
 
 import math
@@ -15,29 +16,19 @@ from scipy import ndimage
 
 from landscape.studio import images
 from landscape.studio.paint import rabbit_colours
-from landscape.studio.sculpture import (
-    PaintedMesh,
-    carry_out,
-    carve,
-    clamp,
-    ellipsoid,
-    limb,
-    noise,
-    step_smooth,
-    turn,
-    union,
-)
+from landscape.studio.sculpture import PaintedMesh, sculpt
+from landscape.studio.shapes import carve, clamp, ellipsoid, limb, noise, step_smooth, turn, union
 
 VERTICES = 8171  # bun_zipper_res2.ply of the 2006 report
-HEAD_YAW = 0.22  # radians, chosen: it looks a little to one side, which gives it life
-STEP = 0.0235  # chosen: grid step, a little finer than the final edges, so these stay even
-BOX = ((-1.25, -0.06, -0.75), (1.15, 2.05, 0.75))  # chosen: holds the rabbit, ground at y = 0
-TUFTS = (9, 12)  # chosen: tufts across and down one tile, an even number of rows to repeat
+HEAD_YAW = 0.22  # radians; chosen: it looks slightly to one side, which is livelier
+STEP = 0.0235  # chosen: grid step, slightly finer than the final edges, which keeps them even
+BOX = ((-1.25, -0.06, -0.75), (1.15, 2.05, 0.75))  # chosen: contains the rabbit; ground at y = 0
+TUFTS = (9, 12)  # chosen: tufts per tile across and down; the rows must be even in number to tile
 
 
 @njit
 def _ear(x, y, z):  # type: ignore[no-untyped-def]
-    """One ear in its own frame: x along it from the root, y out of the hollow, z across."""
+    """Return the distance to an ear: x along it from the root, y out of the hollow, z across."""
     length = 0.86
     t = clamp(x / length, 0.0, 1.0)
     y = y - 0.10 * t * t + 0.9 * z * z
@@ -50,7 +41,7 @@ def _ear(x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def _head(x, y, z):  # type: ignore[no-untyped-def]
-    """The head in its own frame: origin between the cheeks, x to the nose, z mirrored."""
+    """Return the distance to the head: origin between the cheeks, x to the nose, mirrored in z."""
     a = abs(z)
     # Skull, muzzle, cheeks, lips, chin and nose.
     u, v = turn(x, y, 0.25)
@@ -60,12 +51,12 @@ def _head(x, y, z):  # type: ignore[no-untyped-def]
     d = union(d, ellipsoid(x - 0.31, y + 0.075, a - 0.055, 0.075, 0.065, 0.06), 0.025)
     d = union(d, ellipsoid(x - 0.29, y + 0.16, a, 0.075, 0.05, 0.055), 0.025)
     d = union(d, ellipsoid(x - 0.375, y + 0.02, a, 0.04, 0.035, 0.05), 0.02)
-    # The split lip and the mouth, then socket and eye.
+    # Split lip and mouth, then eye socket and eye.
     d = carve(d, limb(x, y, a, 0.40, -0.06, 0.0, 0.010, 0.385, -0.13, 0.0, 0.010), 0.02)
     d = carve(d, limb(x, y, a, 0.39, -0.135, 0.0, 0.008, 0.29, -0.15, 0.10, 0.008), 0.02)
     d = carve(d, ellipsoid(x - 0.11, y - 0.075, a - 0.225, 0.098, 0.080, 0.045), 0.03)
     d = union(d, ellipsoid(x - 0.11, y - 0.075, a - 0.162, 0.080, 0.068, 0.055), 0.01)
-    # Ears: set wide, spread to the sides, laid back by 41 degrees from the horizontal.
+    # Ears: set wide, spread to the sides, laid back to 41 degrees from the horizontal.
     u, w = turn(x + 0.10, a - 0.098, 0.23)
     u, v = turn(u, y - 0.19, 0.72 - math.pi)
     return union(d, _ear(u, -v, w), 0.05)
@@ -73,7 +64,7 @@ def _head(x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def rabbit_field(x: float, y: float, z: float, data: Any) -> float:
-    """Signed distance to the rabbit: x to the front, y up from the ground, z to its right."""
+    """Return the signed distance to the rabbit: x to the front, y up, z to its right."""
     a = abs(z)
     # Trunk, chest, neck, throat.
     u, v = turn(x + 0.36, y - 0.58, 0.20)
@@ -81,7 +72,7 @@ def rabbit_field(x: float, y: float, z: float, data: Any) -> float:
     d = union(d, ellipsoid(x - 0.22, y - 0.62, a, 0.36, 0.46, 0.33), 0.25)
     d = union(d, limb(x, y, a, 0.20, 0.85, 0.0, 0.30, 0.46, 1.08, 0.0, 0.23), 0.15)
     d = union(d, ellipsoid(x - 0.42, y - 0.70, a, 0.22, 0.27, 0.23), 0.12)
-    # Haunch and hind foot, foreleg and paw, three toes on each.
+    # Haunch and hind foot, foreleg and paw, with three toes on each.
     u, v = turn(x + 0.38, y - 0.40, -0.35)
     d = union(d, ellipsoid(u, v, a - 0.35, 0.43, 0.36, 0.19), 0.03)
     d = union(d, limb(x, y, a, -0.52, 0.11, 0.40, 0.12, 0.16, 0.085, 0.45, 0.095), 0.04)
@@ -100,23 +91,23 @@ def rabbit_field(x: float, y: float, z: float, data: Any) -> float:
     hx, hz = turn(x - 0.62, z, HEAD_YAW)
     d = union(d, _head(hx, y - 1.18, hz), 0.10)
     d = max(d, -y)
-    # Tufts that lie backwards; head and ears are short-haired.
+    # Fur that points backward; head and ears have none.
     fur = noise(4 * x + 2 * y, 11 * y - 4 * x, 11 * z)
     fur += 0.6 * noise(7 * x + 3 * y + 5, 17 * y - 6 * x, 17 * z)
     return d + 0.011 * fur * step_smooth(0.0, 0.1, y) * step_smooth(1.45, 1.0, y)
 
 
 def rabbit() -> PaintedMesh:
-    """Return the rabbit: vertices float32 (8171, 3) in -1..1 facing +x, faces int32 (16338, 3).
+    """Return the rabbit, facing +x.
 
-    And the vertices' colours, uint8 (8171, 3).
+    Vertices float32 (8171, 3) in -1..1, faces int32 (16338, 3), vertex colours uint8 (8171, 3).
     """
     low, high = np.array(BOX[0]), np.array(BOX[1])
-    return carry_out(rabbit_field, 0.0, low, high, STEP, VERTICES, rabbit_colours, HEAD_YAW)
+    return sculpt(rabbit_field, 0.0, low, high, STEP, VERTICES, rabbit_colours, HEAD_YAW)
 
 
 def _tufts(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Overlapping scallops, 1 at a tip and 0 deep under its neighbour; x, y in cells."""
+    """Return overlapping scallops, bright at the tips and dark under a neighbour; x, y in cells."""
     light, free = np.zeros_like(x), np.ones(x.shape, dtype=bool)
     for back in (2, 1, 0):
         row = np.floor(y) - back
@@ -131,12 +122,13 @@ def _tufts(x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 def animal_texture() -> np.ndarray:
-    """Return the (256, 256, 3) tile for both animals: tufts, soft upright stripes, hairs.
+    """Return the tile for both animals, uint8 (256, 256, 3): tufts, soft vertical stripes, hairs.
 
-    Light, since it multiplies the lit colour of the animal. The stripes are what shows the
-    mapping: meridians on the rabbit's cylinder, upright lines on the dragon's (x, z).
+    It is bright because it multiplies the lit colour of the animal. The stripes make the texture
+    mapping visible: meridians on the rabbit's cylinder, lines of equal x on the dragon, where
+    (s, t) = (x, z).
     """
-    size = 512  # drawn at twice its size and reduced: the rims of the tufts are thin
+    size = 512  # drawn at twice the final size and downsampled, because the tufts have thin rims
     y, x = np.mgrid[:size, :size] / size
     warp = images.spectral_noise(size, 2.0, seed=71, low_cut=1)
     mottle = images.spectral_noise(size, 2.0, seed=72, low_cut=3)

@@ -1,14 +1,12 @@
-"""Modelling tools: signed distances, swept curves, and meshes with an exact number of vertices.
+"""Conversion of a signed distance field to a closed mesh with an exact number of vertices.
 
-A shape is a scalar field, negative inside, written as a numba function of (x, y, z, data). Parts
-are joined with the polynomial smooth union of Inigo Quilez ("smooth minimum", 2013), the level
-zero is triangulated by marching cubes (Lorensen and Cline 1987, in the version of Lewiner 2003),
-reduced by quadric error (Garland and Heckbert 1997) to a little more than the wanted count, and
-brought to the count itself by single edge collapses under the link condition (Dey et al. 1999),
-which keeps the surface closed.
+A field is a numba function of (x, y, z, data), negative inside (see
+:mod:`landscape.studio.shapes`). Its zero level set is triangulated by marching cubes (Lorensen and
+Cline 1987, in the version of Lewiner 2003) and simplified by quadric error (Garland and Heckbert
+1997) to slightly more than the required vertex count. Single edge collapses under the link
+condition (Dey et al. 1999), which keeps the surface closed, then bring it to the exact count.
 """
 
-import math
 from collections.abc import Callable
 from typing import Any
 
@@ -19,153 +17,20 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from skimage import measure
 
+from landscape.studio.shapes import clamp
+
 Field = Callable[[float, float, float, Any], float]
 Mesh = tuple[np.ndarray, np.ndarray]
-PaintedMesh = tuple[np.ndarray, np.ndarray, np.ndarray]  # and a colour for each vertex
+PaintedMesh = tuple[np.ndarray, np.ndarray, np.ndarray]  # vertices, faces, vertex colours
 
-SPARE_FACES = 60  # chosen: faces the quadric pass leaves for the exact pass to remove
-SETTLE_ROUNDS = 4  # chosen: enough for calm normals
-SCHEDULES = (7.0, 6.0, 5.0, 4.0, 3.0)  # chosen: 7 is the library's own haste
-RELAX_ROUNDS = 3  # chosen: smooths the slivers of marching cubes without losing the features
-
-
-@njit
-def mix(a: float, b: float, t: float) -> float:
-    """Blend linearly from a (t = 0) to b (t = 1)."""
-    return a + (b - a) * t
+FACE_MARGIN = 60  # chosen: extra faces that the quadric pass leaves for the exact pass
+FAIR_ROUNDS = 4  # chosen: enough for smooth normals
+AGGRESSIVENESS = (7.0, 6.0, 5.0, 4.0, 3.0)  # chosen: 7 is the library's default
+RELAX_ROUNDS = 3  # chosen: removes marching cubes' sliver triangles without losing features
 
 
 @njit
-def clamp(x: float, low: float, high: float) -> float:
-    """Limit x to low..high."""
-    return min(max(x, low), high)
-
-
-@njit
-def step_smooth(low: float, high: float, x: float) -> float:
-    """Cubic step from 0 at ``low`` to 1 at ``high``; ``low`` may be the greater of the two."""
-    t = clamp((x - low) / (high - low), 0.0, 1.0)
-    return t * t * (3.0 - 2.0 * t)
-
-
-@njit
-def union(a: float, b: float, k: float) -> float:
-    """Join two distances with a fillet of width k."""
-    h = clamp(0.5 + 0.5 * (b - a) / k, 0.0, 1.0)
-    return b + (a - b) * h - k * h * (1.0 - h)
-
-
-@njit
-def carve(a: float, b: float, k: float) -> float:
-    """Take shape b out of shape a, the edge rounded over a width k."""
-    return -union(-a, b, k)
-
-
-@njit
-def ellipsoid(x: float, y: float, z: float, rx: float, ry: float, rz: float) -> float:
-    """Distance (first order, exact at the surface) to an ellipsoid about the origin."""
-    k0 = math.sqrt((x / rx) ** 2 + (y / ry) ** 2 + (z / rz) ** 2)
-    k1 = math.sqrt((x / rx**2) ** 2 + (y / ry**2) ** 2 + (z / rz**2) ** 2)
-    if k1 < 1e-9:
-        return -min(rx, ry, rz)
-    return k0 * (k0 - 1.0) / k1
-
-
-@njit
-def limb(
-    x: float, y: float, z: float,
-    ax: float, ay: float, az: float, ra: float,
-    bx: float, by: float, bz: float, rb: float,
-) -> float:  # fmt: skip
-    """Distance to a limb: a segment from a to b with a radius that goes from ra to rb."""
-    dx, dy, dz = bx - ax, by - ay, bz - az
-    px, py, pz = x - ax, y - ay, z - az
-    t = clamp((px * dx + py * dy + pz * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
-    px, py, pz = px - t * dx, py - t * dy, pz - t * dz
-    return math.sqrt(px * px + py * py + pz * pz) - mix(ra, rb, t)
-
-
-@njit
-def turn(a: float, b: float, angle: float) -> tuple[float, float]:
-    """Rotate the pair (a, b) by ``angle`` radians from a towards b."""
-    c, s = math.cos(angle), math.sin(angle)
-    return c * a - s * b, s * a + c * b
-
-
-@njit
-def _lattice(i: int, j: int, k: int) -> float:
-    """Hash three integers to -1..1."""
-    h = (i * 73856093) ^ (j * 19349663) ^ (k * 83492791)
-    h = ((h ^ (h >> 13)) * 1274126177) & 0x7FFFFFFF
-    h = ((h ^ (h >> 15)) * 668265263) & 0x7FFFFFFF
-    return ((h >> 7) & 0xFFFF) / 32767.5 - 1.0
-
-
-@njit
-def noise(x: float, y: float, z: float) -> float:
-    """Value noise in about -1..1 with one feature per unit."""
-    i, j, k = math.floor(x), math.floor(y), math.floor(z)
-    u, v, w = x - i, y - j, z - k
-    u, v, w = u * u * (3 - 2 * u), v * v * (3 - 2 * v), w * w * (3 - 2 * w)
-    i, j, k = int(i), int(j), int(k)
-    low = mix(
-        mix(_lattice(i, j, k), _lattice(i + 1, j, k), u),
-        mix(_lattice(i, j + 1, k), _lattice(i + 1, j + 1, k), u),
-        v,
-    )
-    high = mix(
-        mix(_lattice(i, j, k + 1), _lattice(i + 1, j, k + 1), u),
-        mix(_lattice(i, j + 1, k + 1), _lattice(i + 1, j + 1, k + 1), u),
-        v,
-    )
-    return mix(low, high, w)
-
-
-def catmull_rom(points: np.ndarray, samples: int) -> np.ndarray:
-    """Sample a Catmull-Rom curve through points (n, c); return (samples, c), about equally spaced.
-
-    The first three columns are the position, any others (a radius) are interpolated with it.
-    """
-    points = np.asarray(points, dtype=float)
-    ends = np.vstack([2 * points[0] - points[1], points, 2 * points[-1] - points[-2]])
-    t = np.linspace(0, len(points) - 1, 40 * len(points))
-    i = np.minimum(t.astype(int), len(points) - 2)
-    f = (t - i)[:, None]
-    p0, p1, p2, p3 = ends[i], ends[i + 1], ends[i + 2], ends[i + 3]
-    fine = p1 + 0.5 * f * (
-        p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0))
-    )
-    length = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(fine[:, :3], axis=0), axis=1)))
-    wanted = np.linspace(0, length[-1], samples)
-    return np.stack([np.interp(wanted, length, column) for column in fine.T], axis=1)
-
-
-@njit
-def nearest(curve: np.ndarray, x: float, y: float, z: float) -> tuple[int, float, float]:
-    """Return (segment, place in it 0..1, distance) of the point of a polyline nearest to (x, y, z).
-
-    ``curve`` is (n, c >= 3), its first three columns the position, its points close together: the
-    nearest point is looked for only on the two segments at the nearest corner.
-    """
-    best, corner = 1e30, 0
-    for i in range(curve.shape[0]):
-        d = (x - curve[i, 0]) ** 2 + (y - curve[i, 1]) ** 2 + (z - curve[i, 2]) ** 2
-        if d < best:
-            best, corner = d, i
-    best, best_i, best_t = 1e30, 0, 0.0
-    for i in range(max(corner - 1, 0), min(corner + 1, curve.shape[0] - 1)):
-        ax, ay, az = curve[i, 0], curve[i, 1], curve[i, 2]
-        dx, dy, dz = curve[i + 1, 0] - ax, curve[i + 1, 1] - ay, curve[i + 1, 2] - az
-        px, py, pz = x - ax, y - ay, z - az
-        t = clamp((px * dx + py * dy + pz * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
-        d = (px - t * dx) ** 2 + (py - t * dy) ** 2 + (pz - t * dz) ** 2
-        if d < best:
-            best, best_i, best_t = d, i, t
-    return best_i, best_t, math.sqrt(best)
-
-
-@njit
-def _fill(field, data, low, step, volume):  # type: ignore[no-untyped-def]
+def _sample_field(field, data, low, step, volume):  # type: ignore[no-untyped-def]
     for i in range(volume.shape[0]):
         for j in range(volume.shape[1]):
             for k in range(volume.shape[2]):
@@ -175,21 +40,25 @@ def _fill(field, data, low, step, volume):  # type: ignore[no-untyped-def]
 
 
 def triangulate(field: Field, data: Any, low: np.ndarray, high: np.ndarray, step: float) -> Mesh:
-    """Return the largest closed piece of the level zero of ``field`` in the box low..high."""
+    """Triangulate the zero level set of ``field`` in the box low..high; return its largest part.
+
+    Raises ValueError if the surface is not closed.
+    """
     low = np.asarray(low, dtype=float)
     shape = np.ceil((np.asarray(high) - low) / step).astype(int) + 1
     volume = np.empty(shape, dtype=np.float32)
-    _fill(field, data, low, step, volume)
-    # The values rise outwards ("descent" towards the object): counter-clockwise from outside.
+    _sample_field(field, data, low, step, volume)
+    # The field increases outward ("descent" means towards the object), so faces are
+    # counter-clockwise seen from outside.
     vertices, faces, _, _ = measure.marching_cubes(volume, 0.0, gradient_direction="descent")
     vertices, faces = largest_piece(vertices * step + low, faces)
     if not is_closed(faces):
-        raise ValueError("the shape leaves the box")
+        raise ValueError("the shape extends beyond the box")
     return vertices, faces
 
 
 def largest_piece(vertices: np.ndarray, faces: np.ndarray) -> Mesh:
-    """Drop all but the connected piece with the most vertices, and the vertices no face uses."""
+    """Return only the connected component with the most vertices, without unused vertices."""
     n = len(vertices)
     edges = np.concatenate([faces[:, :2], faces[:, 1:]])
     graph = coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(n, n))
@@ -200,8 +69,7 @@ def largest_piece(vertices: np.ndarray, faces: np.ndarray) -> Mesh:
 
 
 def relax(vertices: np.ndarray, faces: np.ndarray, rounds: int) -> np.ndarray:
-    """Smooth by Taubin's pair of steps (1995): rounds off the steps of the grid, keeps the size."""
-
+    """Apply Taubin smoothing (1995), which removes the steps of the grid without shrinking."""
     i, j = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     weights = coo_matrix((np.ones(len(i)), (i, j)), shape=(len(vertices),) * 2).tocsr()
     degree = np.asarray(weights.sum(axis=1))
@@ -213,7 +81,7 @@ def relax(vertices: np.ndarray, faces: np.ndarray, rounds: int) -> np.ndarray:
 
 @njit
 def _project(field, data, vertices, reach):  # type: ignore[no-untyped-def]
-    """Move vertices (n, 3) along the gradient of ``field`` onto its level zero, in place."""
+    """Move vertices (n, 3) along the gradient of ``field`` onto its zero level set, in place."""
     e = 0.25 * reach
     for i in range(vertices.shape[0]):
         x, y, z = vertices[i]
@@ -229,14 +97,14 @@ def _project(field, data, vertices, reach):  # type: ignore[no-untyped-def]
             vertices[i, 2] -= s * gz
 
 
-def settle(
+def fair(
     field: Field, data: Any, vertices: np.ndarray, faces: np.ndarray, reach: float
 ) -> np.ndarray:
-    """Even out the triangles and put the vertices back on the surface, so that normals are calm.
+    """Fair the mesh for smooth normals: relax it and project the vertices back onto the surface.
 
-    Vertices whose neighbours bend sharply (teeth, the edge of a fin) stay where they are.
+    Vertices of faces that relaxing would rotate too far (teeth, edges of fins) keep their position.
     """
-    for _ in range(SETTLE_ROUNDS):
+    for _ in range(FAIR_ROUNDS):
         moved = relax(vertices, faces, 1)
         before, after = face_normals(vertices, faces), face_normals(moved, faces)
         risky = (before * after).sum(axis=1) < 0.9
@@ -249,29 +117,34 @@ def settle(
 
 
 def face_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Unit normals (m, 3) of triangles, outward for counter-clockwise ones."""
+    """Return the unit normals (m, 3) of triangles, outward where they are counter-clockwise."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     n = np.cross(b - a, c - a)
     return n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-30)
 
 
 def point_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Return unit normals (n, 3) of the vertices, each triangle counting alike."""
+    """Return the unit normals (n, 3) of the vertices, all triangles weighted equally."""
     summed = np.zeros((len(vertices), 3))
     for corner in range(3):
         np.add.at(summed, faces[:, corner], face_normals(vertices, faces))
     return np.asarray(summed / np.maximum(np.linalg.norm(summed, axis=1, keepdims=True), 1e-12))
 
 
-def _link_is_clean(around: dict[int, set[int]], fans: list[set[int]], a: int, b: int) -> bool:
-    """Tell whether merging a and b keeps the surface closed: they share exactly two neighbours."""
+def _link_condition_holds(
+    around: dict[int, set[int]], fans: list[set[int]], a: int, b: int
+) -> bool:
+    """Return whether collapsing edge (a, b) keeps the surface closed and manifold.
+
+    The two ends must share exactly two neighbours, and each must have more than three faces.
+    """
     return len(around[a] & around[b]) == 2 and len(fans[a]) > 3 and len(fans[b]) > 3
 
 
 def collapse_to(vertices: np.ndarray, faces: np.ndarray, count: int) -> Mesh:
-    """Collapse the shortest edges that may go until ``count`` vertices are left.
+    """Collapse the shortest valid edges until ``count`` vertices are left.
 
-    The fans of touched vertices are not touched again, so that the lengths stay true.
+    The neighbourhood of a collapse is frozen, so that the sorted edge lengths stay valid.
     """
     vertices, triangles = vertices.copy(), [tuple(map(int, f)) for f in faces]
     fans: list[set[int]] = [set() for _ in range(len(vertices))]
@@ -289,9 +162,9 @@ def collapse_to(vertices: np.ndarray, faces: np.ndarray, count: int) -> Mesh:
             continue
         around = {v: {w for f in fans[v] for w in triangles[f]} - {v} for v in (a, b)}
         middle = (vertices[a] + vertices[b]) / 2
-        stay = sorted(fans[a] ^ fans[b])
-        if not _link_is_clean(around, fans, a, b) or _would_flip(
-            vertices, triangles, stay, (a, b), middle
+        surviving = sorted(fans[a] ^ fans[b])
+        if not _link_condition_holds(around, fans, a, b) or _would_flip(
+            vertices, triangles, surviving, (a, b), middle
         ):
             continue
         for f in fans[a] & fans[b]:
@@ -299,22 +172,22 @@ def collapse_to(vertices: np.ndarray, faces: np.ndarray, count: int) -> Mesh:
                 if v not in (a, b):
                     fans[v].discard(f)
             triangles[f] = ()
-        for f in stay:
+        for f in surviving:
             triangles[f] = tuple(a if v == b else v for v in triangles[f])
-        fans[a], fans[b] = set(stay), set()
+        fans[a], fans[b] = set(surviving), set()
         vertices[a] = middle
         frozen |= around[a] | around[b] | {a, b}
         left -= 1
     if left != count:
-        raise ValueError(f"{left} vertices, {count} wanted: leave fewer spare faces")
+        raise ValueError(f"{left} vertices left instead of {count}: lower FACE_MARGIN")
     out = np.array([t for t in triangles if t], dtype=np.int64)
     used, index = np.unique(out, return_inverse=True)
     return vertices[used], index.reshape(out.shape).astype(np.int32)
 
 
-def _would_flip(vertices, triangles, stay, pair, middle):  # type: ignore[no-untyped-def]
-    """Tell whether moving both ends of an edge to its middle turns a neighbouring face over."""
-    for f in stay:
+def _would_flip(vertices, triangles, surviving, pair, middle):  # type: ignore[no-untyped-def]
+    """Return whether moving both ends of an edge to its midpoint flips an adjacent face."""
+    for f in surviving:
         old = np.array([vertices[v] for v in triangles[f]])
         new = np.array([middle if v in pair else vertices[v] for v in triangles[f]])
         n0 = np.cross(old[1] - old[0], old[2] - old[0])
@@ -325,28 +198,28 @@ def _would_flip(vertices, triangles, stay, pair, middle):  # type: ignore[no-unt
 
 
 def _reduce(vertices: np.ndarray, faces: np.ndarray, count: int) -> Mesh:
-    """Reduce to a little over ``count`` vertices, still closed.
+    """Simplify to slightly more than ``count`` vertices, keeping the surface closed.
 
-    A pinch that cannot be parted (see ``unpinch``) is rare and depends on the order of the
-    collapses: then a more patient order is taken.
+    A non-manifold spot that cannot be separated (see ``unpinch``) is rare and depends on the order
+    of the collapses, so a lower aggressiveness is tried then.
     """
     holes = 2 - (len(vertices) - len(faces) // 2)  # Euler: V - F/2 = 2 - 2 genus
     vertices, faces = np.ascontiguousarray(vertices, np.float32), np.ascontiguousarray(faces)
-    for haste in SCHEDULES:
+    for aggressiveness in AGGRESSIVENESS:
         points, triangles = fast_simplification.simplify(
-            vertices, faces, target_count=2 * (count - 2 + holes) + SPARE_FACES, agg=haste
+            vertices, faces, target_count=2 * (count - 2 + holes) + FACE_MARGIN, agg=aggressiveness
         )
         points, triangles = largest_piece(*unpinch(points.astype(float), triangles))
         if is_closed(triangles) and len(points) >= count:
             return points, triangles
-    raise ValueError("no order of collapses keeps the surface closed: thicken the thin parts")
+    raise ValueError("simplification leaves the surface open or too coarse: thicken thin parts")
 
 
 def unpinch(vertices: np.ndarray, faces: np.ndarray) -> Mesh:
-    """Part the sheets of a surface that touch in a vertex or in an edge of four faces.
+    """Separate sheets of a surface that touch at a vertex or at an edge with four faces.
 
-    The library does not test the link condition, so it pinches a thin place now and then. Corners
-    of two triangles are one vertex only if an edge with exactly these two faces joins them.
+    The library does not test the link condition, so it sometimes pinches a thin part. Corners of
+    two triangles are the same vertex only if an edge with exactly these two faces connects them.
     """
     m = len(faces)
     start, end = faces.T.ravel(), np.roll(faces, -1, axis=1).T.ravel()
@@ -366,14 +239,16 @@ def unpinch(vertices: np.ndarray, faces: np.ndarray) -> Mesh:
 
 
 def is_closed(faces: np.ndarray) -> bool:
-    """Tell whether every edge has two faces, which run along it in opposite directions."""
+    """Return whether every edge has two faces that traverse it in opposite directions."""
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
-    ways = edges @ np.array([1 << 32, 1])
-    back = edges @ np.array([1, 1 << 32])
-    return len(np.unique(ways)) == len(ways) and np.array_equal(np.sort(ways), np.sort(back))
+    forward = edges @ np.array([1 << 32, 1])
+    backward = edges @ np.array([1, 1 << 32])
+    return len(np.unique(forward)) == len(forward) and np.array_equal(
+        np.sort(forward), np.sort(backward)
+    )
 
 
-def carry_out(
+def sculpt(
     field: Field,
     data: Any,
     low: np.ndarray,
@@ -383,14 +258,14 @@ def carry_out(
     paint: Callable[[np.ndarray, np.ndarray, Any], np.ndarray],
     paint_data: Any,
 ) -> PaintedMesh:
-    """Sculpt ``field``: a closed mesh of exactly ``count`` vertices, its largest extent -1..1.
+    """Convert ``field`` to a closed mesh of exactly ``count`` vertices, its largest extent -1..1.
 
-    ``paint`` gives the vertices their colours, from places and normals (n, 3) in the field's frame.
+    ``paint`` returns the vertex colours from positions and normals (n, 3) in the field's frame.
     """
     vertices, faces = triangulate(field, data, low, high, step)
     vertices = relax(vertices, faces, RELAX_ROUNDS)
     vertices, faces = collapse_to(*_reduce(vertices, faces, count), count)
-    vertices = settle(field, data, vertices, faces, 0.5 * step)
+    vertices = fair(field, data, vertices, faces, 0.5 * step)
     colours = paint(vertices, point_normals(vertices, faces), paint_data)
     lowest, highest = vertices.min(axis=0), vertices.max(axis=0)
     vertices = (vertices - (lowest + highest) / 2) / ((highest - lowest).max() / 2)

@@ -1,11 +1,11 @@
-"""The sky box: five faces of one sky, at noon's light and at sunset.
+"""The sky box: five faces of one sky, by day and at sunset.
 
-:mod:`landscape.studio.air` is the clear sky, before it stand the cirrus and the cumulus of
-:mod:`landscape.studio.clouds` and the far land of :mod:`landscape.studio.islands`. All is a
-function of the direction alone, so that faces agree along their edges.
+:mod:`landscape.studio.air` gives the clear sky. The clouds of :mod:`landscape.studio.clouds` and
+the far land of :mod:`landscape.studio.islands` are composited over it. Everything depends on the
+view direction only, so the faces match along their edges.
 
-The box spans x and z in -8..8 and y in 0..5 with the eye at the centre of its floor. The first
-and the last texel centres of a face lie ON its edges.
+The box spans x and z in -8..8 and y in 0..5, with the eye at the centre of its floor. The first
+and last texel centres of a face are exactly on its edges.
 """
 
 import functools
@@ -18,7 +18,7 @@ from landscape.studio.clouds import add_cirrus, add_cumulus
 from landscape.studio.images import smoothstep, to_linear, to_srgb, to_uint8
 from landscape.studio.islands import add_islands
 
-HALF, TALL = 8.0, 5.0  # half width and height of the box, as the scene draws it
+HALF, TALL = 8.0, 5.0  # half width and height of the box, as in the scene
 
 
 def directions(face: str, width: int, height: int) -> np.ndarray:
@@ -37,15 +37,19 @@ def directions(face: str, width: int, height: int) -> np.ndarray:
             "west": (-wall, -across),
         }[face]
         d = np.stack([x, up, z], axis=-1)
-    # Rounded, so that the same direction met from two faces is the same to the last bit.
+    # Rounded, so that a direction shared by two faces is bitwise identical on both.
     return np.round(d / np.linalg.norm(d, axis=-1, keepdims=True), 9)
 
 
 def compose(scene: Scene, d: np.ndarray) -> np.ndarray:
-    """Return the linear colours (h, w, 3) of the directions, all layers over one another."""
+    """Return the linear colours (h, w, 3) of directions (h, w, 3), with all layers composited."""
     sky = clear_sky(scene, d)
-    away = np.degrees(np.arccos(np.clip(d @ scene.towards_sun(), -1.0, 1.0)))
-    glow = 0.30 * np.exp(-away / 5.0) + 0.5 * np.exp(-away / 1.4) + 3.0 * smoothstep(0.9, 0.6, away)
+    from_sun = np.degrees(np.arccos(np.clip(d @ scene.towards_sun(), -1.0, 1.0)))
+    glow = (
+        0.30 * np.exp(-from_sun / 5.0)
+        + 0.5 * np.exp(-from_sun / 1.4)
+        + 3.0 * smoothstep(0.9, 0.6, from_sun)
+    )
     tint = np.array(scene.sun) / max(scene.sun)
     sky = 1.0 - (1.0 - sky) * np.exp(-glow[..., None] * tint)
     sky = add_cirrus(scene, d, sky)
@@ -57,20 +61,20 @@ def compose(scene: Scene, d: np.ndarray) -> np.ndarray:
 
 
 def paint(scene: Scene, face: str) -> np.ndarray:
-    """Return one face of the box, (h, w, 3) uint8."""
+    """Return one face of the box, uint8 (h, w, 3)."""
     width, height = scene.wall_width, scene.wall_width // 4
     if face == "top":
         width = height = scene.wall_width // 2
     d = directions(face, width, height)
     sky = to_srgb(compose(scene, d))
     if face != "top":
-        # The top face has half the texels along this edge: take its colours, or cloud edges finer
+        # The top face has half the texels along this edge. Take its colours, or cloud detail finer
         # than its texels would show as a seam.
         coarse = to_srgb(compose(scene, directions(face, width // 2, 2)[:1])[0])
         x, x_coarse = np.linspace(0, 1, width), np.linspace(0, 1, width // 2)
         sky[0] = np.stack([np.interp(x, x_coarse, channel) for channel in coarse.T], axis=-1)
-    # Less than a level of noise breaks the contours that 8 bits draw in a smooth sky; none at the
-    # horizon, which is the colour of the fog.
+    # Dither by less than one level to hide 8-bit banding, except at the horizon, which must have
+    # the exact colour of the fog.
     dither = np.random.default_rng(71).random((height, width, 1)) - 0.5
     dither = dither * smoothstep(0.0, 0.007, d[..., 1:2])
     return to_uint8(sky + 0.7 * dither / 255.0)

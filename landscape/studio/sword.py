@@ -1,9 +1,9 @@
 """The sword of the first-person view: five overlays, one at rest and four of a stroke.
 
-The sword, the gauntlet and the forearm are one distance field, ray marched (Hart 1996, "sphere
-tracing") with a soft shadow and ambient occlusion taken from the same field. The steel mirrors a
-small analytic sky. The pose is a key-framed curve in time; a picture is the mean of many instants
-of its exposure, each with its own sub-pixel offset, so motion blur and anti-aliasing are one sum.
+The sword, the gauntlet and the forearm are one distance field, sphere traced (Hart 1996) with soft
+shadows and ambient occlusion from the same field. The steel reflects a small analytic sky. The pose
+is interpolated between key frames. A picture is the mean of many instants of the exposure, each
+with its own sub-pixel offset, so one sum gives motion blur and antialiasing.
 """
 
 import math
@@ -13,29 +13,29 @@ import numpy as np
 from numba import njit
 
 from landscape.studio import images, light
-from landscape.studio.sculpture import clamp, ellipsoid, limb, mix, noise, step_smooth, union
+from landscape.studio.shapes import clamp, ellipsoid, limb, mix, noise, step_smooth, union
 
-SIZE = 512  # side of the overlay, in texels
-ASPECT = 1.5  # chosen: between 4:3 and 16:9, the picture is stretched over the window
-TAN_HALF = 0.466  # chosen: half a field of 50 degrees
+SIZE = 512  # side of the overlay in texels
+ASPECT = 1.5  # chosen: between 4:3 and 16:9, because the overlay is stretched over the window
+TAN_HALF = 0.466  # chosen: tangent of half a field of view of 50 degrees
 GAIN = 1.15  # chosen: exposure
-COVER = 1.6  # chosen: 1 is a camera's motion blur
+OPACITY_BOOST = 1.6  # chosen: 1 is the motion blur of a camera
 
-# Pose keys, all chosen. Columns: grip on the screen (x, y in -1..1, depth), blade direction,
-# direction of the blade's edge, elbow (view space: x right, y up, z to the viewer).
+# Chosen: key frames of the pose. Columns: grip on the screen (x, y in -1..1, depth), direction of
+# the blade, direction of its edge, elbow (view space: x right, y up, z towards the viewer).
 KEYS = np.array(
     [
         # grip             blade                 edge                elbow
         (0.66, -0.54, 0.62, 0.03, 0.43, -0.62, 0.90, 0.10, 0.30, 0.46, -0.57, -0.24),  # rest
         (0.66, -0.26, 0.62, 0.42, 0.78, -0.10, 0.80, -0.40, 0.50, 0.46, -0.46, -0.22),  # raised
-        (0.46, -0.16, 0.62, 0.05, 0.85, -0.45, 0.60, 0.20, 0.70, 0.42, -0.46, -0.22),  # begins
+        (0.46, -0.16, 0.62, 0.05, 0.85, -0.45, 0.60, 0.20, 0.70, 0.42, -0.46, -0.22),  # start
         (0.06, -0.38, 0.62, -0.78, 0.26, -0.50, -0.30, -0.80, 0.30, 0.36, -0.50, -0.20),  # across
         (-0.26, -0.72, 0.60, -0.86, -0.26, -0.40, 0.10, -0.90, 0.40, 0.26, -0.52, -0.20),  # end
     ]
 )
 
 STEEL, BRASS, WRAP, GLOVE, CUFF, SLEEVE, TRIM = 0, 1, 2, 3, 4, 5, 6
-# Linear albedo of each material, chosen.
+# Chosen: linear albedo of each material.
 ALBEDO = np.array(
     [
         (0.66, 0.67, 0.69),
@@ -47,17 +47,17 @@ ALBEDO = np.array(
         (0.15, 0.085, 0.042),
     ]
 )
-GLOSS = np.array([1.0, 0.85, 0.10, 0.16, 0.16, 0.0, 0.10])  # chosen: share of light mirrored
+GLOSS = np.array([1.0, 0.85, 0.10, 0.16, 0.16, 0.0, 0.10])  # chosen: specular weight
 
 
 @njit
 def _blade(x, y, z):  # type: ignore[no-untyped-def]
-    """The blade: a diamond section that tapers, with a fuller down its first two thirds."""
+    """Return the distance to the blade: a tapering diamond section, fullered for two thirds."""
     t = (y - 0.095) / 0.72
     width = mix(0.030, 0.021, clamp(t, 0.0, 1.0)) * min(1.0, max(1.0 - t, 0.0) / 0.13) ** 0.7
     thick = mix(0.0066, 0.0044, clamp(t, 0.0, 1.0))
     width = max(width, 1e-4)
-    rim = 0.45 * thick  # the flats end here, the ground edge is steeper
+    rim = 0.45 * thick  # thickness where the flats end and the steeper ground edge begins
     flat = (abs(x) * (thick - rim) + abs(z) * width - width * thick) / math.hypot(
         width, thick - rim
     )
@@ -72,7 +72,7 @@ def _blade(x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def _hilt(x, y, z):  # type: ignore[no-untyped-def]
-    """Guard and pommel."""
+    """Return the distance to the guard and the pommel."""
     a = abs(x)
     bow = 0.095 + 1.1 * a * a
     d = math.sqrt((y - bow) ** 2 + z * z) * 0.95 - mix(0.012, 0.0085, a / 0.1)
@@ -85,7 +85,7 @@ def _hilt(x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def _grip(x, y, z):  # type: ignore[no-untyped-def]
-    """The handle, wound with a leather strap."""
+    """Return the distance to the handle, which is wrapped in a leather strap."""
     turns = y / 0.011 + math.atan2(z, x) / (2 * math.pi)
     f = turns - math.floor(turns) - 0.5
     d = math.sqrt(x * x + z * z) - 0.0165 - 0.0012 * (1.0 - 4 * f * f)
@@ -94,13 +94,13 @@ def _grip(x, y, z):  # type: ignore[no-untyped-def]
 
 @njit
 def _polar(rho, degrees):  # type: ignore[no-untyped-def]
-    """Place round the grip: angle 0 is the right (x), 90 the viewer's side (z)."""
+    """Return (x, z) on a circle around the grip: 0 degrees is right (x), 90 the viewer (z)."""
     return rho * math.cos(math.radians(degrees)), rho * math.sin(math.radians(degrees))
 
 
 @njit
 def _hand(x, y, z, wx, wy, wz):  # type: ignore[no-untyped-def]
-    """The gloved right fist round the grip; (wx, wy, wz) is the wrist."""
+    """Return the distance to the gloved right fist around the grip; (wx, wy, wz) is the wrist."""
     d = 1e9
     for k in range(4):
         fy = 0.060 - 0.0255 * k
@@ -138,9 +138,9 @@ def _nearer(d, m, other, n):  # type: ignore[no-untyped-def]
 
 @njit
 def _scene(x, y, z, arm):  # type: ignore[no-untyped-def]
-    """Distance and material at a point of the sword's frame (y along the blade, x its edge).
+    """Return distance and material at a point in sword space (y along the blade, x to its edge).
 
-    ``arm`` holds the cosine and sine that turn the hand round the grip, the wrist and the elbow.
+    ``arm`` (8,): cosine and sine of the hand's rotation around the grip, wrist (3), elbow (3).
     """
     square = x * x + z * z
     far = math.sqrt(square + y * y)
@@ -169,7 +169,7 @@ def _scene(x, y, z, arm):  # type: ignore[no-untyped-def]
     off = math.sqrt(px * px + py * py + pz * pz)
     if off > 0.10:
         return _nearer(d, m, off - 0.08, SLEEVE)
-    # The angle round the arm, from the direction square to both the arm and the sword.
+    # The angle around the arm, measured from the direction perpendicular to arm and sword.
     qx, qz = uz, -ux
     q = math.sqrt(qx * qx + qz * qz) + 1e-9
     qx, qz = qx / q, qz / q
@@ -198,12 +198,12 @@ def _scene(x, y, z, arm):  # type: ignore[no-untyped-def]
 
 @njit
 def _sky(x, y, z, sun):  # type: ignore[no-untyped-def]
-    """What a mirror sees in a direction of view space: sky, bright horizon, dark land, sun."""
+    """Return the environment colour in a view-space direction: sky, horizon, dark land, sun."""
     up = step_smooth(-0.06, 0.10, y)
     glow = math.exp(-5.0 * abs(y))
     s = max(x * sun[0] + y * sun[1] + z * sun[2], 0.0)
     flare = 6.0 * s**90 + 0.55 * s**8
-    side = 1.0 - 0.55 * x  # the half of the sky with the sun in it is brighter
+    side = 1.0 - 0.55 * x  # brighter on the side of the sun
     cloud = 0.5 + 0.5 * noise(3.0 * x + 7.0, 5.0 * y, 3.0 * z)
     r = mix(0.050, side * (mix(0.05, 0.80, glow) + 0.22 * cloud), up) + flare
     g = mix(0.055, side * (mix(0.07, 0.84, glow) + 0.22 * cloud), up) + 0.95 * flare
@@ -213,7 +213,7 @@ def _sky(x, y, z, sun):  # type: ignore[no-untyped-def]
 
 @njit
 def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-def]
-    """Linear colour of the surface point p (sword frame) seen along ``ray`` (sword frame)."""
+    """Write the linear colour of the surface point p seen along ``ray``, both in sword space."""
     albedo, gloss, sun_rgb, sky_rgb, bounce = tables
     x, y, z = p
     e = 0.0004
@@ -229,7 +229,7 @@ def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-
         grain = noise(x * 900, y * 30, z * 900)
         rough = 0.00002
     if m == STEEL:
-        nx *= 2.4  # a hollow-ground look: the flats mirror different parts of the sky
+        nx *= 2.4  # hollow-ground look: the flats reflect different parts of the sky
     nx += rough * grain
     ny += rough * noise(x * 400 + 9, y * 400, z * 400)
     nz += rough * noise(x * 400, y * 400 + 9, z * 400)
@@ -261,7 +261,7 @@ def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-
     tone = 1.0 + (0.16 * grain if m >= WRAP else 0.05 * grain)
     thread = 0.0
     if m == GLOVE:
-        # A seam with light stitches runs along the middle of each finger.
+        # A seam with light stitches along the middle of each finger.
         f = (y - 0.0600) / 0.0255 - math.floor((y - 0.0600) / 0.0255 + 0.5)
         dash = math.sin(math.atan2(z, x) * 26.0)
         thread = math.exp(-((f / 0.045) ** 2)) * step_smooth(-0.3, 0.3, dash)
@@ -269,18 +269,18 @@ def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-
     for c in range(3):
         base = mix(albedo[m, c] * tone, albedo[TRIM, c], thread)
         ambient = mix(bounce[c], sky_rgb[c], 0.5 + 0.5 * up) * open_sky
-        matt = base * (ambient + 2.1 * sun_rgb[c] * facing)
+        diffuse = base * (ambient + 2.1 * sun_rgb[c] * facing)
         shine = mirror[c] * mix(0.35, 1.0, lit) * mix(0.4, 1.0, open_sky)
         if m <= BRASS:
             tint = mix(albedo[m, c], 1.0, fresnel)
-            out[c] = mix(matt, 1.35 * shine * tint, gloss[m])
+            out[c] = mix(diffuse, 1.35 * shine * tint, gloss[m])
         else:
-            out[c] = matt + gloss[m] * shine * mix(0.12, 1.0, fresnel)
+            out[c] = diffuse + gloss[m] * shine * mix(0.12, 1.0, fresnel)
 
 
 @njit
 def _expose(frame, grip, arm, sun, offset, view, tables, image):  # type: ignore[no-untyped-def]
-    """Add one instant to the premultiplied linear ``image`` (h, w, 4), one ray per texel."""
+    """Add one instant to the premultiplied linear ``image`` (h, w, 4): one ray per texel."""
     h, w = image.shape[0], image.shape[1]
     eye = np.zeros(3)
     for i in range(3):
@@ -316,10 +316,10 @@ def _unit(v: np.ndarray) -> np.ndarray:
 
 
 def pose(time: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (frame, grip, arm) at a time in 0..4: 0 is rest, 1 to 4 the four strokes.
+    """Return (frame, grip, arm) at a time in 0..4: 0 is rest, 1 to 4 the four key frames.
 
-    frame (3, 3): rows are the axes of the sword in view space. grip (3,): its place there.
-    arm (8,): cosine and sine of the hand's turn, wrist and elbow in the hand's frame.
+    frame (3, 3): rows are the axes of sword space in view space. grip (3,): its origin there.
+    arm (8,): cosine and sine of the hand's rotation, wrist and elbow in the frame of the hand.
     """
     i = min(int(time), len(KEYS) - 2)
     f = time - i
@@ -330,7 +330,7 @@ def pose(time: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     edge = _unit(key[6:9] - along * (key[6:9] @ along))
     frame = np.stack([edge, along, np.cross(edge, along)])
     elbow = frame @ (key[9:12] - grip)
-    # The hand turns round the grip until its wrist side faces the elbow.
+    # Rotate the hand around the grip until the wrist faces the elbow.
     turn = math.atan2(elbow[2], elbow[0]) - math.radians(48.0)
     c, s = math.cos(turn), math.sin(turn)
     elbow = np.array([c * elbow[0] + s * elbow[2], elbow[1], -s * elbow[0] + c * elbow[2]])
@@ -339,20 +339,20 @@ def pose(time: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def overlay(begin: float, end: float, instants: int) -> np.ndarray:
-    """Return the (512, 512, 4) overlay of the exposure begin..end (times of ``pose``)."""
+    """Return the overlay, uint8 (512, 512, 4), for an exposure begin..end (times of ``pose``)."""
     image = np.zeros((SIZE, SIZE, 4))
     tables = (ALBEDO, GLOSS, light.SUN_COLOR, light.SKY_COLOR, light.GROUND_BOUNCE)
     view = np.array([TAN_HALF * ASPECT, TAN_HALF])
     for k in range(instants):
-        # Most instants lie near the end: a crisp blade that draws a fading arc behind it.
+        # More instants near the end give a crisp blade with a fading trail behind it.
         f = 1.0 - (1.0 - (k + 0.5) / instants) ** 2.2
         frame, grip, arm = pose(begin + (end - begin) * f)
         sun = np.concatenate([light.SPRITE_SUN, frame @ light.SPRITE_SUN])
-        # The R2 sequence (Roberts 2018) spreads the sub-pixel offsets evenly over the texel.
+        # The R2 sequence (Roberts 2018) distributes the sub-pixel offsets evenly over the texel.
         offset = (np.array([0.7548776662466927, 0.5698402909980532]) * (k + 1)) % 1.0
         _expose(frame, grip, arm, sun, offset, view, tables, image)
-    # A moving blade covers each texel only for a moment: keep more of it than a camera would.
-    alpha = 1.0 - (1.0 - image[..., 3:] / instants) ** COVER
+    # A fast blade covers each texel only briefly: make it more opaque than a camera would.
+    alpha = 1.0 - (1.0 - image[..., 3:] / instants) ** OPACITY_BOOST
     colour = image[..., :3] / np.maximum(image[..., 3:], 1e-9) * GAIN
     rgba = np.concatenate([images.to_srgb(colour), alpha], axis=2)
     return images.bleed(images.to_uint8(rgba))

@@ -1,8 +1,8 @@
-"""Four trees, seen from the side, for the billboards: oak, spruce, birch and hawthorn.
+"""The tree billboards, seen from the side: oak, spruce, birch and hawthorn.
 
-:mod:`landscape.studio.growth` grows their limbs; here they get bark, leaves or needles, and a place
-in the square. :mod:`landscape.studio.foliage` lights and draws them, in its frame: x right in
--1..1, y up in 0..2, z to the viewer.
+:mod:`landscape.studio.growth` grows the limbs; this module adds bark, leaves or needles, and fits
+the tree into the sprite. :mod:`landscape.studio.foliage` lights and draws it, in its sprite space:
+x right in -1..1, y up in 0..2, z towards the viewer.
 """
 
 import functools
@@ -31,12 +31,14 @@ from landscape.studio.growth import (
 )
 from landscape.studio.images import smoothstep, spectral_noise
 
-TWIG_ALBEDO = (0.085, 0.062, 0.048)  # chosen: the year's wood is reddish brown on all four
+TWIG_ALBEDO = (0.085, 0.062, 0.048)  # chosen: young twigs are reddish brown on all four
 
 
 def bark_texture(dark: list[float], light: list[float], stretch: float, seed: int) -> np.ndarray:
-    """Return a tileable bark (256, 256, 4): linear colour from ``dark`` (fissures) to ``light``
-    (ridges), and the relief's slope across the limb. Axis 0 runs along the limb."""
+    """Return tileable bark (256, 256, 4): linear colour, and slope of the relief across the limb.
+
+    The colour goes from ``dark`` (fissures) to ``light`` (ridges). Axis 0 runs along the limb.
+    """
     ridges = 1.0 - np.abs(
         ndimage.gaussian_filter1d(spectral_noise(256, 0.75, seed), stretch, 0, mode="wrap")
     )
@@ -51,7 +53,7 @@ def bark_texture(dark: list[float], light: list[float], stretch: float, seed: in
 
 
 def birch_bark(seed: int) -> np.ndarray:
-    """White paper bark with dark dashes across and black scars, as :func:`bark_texture`."""
+    """Return white bark with dark horizontal dashes and black scars, like :func:`bark_texture`."""
     rng = np.random.default_rng(seed)
     dashes = ndimage.gaussian_filter(rng.standard_normal((256, 256)), (1.1, 9.0), mode="wrap")
     scars = ndimage.gaussian_filter(rng.standard_normal((256, 256)), (7.0, 10.0), mode="wrap")
@@ -62,7 +64,7 @@ def birch_bark(seed: int) -> np.ndarray:
     return np.concatenate([colour, np.zeros((256, 256, 1))], -1)
 
 
-def dress(
+def add_leaves(
     skeleton: Skeleton,
     at: np.ndarray,
     per_node: int,
@@ -72,13 +74,15 @@ def dress(
     albedos: np.ndarray,
     rng: np.random.Generator,
 ) -> Leaves:
-    """Hang leaves round the nodes ``at``: ``per_node`` each within ``spread``, of ``size`` (length,
-    width); ``albedos`` (k, 3) are the linear colours they mix."""
+    """Place ``per_node`` leaves of ``size`` (length, width) within ``spread`` of each node ``at``.
+
+    ``albedos`` (k, 3) are the linear colours that are mixed at random.
+    """
     node = np.repeat(at, per_node)
     n = len(node)
-    away = unit(rng.standard_normal((n, 3)))
-    centre = skeleton.points[node] + away * spread * rng.random((n, 1)) ** 0.5
-    axis = unit(away + 0.6 * rng.standard_normal((n, 3)) + np.array([0.0, -droop, 0.0]))
+    offset = unit(rng.standard_normal((n, 3)))
+    centre = skeleton.points[node] + offset * spread * rng.random((n, 1)) ** 0.5
+    axis = unit(offset + 0.6 * rng.standard_normal((n, 3)) + np.array([0.0, -droop, 0.0]))
     normal = rng.standard_normal((n, 3)) + np.array([0.0, 0.7, 0.6])
     normal = unit(normal - axis * np.sum(normal * axis, 1, keepdims=True))
     scale = rng.uniform(0.7, 1.25, n)
@@ -97,11 +101,11 @@ def draw_skeleton(
     roots: int,
     rng: np.random.Generator,
 ) -> None:
-    """Draw every limb, with ``roots`` buttresses that spread the foot over the ground."""
+    """Draw all limbs, and ``roots`` buttress roots that widen the foot of the trunk."""
     child = np.flatnonzero(skeleton.parents >= 0)
     parent = skeleton.parents[child]
     points = skeleton.points
-    # The foot flares: a trunk that meets the ground as a cylinder looks like a stick put there.
+    # Flare the foot: a trunk that meets the ground as a cylinder looks stuck into it.
     wide = radii * (1.0 + 0.55 * np.exp(-points[:, 1] / (1.6 * radii[0])))
     ends = np.stack([points[parent], points[child]], 1)
     thick = np.stack([np.minimum(wide[parent], 1.35 * wide[child]), wide[child]], 1)
@@ -131,7 +135,7 @@ def draw_skeleton(
 
 
 def foot_grass(spread: float, count: int, rng: np.random.Generator) -> Leaves:
-    """Blades round the foot within ``spread``; they hide where the quad cuts the ground."""
+    """Return grass within ``spread`` of the foot; it hides the intersection of quad and ground."""
     x = np.clip(rng.standard_normal(count) * 0.45, -1, 1) * spread
     z = rng.uniform(-0.3, 1.0, count) * spread * 0.7
     length = rng.uniform(0.03, 0.085, count) * np.clip(1.25 - np.abs(x) / spread, 0.3, 1)
@@ -147,11 +151,11 @@ def foot_grass(spread: float, count: int, rng: np.random.Generator) -> Leaves:
 
 
 def fit(skeleton: Skeleton, leaves: Leaves, width: float, height: float) -> None:
-    """Scale a tree about its foot so that its crown fills the given part of the square."""
+    """Scale a tree about its foot so that its crown fills the given fraction of the sprite."""
     everything = np.concatenate([skeleton.points, leaves.centre])
     low, high = everything.min(axis=0), everything.max(axis=0)
     margin = leaves.length.max() / 2
-    # Bring the crown over the middle by shearing with the height: the foot stays where it is.
+    # Centre the crown by shearing with height, which leaves the foot in place.
     shear = -(low[0] + high[0]) / 2 / (0.6 * high[1])
     sx = (width - margin) / ((high[0] - low[0]) / 2)
     sy = (2 * height - margin) / high[1]
@@ -164,7 +168,7 @@ def fit(skeleton: Skeleton, leaves: Leaves, width: float, height: float) -> None
 
 @functools.cache
 def broadleaf() -> np.ndarray:
-    """An old oak: short trunk, wide crown in clumps, heavy limbs seen through the gaps."""
+    """Return an old oak: short trunk, wide clumped crown, heavy limbs visible through the gaps."""
     rng = np.random.default_rng(11)
     centres, radii = crown_lobes([0, 1.16, 0], [0.80, 0.68, 0.66], 30, (0.15, 0.29), -0.72, 3)
     attractors = in_lobes(centres, radii, 5200, rng)
@@ -184,7 +188,7 @@ def broadleaf() -> np.ndarray:
     skeleton.smooth(3)
     r = skeleton.radii(0.0033, 0.088)
     albedos = np.array([[0.080, 0.138, 0.030], [0.120, 0.172, 0.040], [0.055, 0.102, 0.032]])
-    leaves = dress(
+    leaves = add_leaves(
         skeleton, np.flatnonzero(r < 0.0058), 12, 0.052, (0.036, 0.022), 0.2, albedos, rng
     )
     fit(skeleton, leaves, 0.97, 0.97)
@@ -198,7 +202,7 @@ def broadleaf() -> np.ndarray:
 
 @functools.cache
 def birch() -> np.ndarray:
-    """A birch of two white stems, airy, its thin twigs hanging."""
+    """Return a birch: two white stems, an open crown, thin hanging twigs."""
     rng = np.random.default_rng(31)
     centres, radii = crown_lobes([0, 1.2, 0], [0.56, 0.74, 0.5], 28, (0.16, 0.26), -0.8, 5)
     attractors = in_lobes(centres, radii, 2800, rng)
@@ -229,7 +233,7 @@ def birch() -> np.ndarray:
     skeleton = hang_twigs(skeleton, tips, (4, 11), 0.028, rng)
     r = skeleton.radii(0.0018, 0.050)
     albedos = np.array([[0.165, 0.205, 0.045], [0.215, 0.225, 0.048], [0.115, 0.168, 0.040]])
-    leaves = dress(
+    leaves = add_leaves(
         skeleton, np.flatnonzero(r < 0.0034), 4, 0.030, (0.026, 0.019), 0.9, albedos, rng
     )
     fit(skeleton, leaves, 0.92, 0.98)
@@ -242,7 +246,7 @@ def birch() -> np.ndarray:
 
 @functools.cache
 def shrub() -> np.ndarray:
-    """A hawthorn bent by the wind: gnarled grey stems, a ragged crown with blossom, dead twigs."""
+    """Return a wind-bent hawthorn: gnarled grey stems, a ragged crown in blossom, dead twigs."""
     rng = np.random.default_rng(51)
     centres, radii = crown_lobes([0.16, 0.88, 0], [0.82, 0.58, 0.6], 30, (0.15, 0.26), -0.6, 8)
     attractors = in_lobes(centres, radii, 3000, rng)
@@ -283,10 +287,10 @@ def shrub() -> np.ndarray:
     r = skeleton.radii(0.0030, 0.072)
     albedos = np.array([[0.062, 0.094, 0.040], [0.098, 0.122, 0.046], [0.046, 0.074, 0.040]])
     at = np.flatnonzero(r < 0.0062)
-    # The windward side is bare: its dead twigs are what tells this tree from the others afar.
+    # The windward side is bare; its dead twigs make this tree recognisable from afar.
     bare = smoothstep(-0.58, -0.22, skeleton.points[at, 0] + 0.25 * (skeleton.points[at, 1] - 0.9))
     at = at[rng.random(len(at)) < 0.04 + 0.96 * bare]
-    leaves = dress(skeleton, at, 12, 0.050, (0.029, 0.021), 0.0, albedos, rng)
+    leaves = add_leaves(skeleton, at, 12, 0.050, (0.029, 0.021), 0.0, albedos, rng)
     flowering = rng.random(len(skeleton.points)) < 0.15
     blossom = np.repeat(flowering[at], 12) & (rng.random(len(leaves.centre)) < 0.55)
     leaves.albedo[blossom] = np.array([0.50, 0.46, 0.38])
@@ -302,13 +306,13 @@ def shrub() -> np.ndarray:
 
 @functools.cache
 def conifer() -> np.ndarray:
-    """A spruce: dark tiers of needles, tips turned up, sky between the tiers."""
+    """Return a spruce: dark tiers of needles with upturned tips and sky between the tiers."""
     rng = np.random.default_rng(71)
     skeleton, green = spruce_limbs(rng)
     r = skeleton.radii(0.0025, 0.05)
     run = unit(skeleton.points[green] - skeleton.points[skeleton.parents[green]])
     albedos = np.array([[0.052, 0.098, 0.042], [0.088, 0.130, 0.050], [0.038, 0.078, 0.042]])
-    needles = dress(skeleton, green, 7, 0.02, (0.036, 0.0072), 0.1, albedos, rng)
+    needles = add_leaves(skeleton, green, 7, 0.02, (0.036, 0.0072), 0.1, albedos, rng)
     needles.axis = unit(needles.axis + 1.1 * np.repeat(run, 7, axis=0))
     needles.normal = unit(
         needles.normal - needles.axis * np.sum(needles.normal * needles.axis, 1, keepdims=True)
