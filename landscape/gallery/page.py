@@ -29,7 +29,8 @@ INTRODUCTION = (
     " use `2006`. Whatever else a picture needs, such as a wider lens or thinner fog, is set by"
     f" its view ([views.py]({CODE}/views.py)) or in its command.",
     f"- *R1* to *R19*: the improvements that the report suggests, in our numbering"
-    f" ([report_fixes.py]({CODE}/fixes/report_fixes.py)). *best1* to *best5*: what the preset `best` adds"
+    f" ([report_fixes.py]({CODE}/fixes/report_fixes.py))."
+    " *best1* to *best5*: what the preset `best` adds"
     f" to them ([best_fixes.py]({CODE}/fixes/best_fixes.py)).",
     "- *fig17b*: figure 17, panel b; also the name of the view, as in `landscape render fig17b`.",
     "- *Billboard*: a textured rectangle that turns to face the viewer. *Crossed quads*: two"

@@ -19,6 +19,7 @@ from PIL import Image
 from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.files.output import Progress, write_whole
+from landscape.files.processes import interrupts_held
 
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
@@ -93,7 +94,8 @@ def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
     spawn = multiprocessing.get_context("spawn")
     pool = ProcessPoolExecutor(count, spawn, initializer=_start)
     try:
-        jobs = {pool.submit(make, name): name for name in names}
+        with interrupts_held():
+            jobs = {pool.submit(make, name): name for name in names}
         for job in as_completed(jobs):
             yield jobs[job], job.result()
     except BrokenProcessPool:

@@ -15,6 +15,7 @@ from typing import Any
 
 from landscape.errors import InputError
 from landscape.files.output import save_png
+from landscape.files.processes import interrupts_held
 from landscape.frame import Pose
 from landscape.render import Offscreen
 from landscape.scene import SCENES
@@ -49,10 +50,11 @@ def render_all(
     # Spawned, not forked: a fork of a process that has used OpenGL may hang.
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(count, spawn, _prepare, (dict(SCENES),)) as pool:
-        names = {
-            pool.submit(_draw, dict(arguments), view, kt, wireframe, path): name
-            for name, view, path in jobs
-        }
+        with interrupts_held():
+            names = {
+                pool.submit(_draw, dict(arguments), view, kt, wireframe, path): name
+                for name, view, path in jobs
+            }
         try:
             for drawn in as_completed(names):
                 drawn.result()
