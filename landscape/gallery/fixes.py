@@ -527,7 +527,6 @@ FIXES: tuple[Fix, ...] = (
             "fog.color": (0.86, 0.72, 0.6),
             "water.fresnel": True,
             "water.horizon": 400.0,
-            "water.rippled": True,
             "fog.density": 0.03,
             "reflection.rippled": True,
             "sky.background": True,
