@@ -104,29 +104,23 @@ class Sea:
         """Draw the surface, mixed with the mirror texture or blended over the framebuffer."""
         mirror = self.mirror.take()
         water = self._settings.water
-        low, high = water_square(water)
-        corner = [max(abs(eye - low), abs(eye - high)) for eye in (frame.pose.x, frame.pose.z)]
-        grid = eye_grid(frame, water.level, math.hypot(*corner))
+        grid = self._grid(frame)
         if grid is None:
             return
-        grid.keep_within(low, high)
         t = wave_time(frame.kt, water)
         lift, slope_x, slope_z = waves(grid.x, grid.z, grid.cell, t)
         y = np.full(grid.x.shape, water.level, np.float32)
         if water.relief:
             y += lift * self._relief_left(grid)
-        vertices = np.empty((y.size, 3), np.float32)
-        vertices[:, 0], vertices[:, 1], vertices[:, 2] = grid.x.ravel(), y.ravel(), grid.z.ravel()
-        colors = np.empty((y.size, 4), np.float32)
-        colors[:] = water.color
-        if water.fresnel:
-            colors[:, 3] = opacity(facing(grid, slope_x, slope_z), water.color[3]).ravel()
+        vertices = np.stack([grid.x.ravel(), y.ravel(), grid.z.ravel()], axis=1)
+        normals = surface_normals(slope_x, slope_z)
+        colors = self._colors(grid, slope_x, slope_z)
         plane = np.stack([grid.x.ravel(), grid.z.ravel()])
         places = np.ascontiguousarray(plane.T)
         layers = [wave_coordinates(plane / np.float32(water.patch), t, water.repeat)]
         if self._shallows is not None:
             layers.append(self._shallows.coordinates(places))
-        normals, triangles = surface_normals(slope_x, slope_z), grid.triangles
+        triangles = grid.triangles
 
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups):
@@ -149,6 +143,25 @@ class Sea:
             if self._glitter is not None:
                 surface, slopes = (vertices, places), (slope_x, slope_z)
                 self._glitter.draw(frame, self._settings, grid, surface, slopes)
+
+    def _grid(self, frame: Frame) -> EyeGrid | None:
+        """Return the grid on all water in view; None if there is none."""
+        water = self._settings.water
+        low, high = water_square(water)
+        corner = [max(abs(eye - low), abs(eye - high)) for eye in (frame.pose.x, frame.pose.z)]
+        grid = eye_grid(frame, water.level, math.hypot(*corner))
+        if grid is not None:
+            grid.keep_within(low, high)
+        return grid
+
+    def _colors(self, grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
+        """Return the vertices' colours, float32 (n, 4); alpha is the opacity over the mirror."""
+        water = self._settings.water
+        colors = np.empty((grid.x.size, 4), np.float32)
+        colors[:] = water.color
+        if water.fresnel:
+            colors[:, 3] = opacity(facing(grid, slope_x, slope_z), water.color[3]).ravel()
+        return colors
 
     def _relief_left(self, grid: EyeGrid) -> np.ndarray:
         """Return the fraction of the relief left at the grid's places: 0 on the beach."""
