@@ -1,4 +1,4 @@
-"""The gallery's pairs of pictures: one for each remedy of the report, 2006 being its before."""
+"""The gallery's pairs of pictures: one for each fix the report asks for, 2006 being its before."""
 
 import pytest
 
@@ -18,7 +18,7 @@ def test_every_pair_differs_in_settings_and_2006_is_its_before(fix) -> None:
     assert with_settings(before, fix.settings(True)) != with_settings(before, fix.settings(False))
 
 
-def test_there_is_a_pair_for_each_remedy_of_the_report() -> None:
+def test_there_is_a_pair_for_each_fix_the_report_asks_for() -> None:
     assert {f"R{k}" for k in range(1, 20)} == {
         fix.name.rstrip("ab") for fix in FIXES if fix.name.startswith("R")
     }
