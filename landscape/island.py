@@ -14,8 +14,12 @@ from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.map import Map
 from landscape.elements.rabbit import Rabbit
-from landscape.elements.reflection import mirrored, reflected
-from landscape.elements.sea.waves import cut_level
+from landscape.elements.reflection import mirrored
+from landscape.elements.sea.foam import Foam
+from landscape.elements.sea.query import SeaQuery
+from landscape.elements.sea.ring import HorizonRing
+from landscape.elements.sea.sea import Sea, reflected, wanted
+from landscape.elements.sea.shallows import cut_level
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sword import Sword
 from landscape.elements.terrain.shadows import ShadowMap
@@ -53,6 +57,10 @@ class Island:
         self.settings = settings
         self.shown = set(only)
         self._owned: list[Any] = []
+        self.water: WaterSurface | Sea | None = None
+        self.ring: HorizonRing | None = None
+        self.foam: Foam | None = None
+        self.sea_query: SeaQuery | None = None
         try:
             self._build(settings, assets, seed)
         except BaseException:
@@ -60,15 +68,12 @@ class Island:
             raise
 
     def _build(self, settings: Settings, assets: Assets, seed: int) -> None:
-        def own(element: Element) -> Element:
-            self._owned.append(element)
-            return element
-
-        only = self.shown
+        own, only = self._own, self.shown
         light = sun.direction(settings.sun)
         self.ground = own(Ground(settings, assets, light))
         field = self.ground.field
-        self.water = own(WaterSurface(settings, assets, field)) if "water" in only else None
+        if "water" in only:
+            self._build_water(settings, assets, field)
         self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
         self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
         self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
@@ -82,6 +87,25 @@ class Island:
         self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
         self.sword = own(Sword(settings, assets)) if "sword" in only else None
         self.map = own(Map(settings, assets)) if "map" in only else None
+
+    def _own(self, element: Element) -> Element:
+        self._owned.append(element)
+        return element
+
+    def _build_water(self, settings: Settings, assets: Assets, field: HeightField) -> None:
+        """The patches of 2006 or the sea, and what is drawn with either."""
+        own, water = self._own, settings.water
+        if wanted(settings):
+            self.water = own(Sea(settings, assets, field))
+        else:
+            self.water = own(WaterSurface(settings, assets))
+            if water.horizon > 0:
+                self.ring = own(HorizonRing(settings, assets))
+        if water.foam:
+            self.foam = own(Foam(field))
+        # A mirror image in the framebuffer must be drawn before the land, so nothing can be asked.
+        if water.query and settings.reflection.rippled:
+            self.sea_query = own(SeaQuery(settings))
 
     def _lay_shadows(self, light: np.ndarray, assets: Assets, seed: int) -> None:
         """Darken the ground where sprites, castle and rabbit throw their shadows."""
@@ -107,7 +131,9 @@ class Island:
         """
         self.settings = settings
         for element in self._owned:
-            if hasattr(element, "_settings"):
+            if hasattr(element, "apply"):
+                element.apply(settings)
+            elif hasattr(element, "_settings"):
                 element._settings = settings
         return True
 
@@ -116,14 +142,16 @@ class Island:
         begin_pass("main")
         frame = self._begin(moment)
         settings, shown = self.settings, self._shown
-        sprites, water = shown(self.sprites, *SPRITES), shown(self.water, "water")
+        sprites = shown(self.sprites, *SPRITES)
+        water = self.water if "water" in self.shown else None
         # Sorted once for both passes, and when it is first asked for.
         sort = functools.cache(lambda: sprites.prepare(frame) if sprites else None)
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
 
             # The mirrored scene comes first: the water will be blended over it.
-            ready = water is None or water.expected(frame)
+            query = self.sea_query if water else None
+            ready = query is None or query.expected(frame)
             if ready:
                 self._draw_reflection(frame, sort)
 
@@ -135,8 +163,8 @@ class Island:
                     rabbit.draw(frame)
                 if dragon := shown(self.dragon, "dragon"):
                     dragon.draw(frame)
-            if water:
-                water.ask(frame)
+            if query:
+                query.ask(frame)
             # OpenGL draws what it has while Python sorts, chooses and computes waves.
             gl.glFlush()
             sort()
@@ -148,7 +176,8 @@ class Island:
             gl.glFlush()
 
             # Land may hide all of the sea; a mirror image that is a texture can come late.
-            water = water if water and water.shows() else None
+            if query and not query.shows():
+                water = None
             if water and not ready:
                 self._draw_reflection(frame, sort)
 
@@ -156,7 +185,11 @@ class Island:
             if castle := shown(self.castle, "castle"):
                 castle.draw(frame)
             if water:
+                if self.ring:
+                    self.ring.draw(frame)
                 water.draw(frame)
+                if self.foam:
+                    self.foam.draw(frame)
             if sprites:
                 sprites.draw(frame, sort())
 
@@ -167,13 +200,6 @@ class Island:
         if (map := shown(self.map, "map")) and settings.overlay.map:
             map.draw(frame)
 
-    def _begin(self, moment: Moment) -> Frame:
-        """Begin a frame of the island's own camera, sun and fog."""
-        values = self.settings
-        # The sea reaches farther than anything that stands on the island.
-        far = 1.5 * values.water.horizon
-        return begin_frame(moment, values.camera, values.sun, values.fog, "fog" in self.shown, far)
-
     def _draw_reflection(self, frame: Frame, sort: Callable[[], Any]) -> None:
         """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
         settings, shown = self.settings, self._shown
@@ -181,7 +207,7 @@ class Island:
             return
         begin_pass("reflection")
         frame = replace(frame, mirrored=True)
-        water = shown(self.water, "water")
+        water = self.water if "water" in self.shown else None
         with reflected(frame, settings, water) as frame, mirrored(settings):
             if ground := shown(self.ground, "ground"):
                 ground.draw(frame)
@@ -195,6 +221,14 @@ class Island:
                 gl.glFlush()
                 sprites.draw(frame, sort())
         begin_pass("main")
+
+    def _begin(self, moment: Moment) -> Frame:
+        """Begin a frame with the island's own camera, sun and fog."""
+        values = self.settings
+        # The sea reaches farther than anything that stands on the island.
+        far = 1.5 * values.water.horizon
+        fogged = "fog" in self.shown
+        return begin_frame(moment, values.camera, values.sun, values.fog, fogged, far)
 
     @property
     def size(self) -> float:

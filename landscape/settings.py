@@ -141,14 +141,14 @@ class Water:
     textured: bool = setting(True, "figure 9", "lay the water texture on the surface")
     animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
     time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
-    fresnel: bool = setting(False, "chosen", "clearer from above than at a grazing angle")
-    horizon: float = setting(0.0, "chosen", "units, reach of the sea round the patches", 0, 10000)
-    rippled: bool = setting(False, "chosen", "normals of a choppy sea instead of two waves")
-    glitter: float = setting(0.0, "chosen", "strength of the sun's specular glints", 0, 1)
+    fresnel: bool = setting(
+        False, "chosen", "opacity by the angle of view: the mirror image is strongest far off"
+    )
+    horizon: float = setting(0.0, "chosen", "units, reach of the sea beyond the patches", 0, 10000)
+    glitter: float = setting(0.0, "chosen", "strength of the sun's glints on the waves", 0, 1)
     relief: bool = setting(False, "R17, section 3.2", "waves lift and lower the water's vertices")
     shallow: bool = setting(False, "chosen", "clear and turquoise where the water is shallow")
     foam: bool = setting(False, "chosen", "small breakers run out on the beaches")
-    cull: bool = setting(False, "chosen", "send only the patches that are in view")
     query: bool = setting(
         False, "chosen", "no sea and no mirror image while land hides it all, by occlusion query"
     )
@@ -360,6 +360,8 @@ class Settings:
         "ground.unstretched": Renamed("ground.low_stretch"),
         "reflection.coarse": Renamed("reflection.lod_scale"),
         "transparent.least": Renamed("transparent.min_pixels"),
+        "water.cull": Renamed(),
+        "water.rippled": Renamed(),
         "water.sharp": Renamed("water.lod_bias", negated=True),
     }
 
@@ -397,7 +399,6 @@ BEST: dict[str, Value] = {
     "ground.shadows": True,
     "ground.low_stretch": True,
     "ground.texture_size": 2048,
-    "reflection.stencil": True,
     "reflection.castle": True,
     "reflection.rippled": True,
     "reflection.lod_scale": 8.0,
@@ -407,11 +408,9 @@ BEST: dict[str, Value] = {
     "water.relief": True,
     "water.shallow": True,
     "water.foam": True,
-    "water.cull": True,
     "water.query": True,
     "water.fresnel": True,
     "water.horizon": 400.0,
-    "water.rippled": True,
     "water.glitter": 0.35,
     "water.color": (0.16, 0.32, 0.38, 0.88),
     "sky.moving": True,

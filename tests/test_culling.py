@@ -1,4 +1,4 @@
-"""What is skipped to save time, back faces, far detail, a hidden sea: no picture shows it."""
+"""What is skipped to save time, back faces and far detail: no picture shows it."""
 
 import itertools
 from collections.abc import Iterator
@@ -7,20 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import trimesh
-from stage import Stage, live_names, quad, small, write_ply
+from stage import Stage, live_names, small, write_ply
 from test_rabbit_dragon import CUBE, CUBE_FACES, LIT
 from test_transparent_elements import looking
 
 from landscape.elements.animal import CUBES, SPARED, levels_of_detail
 from landscape.elements.dragon import Dragon
-from landscape.elements.sea.sea_watch import ABOVE, SeaWatch, compiling
 from landscape.elements.sprites.sprite_rules import radii
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.camera import ball_in_view, in_view, is_near
 from landscape.geometry.mesh import Mesh, clustered, is_closed, vertex_normals
 from landscape.gl.calls import recording
-from landscape.gl.display_list import DisplayList
 from landscape.render import Offscreen
 
 SIZE = (320, 240)
@@ -67,94 +65,6 @@ def test_a_coarser_mirror_image_changes_the_water_alone_and_little(both) -> None
             assert (off[:horizon] == 0).all()
             assert 0.0 < off.mean() < 0.3
             assert (off > 4).mean() < 0.03
-
-
-@pytest.mark.slow
-def test_a_picture_does_not_depend_on_whether_the_sea_was_seen_before(both) -> None:
-    some, _ = both
-    pictures = []
-    for before in ("fig35c", "fig35h"):
-        some.look(before)
-        for _ in range(3):
-            some.draw()
-        some.look("fig35h")
-        pictures.append(some.draw())
-    assert np.array_equal(*pictures)
-
-
-@pytest.mark.slow
-def test_where_land_hides_the_sea_no_mirror_image_is_drawn(both) -> None:
-    counts = []
-    for offscreen in both:
-        offscreen.look("fig35c")
-        for _ in range(2):
-            offscreen.draw()
-        with recording() as recorder:
-            offscreen.draw()
-        counts.append(sum(call.name == "glBindFramebuffer" for call in recorder.calls))
-    assert counts[0] < counts[1]
-
-
-SEA = (-10.0, 50.0)
-
-
-def watched(stage: Stage, watch: SeaWatch, wall: bool, eye_y: float = 2.0) -> tuple[bool, bool]:
-    """Return what is expected, and what is found, from an eye over the sea, or before a wall."""
-    settings = small({"water.level": 0.6})
-    with stage.frame(settings, Pose(20.0, eye_y, 20.0, 0.0, -20.0)) as frame:
-        expected = watch.expected(frame)
-        if wall:
-            x, y, z = (0.0, 40.0), (-40.0, 40.0), 19.0
-            quad(np.array([(x[0], y[0], z), (x[1], y[0], z), (x[1], y[1], z), (x[0], y[1], z)]))
-        before = stage.read()
-        watch.ask(frame)
-        found = watch.shows()
-        assert np.array_equal(stage.read(), before)  # asking draws nothing
-    return expected, found
-
-
-def test_the_sea_is_seen_unless_a_wall_stands_before_it(stage: Stage) -> None:
-    watch = SeaWatch(0.6, SEA)
-    assert watched(stage, watch, wall=True) == (True, True)  # the answer is read a frame later
-    assert watched(stage, watch, wall=True) == (False, False)
-    assert watched(stage, watch, wall=True) == (False, False)
-    # It comes into view: found at once, for the mirror image can still be drawn.
-    assert watched(stage, watch, wall=False) == (False, True)
-    assert watched(stage, watch, wall=False) == (True, True)
-    watch.release()
-
-
-def test_after_a_leap_to_another_place_nothing_is_expected(stage: Stage) -> None:
-    watch = SeaWatch(0.6, SEA)
-    for _ in range(2):
-        assert watched(stage, watch, wall=False) == (True, True)
-    assert watched(stage, watch, wall=True, eye_y=5.0) == (False, False)
-    assert watched(stage, watch, wall=False, eye_y=2.0) == (False, True)
-    watch.release()
-
-
-def test_an_eye_among_the_waves_always_sees_them(stage: Stage) -> None:
-    watch = SeaWatch(0.6, SEA)
-    for _ in range(2):
-        assert watched(stage, watch, wall=True, eye_y=0.6 + ABOVE / 2) == (True, True)
-    watch.release()
-
-
-def test_while_a_list_is_compiled_the_last_answer_stands(stage: Stage) -> None:
-    watch, answers = SeaWatch(0.6, SEA), []
-    for _ in range(2):
-        watched(stage, watch, wall=True)
-    assert not compiling()
-    with stage.frame(small(), Pose(20.0, 2.0, 20.0)) as frame:
-
-        def send() -> None:
-            assert compiling()
-            watch.ask(frame)
-            answers.extend([watch.expected(frame), watch.shows()])
-
-        DisplayList(send).release()
-    assert answers == [False, False]
-    watch.release()
 
 
 def sphere(rings: int = 40) -> Mesh:

@@ -21,6 +21,7 @@ from landscape.elements.ground import Ground
 from landscape.elements.map import Map
 from landscape.elements.rabbit import Rabbit
 from landscape.elements.reflection import mirrored
+from landscape.elements.sea.sea import Sea
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sprites.atlas import CELLS
 from landscape.elements.sword import Sword
@@ -49,6 +50,7 @@ ELEMENTS: dict[str, Build] = {
         settings, assets, sun.direction(settings.sun)
     ),
     "water": lambda settings, assets, ground: WaterSurface(settings, assets),
+    "sea": lambda settings, assets, ground: Sea(settings, assets, ground.field),
     "sky": lambda settings, assets, ground: SkyBox(settings, assets),
     "sprites": lambda settings, assets, ground: TransparentElements(
         settings, assets, ground, 1, {"trees", "deer", "plants"}

@@ -16,7 +16,7 @@ DEPTHS = (0.5, 2.0, 5.0, 8.0, 12.0, 25.0)
 
 
 def at_depth(stage: Stage, depth: float, fog: bool = True, **changes) -> np.ndarray:
-    """Return the middle pixel of a quad ``depth`` units before the camera."""
+    """Return the middle pixel of a quad ``depth`` units in front of the camera."""
     settings = small({f"fog.{key}": value for key, value in changes.items()})
     side = depth * 0.3
     corners = [(-side, -side), (side, -side), (side, side), (-side, side)]

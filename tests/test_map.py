@@ -81,3 +81,21 @@ def test_the_map_lies_over_everything_whatever_the_depth(stage: Stage, plain: As
         picture = stage.read()
     map_.release()
     assert close(picture[20, 20], GREEN)
+
+
+def test_the_map_takes_the_size_of_the_island_and_refuses_another_opacity(
+    stage: Stage, plain: Assets
+) -> None:
+    map_ = Map(small(), plain)
+    assert not map_.apply(small({"overlay.map_alpha": 0.5, "ground.size": 80.0}))
+    pictures = []
+    for size in (40.0, 80.0):
+        settings = small({"ground.size": size})
+        assert map_.apply(settings)
+        with stage.frame(settings, Pose(20.0, 1.0, 20.0)) as frame:
+            map_.draw(frame)
+            pictures.append((stage.read() == 255).all(axis=2))
+    map_.release()
+    rows, columns = zip(*(np.nonzero(point) for point in pictures), strict=True)
+    assert [r.mean() + 0.5 for r in rows] == pytest.approx([15.0, 7.5], abs=0.6)
+    assert [c.mean() + 0.5 for c in columns] == pytest.approx([20.0, 10.0], abs=0.6)

@@ -8,6 +8,7 @@ from landscape.elements.reflection import MIRROR, inside_water, mirrored
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.camera import mirrored_height
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib
 
@@ -33,6 +34,12 @@ def send(corners: np.ndarray, colour=(1.0, 0.0, 0.0)) -> None:
 def test_the_mirror_matrix_turns_y_round_and_twice_is_nothing() -> None:
     assert MIRROR.tolist() == np.diag([1.0, -1.0, 1.0, 1.0]).tolist()
     assert (np.eye(4) == MIRROR @ MIRROR).all()
+
+
+def test_the_mirrored_height_is_as_far_under_the_water_as_the_height_is_over_it() -> None:
+    assert mirrored_height(1.5, 0.6) == pytest.approx(-0.3)
+    assert mirrored_height(np.array([0.6, 0.0]), 0.6) == pytest.approx([0.6, 1.2])
+    assert mirrored_height(mirrored_height(3.0, 0.6), 0.6) == pytest.approx(3.0)
 
 
 @pytest.mark.parametrize("place", [(0.3, 1.3, -3.0), (1.2, 0.9, -4.0), (-0.3, 1.4, -3.4)])

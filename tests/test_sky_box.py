@@ -8,17 +8,7 @@ import pytest
 from stage import Stage, close, pixel, project, quad, small, write_plain
 
 from landscape.elements.fog import visibility
-from landscape.elements.sky_box import (
-    CLOUD_ALPHA,
-    CLOUD_DRIFT,
-    CLOUD_REPEAT,
-    CLOUD_RINGS,
-    FACES,
-    SkyBox,
-    cloud_disc,
-    face_coordinates,
-    face_corners,
-)
+from landscape.elements.sky_box import FACES, SkyBox, face_coordinates, face_corners
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
@@ -165,36 +155,6 @@ def test_a_sky_in_the_background_hides_nothing_beyond_its_walls(
     assert close(picture[60, 3], COLOURS["north"])
 
 
-def test_the_cloud_disc_hangs_over_the_eye_and_fades_out_to_its_rim() -> None:
-    vertices, colors, coordinates, triangles = cloud_disc()
-    assert np.allclose(vertices[:, 1], 1.0)
-    radius = np.hypot(vertices[:, 0], vertices[:, 2])
-    assert radius.max() == pytest.approx(CLOUD_RINGS[-1])
-    assert np.allclose(colors[radius > CLOUD_RINGS[-1] - 1e-4, 3], 0.0)
-    assert colors[radius < 1e-6, 3] == pytest.approx(CLOUD_ALPHA)
-    assert np.allclose(coordinates, vertices[:, ::2] * CLOUD_REPEAT)
-    a, b, c = (vertices[triangles[:, k]].astype(float) for k in range(3))
-    assert (np.cross(b - a, c - a)[:, 1] <= 1e-9).all(), "counter-clockwise from below"
-
-
-def test_clouds_are_blended_over_the_top_and_drift_with_kt(stage: Stage, plain_folder) -> None:
-    clouds = np.full((64, 64, 4), 255, np.uint8)
-    clouds[..., :3] = 200
-    folder = write_plain(plain_folder, {"clouds.png": clouds})
-    up = Pose(20.0, 1.0, 20.0, 0.0, 89.0)
-    got = drawn(stage, Assets(folder), up, moving=True)[60, 80]
-    wanted = CLOUD_ALPHA * 200 + (1 - CLOUD_ALPHA) * np.array(COLOURS["top"])
-    assert close(got, wanted, 3)
-    clouds[:, :32, 3] = 0  # half clouds, half none
-    assets = Assets(write_plain(plain_folder, {"clouds.png": clouds}))
-    now, later = (drawn(stage, assets, up, kt=kt, moving=True) for kt in (0.0, 500.0))
-    assert (now != later).any()
-    # The texture moves by -0.00013 a kt: after a whole texture all is as it was.
-    assert CLOUD_DRIFT[0] == 0.00013 and CLOUD_DRIFT[1] == -0.00005
-    whole = drawn(stage, assets, up, kt=100_000.0, moving=True)
-    assert np.abs(whole - now).mean() < 2
-
-
 def test_pictures_are_seen_from_inside_the_right_way_round(stage: Stage, plain_folder) -> None:
     halves = np.zeros((8, 8, 3), np.uint8)
     halves[:, :4] = (250, 0, 0)  # left half red
@@ -211,3 +171,83 @@ def test_the_sunset_is_another_set_of_faces(stage: Stage, plain_folder) -> None:
     assets = Assets(write_plain(plain_folder, reds))
     picture = drawn(stage, assets, Pose(20.0, 1.0, 20.0, 0.0, 10.0), set="sunset")
     assert close(picture[60, 80], (220, 90, 30))
+
+
+def test_r8_the_clouds_stay_as_far_however_high_one_climbs(stage: Stage) -> None:
+    low, high = (Pose(20.0, y, 20.0, 40.0, 30.0) for y in (0.7, 4.5))
+    plain, following = (
+        [drawn(stage, Assets(), pose, follow_y=follow_y) for pose in (low, high)]
+        for follow_y in (False, True)
+    )
+    assert np.abs(plain[0] - plain[1]).max() > 30
+    assert (following[0] == following[1]).all()
+
+
+@pytest.mark.parametrize("background", [False, True])
+def test_r9_no_pixel_of_sky_hides_what_is_drawn(stage: Stage, background: bool) -> None:
+    values = small({f"sky.{key}": True for key in INFINITE} | {"sky.background": background})
+    box = SkyBox(values, Assets())
+    pose = Pose(20.0, 1.0, 20.0, 0.0, 0.0)
+    with stage.frame(values, pose) as frame:
+        # A red hill 12 units off, beyond the box's wall at 8.
+        gl.glColor3f(1.0, 0.0, 0.0)
+        gl.glBegin(gl.GL_QUADS)
+        for x, y in ((-3, 1), (3, 1), (3, 4), (-3, 4)):
+            gl.glVertex3f(20.0 + x, float(y), 8.0)
+        gl.glEnd()
+        hill = (stage.read() == (255, 0, 0)).all(axis=2)
+        gl.glColor3f(1.0, 1.0, 1.0)
+        box.draw(frame)
+        left = (stage.read() == (255, 0, 0)).all(axis=2)
+    box.release()
+    assert hill.sum() > 500
+    assert left.sum() == (hill.sum() if background else 0)
+
+
+@pytest.mark.parametrize("unfogged", [False, True])
+def test_r10_corner_and_middle_of_a_wall_are_equally_hazed(
+    stage: Stage, unfogged: bool, plain_folder
+) -> None:
+    same = {f"sky_{face}.png": (200, 120, 40) for face in FACES}
+    values = small({"sky.unfogged": unfogged})
+    box = SkyBox(values, Assets(write_plain(plain_folder, same)))
+    seen = []
+    for yaw in (0.0, 45.0):
+        with stage.frame(values, Pose(20.0, 1.2, 20.0, yaw, 8.0), fog=True) as frame:
+            box.draw(frame)
+            seen.append(stage.read()[60, 80].astype(int))
+    box.release()
+    apart = np.abs(seen[0] - seen[1]).max()
+    assert apart <= 2 if unfogged else apart > 20
+
+
+@pytest.mark.parametrize("key", ["follow_y", "background", "unfogged", "anchored"])
+def test_a_box_takes_new_switches_as_if_built_from_them(
+    stage: Stage, plain: Assets, key: str
+) -> None:
+    pose = Pose(27.0, 2.0, 12.0, 20.0, 10.0)
+    box = SkyBox(small(BOX), plain)
+    changed = small({**BOX, f"sky.{key}": True})
+    assert box.apply(changed)
+    with stage.frame(changed, pose, fog=True) as frame:
+        box.draw(frame)
+        picture = stage.read()
+    box.release()
+    assert (picture == drawn(stage, plain, pose, fog=True, **{key: True})).all()
+
+
+@pytest.mark.parametrize(
+    "change", [{"set": "sunset"}, {"half_width": 9.0}, {"height": 6.0}, {"moving": True}]
+)
+def test_a_box_refuses_what_it_must_be_rebuilt_for_and_stays_as_it_was(
+    stage: Stage, plain: Assets, change: dict
+) -> None:
+    pose = Pose(20.0, 2.0, 20.0, 20.0, 10.0)
+    box = SkyBox(small(BOX), plain)
+    new = {f"sky.{key}": value for key, value in change.items()}
+    assert not box.apply(small({**BOX, **new, "sky.follow_y": True}))
+    with stage.frame(small(BOX), pose) as frame:
+        box.draw(frame)
+        picture = stage.read()
+    box.release()
+    assert (picture == drawn(stage, plain, pose)).all()

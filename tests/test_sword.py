@@ -1,4 +1,4 @@
-"""The sword: before everything, bobbing, one picture for each part of the stroke."""
+"""The sword: in front of everything, bobbing, one picture for each part of the stroke."""
 
 import math
 
@@ -11,6 +11,7 @@ from landscape.elements.sword import ASPECT, STROKES, Sword, bob
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
+from landscape.settings import preset
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
 POSE = Pose(20.0, 1.0, 20.0, 33.0, -20.0)
@@ -81,3 +82,13 @@ def test_the_sword_rises_and_falls_with_the_steps(stage: Stage, plain_folder) ->
     top = math.tan(math.radians(30))
     moved = 0.01 / (2 * top) * 120
     assert heights[1] - heights[0] == pytest.approx(moved, abs=0.2)
+
+
+def test_no_setting_changes_the_sword(stage: Stage, plain: Assets) -> None:
+    sword = Sword(SETTINGS, plain)
+    assert sword.apply(preset("best"))
+    with stage.frame(SETTINGS, POSE, stroke=1) as frame:
+        sword.draw(frame)
+        picture = stage.read()
+    sword.release()
+    assert (picture == drawn(stage, plain, stroke=1)).all()

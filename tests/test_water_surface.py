@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 from stage import WHITE_LIGHT, Stage, close, pixel, project, small
 
-from landscape.elements.sea.waves import fresnel_alpha, wave_coordinates
 from landscape.elements.water_surface import (
     PATCHES,
     WaterSurface,
     patch_plane,
-    sea_ring,
+    wave_coordinates,
     wave_normals,
 )
 from landscape.files.assets import Assets
@@ -74,28 +73,6 @@ def test_a_patch_matches_its_neighbours_on_both_sides(t: float) -> None:
     # A whole number of textures farther: the same texel.
     assert np.allclose(coordinates[:, -1] - coordinates[:, 0], (4.0, 0.0), atol=1e-4)
     assert np.allclose(coordinates[-1] - coordinates[0], (0.0, 4.0), atol=1e-4)
-
-
-def test_the_water_is_clearer_from_above_than_at_a_grazing_angle() -> None:
-    eye = np.array([0.0, 1.0, 0.0])
-    far = np.array([(d, 0.0, 0.0) for d in (0.0, 1.0, 3.0, 1e6)])
-    alpha = fresnel_alpha(far, eye, 0.8)
-    assert alpha[0] == pytest.approx(0.8)
-    assert alpha[1] == pytest.approx(0.8 * (1 - 0.67 * (1 - math.sqrt(0.5)) ** 3))
-    assert alpha[3] == pytest.approx(0.8 * 0.33, rel=1e-4)
-    assert (np.diff(alpha) < 0).all()
-
-
-def test_the_sea_fills_everything_but_the_patches() -> None:
-    points, triangles = sea_ring((-10.0, 40.0), 300.0)
-    a, b, c = (points[triangles[:, k]] for k in range(3))
-    # x to the right and z down: counter-clockwise from above is negative in these axes.
-    (ux, uz), (vx, vz) = (b - a).T, (c - a).T
-    area = -(ux * vz - uz * vx) / 2
-    assert (area > 0).all()
-    assert area.sum() == pytest.approx(650.0**2 - 50.0**2)
-    middle = (a + b + c) / 3
-    assert not ((middle > -10) & (middle < 40)).all(axis=1).any()
 
 
 @pytest.fixture
@@ -163,36 +140,43 @@ def close_mask(picture: np.ndarray, colour: tuple[int, ...]) -> np.ndarray:
     return (np.abs(picture - np.array(colour)) <= 2).all(axis=2)
 
 
-def test_with_fresnel_the_alpha_is_that_of_the_angle(blended) -> None:
-    eye = Pose(20.0, 1.6, 20.0, 0.0, -30.0)
-    changes = {**WHITE_LIGHT, "water.fresnel": True, "water.textured": False}
-    picture = blended({**changes, "water.points": 200}, eye)
-    for x, z in ((20.0, 18.0), (20.0, 17.0), (19.5, 14.0)):
-        away = np.array([x - 20.0, -1.0, z - 20.0])
-        alpha = 0.7 * (1 - 0.67 * (1 - 1 / np.linalg.norm(away)) ** 3)
-        wanted = alpha * np.array([0.2, 0.2, 0.4]) * 255 + (1 - alpha) * BACKGROUND
-        assert close(pixel(picture, project(eye, (x, 0.6, z))), wanted, 2), (x, z)
-
-
-def test_the_sea_goes_on_to_the_horizon_when_asked(blended) -> None:
-    high = Pose(20.0, 12.0, 20.0, 0.0, -10.0)
-    row, column = 52, 80  # under the horizon, well beyond the patches
-    near = blended({**WHITE_LIGHT, "water.textured": False}, high)
-    far = blended({**WHITE_LIGHT, "water.textured": False, "water.horizon": 400.0}, high)
-    assert close(near[row, column], BACKGROUND)
-    wanted = 0.7 * np.array([0.2, 0.2, 0.4]) * 255 + 0.3 * BACKGROUND
-    assert close(far[row, column], wanted)
-
-
 def test_the_picture_moves_with_kt_only_when_animated(blended, stage: Stage) -> None:
     still = {"water.animated": False}
     assert (blended(still, kt=0) == blended(still, kt=50)).all()
     assert (blended({}, kt=0) != blended({}, kt=50)).any()
 
 
-def test_glints_add_light_and_never_take_any(blended) -> None:
-    changes = {"water.textured": False, "sun.elevation": 60.0, "sun.azimuth": 0.0}
-    towards = Pose(20.0, 1.6, 20.0, 0.0, -50.0)
-    plain_, glinting = (blended({**changes, "water.glitter": g}, towards) for g in (0.0, 0.8))
-    more = glinting - plain_
-    assert more.min() >= 0 and more.max() > 40
+def test_new_settings_are_drawn_as_if_built_from_them(stage: Stage, plain: Assets, blended) -> None:
+    changes = {**WHITE_LIGHT, "water.color": (0.9, 0.5, 0.1, 0.6), "water.repeat": 2.0}
+    changes |= {"water.time_step": 0.05, "water.textured": False}
+    water = WaterSurface(small(), plain)
+    assert water.apply(small(changes))
+    with stage.frame(small(changes), DOWN, 30.0) as frame:
+        water.draw(frame)
+        picture = stage.read()
+    water.release()
+    assert (picture == blended(changes, kt=30.0)).all()
+    assert (picture != blended({}, kt=30.0)).any()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"water.points": 20},
+        {"water.patch": 5.0},
+        {"water.level": 0.7},
+        {"water.trilinear": False},
+        {"water.lod_bias": -1.0},
+    ],
+    ids=lambda change: next(iter(change)),
+)
+def test_settings_of_the_patch_itself_are_refused_and_change_nothing(
+    stage: Stage, plain: Assets, blended, change: dict
+) -> None:
+    water = WaterSurface(small(), plain)
+    assert not water.apply(small({**change, "water.color": (1.0, 0.0, 0.0, 1.0)}))
+    with stage.frame(small(), DOWN) as frame:
+        water.draw(frame)
+        picture = stage.read()
+    water.release()
+    assert (picture == blended({})).all()

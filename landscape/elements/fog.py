@@ -1,9 +1,11 @@
 """Fog: haze that grows with distance (section 10).
 
 Technique: GL_FOG in mode GL_EXP2, f = exp(-(density * distance)^2), enabled once for all elements.
-Squared, the fog leaves the near scene clear and then thickens fast. Llvmpipe and most hardware take
-the distance along the line of sight or the eye-space depth: both are allowed.
-State: GL_FOG and its parameters.
+Because of the square, the near scene stays clear and the fog then thickens fast. The distance may
+be the one along the line of sight or the eye-space depth: OpenGL allows both.
+What is wrong with it: what is drawn in several blended layers is fogged several times
+(``castle.multitexture``, R11), and the sky box most in its corners (``sky.unfogged``, R10).
+State used: GL_FOG and its parameters.
 """
 
 import numpy as np
@@ -15,12 +17,12 @@ ELEMENT = "fog"
 
 
 def visibility(distance: np.ndarray, density: float) -> np.ndarray:
-    """Return the part of an object's colour that GL_EXP2 fog leaves at ``distance`` in units."""
+    """Return the fraction of its colour that GL_EXP2 fog leaves a thing at ``distance`` units."""
     return np.exp(-np.square(density * distance))
 
 
 def enable(fog: Fog) -> None:
-    """Turn the fog on, as the settings say."""
+    """Enable the fog of the settings."""
     modes = {"exp2": gl.GL_EXP2, "exp": gl.GL_EXP, "linear": gl.GL_LINEAR}
     gl.glEnable(gl.GL_FOG)
     gl.glFogi(gl.GL_FOG_MODE, modes[fog.mode])

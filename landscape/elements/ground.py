@@ -20,7 +20,7 @@ from functools import partial
 import numpy as np
 from PIL import Image
 
-from landscape.elements.sea.waves import cut_level
+from landscape.elements.sea.shallows import cut_level
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights, read_image

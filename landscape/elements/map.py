@@ -1,8 +1,8 @@
 """The map: the island from above in a corner of the window (Map, section 9).
 
-Technique: a second viewport, of a quarter of the window's width and height at the upper left, with
-the identity and glOrtho for matrices; a blended quad from a display list, and one GL_POINTS of size
-5 where the walker is.
+Technique: a second viewport, a quarter of the window's width and height at the upper left, with the
+identity as modelview and glOrtho as projection; a blended quad from a display list, and one
+GL_POINTS of size 5 where the walker is.
 State used: viewport, both matrices, GL_BLEND, GL_TEXTURE_2D; depth test and fog off.
 """
 
@@ -11,6 +11,7 @@ from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
+from landscape.gl.draw import picture_quad
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
@@ -19,7 +20,7 @@ ELEMENT = "map"
 
 
 def place_on_map(x: float, z: float, size: float) -> tuple[float, float]:
-    """Return where (x, z) in units stands on the map, -1..1 to the right and up (section 9.2)."""
+    """Return where (x, z) in units is on the map, -1..1 to the right and up (section 9.2)."""
     return -1.0 + x / (size / 2), 1.0 - z / (size / 2)
 
 
@@ -28,7 +29,7 @@ class Map:
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Load the picture and compile its quad."""
-        self._size = settings.ground.size
+        self._settings = settings
         self._texture = Texture(read_image(assets.path("map.png")), repeat=False)
         alpha = settings.overlay.map_alpha
 
@@ -38,20 +39,24 @@ class Map:
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glColor4f(1.0, 1.0, 1.0, alpha)
-            gl.glBegin(gl.GL_QUADS)
-            for s, t, x, y in ((0, 1, -1, -1), (1, 1, 1, -1), (1, 0, 1, 1), (0, 0, -1, 1)):
-                gl.glTexCoord2f(float(s), float(t))
-                gl.glVertex3f(float(x), float(y), -1.0)
-            gl.glEnd()
+            picture_quad()
             gl.glDisable(gl.GL_BLEND)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
             gl.glDisable(gl.GL_TEXTURE_2D)
 
         self._list = DisplayList(send)
 
+    def apply(self, settings: Settings) -> bool:
+        """Draw by new settings from now on; False, and no change, if the quad would differ."""
+        if settings.overlay.map_alpha != self._settings.overlay.map_alpha:
+            return False
+        self._settings = settings
+        return True
+
     def draw(self, frame: Frame) -> None:
         """Draw the map in its own viewport."""
         width, height = frame.size
+        x, y = place_on_map(frame.pose.x, frame.pose.z, self._settings.ground.size)
         groups = gl.GL_ENABLE_BIT | gl.GL_VIEWPORT_BIT | gl.GL_CURRENT_BIT | gl.GL_POINT_BIT
         with attrib(groups | gl.GL_COLOR_BUFFER_BIT), flat_projection(-1, 1, -1, 1, 0.1, 2):
             gl.glViewport(0, 3 * height // 4, width // 4, height // 4)
@@ -61,7 +66,7 @@ class Map:
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
             gl.glPointSize(5.0)
             gl.glBegin(gl.GL_POINTS)
-            gl.glVertex3f(*place_on_map(frame.pose.x, frame.pose.z, self._size), -1.0)
+            gl.glVertex3f(x, y, -1.0)
             gl.glEnd()
 
     def release(self) -> None:

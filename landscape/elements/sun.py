@@ -1,11 +1,10 @@
 """The sun: one directional light.
 
-Not a class of 2006's report, whose water and animals are lit all the same. A light's position is
-transformed by the modelview current when it is given: so it is given again under the mirror
-matrix, or the reflection would be lit from below (see Reflection).
-With ``sun.fill`` a second, weak light of the sky's colour comes from the other side.
-State: GL_LIGHT0, GL_LIGHT1, GL_COLOR_MATERIAL; lighting itself is enabled by the elements that
-want it.
+Not a class in the 2006 report, whose water and animals are lit all the same. A light's position is
+transformed by the modelview matrix that is current when it is given: so it is given again under
+the mirror matrix, or the reflection would be lit from below (see reflection.py).
+With ``sun.fill`` a second, weak light of the sky's colour comes from the opposite side.
+State used: GL_LIGHT0, GL_LIGHT1, GL_COLOR_MATERIAL; an element that is lit enables GL_LIGHTING.
 """
 
 import math
@@ -16,6 +15,8 @@ from landscape.gl.calls import gl
 from landscape.settings import Sun
 
 ELEMENT = "frame"
+
+SPECULAR = (1.0, 0.95, 0.85)  # chosen: RGB of the sun's highlights
 
 
 def direction(sun: Sun) -> np.ndarray:
@@ -31,7 +32,7 @@ def shine(sun: Sun) -> None:
     """Give the lights their colours and place them; glColor becomes the lit material."""
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, np.array([*sun.diffuse, 1.0], np.float32))
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, np.array([*sun.ambient, 1.0], np.float32))
-    gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([1.0, 0.95, 0.85, 1.0], np.float32))
+    gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([*SPECULAR, 1.0], np.float32))
     gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, np.zeros(4, np.float32))
     gl.glEnable(gl.GL_LIGHT0)
     if sun.fill > 0.0:
@@ -46,10 +47,10 @@ def shine(sun: Sun) -> None:
 
 
 def place(sun: Sun) -> None:
-    """Place the lights under the current modelview."""
+    """Place the lights under the current modelview matrix."""
     towards = np.append(direction(sun), 0.0).astype(np.float32)
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, towards)
     if sun.fill > 0.0:
-        # Straight across from the sun: what it does not reach is not all of one tone.
+        # Opposite the sun, so that the shaded sides are not all of one tone.
         across = np.array([-towards[0], 0.5, -towards[2], 0.0], np.float32)
         gl.glLightfv(gl.GL_LIGHT1, gl.GL_POSITION, across)

@@ -1,6 +1,6 @@
-"""The sword: a sprite always before everything (Sword, section 8).
+"""The sword: a sprite in front of everything (Sword, section 8).
 
-Technique: one quad drawn last with the identity for modelview, blended, the depth test off. It bobs
+Technique: one quad drawn last with the identity as modelview, blended, the depth test off. It bobs
 with the walker's steps; a stroke swaps the texture four times.
 State used: GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 """
@@ -12,6 +12,7 @@ from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
+from landscape.gl.draw import picture_quad
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
@@ -19,11 +20,11 @@ from landscape.settings import Settings
 ELEMENT = "sword"
 
 STROKES = 4  # section 8.2
-ASPECT = 3 / 2  # chosen: the pictures' shape; wider windows show them at their right side
+ASPECT = 3 / 2  # chosen: width by height of the pictures; wider windows have them at the right
 
 
 def bob(step: float) -> float:
-    """Return how far the sword is lifted, units at distance 1 (section 8.2)."""
+    """Return how far the sword is raised, units at distance 1 (section 8.2)."""
     return 0.005 * math.cos(step / 4)
 
 
@@ -31,18 +32,14 @@ class Sword:
     """The sword at rest and its stroke."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Load the five pictures; compile the quad, half a unit high at distance 1."""
+        """Load the five pictures and compile the quad; no setting changes either."""
         names = ["sword_rest.png"] + [f"sword_{k}.png" for k in range(1, STROKES + 1)]
         self._textures = [Texture(read_image(assets.path(n)), repeat=False) for n in names]
+        self._list = DisplayList(picture_quad)
 
-        def send() -> None:
-            gl.glBegin(gl.GL_QUADS)
-            for s, t, x, y in ((0, 1, -1, -1), (1, 1, 1, -1), (1, 0, 1, 1), (0, 0, -1, 1)):
-                gl.glTexCoord2f(float(s), float(t))
-                gl.glVertex3f(float(x), float(y), -1.0)
-            gl.glEnd()
-
-        self._list = DisplayList(send)
+    def apply(self, settings: Settings) -> bool:
+        """Return True: no setting changes the sword."""
+        return True
 
     def draw(self, frame: Frame) -> None:
         """Draw the sword over the picture."""

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import TypeVar
 
 import numpy as np
 
@@ -10,6 +11,8 @@ from landscape.frame import Frame
 # A choice of what to draw is made with a margin and used again for several frames.
 REUSE_DISTANCE = 0.06  # chosen: units the eye may move until a new choice is made
 REUSE_ANGLE = math.radians(4.0)  # chosen: radians it may turn until then
+
+Height = TypeVar("Height", float, np.ndarray)
 
 
 def is_near(
@@ -26,6 +29,11 @@ def is_near(
     # The trace of the rotation from one view to the other is 1 + 2 cos(angle).
     trace = float(then.axes @ now.axes)
     return math.dist(then.eye, now.eye) < distance and trace > 1.0 + 2.0 * math.cos(angle)
+
+
+def mirrored_height(y: Height, level: float) -> Height:
+    """Return the height of the mirror image of what stands at ``y``, in water at ``level``."""
+    return 2.0 * level - y
 
 
 def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Drawing a mesh from its arrays."""
+"""Drawing a mesh from its arrays, and the two quads that several elements send."""
 
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
@@ -9,3 +9,20 @@ def draw_mesh(mesh: Mesh) -> None:
     """Send a mesh with one glDrawElements."""
     with client_arrays(mesh.vertices, mesh.normals, mesh.colors, mesh.coordinates):
         gl.glDrawElements(gl.GL_TRIANGLES, mesh.triangles.size, gl.GL_UNSIGNED_INT, mesh.triangles)
+
+
+def level_square(low: float, high: float, y: float) -> None:
+    """Send a horizontal square at height ``y``, from ``low`` to ``high`` in x and in z."""
+    gl.glBegin(gl.GL_QUADS)
+    for x, z in ((low, low), (low, high), (high, high), (high, low)):
+        gl.glVertex3f(x, y, z)
+    gl.glEnd()
+
+
+def picture_quad() -> None:
+    """Send an upright square, -1..1 at distance 1, that shows the whole texture, row 0 on top."""
+    gl.glBegin(gl.GL_QUADS)
+    for s, t, x, y in ((0, 1, -1, -1), (1, 1, 1, -1), (1, 0, 1, 1), (0, 0, -1, 1)):
+        gl.glTexCoord2f(float(s), float(t))
+        gl.glVertex3f(float(x), float(y), -1.0)
+    gl.glEnd()

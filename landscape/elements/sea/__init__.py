@@ -1,1 +1,1 @@
-"""What the preset `best` adds to the water: a grid about the eye, waves, foam, sun glitter."""
+"""Beyond the water of 2006: a grid about the eye, waves, a rippling reflection, glitter, foam."""

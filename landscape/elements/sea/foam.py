@@ -1,10 +1,10 @@
-"""Foam: small breakers that run out on the beaches, white along the water's edge (fix).
+"""Foam: small breakers that run out on the beaches, white along the water's edge (``water.foam``).
 
 Technique: the triangles of the ground's grid along the coast, lifted to the water's level, in a
-display list made once: no vertex is sent again. Unit 0 holds pictures of breakers, moments along s
-and depths along t; its texture matrix moves s with kt. Unit 1 holds lace in map coordinates. The
-combiner adds both and stretches the contrast (GL_ADD_SIGNED with GL_ALPHA_SCALE 4, OpenGL 1.3),
-so that a line of foam frays instead of fading.
+display list: no vertex is sent again. Unit 0 holds a picture of the breakers, time along s and
+depth along t; its texture matrix moves s with kt. Unit 1 holds lace in map coordinates. The
+combiner adds both and increases the contrast (GL_ADD_SIGNED with GL_ALPHA_SCALE 4, OpenGL 1.3), so
+that a line of foam frays instead of fading. Drawn after the water.
 State used: two texture units, texture matrices, GL_BLEND, polygon offset, no depth writes.
 """
 
@@ -17,27 +17,28 @@ from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, client_arrays, combine, matrix
 from landscape.gl.texture import Texture
+from landscape.settings import Settings
 
 ELEMENT = "water"
 
-DEEP = 0.11  # chosen: units of depth where the foam begins
+DEEP = 0.11  # chosen: units of depth where a breaker begins
 LAND = 0.012  # chosen: units above the water that it runs up to
-BREAKERS = 2  # chosen: lines of foam on their way at any moment
-PERIOD = 150.0  # chosen: kt from one breaker to the next but one
-PROFILE = (256, 128)  # chosen: moments and depths of the breakers' texture
+BREAKERS = 2  # chosen: breakers on their way at any moment
+PERIOD = 150.0  # chosen: kt that one breaker takes
+PROFILE = (256, 128)  # chosen: texels of the breakers' texture, times and depths
 LACE = 256  # chosen: texels per side of the lace
-LACE_REPEAT = 0.9  # chosen: lace tiles per unit
-COLOUR = (0.95, 0.97, 0.97)  # chosen
+LACE_REPEAT = 0.9  # chosen: tiles of lace per unit
+COLOUR = (0.95, 0.97, 0.97)  # chosen: RGB
 
 
-def breakers(moments: int, depths: int) -> np.ndarray:
-    """Return how much foam there is, float (depths, moments): periodic in time, 0 at both ends.
+def breakers(times: int, depths: int) -> np.ndarray:
+    """Return the density of foam, 0..1, (depths, times): periodic in time, 0 at both ends.
 
     Row 0 is LAND above the water's edge, the last row DEEP below it. A breaker comes in from the
-    deep, steep before and thinning out behind, and grows until it reaches the edge.
+    deep, its front steep and its back thinning out, and grows until it reaches the edge.
     """
     depth = np.linspace(-LAND, DEEP, depths)[:, None] / DEEP
-    time = np.arange(moments)[None, :] / moments
+    time = np.arange(times)[None, :] / times
     foam = 0.34 * np.exp(-np.abs(depth) / 0.07)
     for number in range(BREAKERS):
         gone = (time + number / BREAKERS) % 1.0
@@ -51,14 +52,17 @@ def breakers(moments: int, depths: int) -> np.ndarray:
 
 
 def lace(size: int = LACE, seed: int = 2006) -> np.ndarray:
-    """Return a tile of lace, float (size, size) in 0..0.5: bright threads between round holes."""
+    """Return a tile of lace, (size, size) in 0..0.5: bright threads between round holes.
+
+    The zero lines of smooth noise: two layers, each noise of about one wavelength.
+    """
     noise = np.random.default_rng(seed).standard_normal((2, size, size))
     k = np.hypot(*np.meshgrid(*[np.fft.fftfreq(size) * size] * 2))
     threads = np.zeros((size, size))
-    for one, scale, share in ((noise[0], 14.0, 0.6), (noise[1], 34.0, 0.4)):
+    for layer, scale, weight in ((noise[0], 14.0, 0.6), (noise[1], 34.0, 0.4)):
         band = np.exp(-np.square((k - scale) / (0.35 * scale)))
-        wave = np.fft.ifft2(np.fft.fft2(one) * band).real
-        threads += share * np.exp(-np.abs(wave) / wave.std() * 1.3)
+        wave = np.fft.ifft2(np.fft.fft2(layer) * band).real
+        threads += weight * np.exp(-np.abs(wave) / wave.std() * 1.3)
     threads -= threads.min()
     return 0.5 * threads / threads.max()
 
@@ -66,8 +70,9 @@ def lace(size: int = LACE, seed: int = 2006) -> np.ndarray:
 def shore(field: HeightField) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return vertices (n, 3), coordinates of units 0 and 1 (n, 2) and triangles (m, 3).
 
-    The part of the ground's grid where the water is at most DEEP. Unit 0's t is 0 at LAND above
-    the water and 1 at DEEP; its s shifts the moment along the coast, as no beach keeps time.
+    The triangles of the ground's grid where the water is at most DEEP. Unit 0's t is 0 at LAND
+    above the water and 1 at DEEP; its s varies along the coast, so that breakers do not reach all
+    beaches at the same time.
     """
     n = len(field.heights)
     along = np.arange(n) / (n - 1) * field.size
@@ -77,8 +82,8 @@ def shore(field: HeightField) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.nd
     corners = rise[triangles]
     triangles = triangles[(corners.max(axis=1) > -DEEP) & (corners.min(axis=1) < LAND)]
     y = field.water_level + np.clip(rise, 0.0, LAND)
-    moment = 0.35 * np.sin(0.9 * x + 0.4 * z) + 0.25 * np.sin(1.7 * z - 0.6 * x)
-    unit_0 = np.stack([moment, (LAND - rise) / (DEEP + LAND)], axis=1)
+    delay = 0.35 * np.sin(0.9 * x + 0.4 * z) + 0.25 * np.sin(1.7 * z - 0.6 * x)
+    unit_0 = np.stack([delay, (LAND - rise) / (DEEP + LAND)], axis=1)
     used, triangles = np.unique(triangles, return_inverse=True)
     place = np.stack([x, y, z], axis=1)[used].astype(np.float32)
     return (
@@ -90,7 +95,7 @@ def shore(field: HeightField) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.nd
 
 
 def alpha_only(alpha: np.ndarray) -> np.ndarray:
-    """Return a white picture (h, w, 4) with this alpha (h, w) of 0..1."""
+    """Return a white picture, uint8 (h, w, 4), with this alpha (h, w) of 0..1."""
     picture = np.full((*alpha.shape, 4), 255, np.uint8)
     picture[..., 3] = np.clip(alpha, 0, 1) * 255 + 0.5
     return picture
@@ -101,6 +106,7 @@ class Foam:
 
     def __init__(self, field: HeightField) -> None:
         """Make the textures and compile the list."""
+        self._level = field.water_level
         self._profile = Texture(alpha_only(breakers(*PROFILE)))
         self._profile.bind()
         gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_WRAP_T, gl.GL_CLAMP_TO_EDGE)
@@ -109,11 +115,15 @@ class Foam:
         vertices, unit_0, unit_1, triangles = shore(field)
 
         def send() -> None:
-            self._units()
+            self._set_units()
             with client_arrays(vertices, coordinates=[unit_0, unit_1]):
                 gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
         self._list = DisplayList(send)
+
+    def apply(self, settings: Settings) -> bool:
+        """Return whether the foam lies right by new settings too: at the same water level."""
+        return settings.water.level == self._level
 
     def draw(self, frame: Frame) -> None:
         """Blend the foam of the frame's kt over the water."""
@@ -128,13 +138,13 @@ class Foam:
             gl.glColor4f(*COLOUR, 1.0)
             gl.glMatrixMode(gl.GL_TEXTURE)
             with matrix():
-                # Whole turns are taken off: the moment needs all its digits.
+                # Reduced to one period: float32 has too few digits for a large kt.
                 gl.glTranslatef(frame.kt / PERIOD % 1.0, 0.0, 0.0)
                 self._list.call()
             gl.glMatrixMode(gl.GL_MODELVIEW)
 
-    def _units(self) -> None:
-        """Alpha: 4 x (breakers + lace - 0.5); ends with unit 0 active, as it was."""
+    def _set_units(self) -> None:
+        """Set alpha to 4 x (breakers + lace - 0.5); unit 0 is active again at the end."""
         gl.glActiveTexture(gl.GL_TEXTURE1)
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._lace.bind()
@@ -149,7 +159,7 @@ class Foam:
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "TEXTURE"})
 
     def release(self) -> None:
-        """Delete list and textures; may be called twice."""
+        """Delete the list and the textures; may be called twice."""
         self._list.release()
         self._profile.release()
         self._lace.release()

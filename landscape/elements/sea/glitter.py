@@ -1,10 +1,10 @@
-"""The sun's glints on the sea: sharp sparks instead of the specular light's milky spots.
+"""The sun's glints on the sea: sharp sparks, where specular light makes milky spots.
 
-Technique: a second, additive pass (GL_SRC_ALPHA, GL_ONE) over the rows of the grid where the sun
-may be mirrored. Each vertex' alpha says how near the water's slope there comes to the one that
-mirrors the sun; two units add sparks that drift against each other, and the combiner keeps only
-the sum's peaks (GL_ADD, then GL_ADD_SIGNED with GL_ALPHA_SCALE 4; OpenGL 1.3): dense in the
-path's middle, single sparks at its borders, twinkling with kt.
+Technique: a second, additive pass (GL_SRC_ALPHA, GL_ONE) over the part of the grid that may mirror
+the sun. The alpha of a vertex tells how near the water's slope there comes to the one that mirrors
+the sun to the eye; two texture units add sparks that drift against each other, and the combiner
+keeps only the peaks of the sum (GL_ADD, then GL_ADD_SIGNED with GL_ALPHA_SCALE 4; OpenGL 1.3):
+dense in the middle of the sun's path, single sparks at its borders, twinkling with kt.
 State used: two texture units with their matrices, GL_BLEND, no lighting, fog or depth writes.
 """
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from landscape.elements import sun
 from landscape.elements.fog import visibility
-from landscape.elements.sea.waves import EyeGrid
+from landscape.elements.sea.eye_grid import EyeGrid
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays, combine, matrix
@@ -21,17 +21,18 @@ from landscape.settings import Settings
 
 ELEMENT = "water"
 
-SPREAD = 0.15  # chosen: slope by which the ripples too small for the grid scatter the sun
-FAINT = 0.22  # chosen: share of the sun under which even the strongest sparks stay dark
+SPREAD = 0.15  # chosen: standard deviation of the slopes of ripples too small for the grid
+FAINT = 0.22  # chosen: intensity of the sun under which even the strongest sparks stay dark
 PEAK = 0.42  # chosen: alpha in the middle of the path
-TILES = (2.6, 3.7)  # chosen: tiles of sparks per unit, of either layer
+TILES = (2.6, 3.7)  # chosen: tiles of sparks per unit, by layer
 DRIFT = (0.0031, -0.0043)  # chosen: tiles per kt
+BRIGHTNESS = 2.4  # chosen: times water.glitter and the sun's colour
 SIZE = 256  # chosen: texels per side of the sparks
 FINE = 42.0  # chosen: sparks along a side of the tile
 
 
 def sparks(size: int = SIZE, seed: int = 2006) -> np.ndarray:
-    """Return a tile of sparks as a white picture, uint8 (size, size, 4); alpha up to 0.3."""
+    """Return a tile of sparks, a white picture, uint8 (size, size, 4), of alpha up to 0.3."""
     noise = np.fft.fft2(np.random.default_rng(seed).standard_normal((size, size)))
     k = np.hypot(*np.meshgrid(*[np.fft.fftfreq(size) * size] * 2))
     wave = np.fft.ifft2(noise * np.exp(-np.square((k - FINE) / (0.5 * FINE)))).real
@@ -40,38 +41,38 @@ def sparks(size: int = SIZE, seed: int = 2006) -> np.ndarray:
     return picture
 
 
-def sun_share(
+def sun_intensity(
     grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray, towards: np.ndarray
 ) -> np.ndarray:
-    """Return 0..1, (rows, columns): how near each place comes to mirroring the sun at the eye.
+    """Return 0..1, (rows, columns): how strongly each place mirrors the sun to the eye.
 
-    The normal that does is half-way between the sun (3,) and the line of sight.
+    ``towards`` (3,) is the direction of the sun. The normal that mirrors it lies half-way between
+    the sun and the line of sight; the intensity is a Gaussian of how far the slope is from its.
     """
-    away = np.hypot(grid.ring, grid.height)[:, None]
-    half_x = towards[0] - grid.ring[:, None] / away * grid.east
-    half_z = towards[2] - grid.ring[:, None] / away * grid.south
-    half_y = towards[1] + grid.height / away
+    half_x = towards[0] - grid.ring[:, None] / grid.sight * grid.east
+    half_z = towards[2] - grid.ring[:, None] / grid.sight * grid.south
+    half_y = towards[1] + grid.height / grid.sight
     off = np.square(slope_x + half_x / half_y) + np.square(slope_z + half_z / half_y)
     return np.exp(off * np.float32(-0.5 / SPREAD**2))
 
 
-def bright_part(triangles: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Return a grid's triangles (m, 3) in the least rectangle that holds all of FAINT and more."""
-    bright = share > FAINT
+def bright_triangles(triangles: np.ndarray, intensity: np.ndarray) -> np.ndarray:
+    """Return a grid's triangles (m, 3) in the smallest rectangle with all that exceeds FAINT."""
+    bright = intensity > FAINT
     rows, columns = (np.flatnonzero(bright.any(axis=axis)) for axis in (1, 0))
     if not len(rows):
         return triangles[:0]
-    cells = triangles.reshape(share.shape[0] - 1, share.shape[1] - 1, 2, 3)
+    cells = triangles.reshape(intensity.shape[0] - 1, intensity.shape[1] - 1, 2, 3)
     first, left = max(rows[0] - 1, 0), max(columns[0] - 1, 0)
-    part = cells[first : rows[-1] + 1, left : columns[-1] + 1]
-    return np.ascontiguousarray(part.reshape(-1, 3))
+    kept = cells[first : rows[-1] + 1, left : columns[-1] + 1]
+    return np.ascontiguousarray(kept.reshape(-1, 3))
 
 
 class Glitter:
-    """The sparks over the sea."""
+    """The sparks over the sea; Sea draws them over its own vertices."""
 
     def __init__(self) -> None:
-        """Make the tile of sparks."""
+        """Make and upload the tile of sparks."""
         self._texture = Texture(sparks())
 
     def draw(
@@ -79,21 +80,23 @@ class Glitter:
         frame: Frame,
         settings: Settings,
         grid: EyeGrid,
-        sea: tuple[np.ndarray, np.ndarray],
+        surface: tuple[np.ndarray, np.ndarray],
         slopes: tuple[np.ndarray, np.ndarray],
     ) -> None:
-        """Add the glints to a ``sea`` of vertices (n, 3) at places x, z (n, 2), with slopes."""
-        vertices, places = sea
-        share = sun_share(grid, *slopes, sun.direction(settings.sun))
+        """Add the glints to a surface of vertices (n, 3) at places x, z (n, 2).
+
+        ``slopes`` are its slopes along x and z, (rows, columns) each.
+        """
+        vertices, places = surface
+        intensity = sun_intensity(grid, *slopes, sun.direction(settings.sun))
         if settings.fog.enabled and settings.fog.mode == "exp2":
-            away = np.hypot(grid.ring, grid.height)
-            share *= visibility(away, settings.fog.density).astype(np.float32)[:, None]
-        triangles = bright_part(grid.triangles, share)
+            intensity *= visibility(grid.sight, settings.fog.density).astype(np.float32)
+        triangles = bright_triangles(grid.triangles, intensity)
         if not len(triangles):
             return
         colors = np.empty((len(vertices), 4), np.float32)
-        colors[:, :3] = 2.4 * settings.water.glitter * np.array(settings.sun.diffuse)
-        colors[:, 3] = PEAK * share.ravel()
+        colors[:, :3] = BRIGHTNESS * settings.water.glitter * np.array(settings.sun.diffuse)
+        colors[:, 3] = PEAK * intensity.ravel()
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):
             for cap in (gl.GL_LIGHTING, gl.GL_FOG):
@@ -102,8 +105,8 @@ class Glitter:
             gl.glDepthFunc(gl.GL_LEQUAL)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE)
-            self._layer(1, "ADD_SIGNED", 4.0)
-            self._layer(0, "ADD", 1.0)
+            self._set_unit(1, "ADD_SIGNED", 4.0)
+            self._set_unit(0, "ADD", 1.0)
             with client_arrays(vertices, None, colors, [places, places]):
                 gl.glMatrixMode(gl.GL_TEXTURE)
                 with matrix():
@@ -117,7 +120,7 @@ class Glitter:
                     gl.glActiveTexture(gl.GL_TEXTURE0)
                 gl.glMatrixMode(gl.GL_MODELVIEW)
 
-    def _layer(self, unit: int, mode: str, scale: float) -> None:
+    def _set_unit(self, unit: int, mode: str, scale: float) -> None:
         gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._texture.bind()
@@ -126,7 +129,7 @@ class Glitter:
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, scale)
 
     def _move(self, layer: int, kt: float) -> None:
-        """Give the active unit's matrix the layer's scale and drift, less whole tiles."""
+        """Give the active unit's matrix the layer's scale and its drift, reduced to one tile."""
         gl.glTranslatef(kt * DRIFT[layer] % 1.0, kt * DRIFT[1 - layer] % 1.0, 0.0)
         gl.glScalef(TILES[layer], TILES[layer], 1.0)
 

@@ -1,26 +1,15 @@
-"""The water's arrays: the report's texture coordinates, the mirror's share, the eye's grid, waves.
+"""The sea's waves as arrays: heights, slopes, normals, and what they do to the mirror image.
 
-No OpenGL here: what WaterSurface and Sea send is computed by these functions.
+No OpenGL here. The sea is a sum of sine waves: the height of one is a sine of its phase, its slope
+the cosine. Long waves lift the surface; all of them tilt it.
 """
-
-from functools import lru_cache
 
 import numpy as np
 
-from landscape.frame import Frame
-from landscape.geometry.mesh import grid_triangles
-from landscape.settings import Settings
+from landscape.elements.sea.eye_grid import EyeGrid
 
-TWO_PI = 2.0 * np.pi
-FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea turns mirror sooner
-
-SEEN = 0.45  # chosen: units of depth below which no bottom shows through shallow water
-
-STEP = np.radians(2.0)  # chosen: angle between two lines of the grid, across
-RISE = np.radians(0.6)  # chosen: and downwards
-MOST = (160, 160)  # chosen: lines across and downwards; wider views take steps twice as large
-SPARE = 0.06  # chosen: radians the grid goes on below the window, as waves sink
-LOWEST = 0.02  # chosen: units, the least height above the water the grid is made for
+FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea mirrors strongly at steeper angles
+CLEARED = 0.67  # chosen: fraction of its opacity that the water loses at a grazing angle
 
 # Chosen: waves as length in units, direction in radians (the wind blows to 0.5), and slope.
 WAVES = np.array(
@@ -31,135 +20,35 @@ WAVES = np.array(
     ]
 )  # fmt: skip
 LENGTHS, STEEP = (WAVES[:, column].astype(np.float32)[:, None] for column in (0, 2))
-NUMBERS = 2 * np.pi / WAVES[:, 0]  # radians per unit
+NUMBERS = 2 * np.pi / WAVES[:, 0]  # wave numbers, radians per unit
 HEADINGS = np.stack([np.cos(WAVES[:, 1]), np.sin(WAVES[:, 1])]).astype(np.float32)  # x and z
 ALONG_X, ALONG_Z = (NUMBERS * HEADINGS).astype(np.float32)[..., None, None]  # radians per unit
-SPEED = 1.3  # chosen: waves in deep water run at a pace of SPEED * sqrt(wave number)
+PHASES = 1.7 * np.arange(len(WAVES))  # chosen: radians at t = 0, so that no two crests coincide
+FREQUENCIES = 1.3 * np.sqrt(NUMBERS)  # radians per t: deep-water waves; 1.3 is chosen
 RELIEF_FROM = 0.4  # chosen: units, shorter waves tilt the surface but do not lift it
 LIFTING = int((WAVES[:, 0] >= RELIEF_FROM).sum())  # the longest come first
-DAMPED = 0.02  # chosen: a wave this weak is left out
-MIRRORED = 0.6  # chosen: part of a ripple's tilt that moves the mirror image; 1 is a rough sea
-CALM = 0.8  # chosen: part of the way up to the horizon that a ripple may look
-
-
-def wave_coordinates(plane: np.ndarray, t: float, repeat: float) -> np.ndarray:
-    """Return the texture coordinates, float32 (n, 2), at time ``t`` (section 3.2)."""
-    px, py = plane
-    s = px + 0.01 * np.cos(10 * t - px * TWO_PI * 3) + 0.1 * np.cos(2 * t - py * TWO_PI)
-    r = py + 0.01 * np.cos(10 * t - py * TWO_PI * 3) + 0.05 * np.cos(8 * t - py * TWO_PI)
-    return np.ascontiguousarray(repeat * np.stack([s, r], axis=1), np.float32)
-
-
-def cut_level(settings: Settings) -> float:
-    """Return the height under which nothing is drawn: the water's, or what it lets one see.
-
-    A mirror image in the framebuffer needs the ground cut at the water; one in a texture does not.
-    """
-    straight = settings.reflection.enabled and not settings.reflection.rippled
-    return settings.water.level - (SEEN if settings.water.shallow and not straight else 0.0)
+DAMPED = 0.02  # chosen: fraction of its slope under which a wave is left out
+MIRRORED = 0.6  # chosen: fraction of a ripple's tilt that moves the mirror image; 1 is a rough sea
+CALM = 0.8  # chosen: fraction of the way up to the horizon that a ripple may look
 
 
 def opacity(cosine: np.ndarray, alpha: float) -> np.ndarray:
     """Return the water's opacity over the mirror image, by the cosine of the angle of view.
 
-    ``alpha`` straight down; at a grazing angle a third of it, so that the mirror image wins.
+    ``alpha`` straight down; at a grazing angle a third of it, so that the mirror image dominates.
     """
-    return alpha * (1.0 - 0.67 * (1.0 - cosine) ** FRESNEL_POWER)
+    return alpha * (1.0 - CLEARED * (1.0 - cosine) ** FRESNEL_POWER)
 
 
-def fresnel_alpha(points: np.ndarray, eye: np.ndarray, alpha: float) -> np.ndarray:
-    """Return the flat water's opacity (n,) at points (n, 3) seen from ``eye`` (3,)."""
-    away = eye - points
-    return opacity(np.abs(away[:, 1]) / np.maximum(np.linalg.norm(away, axis=1), 1e-9), alpha)
+def damped_slopes(cell: np.ndarray) -> np.ndarray:
+    """Return each wave's slope in each row, float32 (waves, rows).
 
-
-@lru_cache(maxsize=16)
-def triangles_of(columns: int, rows: int) -> np.ndarray:
-    """Return the triangles of a grid, uint32 (m, 3), row 0 first; kept, as sizes return."""
-    return grid_triangles(columns, rows)
-
-
-@lru_cache(maxsize=16)
-def window_border(fov: float, aspect: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return points on the window's border, to the right and up, (68,) each, one unit ahead."""
-    top = np.tan(np.radians(fov) / 2)
-    along = np.linspace(-1.0, 1.0, 17)
-    edge = np.ones_like(along)
-    a = top * aspect * np.concatenate([along, along, edge, -edge])
-    return a, top * np.concatenate([edge, -edge, along, along])
-
-
-def view_angles(frame: Frame) -> tuple[float, float, float, float] | None:
-    """Return azimuth from, to and depression from, to of what the window shows below the horizon.
-
-    Radians; azimuth 0 is north and grows eastward. None where only sky is in view.
+    ``cell`` (rows,) is the distance to the next row: a wave too short for it is damped, as it would
+    alias. This is why the far sea is calm.
     """
-    a, b = window_border(frame.fov, frame.size[0] / frame.size[1])
-    yaw, pitch = np.radians(frame.pose.yaw), np.radians(frame.pose.pitch)
-    ahead, up = np.cos(pitch) - b * np.sin(pitch), np.sin(pitch) + b * np.cos(pitch)
-    low = np.arctan2(-up, np.hypot(ahead, a))
-    below = low > 0
-    if not below.any():
-        return None
-    if pitch - np.radians(frame.fov) / 2 <= -np.pi / 2:  # what lies straight under the eye
-        return yaw - np.pi, yaw + np.pi, max(float(low.min()), 0.0), np.pi / 2
-    away = np.arctan2(a, ahead)
-    around = away[low > -0.05]
-    first = max(float(low.min()), 0.0)
-    return yaw + float(around.min()), yaw + float(around.max()), first, float(low.max())
-
-
-def lattice(start: float, end: float, step: float, most: int) -> np.ndarray:
-    """Return the multiples of ``step`` (doubled until ``most`` suffice) that enclose a range.
-
-    Multiples, so that the grid's lines stay where they are when the viewer turns.
-    """
-    while (end - start) / step > most - 3:
-        step *= 2
-    return step * np.arange(np.floor(start / step), np.ceil(end / step) + 1)
-
-
-def eye_grid(frame: Frame, level: float, reach: float) -> "EyeGrid | None":
-    """Return the grid the window's view of the water needs; None where no water is in view."""
-    angles = view_angles(frame)
-    height = max(frame.eye_y - level, LOWEST)
-    horizon = np.arctan(height / reach)
-    if angles is None or angles[3] <= horizon:
-        return None
-    azimuth = lattice(angles[0], angles[1], STEP, MOST[0])
-    low = lattice(angles[2], min(1.15 * angles[3] + SPARE, np.pi / 2), RISE, MOST[1])
-    step = float(low[1] - low[0])
-    low = np.clip(low, horizon, np.pi / 2 - 1e-3)
-    return EyeGrid(frame, height, azimuth, low, step)
-
-
-class EyeGrid:
-    """A grid on the water about the eye: rows are rings, far to near, columns are directions.
-
-    ``x``, ``z`` float32 (rows, columns) in units; ``ring`` (rows,) the rings' radii; ``cell`` their
-    distance from each other; ``east``, ``south`` (columns,) the directions.
-    """
-
-    def __init__(
-        self, frame: Frame, height: float, azimuth: np.ndarray, low: np.ndarray, step: float
-    ) -> None:
-        self.height = height
-        self.east = np.sin(azimuth).astype(np.float32)
-        self.south = -np.cos(azimuth).astype(np.float32)
-        self.ring = (height / np.tan(low)).astype(np.float32)
-        self.cell = (np.square(self.ring) + height**2) / height * step
-        self.x = np.float32(frame.pose.x) + self.ring[:, None] * self.east
-        self.z = np.float32(frame.pose.z) + self.ring[:, None] * self.south
-
-    def keep_within(self, low: float, high: float) -> None:
-        """Pull what lies outside the square ``low`` to ``high`` onto its border."""
-        np.clip(self.x, low, high, out=self.x)
-        np.clip(self.z, low, high, out=self.z)
-
-    @property
-    def triangles(self) -> np.ndarray:
-        """The grid's triangles, the far ones first."""
-        return triangles_of(len(self.east), len(self.ring))
+    slopes = STEEP / (1.0 + np.square(np.square(2.0 / LENGTHS * cell)))
+    slopes[slopes < DAMPED * STEEP] = 0.0
+    return slopes
 
 
 def waves(
@@ -167,22 +56,33 @@ def waves(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return height and slopes along x and z, float32 (rows, columns), of the sea at time ``t``.
 
-    ``x`` and ``z`` are places in units; ``cell`` (rows,) is the distance to the next row: a wave
-    that a row's cells cannot show is damped there. Rows must come far to near. Only waves longer
-    than RELIEF_FROM have height.
+    ``x`` and ``z`` (rows, columns) are places in units, ``cell`` (rows,) the distance to the next
+    row. :func:`waves_one_by_one`, with all waves in one array: a quarter of the NumPy calls.
     """
-    fade = STEEP / (1.0 + np.square(np.square(2.0 / LENGTHS * cell)))
-    fade[fade < DAMPED * STEEP] = 0.0
-    fade = fade[..., None]
-    # Whole turns are taken off before the sum, as 32 bits count them badly.
-    turns = (1.7 * np.arange(len(WAVES)) - SPEED * np.sqrt(NUMBERS) * t) % (2 * np.pi)
-    # All waves at once: arrays this small cost what it costs to ask for them.
+    slope = damped_slopes(cell)[..., None]
+    # Reduced to one turn before the sum: float32 has too few digits for a large t.
+    turns = (PHASES - FREQUENCIES * t) % (2 * np.pi)
     phase = x * ALONG_X + (z * ALONG_Z + turns.astype(np.float32)[:, None, None])
-    slopes = HEADINGS @ (np.cos(phase) * fade).reshape(len(WAVES), -1)
+    slopes = HEADINGS @ (np.cos(phase) * slope).reshape(len(WAVES), -1)
     slope_x, slope_z = slopes.reshape(2, *x.shape)
-    high = (np.float32(1.0) / NUMBERS[:LIFTING]).astype(np.float32)
-    lift = high @ (np.sin(phase[:LIFTING]) * fade[:LIFTING]).reshape(LIFTING, -1)
-    return lift.reshape(x.shape), slope_x, slope_z
+    lengths = (np.float32(1.0) / NUMBERS[:LIFTING]).astype(np.float32)
+    height = lengths @ (np.sin(phase[:LIFTING]) * slope[:LIFTING]).reshape(LIFTING, -1)
+    return height.reshape(x.shape), slope_x, slope_z
+
+
+def waves_one_by_one(
+    x: np.ndarray, z: np.ndarray, cell: np.ndarray, t: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return what :func:`waves` does, float64: the same sum, written out."""
+    height, slope_x, slope_z = np.zeros((3, *x.shape))
+    for k, slope in enumerate(damped_slopes(cell)):
+        east, south = HEADINGS[:, k]
+        phase = NUMBERS[k] * (x * east + z * south) + PHASES[k] - FREQUENCIES[k] * t
+        slope_x += slope[:, None] * east * np.cos(phase)
+        slope_z += slope[:, None] * south * np.cos(phase)
+        if k < LIFTING:
+            height += slope[:, None] / NUMBERS[k] * np.sin(phase)
+    return height, slope_x, slope_z
 
 
 def surface_normals(slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
@@ -201,16 +101,15 @@ def mirror_places(
     """Return where each vertex looks up the mirror image, float32 (n, 3) in units.
 
     A mirror tilted by a slope turns the ray by twice that angle. Along the line of sight this
-    moves the image up or down by that angle; across it, by the part that the low view leaves.
+    moves the image up or down by that angle; across it, by the fraction that the low view leaves.
     """
     along = slope_x * grid.east + slope_z * grid.south
     across = slope_x * -grid.south + slope_z * grid.east
-    away = np.hypot(grid.ring, grid.height)[:, None]
-    lift = np.minimum(-2.0 * MIRRORED * along * away, CALM * grid.height)
+    up = np.minimum(-2.0 * MIRRORED * along * grid.sight, CALM * grid.height)
     aside = -2.0 * MIRRORED * across * np.float32(grid.height)
     out = np.empty((grid.x.size, 3), np.float32)
     out[:, 0] = (grid.x - aside * grid.south).ravel()
-    out[:, 1] = (y + lift).ravel()
+    out[:, 1] = (y + up).ravel()
     out[:, 2] = (grid.z + aside * grid.east).ravel()
     return out
 
@@ -218,5 +117,4 @@ def mirror_places(
 def facing(grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
     """Return the cosine between each facet's normal and the line of sight, (rows, columns)."""
     along = slope_x * grid.east + slope_z * grid.south
-    away = np.hypot(grid.ring, grid.height)[:, None]
-    return np.clip((grid.height + along * grid.ring[:, None]) / away, 0.0, 1.0)
+    return np.clip((grid.height + along * grid.ring[:, None]) / grid.sight, 0.0, 1.0)

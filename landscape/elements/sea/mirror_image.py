@@ -1,0 +1,116 @@
+"""The mirrored scene as a texture, for waves to distort (R16, section 12; ``reflection.rippled``).
+
+Technique: render to texture. The mirrored scene is drawn before the frame itself, into a
+framebuffer object of half the window's size, with a slightly wider projection: the ripples look
+beyond the window's borders. The texture is then projected onto the water: the texture matrix is
+bias x projection x camera, so that a vertex that gives its own place as texture coordinate falls on
+its own pixel, and one that gives a place moved by a ripple falls beside it. (In 2006 this would
+have been glCopyTexSubImage2D.)
+State used: a framebuffer object, viewport and projection; to draw with it, one texture unit with
+GL_COMBINE (OpenGL 1.3) and crossbar (1.4), its texture matrix.
+"""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+import numpy as np
+
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.state import combine, matrix
+from landscape.gl.texture_target import TextureTarget
+
+ELEMENT = "reflection"
+
+DETAIL = 0.5  # chosen: pixels of the mirror image per pixel of the window; ripples blur it anyway
+MARGIN = 1.15  # chosen: times the window's width and height that the mirror image covers
+# Clip coordinates -1..1 to texture coordinates 0..1.
+BIAS = np.array([(0.5, 0, 0, 0.5), (0, 0.5, 0, 0.5), (0, 0, 0.5, 0.5), (0, 0, 0, 1.0)])
+
+Taken = tuple[TextureTarget, np.ndarray]
+"""The texture, and the matrix (4, 4) from places to its coordinates."""
+
+
+def widened(projection: np.ndarray, margin: float) -> np.ndarray:
+    """Return a projection (4, 4) that sees ``margin`` times as far to each side."""
+    return np.diag([1 / margin, 1 / margin, 1.0, 1.0]) @ projection
+
+
+@contextmanager
+def mirror_unit(mirror: Taken | None, unit: int) -> Iterator[None]:
+    """Let unit 1 or 2 mix the mirror image in, by the primary colour's alpha; None does nothing.
+
+    The block sets the array of texture coordinates. Alpha comes out as 1; or, with the depths on
+    unit 1, as how much of the bottom the water and the mirror image hide.
+    """
+    if mirror is None:
+        yield
+        return
+    target, projection = mirror
+    name = getattr(gl, f"GL_TEXTURE{unit}")
+    gl.glActiveTexture(name)
+    gl.glEnable(gl.GL_TEXTURE_2D)
+    target.bind()
+    combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+    combine({"SRC2_RGB": "PRIMARY_COLOR", "OPERAND2_RGB": "SRC_ALPHA"})
+    gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.ones(4, np.float32))
+    if unit == 1:
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "CONSTANT"})
+    else:
+        combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE1"})
+        combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PRIMARY_COLOR"})
+    gl.glClientActiveTexture(name)
+    gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+    gl.glMatrixMode(gl.GL_TEXTURE)
+    try:
+        with matrix():
+            gl.glLoadMatrixf(np.ascontiguousarray(projection.T, np.float32))
+            yield
+    finally:
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glDisableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+
+
+class MirrorImage:
+    """Owner of the texture; filled once per frame, and taken by the sea once."""
+
+    def __init__(self) -> None:
+        """Create nothing yet: the size of the window is not known."""
+        self._target: TextureTarget | None = None
+        self._matrix: np.ndarray | None = None
+
+    @contextmanager
+    def drawing(self, frame: Frame) -> Iterator[Frame]:
+        """Let the block draw the mirrored scene into the texture; yield the frame to draw it by."""
+        width, height = (max(1, round(side * DETAIL)) for side in frame.size)
+        if self._target is None or self._target.size != (width, height):
+            self.release()
+            self._target = TextureTarget((width, height))
+        # OpenGL gives and takes matrices column after column.
+        seen = np.array(gl.glGetFloatv(gl.GL_PROJECTION_MATRIX), np.float64).reshape(4, 4).T
+        projection = widened(seen, MARGIN)
+        fov = 2 * math.degrees(math.atan(MARGIN * math.tan(math.radians(frame.fov) / 2)))
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        with matrix():
+            gl.glLoadMatrixf(np.ascontiguousarray(projection.T, np.float32))
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+            try:
+                with self._target.drawing():
+                    yield replace(frame, size=(width, height), fov=fov)
+            finally:
+                gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        self._matrix = BIAS @ projection @ frame.modelview.reshape(4, 4).T
+
+    def take(self) -> Taken | None:
+        """Return texture and matrix; None if it was not drawn again since the last time."""
+        taken, self._matrix = self._matrix, None
+        return (self._target, taken) if self._target is not None and taken is not None else None
+
+    def release(self) -> None:
+        """Delete the texture; may be called twice."""
+        if self._target is not None:
+            self._target.release()
+            self._target = None

@@ -1,0 +1,93 @@
+"""The horizon ring: flat sea round the patches of 2006, out to the horizon (``water.horizon``).
+
+Technique: a grid whose lines are ever farther apart, without the cell that the patches fill, in a
+display list. It does not move: waves would not show at that distance. Drawn before the patches, in
+the same colour. (Sea needs no ring: its own grid reaches the horizon.)
+State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
+"""
+
+import numpy as np
+
+from landscape.elements.water_surface import PATCHES, water_texture
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.geometry.mesh import grid_triangles
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.state import attrib, client_arrays
+from landscape.settings import Settings
+
+ELEMENT = "water"
+
+STEPS = np.array([0.02, 0.05, 0.12, 0.3, 1.0])  # chosen: lines outside, as fractions of the reach
+
+
+def ring_grid(inner: tuple[float, float], reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return points x, z (n, 2) and triangles (m, 3) of a square ring.
+
+    It reaches from the square ``inner`` = (low, high), in x and z, ``reach`` units outward.
+    """
+    low, high = inner
+    steps = reach * STEPS
+    lines = np.concatenate([low - steps[::-1], np.linspace(low, high, 6), high + steps])
+    x, z = np.meshgrid(lines, lines)
+    points = np.stack([x.ravel(), z.ravel()], axis=1)
+    triangles = grid_triangles(len(lines), len(lines))
+    centre = points[triangles].mean(axis=1)
+    outside = ((centre < low) | (centre > high)).any(axis=1)
+    return points, np.ascontiguousarray(triangles[outside])
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return the values that the constructor uses."""
+    water = settings.water
+    shape = water.level, water.patch, water.repeat, water.horizon
+    return *shape, water.trilinear, water.lod_bias
+
+
+class HorizonRing:
+    """The sea beyond the patches."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Load the texture and compile the ring."""
+        self._settings = settings
+        water = settings.water
+        inner = (PATCHES[0] * water.patch, (PATCHES[-1] + 1) * water.patch)
+        points, triangles = ring_grid(inner, water.horizon)
+        vertices = np.insert(points, 1, water.level, axis=1).astype(np.float32)
+        coordinates = (points / water.patch * water.repeat).astype(np.float32)
+        self._texture = water_texture(settings, assets)
+
+        def send() -> None:
+            gl.glNormal3f(0.0, 1.0, 0.0)
+            with client_arrays(vertices, coordinates=[coordinates]):
+                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+
+        self._list = DisplayList(send)
+
+    def apply(self, settings: Settings) -> bool:
+        """Draw by new settings from now on; False, and no change, if the ring would differ."""
+        if built_from(settings) != built_from(self._settings):
+            return False
+        self._settings = settings
+        return True
+
+    def draw(self, frame: Frame) -> None:
+        """Blend the ring over the mirrored scene; it is the same in each frame."""
+        water = self._settings.water
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
+        with attrib(groups):
+            gl.glColor4f(*water.color)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glEnable(gl.GL_LIGHTING)
+            if water.textured:
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                self._texture.bind()
+            self._list.call()
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def release(self) -> None:
+        """Delete the list and the texture; may be called twice."""
+        self._list.release()
+        self._texture.release()

@@ -1,0 +1,91 @@
+"""Shallow water: a texture of the sea's depth, and a floor under the deep (``water.shallow``).
+
+Technique: a texture over the whole map holds, by the depth, a tint for the water's colour and in
+alpha how much of the bottom the water hides. The ground is then cut not at the water but SEEN
+below it; where it is cut, a plane closes the sea, as steep coasts would show the background.
+State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
+"""
+
+import numpy as np
+
+from landscape.geometry.height_field import HeightField
+from landscape.gl.calls import gl
+from landscape.gl.draw import level_square
+from landscape.gl.state import attrib, combine
+from landscape.gl.texture import Texture
+from landscape.settings import Settings
+
+ELEMENT = "water"
+
+SEEN = 0.45  # chosen: units of depth below which no bottom shows through the water
+CLEAR = 0.085  # chosen: units of depth that hide two thirds of the bottom
+TURQUOISE = np.array([1.05, 1.5, 1.3])  # chosen: times the water's colour where it is shallow
+FLOOR = (0.13, 0.29, 0.31)  # chosen: RGB of the sea floor, where the ground is cut
+TEXELS = 512  # chosen: depths per side of the map
+
+
+def cut_level(settings: Settings) -> float:
+    """Return the height under which no ground is drawn: the water's, or the lowest that shows.
+
+    A mirror image in the framebuffer needs the ground cut at the water; one in a texture does not.
+    """
+    straight = settings.reflection.enabled and not settings.reflection.rippled
+    return settings.water.level - (SEEN if settings.water.shallow and not straight else 0.0)
+
+
+def sea_depths(field: HeightField) -> np.ndarray:
+    """Return the depth of the sea over the map, (TEXELS, TEXELS) in units, row along z."""
+    at = (np.arange(TEXELS) + 0.5) / TEXELS * field.size
+    return field.water_level - field.terrain_height(at[None, :], at[:, None])
+
+
+def depth_picture(depths: np.ndarray) -> np.ndarray:
+    """Return depths (n, n) in units as a texture, uint8 (n, n, 4).
+
+    Alpha is how much of the bottom the water hides. The colour is half of the factor that
+    multiplies the water's own: TURQUOISE at the edge, 1 in the deep. The border is opaque, as it
+    is clamped and the open sea lies beyond.
+    """
+    depth = np.maximum(depths, 0.0)
+    hidden = 1.0 - np.exp(-depth / CLEAR)
+    hidden[[0, -1], :] = hidden[:, [0, -1]] = 1.0
+    tint = 1.0 + (TURQUOISE - 1.0) * np.exp(-depth / (3 * CLEAR))[..., None]
+    picture = np.concatenate([np.clip(tint / 2, 0, 1), hidden[..., None]], axis=2)
+    return np.ascontiguousarray(picture * 255 + 0.5, np.uint8)
+
+
+class Shallows:
+    """Owner of the texture of depths."""
+
+    def __init__(self, depths: np.ndarray, size: float) -> None:
+        """Upload ``depths`` (n, n) of a map of ``size`` units per side."""
+        self._size = size
+        self._texture = Texture(depth_picture(depths), repeat=False)
+
+    def coordinates(self, places: np.ndarray) -> np.ndarray:
+        """Return texture coordinates (n, 2) of places x, z (n, 2) in units."""
+        return places / np.float32(self._size)
+
+    def draw_floor(self, level: float) -> None:
+        """Draw the plane that closes the sea at ``level``, where the ground is cut.
+
+        Without fog: that is computed at the vertices, and the square's corners are far away.
+        """
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT):
+            for cap in (gl.GL_BLEND, gl.GL_LIGHTING, gl.GL_TEXTURE_2D, gl.GL_FOG):
+                gl.glDisable(cap)
+            gl.glColor3f(*FLOOR)
+            level_square(0.0, self._size, level)
+
+    def set_unit(self) -> None:
+        """Unit 1: the colour times twice the tint; its alpha is for unit 2, the mirror image's."""
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._texture.bind()
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+
+    def release(self) -> None:
+        """Delete the texture; may be called twice."""
+        self._texture.release()

@@ -1,0 +1,77 @@
+"""Clouds that move: a half-transparent layer over the sky box (R1, section 4.1; ``sky.moving``).
+
+Technique: a disc above the eye, in a display list, blended over the box. Its vertex alpha falls to
+nothing at the rim, where the disc would otherwise end above the horizon. glTranslatef on the
+texture matrix lets it drift with kt: no vertex is sent again.
+State used: GL_TEXTURE_2D, GL_BLEND, no depth writes, texture matrix. SkyBox restores the state.
+"""
+
+import numpy as np
+
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.geometry.mesh import grid_triangles
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.state import client_arrays, matrix
+from landscape.gl.texture import Texture
+
+ELEMENT = "sky"
+
+RINGS = (0.0, 0.5, 1.2, 2.2, 3.8, 6.0)  # chosen: radii of the disc, its height being 1
+SIDES = 24  # chosen: sectors of the disc
+ALPHA = 0.75  # chosen: opacity overhead
+REPEAT = 0.3  # chosen: textures per unit of the disc
+DRIFT = (0.00013, -0.00005)  # chosen: textures per kt, east and south
+
+
+def cloud_disc() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return a disc one unit above the eye: vertices (n, 3), colours (n, 4), coordinates (n, 2).
+
+    The last array is the triangles (m, 3), counter-clockwise from below. Opacity falls to nothing
+    at the rim, which is RINGS[-1] units away, about 9 degrees above the horizon.
+    """
+    angle = np.arange(SIDES + 1) * 2 * np.pi / SIDES
+    radius, turn = (grid.ravel() for grid in np.meshgrid(RINGS, angle, indexing="ij"))
+    x, z = radius * np.cos(turn), radius * np.sin(turn)
+    vertices = np.stack([x, np.ones_like(x), z], axis=1).astype(np.float32)
+    fade = 1.0 - radius / RINGS[-1]
+    colors = np.ones((len(x), 4), np.float32)
+    colors[:, 3] = ALPHA * np.clip(2.0 * fade, 0.0, 1.0)
+    coordinates = np.ascontiguousarray(vertices[:, ::2] * REPEAT)
+    return vertices, colors, coordinates, grid_triangles(SIDES + 1, len(RINGS))
+
+
+class Clouds:
+    """The cloud layer; SkyBox draws it about the eye, in its own state."""
+
+    def __init__(self, assets: Assets) -> None:
+        """Load the picture and compile the disc."""
+        self._texture = Texture(read_image(assets.path("clouds.png")), trilinear=False)
+        vertices, colors, coordinates, triangles = cloud_disc()
+
+        def send() -> None:
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glDepthMask(gl.GL_FALSE)
+            self._texture.bind()
+            with client_arrays(vertices, None, colors, [coordinates]):
+                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+        self._list = DisplayList(send)
+
+    def draw(self, frame: Frame) -> None:
+        """Blend the layer of the frame's kt over the box."""
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        with matrix():
+            gl.glTranslatef(-DRIFT[0] * frame.kt, -DRIFT[1] * frame.kt, 0.0)
+            self._list.call()
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    def release(self) -> None:
+        """Delete the list and the texture; may be called twice."""
+        self._list.release()
+        self._texture.release()

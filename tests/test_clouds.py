@@ -1,0 +1,73 @@
+"""Clouds that move (R1): a disc that fades out, blended over the box, drifting with kt."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from stage import Stage, close, live_names, small, write_plain
+
+from landscape.elements.sky.clouds import ALPHA, DRIFT, REPEAT, RINGS, cloud_disc
+from landscape.elements.sky_box import SkyBox
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+
+TOP = np.array((0, 200, 200))
+
+
+def drawn(stage: Stage, assets: Assets, pose: Pose, kt: float = 0.0, **sky: Any) -> np.ndarray:
+    settings = small({f"sky.{key}": value for key, value in sky.items()})
+    before = live_names()
+    box = SkyBox(settings, assets)
+    with stage.frame(settings, pose, kt) as frame:
+        box.draw(frame)
+        picture = stage.read()
+    box.release()
+    assert live_names() == before
+    return picture
+
+
+def test_the_cloud_disc_hangs_over_the_eye_and_fades_out_to_its_rim() -> None:
+    vertices, colors, coordinates, triangles = cloud_disc()
+    assert np.allclose(vertices[:, 1], 1.0)
+    radius = np.hypot(vertices[:, 0], vertices[:, 2])
+    assert radius.max() == pytest.approx(RINGS[-1])
+    assert np.allclose(colors[radius > RINGS[-1] - 1e-4, 3], 0.0)
+    assert colors[radius < 1e-6, 3] == pytest.approx(ALPHA)
+    assert np.allclose(coordinates, vertices[:, ::2] * REPEAT)
+    a, b, c = (vertices[triangles[:, k]].astype(float) for k in range(3))
+    assert (np.cross(b - a, c - a)[:, 1] <= 1e-9).all(), "counter-clockwise from below"
+
+
+def test_clouds_are_blended_over_the_top_and_drift_with_kt(stage: Stage, plain_folder) -> None:
+    clouds = np.full((64, 64, 4), 255, np.uint8)
+    clouds[..., :3] = 200
+    folder = write_plain(plain_folder, {"clouds.png": clouds})
+    up = Pose(20.0, 1.0, 20.0, 0.0, 89.0)
+    got = drawn(stage, Assets(folder), up, moving=True)[60, 80]
+    wanted = ALPHA * 200 + (1 - ALPHA) * TOP
+    assert close(got, wanted, 3)
+    clouds[:, :32, 3] = 0  # half clouds, half none
+    assets = Assets(write_plain(plain_folder, {"clouds.png": clouds}))
+    now, later = (drawn(stage, assets, up, kt=kt, moving=True) for kt in (0.0, 500.0))
+    assert (now != later).any()
+    # The texture moves by -0.00013 a kt: after a whole texture all is as it was.
+    assert DRIFT[0] == 0.00013 and DRIFT[1] == -0.00005
+    whole = drawn(stage, assets, up, kt=100_000.0, moving=True)
+    assert np.abs(whole - now).mean() < 2
+
+
+def test_the_cloud_disc_ends_in_nothing_and_faces_down() -> None:
+    vertices, colors, _, triangles = cloud_disc()
+    rim = np.hypot(vertices[:, 0], vertices[:, 2]) > 5.9
+    assert rim.any() and (colors[rim, 3] == 0).all() and (colors[~rim, 3] > 0).all()
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    area = np.cross(b - a, c - a)[:, 1]
+    assert (area <= 1e-6).all() and (area < 0).any()
+
+
+def test_clouds_move_with_kt_and_only_where_asked(stage: Stage) -> None:
+    up = Pose(20.0, 1.0, 20.0, 40.0, 40.0)
+    still = [drawn(stage, Assets(), up, kt) for kt in (0, 900)]
+    assert (still[0] == still[1]).all()
+    moved = [drawn(stage, Assets(), up, kt, moving=True) for kt in (0, 900)]
+    assert (np.abs(moved[0] - moved[1]).max(axis=2) > 8).mean() > 0.05
