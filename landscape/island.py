@@ -9,17 +9,18 @@ from typing import Any, TypeVar
 import numpy as np
 
 from landscape.elements import fog, sun
-from landscape.elements.castle import Castle
-from landscape.elements.dragon import Dragon
+from landscape.elements.animals.fine_dragon import dragon_class
+from landscape.elements.animals.fine_rabbit import rabbit_class
 from landscape.elements.grass import Grass
-from landscape.elements.ground import Ground, clipped
+from landscape.elements.ground import clipped
 from landscape.elements.map import Map
-from landscape.elements.rabbit import Rabbit
+from landscape.elements.ornate.ornate_castle import castle_class
 from landscape.elements.reflection import mirrored, reflected
 from landscape.elements.sea.waves import cut_level
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sword import Sword
 from landscape.elements.terrain.shadows import ShadowMap
+from landscape.elements.terrain.terrain import Terrain, ground_class
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
@@ -77,28 +78,30 @@ class Island:
 
         only = self.shown
         light = sun.direction(settings.sun)
-        self.ground = own(Ground(settings, assets, light))
+        self.ground = own(ground_class(settings)(settings, assets, light))
         field = self.ground.field
         self.water = own(WaterSurface(settings, assets, field)) if "water" in only else None
         self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
-        self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
-        self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
-        self.dragon = own(Dragon(settings, assets)) if "dragon" in only else None
+        castle, rabbit = castle_class(settings), rabbit_class(settings)
+        dragon = dragon_class(settings)
+        self.castle = own(castle(settings, assets, field)) if "castle" in only else None
+        self.rabbit = own(rabbit(settings, assets, field)) if "rabbit" in only else None
+        self.dragon = own(dragon(settings, assets)) if "dragon" in only else None
         kinds = SPRITES & only
         self.sprites = (
             own(TransparentElements(settings, assets, self.ground, seed, kinds)) if kinds else None
         )
-        if settings.ground.shadows:
-            self._lay_shadows(light, assets, seed)
+        if settings.ground.shadows and isinstance(self.ground, Terrain):
+            self._lay_shadows(self.ground, light, assets, seed)
         self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
         self.sword = own(Sword(settings, assets)) if "sword" in only else None
         self.map = own(Map(settings, assets)) if "map" in only else None
 
-    def _lay_shadows(self, light: np.ndarray, assets: Assets, seed: int) -> None:
+    def _lay_shadows(self, ground: Terrain, light: np.ndarray, assets: Assets, seed: int) -> None:
         """Darken the ground where sprites, castle and rabbit throw their shadows."""
 
         def shadows() -> tuple[np.ndarray]:
-            shadow_map = ShadowMap(self.ground.field, light, len(self.ground.large))
+            shadow_map = ShadowMap(ground.field, light, len(ground.large))
             for thing in (self.sprites, self.castle, self.rabbit):
                 if thing:
                     thing.cast(shadow_map)
@@ -109,7 +112,7 @@ class Island:
         groups += [values.trees, values.deer, values.plants]
         what = repr((groups, seed, sorted(self.shown)))
         files = values.ground.height_image, values.rabbit.mesh
-        self.ground.shade(*recall((what, *assets.contents(*files)), shadows))
+        ground.shade(*recall((what, *assets.contents(*files)), shadows))
 
     def apply(self, settings: Settings) -> None:
         """Take settings that differ in what is read at each frame: fog, reflection, sorting, map.

@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.elements.ornate.castle_meshes import FOOT, walls_mesh
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
+from landscape.geometry.masonry import FOOT, walls_mesh
 from landscape.keys import with_settings
 from landscape.settings import Castle, Dragon, Rabbit, Settings
 from landscape.window.walker import (

@@ -10,10 +10,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from landscape.elements.ornate.castle_meshes import MERLON, TOWER_RADIUS, TOWER_TOP, WALL
 from landscape.elements.sword import STROKES
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
+from landscape.geometry.masonry import MERLON, TOWER_RADIUS, TOWER_TOP, WALL
 from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.settings import Castle, Dragon, Rabbit, Settings
 
