@@ -8,7 +8,8 @@ from landscape.geometry.height_field import HeightField
 def colour_by_height(field: HeightField, sun: np.ndarray, size: int = 512) -> np.ndarray:
     """Return a large-scale texture, uint8 (size, size, 3).
 
-    Sand at the shore, green low, brown and grey high, shaded by the sun; ``sun`` (3,) is the unit vector towards it.
+    Sand at the shore, green low, brown and grey high, shaded by the sun. ``sun`` (3,) is the unit
+    vector towards it.
     """
     at = (np.arange(size) + 0.5) / size * field.size
     x, z = np.meshgrid(at, at)

@@ -83,7 +83,7 @@ def tower_mesh(repeat: float) -> Mesh:
 
 
 def on_edges(corners: Iterable[tuple[float, float]], spacing: float) -> np.ndarray:
-    """Return points x, z (n, 2) along a closed line through ``corners``, ``spacing`` apart at most."""
+    """Return points x, z (n, 2) along a closed line through ``corners``, every ``spacing``."""
     ring = np.array([*corners])
     out = []
     for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):

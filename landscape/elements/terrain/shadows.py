@@ -17,7 +17,7 @@ from landscape.geometry.height_field import HeightField
 # All chosen.
 LIGHT_LEFT = np.array(
     [0.50, 0.53, 0.58], np.float32
-)  # fraction of the ground's colour in full shadow
+)  # of the colour in full shadow
 SKY_HIDDEN = 0.38  # fraction of the light lost right at the foot of a thing
 SKY_TEXELS = 4  # the hidden sky is soft: one of its texels is so many shadow texels wide
 SAMPLES_PER_TEXEL = 1.3  # along each side, so that there are no gaps between points
