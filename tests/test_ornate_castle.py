@@ -101,7 +101,7 @@ def test_a_pennant_hangs_on_its_mast_and_waves_with_kt() -> None:
     assert np.abs(before - behind)[2:, 2].max() > 0.005
 
 
-def test_the_keep_and_its_roof_throw_a_longer_shadow_than_the_walls() -> None:
+def test_the_keep_and_its_roof_cast_a_longer_shadow_than_the_walls() -> None:
     plain, ornate = (max(high for *_, high in lines(0.02)) for lines in (outlines, ornate_outlines))
     assert plain == pytest.approx(TOWER_TOP)
     assert ornate == pytest.approx(KEEP[4] + KEEP_ROOF, abs=0.05)

@@ -58,14 +58,14 @@ def test_up_a_slope_a_shadow_is_shorter_and_down_it_longer() -> None:
     up = HeightField(np.ascontiguousarray(slope[::-1]), 40.0, 0.0)  # rises to the north
     down = HeightField(slope * np.float32(0.5), 40.0, 0.0)
     feet = np.array([(20.0, 10.0, 20.0)])
-    level, rising, falling = (-shadow_map(field).throw(feet)[0, 1] for field in (FLAT, up, down))
+    level, rising, falling = (-shadow_map(field).offset(feet)[0, 1] for field in (FLAT, up, down))
     assert level == pytest.approx(1.0)
     assert rising == pytest.approx(1.0 / 1.5) and falling == pytest.approx(1.0 / 0.75)
 
 
 def test_under_a_zenith_sun_no_shadow_is_cast() -> None:
     overhead = shadow_map(sun=np.array([0.0, 1.0, 0.0]))
-    assert np.allclose(overhead.throw(np.array([(20.0, 2.0, 20.0)])), 0.0)
+    assert np.allclose(overhead.offset(np.array([(20.0, 2.0, 20.0)])), 0.0)
 
 
 def test_a_sprite_casts_its_own_picture() -> None:
@@ -125,14 +125,14 @@ def test_a_sprites_samples_land_where_each_would_by_itself(flipped: bool) -> Non
     sprites = replace(board(), flipped=np.array([flipped]))
     cast_sprites(shadows, sprites, [np.full((64, 64), 255, np.uint8)])
     foot, size = sprites.positions[0], sprites.sizes[0]
-    throw = shadows.throw(foot[None])[0]
+    offset = shadows.offset(foot[None])[0]
     columns, rows = np.ceil(size / TEXEL * (1.3, 1.6 * 1.3)).astype(int)
     wanted = [
-        on_board(foot, size, flipped, throw, (c + 0.5) / columns - 0.5, 1 - (r + 0.5) / rows)
+        on_board(foot, size, flipped, offset, (c + 0.5) / columns - 0.5, 1 - (r + 0.5) / rows)
         for r in range(rows)
         for c in range(columns)
     ]
     assert np.allclose(shadows.at, wanted, atol=1e-4)
-    # Together they cover the board's shadow: its width times the length of its throw.
+    # Together they cover the board's shadow: its width times the length of its offset.
     covered = shadows.amount.sum() * TEXEL**2
-    assert covered == pytest.approx(size.prod() * np.hypot(*throw), rel=1e-4)
+    assert covered == pytest.approx(size.prod() * np.hypot(*offset), rel=1e-4)

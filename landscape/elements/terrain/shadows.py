@@ -15,9 +15,7 @@ from landscape.elements.sprites.planting import Sprites
 from landscape.geometry.height_field import HeightField
 
 # All chosen.
-LIGHT_LEFT = np.array(
-    [0.50, 0.53, 0.58], np.float32
-)  # of the colour in full shadow
+LIGHT_LEFT = np.array([0.50, 0.53, 0.58], np.float32)  # of the colour in full shadow
 SKY_HIDDEN = 0.38  # fraction of the light lost right at the foot of a thing
 SKY_TEXELS = 4  # the hidden sky is soft: one of its texels is so many shadow texels wide
 SAMPLES_PER_TEXEL = 1.3  # along each side, so that there are no gaps between points
@@ -41,7 +39,7 @@ class ShadowMap:
         """Return the side of a texel in units."""
         return self.field.size / self.side
 
-    def throw(self, feet: np.ndarray) -> np.ndarray:
+    def offset(self, feet: np.ndarray) -> np.ndarray:
         """Return the shadow offset x, z (n, 2) of a point one unit above each foot (n, 3).
 
         The ground around a foot is approximated by a plane.
@@ -111,8 +109,8 @@ def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray
         if not len(mine):
             continue
         sizes, feet = sprites.sizes[mine].astype(np.float32), sprites.positions[mine]
-        throw = shadows.throw(feet).astype(np.float32)
-        across = throw[:, ::-1] * (1, -1) / np.maximum(np.hypot(*throw.T), 1e-6)[:, None]
+        offset = shadows.offset(feet).astype(np.float32)
+        across = offset[:, ::-1] * (1, -1) / np.maximum(np.hypot(*offset.T), 1e-6)[:, None]
         wanted = sizes.max(axis=0) / shadows.texel * (SAMPLES_PER_TEXEL, 1.6 * SAMPLES_PER_TEXEL)
         columns, rows = np.clip(np.ceil(wanted), 2, MOST_SAMPLES).astype(int)
         small = Image.fromarray(picture).resize((columns, rows), Image.Resampling.BOX)
@@ -122,29 +120,29 @@ def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray
         u = ((column + 0.5) / columns - 0.5).astype(np.float32)
         v = (1.0 - (row + 0.5) / rows).astype(np.float32)
         wide = sizes[:, :1] * np.where(sprites.flipped[mine], -1, 1)[:, None] * across
-        high = sizes[:, 1:] * throw
+        high = sizes[:, 1:] * offset
         x, z = (
             feet[:, k, None].astype(np.float32) + wide[:, j, None] * u + high[:, j, None] * v
             for j, k in ((0, 0), (1, 2))
         )
-        # The area of shadow that a sample stands for: its share of the board, times the throw.
-        area = sizes.prod(axis=1) * np.hypot(*throw.T) / (columns * rows * shadows.texel**2)
+        # The area of shadow of a sample: its share of the board, times the length of the offset.
+        area = sizes.prod(axis=1) * np.hypot(*offset.T) / (columns * rows * shadows.texel**2)
         amount = area[:, None].astype(np.float32) * alpha[row, column]
         shadows.darken(x.ravel(), z.ravel(), amount.ravel())
 
 
 def on_board(
-    foot: np.ndarray, size: np.ndarray, flipped: bool, throw: np.ndarray, u: float, v: float
+    foot: np.ndarray, size: np.ndarray, flipped: bool, offset: np.ndarray, u: float, v: float
 ) -> np.ndarray:
     """Return the ground's x, z (2,) on which a place of a sprite's board casts its shadow.
 
     ``u`` is -0.5 to 0.5 across the board and ``v`` 0 at the foot to 1 at the top; ``foot`` (3,),
-    ``size`` (2,) and ``throw`` (2,) are the sprite's. The plain form of what cast_sprites does for
+    ``size`` (2,) and ``offset`` (2,) are the sprite's. The plain form of what cast_sprites does for
     many at once.
     """
-    across = np.array([throw[1], -throw[0]]) / np.hypot(*throw)
+    across = np.array([offset[1], -offset[0]]) / np.hypot(*offset)
     wide = -size[0] * across if flipped else size[0] * across
-    return np.asarray(foot[[0, 2]] + u * wide + v * size[1] * throw)
+    return np.asarray(foot[[0, 2]] + u * wide + v * size[1] * offset)
 
 
 def cast_points(shadows: ShadowMap, points: np.ndarray) -> None:
@@ -152,7 +150,7 @@ def cast_points(shadows: ShadowMap, points: np.ndarray) -> None:
     feet = points.copy()
     feet[:, 1] = shadows.field.terrain_height(points[:, 0], points[:, 2])
     up = np.maximum(points[:, 1] - feet[:, 1], 0.0)
-    x, z = (feet[:, [0, 2]] + shadows.throw(feet) * up[:, None]).T
+    x, z = (feet[:, [0, 2]] + shadows.offset(feet) * up[:, None]).T
     shadows.darken(x, z, np.ones(len(points), np.float32))
 
 
