@@ -8,12 +8,12 @@ from typing import Any, TypeVar
 import numpy as np
 
 from landscape.elements import sun
-from landscape.elements.castle import Castle
-from landscape.elements.dragon import Dragon
+from landscape.elements.animals.fine_dragon import dragon_class
+from landscape.elements.animals.fine_rabbit import rabbit_class
 from landscape.elements.grass import Grass
-from landscape.elements.ground import Ground, clipped
+from landscape.elements.ground import clipped
 from landscape.elements.map import Map
-from landscape.elements.rabbit import Rabbit
+from landscape.elements.ornate.ornate_castle import castle_class
 from landscape.elements.reflection import mirrored
 from landscape.elements.sea.foam import Foam
 from landscape.elements.sea.query import SeaQuery
@@ -23,6 +23,7 @@ from landscape.elements.sea.shallows import cut_level
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sword import Sword
 from landscape.elements.terrain.shadows import ShadowMap
+from landscape.elements.terrain.terrain import Terrain, ground_class
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
@@ -70,20 +71,24 @@ class Island:
     def _build(self, settings: Settings, assets: Assets, seed: int) -> None:
         own, only = self._own, self.shown
         light = sun.direction(settings.sun)
-        self.ground = own(Ground(settings, assets, light))
+        self.ground = own(ground_class(settings)(settings, assets, light))
         field = self.ground.field
         if "water" in only:
             self._build_water(settings, assets, field)
         self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
-        self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
-        self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
-        self.dragon = own(Dragon(settings, assets)) if "dragon" in only else None
+        self.castle = (
+            own(castle_class(settings)(settings, assets, field)) if "castle" in only else None
+        )
+        self.rabbit = (
+            own(rabbit_class(settings)(settings, assets, field)) if "rabbit" in only else None
+        )
+        self.dragon = own(dragon_class(settings)(settings, assets)) if "dragon" in only else None
         kinds = SPRITES & only
         self.sprites = (
             own(TransparentElements(settings, assets, self.ground, seed, kinds)) if kinds else None
         )
-        if settings.ground.shadows:
-            self._lay_shadows(light, assets, seed)
+        if settings.ground.shadows and isinstance(self.ground, Terrain):
+            self._lay_shadows(self.ground, light, assets, seed)
         self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
         self.sword = own(Sword(settings, assets)) if "sword" in only else None
         self.map = own(Map(settings, assets)) if "map" in only else None
@@ -107,11 +112,11 @@ class Island:
         if water.query and settings.reflection.rippled:
             self.sea_query = own(SeaQuery(settings))
 
-    def _lay_shadows(self, light: np.ndarray, assets: Assets, seed: int) -> None:
+    def _lay_shadows(self, ground: Terrain, light: np.ndarray, assets: Assets, seed: int) -> None:
         """Darken the ground where sprites, castle and rabbit throw their shadows."""
 
         def shadows() -> tuple[np.ndarray]:
-            shadow_map = ShadowMap(self.ground.field, light, len(self.ground.large))
+            shadow_map = ShadowMap(ground.field, light, len(ground.large))
             for thing in (self.sprites, self.castle, self.rabbit):
                 if thing:
                     thing.cast(shadow_map)
@@ -122,7 +127,7 @@ class Island:
         groups += [values.trees, values.deer, values.plants]
         what = repr((groups, seed, sorted(self.shown)))
         files = values.ground.height_image, values.rabbit.mesh
-        self.ground.shade(*recall((what, *assets.contents(*files)), shadows))
+        ground.shade(*recall((what, *assets.contents(*files)), shadows))
 
     def apply(self, settings: Settings) -> bool:
         """Take settings that differ in what is read at each frame: fog, reflection, sorting, map.
@@ -243,12 +248,7 @@ class Island:
     def obstacles(self) -> tuple[Obstacle, ...]:
         """What the walker goes round: the castle's walls, the rabbit, the dragon."""
         standing = (self.castle, self.rabbit, self.dragon)
-        return tuple(
-            each
-            for element in standing
-            if element
-            for each in getattr(element, "obstacles", tuple)()
-        )
+        return tuple(each for element in standing if element for each in element.obstacles())
 
     def _shown(self, element: Element | None, *names: str) -> Element | None:
         """Return the element if it was built and any of its names is shown now."""

@@ -80,7 +80,9 @@ class Ground:
     units: str = setting(
         "both", "figure 4", "texture units", choices=("both", "large", "detail", "none")
     )
-    mid_repeat: float = setting(0.0, "chosen", "times, a third unit's repeat; 0 is off", 0, 1000)
+    mid_repeat: float = setting(
+        0.0, "chosen", "times over the map, detail laid into ground.materials; 0 is off", 0, 1000
+    )
     smooth: str = setting(
         "none",
         "R14, section 11.2.6",

@@ -1,31 +1,43 @@
 """The castle: closed walls facing outward, a gate in three layers, sixteen flames."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from castles import BRICK, DOOR, FLAT, GATE, PLACED, at, drawn
 from PIL import Image
 from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write_plain
 
-from landscape.elements.castle import FLAME_Z, Castle, flame_frame, light_shift
-from landscape.elements.ornate.castle_meshes import (
-    FOOT,
+from landscape.elements.castle import (
+    FLAME_Z,
     TORCHES,
+    Castle,
+    flame_across,
+    flame_frame,
+    light_shift,
+)
+from landscape.elements.ornate.gate import CastleInOnePass
+from landscape.elements.ornate.ornate_castle import OrnateCastle, castle_class
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.masonry import (
+    FOOT,
+    MERLON,
     TOWER_RADIUS,
     TOWER_TOP,
+    WALL,
     box_quads,
     quads_mesh,
     tower_mesh,
     wall_boxes,
     walls_mesh,
 )
-from landscape.files.assets import Assets
-from landscape.frame import Pose
-from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
+from landscape.gl.calls import gl
+from landscape.keys import with_settings
 
-FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
-BRICK, DOOR = np.array(PLAIN["castle_brick.png"]), np.array(PLAIN["castle_door.png"][:3])
 LIGHT = np.array(PLAIN["castle_light.png"]) / 255
 
 
@@ -111,29 +123,10 @@ def test_a_tower_is_round_and_reaches_from_foot_to_top() -> None:
     assert np.allclose(np.hypot(foot[:, 0], foot[:, 2]), TOWER_RADIUS, atol=1e-6)
 
 
-SETTINGS = small({**WHITE_LIGHT, "castle.x": 20.0, "castle.z": 20.0, "castle.yaw": 0.0})
-BASE = (19.5, 2.0, 19.5)  # the corner of the unit square at x = z = 0
-NORTH_OF_THE_GATE = Pose(20.0, 2.4, 17.9, 180.0, 0.0)
-
-
-def at(x: float, y: float, z: float) -> tuple[float, float, float]:
-    """Return a place of the castle's own frame in units."""
-    return BASE[0] + x, BASE[1] + y, BASE[2] + z
-
-
-def drawn(stage: Stage, assets: Assets, pose: Pose = NORTH_OF_THE_GATE, kt: float = 0.0):
-    castle = Castle(SETTINGS, assets, FLAT)
-    with stage.frame(SETTINGS, pose, kt) as frame:
-        castle.draw(frame)
-        picture = stage.read()
-    castle.release()
-    return picture
-
-
 def test_the_gate_is_the_door_times_the_light(stage: Stage, plain: Assets) -> None:
     picture = drawn(stage, plain)
     for x, y in ((0.5, 0.5), (0.2, 0.8), (0.8, 0.1)):
-        assert close(pixel(picture, project(NORTH_OF_THE_GATE, at(x, y, 0.0))), DOOR * LIGHT)
+        assert close(pixel(picture, project(GATE, at(x, y, 0.0))), DOOR * LIGHT)
 
 
 def test_bricks_show_through_the_doors_clear_surround_and_take_the_light(
@@ -141,14 +134,14 @@ def test_bricks_show_through_the_doors_clear_surround_and_take_the_light(
 ) -> None:
     assets = Assets(write_plain(plain_folder, {"castle_door.png": (90, 60, 30, 0)}))
     picture = drawn(stage, assets)
-    assert close(pixel(picture, project(NORTH_OF_THE_GATE, at(0.5, 0.5, 0))), BRICK * LIGHT)
+    assert close(pixel(picture, project(GATE, at(0.5, 0.5, 0))), BRICK * LIGHT)
 
 
 def test_a_half_clear_door_is_blended_before_it_is_lit(stage: Stage, plain_folder) -> None:
     assets = Assets(write_plain(plain_folder, {"castle_door.png": (90, 60, 30, 102)}))
     picture = drawn(stage, assets)
     wanted = (0.4 * DOOR + 0.6 * BRICK) * LIGHT
-    assert close(pixel(picture, project(NORTH_OF_THE_GATE, at(0.5, 0.5, 0))), wanted, 2)
+    assert close(pixel(picture, project(GATE, at(0.5, 0.5, 0))), wanted, 2)
 
 
 @pytest.mark.parametrize("distance", [1.0, 4.0, 15.0])
@@ -214,9 +207,118 @@ def test_the_gate_turns_with_the_yaw(stage: Stage, plain: Assets) -> None:
     assert close(got, DOOR * LIGHT)
 
 
+SETTINGS = small({**WHITE_LIGHT, **PLACED})
+
+
 def test_the_castle_stands_on_the_lowest_of_its_corners(stage: Stage, plain: Assets) -> None:
     at_ = np.linspace(0, 40, 41)
     slope = HeightField(np.tile(at_ * 0.1, (41, 1)).astype(np.float32), 40.0, 0.0)
     castle = Castle(SETTINGS, plain, slope)
     castle.release()
     assert castle.base == pytest.approx((20.0, 1.94, 20.0))
+
+
+# R2
+
+
+def test_r2_a_flame_turns_to_the_eye_and_stays_upright() -> None:
+    assert flame_across((0.3, -5.0), 0.3, True) == pytest.approx((1.0, 0.0))
+    assert flame_across((5.0, FLAME_Z), 0.3, True) == pytest.approx((0.0, 1.0))
+    assert flame_across((5.0, FLAME_Z), 0.3, False) == (1.0, 0.0)
+    for eye in ((3.0, -2.0), (-1.0, -0.5)):
+        x, z = flame_across(eye, 0.75, True)
+        assert math.hypot(x, z) == pytest.approx(1.0)
+        assert x * (0.75 - eye[0]) + z * (FLAME_Z - eye[1]) == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize("fixed", [False, True])
+def test_r2_from_the_side_a_flame_is_as_wide_as_from_the_front(
+    stage: Stage, plain_folder, fixed: bool
+) -> None:
+    Image.new("RGBA", (64, 64), (255, 0, 255, 255)).save(plain_folder / "fire.png")
+    side = Pose(20.0, 2.26, 19.5 + FLAME_Z, 90.0, 0.0)
+    picture = drawn(stage, Assets(plain_folder), side, castle__flame_faces=fixed)
+    flame = (np.abs(picture - (255, 0, 255)).max(axis=2) < 9)[60]
+    near = 19.5 + TORCHES[1] - 20.0
+    wide = 0.06 / near * 60 / math.tan(math.radians(30))
+    assert flame.sum() == (pytest.approx(wide, abs=2) if fixed else 0)
+
+
+# The castle as a part of the island
+
+
+@pytest.mark.parametrize("changes", [{}, {"multitexture": True}, {"ornate": True}])
+@pytest.mark.parametrize("rippled", [False, True])
+def test_mirrored_or_not_no_texture_stays_bound(
+    stage: Stage, plain: Assets, changes: dict[str, bool], rippled: bool
+) -> None:
+    keys = {f"castle.{key}": value for key, value in changes.items()}
+    settings = small({**WHITE_LIGHT, **PLACED, **keys, "reflection.rippled": rippled})
+    castle = castle_class(settings)(settings, plain, FLAT)
+    for is_mirrored in (False, True):
+        with stage.frame(settings, GATE) as frame:
+            castle.draw(replace(frame, mirrored=is_mirrored))
+            assert int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D)) == 0
+    castle.release()
+
+
+def test_the_settings_choose_the_class_of_the_castle() -> None:
+    for changes, chosen in (
+        ({}, Castle),
+        ({"castle.flame_faces": True}, Castle),
+        ({"castle.multitexture": True}, CastleInOnePass),
+        ({"castle.ornate": True, "castle.multitexture": True}, OrnateCastle),
+    ):
+        assert castle_class(small(changes)) is chosen
+
+
+def test_flames_turn_by_a_setting_taken_later_as_by_one_given_at_first(
+    stage: Stage, plain_folder
+) -> None:
+    Image.new("RGBA", (64, 64), (255, 0, 255, 255)).save(plain_folder / "fire.png")
+    assets = Assets(plain_folder)
+    side = Pose(20.0, 2.26, 19.5 + FLAME_Z, 90.0, 0.0)
+    wanted = drawn(stage, assets, side, castle__flame_faces=True)
+    castle = Castle(SETTINGS, assets, FLAT)
+    settings = with_settings(SETTINGS, {"castle.flame_faces": True})
+    assert castle.apply(settings)
+    with stage.frame(settings, side) as frame:
+        castle.draw(frame)
+        picture = stage.read()
+    castle.release()
+    assert (picture == wanted).all() and (picture != drawn(stage, assets, side)).any()
+
+
+@pytest.mark.parametrize("changes", [{}, {"multitexture": True}, {"ornate": True}])
+def test_what_is_compiled_is_not_changed_by_settings(
+    stage: Stage, plain: Assets, changes: dict[str, bool]
+) -> None:
+    settings = small({**PLACED, **{f"castle.{key}": value for key, value in changes.items()}})
+    castle = castle_class(settings)(settings, plain, FLAT)
+    for key, value in (
+        ("x", 21.0), ("yaw", 5.0), ("brick_repeat", 2.0), ("ornate", not changes.get("ornate")),
+    ):  # fmt: skip
+        assert not castle.apply(with_settings(settings, {f"castle.{key}": value}))
+    lit_once = bool(changes.get("ornate"))
+    assert castle.apply(with_settings(settings, {"sun.azimuth": 200.0})) != lit_once
+    castle.release()
+
+
+@pytest.mark.parametrize("changes", [{}, {"multitexture": True}, {"ornate": True}])
+def test_the_obstacles_are_the_walls_and_towers(
+    stage: Stage, plain: Assets, changes: dict[str, bool]
+) -> None:
+    keys = {f"castle.{key}": value for key, value in changes.items()}
+    settings = small({**PLACED, "castle.yaw": -160.0, **keys})
+    castle = castle_class(settings)(settings, plain, FLAT)
+    found = castle.obstacles()
+    castle.release()
+    assert len(found) == 8
+    tops = sorted({round(each.top, 6) for each in found})
+    assert tops == pytest.approx([2.0 + 1.0 + MERLON, 2.0 + TOWER_TOP])
+    # The middle of the yard is free, and half a unit farther out along the turned x axis is a wall.
+    middle = settings.castle.x, settings.castle.z
+    yaw = math.radians(settings.castle.yaw)
+    wall = middle[0] + 0.49 * math.cos(yaw), middle[1] - 0.49 * math.sin(yaw)
+    assert min(each.gap(*middle)[0] for each in found) == pytest.approx(0.5 - WALL)
+    assert min(each.gap(*wall)[0] for each in found) < 0.0

@@ -51,6 +51,7 @@ CHOSEN: dict[str, Any] = {
 
 BETTER: dict[str, Any] = {
     **{"ground.resolution": 100, "ground.height_image": "height16.png", "ground.mid_repeat": 13.0},
+    "ground.materials": True,
     **{"reflection.stencil": True, "reflection.castle": True, "water.fresnel": True},
     **{"water.horizon": 300.0, "water.glitter": 0.7, "water.color": (0.1, 0.2, 0.3, 0.85)},
     **{

@@ -1,27 +1,27 @@
 """Rabbit and dragon: the report's mappings, where they stand, and how they are lit."""
 
+import math
+
 import numpy as np
 import pytest
+from animals import CUBE, CUBE_FACES, FLAT, LIT, PLATE, made
 from stage import PLAIN, Stage, close, pixel, project, small, write_ply
 
 from landscape.elements.animal import COLOR, read_animal
+from landscape.elements.animals.axis_mapping import by_axis
+from landscape.elements.animals.fine_dragon import FineDragon, dragon_class
+from landscape.elements.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.rabbit import Rabbit, cylindrical
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.geometry.height_field import HeightField
+from landscape.geometry.obstacles import Tower, Wall
+from landscape.gl.calls import recording
+from landscape.keys import with_settings
+from landscape.settings import Settings
 
-FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
 ANIMAL = np.array(PLAIN["animal.png"])
-
-CUBE = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
-CUBE_FACES = np.array(
-    [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-)
-
-# A plate that faces south and up: its normal has a height of sin 60 degrees.
-PLATE = np.array([(-1, -0.5, 0.866), (1, -0.5, 0.866), (1, 0.5, -0.866), (-1, 0.5, -0.866)])
 
 
 def test_the_cylindrical_mapping_at_points_computed_by_hand() -> None:
@@ -43,7 +43,8 @@ def test_the_dragon_is_mapped_by_x_and_z() -> None:
 
 @pytest.mark.parametrize("name", ["rabbit.ply", "dragon.ply"])
 def test_the_shipped_meshes_fill_minus_1_to_1_with_unit_normals(shipped: Assets, name: str) -> None:
-    vertices, normals, triangles = read_animal(shipped, name, "key")
+    mesh = read_animal(shipped, name, "key")
+    vertices, normals, triangles = mesh.vertices, mesh.normals, mesh.triangles
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     assert np.allclose(low + high, 0.0, atol=1e-5)
     assert (high - low).max() == pytest.approx(2.0, abs=1e-5)
@@ -56,7 +57,8 @@ def test_the_shipped_meshes_fill_minus_1_to_1_with_unit_normals(shipped: Assets,
 def test_the_shipped_meshes_turn_counter_clockwise_seen_from_outside(
     shipped: Assets, name: str
 ) -> None:
-    vertices, _, triangles = read_animal(shipped, name, "key")
+    mesh = read_animal(shipped, name, "key")
+    vertices, triangles = mesh.vertices, mesh.triangles
     a, b, c = (vertices[triangles[:, k]].astype(float) for k in range(3))
     volume = (a * np.cross(b, c)).sum() / 6
     assert volume > 0
@@ -70,24 +72,6 @@ def cube(plain_folder) -> Assets:
     return Assets(plain_folder)
 
 
-LIT = {
-    "rabbit.x": 20.0,
-    "rabbit.z": 20.0,
-    "rabbit.yaw": 0.0,
-    "rabbit.scale": 0.5,
-    "dragon.x": 20.0,
-    "dragon.z": 20.0,
-    "dragon.yaw": 0.0,
-    "dragon.scale": 0.5,
-    "dragon.sink": 0.2,
-    "water.level": 0.6,
-    "sun.ambient": (0.3, 0.2, 0.1),
-    "sun.diffuse": (0.5, 0.6, 0.7),
-    "sun.azimuth": 180.0,
-    "sun.elevation": 0.0,
-}
-
-
 def rows_of(picture: np.ndarray, column: int = 80) -> np.ndarray:
     """Return first and last row of what is drawn in a column."""
     drawn = (np.abs(picture[:, column] - BACKGROUND) > 3).any(axis=1)
@@ -98,8 +82,8 @@ def test_the_rabbit_stands_on_the_ground_at_its_size(stage: Stage, cube: Assets)
     settings = small(LIT)
     rabbit = Rabbit(settings, cube, FLAT)
     pose = Pose(20.0, 2.5, 23.5, 0.0, 0.0)
-    with stage.frame(settings, pose):
-        rabbit.draw()
+    with stage.frame(settings, pose) as frame:
+        rabbit.draw(frame)
         picture = stage.read()
     rabbit.release()
     sunk = 2.0 - 0.02 * 0.5  # a fiftieth of its size, so that no light shows under it
@@ -111,8 +95,8 @@ def test_the_dragon_sinks_to_its_water_line(stage: Stage, cube: Assets) -> None:
     settings = small(LIT)
     dragon = Dragon(settings, cube)
     pose = Pose(20.0, 0.6, 23.5, 0.0, 0.0)
-    with stage.frame(settings, pose):
-        dragon.draw()
+    with stage.frame(settings, pose) as frame:
+        dragon.draw(frame)
         picture = stage.read()
     dragon.release()
     # sink 0.2: the mesh's height 0.2 of -1..1, times the scale 0.5, is at the water.
@@ -128,11 +112,11 @@ def test_its_light_is_ambient_plus_diffuse_whatever_its_size(
     write_ply(plain_folder / f"{animal}.ply", PLATE, np.array([(0, 1, 2, 3)]))
     assets = Assets(plain_folder)
     settings = small({**LIT, f"{animal}.scale": scale})
-    thing = Rabbit(settings, assets, FLAT) if animal == "rabbit" else Dragon(settings, assets)
+    thing = made(animal, settings, assets)
     y = 2.0 + scale if animal == "rabbit" else 0.6
     pose = Pose(20.0, y, 20.0 + 5 * scale, 0.0, 0.0)
-    with stage.frame(settings, pose):
-        thing.draw()
+    with stage.frame(settings, pose) as frame:
+        thing.draw(frame)
         got = pixel(stage.read(), (80.5, 60.5))
     thing.release()
     # The plate leans back by 60 degrees from the sun, which stands low in the south.
@@ -147,8 +131,8 @@ def test_the_rabbit_turns_with_its_yaw(stage: Stage, plain_folder) -> None:
     for yaw in (0.0, 90.0):
         settings = small({**LIT, "rabbit.yaw": yaw})
         rabbit = Rabbit(settings, Assets(plain_folder), FLAT)
-        with stage.frame(settings, Pose(20.0, 2.2, 23.5)):
-            rabbit.draw()
+        with stage.frame(settings, Pose(20.0, 2.2, 23.5)) as frame:
+            rabbit.draw(frame)
             picture = stage.read()
         rabbit.release()
         widths.append((np.abs(picture - BACKGROUND) > 3).any(axis=2).any(axis=0).sum())
@@ -178,10 +162,10 @@ def test_a_painted_animal_has_the_colours_of_its_file(
     changed = {f"{animal}.painted": painted, f"{animal}.mapping": mapping}
     settings = small({**LIT, **changed})
     assets = Assets(plain_folder)
-    thing = Rabbit(settings, assets, FLAT) if animal == "rabbit" else Dragon(settings, assets)
+    thing = made(animal, settings, assets)
     pose = Pose(20.0, 2.5 if animal == "rabbit" else 0.6, 22.5, 0.0, 0.0)
-    with stage.frame(settings, pose):
-        thing.draw()
+    with stage.frame(settings, pose) as frame:
+        thing.draw(frame)
         got = pixel(stage.read(), (80.5, 60.5))
     thing.release()
     light = np.array([0.3, 0.2, 0.1]) + np.array([0.5, 0.6, 0.7]) * 0.5
@@ -201,11 +185,108 @@ def test_a_glossy_dragon_glints_over_its_texture_and_a_dull_one_does_not(
     got = []
     for gloss in (0.0, 0.25):
         settings = small({**LIT, "sun.elevation": 60.0, "dragon.gloss": gloss})
-        dragon = Dragon(settings, Assets(plain_folder))
-        with stage.frame(settings, Pose(20.0, 0.5, 40.0, 0.0, 0.0)):
-            dragon.draw()
+        dragon = made("dragon", settings, Assets(plain_folder))
+        with stage.frame(settings, Pose(20.0, 0.5, 40.0, 0.0, 0.0)) as frame:
+            dragon.draw(frame)
             got.append(pixel(stage.read(), (80.5, 60.5)))
         dragon.release()
     # A quarter of the light's specular colour is added; the texture does not multiply it.
     glint = (got[1] - got[0]) / 255
     assert np.allclose(glint, 0.25 * np.array([1.0, 0.95, 0.85]), atol=0.03)
+
+
+def test_every_face_is_mapped_along_the_axis_it_looks_at(shipped: Assets) -> None:
+    read = read_animal(shipped, "rabbit.ply", "key")
+    vertices, triangles = read.vertices, read.triangles
+    mesh = by_axis(read, 4.0)
+    assert len(mesh.triangles) == len(triangles)
+    assert np.allclose(mesh.vertices[mesh.triangles], vertices[triangles])
+
+    def stretch(coordinates: np.ndarray, corners: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Texture area over area, of each face: 4 is a chart seen straight on."""
+        s, p = coordinates[corners], points[corners].astype(np.float64)
+        a, b = s[:, 1] - s[:, 0], s[:, 2] - s[:, 0]
+        size = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
+        return np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) / np.maximum(size, 1e-12)
+
+    charts = stretch(mesh.coordinates[0], mesh.triangles, mesh.vertices)
+    # No face is stretched; a few on edges, where the smooth normals differ, are compressed.
+    assert charts.max() < 4.0 + 1e-3
+    assert np.quantile(charts, 0.02) > 4.0 / math.sqrt(3) * 0.8
+
+
+def test_the_setting_chooses_the_rabbits_mapping(stage: Stage, shipped: Assets) -> None:
+    pictures = {}
+    for mapping in ("cylindrical", "axis"):
+        settings = small({"rabbit.mapping": mapping, "rabbit.x": 20.0, "rabbit.z": 20.0})
+        rabbit = made("rabbit", settings, shipped)
+        with stage.frame(settings, Pose(20.0, 2.5, 20.2, 0.0, -60.0)) as frame:
+            rabbit.draw(frame)
+            pictures[mapping] = stage.read()
+        rabbit.release()
+    changed = (np.abs(pictures["axis"] - pictures["cylindrical"]) > 4).any(axis=2)
+    assert changed.sum() > 500
+
+
+@pytest.mark.parametrize("animal", ["rabbit", "dragon"])
+def test_an_animal_takes_what_is_read_at_each_frame_and_refuses_the_rest(
+    stage: Stage, cube: Assets, animal: str
+) -> None:
+    for changes in ({}, {f"{animal}.mapping": "axis", "camera.lod_pixels": 0.5}):
+        settings = small({**LIT, **changes})
+        thing = made(animal, settings, cube)
+        assert thing.apply(with_settings(settings, {"camera.cull": True, "fog.density": 0.5}))
+        with stage.frame(settings, Pose(20.0, 2.5, 23.5)) as frame, recording() as recorder:
+            thing.draw(frame)
+        assert any("CULL_FACE" in str(call.shown) for call in recorder.calls)
+        for key, value in ((f"{animal}.x", 3.0), (f"{animal}.painted", True)):
+            assert not thing.apply(with_settings(settings, {key: value}))
+        other = 0.0 if changes else 0.5
+        assert not thing.apply(with_settings(settings, {"camera.lod_pixels": other}))
+        thing.release()
+
+
+def test_a_glossy_dragon_may_become_glossier_but_not_dull(stage: Stage, cube: Assets) -> None:
+    settings = small({**LIT, "dragon.gloss": 0.25})
+    dragon = made("dragon", settings, cube)
+    assert dragon.apply(with_settings(settings, {"dragon.gloss": 0.5}))
+    with stage.frame(settings, Pose(20.0, 2.5, 23.5)) as frame, recording() as recorder:
+        dragon.draw(frame)
+    shown = [call.args[2] for call in recorder.calls if call.name == "glMaterialfv"]
+    assert np.allclose(shown[0][:3], 0.5)
+    assert not dragon.apply(with_settings(settings, {"dragon.gloss": 0.0}))
+    dragon.release()
+
+
+def test_animals_are_obstacles_of_their_size(stage: Stage, cube: Assets) -> None:
+    settings = small({**LIT, "dragon.yaw": 90.0, "rabbit.scale": 0.25})
+    rabbit, dragon = (made(name, settings, cube) for name in ("rabbit", "dragon"))
+    assert rabbit.obstacles() == (Tower(20.0, 20.0, 0.6 * 0.25, 2.0 + 0.5),)
+    assert dragon.obstacles() == (
+        Wall(20.0, 20.0, 0.85 * 0.5, 0.16 * 0.5, math.radians(90.0), 0.6 + 0.5),
+    )
+    rabbit.release()
+    dragon.release()
+
+
+def test_what_is_out_of_view_is_not_drawn(stage: Stage, cube: Assets) -> None:
+    settings = small({**LIT, "camera.cull": True, "camera.lod_pixels": 0.5})
+    for animal in ("rabbit", "dragon"):
+        thing = made(animal, settings, cube)
+        counts = []
+        for yaw in (0.0, 180.0):
+            with stage.frame(settings, Pose(20.0, 1.5, 23.5, yaw)) as frame:
+                with recording() as recorder:
+                    thing.draw(frame)
+            counts.append(len(recorder.calls))
+        thing.release()
+        assert counts[0] > 5 and counts[1] == 0
+
+
+def test_the_settings_choose_the_class_of_an_animal() -> None:
+    assert rabbit_class(Settings()) is Rabbit and dragon_class(Settings()) is Dragon
+    for key, value in (("mapping", "axis"), ("painted", True)):
+        assert rabbit_class(small({f"rabbit.{key}": value})) is FineRabbit
+        assert dragon_class(small({f"dragon.{key}": value})) is FineDragon
+    assert rabbit_class(small({"camera.lod_pixels": 0.1})) is FineRabbit
+    assert dragon_class(small({"dragon.gloss": 0.1})) is FineDragon

@@ -1,22 +1,20 @@
 """Shadows on the ground: where they fall, how dark they are, and that the ground shows them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from stage import Stage, small
 
-from landscape.elements.ground import Ground
 from landscape.elements.sprites.planting import Sprites
-from landscape.elements.sun import direction
 from landscape.elements.terrain.shadows import (
     LIGHT_LEFT,
     ShadowMap,
     cast_points,
     cast_sprites,
-    on_edges,
+    on_board,
 )
-from landscape.files.assets import Assets
-from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
+from landscape.geometry.masonry import on_edges
 
 SIDE = 400
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
@@ -47,7 +45,7 @@ def board(height: float = 2.0, width: float = 1.0) -> Sprites:
     return Sprites(place, size, np.array([0]), np.array([False]), one)
 
 
-def test_a_shadow_flees_the_sun_as_far_as_a_thing_is_high() -> None:
+def test_a_shadow_points_away_from_the_sun_as_far_as_a_thing_is_high() -> None:
     shadows = shadow_map()
     cast_points(shadows, np.array([(20.05, 2.0 + h, 20.05) for h in np.arange(0, 3, 0.05)]))
     x0, x1, z0, z1 = dark_box(light_of(shadows))
@@ -60,17 +58,17 @@ def test_up_a_slope_a_shadow_is_shorter_and_down_it_longer() -> None:
     up = HeightField(np.ascontiguousarray(slope[::-1]), 40.0, 0.0)  # rises to the north
     down = HeightField(slope * np.float32(0.5), 40.0, 0.0)
     feet = np.array([(20.0, 10.0, 20.0)])
-    level, rising, falling = (-shadow_map(field).throw(feet)[0, 1] for field in (FLAT, up, down))
+    level, rising, falling = (-shadow_map(field).offset(feet)[0, 1] for field in (FLAT, up, down))
     assert level == pytest.approx(1.0)
     assert rising == pytest.approx(1.0 / 1.5) and falling == pytest.approx(1.0 / 0.75)
 
 
-def test_under_a_zenith_sun_nothing_is_thrown() -> None:
+def test_under_a_zenith_sun_no_shadow_is_cast() -> None:
     overhead = shadow_map(sun=np.array([0.0, 1.0, 0.0]))
-    assert np.allclose(overhead.throw(np.array([(20.0, 2.0, 20.0)])), 0.0)
+    assert np.allclose(overhead.offset(np.array([(20.0, 2.0, 20.0)])), 0.0)
 
 
-def test_a_sprite_throws_its_own_picture() -> None:
+def test_a_sprite_casts_its_own_picture() -> None:
     # The upper half is opaque: the shadow begins one unit off the foot, and is one unit long.
     alpha = np.zeros((64, 64), np.uint8)
     alpha[:32] = 255
@@ -84,7 +82,7 @@ def test_a_sprite_throws_its_own_picture() -> None:
     assert np.allclose(light[195, 200], 1.0)
 
 
-def test_a_thin_picture_throws_a_thin_shadow() -> None:
+def test_a_translucent_picture_casts_a_faint_shadow() -> None:
     shadows = shadow_map()
     cast_sprites(shadows, board(), [np.full((64, 64), 77, np.uint8)])
     darkest = 1.0 - light_of(shadows)[190, 200]
@@ -114,22 +112,27 @@ def test_points_along_a_line_lie_no_farther_apart_than_asked() -> None:
     assert apart.max() <= 0.03 and apart.sum() == pytest.approx(4.0)
 
 
-@pytest.mark.parametrize("materials", [False, True])
-def test_the_ground_shows_the_light_map_and_keeps_its_own_colour(
-    stage: Stage, plain: Assets, materials: bool
-) -> None:
-    settings = small({"ground.materials": materials, "ground.mid_repeat": 0.0})
-    ground = Ground(settings, plain, direction(settings.sun))
-    x = z = np.array([20.0])
-    colour = ground.colour(x, z)
-    pictures = []
-    for light in (None, np.full((*ground.large.shape[:2], 3), 127, np.uint8)):
-        if light is not None:
-            ground.shade(light)
-        with stage.frame(settings, Pose(20.0, 5.0, 20.0, 0.0, -80.0)):
-            ground.draw()
-            pictures.append(stage.read()[60, 80])
-    ground.release()
-    assert np.allclose(pictures[1], pictures[0] * 0.5, atol=2.0) and pictures[0].min() > 20
-    assert np.array_equal(ground.colour(x, z), colour)
-    assert np.allclose(ground.light(x, z), 127 / 255)
+class Noted(ShadowMap):
+    """A shadow map that keeps where it was darkened."""
+
+    def darken(self, x: np.ndarray, z: np.ndarray, amount: np.ndarray) -> None:
+        self.at, self.amount = np.stack([x, z], axis=1), amount
+
+
+@pytest.mark.parametrize("flipped", [False, True])
+def test_a_sprites_samples_land_where_each_would_by_itself(flipped: bool) -> None:
+    shadows = Noted(FLAT, np.array([0.5, 0.6, 0.3]), SIDE)
+    sprites = replace(board(), flipped=np.array([flipped]))
+    cast_sprites(shadows, sprites, [np.full((64, 64), 255, np.uint8)])
+    foot, size = sprites.positions[0], sprites.sizes[0]
+    offset = shadows.offset(foot[None])[0]
+    columns, rows = np.ceil(size / TEXEL * (1.3, 1.6 * 1.3)).astype(int)
+    wanted = [
+        on_board(foot, size, flipped, offset, (c + 0.5) / columns - 0.5, 1 - (r + 0.5) / rows)
+        for r in range(rows)
+        for c in range(columns)
+    ]
+    assert np.allclose(shadows.at, wanted, atol=1e-4)
+    # Together they cover the board's shadow: its width times the length of its offset.
+    covered = shadows.amount.sum() * TEXEL**2
+    assert covered == pytest.approx(size.prod() * np.hypot(*offset), rel=1e-4)

@@ -8,9 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.elements.ornate.castle_meshes import FOOT, walls_mesh
+from landscape.elements.dragon import dragon_obstacles
+from landscape.elements.rabbit import rabbit_obstacles
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
+from landscape.geometry.masonry import FOOT, MERLON, TOWER_RADIUS, TOWER_TOP, WALL, walls_mesh
+from landscape.geometry.obstacles import Obstacle, courtyard
 from landscape.keys import with_settings
 from landscape.settings import Castle, Dragon, Rabbit, Settings
 from landscape.window.walker import (
@@ -31,6 +34,12 @@ WALK = SETTINGS.walk
 FORWARD = Intent(forward=1.0)
 CASTLE = Castle(x=20.0, z=20.0, yaw=-160.0)
 BASE = 1.0
+
+
+def castle_obstacles(castle: Castle, base: float) -> tuple[Obstacle, ...]:
+    """Return the obstacles of a castle whose foot is at the height ``base``."""
+    towers = TOWER_RADIUS, base + TOWER_TOP
+    return courtyard(castle.x, castle.z, castle.yaw, WALL, base + 1 + MERLON, towers)
 
 
 def flat(height: float = 1.0, water: float = 0.6) -> HeightField:
@@ -170,7 +179,7 @@ def test_no_random_walk_crosses_a_wall(inside):
 def test_no_walk_goes_through_an_animal_and_one_can_go_round_it():
     rabbit, dragon = Rabbit(x=20.0, z=20.0, scale=0.4), Dragon(x=25.0, z=20.0, yaw=90.0, scale=1.0)
     field = flat(BASE)
-    obstacles = animal_obstacles(rabbit, dragon, field)
+    obstacles = (*rabbit_obstacles(rabbit, field), *dragon_obstacles(dragon, field.water_level))
     for start_x in (19.0, 22.0):
         walker = at(start_x, 20.05)
         for _ in range(200):
@@ -183,7 +192,6 @@ def test_no_walk_goes_through_an_animal_and_one_can_go_round_it():
     # The dragon's own x axis, turned by 90 degrees, runs along z.
     long, across = obstacles[1].gap(25.0, 21.5)[0], obstacles[1].gap(26.5, 20.0)[0]
     assert long == pytest.approx(1.5 - 0.85) and across == pytest.approx(1.5 - 0.16)
-    assert animal_obstacles(None, None, field) == ()
 
 
 def _in_square(walker: Walker) -> bool:

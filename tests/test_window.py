@@ -27,6 +27,7 @@ from stage import Stage, changes, snapshot
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights
+from landscape.files.output import next_free
 from landscape.frame import Pose
 from landscape.geometry.height_field import height_field
 from landscape.gl.calls import gl
@@ -34,7 +35,6 @@ from landscape.island import ELEMENTS
 from landscape.keys import with_settings
 from landscape.settings import preset
 from landscape.window import recording, words
-from landscape.window.app import next_free
 from landscape.window.hands import JUMP, Hands
 from landscape.window.keys import BINDINGS, NAMED_KEYS, SETTINGS, SWITCHES
 from landscape.window.panel import Panel, font, keys_image, line_image, writable

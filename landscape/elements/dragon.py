@@ -1,29 +1,44 @@
 """The sea dragon: a triangle mesh half in the water (Dragon, section 7).
 
 Technique: as the rabbit, with the vertices' own (x, z) as texture coordinates, which gives vertical
-lines; the mirrored scene draws it a second time. In ``best`` it is mapped, and painted, as the
-rabbit is, and the sun glints on its wet scales by GL_SPECULAR.
-State used: as the rabbit.
+lines; the mirrored scene draws it a second time.
+State used: as animal.py.
+What is wrong with it: on its flanks, where x and z hardly change, the texture is drawn out into
+those lines (switch ``dragon.mapping``, animals/axis_mapping.py). The dragon of the preset ``best``
+is animals/fine_dragon.py.
 """
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
-from landscape.elements.animal import Animal, by_axis, read_painted
+from landscape.elements.animal import Animal, read_animal
 from landscape.files.assets import Assets
-from landscape.files.cache import content
-from landscape.files.images import read_image
-from landscape.geometry.mesh import Mesh
-from landscape.gl.texture import Texture
+from landscape.geometry.obstacles import Obstacle, Wall
+from landscape.settings import Dragon as DragonSettings
 from landscape.settings import Settings
 
 ELEMENT = "dragon"
+
+LONG = (0.85, 0.16)  # chosen, times its scale: half its length along x and half its thickness
 
 
 def planar(vertices: np.ndarray) -> np.ndarray:
     """Return texture coordinates (s, t) = (x, z), float32 (n, 2) (section 7.2)."""
     return np.ascontiguousarray(vertices[:, [0, 2]], np.float32)
+
+
+def swimming(dragon: DragonSettings, level: float) -> tuple[float, float, float]:
+    """Return the place of the mesh's middle when its water line is at the water's ``level``."""
+    return dragon.x, level - dragon.sink * dragon.scale, dragon.z
+
+
+def dragon_obstacles(dragon: DragonSettings, level: float) -> tuple[Obstacle, ...]:
+    """Return what the walker cannot pass: a wall along the dragon's own x axis."""
+    length, thickness = (share * dragon.scale for share in LONG)
+    yaw = math.radians(dragon.yaw)
+    return (Wall(dragon.x, dragon.z, length, thickness, yaw, level + dragon.scale),)
 
 
 class Dragon(Animal):
@@ -32,24 +47,18 @@ class Dragon(Animal):
     elements = (ELEMENT,)
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Read the mesh and sink it to its water line."""
-        dragon = settings.dragon
-        mesh = read_painted(assets, dragon.mesh, "dragon.mesh", dragon.painted)
+        """Read the mesh, lay the texture on it and sink it to its water line."""
+        dragon, level = settings.dragon, settings.water.level
+        mesh = read_animal(assets, dragon.mesh, "dragon.mesh")
+        mesh = replace(mesh, coordinates=(planar(mesh.vertices),))
+        place = swimming(dragon, level)
+        super().__init__(settings, assets, mesh, place, dragon.yaw, dragon.scale)
 
-        def lay(mesh: Mesh) -> Mesh:
-            if dragon.mapping == "axis":
-                return by_axis(mesh, dragon.repeat)
-            return replace(mesh, coordinates=(planar(mesh.vertices),))
+    @staticmethod
+    def built_from(settings: Settings) -> tuple[object, ...]:
+        """Return the settings that the list was made from."""
+        return settings.dragon, settings.camera.lod_pixels > 0.0, settings.water.level
 
-        y = settings.water.level - dragon.sink * dragon.scale
-        super().__init__(
-            mesh,
-            lay,
-            (content(assets.path(dragon.mesh)), repr(dragon)),
-            Texture(read_image(assets.path("animal.png"), "RGB")),
-            dragon.scale,
-            (dragon.x, y, dragon.z),
-            dragon.yaw,
-            settings,
-            dragon.gloss,
-        )
+    def obstacles(self) -> tuple[Obstacle, ...]:
+        """Return what the walker cannot pass."""
+        return dragon_obstacles(self._settings.dragon, self._settings.water.level)

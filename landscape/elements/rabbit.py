@@ -1,28 +1,30 @@
 """The rabbit: a triangle mesh on land (Rabit, section 7).
 
-Technique: a PLY mesh sent once into a display list (animal.py), textured by cylindrical coordinates
-of its own vertices. The absolute value of the angle makes both ends of the turn meet in the same
-texture coordinate: without it the whole texture would run backwards through one narrow strip. Near
-the axis the angle turns fast, and the texture is pinched; with ``rabbit.mapping`` = axis each face
-is mapped along the axis it looks at most, and a vertex between two such charts is doubled (section
-11.2.5). With ``rabbit.painted`` the vertices have colours of their own, which the mesh file brings.
-State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL.
+Technique: a PLY mesh in a display list (animal.py), textured by the cylindrical coordinates of its
+own vertices. The absolute value of the angle gives both ends of the turn the same texture
+coordinate: without it the whole texture would run backwards through one narrow strip.
+State used: as animal.py.
+What is wrong with it: near the axis the angle changes fast, and the texture is pinched (switch
+``rabbit.mapping``, R12, animals/axis_mapping.py). The rabbit of the preset ``best`` is
+animals/fine_rabbit.py.
 """
 
 from dataclasses import replace
 
 import numpy as np
 
-from landscape.elements.animal import Animal, by_axis, read_painted
+from landscape.elements.animal import Animal, read_animal
 from landscape.files.assets import Assets
-from landscape.files.cache import content
-from landscape.files.images import read_image
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
-from landscape.gl.texture import Texture
+from landscape.geometry.obstacles import Obstacle, Tower
+from landscape.settings import Rabbit as RabbitSettings
 from landscape.settings import Settings
 
 ELEMENT = "rabbit"
+
+SUNK = 0.02  # chosen, times its scale: so far into the ground that no light shows under it
+ROUND = 0.6  # chosen, times its scale: radius of a circle round haunches and chest
 
 
 def cylindrical(vertices: np.ndarray, l1: float, l2: float) -> np.ndarray:
@@ -32,30 +34,38 @@ def cylindrical(vertices: np.ndarray, l1: float, l2: float) -> np.ndarray:
     return np.ascontiguousarray(np.stack([s, l2 * (y + 1) / 2], axis=1), np.float32)
 
 
+def standing(rabbit: RabbitSettings, mesh: Mesh, field: HeightField) -> tuple[float, float, float]:
+    """Return the place of the mesh's middle when its lowest vertex is on the ground."""
+    low = float(mesh.vertices[:, 1].min()) * rabbit.scale
+    y = float(field.height(rabbit.x, rabbit.z)) - low - SUNK * rabbit.scale
+    return rabbit.x, y, rabbit.z
+
+
+def rabbit_obstacles(rabbit: RabbitSettings, field: HeightField) -> tuple[Obstacle, ...]:
+    """Return what the walker cannot pass: a round tower as high as the rabbit."""
+    top = float(field.height(rabbit.x, rabbit.z)) + 2 * rabbit.scale
+    return (Tower(rabbit.x, rabbit.z, ROUND * rabbit.scale, top),)
+
+
 class Rabbit(Animal):
     """The rabbit, on the ground."""
 
     elements = (ELEMENT,)
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
-        """Read the mesh and stand it on the ground."""
+        """Read the mesh, lay the texture round it and stand it on the ground."""
         rabbit = settings.rabbit
-        mesh = read_painted(assets, rabbit.mesh, "rabbit.mesh", rabbit.painted)
+        mesh = read_animal(assets, rabbit.mesh, "rabbit.mesh")
+        place = standing(rabbit, mesh, field)
+        mesh = replace(mesh, coordinates=(cylindrical(mesh.vertices, rabbit.l1, rabbit.l2),))
+        super().__init__(settings, assets, mesh, place, rabbit.yaw, rabbit.scale)
+        self._obstacles = rabbit_obstacles(rabbit, field)
 
-        def lay(mesh: Mesh) -> Mesh:
-            if rabbit.mapping == "axis":
-                return by_axis(mesh, rabbit.l2)
-            return replace(mesh, coordinates=(cylindrical(mesh.vertices, rabbit.l1, rabbit.l2),))
+    @staticmethod
+    def built_from(settings: Settings) -> tuple[object, ...]:
+        """Return the settings that the list was made from."""
+        return settings.rabbit, settings.camera.lod_pixels > 0.0
 
-        low = float(mesh.vertices[:, 1].min()) * rabbit.scale
-        y = float(field.height(rabbit.x, rabbit.z)) - low - 0.02 * rabbit.scale
-        super().__init__(
-            mesh,
-            lay,
-            (content(assets.path(rabbit.mesh)), repr(rabbit)),
-            Texture(read_image(assets.path("animal.png"), "RGB")),
-            rabbit.scale,
-            (rabbit.x, y, rabbit.z),
-            rabbit.yaw,
-            settings,
-        )
+    def obstacles(self) -> tuple[Obstacle, ...]:
+        """Return what the walker cannot pass."""
+        return self._obstacles

@@ -1,9 +1,11 @@
 """Writing results: whole files or none, and progress on a terminal."""
 
 import io
+import itertools
 import os
 import sys
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -66,6 +68,16 @@ def output_paths(out: Path | None, names: list[str]) -> list[Path]:
     if not os.path.isdir(standing) or not os.access(standing, os.W_OK | os.X_OK):
         raise InputError(f"--out {folder}: expected a folder that can be written")
     return paths
+
+
+def next_free(stem: str, suffix: str, folder: Path | None = None) -> Path:
+    """Create an empty file STEM-0001SUFFIX, or the next free number; OSError if impossible."""
+    for number in itertools.count(1):
+        path = (folder or Path()) / f"{stem}-{number:04}{suffix}"
+        with suppress(FileExistsError):
+            path.open("x").close()
+            return path
+    raise AssertionError("count() does not end")
 
 
 class Progress:

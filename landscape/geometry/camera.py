@@ -8,7 +8,7 @@ import numpy as np
 
 from landscape.frame import Frame
 
-# A choice of what to draw is made with a margin and used again for several frames.
+# What to draw is chosen with a margin, and the choice is kept for several frames.
 REUSE_DISTANCE = 0.06  # chosen: units the eye may move until a new choice is made
 REUSE_ANGLE = math.radians(4.0)  # chosen: radians it may turn until then
 
@@ -20,7 +20,7 @@ def is_near(
 ) -> bool:
     """Return whether the eye of ``then`` has moved less than ``distance`` units, or not at all.
 
-    And turned less than ``angle`` radians about any axis, before the same window.
+    And turned less than ``angle`` radians about any axis, with the same window.
     """
     if (then.size, then.fov) != (now.size, now.fov):
         return False
@@ -48,7 +48,7 @@ def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarra
 
 
 def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
-    """Return what in_view does of one ball, without arrays: a tenth of the time."""
+    """Return what in_view returns, for one ball and without arrays: in a tenth of the time."""
     pose = frame.pose
     x, y, z = middle[0] - pose.x, middle[1] - frame.eye_y, middle[2] - pose.z
     return all(
@@ -60,8 +60,8 @@ def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
 def boxes_in_view(frame: Frame, middles: np.ndarray, halves: np.ndarray) -> np.ndarray:
     """Return a mask (n,) of the boxes, middles and half sides (n, 3), that the camera may see.
 
-    A box is left out when all its corners lie behind one and the same side of the view: when the
-    one that lies farthest along the side's normal does.
+    A box is out of view when all its corners lie behind the same side of the frustum, that is, when
+    the corner farthest along the side's normal does.
     """
     sides = frame.frustum_planes.T
     within = sides @ (middles - frame.eye).T + np.abs(sides) @ halves.T

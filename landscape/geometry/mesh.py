@@ -1,16 +1,17 @@
 """Triangle meshes as arrays (Mesh_tool in 2006). No OpenGL."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """Vertices (n, 3) and normals (n, 3) float32, triangles (m, 3) uint32, one (n, 2) per unit.
+    """Vertices (n, 3) and normals (n, 3) float32, triangles (m, 3) uint32.
 
-    ``colors``, uint8 (n, 4), may be left out.
+    ``coordinates`` holds float32 (n, 2) for each texture unit; ``colors``, uint8 (n, 4), may be
+    None.
     """
 
     vertices: np.ndarray
@@ -51,11 +52,11 @@ def vertex_normals(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 def revolve(
     profile: Sequence[tuple[float, float]], sides: int, repeat: tuple[float, float]
 ) -> Mesh:
-    """Return the surface a profile of (radius, height) points sweeps about the y axis.
+    """Return the surface of revolution of a profile of (radius, height) points about the y axis.
 
-    x = r cos v, y = h, z = r sin v, as the truncated cone of section 6; texture coordinates run
-    ``repeat`` times round and along. Each segment of the profile has vertices of its own, so that
-    edges between segments stay sharp.
+    x = r cos v, y = h, z = r sin v, as the truncated cone of section 6. Texture coordinates repeat
+    ``repeat`` = (times around, times along). Each segment of the profile has its own vertices, so
+    that edges between segments stay sharp.
     """
     angle = np.linspace(0.0, 2.0 * np.pi, sides + 1)
     points = np.array(profile, np.float64)
@@ -85,11 +86,11 @@ def revolve(
 
 
 def clustered(mesh: Mesh, cell: float) -> Mesh:
-    """Return the mesh with all vertices of a cube of side ``cell`` drawn together to their mean.
+    """Return the mesh with all vertices inside a cube of side ``cell`` merged into their mean.
 
-    Triangles whose corners meet are left out: a level of detail (Rossignac and Borrel 1993), good
-    while a cube is no larger than a pixel. Texture coordinates are left out; normals and colours
-    are means.
+    Vertex clustering (Rossignac and Borrel 1993): triangles that collapse are dropped. It makes a
+    level of detail that is good while a cube is no larger than a pixel. Normals and colours are
+    means; texture coordinates are dropped.
     """
     cubes = np.floor(mesh.vertices / cell).astype(np.int64)
     cubes -= cubes.min(axis=0)
@@ -116,10 +117,10 @@ def clustered(mesh: Mesh, cell: float) -> Mesh:
 
 
 def gathered(mesh: Mesh) -> Mesh:
-    """Return the mesh with its triangles in the order of a Morton curve, vertices by first use.
+    """Return the mesh with its triangles sorted along a Morton curve, vertices by first use.
 
-    OpenGL transforms a vertex again once it has left the cache of those used last: triangles that
-    are neighbours in space had better be neighbours in the list. The picture stays the same.
+    OpenGL keeps the last few transformed vertices in a cache. Triangles that are neighbours in
+    space and in the list find their vertices there. The picture stays the same.
     """
     centres = mesh.vertices[mesh.triangles].mean(axis=1)
     low, high = centres.min(axis=0, initial=np.inf), centres.max(axis=0, initial=-np.inf)
@@ -143,7 +144,7 @@ def gathered(mesh: Mesh) -> Mesh:
 
 
 def is_closed(triangles: np.ndarray) -> bool:
-    """Return whether every edge of triangles (m, 3) has one other that runs the other way."""
+    """Return whether every edge of triangles (m, 3) has exactly one twin in the other direction."""
     corners = triangles.astype(np.int64)
     starts, ends = corners.ravel(), corners[:, [1, 2, 0]].ravel()
     side = int(corners.max(initial=0)) + 1
@@ -156,3 +157,30 @@ def centred(vertices: np.ndarray) -> np.ndarray:
     low, high = (end(axis=0).astype(np.float64) for end in (vertices.min, vertices.max))
     half = float((high - low).max()) / 2 or 1.0
     return np.ascontiguousarray((vertices - (low + high) / 2) / half, np.float32)
+
+
+def merged(meshes: Sequence[Mesh]) -> Mesh:
+    """Return meshes of one texture unit each as one mesh, with colours if all have them."""
+    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
+    parts = zip(meshes, starts, strict=True)
+    colors = [mesh.colors for mesh in meshes if mesh.colors is not None]
+    return Mesh(
+        np.concatenate([mesh.vertices for mesh in meshes]),
+        np.concatenate([mesh.normals for mesh in meshes]),
+        np.concatenate([mesh.triangles + np.uint32(start) for mesh, start in parts]),
+        (np.concatenate([mesh.coordinates[0] for mesh in meshes]),),
+        np.concatenate(colors) if len(colors) == len(meshes) else None,
+    )
+
+
+def moved(mesh: Mesh, x: float, z: float) -> Mesh:
+    """Return a mesh moved by x and z."""
+    return replace(mesh, vertices=mesh.vertices + np.array([x, 0.0, z], np.float32))
+
+
+def scaled(mesh: Mesh, scale: float) -> Mesh:
+    """Return a mesh ``scale`` times as large.
+
+    glScalef would do it at each draw, but it scales the normals too and then needs GL_NORMALIZE.
+    """
+    return replace(mesh, vertices=mesh.vertices * np.float32(scale))

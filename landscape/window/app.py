@@ -4,11 +4,9 @@ Every frame is a :class:`Tick`, live or from a recording, and nothing else moves
 recorded walk is reproduced to the pixel.
 """
 
-import itertools
 import os
 import time
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +17,7 @@ import numpy as np
 from landscape import keys
 from landscape.errors import InputError
 from landscape.files.assets import Assets
-from landscape.files.output import save_png
+from landscape.files.output import next_free, save_png
 from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
@@ -305,16 +303,6 @@ class Walk:
 
     def __exit__(self, *_: object) -> None:
         self.close()
-
-
-def next_free(stem: str, suffix: str, folder: Path | None = None) -> Path:
-    """Create an empty file STEM-0001SUFFIX, or the next free number; OSError if impossible."""
-    for number in itertools.count(1):
-        path = (folder or Path()) / f"{stem}-{number:04}{suffix}"
-        with suppress(FileExistsError):
-            path.open("x").close()
-            return path
-    raise AssertionError("count() does not end")
 
 
 def run(

@@ -1,1 +1,1 @@
-"""What the preset `best` adds to the castle."""
+"""The castle of the preset `best`, and the one-pass gate of R11."""

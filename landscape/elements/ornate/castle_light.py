@@ -1,10 +1,10 @@
-"""The castle's light map: sun, sky and weather on its stones, reckoned once. No OpenGL here.
+"""The castle's light map: sun, sky and weather on its stones, computed once. No OpenGL here.
 
-OpenGL lights each vertex as if nothing stood between it and the sun. A light map mends that: every
-part of the surface gets a box of texels in one small texture, and for each texel rays are sent to
-the sun and over the sky, which towers, walls and keep may stop. What they leave of the light, times
-the stains of rain and damp, multiplies the bricks in a second texture unit. Own frame of the castle
-as in castle_meshes. Not in the report; a technique of its time.
+OpenGL lights each vertex as if nothing stood between it and the sun. A light map adds the shadows:
+every part of the surface gets a box of texels in one small texture, and for each texel rays are
+sent to the sun and over the sky, which towers, walls and keep may block. The light that is left,
+times the stains of rain and damp, multiplies the bricks in a second texture unit. Places are in the
+castle's own frame, see geometry/masonry.py. Not in the report; a technique of its time.
 """
 
 import math
@@ -13,42 +13,32 @@ from functools import lru_cache
 
 import numpy as np
 
-from landscape.elements.ornate.castle_meshes import (
-    BAND,
-    CONE,
-    CORNERS,
-    FOOT,
-    KEEP,
-    KEEP_ROOF,
-    ROOFED,
-    TOWER_RADIUS,
-    TOWER_TOP,
-    WALL,
-    wall_boxes,
-)
+from landscape.elements.ornate.ornate_masonry import BAND, KEEP, ROOFED
+from landscape.elements.ornate.roofs import CONE, KEEP_ROOF
 from landscape.elements.sun import direction
+from landscape.geometry.masonry import CORNERS, FOOT, TOWER_RADIUS, TOWER_TOP, WALL, wall_boxes
 from landscape.geometry.mesh import Mesh
 from landscape.settings import Sun
 
 Box = tuple[float, float, float, float, float, float]
 Cylinder = tuple[float, float, float, float, float]
 # All chosen.
-TEXELS = 64  # texels per unit of the castle's own frame, in which a wall is 1 long
+TEXELS = 64  # texels per unit of the castle's own frame, where a wall is 1 long
 SIDE = 512  # texels per side of the texture
-OFF = 0.004  # units a ray starts off the surface
-PENUMBRA = 0.03  # radians between the rays to the sun, which makes the edge of its shadow soft
+OFF = 0.004  # units: distance from the surface at which a ray starts
+PENUMBRA = 0.03  # radians between the rays to the sun, so that its shadow has a soft edge
 SUN_RAYS, SKY_RAYS = 7, 28
-BOUNCE = np.array([0.30, 0.29, 0.22])  # of the sky's light comes back from the ground, per colour
-CONTACT = 0.10  # units over which the ground hides the foot of a wall
-LATTICE = 32  # places per side of the noise, which then repeats
+BOUNCE = np.array([0.30, 0.29, 0.22])  # fraction of the sky's light the ground reflects, RGB
+CONTACT = 0.10  # units over which the ground darkens the foot of a wall
+LATTICE = 32  # lattice points per side of the noise, which then repeats
 RUNS = 0.24  # units down which rain leaves its streaks under a ledge
-EXPOSURE = 1.08  # times the light: weather takes some of it away
+EXPOSURE = 1.08  # times the light, since the weather darkens the stones
 
 
 def turned_sun(sun: Sun, yaw: float) -> np.ndarray:
     """Return the unit vector (3,) towards the sun in the castle's frame, turned by ``yaw`` degrees.
 
-    glRotatef about y takes a place (x, z) of the castle to the island's; this goes back.
+    The inverse of glRotatef about y, which turns the castle's frame into the island's.
     """
     x, y, z = direction(sun).tolist()
     c, s = math.cos(math.radians(yaw)), math.sin(math.radians(yaw))
@@ -57,7 +47,10 @@ def turned_sun(sun: Sun, yaw: float) -> np.ndarray:
 
 @lru_cache(maxsize=1)
 def solids() -> tuple[list[Box], list[Cylinder]]:
-    """Return what stops light: boxes (x0, y0, z0, x1, y1, z1), cylinders (x, z, radius, y0, y1)."""
+    """Return what blocks light, as boxes and cylinders.
+
+    A box is (x0, y0, z0, x1, y1, z1), a cylinder (x, z, radius, y0, y1).
+    """
     boxes = [
         (0.0, -FOOT, 0.0, 1.0, 1.0, WALL),
         (0.0, -FOOT, 1.0 - WALL, 1.0, 1.0, 1.0),
@@ -67,22 +60,22 @@ def solids() -> tuple[list[Box], list[Cylinder]]:
     ]
     x0, z0, x1, z1, top = KEEP
     boxes.append((x0, -FOOT, z0, x1, top, z1))
-    for part in (0.0, 0.25, 0.5, 0.75):  # the pyramid in steps
-        a = part * (x1 - x0) / 2 - 0.05 * (1 - part)
-        y = top + part * KEEP_ROOF
+    for share in (0.0, 0.25, 0.5, 0.75):  # the pyramid in steps
+        a = share * (x1 - x0) / 2 - 0.05 * (1 - share)
+        y = top + share * KEEP_ROOF
         boxes.append((x0 + a, y, z0 + a, x1 - a, y + KEEP_ROOF / 4, z1 - a))
     round_ = [(x, z, TOWER_RADIUS, -FOOT, TOWER_TOP - 0.12) for x, z in CORNERS]
     round_ += [(x, z, TOWER_RADIUS + 0.03, TOWER_TOP - 0.11, TOWER_TOP) for x, z in CORNERS]
     radius, tip = CONE
-    for part in (0.0, 0.25, 0.5, 0.75):
-        low = TOWER_TOP + part * (tip - TOWER_TOP)
+    for share in (0.0, 0.25, 0.5, 0.75):
+        low = TOWER_TOP + share * (tip - TOWER_TOP)
         high = low + (tip - TOWER_TOP) / 4
-        round_ += [(x, z, radius * (1 - part), low, high) for x, z in ROOFED]
+        round_ += [(x, z, radius * (1 - share), low, high) for x, z in ROOFED]
     return boxes, round_
 
 
 def stopped(places: np.ndarray, ray: np.ndarray) -> np.ndarray:
-    """Return which rays (n,) from places (n, 3) along ``ray`` (3,), that rises, meet a solid."""
+    """Return which rays (n,) from places (n, 3) along a rising ``ray`` (3,) hit a solid."""
     dx, dy, dz = np.where(np.abs(ray) < 1e-9, 1e-9, ray).tolist()
     x, y, z = places.T
     hit = np.zeros(len(places), bool)
@@ -105,7 +98,7 @@ def stopped(places: np.ndarray, ray: np.ndarray) -> np.ndarray:
 
 
 def around(ray: np.ndarray, count: int, angle: float) -> list[np.ndarray]:
-    """Return ``count`` unit vectors (3,): ``ray``, and others up to ``angle`` radians off it."""
+    """Return ``count`` unit vectors (3,): ``ray``, and others within ``angle`` radians of it."""
     aside = np.cross(ray, (0.0, 1.0, 0.0))
     aside /= max(float(np.linalg.norm(aside)), 1e-9)
     over = np.cross(aside, ray)
@@ -126,9 +119,9 @@ def sky_rays(count: int) -> list[np.ndarray]:
 
 
 def open_to(places: np.ndarray, normals: np.ndarray, rays: Sequence[np.ndarray]) -> np.ndarray:
-    """Return 0..1 (n,): how much of the light along ``rays`` meets the surface there.
+    """Return 0..1 (n,), the fraction of the light along ``rays`` that reaches the surface.
 
-    Each ray counts by the cosine at which it falls in; where none does the answer is 0.
+    Each ray is weighted by the cosine of its angle of incidence; with none in front, 0.
     """
     start = places + OFF * normals
     got, all_ = np.zeros(len(places)), np.full(len(places), 1e-9)
@@ -141,7 +134,7 @@ def open_to(places: np.ndarray, normals: np.ndarray, rays: Sequence[np.ndarray])
 
 
 def noise(places: np.ndarray, frequency: tuple[float, float, float], seed: int) -> np.ndarray:
-    """Return smooth noise 0..1 (n,) at places (n, 3), so many bumps per unit along each axis."""
+    """Return smooth noise 0..1 (n,) at places (n, 3); ``frequency`` is in bumps per unit."""
     lattice = np.random.default_rng([2006, seed]).random((LATTICE,) * 3)
     at = places * np.array(frequency) + 7.3
     low = np.floor(at).astype(int)
@@ -155,10 +148,10 @@ def noise(places: np.ndarray, frequency: tuple[float, float, float], seed: int) 
 
 
 def weather(places: np.ndarray) -> np.ndarray:
-    """Return what time has done to the stones at places (n, 3): a colour (n, 3) up to 1.
+    """Return the weathering of the stones at places (n, 3), a colour (n, 3) up to 1 to multiply by.
 
-    Paler and darker patches, streaks of rain under ledges, damp and green at the foot; all its
-    numbers are chosen by eye.
+    Paler and darker patches, streaks of rain under ledges, damp and green at the foot. All numbers
+    are chosen by eye.
     """
     y = places[:, 1]
     patches = 0.6 * noise(places, (3.1, 3.7, 3.1), 1) + 0.4 * noise(places, (9.0, 11.0, 9.0), 2)
@@ -176,10 +169,10 @@ def weather(places: np.ndarray) -> np.ndarray:
 
 
 def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.ndarray:
-    """Return the colours (n, 3) to multiply OpenGL's light by at places and with normals (n, 3).
+    """Return the colours (n, 3) that multiply OpenGL's light at places with normals (n, 3).
 
-    That is what walls leave of sun and sky, and the weather. OpenGL's light ends at 1, so that the
-    sun hardly shows beside the sky: these may be more than 1. ``yaw`` in degrees.
+    They hold the unblocked light of sun and sky, and the weathering. OpenGL clamps its light at 1,
+    where the sun hardly adds to the sky; so these may exceed 1. ``yaw`` in degrees.
     """
     towards = turned_sun(sun, yaw)
     across = np.array([-towards[0], 0.5, -towards[2]]) / math.hypot(towards[0], towards[2], 0.5)
@@ -188,7 +181,7 @@ def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.n
     fill = sun.fill * np.maximum(normals @ across, 0.0)[:, None] * ambient
     sky = open_to(places, normals, sky_rays(SKY_RAYS))[:, None]
     ground = 1.0 - 0.6 * np.exp(-np.maximum(places[:, 1:2], 0.0) / CONTACT)
-    up = (1.0 + normals[:, 1:2]) / 2  # the part of what a face looks at that is sky
+    up = (1.0 + normals[:, 1:2]) / 2  # the fraction of a face's hemisphere that is sky
     seen = (up * sky + (1.0 - up) * BOUNCE * ground) / (up + (1.0 - up) * BOUNCE)
     sunny = open_to(places, normals, around(towards, SUN_RAYS, PENUMBRA))[:, None]
     left = EXPOSURE * ((ambient + fill) * seen + direct * sunny)
@@ -196,9 +189,9 @@ def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.n
 
 
 def shelves(sizes: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Return the low corners of boxes of these sizes in a square of SIDE texels, none overlapping.
+    """Return the low corners of boxes of these sizes, packed into a square of SIDE texels.
 
-    The tallest first, side by side on shelves. ValueError if they do not fit.
+    The tallest come first, side by side on shelves. ValueError if they do not fit.
     """
     corners = [(0, 0)] * len(sizes)
     x = y = shelf = 0
@@ -214,7 +207,7 @@ def shelves(sizes: list[tuple[int, int]]) -> list[tuple[int, int]]:
 
 
 def spread(rows: np.ndarray, wide: int, high: int) -> np.ndarray:
-    """Return what two rows (2, c, 3) of vertices hold at (high, wide, 3) texels between them."""
+    """Interpolate two rows of vertices' values (2, c, 3) to (high, wide, 3) texels between them."""
     at = np.linspace(0.0, rows.shape[1] - 1.0, wide)
     left = np.minimum(at.astype(int), rows.shape[1] - 2)
     part = (at - left)[:, None]
@@ -228,9 +221,9 @@ def light_map(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the light map, uint8 (SIDE, SIDE, 3), and texture coordinates in it, float32 (n, 2).
 
-    It holds half of what multiplies, and is to be scaled by 2 (GL_RGB_SCALE).
-    ``strips`` name the mesh's vertices, (2, c) each: a lower and an upper row, between which the
-    surface lies. A strip's texels have their centres on its borders, so that nothing bleeds in.
+    It holds half the factor; GL_RGB_SCALE doubles it. ``strips`` are indices of the mesh's
+    vertices, (2, c) each: a lower and an upper row with the surface between them. The texels at a
+    strip's borders have their centres on them, so that neighbouring strips do not bleed in.
     """
     sizes = []
     for strip in strips:
@@ -254,8 +247,8 @@ def light_map(
     shades = np.minimum(light(np.concatenate(places), facing, sun, yaw) / 2.0, 1.0)
     colours = np.asarray(shades * 255 + 0.5, np.uint8)
     first = 0
-    for box, part in zip(boxes, places, strict=True):
+    for box, points in zip(boxes, places, strict=True):
         shape = box[0].stop - box[0].start, box[1].stop - box[1].start, 3
-        picture[box] = colours[first : first + len(part)].reshape(shape)
-        first += len(part)
+        picture[box] = colours[first : first + len(points)].reshape(shape)
+        first += len(points)
     return picture, coordinates

@@ -1,13 +1,12 @@
 """Shadows laid into the ground's colours once, before the first frame (a light map).
 
-Not in the report, whose trees and castle cast none. Technique: what casts a shadow is taken as
-points, each of which falls along the sun's direction on the ground and darkens the texel it falls
-on; a sprite's points are the texels of its own picture, so that a birch throws a birch's shadow.
-Round the foot of things, where they hide the sky, the ground darkens a little as well. Nothing of
-this costs anything while walking: the sun and what casts stand still. No OpenGL here.
+Not in the report, whose trees and castle cast none. Technique: what casts a shadow is sampled as
+points. Each point is projected along the sun's direction onto the ground and darkens the texel it
+lands on. The samples of a sprite are the texels of its own picture, so that a birch casts the
+shadow of a birch. Around the foot of things, where they hide the sky, the ground is a little darker
+as well. None of this costs time while walking: neither the sun nor what casts a shadow moves.
+No OpenGL here.
 """
-
-from collections.abc import Iterable
 
 import numpy as np
 from PIL import Image, ImageFilter
@@ -16,17 +15,17 @@ from landscape.elements.sprites.planting import Sprites
 from landscape.geometry.height_field import HeightField
 
 # All chosen.
-LIGHT_LEFT = np.array([0.50, 0.53, 0.58], np.float32)  # of the ground's colour in full shadow
-SKY_HIDDEN = 0.38  # part of the light lost right at the foot of what stands
-SKY_TEXELS = 4  # texels a side for one of what hides the sky, which is soft
-SAMPLES_PER_TEXEL = 1.3  # along each side, so that no gap is left between points
+LIGHT_LEFT = np.array([0.50, 0.53, 0.58], np.float32)  # of the colour in full shadow
+SKY_HIDDEN = 0.38  # fraction of the light lost right at the foot of a thing
+SKY_TEXELS = 4  # the hidden sky is soft: one of its texels is so many shadow texels wide
+SAMPLES_PER_TEXEL = 1.3  # along each side, so that there are no gaps between points
 MOST_SAMPLES = 48  # along a sprite's side
-SOFTNESS = 0.7  # texels: a penumbra
-FLATTEST = 0.35  # rise over run of sunlight along the ground: what is flatter throws no farther
+SOFTNESS = 0.7  # texels: radius of the blur that makes a penumbra
+FLATTEST = 0.35  # rise over run of sunlight along the ground; flatter light casts no farther
 
 
 class ShadowMap:
-    """A picture of the land, ``side`` texels square, that darkens with each thing put on it."""
+    """A map of the land, ``side`` texels square, in which shadows add up."""
 
     def __init__(self, field: HeightField, sun: np.ndarray, side: int) -> None:
         """Start with no shadow; ``sun`` (3,) is the unit vector towards the light."""
@@ -37,32 +36,34 @@ class ShadowMap:
 
     @property
     def texel(self) -> float:
-        """The side of a texel in units."""
+        """Return the side of a texel in units."""
         return self.field.size / self.side
 
-    def throw(self, feet: np.ndarray) -> np.ndarray:
-        """Return x, z (n, 2) by which the shadow of a point one unit over a foot (n, 3) is off it.
+    def offset(self, feet: np.ndarray) -> np.ndarray:
+        """Return the shadow offset x, z (n, 2) of a point one unit above each foot (n, 3).
 
-        The ground is taken as a plane through the foot.
+        The ground around a foot is approximated by a plane.
         """
         level = np.hypot(self._sun[0], self._sun[2])
         if level < 1e-6:
             return np.zeros((len(feet), 2))
-        flees = -self._sun[[0, 2]] / level
+        away = -self._sun[[0, 2]] / level
         x, z, step = feet[:, 0], feet[:, 2], 2.0 * self.texel
-        ahead = self.field.terrain_height(x + step * flees[0], z + step * flees[1])
-        behind = self.field.terrain_height(x - step * flees[0], z - step * flees[1])
+        ahead = self.field.terrain_height(x + step * away[0], z + step * away[1])
+        behind = self.field.terrain_height(x - step * away[0], z - step * away[1])
         steep = np.maximum(self._sun[1] / level + (ahead - behind) / (2 * step), FLATTEST)
-        return np.asarray(flees / steep[:, None])
+        return np.asarray(away / steep[:, None])
 
     def darken(self, x: np.ndarray, z: np.ndarray, amount: np.ndarray) -> None:
-        """Add ``amount`` (n,) of shadow, in texels fully covered, at places x, z (n,)."""
+        """Add ``amount`` (n,) of shadow at places x, z (n,); 1 covers a texel."""
         self._add(self._shadow, x / self.texel, z / self.texel, amount)
 
     def hide_sky(self, feet: np.ndarray, radii: np.ndarray, amount: float) -> None:
-        """Darken softly round each foot (n, 3), by ``amount`` at it and by nothing at its radius.
+        """Darken softly around each foot (n, 3), by ``amount`` at the foot and 0 at its radius.
 
-        Under many things the light left of each is multiplied. ``radii`` (n,) in units.
+        At distance d from a foot of radius r the light is multiplied by
+        1 - amount * (1 - d/r)^2. The map sums the logarithms, so that the factors of many
+        feet multiply. ``radii`` (n,) in units.
         """
         texel = SKY_TEXELS * self.texel
         reach = max(int(np.ceil(float(np.max(radii, initial=0.0)) / texel)), 1)
@@ -77,7 +78,7 @@ class ShadowMap:
 
     @staticmethod
     def _add(image: np.ndarray, column: np.ndarray, row: np.ndarray, amount: np.ndarray) -> None:
-        """Add amounts (n,) to the texels of a square image in which the places lie."""
+        """Add amounts (n,) to the texels of a square image that contain the points."""
         side = len(image)
         c, r = np.floor(column).astype(np.int32), np.floor(row).astype(np.int32)
         inside = (c >= 0) & (c < side) & (r >= 0) & (r < side)
@@ -85,7 +86,7 @@ class ShadowMap:
         np.add.at(image.ravel(), at, amount[inside])
 
     def light(self) -> np.ndarray:
-        """Return the factor on the ground's colours, uint8 (side, side, 3), 255 in full light."""
+        """Return the factor for the ground's colours, uint8 (side, side, 3), 255 in full light."""
         covered = Image.fromarray((np.clip(self._shadow, 0, 1) * 255).astype(np.uint8))
         soft = np.asarray(covered.filter(ImageFilter.GaussianBlur(SOFTNESS)), np.float32) / 255
         sky = Image.fromarray(np.exp(-self._sky).astype(np.float32))
@@ -98,51 +99,79 @@ class ShadowMap:
 
 
 def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray]) -> None:
-    """Throw the shadows of sprites, ``pictures`` (h, w) of alpha uint8 by atlas cell, foot last.
+    """Cast the shadows of sprites, ``pictures`` (h, w) of alpha uint8 by atlas cell, foot last.
 
-    Each is taken as a board that faces the sun.
+    Each is a board that faces the sun. All samples of all sprites of a picture are computed at
+    once; :func:`on_board` says where a single one lands.
     """
     for cell, picture in enumerate(pictures):
         mine = np.flatnonzero(sprites.cells == cell)
         if not len(mine):
             continue
         sizes, feet = sprites.sizes[mine].astype(np.float32), sprites.positions[mine]
-        throw = shadows.throw(feet).astype(np.float32)
-        across = throw[:, ::-1] * (1, -1) / np.maximum(np.hypot(*throw.T), 1e-6)[:, None]
+        offset = shadows.offset(feet).astype(np.float32)
+        across = offset[:, ::-1] * (1, -1) / np.maximum(np.hypot(*offset.T), 1e-6)[:, None]
         wanted = sizes.max(axis=0) / shadows.texel * (SAMPLES_PER_TEXEL, 1.6 * SAMPLES_PER_TEXEL)
         columns, rows = np.clip(np.ceil(wanted), 2, MOST_SAMPLES).astype(int)
         small = Image.fromarray(picture).resize((columns, rows), Image.Resampling.BOX)
         alpha = np.asarray(small, np.float32) / 255
         row, column = np.nonzero(alpha > 0.1)
-        # Samples run along the second axis: where each lies on its board, in parts of its sides.
+        # Samples run along the second axis: u, v is the place on the board as on_board has it.
         u = ((column + 0.5) / columns - 0.5).astype(np.float32)
         v = (1.0 - (row + 0.5) / rows).astype(np.float32)
         wide = sizes[:, :1] * np.where(sprites.flipped[mine], -1, 1)[:, None] * across
-        high = sizes[:, 1:] * throw
+        high = sizes[:, 1:] * offset
         x, z = (
             feet[:, k, None].astype(np.float32) + wide[:, j, None] * u + high[:, j, None] * v
             for j, k in ((0, 0), (1, 2))
         )
-        # A sample stands for a part of the board, thrown longer or shorter than it is high.
-        parts = sizes.prod(axis=1) * np.hypot(*throw.T) / (columns * rows * shadows.texel**2)
-        amount = parts[:, None].astype(np.float32) * alpha[row, column]
+        # The area of shadow of a sample: its share of the board, times the length of the offset.
+        area = sizes.prod(axis=1) * np.hypot(*offset.T) / (columns * rows * shadows.texel**2)
+        amount = area[:, None].astype(np.float32) * alpha[row, column]
         shadows.darken(x.ravel(), z.ravel(), amount.ravel())
 
 
+def on_board(
+    foot: np.ndarray, size: np.ndarray, flipped: bool, offset: np.ndarray, u: float, v: float
+) -> np.ndarray:
+    """Return the ground's x, z (2,) on which a place of a sprite's board casts its shadow.
+
+    ``u`` is -0.5 to 0.5 across the board and ``v`` 0 at the foot to 1 at the top; ``foot`` (3,),
+    ``size`` (2,) and ``offset`` (2,) are the sprite's. The plain form of what cast_sprites does for
+    many at once.
+    """
+    across = np.array([offset[1], -offset[0]]) / np.hypot(*offset)
+    wide = -size[0] * across if flipped else size[0] * across
+    return np.asarray(foot[[0, 2]] + u * wide + v * size[1] * offset)
+
+
 def cast_points(shadows: ShadowMap, points: np.ndarray) -> None:
-    """Throw the shadow of a thing given by points (n, 3) that lie no farther apart than a texel."""
+    """Cast the shadow of points (n, 3) that are no farther apart than a texel."""
     feet = points.copy()
     feet[:, 1] = shadows.field.terrain_height(points[:, 0], points[:, 2])
     up = np.maximum(points[:, 1] - feet[:, 1], 0.0)
-    x, z = (feet[:, [0, 2]] + shadows.throw(feet) * up[:, None]).T
+    x, z = (feet[:, [0, 2]] + shadows.offset(feet) * up[:, None]).T
     shadows.darken(x, z, np.ones(len(points), np.float32))
 
 
-def on_edges(corners: Iterable[tuple[float, float]], spacing: float) -> np.ndarray:
-    """Return x, z (n, 2) of points along a closed line through ``corners``."""
-    ring = np.array([*corners])
-    out = []
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        count = max(int(np.ceil(np.hypot(*(b - a)) / spacing)), 1)
-        out.append(a + (b - a) * (np.arange(count) / count)[:, None])
-    return np.concatenate(out)
+def cast_outlines(
+    shadows: ShadowMap, places: np.ndarray, low: float, high: float, step: float
+) -> None:
+    """Cast the shadow of an upright wall over places x, z (n, 2), from ``low`` to ``high``.
+
+    Heights in units above the ground at each place; samples ``step`` units apart.
+    """
+    heights = np.arange(low, high, step)
+    points = np.repeat(on_ground(shadows, places), len(heights), axis=0)
+    points[:, 1] += np.tile(heights, len(places))
+    cast_points(shadows, points)
+
+
+def shade_foot(shadows: ShadowMap, places: np.ndarray, radius: float) -> None:
+    """Darken the ground along the foot of a wall, places x, z (n, 2) half a ``radius`` apart."""
+    shadows.hide_sky(on_ground(shadows, places), np.full(len(places), radius), 0.5 * SKY_HIDDEN)
+
+
+def on_ground(shadows: ShadowMap, places: np.ndarray) -> np.ndarray:
+    """Return points (n, 3) of the terrain at places x, z (n, 2)."""
+    return np.insert(places, 1, shadows.field.terrain_height(*places.T), axis=1)

@@ -5,12 +5,25 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 from stage import Stage, close, small, write_ply
 
 from landscape.errors import InputError
 from landscape.files.meshes import read_colours, read_mesh, read_ply
 from landscape.frame import Pose
-from landscape.geometry.mesh import Mesh, centred, gathered, grid_triangles, revolve, vertex_normals
+from landscape.geometry.mesh import (
+    Mesh,
+    centred,
+    clustered,
+    gathered,
+    grid_triangles,
+    is_closed,
+    merged,
+    moved,
+    revolve,
+    scaled,
+    vertex_normals,
+)
 from landscape.gl.calls import recording
 from landscape.gl.draw import draw_mesh
 
@@ -138,8 +151,6 @@ def test_a_mesh_is_sent_by_one_draw_call_where_its_vertices_are(stage: Stage) ->
 
 @pytest.mark.parametrize("ending", ["obj", "stl", "off", "glb"])
 def test_other_formats_are_read_through_trimesh(tmp_path: Path, ending: str) -> None:
-    import trimesh
-
     box = trimesh.creation.box((2.0, 4.0, 6.0))
     path = tmp_path / f"box.{ending}"
     box.export(path)
@@ -193,3 +204,57 @@ def test_colours_of_a_damaged_file_end_in_its_name(tmp_path: Path) -> None:
     path.write_text(COLOURED[:-20])
     with pytest.raises(InputError, match=r"cut\.ply: expected a whole PLY"):
         read_colours(path)
+
+
+def sphere(rings: int = 40) -> Mesh:
+    """A closed ball of radius 1."""
+    ball = trimesh.creation.uv_sphere(count=(rings, rings))
+    vertices = np.ascontiguousarray(ball.vertices, np.float32)
+    triangles = np.ascontiguousarray(ball.faces, np.uint32)
+    colors = np.full((len(vertices), 4), (10, 200, 30, 255), np.uint8)
+    return Mesh(vertices, vertex_normals(vertices, triangles), triangles, (), colors)
+
+
+@pytest.mark.parametrize("cube", [0.05, 0.2])
+def test_a_clustered_mesh_is_off_by_no_more_than_its_cubes(cube: float) -> None:
+    fine = sphere()
+    coarse = clustered(fine, cube)
+    assert len(coarse.vertices) < len(fine.vertices)
+    assert coarse.triangles.max() < len(coarse.vertices)
+    assert (np.abs(np.linalg.norm(coarse.vertices, axis=1) - 1) < cube).all()
+    assert np.allclose(np.linalg.norm(coarse.normals, axis=1), 1.0, atol=1e-5)
+    assert coarse.colors is not None and (coarse.colors == (10, 200, 30, 255)).all()
+    a, b, c = coarse.triangles.T
+    assert (a != b).all() and (b != c).all() and (c != a).all()
+    # Every vertex of the fine mesh lies near one of the coarse.
+    apart = np.linalg.norm(fine.vertices[:, None] - coarse.vertices[None], axis=2).min(axis=1)
+    assert apart.max() <= cube * np.sqrt(3)
+
+
+def test_a_mesh_is_closed_if_each_edge_has_its_other_half() -> None:
+    faces = sphere(12).triangles
+    assert is_closed(faces)
+    assert not is_closed(faces[1:])
+    turned = faces.copy()
+    turned[0] = turned[0, ::-1]
+    assert not is_closed(turned)
+    assert not is_closed(np.concatenate([faces, faces[:1]]))
+
+
+def test_merging_appends_vertices_and_moves_the_indices() -> None:
+    vertices = np.eye(3, dtype=np.float32)
+    triangle = np.array([(0, 1, 2)], np.uint32)
+    one = Mesh(vertices, vertex_normals(vertices, triangle), triangle, (vertices[:, :2],))
+    both = merged([one, one])
+    assert both.triangles.tolist() == [[0, 1, 2], [3, 4, 5]] and len(both.vertices) == 6
+    assert both.colors is None
+
+
+def test_a_mesh_is_moved_and_scaled_by_its_vertices_alone() -> None:
+    ball = sphere(8)
+    there, twice = moved(ball, 3.0, -2.0), scaled(ball, 2.0)
+    assert np.allclose(there.vertices - ball.vertices, (3.0, 0.0, -2.0), atol=1e-6)
+    assert np.array_equal(twice.vertices, 2 * ball.vertices)
+    for mesh in (there, twice):
+        assert mesh.normals is ball.normals and mesh.triangles is ball.triangles
+        assert mesh.vertices.dtype == np.float32

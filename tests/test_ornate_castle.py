@@ -1,10 +1,13 @@
 """The ornate castle: its meshes face outwards, light and shadow lie right, its pennants wave."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from castles import FLAT, PLACED
 from stage import Stage, pixel, project, small
 
-from landscape.elements.castle import GATE_CORNERS, Castle
+from landscape.elements.castle import Castle
 from landscape.elements.ornate.castle_light import (
     SIDE,
     light,
@@ -14,35 +17,35 @@ from landscape.elements.ornate.castle_light import (
     stopped,
     turned_sun,
 )
-from landscape.elements.ornate.castle_meshes import (
+from landscape.elements.ornate.gate import GATE_CORNERS
+from landscape.elements.ornate.loopholes import loopholes
+from landscape.elements.ornate.ornate_castle import OrnateCastle
+from landscape.elements.ornate.ornate_masonry import (
     BAND,
-    CORNERS,
     GATE,
     KEEP,
-    KEEP_ROOF,
     PLINTH,
-    TOWER_RADIUS,
-    TOWER_TOP,
     belt,
-    loopholes,
-    merged,
     ornate_masonry,
     ornate_tower,
-    pennant,
-    quads_mesh,
-    rings,
-    roofs,
 )
+from landscape.elements.ornate.pennants import (
+    interleaved,
+    packed_by_hand,
+    pennant,
+    pennant_vertices,
+)
+from landscape.elements.ornate.roofs import KEEP_ROOF, MASTS, ornate_outlines, roofs
 from landscape.elements.sun import direction
 from landscape.elements.terrain.shadows import ShadowMap
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.geometry.height_field import HeightField
-from landscape.geometry.mesh import Mesh, vertex_normals
-from landscape.gl.calls import gl
+from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP, outlines, quads_mesh
+from landscape.geometry.mesh import Mesh
+from landscape.gl.calls import gl, recording
 from landscape.settings import Sun
 
-FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
+SETTINGS = {**PLACED, "sun.azimuth": 180.0, "sun.elevation": 45.0}
 
 
 def faces(mesh: Mesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -78,8 +81,8 @@ def test_bands_loopholes_and_towers_look_away_from_what_they_stand_on() -> None:
 def test_the_plinth_leaves_the_gate_free_and_the_gate_wall_may_be_left_out() -> None:
     quads = belt(*PLINTH, GATE)
     middle = quads.mean(axis=1)
-    before_door = (middle[:, 2] < 0.01) & (middle[:, 0] > GATE[0]) & (middle[:, 0] < GATE[1])
-    assert not before_door.any()
+    in_front_of_door = (middle[:, 2] < 0.01) & (middle[:, 0] > GATE[0]) & (middle[:, 0] < GATE[1])
+    assert not in_front_of_door.any()
 
     mesh, _ = ornate_masonry(4.0)
     gate = mesh.vertices[:4]
@@ -91,15 +94,6 @@ def test_the_plinth_leaves_the_gate_free_and_the_gate_wall_may_be_left_out() -> 
     assert np.flatnonzero(front).tolist() == [0, 1]
 
 
-def test_merging_moves_triangles_behind_the_vertices_before() -> None:
-    vertices = np.eye(3, dtype=np.float32)
-    triangle = np.array([(0, 1, 2)], np.uint32)
-    one = Mesh(vertices, vertex_normals(vertices, triangle), triangle, (vertices[:, :2],))
-    both = merged([one, one])
-    assert both.triangles.tolist() == [[0, 1, 2], [3, 4, 5]] and len(both.vertices) == 6
-    assert both.colors is None
-
-
 def test_a_pennant_hangs_on_its_mast_and_waves_with_kt() -> None:
     before, behind = pennant(0.0, 0.2), pennant(4.0, 0.2)
     assert np.allclose(before[:2, [0, 2]], 0.0) and np.allclose(behind[:2, [0, 2]], 0.0)
@@ -107,10 +101,59 @@ def test_a_pennant_hangs_on_its_mast_and_waves_with_kt() -> None:
     assert np.abs(before - behind)[2:, 2].max() > 0.005
 
 
-def test_the_keep_and_its_roof_throw_a_longer_shadow_than_the_walls() -> None:
-    plain, ornate = (max(high for _, _, high in rings(0.02, k)) for k in (False, True))
+def test_the_keep_and_its_roof_cast_a_longer_shadow_than_the_walls() -> None:
+    plain, ornate = (max(high for *_, high in lines(0.02)) for lines in (outlines, ornate_outlines))
     assert plain == pytest.approx(TOWER_TOP)
     assert ornate == pytest.approx(KEEP[4] + KEEP_ROOF, abs=0.05)
+
+
+def test_the_interleaved_array_holds_what_a_loop_over_the_vertices_sends() -> None:
+    colours, places = pennant_vertices(33.0)
+    assert len(colours) == len(places) == 20 * len(MASTS)
+    packed = interleaved(colours, places)
+    assert packed.tobytes() == packed_by_hand(colours, places)
+    assert packed.size == 16 * len(places) and (colours[:, 3] == 255).all()
+
+
+def test_pennants_hang_under_the_tips_of_their_masts_and_are_shaded_by_their_slope() -> None:
+    colours, places = pennant_vertices(5.0)
+    for k, (x, z, foot, length) in enumerate(MASTS):
+        mine = places[20 * k : 20 * k + 20]
+        assert mine[:, 0].min() == pytest.approx(x) and mine[:, 0].max() <= x + length + 1e-6
+        assert np.abs(mine[:, 2] - z).max() < 0.1 * length
+        assert abs(mine[0, 1] - (foot + 1.15 * length)) < 0.2 * length
+    assert len(np.unique(colours[:, 0])) > 4 and (colours[:, 0] > 2 * colours[:, 1]).all()
+
+
+@pytest.mark.parametrize(("mirrored", "rippled", "burns"), [(0, 1, 1), (1, 0, 1), (1, 1, 0)])
+def test_in_an_image_that_ripples_neither_flame_nor_pennant_is_drawn(
+    stage: Stage, plain: Assets, mirrored: int, rippled: int, burns: int
+) -> None:
+    settings = small({**SETTINGS, "castle.ornate": True, "reflection.rippled": bool(rippled)})
+    castle = OrnateCastle(settings, plain, FLAT)
+    with stage.frame(settings, Pose(20.0, 2.4, 17.9, 180.0, 0.0)) as frame:
+        with recording() as recorder:
+            castle.draw(replace(frame, mirrored=bool(mirrored)))
+    castle.release()
+    sent = [call for call in recorder.calls if call.name == "glInterleavedArrays"]
+    assert len(sent) == 2 * burns
+
+
+def test_an_ornate_castle_out_of_view_is_not_drawn_and_its_mirror_image_is_lower(
+    stage: Stage, plain: Assets
+) -> None:
+    settings = small({**SETTINGS, "castle.ornate": True, "camera.cull": True})
+    castle = OrnateCastle(settings, plain, FLAT)
+    counts = []
+    for yaw in (180.0, 0.0):
+        with stage.frame(settings, Pose(20.0, 2.4, 17.0, yaw, 0.0)) as frame:
+            with recording() as recorder:
+                castle.draw(frame)
+        counts.append(len(recorder.calls))
+    assert counts[0] > 10 and counts[1] == 0
+    with stage.frame(settings, Pose(20.0, 6.0, 17.0, 180.0, -15.0)) as frame:
+        assert castle.visible(frame) and not castle.visible(replace(frame, mirrored=True))
+    castle.release()
 
 
 def rotation(yaw: float) -> np.ndarray:
@@ -123,22 +166,13 @@ def rotation(yaw: float) -> np.ndarray:
     return matrix[:3, :3]
 
 
-SETTINGS = {
-    "castle.x": 20.0,
-    "castle.z": 20.0,
-    "castle.yaw": 0.0,
-    "sun.azimuth": 180.0,
-    "sun.elevation": 45.0,
-}
-
-
-def test_the_gate_drawn_in_one_pass_has_its_part_of_the_light_map(
+def test_the_gate_drawn_in_one_pass_is_multiplied_by_the_light_map(
     stage: Stage, plain: Assets
 ) -> None:
     pose = Pose(20.0, 2.4, 17.9, 180.0, 0.0)
     places = np.array([(0.2, 0.1, 0.0), (0.3, 0.5, 0.0), (0.5, 0.8, 0.0), (0.16, 0.7, 0.0)])
     settings = small({**SETTINGS, "castle.ornate": True, "castle.multitexture": True})
-    castle = Castle(settings, plain, FLAT)
+    castle = OrnateCastle(settings, plain, FLAT)
     with stage.frame(settings, pose) as frame:
         castle.draw(frame)
         picture = stage.read()
@@ -151,7 +185,7 @@ def test_the_gate_drawn_in_one_pass_has_its_part_of_the_light_map(
 
 def test_a_pennant_shows_red_over_the_keep(stage: Stage, plain: Assets) -> None:
     settings = small({**SETTINGS, "castle.ornate": True})
-    castle = Castle(settings, plain, FLAT)
+    castle = OrnateCastle(settings, plain, FLAT)
     with stage.frame(settings, Pose(20.0, 3.4, 17.0, 180.0, 14.0)) as frame:
         castle.draw(frame)
         picture = stage.read()
@@ -162,7 +196,7 @@ def test_a_pennant_shows_red_over_the_keep(stage: Stage, plain: Assets) -> None:
 
 def test_the_castle_shades_the_ground_behind_it(stage: Stage, plain: Assets) -> None:
     settings = small({**SETTINGS, "castle.ornate": True})
-    castle = Castle(settings, plain, FLAT)
+    castle = OrnateCastle(settings, plain, FLAT)
     shadows = ShadowMap(FLAT, np.array([0.0, 0.7071, 0.7071]), 800)
     castle.cast(shadows)
     castle.release()
@@ -204,7 +238,7 @@ def test_towers_walls_and_keep_stop_light() -> None:
     places = np.array(
         [(-0.5, 0.1, 0.5), (1.5, 0.1, 0.5), (-0.5, 2.5, 0.5), (-0.3, 0.5, 0.0), (-0.3, 0.5, -0.2)]
     )
-    # Before a wall, behind the castle, above it, before a tower, beside that tower.
+    # In front of a wall, behind the castle, above it, in front of a tower, beside that tower.
     assert stopped(places, east).tolist() == [True, False, False, True, False]
     keep = stopped(np.array([(0.43, 1.0, 0.3), (0.43, 2.0, 0.3)]), np.array([0.0, 0.6, 0.8]))
     assert keep.tolist() == [True, False]

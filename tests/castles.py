@@ -1,0 +1,40 @@
+"""What tests of the castles share: a flat hill, the castle's own frame, a picture of it alone."""
+
+from typing import Any
+
+import numpy as np
+from stage import PLAIN, WHITE_LIGHT, Stage, small
+
+from landscape.elements.ornate.ornate_castle import castle_class
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
+
+FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
+PLACED: dict[str, Any] = {"castle.x": 20.0, "castle.z": 20.0, "castle.yaw": 0.0}
+GATE = Pose(20.0, 2.4, 17.9, 180.0, 0.0)
+"""North of the gate, looking at it."""
+BRICK, DOOR = np.array(PLAIN["castle_brick.png"]), np.array(PLAIN["castle_door.png"][:3])
+
+
+def at(x: float, y: float, z: float = 0.0) -> tuple[float, float, float]:
+    """Return the island's place of one in the castle's own frame."""
+    return 19.5 + x, 2.0 + y, 19.5 + z
+
+
+def drawn(
+    stage: Stage, assets: Assets, pose: Pose = GATE, kt: float = 0.0, **changes: Any
+) -> np.ndarray:
+    """Return the castle alone, its gate wall at z = 19.5 looking north.
+
+    Settings are named with ``__`` for the dot. The state must stay, release may be called twice.
+    """
+    keys = {key.replace("__", "."): value for key, value in changes.items()}
+    settings = small({**WHITE_LIGHT, **PLACED, **keys})
+    castle = castle_class(settings)(settings, assets, FLAT)
+    with stage.frame(settings, pose, kt, fog="fog__density" in changes) as frame:
+        castle.draw(frame)
+        picture = stage.read()
+    castle.release()
+    castle.release()
+    return picture
