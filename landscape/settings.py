@@ -17,7 +17,7 @@ class Camera:
 
     fov: float = setting(60.0, "chosen", "degrees, vertical", 1, 170)
     near: float = setting(0.02, "chosen", "units", 1e-4, 10)
-    cull: bool = setting(False, "chosen", "skip what is out of view, and faces turned away")
+    cull: bool = setting(False, "chosen", "skip what is outside the view frustum, and back faces")
     lod_pixels: float = setting(
         0.0,
         "chosen",
@@ -44,7 +44,9 @@ class Walk:
     turn: float = setting(75.0, "chosen", "degrees per second, by the arrows", 0, 1000)
     mouse: float = setting(0.12, "chosen", "degrees per pixel", 0, 10)
     mouse_relative: bool = setting(
-        False, "R13, section 11.2.6", "the mouse's way turns the head, not its place in the window"
+        False,
+        "R13, section 11.2.6",
+        "mouse motion turns the view; otherwise the pointer's position sets it",
     )
     eye: float = setting(0.1, "section 8.2", "units above the ground", 0.001, 10)
     bob: float = setting(0.006, "section 8.2", "units, amplitude of the head's bob", 0, 1)
@@ -61,7 +63,7 @@ class Sun:
     diffuse: tuple[float, ...] = setting((1.0, 0.95, 0.85), "chosen", "RGB", 0, 10)
     ambient: tuple[float, ...] = setting((0.50, 0.53, 0.60), "chosen", "RGB", 0, 10)
     fill: float = setting(
-        0.0, "chosen", "of the ambient light, as a second light across from the sun", 0, 10
+        0.0, "chosen", "times the ambient colour, a second light opposite the sun", 0, 10
     )
 
 
@@ -73,12 +75,12 @@ class Ground:
     resolution: int = setting(50, "section 2.1.1", "vertices per side", 2, 1024)
     size: float = setting(40.0, "section 9.2", "units per side", 1, 200)
     scale_y: float = setting(6.0, "chosen", "units, height of red = 256", 0.001, 1000)
-    clip: bool = setting(True, "section 2.1.2", "cut at the water level by GL_CLIP_PLANE0")
+    clip: bool = setting(True, "section 2.1.2", "clip at the water level with GL_CLIP_PLANE0")
     large_texture: str = setting("ground_large.png", "figure 3", "image file, texture unit 0")
     detail_texture: str = setting("ground_detail.png", "figure 3", "image file, texture unit 1")
-    detail_repeat: float = setting(160.0, "chosen", "times over the map", 0.1, 10000)
+    detail_repeat: float = setting(160.0, "chosen", "repeats over the map", 0.1, 10000)
     units: str = setting(
-        "both", "figure 4", "texture units", choices=("both", "large", "detail", "none")
+        "both", "figure 4", "texture units in use", choices=("both", "large", "detail", "none")
     )
     mid_repeat: float = setting(
         0.0, "chosen", "times over the map, detail laid into ground.materials; 0 is off", 0, 1000
@@ -86,30 +88,38 @@ class Ground:
     smooth: str = setting(
         "none",
         "R14, section 11.2.6",
-        "curve of the bicubic patches between vertices",
+        "spline of the bicubic patches between vertices",
         choices=("none", "catmull_rom", "b_spline"),
     )
-    subdivide: int = setting(3, "R14", "parts a cell's side is cut into by ground.smooth", 1, 8)
+    subdivide: int = setting(3, "R14", "subdivisions of a cell's side, for ground.smooth", 1, 8)
     exact_height: bool = setting(
-        False, "R15, section 11.2.6", "stand on the triangles drawn, not on a bilinear surface"
+        False, "R15, section 11.2.6", "heights on the drawn triangles, not on a bilinear surface"
     )
     materials: bool = setting(
-        False, "chosen", "turf, sand and rock each get a detail of their own, in four units"
+        False, "chosen", "turf, sand and rock have their own detail textures, mixed in four units"
     )
-    sand_texture: str = setting("ground_sand.png", "chosen", "image file, detail of bare ground")
-    rock_texture: str = setting("ground_rock.png", "chosen", "image file, detail of steep ground")
-    sand_repeat: float = setting(110.0, "chosen", "times over the map", 0.1, 10000)
-    rock_repeat: float = setting(36.0, "chosen", "times over the map", 0.1, 10000)
+    sand_texture: str = setting(
+        "ground_sand.png", "chosen", "image file, detail texture of bare ground"
+    )
+    rock_texture: str = setting(
+        "ground_rock.png", "chosen", "image file, detail texture of steep ground"
+    )
+    sand_repeat: float = setting(110.0, "chosen", "repeats over the map", 0.1, 10000)
+    rock_repeat: float = setting(36.0, "chosen", "repeats over the map", 0.1, 10000)
     texture_size: int = setting(
-        4096, "R19, introduction", "texels per side at most; larger images are halved", 1, 16384
+        4096, "R19, introduction", "texels per side at most; larger images are reduced", 1, 16384
     )
     tiles: int = setting(
-        1, "chosen", "display lists per side; those out of view are skipped", 1, 64
+        1,
+        "chosen",
+        "tiles per side, a display list each; tiles outside the frustum are skipped",
+        1,
+        64,
     )
     low_stretch: bool = setting(
         False, "chosen", "low-stretch UVs: detail textures keep their scale on slopes"
     )
-    shadows: bool = setting(False, "chosen", "what stands on the ground casts a shadow on it")
+    shadows: bool = setting(False, "chosen", "bake shadows into the ground's large texture")
 
 
 @dataclass(frozen=True)
@@ -117,10 +127,12 @@ class Reflection:
     """The scene drawn a second time, mirrored at the water plane (section 3)."""
 
     enabled: bool = setting(True, "section 3.1", "draw the mirrored scene")
-    stencil: bool = setting(False, "glskel effects", "keep the reflection inside the water")
-    castle: bool = setting(False, "chosen", "mirror the castle as well")
+    stencil: bool = setting(
+        False, "glskel effects", "limit the reflection to the water by the stencil buffer"
+    )
+    castle: bool = setting(False, "chosen", "the castle is mirrored too")
     rippled: bool = setting(
-        False, "R16, section 12", "the mirror image breaks up on the waves, drawn as a texture"
+        False, "R16, section 12", "render the mirror image to a texture and distort it by the waves"
     )
     lod_scale: float = setting(
         1.0, "chosen", "times camera.lod_pixels, for meshes in the mirror image", 1, 100
@@ -139,8 +151,8 @@ class Water:
     lod_bias: float = setting(
         0.0, "chosen", "mip levels added to OpenGL's choice; below 0 is sharper", -4, 4
     )
-    trilinear: bool = setting(True, "chosen", "look up two mip levels instead of the nearer one")
-    textured: bool = setting(True, "figure 9", "lay the water texture on the surface")
+    trilinear: bool = setting(True, "chosen", "trilinear filtering; off, the nearest mip level")
+    textured: bool = setting(True, "figure 9", "texture the surface")
     animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
     time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
     fresnel: bool = setting(
@@ -148,11 +160,11 @@ class Water:
     )
     horizon: float = setting(0.0, "chosen", "units, reach of the sea beyond the patches", 0, 10000)
     glitter: float = setting(0.0, "chosen", "strength of the sun's glints on the waves", 0, 1)
-    relief: bool = setting(False, "R17, section 3.2", "waves lift and lower the water's vertices")
-    shallow: bool = setting(False, "chosen", "clear and turquoise where the water is shallow")
-    foam: bool = setting(False, "chosen", "small breakers run out on the beaches")
+    relief: bool = setting(False, "R17, section 3.2", "waves displace the vertices")
+    shallow: bool = setting(False, "chosen", "shallow water is clear and turquoise")
+    foam: bool = setting(False, "chosen", "breakers along the beaches")
     query: bool = setting(
-        False, "chosen", "no sea and no mirror image while land hides it all, by occlusion query"
+        False, "chosen", "skip sea and mirror image while an occlusion query finds all of it hidden"
     )
 
 
@@ -160,39 +172,47 @@ class Water:
 class Sky:
     """The sky box (section 4)."""
 
-    set: str = setting("day", "chosen", "name of the set of faces", choices=("day", "sunset"))
+    set: str = setting("day", "chosen", "set of sky pictures", choices=("day", "sunset"))
     half_width: float = setting(8.0, "chosen", "units, D", 0.5, 10000)
     height: float = setting(5.0, "chosen", "units, H", 0.1, 10000)
-    anchored: bool = setting(False, "figure 13", "stands in the map's middle, for a look at it")
-    moving: bool = setting(False, "R1, section 4.1", "a cloud layer drifts with kt")
-    follow_y: bool = setting(False, "R8, section 11.2.3", "centred on the eye in every axis")
-    background: bool = setting(
-        False, "R9, section 11.2.3", "at the greatest depth: it hides no terrain"
+    anchored: bool = setting(
+        False, "figure 13", "stays at the middle of the map instead of following the viewer"
     )
-    unfogged: bool = setting(False, "R10, section 11.2.3", "no fog: the haze is painted on")
+    moving: bool = setting(False, "R1, section 4.1", "a cloud layer that drifts with kt")
+    follow_y: bool = setting(False, "R8, section 11.2.3", "centred on the eye in y as well")
+    background: bool = setting(
+        False, "R9, section 11.2.3", "drawn at the greatest depth, so it hides no terrain"
+    )
+    unfogged: bool = setting(
+        False, "R10, section 11.2.3", "drawn without fog; its pictures contain haze"
+    )
 
 
 @dataclass(frozen=True)
 class Transparent:
     """What trees, deer and plants share (section 5.1)."""
 
-    radius: float = setting(8.0, "chosen", "units, root of PERIMETER_VISU_TRANSPARENT", 0, 1000)
+    radius: float = setting(
+        8.0,
+        "chosen",
+        "units, sprites farther away are not drawn (square root of PERIMETER_VISU_TRANSPARENT)",
+        0,
+        1000,
+    )
     sorted: bool = setting(True, "section 5.1.2", "draw from far to near")
-    textured: bool = setting(True, "figure 16", "lay the sprites on the quads")
+    textured: bool = setting(True, "figure 16", "texture the quads")
     upright: bool = setting(False, "R4, section 11.2.1", "billboards turn about the y axis only")
-    split: bool = setting(
-        False, "R3, section 5.1.2", "each half of a crossed quad takes its own place in the sort"
-    )
-    fade: float = setting(
-        0.0, "chosen", "part of the radius over which sprites come out of nothing", 0, 1
-    )
-    clear_near: bool = setting(False, "chosen", "sprites clear away before the eye meets them")
-    rooted: bool = setting(False, "chosen", "feet sink a little where the ground slopes")
+    split: bool = setting(False, "R3, section 5.1.2", "sort each half of a crossed quad separately")
+    fade: float = setting(0.0, "chosen", "fraction of the radius over which sprites fade in", 0, 1)
+    clear_near: bool = setting(False, "chosen", "sprites fade out close to the eye")
+    rooted: bool = setting(False, "chosen", "feet are sunk slightly into slopes")
     trimmed: bool = setting(
-        False, "chosen", "quads end where the picture does, and none lies out of view"
+        False,
+        "chosen",
+        "quads fit the opaque part of the picture, and none lies outside the frustum",
     )
     min_pixels: float = setting(0.0, "chosen", "pixels; smaller sprites fade out", 0, 100)
-    trilinear: bool = setting(True, "chosen", "look up two mip levels instead of the nearer one")
+    trilinear: bool = setting(True, "chosen", "trilinear filtering; off, the nearest mip level")
 
 
 @dataclass(frozen=True)
@@ -203,8 +223,10 @@ class Trees:
     species: int = setting(2, "figure 15", "kinds of tree", 1, 4)
     size_min: float = setting(0.325, "section 5.1.2", "units, width and height", 0.001, 100)
     size_max: float = setting(0.65, "section 5.1.2", "units, width and height", 0.001, 100)
-    grouped: bool = setting(False, "chosen", "woods and clearings instead of a uniform spread")
-    crown: bool = setting(False, "R4, section 11.2.1", "a flat crown shows to who looks from above")
+    grouped: bool = setting(
+        False, "chosen", "woods and clearings instead of a uniform distribution"
+    )
+    crown: bool = setting(False, "R4, section 11.2.1", "a level crown picture, visible from above")
 
 
 @dataclass(frozen=True)
@@ -215,7 +237,7 @@ class Deer:
     size_min: float = setting(0.10, "chosen", "units, width and height", 0.001, 100)
     size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
     follow_slope: bool = setting(
-        False, "R5, section 11.2.6", "stand at right angles to the slope, feet on the ground"
+        False, "R5, section 11.2.6", "stand perpendicular to the slope, feet on the ground"
     )
 
 
@@ -231,19 +253,21 @@ class Plants:
         1, "chosen", "kinds: the report's one, or fern, ox-eye, willow-herb, marram, heather", 1, 5
     )
     radius: float = setting(
-        0.0, "chosen", "units, plants farther off are not drawn; 0 is as for all sprites", 0, 1000
+        0.0, "chosen", "units, plants farther away are not drawn; 0 is transparent.radius", 0, 1000
     )
-    shaded: bool = setting(False, "chosen", "plants are darker where a shadow lies on the ground")
-    quads: int = setting(2, "R6, section 11.2.2", "quads of a plant: two, or three at 60 deg", 2, 3)
-    fade_edge_on: bool = setting(
-        False, "R6, section 11.2.2", "a quad clears away while one looks along it"
+    shaded: bool = setting(False, "chosen", "plants are darker in the ground's shadows")
+    quads: int = setting(
+        2,
+        "R6, section 11.2.2",
+        "quads per plant: two at right angles, or three at 60 degrees",
+        2,
+        3,
     )
+    fade_edge_on: bool = setting(False, "R6, section 11.2.2", "quads seen edge-on fade out")
     crossed_within: float = setting(
-        0.0, "chosen", "units; farther plants are single billboards; 0 is never", 0, 1000
+        0.0, "chosen", "units, plants farther away are single billboards; 0 is never", 0, 1000
     )
-    rosette: bool = setting(
-        False, "R6, section 11.2.2", "a flat rosette shows to who looks from above"
-    )
+    rosette: bool = setting(False, "R6, section 11.2.2", "a level rosette, visible from above")
 
 
 @dataclass(frozen=True)
@@ -251,28 +275,30 @@ class Grass:
     """Blades (section 5.3)."""
 
     count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 40_000_000)
-    scale: tuple[float, ...] = setting((1.0, 1.0), "section 5.3.2", "times, (sx, sy)", 0.01, 100)
-    arch: float = setting(1.0, "section 5.3.2", "times the tip's bend out of the upright", 0, 20)
-    radius: float = setting(4.0, "chosen", "units, blades farther off are not drawn", 0, 1000)
-    tinted: bool = setting(False, "chosen", "blades take the colour of the ground they stand on")
-    fade: bool = setting(False, "chosen", "blades shrink towards the radius instead of stopping")
+    scale: tuple[float, ...] = setting(
+        (1.0, 1.0), "section 5.3.2", "factors (sx, sy) on a blade's size", 0.01, 100
+    )
+    arch: float = setting(1.0, "section 5.3.2", "factor on the tip's bend", 0, 20)
+    radius: float = setting(4.0, "chosen", "units, blades farther away are not drawn", 0, 1000)
+    tinted: bool = setting(False, "chosen", "blades take the colour of the ground below them")
+    fade: bool = setting(
+        False, "chosen", "blades shrink towards the radius instead of ending there"
+    )
     facing: float = setting(
         0.0,
         "R7, section 11.2.2",
-        "part by which blades turn to the viewer; over 0.5 none is a line",
+        "fraction by which blades turn to the viewer; above 0.5 none is edge-on",
         0,
         1,
     )
     method: str = setting(
         "cells",
         "R18, section 5.3",
-        "how blades are sent: all at once, or one by one as in 2006",
+        "submit blades in one call, or one by one as in 2006",
         choices=("cells", "loop"),
     )
-    tufts: int = setting(
-        0, "chosen", "blades that grow from one root and lean apart; 0 is off", 0, 100
-    )
-    variety: float = setting(0.0, "chosen", "how much tufts differ in height and colour", 0, 1)
+    tufts: int = setting(0, "chosen", "blades per tuft, leaning apart; 0 is off", 0, 100)
+    variety: float = setting(0.0, "chosen", "variation of tufts in height and colour", 0, 1)
 
 
 @dataclass(frozen=True)
@@ -281,11 +307,11 @@ class Castle:
 
     x: float = setting(27.3, "chosen", "units, centre", -1e4, 1e4)
     z: float = setting(16.9, "chosen", "units, centre", -1e4, 1e4)
-    yaw: float = setting(-160.0, "chosen", "degrees, turns the gate from north", -360, 360)
+    yaw: float = setting(-160.0, "chosen", "degrees about y; 0 faces the gate north", -360, 360)
     brick_repeat: float = setting(4.0, "chosen", "textures per wall", 0.1, 100)
-    flame_faces: bool = setting(False, "R2, section 6.1", "flames turn to the viewer about y")
+    flame_faces: bool = setting(False, "R2, section 6.1", "flames turn about y to face the viewer")
     multitexture: bool = setting(
-        False, "R11, section 11.2.4", "bricks, door and halo in one pass of three texture units"
+        False, "R11, section 11.2.4", "bricks, door and light in one pass with three texture units"
     )
     ornate: bool = setting(False, "chosen", "a keep, roofs, bands, loopholes and pennants")
 
@@ -299,15 +325,15 @@ class Rabbit:
     z: float = setting(24.0, "chosen", "units", -1e4, 1e4)
     yaw: float = setting(-112.0, "chosen", "degrees about y", -360, 360)
     scale: float = setting(0.12, "chosen", "units, half the mesh's largest side", 0.001, 100)
-    l1: float = setting(8.0, "chosen", "L1, textures round the axis", 0, 1000)
-    l2: float = setting(4.0, "chosen", "L2, textures along the axis", 0, 1000)
+    l1: float = setting(8.0, "chosen", "L1, repeats around the axis", 0, 1000)
+    l2: float = setting(4.0, "chosen", "L2, repeats along the axis", 0, 1000)
     mapping: str = setting(
         "cylindrical",
         "R12, section 11.2.5",
-        "round the axis, or along the axis each face looks at",
+        "cylindrical, or projected along the axis each face is most normal to",
         choices=("cylindrical", "axis"),
     )
-    painted: bool = setting(False, "chosen", "each vertex has the colour its file gives it")
+    painted: bool = setting(False, "chosen", "vertex colours from the mesh file")
 
 
 @dataclass(frozen=True)
@@ -322,13 +348,13 @@ class Dragon:
     mapping: str = setting(
         "planar",
         "R12, section 7.2",
-        "by (x, z), or along the axis each face looks at",
+        "by (x, z), or projected along the axis each face is most normal to",
         choices=("planar", "axis"),
     )
-    repeat: float = setting(6.0, "chosen", "textures along it, by dragon.mapping=axis", 0, 1000)
-    painted: bool = setting(False, "chosen", "each vertex has the colour its file gives it")
-    gloss: float = setting(0.0, "chosen", "strength of the sun's glint on the wet scales", 0, 1)
-    sink: float = setting(-0.15, "chosen", "height of the water line on the mesh, -1..1", -2, 2)
+    repeat: float = setting(6.0, "chosen", "repeats, for dragon.mapping=axis", 0, 1000)
+    painted: bool = setting(False, "chosen", "vertex colours from the mesh file")
+    gloss: float = setting(0.0, "chosen", "strength of the specular highlight", 0, 1)
+    sink: float = setting(-0.15, "chosen", "height of the water line on the mesh of -1..1", -2, 2)
 
 
 @dataclass(frozen=True)
@@ -344,7 +370,7 @@ class Overlay:
 class Fog:
     """GL_FOG (section 10)."""
 
-    enabled: bool = setting(True, "section 10.2", "switch")
+    enabled: bool = setting(True, "section 10.2", "on or off")
     mode: str = setting("exp2", "section 10.2", "fog mode", choices=("exp2", "exp", "linear"))
     density: float = setting(0.12, "section 10.2", "per unit", 0, 1000)
     color: tuple[float, ...] = setting((0.4, 0.6, 0.7), "section 10.2", "RGB", 0, 1)
