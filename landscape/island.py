@@ -25,7 +25,7 @@ from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.frame import Frame, Pose
-from landscape.gl.calls import begin_pass, gl
+from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib
 from landscape.settings import Settings
 
@@ -75,24 +75,39 @@ class Island:
             self._owned.append(element)
             return element
 
+        begin_pass("setup")
         only = self.shown
         light = sun.direction(settings.sun)
-        self.ground = own(Ground(settings, assets, light))
+        with drawing("ground"):
+            self.ground = own(Ground(settings, assets, light))
         field = self.ground.field
-        self.water = own(WaterSurface(settings, assets, field)) if "water" in only else None
-        self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
-        self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
-        self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
-        self.dragon = own(Dragon(settings, assets)) if "dragon" in only else None
+        with drawing("water"):
+            self.water = own(WaterSurface(settings, assets, field)) if "water" in only else None
+        with drawing("sky"):
+            self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
+        with drawing("castle"):
+            self.castle = own(Castle(settings, assets, field)) if "castle" in only else None
+        with drawing("rabbit"):
+            self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
+        with drawing("dragon"):
+            self.dragon = own(Dragon(settings, assets)) if "dragon" in only else None
         kinds = SPRITES & only
-        self.sprites = (
-            own(TransparentElements(settings, assets, self.ground, seed, kinds)) if kinds else None
-        )
+        self._kinds = tuple(name for name in ELEMENTS if name in kinds)
+        self.sprites = None
+        if kinds:
+            with drawing(*self._kinds):
+                self.sprites = own(TransparentElements(settings, assets, self.ground, seed, kinds))
         if settings.ground.shadows:
-            self._lay_shadows(light, assets, seed)
-        self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
-        self.sword = own(Sword(settings, assets)) if "sword" in only else None
-        self.map = own(Map(settings, assets)) if "map" in only else None
+            with drawing("ground"):
+                self._lay_shadows(light, assets, seed)
+        with drawing("grass"):
+            self.grass = (
+                own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
+            )
+        with drawing("sword"):
+            self.sword = own(Sword(settings, assets)) if "sword" in only else None
+        with drawing("map"):
+            self.map = own(Map(settings, assets)) if "map" in only else None
 
     def _lay_shadows(self, light: np.ndarray, assets: Assets, seed: int) -> None:
         """Darken the ground where sprites, castle and rabbit throw their shadows."""
@@ -140,21 +155,26 @@ class Island:
             # Opaque things, in any order as far as the picture goes: the depth buffer sorts them.
             with clipped(cut_level(settings), settings.ground.clip):
                 if ground := shown(self.ground, "ground"):
-                    ground.draw(frame)
+                    with drawing("ground"):
+                        ground.draw(frame)
                 if rabbit := shown(self.rabbit, "rabbit"):
-                    rabbit.draw(frame)
+                    with drawing("rabbit"):
+                        rabbit.draw(frame)
                 if dragon := shown(self.dragon, "dragon"):
-                    dragon.draw(frame)
+                    with drawing("dragon"):
+                        dragon.draw(frame)
             if water:
                 water.ask(frame)
             # OpenGL draws what it has while Python sorts, chooses and computes waves.
             gl.glFlush()
             sort()
             if grass := shown(self.grass, "grass"):
-                grass.draw(frame)
+                with drawing("grass"):
+                    grass.draw(frame)
             # The sky comes after them: the pixels they took need no sky.
             if sky := shown(self.sky, "sky"):
-                sky.draw(frame)
+                with drawing("sky"):
+                    sky.draw(frame)
             gl.glFlush()
 
             # Land may hide all of the sea; a mirror image that is a texture can come late.
@@ -164,18 +184,23 @@ class Island:
 
             # Blended things come last, far to near: the castle with its flames, the water, sprites.
             if castle := shown(self.castle, "castle"):
-                castle.draw(frame)
+                with drawing("castle"):
+                    castle.draw(frame)
             if water:
-                water.draw(frame)
+                with drawing("water"):
+                    water.draw(frame)
             if sprites:
-                sprites.draw(frame, sort())
+                with drawing(*self._kinds):
+                    sprites.draw(frame, sort())
 
         # What is stuck to the window comes over everything.
         begin_pass("overlay")
         if (sword := shown(self.sword, "sword")) and settings.overlay.sword:
-            sword.draw(frame)
+            with drawing("sword"):
+                sword.draw(frame)
         if (map := shown(self.map, "map")) and settings.overlay.map:
-            map.draw(frame)
+            with drawing("map"):
+                map.draw(frame)
 
     def _draw_reflection(self, frame: Frame, sort: Callable[[], Any]) -> None:
         """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
@@ -187,16 +212,21 @@ class Island:
         water = shown(self.water, "water")
         with reflected(frame, settings, water) as frame, mirrored(settings):
             if ground := shown(self.ground, "ground"):
-                ground.draw(frame)
+                with drawing("ground"):
+                    ground.draw(frame)
             if dragon := shown(self.dragon, "dragon"):
-                dragon.draw(frame)
+                with drawing("dragon"):
+                    dragon.draw(frame)
             if sky := shown(self.sky, "sky"):
-                sky.draw(frame)
+                with drawing("sky"):
+                    sky.draw(frame)
             if (castle := shown(self.castle, "castle")) and settings.reflection.castle:
-                castle.draw(frame)
+                with drawing("castle"):
+                    castle.draw(frame)
             if sprites := shown(self.sprites, *SPRITES):
                 gl.glFlush()
-                sprites.draw(frame, sort())
+                with drawing(*self._kinds):
+                    sprites.draw(frame, sort())
         begin_pass("main")
 
     def begin(self, moment: Moment) -> Frame:

@@ -35,7 +35,7 @@ from landscape.geometry.height_field import (
     lookup,
 )
 from landscape.geometry.mesh import Mesh, grid_triangles
-from landscape.gl.calls import gl
+from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, front_faces
@@ -65,10 +65,12 @@ def clipped(level: float, enabled: bool = True) -> Iterator[None]:
     if not enabled:
         yield
         return
-    with attrib(gl.GL_TRANSFORM_BIT | gl.GL_ENABLE_BIT):
+    outside = drawn_now()
+    with drawing("ground"), attrib(gl.GL_TRANSFORM_BIT | gl.GL_ENABLE_BIT):
         gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.0, 1.0, 0.0, -level], np.float64))
         gl.glEnable(gl.GL_CLIP_PLANE0)
-        yield
+        with drawing(*outside):
+            yield
 
 
 @dataclass(frozen=True)

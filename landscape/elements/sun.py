@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from landscape.gl.calls import gl
+from landscape.gl.calls import drawing, gl
 from landscape.settings import Sun
 
 ELEMENT = "frame"
@@ -45,6 +45,7 @@ def shine(sun: Sun) -> None:
     place(sun)
 
 
+@drawing("frame")
 def place(sun: Sun) -> None:
     """Place the lights under the current modelview."""
     towards = np.append(direction(sun), 0.0).astype(np.float32)

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from landscape.errors import NoOpenGLError
+from landscape.gl.calls import Lists, use_lists
 
 BACKENDS = ("osmesa", "egl", "glfw")
 
@@ -26,6 +27,7 @@ class Context(Protocol):
     """What every backend offers; ``release`` may be called twice."""
 
     backend: str
+    lists: Lists
 
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
@@ -96,6 +98,7 @@ class OSMesaContext:
         import numpy as np
         from OpenGL import osmesa
 
+        self.lists: Lists = {}
         self._osmesa: Any = osmesa
         self._buffer: Any = np.zeros((16, 16, 4), np.uint8)
         self._context: Any = osmesa.OSMesaCreateContextExt(osmesa.OSMESA_RGBA, 24, 8, 0, None)
@@ -110,6 +113,7 @@ class OSMesaContext:
         ok = self._osmesa.OSMesaMakeCurrent(self._context, self._buffer, GL_UNSIGNED_BYTE, 16, 16)
         if not ok:
             raise NoOpenGLError("OSMesa refused to make its context current")
+        use_lists(self.lists)
 
     def release(self) -> None:
         """Destroy the context; its buffer must outlive it."""
@@ -133,6 +137,7 @@ class EGLContext:
         errors_module.__dict__.setdefault("_error_checker", None)
         from OpenGL import EGL
 
+        self.lists: Lists = {}
         self._egl: Any = EGL
         self._context: Any = None
         errors = []
@@ -190,6 +195,7 @@ class EGLContext:
         ok = self._egl.eglMakeCurrent(self._display, self._surface, self._surface, self._context)
         if not ok:
             raise NoOpenGLError("EGL refused to make its context current")
+        use_lists(self.lists)
 
     def release(self) -> None:
         """Destroy the context and its pbuffer."""
@@ -226,6 +232,7 @@ class GLFWContext:
         except ImportError as error:
             reason = f"GLFW cannot be loaded ({error})"
             raise NoOpenGLError(f"{reason}: install the Python package glfw") from None
+        self.lists: Lists = {}
         self.glfw: Any = glfw
         self.window: Any = None
         glfw.ERROR_REPORTING = "ignore"
@@ -266,6 +273,7 @@ class GLFWContext:
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
         self.glfw.make_context_current(self.window)
+        use_lists(self.lists)
 
     def release(self) -> None:
         """Close the window and GLFW."""
