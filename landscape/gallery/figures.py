@@ -17,7 +17,8 @@ from PIL import Image
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
-from landscape.files.output import Progress, save_png, write_whole
+from landscape.files.output import save_png, write_whole
+from landscape.files.progress import Progress
 from landscape.gallery.captions import (
     ADDED,
     ASSET_PANELS,

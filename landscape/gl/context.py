@@ -1,7 +1,8 @@
-"""Contexts behind one seam: OSMesa, EGL without a surface, a GLFW window, GLFW's null platform.
+"""Contexts behind one interface: OSMesa, EGL with no window, a GLFW window, GLFW's null platform.
 
-PyOpenGL binds to one platform for the life of a process, and its choice must be made before its
-first import: :func:`open_context` does both. A context belongs to the thread that opened it.
+PyOpenGL binds to one platform for the life of a process, and the platform must be chosen before
+PyOpenGL is first imported: :func:`open_context` does both. A context belongs to the thread that
+opened it, and knows the calls that its display lists were compiled from (see calls.py).
 """
 
 import ctypes
@@ -24,7 +25,7 @@ PACKAGES = {
 
 
 class Context(Protocol):
-    """What every backend offers; ``release`` may be called twice."""
+    """What every backend offers; ``release`` may be called twice. ``lists`` belong to calls.py."""
 
     backend: str
     lists: Lists
@@ -42,8 +43,9 @@ _platform: str | None = None
 def use_platform(name: str) -> None:
     """Bind PyOpenGL to ``osmesa``, ``egl``, ``glx`` or ``wayland``, once for the process.
 
-    Error checking after each call costs more than most calls: it is on only where the environment
-    has LANDSCAPE_GL_CHECKS=1, as in the tests, which also refuses silent copies of arrays.
+    To check for errors after each call costs more than most calls. So it is done only if the
+    environment has LANDSCAPE_GL_CHECKS=1, as in the tests; then PyOpenGL also raises an error where
+    it would silently copy an array.
     """
     global _platform
     if _platform is not None:
@@ -63,8 +65,8 @@ def use_platform(name: str) -> None:
         from OpenGL import platform
 
         if name == "osmesa":
-            # PyOpenGL keys its array store by the current context. Without this type every call
-            # returns a fresh pointer object, no two equal, and each array is kept for ever.
+            # PyOpenGL stores arrays by the current context. Without this type every call returns
+            # a new pointer object, equal to no other, and no array would ever be freed.
             platform.PLATFORM.OSMesa.OSMesaGetCurrentContext.restype = ctypes.c_void_p
         import OpenGL.GL
     except (ImportError, AttributeError, OSError, TypeError) as error:
@@ -75,7 +77,7 @@ def use_platform(name: str) -> None:
 
 
 def _require(library: str, backend: str) -> None:
-    """Load a system library before PyOpenGL binds to it for good; NoOpenGLError if it is broken."""
+    """Load a system library before PyOpenGL binds to it; NoOpenGLError if that fails."""
     path = ctypes.util.find_library(library)
     try:
         if path:
@@ -213,8 +215,8 @@ class EGLContext:
 class GLFWContext:
     """A GLFW window: visible for the walk, hidden for stills, or on GLFW's null platform.
 
-    With ``headless`` there is no window system at all and OSMesa draws: the window's code runs as
-    it does on a screen.
+    With ``headless`` there is no window system at all and OSMesa draws: the code of the window runs
+    as it does on a screen.
     """
 
     backend = "glfw"

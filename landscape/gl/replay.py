@@ -1,4 +1,4 @@
-"""A whole frame to be drawn again without Python: display lists, and what no list can hold."""
+"""A whole frame to be drawn again without Python: as display lists, and what no list can hold."""
 
 from collections.abc import Callable
 

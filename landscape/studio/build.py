@@ -18,7 +18,8 @@ from PIL import Image
 
 from landscape.errors import InputError
 from landscape.files.assets import shipped
-from landscape.files.output import Progress, write_whole
+from landscape.files.output import write_whole
+from landscape.files.progress import Progress
 
 # The height field first: ground and map are made from it.
 MODULES = (

@@ -1,7 +1,7 @@
-"""Measuring the assets: what each picture and mesh must be to serve, with the figures.
+"""Measuring the assets: the properties that each picture and mesh must have.
 
-Plain numpy functions first, one for each property; then the table of what is asked of which file.
-Needs no dependency of the studio, so that it runs wherever the program does.
+Plain numpy functions first, one for each property; then the checks of each file. It needs no
+dependency of the studio, so it runs wherever the program does.
 """
 
 import json
