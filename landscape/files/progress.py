@@ -1,5 +1,6 @@
 """Progress of a long job: one bar, on a terminal only."""
 
+import os
 import sys
 from typing import Any
 
@@ -27,6 +28,8 @@ class Progress:
                 total=total,
                 bar_format=BAR,
                 file=sys.stderr,
+                ncols=_columns(),
+                nrows=24,  # tqdm hides a bar where a terminal gives its height as 0
                 unit=unit,
                 unit_scale=bool(unit),
                 mininterval=0.1 if unit else 0.0,
@@ -56,3 +59,11 @@ def _on_terminal() -> bool:
     """Return whether standard error is a terminal."""
     # A program started with standard error closed has None there; one that closed it, a dead file.
     return sys.stderr is not None and not sys.stderr.closed and sys.stderr.isatty()
+
+
+def _columns() -> int:
+    """Return the width of the terminal; 80 where it is not known, or given as 0."""
+    try:
+        return os.get_terminal_size(sys.stderr.fileno()).columns or 80
+    except (OSError, ValueError):
+        return 80
