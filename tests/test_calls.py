@@ -25,6 +25,7 @@ from landscape.gl.replay import Replay
 from landscape.gl.state import attrib
 from landscape.gl.texture_target import TextureTarget
 from landscape.island import ELEMENTS
+from landscape.render import Offscreen
 from landscape.tools.trace import as_text, trace_view
 from landscape.views import VIEWS
 from landscape.window.panel import Panel
@@ -382,6 +383,29 @@ def test_the_suite_itself_runs_with_pyopengls_checks_on() -> None:
     assert OpenGL.ERROR_CHECKING and OpenGL.ERROR_ON_COPY
 
 
+def test_a_recording_over_running_islands_sees_inside_the_lists_of_each(
+    stage: Stage, plain_folder: Path
+) -> None:
+    options = {"assets": plain_folder, "only": ("ground", "sky", "castle", "fog")}
+    changes = [{**SMALL, "ground.resolution": points} for points in (20, 30)]
+    wanted = [trace_view("fig35f", "2006", each, **options) for each in changes]
+    with (
+        Offscreen((64, 48), "2006", changes[0], **options) as first,
+        Offscreen((64, 48), "2006", changes[1], **options) as second,
+    ):
+        for offscreen in (first, second):
+            offscreen.look("fig35f")
+            offscreen.draw()
+        for offscreen, trace in zip((first, second), wanted, strict=True):
+            with recording() as recorder:
+                offscreen.draw()
+            inside = [call.as_json() for call in recorder.calls if call.name == "glCallList"]
+            traced = [call.as_json() for call in trace if call.name == "glCallList"]
+            assert [entry.pop("args") for entry in inside] and all("list" in e for e in inside)
+            assert [entry.pop("args") for entry in traced] and inside == traced
+    stage.enter()
+
+
 @pytest.fixture(scope="module")
 def arrival() -> Iterator[list[Call]]:
     """The trace of fig35f, every element shown, in the preset 2006 with its 200,000 blades."""
@@ -414,6 +438,13 @@ def test_a_frame_with_200_000_blades_makes_fewer_than_400_calls(arrival: list[Ca
 def test_every_element_draws_in_the_arrival_at_the_castle(arrival: list[Call]) -> None:
     names = {name for call in drawn(arrival) for name in (call.element, *call.shared_by)}
     assert set(ELEMENTS) <= names
+
+
+def test_what_a_list_holds_is_its_elements(arrival: list[Call]) -> None:
+    for call in arrival:
+        if call.listed or call.name == "glNewList":
+            assert call.element != "frame"
+            assert {inner.element for inner in call.listed} <= {call.element}
 
 
 def test_the_passes_come_in_order(arrival: list[Call]) -> None:
