@@ -112,7 +112,8 @@ def _walk(options: argparse.Namespace) -> int:
 
 
 def _render(options: argparse.Namespace) -> int:
-    from landscape.files.output import Progress, output_paths
+    from landscape.files.output import output_paths
+    from landscape.files.progress import Progress
     from landscape.tools.render_many import render_all
 
     kinds = _scenes(options.views)
@@ -210,18 +211,16 @@ def _assets_sheet(options: argparse.Namespace) -> int:
 
 
 def _assets_fetch(options: argparse.Namespace) -> int:
-    from landscape.files.stanford import StanfordError, fetch
+    from landscape.files.stanford import fetch
 
-    try:
-        rabbit, dragon = fetch(options.out, progress=(lambda *_: None) if options.quiet else None)
-    except StanfordError as error:
-        raise InputError(str(error)) from None
+    rabbit, dragon = fetch(options.out, quiet=options.quiet)
     print(f"landscape walk --set rabbit.mesh={rabbit} --set dragon.mesh={dragon}")
     return 0
 
 
 def _bench(options: argparse.Namespace) -> int:
-    from landscape.files.output import Progress, write_whole
+    from landscape.files.output import write_whole
+    from landscape.files.progress import Progress
     from landscape.tools import bench
 
     kinds = _scenes(options.views)

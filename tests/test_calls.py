@@ -11,15 +11,24 @@ import OpenGL
 import pytest
 from stage import SMALL, Stage, close, small
 
+from landscape.elements.ground import clipped
+from landscape.elements.reflection import inside_water, mirrored, reflected
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.water_surface import WaterSurface
 from landscape.frame import Pose
 from landscape.gl import calls
-from landscape.gl.calls import Call, gl, plain, recording
-from landscape.gl.display_list import DisplayList
+from landscape.gl.calls import Call, begin_pass, drawing, gl, recording
+from landscape.gl.context import open_context
+from landscape.gl.display_list import DisplayList, call_lists
+from landscape.gl.notes import plain
+from landscape.gl.replay import Replay
+from landscape.gl.state import attrib
+from landscape.gl.texture_target import TextureTarget
 from landscape.island import ELEMENTS
+from landscape.render import Offscreen
 from landscape.tools.trace import as_text, trace_view
 from landscape.views import VIEWS
+from landscape.window.panel import Panel
 
 PACKAGE = Path(calls.__file__).resolve().parents[1]
 
@@ -66,8 +75,9 @@ def test_a_call_tells_its_name_arguments_element_source_and_pass(stage: Stage, p
     water = WaterSurface(settings, plain)
     with stage.frame(settings, Pose(20.0, 2.0, 20.0)) as frame:
         with recording() as recorder:
-            calls.begin_pass("main")
-            water.draw(frame)
+            begin_pass("main")
+            with drawing("water"):
+                water.draw(frame)
     water.release()
     blend = next(call for call in recorder.calls if call.name == "glBlendFunc")
     assert blend.shown == ["GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"]
@@ -95,6 +105,224 @@ def test_what_a_list_holds_is_told_under_its_call(stage: Stage) -> None:
     ]
     entry = called.as_json()
     assert entry["list"][0]["name"] == "glColor4f" and "list" not in entry["list"][0]
+
+
+def test_the_drawing_block_names_the_element_and_the_innermost_wins(stage: Stage) -> None:
+    @drawing("fog")
+    def decorated() -> None:
+        gl.glIsEnabled(gl.GL_FOG)
+
+    with recording() as recorder:
+        gl.glIsEnabled(gl.GL_FOG)
+        with drawing("water"):
+            gl.glIsEnabled(gl.GL_FOG)
+            with drawing("trees", "deer"):
+                gl.glIsEnabled(gl.GL_FOG)
+            decorated()
+            decorated()
+            with pytest.raises(RuntimeError), drawing("castle"):
+                raise RuntimeError
+            gl.glIsEnabled(gl.GL_FOG)
+        gl.glIsEnabled(gl.GL_FOG)
+    named = [call.shared_by for call in recorder.calls]
+    assert named == [
+        ("frame",), ("water",), ("trees", "deer"), ("fog",), ("fog",), ("water",), ("frame",),
+    ]  # fmt: skip
+    assert recorder.calls[2].element == "trees"
+
+
+def test_clipping_and_mirroring_name_their_own_calls_and_leave_the_block_to_its_owner(
+    stage: Stage,
+) -> None:
+    settings = small()
+    pose = Pose(20.0, 2.0, 20.0)
+    with stage.frame(settings, pose) as frame, recording() as recorder, drawing("mine"):
+        with reflected(frame, settings, None), mirrored(settings):
+            gl.glIsEnabled(gl.GL_FOG)
+        with clipped(0.5):
+            gl.glIsEnabled(gl.GL_FOG)
+        with inside_water(lambda: None):
+            gl.glIsEnabled(gl.GL_FOG)
+    named: dict[str, set[str]] = {}
+    for call in recorder.calls:
+        named.setdefault(call.name, set()).add(call.element)
+    assert named["glIsEnabled"] == {"mine"}
+    assert named["glClipPlane"] == {"ground"}
+    assert (
+        named["glMultMatrixf"] == named["glFrontFace"] == named["glStencilFunc"] == {"reflection"}
+    )
+    assert named["glPushMatrix"] == named["glPopMatrix"] == {"reflection"}
+    assert named["glPushAttrib"] == named["glPopAttrib"] == {"reflection", "ground"}
+    assert named["glLightfv"] == {"frame"}
+
+
+def test_the_help_panel_names_its_calls(stage: Stage) -> None:
+    panel = Panel("keys", [("W", "walk")])
+    with stage.borrowed(), recording() as recorder:
+        panel.draw(stage.size, keys=True)
+    panel.release()
+    assert {call.element for call in recorder.calls} == {"panel"}
+
+
+def test_the_source_is_the_file_that_asked_even_outside_the_package(stage: Stage) -> None:
+    with recording() as recorder:
+        with attrib(gl.GL_ENABLE_BIT):
+            gl.glIsEnabled(gl.GL_FOG)
+    lines = Path(__file__).read_text(encoding="utf-8").splitlines()
+    for call, wanted in zip(recorder.calls, ("attrib(", "glIsEnabled", "attrib("), strict=True):
+        file, line = call.source.split(":")
+        assert file == "test_calls.py" and wanted in lines[int(line) - 1]
+
+
+def test_a_list_compiled_before_the_recording_is_known_by_its_calls(stage: Stage) -> None:
+    import OpenGL.GL as original
+
+    array = np.array([1.0, 0.5, 0.25, 1.0], np.float32)
+    begin_pass("setup")
+    with drawing("castle"):
+        first = DisplayList(lambda: gl.glFogfv(gl.GL_FOG_COLOR, array))
+    assert gl.glFogfv is original.glFogfv, "noting ends with the list"
+    with drawing("rabbit"):
+        second = DisplayList(lambda: (gl.glPointSize(2.0), first.call()))
+    with stage.borrowed(), recording() as recorder, drawing("sky"):
+        first.call()
+        call_lists([first, second])
+    one, several = recorder.calls
+    [inner] = one.listed
+    assert (inner.name, inner.element, inner.pass_) == ("glFogfv", "castle", "setup")
+    assert inner.source.startswith("test_calls.py:")
+    assert inner.args[1] is array, "a reference, not a copy"
+    assert inner.shown[1]["values"] == array.tolist()
+    assert [call.name for call in several.listed] == ["glFogfv", "glPointSize", "glCallList"]
+    assert [call.name for call in several.listed[2].listed] == ["glFogfv"]
+    assert (one.element, several.listed[1].element) == ("sky", "rabbit")
+    second.release()
+    first.release()
+
+
+def test_a_failure_while_compiling_ends_the_list_and_the_noting(stage: Stage) -> None:
+    import OpenGL.GL as original
+
+    def fail() -> None:
+        raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        DisplayList(fail)
+    assert gl.glIsEnabled is original.glIsEnabled
+    assert not gl.glGetIntegerv(gl.GL_LIST_INDEX)
+
+
+def test_a_released_list_is_forgotten_and_its_number_may_be_used_again(stage: Stage) -> None:
+    before = dict(stage.context.lists)
+    owner = DisplayList(lambda: gl.glPointSize(2.0))
+    number = owner.name
+    assert set(stage.context.lists) == {*before, number}
+    owner.release()
+    owner.release()
+    assert stage.context.lists == before
+    with stage.borrowed(), recording() as recorder:
+        gl.glCallList(number)
+    assert not recorder.calls[0].listed
+    gl.glNewList(number, gl.GL_COMPILE)
+    gl.glEndList()
+    gl.glDeleteLists(number, 1)
+
+
+def test_each_context_knows_its_own_lists(stage: Stage) -> None:
+    mine = DisplayList(lambda: gl.glPointSize(2.0))
+    other = open_context(stage.context.backend)
+    try:
+        theirs: list[DisplayList] = []
+        while not theirs or theirs[-1].name < mine.name:
+            theirs.append(DisplayList(lambda: gl.glPointSize(3.0)))
+        assert theirs[-1].name == mine.name
+        for context, size in ((other, 3.0), (stage.context, 2.0), (other, 3.0)):
+            context.make_current()
+            with stage.borrowed(), recording() as recorder:
+                gl.glCallList(mine.name)
+            assert [call.shown for call in recorder.calls[0].listed] == [[size]]
+        theirs[-1].release()
+    finally:
+        other.release()
+        stage.enter()
+    with stage.borrowed(), recording() as recorder:
+        mine.call()
+    assert recorder.calls[0].listed, "released in the other context only"
+    mine.release()
+
+
+def test_an_array_shows_the_values_it_had_at_the_call(stage: Stage) -> None:
+    colour = np.array([1.0, 0.0, 0.0, 1.0], np.float32)
+    with stage.borrowed(), recording() as recorder:
+        gl.glFogfv(gl.GL_FOG_COLOR, colour)
+        colour[:] = 0.5
+        gl.glFogfv(gl.GL_FOG_COLOR, colour)
+    shown = [call.shown[1]["values"] for call in recorder.calls]
+    assert shown == [[1.0, 0.0, 0.0, 1.0], [0.5, 0.5, 0.5, 0.5]]
+
+
+def test_an_override_reaches_into_a_list_that_is_compiled(stage: Stage) -> None:
+    def larger(name: str, args: tuple[Any, ...]) -> tuple[Any, ...]:
+        return (7.0,) if name == "glPointSize" else args
+
+    with recording(larger):
+        owner = DisplayList(lambda: gl.glPointSize(2.0))
+    with stage.borrowed(), recording() as recorder:
+        owner.call()
+        size = gl.glGetFloatv(gl.GL_POINT_SIZE)
+    owner.release()
+    assert float(np.ravel(size)[0]) == 7.0
+    assert recorder.calls[0].listed[0].shown == [7.0]
+
+
+def test_a_recording_within_another_hands_the_pass_back(stage: Stage) -> None:
+    with recording() as outer:
+        begin_pass("main")
+        with recording() as inner:
+            gl.glIsEnabled(gl.GL_FOG)
+        gl.glIsEnabled(gl.GL_FOG)
+    assert [call.pass_ for call in (*inner.calls, *outer.calls)] == ["setup", "main"]
+
+
+def test_a_replay_is_split_where_the_framebuffer_changes_and_leaves_the_seam_as_it_was(
+    stage: Stage,
+) -> None:
+    import OpenGL.GL as original
+
+    target = TextureTarget((8, 8))
+
+    def draw() -> None:
+        gl.glPointSize(1.0)
+        with target.drawing():
+            gl.glPointSize(2.0)
+        gl.glPointSize(3.0)
+
+    with stage.borrowed():
+        replay = Replay(draw)
+        assert gl.glBindFramebuffer is original.glBindFramebuffer
+        with recording() as recorder:
+            replay.call()
+        bound = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
+    names = [call.name for call in recorder.calls]
+    assert names == ["glCallList", "glBindFramebuffer"] * 2 + ["glCallList"]
+    sizes = [
+        [inner.shown for inner in call.listed if inner.name == "glPointSize"]
+        for call in recorder.calls
+    ]
+    assert sizes == [[[1.0]], [], [[2.0]], [], [[3.0]]]
+    assert recorder.calls[1].args[1] != recorder.calls[3].args[1] == bound
+    before = len(stage.context.lists)
+    replay.release()
+    replay.release()
+    target.release()
+    assert len(stage.context.lists) == before - 3
+
+    def fail() -> None:
+        raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        Replay(fail)
+    assert gl.glBindFramebuffer is original.glBindFramebuffer
 
 
 def test_an_override_changes_what_opengl_gets(stage: Stage) -> None:
@@ -155,6 +383,29 @@ def test_the_suite_itself_runs_with_pyopengls_checks_on() -> None:
     assert OpenGL.ERROR_CHECKING and OpenGL.ERROR_ON_COPY
 
 
+def test_a_recording_over_running_islands_sees_inside_the_lists_of_each(
+    stage: Stage, plain_folder: Path
+) -> None:
+    options = {"assets": plain_folder, "only": ("ground", "sky", "castle", "fog")}
+    changes = [{**SMALL, "ground.resolution": points} for points in (20, 30)]
+    wanted = [trace_view("fig35f", "2006", each, **options) for each in changes]
+    with (
+        Offscreen((64, 48), "2006", changes[0], **options) as first,
+        Offscreen((64, 48), "2006", changes[1], **options) as second,
+    ):
+        for offscreen in (first, second):
+            offscreen.look("fig35f")
+            offscreen.draw()
+        for offscreen, trace in zip((first, second), wanted, strict=True):
+            with recording() as recorder:
+                offscreen.draw()
+            inside = [call.as_json() for call in recorder.calls if call.name == "glCallList"]
+            traced = [call.as_json() for call in trace if call.name == "glCallList"]
+            assert [entry.pop("args") for entry in inside] and all("list" in e for e in inside)
+            assert [entry.pop("args") for entry in traced] and inside == traced
+    stage.enter()
+
+
 @pytest.fixture(scope="module")
 def arrival() -> Iterator[list[Call]]:
     """The trace of fig35f, every element shown, in the preset 2006 with its 200,000 blades."""
@@ -187,6 +438,13 @@ def test_a_frame_with_200_000_blades_makes_fewer_than_400_calls(arrival: list[Ca
 def test_every_element_draws_in_the_arrival_at_the_castle(arrival: list[Call]) -> None:
     names = {name for call in drawn(arrival) for name in (call.element, *call.shared_by)}
     assert set(ELEMENTS) <= names
+
+
+def test_what_a_list_holds_is_its_elements(arrival: list[Call]) -> None:
+    for call in arrival:
+        if call.listed or call.name == "glNewList":
+            assert call.element != "frame"
+            assert {inner.element for inner in call.listed} <= {call.element}
 
 
 def test_the_passes_come_in_order(arrival: list[Call]) -> None:

@@ -1,11 +1,12 @@
-"""Writing: whole files or none, on a full disk as well; progress on a terminal only."""
+"""Writing: whole files or none, on a full disk as well."""
 
 import errno
 import io
 import os
 import stat
-import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from PIL import Image
 
 from landscape.errors import InputError
 from landscape.files import output
-from landscape.files.output import Progress, output_paths, save_png, write_whole
+from landscape.files.output import output_paths, save_png, write_all, write_whole
 
 
 def full_disk(*_: object, **__: object) -> None:
@@ -74,6 +75,32 @@ def test_a_full_disk_keeps_the_earlier_file_and_leaves_no_other(
     monkeypatch.undo()
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_several_files_are_written_all_or_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    old, new = tmp_path / "old.bin", tmp_path / "deep" / "folder" / "new.bin"
+    old.write_bytes(b"old")
+    monkeypatch.setattr(output.tempfile, "mkstemp", full_disk_at(2, output.tempfile.mkstemp))
+    with pytest.raises(InputError, match=r"new\.bin: cannot be written"):
+        write_all({old: b"newer", new: b"new"})
+    monkeypatch.undo()
+    assert list(tmp_path.iterdir()) == [old] and old.read_bytes() == b"old"
+    write_all({old: b"newer", new: [b"in ", b"parts"]})
+    assert (old.read_bytes(), new.read_bytes()) == (b"newer", b"in parts")
+
+
+def full_disk_at(time: int, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return ``function``, on a disk that is full when it is called for the n-th time."""
+    times = iter(range(1, 99))
+
+    def limited(*args: Any, **options: Any) -> Any:
+        if next(times) == time:
+            full_disk()
+        return function(*args, **options)
+
+    return limited
 
 
 def test_an_interrupted_write_leaves_nothing(
@@ -149,41 +176,3 @@ def test_a_folder_without_the_right_to_write_is_refused_at_once(tmp_path: Path) 
             output_paths(tmp_path / "deep", ["a"])
     finally:
         tmp_path.chmod(0o755)
-
-
-class Terminal(io.StringIO):
-    def isatty(self) -> bool:
-        return True
-
-
-def progress_of(total: int, monkeypatch: pytest.MonkeyPatch, err: object, quiet: bool) -> None:
-    monkeypatch.setattr(sys, "stderr", err)
-    with Progress(total, quiet) as progress:
-        for k in range(total):
-            progress.step(f"view{k}")
-
-
-def test_progress_counts_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
-    err = Terminal()
-    progress_of(3, monkeypatch, err, quiet=False)
-    assert "1/3 view0" in err.getvalue() and "3/3 view2" in err.getvalue()
-    assert err.getvalue().endswith("\n")
-    assert "#" * Progress.WIDTH in err.getvalue().splitlines()[-1]
-
-
-@pytest.mark.parametrize(("total", "quiet"), [(3, True), (1, False)])
-def test_no_progress_when_quiet_or_for_a_single_thing(
-    total: int, quiet: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    err = Terminal()
-    progress_of(total, monkeypatch, err, quiet)
-    assert err.getvalue() == ""
-
-
-def test_no_progress_where_standard_error_is_a_file_or_closed(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    err = io.StringIO()
-    progress_of(3, monkeypatch, err, quiet=False)
-    assert err.getvalue() == ""
-    progress_of(3, monkeypatch, None, quiet=False)

@@ -10,7 +10,7 @@ State used: GL_FOG and its parameters.
 
 import numpy as np
 
-from landscape.gl.calls import gl
+from landscape.gl.calls import drawing, gl
 from landscape.settings import Fog
 
 ELEMENT = "fog"
@@ -21,6 +21,7 @@ def visibility(distance: np.ndarray, density: float) -> np.ndarray:
     return np.exp(-np.square(density * distance))
 
 
+@drawing("fog")
 def enable(fog: Fog) -> None:
     """Enable the fog of the settings."""
     modes = {"exp2": gl.GL_EXP2, "exp": gl.GL_EXP, "linear": gl.GL_LINEAR}

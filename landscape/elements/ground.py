@@ -20,7 +20,7 @@ from landscape.files.images import read_heights, read_image
 from landscape.frame import Frame
 from landscape.geometry.height_colours import colour_by_height
 from landscape.geometry.height_field import HeightField, ground_mesh, height_field, lookup
-from landscape.gl.calls import gl
+from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib
@@ -41,10 +41,12 @@ def clipped(level: float, enabled: bool = True) -> Iterator[None]:
     if not enabled:
         yield
         return
-    with attrib(gl.GL_TRANSFORM_BIT | gl.GL_ENABLE_BIT):
+    outside = drawn_now()
+    with drawing("ground"), attrib(gl.GL_TRANSFORM_BIT | gl.GL_ENABLE_BIT):
         gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.0, 1.0, 0.0, -level], np.float64))
         gl.glEnable(gl.GL_CLIP_PLANE0)
-        yield
+        with drawing(*outside):
+            yield
 
 
 def has_no_colours(ground: GroundSettings) -> bool:

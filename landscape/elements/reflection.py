@@ -18,7 +18,7 @@ import numpy as np
 
 from landscape.elements import sun
 from landscape.elements.ground import clipped
-from landscape.gl.calls import gl
+from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.state import attrib, matrix
 from landscape.settings import Settings
 
@@ -30,14 +30,14 @@ MIRROR = np.diag([1.0, -1.0, 1.0, 1.0]).astype(np.float32)  # section 3.1
 @contextmanager
 def mirrored(settings: Settings) -> Iterator[None]:
     """Draw the block's elements as the water mirrors them."""
-    level = settings.water.level
-    with matrix(), attrib(gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT):
+    level, outside = settings.water.level, drawn_now()
+    with drawing("reflection"), matrix(), attrib(gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT):
         gl.glTranslatef(0.0, level, 0.0)
         gl.glMultMatrixf(MIRROR)
         gl.glTranslatef(0.0, -level, 0.0)
         gl.glFrontFace(gl.GL_CW)
         sun.place(settings.sun)
-        with clipped(level):
+        with clipped(level), drawing(*outside):
             yield
 
 
@@ -47,15 +47,19 @@ def inside_water(mark: Callable[[], None] | None) -> Iterator[None]:
     if mark is None:
         yield
         return
-    with attrib(gl.GL_STENCIL_BUFFER_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT):
+    outside = drawn_now()
+    groups = gl.GL_STENCIL_BUFFER_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
+    with drawing("reflection"), attrib(groups):
         gl.glEnable(gl.GL_STENCIL_TEST)
         gl.glStencilFunc(gl.GL_ALWAYS, 1, 1)
         gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
         gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
         gl.glDepthMask(gl.GL_FALSE)
-        mark()
+        with drawing("water"):
+            mark()
         gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
         gl.glDepthMask(gl.GL_TRUE)
         gl.glStencilFunc(gl.GL_EQUAL, 1, 1)
         gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
-        yield
+        with drawing(*outside):
+            yield

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from landscape.gl.calls import gl
+from landscape.gl.calls import drawing, gl
 from landscape.settings import Sun
 
 ELEMENT = "frame"
@@ -46,6 +46,7 @@ def shine(sun: Sun) -> None:
     place(sun)
 
 
+@drawing("frame")
 def place(sun: Sun) -> None:
     """Place the lights under the current modelview matrix."""
     towards = np.append(direction(sun), 0.0).astype(np.float32)

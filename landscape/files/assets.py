@@ -1,4 +1,4 @@
-"""Finding the files the island is made of: the user's own first, then those that came with it."""
+"""Finding the files the island is made of: the user's own first, then the shipped ones."""
 
 import os
 from pathlib import Path
@@ -19,24 +19,24 @@ class Assets:
     """File names to paths."""
 
     def __init__(self, folder: Path | None = None) -> None:
-        """Look in ``folder`` before the shipped assets; InputError where it is no folder."""
+        """Look in ``folder`` before the shipped assets; InputError if it is not a folder."""
         if folder is not None and not os.path.isdir(folder):
             raise InputError(f"--assets {folder}: expected a folder")
         self._folders = ([folder] if folder is not None else []) + [shipped()]
 
     def contents(self, *names: str) -> list[bytes]:
-        """Return hashes of what all files are that an island may be made of, ``names`` included.
+        """Return a hash of the bytes of every file an island may be made of, and of ``names``.
 
-        A file that is missing or cannot be read counts as an empty one.
+        A file that is missing or cannot be read counts as empty.
         """
         paths = [path for folder in self._folders for path in sorted(folder.iterdir())]
         paths += [Path(os.path.expanduser(name)) for name in names]
         return [content(path) for path in paths]
 
     def path(self, name: str, key: str = "") -> Path:
-        """Return the path of a file; a name with no folder is looked up in the asset folders.
+        """Return the path of a file; a name without a folder is looked up in the asset folders.
 
-        InputError names the file, and the settings ``key`` it came from.
+        InputError names the file, and the setting (``key``) it came from.
         """
         given = Path(os.path.expanduser(name))
         candidates = [given]

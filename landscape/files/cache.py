@@ -1,53 +1,56 @@
-"""A cache of arrays that are slow to make, such as decoded images. Losing it costs time only.
+"""A cache of arrays that are slow to make, such as decoded images. Losing it costs only time.
 
-A file is named by a hash of all that its arrays were made from, the program's own code included, so
-it is never out of date. It holds a checksum, so damage is noticed and the arrays are made anew. It
-appears whole under its name or not at all, so processes that start together do not disturb each
-other. The folder is ``LANDSCAPE_CACHE``, or the system's own place for caches; set to nothing, the
-variable turns the cache off. What has lain longest goes when all take more than MOST_BYTES.
+The name of a file is a hash of everything its arrays were made from, code included, so a file is
+never out of date. It holds a checksum: a damaged file is noticed, and its arrays are made again. It
+appears whole or not at all, so processes that start together do not disturb each other. The folder
+is ``LANDSCAPE_CACHE``, or the system's folder for caches; set to nothing, the variable turns the
+cache off. The files used longest ago are deleted when all together exceed MOST_BYTES.
 """
 
 import contextlib
 import functools
 import hashlib
+import inspect
 import json
 import os
-import sys
-import tempfile
 import zlib
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+
+from landscape.errors import InputError
+from landscape.files.output import write_whole
 
 MAGIC = b"landscape cache 1\n"
 MOST_BYTES = 400 << 20  # chosen: some five times what the shipped island takes
 ALIGNED = 16  # bytes
+PACKAGE = Path(__file__).resolve().parents[1]
 Arrays = tuple[np.ndarray, ...]
 
 
 def folder() -> Path | None:
-    """Return where cached arrays lie; None if there is to be no cache."""
+    """Return the folder of the cache; None if there is to be no cache."""
     given = os.environ.get("LANDSCAPE_CACHE")
     if given is not None:
         return Path(given) if given else None
-    if sys.platform == "win32":
-        base = os.environ.get("LOCALAPPDATA")
-    else:
-        base = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
-    return Path(base) / "landscape" if base and os.path.isabs(base) else None
+    import platformdirs
+
+    found = platformdirs.user_cache_path("landscape", appauthor=False)
+    return found if found.is_absolute() else None
 
 
 def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
     """Return what ``make`` returns, from the cache if it was made before.
 
-    ``parts``, with the code of this program, must determine it. A folder that cannot be used is as
-    good as none. The arrays may be written to.
+    The result must depend only on ``parts`` and on code: this package's, or that of the file which
+    defines ``make``. A cache that cannot be used is no error. The arrays may be written to.
     """
-    place = folder()
-    if place is None:
+    place, theirs = folder(), code_outside(make)
+    if place is None or theirs is None:
         return make()
-    digest = hashlib.blake2b(code(), digest_size=20)
+    digest = hashlib.blake2b(code() + theirs, digest_size=20)
     for part in parts:
         data = part.encode() if isinstance(part, str) else part
         digest.update(len(data).to_bytes(8, "little") + data)
@@ -55,23 +58,44 @@ def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
     found = _read(path)
     if found is None:
         found = make()
-        with contextlib.suppress(OSError):
+        with contextlib.suppress(InputError):
             _write(path, found)
     return found
 
 
 @functools.lru_cache(maxsize=1)
 def code() -> bytes:
-    """Return a hash of the program's own modules: changed code makes other arrays."""
-    digest = hashlib.blake2b(np.__version__.encode(), digest_size=20)
-    root = Path(__file__).parents[1]
-    for path in sorted(root.rglob("*.py")):
-        digest.update(path.read_bytes())
+    """Return a hash of this package's modules: changed code makes other arrays."""
+    return np.__version__.encode() + code_below(PACKAGE)
+
+
+def code_below(folder: Path) -> bytes:
+    """Return a hash of all modules in a folder and its sub-folders, their names included."""
+    digest = hashlib.blake2b(digest_size=20)
+    for path in sorted(folder.rglob("*.py")):
+        for part in (str(path.relative_to(folder)).encode(), path.read_bytes()):
+            digest.update(len(part).to_bytes(8, "little") + part)
     return digest.digest()
 
 
+def code_outside(make: Callable[..., Any]) -> bytes | None:
+    """Return a hash of the file that defines ``make``; nothing if it belongs to this package.
+
+    None where the code cannot be read: such as typed into an interpreter.
+    """
+    while isinstance(make, functools.partial):
+        make = make.func
+    make = inspect.unwrap(make)
+    # A function or a method; or else an object that can be called.
+    body = getattr(make, "__code__", None) or getattr(type(make).__call__, "__code__", None)
+    if body is None:
+        return None
+    path = Path(body.co_filename)
+    return b"" if path.is_relative_to(PACKAGE) else content(path) or None
+
+
 def content(path: Path) -> bytes:
-    """Return a hash of what is in a file; nothing if it cannot be read: who reads it will say."""
+    """Return a hash of a file's bytes; nothing if it cannot be read, which its reader reports."""
     try:
         stat = path.stat()
         return _content(str(path), stat.st_mtime_ns, stat.st_size)
@@ -88,7 +112,7 @@ def _read(path: Path) -> Arrays | None:
     """Return the arrays in a file; None if there is none or it is damaged."""
     try:
         data = np.fromfile(path, np.uint8)
-        os.utime(path)  # used now: others go first
+        os.utime(path)  # the time of its last use: older files are deleted first
     except OSError:
         return None
     try:
@@ -110,27 +134,18 @@ def _read(path: Path) -> Arrays | None:
 
 
 def _write(path: Path, arrays: Arrays) -> None:
-    """Write arrays under another name and rename the file."""
+    """Write arrays to a file, and delete old files if there are too many."""
     header = json.dumps([(array.dtype.str, array.shape) for array in arrays]).encode()
-    # Each array begins where its numbers may lie in memory: it is read to where it will be used.
+    # Each array begins at an aligned offset, so that it can be used where the file was read to.
     body = [header + b" " * (-(len(MAGIC) + 8 + len(header)) % ALIGNED)]
     body += [part.tobytes() + bytes(-part.nbytes % ALIGNED) for part in arrays]
     checksum = functools.reduce(lambda total, part: zlib.crc32(part, total), body, 0)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".new.")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(MAGIC + np.array([len(body[0]), checksum], "<u4").tobytes())
-            file.writelines(body)
-        os.replace(temporary, path)
-    finally:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
+    write_whole(path, [MAGIC + np.array([len(body[0]), checksum], "<u4").tobytes(), *body])
     _shrink(path.parent)
 
 
 def _shrink(place: Path) -> None:
-    """Remove what was used longest ago while all takes more than MOST_BYTES."""
+    """Delete the files used longest ago while all together exceed MOST_BYTES."""
     files = []
     for path in place.glob("*.arrays"):
         with contextlib.suppress(OSError):

@@ -9,14 +9,14 @@ from PIL import Image
 from landscape.errors import InputError
 from landscape.files.cache import content, recall
 
-MAX_SIZE = 4096  # chosen: more texels than the largest window has pixels serve nothing
+MAX_SIZE = 4096  # chosen: more texels than the pixels of the largest window are of no use
 
 
 def read_image(path: Path, mode: str = "RGBA", largest: int = MAX_SIZE) -> np.ndarray:
     """Read an image file as uint8 of shape (h, w, 3 or 4), by mode "RGB" or "RGBA".
 
-    16-bit, grey and palette images are converted; one with more than ``largest`` texels along a
-    side is reduced. InputError names a file that is missing, truncated, or not an image.
+    16-bit, grey and palette images are converted; an image with a side of more than ``largest``
+    texels is reduced. InputError names a file that is missing, truncated, or not an image.
     """
     return recall((content(path), f"{mode} {largest}"), lambda: (_decoded(path, mode, largest),))[0]
 
@@ -34,7 +34,7 @@ def open_image(path: Path) -> Image.Image:
     """Open and decode an image; InputError where that fails."""
     try:
         with warnings.catch_warnings(), path.open("rb") as file:
-            # Pillow warns of large images, which are welcome, and of damage it could mend.
+            # Pillow warns of large images, which are allowed, and of damage that it could repair.
             warnings.simplefilter("ignore")
             image: Image.Image = Image.open(file)
             image.load()
@@ -47,7 +47,7 @@ def open_image(path: Path) -> Image.Image:
     except Image.DecompressionBombError:
         raise InputError(f"{path}: the image is too large; expected under 178 megapixels") from None
     except Exception as error:
-        # A decoder raises whatever it stumbled on: any of it means a damaged file here.
+        # A decoder may raise any kind of exception: all of them mean a damaged file.
         reason = str(error).split(" <_io")[0].split(f" {str(path)!r}")[0] or type(error).__name__
         raise InputError(f"{path}: expected an image such as PNG ({reason})") from None
     return image
@@ -60,10 +60,10 @@ def _grey8(values: np.ndarray) -> np.ndarray:
 
 
 def read_heights(path: Path) -> np.ndarray:
-    """Read a height image's red channel as float32 (h, w) in 0..255; 16-bit images keep their bits.
+    """Read the red channel of a height image as float32 (h, w) in 0..255.
 
-    Palette, alpha and 16-bit images are taken; very large ones are reduced. InputError names a
-    file that cannot be read.
+    16-bit images keep their precision; palette and alpha images are accepted, very large ones
+    reduced. InputError names a file that cannot be read.
     """
     image = open_image(path)
     if max(image.size) > MAX_SIZE:
@@ -79,9 +79,9 @@ def read_heights(path: Path) -> np.ndarray:
 def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
     """Return up to ``levels`` mip levels of a sprite, (h, w, 4) uint8 first, alpha coverage kept.
 
-    Averages colours weighted by alpha, so that no colour of transparent texels leaks in, then
-    scales each level's alpha until as large a part of it is over one half as in level 0: without
-    that, far trees thin out and vanish. Sides must be even as long as levels are asked.
+    Colours are averaged weighted by alpha, so that the colour of transparent texels does not leak
+    in. Then each level's alpha is scaled until the fraction above one half is that of level 0:
+    otherwise distant trees thin out and vanish. Sides must be even down to the last level but one.
     """
     chain = [rgba]
     level = rgba.astype(np.float32) / 255.0
@@ -100,8 +100,8 @@ def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
 
 
 def _coverage_scale(alpha: np.ndarray, covered: float) -> float:
-    """Return the factor on ``alpha`` that makes the part over one half equal to ``covered``."""
-    # A sprite with hard edges may keep its coverage as it is, and is not to be made translucent.
+    """Return the factor on ``alpha`` that makes the fraction above one half equal ``covered``."""
+    # A sprite with hard edges may keep its coverage without scaling, and must stay opaque.
     if abs(float((alpha > 0.5).mean()) - covered) < 1e-3:
         return 1.0
     threshold = float(np.quantile(alpha, 1.0 - covered))

@@ -1,7 +1,7 @@
 """Reading meshes: PLY by our own reader, other formats by trimesh. No OpenGL here.
 
-The reader is our own because the report's is (Mesh_tool reads PLY), because trimesh takes truncated
-ASCII files for whole ones and refuses some that Blender writes, and because it starts faster.
+The report's Mesh_tool has a PLY reader of its own, and so do we. Besides, trimesh accepts truncated
+ASCII files, refuses some files that Blender writes, and takes longer to import.
 """
 
 import re
@@ -19,8 +19,6 @@ PLY_TYPES = {
     "float": "f4", "double": "f8", "float32": "f4", "float64": "f8",
 }  # fmt: skip
 BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
-
-
 COLOURS = ("red", "green", "blue")
 OTHER_FORMATS = (".obj", ".stl", ".off", ".glb")
 
@@ -39,7 +37,7 @@ def read_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
         vertices = np.ascontiguousarray(loaded.vertices, np.float32)
         triangles = np.asarray(loaded.faces, np.int64)
     except Exception as error:
-        # trimesh raises whatever its parsers stumbled on: any of it means a damaged file here.
+        # The parsers of trimesh raise any kind of exception: all of them mean a damaged file.
         reason = (str(error).strip().splitlines() or [type(error).__name__])[0][:100]
         raise InputError(f"{path}: expected a whole mesh ({reason})") from None
     return checked(path, vertices, triangles)
@@ -61,9 +59,9 @@ def checked(
 def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Read a PLY file: vertices float32 (n, 3) in the file's order, and triangles uint32 (m, 3).
 
-    ASCII or binary of either byte order; polygons are cut into triangles, properties other than
-    places and corners left aside. InputError names a file that is missing, truncated, not a PLY, or
-    has no faces, wrong indices or NaN.
+    ASCII or binary of either byte order; polygons are cut into triangles, and properties other than
+    positions and indices are ignored. InputError names a file that is missing, truncated, not a
+    PLY, or has no faces, wrong indices or NaN.
     """
     vertices, triangles, _ = _read_ply(path)
     return checked(path, vertices, triangles)
@@ -83,20 +81,17 @@ def _read_ply(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         data = path.read_bytes()
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    if not data.startswith(b"ply"):
-        raise InputError(f"{path}: expected a PLY file, whose first line is 'ply'")
     try:
-        with np.errstate(over="ignore", invalid="ignore"):
-            return _parse_ply(data)
-    except (ValueError, OverflowError) as error:
+        return parse_ply(data)
+    except ValueError as error:
         raise InputError(f"{path}: expected a whole PLY mesh ({error})") from None
 
 
 @dataclass(frozen=True)
 class _Element:
-    """A PLY element: its number of rows; each property's name, type and, of a list, count's type.
+    """A PLY element: its number of rows, and the name, type and count type of each property.
 
-    Types are numpy's, as in "<f4".
+    Only a list has a count, of a type of its own. Types are numpy's, as in "<f4".
     """
 
     name: str
@@ -104,18 +99,28 @@ class _Element:
     properties: list[tuple[str, str, str | None]]
 
 
-def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+def parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     """Return vertices float32 (n, 3), triangles int64 (m, 3), colours uint8 (n, 3) if it has any.
 
-    ValueError says what is wrong.
+    ValueError says what is wrong; whether indices and coordinates make sense is not checked.
     """
+    if not data.startswith(b"ply"):
+        raise ValueError("its first line is not 'ply'")
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):
+            return _parse_ply(data)
+    except OverflowError as error:
+        raise ValueError(str(error)) from None
+
+
+def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     end = re.search(rb"[\r\n]end_header[ \t]*(\r\n|\n|\r|$)", data)
     if end is None:
         raise ValueError("its header does not end")
     header = [line.split() for line in data[: end.start()].decode("latin-1").splitlines()]
     body = data[end.end() :]
     if ["format", "ascii", "1.0"] in header:
-        # The numbers of a text become doubles, and are then read as those of a binary file.
+        # The numbers of a text become doubles, which are then read like those of a binary file.
         body = np.fromiter(map(float, body.split()), np.float64).tobytes()
     vertices, triangles = np.empty((0, 3)), np.empty((0, 3))
     colours = None
@@ -161,7 +166,7 @@ def _elements(header: list[list[str]]) -> list[_Element]:
 
 
 def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], int]:
-    """Return an element's properties, arrays (rows,) or (rows, k), and where its rows end.
+    """Return an element's properties, arrays (rows,) or (rows, k), and the offset of its end.
 
     A list property whose rows differ in length gives a list of arrays.
     """
@@ -177,7 +182,7 @@ def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], i
 
     if element.rows == 0:
         return {name: np.empty((0,)) for name, _, _ in element.properties}, at
-    # Most files have rows all of one length: the first one's.
+    # In most files all rows have the length of the first one.
     fields: list[Any] = []
     end = at
     for name, kind, counter in element.properties:

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from landscape.files.images import read_image
-from landscape.files.output import Progress, save_png, write_whole
+from landscape.files.output import save_png, write_whole
+from landscape.files.progress import Progress
 from landscape.gallery.compare import agree, amplified
 from landscape.gallery.page import page
 from landscape.gallery.panels import FigurePanel, PanelRenderer, named_panels

@@ -1,21 +1,29 @@
 """The seam: every OpenGL call of the program goes through the namespace :data:`gl`.
 
-Off, it costs nothing: once looked up, an attribute of ``gl`` is PyOpenGL's function itself. On
-(:func:`recording`), each call is noted with its arguments, the element and the source line it comes
-from, and may have its arguments changed. Tests, ``landscape trace`` and the lessons stand on it.
+Off, it costs nothing: once looked up, an attribute of ``gl`` is PyOpenGL's function itself. Inside
+:func:`noting` the attributes are functions that note a call and then make it. Two things need
+that. A :func:`recording` collects the calls, with their arguments, the element that draws, the pass
+and the source line, and may change arguments. And a display list remembers the calls it was
+compiled from, recording or not, so that a recording of any later frame can look inside it.
+
+The element is the one that the code names: ``with drawing("water"): water.draw(frame)``.
+Tests, ``landscape trace`` and the lessons are built on this module. One thread draws at a time.
 """
 
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field
-from pathlib import Path
-from types import FrameType
+from contextlib import ContextDecorator, contextmanager
+from itertools import islice
 from typing import Any
 
 import numpy as np
 
-PACKAGE = Path(__file__).resolve().parents[1]
+from landscape.gl.notes import Call, caller, shown
+
+__all__ = [
+    "Call", "Lists", "Override", "Recorder", "begin_pass", "drawing", "drawn_now", "gl", "noting",
+    "recording", "replacing", "use_lists",
+]  # fmt: skip
 
 Override = Callable[[str, tuple[Any, ...]], tuple[Any, ...]]
 
@@ -24,162 +32,212 @@ class Calls:
     """OpenGL's functions and enumerants as attributes; PyOpenGL is imported at the first use."""
 
     def __getattr__(self, name: str) -> Any:
-        # Whoever looks an object over (pytest does) must not load OpenGL before a platform is set.
+        # Code that inspects any object it meets, as pytest does, must not import OpenGL before a
+        # platform is chosen.
         if not name.startswith(("gl", "GL")):
             raise AttributeError(name)
         import OpenGL.GL
 
         value = getattr(OpenGL.GL, name)
-        if _recorder is not None and callable(value) and name.startswith("gl"):
-            value = _recorder.wrap(name, value)
+        if self.__dict__ is _noted and callable(value) and name.startswith("gl"):
+            value = _noting(name, value)
         self.__dict__[name] = value
         return value
 
 
 gl: Any = Calls()
+# The attributes of ``gl`` outside noting() and inside it. To switch is one assignment.
+_plain: dict[str, Any] = gl.__dict__
+_noted: dict[str, Any] = {}
+_depth = 0  # how many noting() blocks are open
 
 
-@dataclass
-class Call:
-    """One call: ``args`` as given, ``shown`` as JSON, ``listed`` what a glCallList runs."""
+class Listing:
+    """The calls that one display list was compiled from.
 
-    name: str
-    args: tuple[Any, ...]
-    shown: list[Any]
-    element: str
-    shared_by: tuple[str, ...]
-    source: str
-    pass_: str
-    listed: "list[Call]" = field(default_factory=list)
+    They are kept as one flat list of values, and become :class:`Call` objects when a recording asks
+    for them: thousands of small objects would slow down the start, by garbage collections.
+    """
 
-    def as_json(self) -> dict[str, Any]:
-        """Return the call in the form that `landscape trace --json` prints."""
-        entry: dict[str, Any] = {
-            "name": self.name,
-            "args": self.shown,
-            "element": self.element,
-            "source": self.source,
-            "pass": self.pass_,
-        }
-        if len(self.shared_by) > 1:
-            entry["shared_by"] = list(self.shared_by)
-        if self.listed:
-            entry["list"] = [call.as_json() for call in self.listed]
-        return entry
+    def __init__(self) -> None:
+        self._notes: list[Any] = []
+        self._calls: list[Call] | None = None
+
+    def note(self, name: str, args: tuple[Any, ...], where: tuple[Any, ...]) -> None:
+        """Add a call; ``where`` holds the next five fields of a Call."""
+        self._notes += (name, len(args), *args, *where)
+
+    def calls(self) -> list[Call]:
+        """Return the calls, and with them those of the lists that are called from this one."""
+        if self._calls is None:
+            self._calls, notes = [], iter(self._notes)
+            for name in notes:
+                args = tuple(islice(notes, next(notes)))
+                call = Call(name, args, *islice(notes, 5))
+                call.listed = _executed(call)
+                self._calls.append(call)
+        return self._calls
+
+
+Lists = dict[int, Listing]
+"""The display lists of one context, by their numbers."""
 
 
 class Recorder:
-    """Collects calls; calls made while a display list is compiled are kept under that list."""
+    """What a recording has collected; calls compiled into a display list stand under that list."""
 
     def __init__(self, override: Override | None = None) -> None:
         self.calls: list[Call] = []
-        self.lists: dict[int, list[Call]] = {}
-        self._open: list[Call] | None = None
-        self._override = override
+        self.override = override
 
-    def wrap(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-        """Return ``function`` with a note taken before each call."""
-
-        def recorded(*args: Any) -> Any:
-            if self._override is not None:
-                args = self._override(name, args)
-            self._note(name, args)
-            return function(*args)
-
-        return recorded
-
-    def _note(self, name: str, args: tuple[Any, ...]) -> None:
-        source, elements = _where(sys._getframe(2))
-        shown = [_mask(args[0])] if name in MASKED else [plain(a) for a in args]
-        call = Call(name, args, shown, elements[0], elements, source, current_pass)
-        target = self.calls if self._open is None else self._open
-        target.append(call)
-        if name == "glNewList":
-            self._open = self.lists[int(args[0])] = []
-        elif name == "glEndList":
-            if self._open:
-                self._open.pop()
-            self._open = None
-            self.calls.append(call)
-        elif name == "glCallList":
-            call.listed = self.lists.get(int(args[0]), [])
-        elif name == "glCallLists":
-            call.listed = [c for each in args[2] for c in self.lists.get(int(each), [])]
+    @property
+    def lists(self) -> dict[int, list[Call]]:
+        """The display lists of the current context: number to the calls it was compiled from."""
+        return {number: listing.calls() for number, listing in _lists.items()}
 
 
 _recorder: Recorder | None = None
+_lists: Lists = {}
+_open: Listing | None = None  # the display list that is being compiled
+_drawing: list[tuple[str, ...]] = [("frame",)]
 current_pass = "setup"
 
 
 @contextmanager
 def recording(override: Override | None = None) -> Iterator[Recorder]:
-    """Record every call made inside the block; ``override(name, args)`` may change arguments."""
+    """Record every call made inside the block; ``override(name, args)`` may change arguments.
+
+    A recording inside another one collects its own calls; the outer one does not see them.
+    """
     global _recorder, current_pass
-    previous = _recorder
-    _recorder = Recorder(override)
-    gl.__dict__.clear()
-    current_pass = "setup"
+    before = _recorder, current_pass
+    recorder = Recorder(override)
+    _recorder, current_pass = recorder, "setup"
     try:
-        yield _recorder
+        with noting():
+            yield recorder
     finally:
-        _recorder = previous
-        gl.__dict__.clear()
-        current_pass = "setup"
+        _recorder, current_pass = before
+
+
+@contextmanager
+def noting() -> Iterator[None]:
+    """Note the calls of the block: for the recording, if there is one, and for display lists."""
+    global _depth
+    _depth += 1
+    gl.__dict__ = _noted
+    try:
+        yield
+    finally:
+        _depth -= 1
+        if _depth == 0:
+            gl.__dict__ = _plain
+
+
+@contextmanager
+def replacing(name: str, function: Callable[..., Any]) -> Iterator[Callable[..., Any]]:
+    """Note the calls of the block, in which ``gl.name`` is ``function``; yield what it was."""
+    with noting():
+        original = getattr(gl, name)
+        _noted[name] = function
+        try:
+            yield original
+        finally:
+            _noted[name] = original
+
+
+class drawing(ContextDecorator):
+    """Say which element the block draws: ``with drawing("water"):``, or as a decorator.
+
+    Several names share what is drawn. The innermost block wins; outside any it is "frame".
+    """
+
+    def __init__(self, element: str, *others: str) -> None:
+        self._elements = (element, *others)
+
+    def __enter__(self) -> None:
+        _drawing.append(self._elements)
+
+    def __exit__(self, *_: object) -> None:
+        _drawing.pop()
+
+
+def drawn_now() -> tuple[str, ...]:
+    """Return the names that the innermost drawing() block gave.
+
+    A context manager that draws by itself takes them before its own drawing() block, and lets its
+    caller's block run inside ``drawing(*names)``.
+    """
+    return _drawing[-1]
 
 
 def begin_pass(name: str) -> None:
-    """Tell the recorder which pass of the frame starts: reflection, main or overlay."""
+    """Say which pass of the frame begins: reflection, main or overlay; setup while building."""
     global current_pass
     current_pass = name
 
 
-def _where(frame: FrameType | None) -> tuple[str, tuple[str, ...]]:
-    """Return "file:line" of the caller outside the gl rooms, and the element(s) drawing.
-
-    A module of ``elements`` names its element in ``ELEMENT``; one that draws several at once
-    names them in the attribute ``elements`` of the object that draws.
-    """
-    source, elements = "", ("frame",)
-    while frame is not None:
-        path = Path(frame.f_code.co_filename)
-        if path.is_relative_to(PACKAGE):
-            parts = path.relative_to(PACKAGE).parts
-            if not source or source.startswith("landscape/gl/"):
-                source = f"landscape/{'/'.join(parts)}:{frame.f_lineno}"
-            if parts[0] == "elements":
-                owner = frame.f_locals.get("self")
-                named = getattr(owner, "elements", None) or frame.f_globals.get("ELEMENT", "frame")
-                elements = (named,) if isinstance(named, str) else tuple(named)
-                break
-        frame = frame.f_back
-    return source, elements
+def use_lists(lists: Lists) -> None:
+    """Take ``lists`` for the current context's: the number of a list means nothing in another."""
+    global _lists
+    _lists = lists
 
 
-MASKED = ("glClear", "glPushAttrib")
-_BITS = (
-    *("CURRENT", "POINT", "LINE", "POLYGON", "LIGHTING", "FOG", "DEPTH_BUFFER", "STENCIL_BUFFER"),
-    *("VIEWPORT", "TRANSFORM", "ENABLE", "COLOR_BUFFER", "HINT", "LIST", "TEXTURE"),
-)
+def _noting(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return ``function`` with a note taken of each call."""
+    follow = _FOLLOW.get(name)
+
+    def noted(*args: Any) -> Any:
+        kept = None
+        if _recorder is not None:
+            if _recorder.override is not None:
+                args = _recorder.override(name, args)
+            if any(isinstance(value, (np.ndarray, list)) for value in args):
+                kept = shown(name, args)  # now: the caller may overwrite an array later
+        where = (_drawing[-1], current_pass, *caller(sys._getframe(1)), kept)
+        if _open is not None and name != "glEndList":
+            _open.note(name, args, where)
+        elif _recorder is not None:
+            call = Call(name, args, *where)
+            call.listed = _executed(call)
+            _recorder.calls.append(call)
+        result = function(*args)
+        if follow is not None:
+            follow(*args)
+        return result
+
+    return noted
 
 
-def _mask(value: int) -> str:
-    """Write an attribute or buffer mask as its bits' names."""
-    import OpenGL.GL
-
-    names = (f"GL_{bit}_BIT" for bit in _BITS)
-    return " | ".join(name for name in names if value & getattr(OpenGL.GL, name))
+def _begin(name: int, mode: int) -> None:
+    global _open
+    _open = _lists[int(name)] = Listing()
 
 
-def plain(value: Any) -> Any:
-    """Turn an argument into JSON: enumerants by name, numbers as numbers, arrays described."""
-    if isinstance(value, int) and hasattr(value, "name"):
-        return value.name
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, (list, tuple, np.ndarray)):
-        array = np.asarray(value)
-        flat = array.ravel()[:64].tolist()
-        return {"shape": list(array.shape), "dtype": str(array.dtype), "values": flat}
-    if value is None or isinstance(value, (bool, int, float, str)):
-        return value
-    return getattr(value, "value", type(value).__name__)
+def _end() -> None:
+    global _open
+    _open = None
+
+
+def _forget(first: int, count: int) -> None:
+    for name in range(int(first), int(first) + int(count)):
+        _lists.pop(name, None)
+
+
+_FOLLOW: dict[str, Callable[..., None]] = {
+    "glNewList": _begin,
+    "glEndList": _end,
+    "glDeleteLists": _forget,
+}
+
+
+def _executed(call: Call) -> list[Call]:
+    """Return the calls that a glCallList or glCallLists executes."""
+    if call.name == "glCallList":
+        names = call.args
+    elif call.name == "glCallLists":
+        names = call.args[2]
+    else:
+        return []
+    listings = [_lists[int(name)] for name in names if int(name) in _lists]
+    return [inner for listing in listings for inner in listing.calls()]

@@ -1,7 +1,8 @@
-"""Contexts behind one seam: OSMesa, EGL without a surface, a GLFW window, GLFW's null platform.
+"""Contexts behind one interface: OSMesa, EGL with no window, a GLFW window, GLFW's null platform.
 
-PyOpenGL binds to one platform for the life of a process, and its choice must be made before its
-first import: :func:`open_context` does both. A context belongs to the thread that opened it.
+PyOpenGL binds to one platform for the life of a process, and the platform must be chosen before
+PyOpenGL is first imported: :func:`open_context` does both. A context belongs to the thread that
+opened it, and knows the calls that its display lists were compiled from (see calls.py).
 """
 
 import ctypes
@@ -12,6 +13,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from landscape.errors import NoOpenGLError
+from landscape.gl.calls import Lists, use_lists
 
 BACKENDS = ("osmesa", "egl", "glfw")
 
@@ -23,9 +25,10 @@ PACKAGES = {
 
 
 class Context(Protocol):
-    """What every backend offers; ``release`` may be called twice."""
+    """What every backend offers; ``release`` may be called twice. ``lists`` belong to calls.py."""
 
     backend: str
+    lists: Lists
 
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
@@ -40,8 +43,9 @@ _platform: str | None = None
 def use_platform(name: str) -> None:
     """Bind PyOpenGL to ``osmesa``, ``egl``, ``glx`` or ``wayland``, once for the process.
 
-    Error checking after each call costs more than most calls: it is on only where the environment
-    has LANDSCAPE_GL_CHECKS=1, as in the tests, which also refuses silent copies of arrays.
+    To check for errors after each call costs more than most calls. So it is done only if the
+    environment has LANDSCAPE_GL_CHECKS=1, as in the tests; then PyOpenGL also raises an error where
+    it would silently copy an array.
     """
     global _platform
     if _platform is not None:
@@ -61,8 +65,8 @@ def use_platform(name: str) -> None:
         from OpenGL import platform
 
         if name == "osmesa":
-            # PyOpenGL keys its array store by the current context. Without this type every call
-            # returns a fresh pointer object, no two equal, and each array is kept for ever.
+            # PyOpenGL stores arrays by the current context. Without this type every call returns
+            # a new pointer object, equal to no other, and no array would ever be freed.
             platform.PLATFORM.OSMesa.OSMesaGetCurrentContext.restype = ctypes.c_void_p
         import OpenGL.GL
     except (ImportError, AttributeError, OSError, TypeError) as error:
@@ -73,7 +77,7 @@ def use_platform(name: str) -> None:
 
 
 def _require(library: str, backend: str) -> None:
-    """Load a system library before PyOpenGL binds to it for good; NoOpenGLError if it is broken."""
+    """Load a system library before PyOpenGL binds to it; NoOpenGLError if that fails."""
     path = ctypes.util.find_library(library)
     try:
         if path:
@@ -96,6 +100,7 @@ class OSMesaContext:
         import numpy as np
         from OpenGL import osmesa
 
+        self.lists: Lists = {}
         self._osmesa: Any = osmesa
         self._buffer: Any = np.zeros((16, 16, 4), np.uint8)
         self._context: Any = osmesa.OSMesaCreateContextExt(osmesa.OSMESA_RGBA, 24, 8, 0, None)
@@ -110,6 +115,7 @@ class OSMesaContext:
         ok = self._osmesa.OSMesaMakeCurrent(self._context, self._buffer, GL_UNSIGNED_BYTE, 16, 16)
         if not ok:
             raise NoOpenGLError("OSMesa refused to make its context current")
+        use_lists(self.lists)
 
     def release(self) -> None:
         """Destroy the context; its buffer must outlive it."""
@@ -133,6 +139,7 @@ class EGLContext:
         errors_module.__dict__.setdefault("_error_checker", None)
         from OpenGL import EGL
 
+        self.lists: Lists = {}
         self._egl: Any = EGL
         self._context: Any = None
         errors = []
@@ -190,6 +197,7 @@ class EGLContext:
         ok = self._egl.eglMakeCurrent(self._display, self._surface, self._surface, self._context)
         if not ok:
             raise NoOpenGLError("EGL refused to make its context current")
+        use_lists(self.lists)
 
     def release(self) -> None:
         """Destroy the context and its pbuffer."""
@@ -207,8 +215,8 @@ class EGLContext:
 class GLFWContext:
     """A GLFW window: visible for the walk, hidden for stills, or on GLFW's null platform.
 
-    With ``headless`` there is no window system at all and OSMesa draws: the window's code runs as
-    it does on a screen.
+    With ``headless`` there is no window system at all and OSMesa draws: the code of the window runs
+    as it does on a screen.
     """
 
     backend = "glfw"
@@ -226,6 +234,7 @@ class GLFWContext:
         except ImportError as error:
             reason = f"GLFW cannot be loaded ({error})"
             raise NoOpenGLError(f"{reason}: install the Python package glfw") from None
+        self.lists: Lists = {}
         self.glfw: Any = glfw
         self.window: Any = None
         glfw.ERROR_REPORTING = "ignore"
@@ -266,6 +275,7 @@ class GLFWContext:
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
         self.glfw.make_context_current(self.window)
+        use_lists(self.lists)
 
     def release(self) -> None:
         """Close the window and GLFW."""

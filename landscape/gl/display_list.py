@@ -1,23 +1,24 @@
-"""Display lists: what does not change is sent once, and called."""
+"""Display lists: what does not change is sent once and then called (OpenGL 1.0)."""
 
 from collections.abc import Callable
 
 import numpy as np
 
-from landscape.gl.calls import gl
+from landscape.gl.calls import gl, noting
 
 
 class DisplayList:
-    """Owner of one display list."""
+    """Owner of one display list. A recording shows the calls it was compiled from."""
 
     def __init__(self, draw: Callable[[], None]) -> None:
         """Compile what ``draw`` calls; vertex arrays are copied into the list."""
         self.name = int(gl.glGenLists(1))
-        gl.glNewList(self.name, gl.GL_COMPILE)
-        try:
-            draw()
-        finally:
-            gl.glEndList()
+        with noting():
+            gl.glNewList(self.name, gl.GL_COMPILE)
+            try:
+                draw()
+            finally:
+                gl.glEndList()
 
     def call(self) -> None:
         """Execute the list."""
@@ -26,7 +27,8 @@ class DisplayList:
     def release(self) -> None:
         """Delete the list; may be called twice."""
         if self.name:
-            gl.glDeleteLists(self.name, 1)
+            with noting():
+                gl.glDeleteLists(self.name, 1)
             self.name = 0
 
 

@@ -1,42 +1,39 @@
-"""A whole frame to be drawn again without Python: display lists, and what no list holds."""
+"""A whole frame to be drawn again without Python: as display lists, and what no list can hold."""
 
 from collections.abc import Callable
-from functools import partial
 
-from landscape.gl.calls import gl
+from landscape.gl.calls import gl, noting, replacing
 
 
 class Replay:
     """A frame as display lists, with the changes of framebuffer between them.
 
-    A list does not hold those: OpenGL carries them out while it compiles, and never again.
+    A list cannot hold those: OpenGL executes glBindFramebuffer while it compiles a list, and a call
+    of the list does not repeat it. So a list ends before each one, and the next begins after it.
     """
 
     def __init__(self, draw: Callable[[], object]) -> None:
-        """Compile what ``draw`` sends; it must leave the framebuffer bound that it found."""
+        """Compile what ``draw`` calls; it must leave the framebuffer bound that it found."""
         self._names: list[int] = []
         self._steps: list[Callable[[], object]] = []
-        bind = gl.glBindFramebuffer
+        with replacing("glBindFramebuffer", self._between) as self._bind:
+            self._begin()
+            try:
+                draw()
+            finally:
+                gl.glEndList()
 
-        def between(target: int, name: int) -> None:
-            gl.glEndList()
-            self._steps.append(partial(bind, target, name))
-            bind(target, name)
-            self._open()
-
-        gl.__dict__["glBindFramebuffer"] = between
-        try:
-            self._open()
-            draw()
-        finally:
-            gl.glEndList()
-            gl.__dict__["glBindFramebuffer"] = bind
-
-    def _open(self) -> None:
+    def _begin(self) -> None:
         name = int(gl.glGenLists(1))
         self._names.append(name)
-        self._steps.append(partial(gl.glCallList, name))
+        self._steps.append(lambda: gl.glCallList(name))
         gl.glNewList(name, gl.GL_COMPILE)
+
+    def _between(self, target: int, name: int) -> None:
+        gl.glEndList()
+        self._steps.append(lambda: gl.glBindFramebuffer(target, name))
+        self._bind(target, name)
+        self._begin()
 
     def call(self) -> None:
         """Draw the frame once more."""
@@ -45,6 +42,7 @@ class Replay:
 
     def release(self) -> None:
         """Delete the lists; may be called twice."""
-        for name in self._names:
-            gl.glDeleteLists(name, 1)
+        with noting():
+            for name in self._names:
+                gl.glDeleteLists(name, 1)
         self._names, self._steps = [], []

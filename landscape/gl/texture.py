@@ -1,4 +1,4 @@
-"""Textures: owning a texture object with its mip levels (Texture in 2006)."""
+"""Textures: a texture object and its mip levels (Texture in 2006)."""
 
 import numpy as np
 
@@ -19,11 +19,11 @@ class Texture:
     ) -> None:
         """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
 
-        Row 0 of the image is t = 0. A single image has its mip levels made by the driver
+        Row 0 of the image is t = 0. The driver makes the mip levels of a single image
         (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE;
-        ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic. Not ``trilinear``, a texel is
-        looked up in the nearer of two mip levels instead of in both: a third cheaper.
-        Without ``mipmaps`` it has none, as neighbours in an atlas would run together there.
+        ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic. Without ``trilinear`` only the
+        nearer of two mip levels is sampled, which is a third cheaper. Without ``mipmaps`` there
+        are none: in those of an atlas, neighbouring pictures would bleed into each other.
         ``lod_bias`` is added to the mip level that OpenGL chooses; below 0 the texture is sharper
         (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
@@ -51,7 +51,7 @@ class Texture:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL, len(images) - 1)
         elif mipmaps:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, gl.GL_TRUE)
-        # Rows of RGB images need not be a multiple of 4 bytes, the default alignment.
+        # By default every row must begin at a multiple of 4 bytes; those of RGB images may not.
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for level, image in enumerate(images):
             height, width, channels = image.shape

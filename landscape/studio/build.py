@@ -18,8 +18,9 @@ from PIL import Image
 
 from landscape.errors import InputError
 from landscape.files.assets import shipped
-from landscape.files.output import Progress, write_whole
+from landscape.files.output import write_whole
 from landscape.files.processes import interrupts_held
+from landscape.files.progress import Progress
 
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (

@@ -1,4 +1,4 @@
-"""Which OpenGL backends work here, each tried in a process of its own (PyOpenGL binds to one)."""
+"""Which OpenGL backends work here. PyOpenGL binds to one, so each is tried in its own process."""
 
 import json
 import platform
@@ -9,8 +9,10 @@ from typing import Any
 
 from landscape.gl.context import BACKENDS
 
-PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh")
-SECONDS = 60  # chosen: a backend that takes longer hangs
+PACKAGES = (
+    "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs", "tqdm",
+)  # fmt: skip
+SECONDS = 60  # chosen: a backend that takes longer is taken to hang
 
 _PROBE = """
 import json, sys
@@ -61,7 +63,7 @@ def probe(backend: str) -> dict[str, Any]:
 
 
 def report(found: dict[str, Any]) -> str:
-    """Write the examination for a reader."""
+    """Return the findings as text."""
     lines = []
     for name, state in found["backends"].items():
         if state["ok"]:

@@ -1,7 +1,7 @@
-"""Many stills, drawn by several processes: one draws on one core and a half, by Python in between.
+"""Many stills, drawn by several processes: a single one keeps only a core and a half busy.
 
-Each process has one context and one island, as ``landscape render`` has; which of them draws a
-picture does not show in it.
+Each process has one context and one island, like ``landscape render``. A picture does not depend on
+the process that draws it.
 """
 
 import multiprocessing
@@ -20,7 +20,7 @@ from landscape.frame import Pose
 from landscape.render import Offscreen
 from landscape.scene import SCENES
 
-FEWEST = 16  # chosen: below that another process's start costs more than it gains
+FEWEST = 16  # chosen: with fewer stills, starting another process costs more than it saves
 MOST_PROCESSES = 4  # chosen: llvmpipe's own threads keep the other cores busy
 
 Job = tuple[str, str | Pose, Path]  # name, view, file
@@ -34,10 +34,10 @@ def render_all(
     wireframe: bool,
     done: Callable[[str], None],
 ) -> None:
-    """Draw and save each job, and tell ``done`` its name; ``arguments`` are an Offscreen's.
+    """Draw and save each job, then call ``done`` with its name; ``arguments`` are an Offscreen's.
 
-    After Ctrl-C, or when one cannot be drawn, those under way are finished and no other is begun:
-    what lies on the disk is whole.
+    After Ctrl-C, or when one job fails, jobs that have begun are finished and no other is started:
+    all files on the disk are whole.
     """
     count = min(os.cpu_count() or 1, MOST_PROCESSES, len(jobs) // (FEWEST // 2))
     if count < 2:
@@ -66,7 +66,7 @@ def render_all(
 
 
 def _prepare(scenes: Mapping[str, str]) -> None:
-    """Know the same scenes, and leave Ctrl-C to the process that waits for the pictures."""
+    """Know the same scenes, and leave Ctrl-C to the parent process, which waits for the pictures."""
     SCENES.update(scenes)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
@@ -74,7 +74,7 @@ def _prepare(scenes: Mapping[str, str]) -> None:
 def _draw(
     arguments: dict[str, Any], view: str | Pose, kt: float | None, wireframe: bool, path: Path
 ) -> None:
-    """Draw one picture in a process of the pool, whose first it may be."""
+    """Draw one picture in a process of the pool; the first one opens its context."""
     global _offscreen
     if _offscreen is None:
         _offscreen = Offscreen(**arguments)

@@ -1,6 +1,6 @@
 """A frame as the list of OpenGL calls that draw it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from landscape.gl.calls import Call, recording
@@ -16,7 +16,7 @@ def trace_view(
     wireframe: bool = False,
     **options: Any,
 ) -> list[Call]:
-    """Draw one frame of a view and return its calls in order, those of the set-up first.
+    """Draw one frame of a view and return its calls in order, those of the setup first.
 
     Reading the picture back is not part of a frame and is left out.
     """
@@ -26,8 +26,8 @@ def trace_view(
         return list(recorder.calls)
 
 
-def as_text(calls: list[Call], indent: str = "") -> Iterator[str]:
-    """Yield a line a call: pass, element, source, and the call as one would write it."""
+def as_text(calls: Sequence[Call], indent: str = "") -> Iterator[str]:
+    """Yield a line per call: pass, element, source, and the call as code."""
     for call in calls:
         arguments = ", ".join(_short(a) for a in call.shown)
         where = f"{call.pass_:10} {call.element:10} {call.source:44}"

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from landscape.gl.calls import begin_pass, gl
+from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture import Texture
 
@@ -148,6 +148,7 @@ class Panel:
         self._line: Plate | None = None
         self._made_for: dict[str, Any] = {}
 
+    @drawing("panel")
     def draw(
         self, size: tuple[int, int], keys: bool = False, message: str = "", opacity: float = 1.0
     ) -> None:

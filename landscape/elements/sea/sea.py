@@ -35,7 +35,7 @@ from landscape.elements.water_surface import (
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import gl
+from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.draw import level_square
 from landscape.gl.state import attrib, client_arrays
 from landscape.settings import Settings
@@ -62,7 +62,8 @@ def reflected(
     the water is, if there is any.
     """
     if isinstance(water, Sea) and settings.reflection.rippled:
-        with water.mirror.drawing(frame) as smaller:
+        outside = drawn_now()
+        with drawing("reflection"), water.mirror.drawing(frame) as smaller, drawing(*outside):
             yield smaller
     else:
         with inside_water(water.mark if water and settings.reflection.stencil else None):
