@@ -8,16 +8,18 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from landscape.elements import fog, sun
+from landscape.elements import fog, meadow, sprites, sun
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.map import Map
+from landscape.elements.meadow.meadow import Meadow
 from landscape.elements.rabbit import Rabbit
 from landscape.elements.reflection import mirrored, reflected
 from landscape.elements.sea.waves import cut_level
 from landscape.elements.sky_box import SkyBox
+from landscape.elements.sprites.refined_sprites import RefinedSprites
 from landscape.elements.sword import Sword
 from landscape.elements.terrain.shadows import ShadowMap
 from landscape.elements.transparent_elements import TransparentElements
@@ -85,12 +87,16 @@ class Island:
         self.rabbit = own(Rabbit(settings, assets, field)) if "rabbit" in only else None
         self.dragon = own(Dragon(settings, assets)) if "dragon" in only else None
         kinds = SPRITES & only
-        self.sprites = (
-            own(TransparentElements(settings, assets, self.ground, seed, kinds)) if kinds else None
-        )
+        self.sprites: Any = None
+        if kinds:
+            trees = RefinedSprites if sprites.wanted(settings) else TransparentElements
+            self.sprites = own(trees(settings, assets, self.ground, seed, kinds))
         if settings.ground.shadows:
             self._lay_shadows(light, assets, seed)
-        self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
+        self.grass: Any = None
+        if "grass" in only:
+            blades = Meadow if meadow.wanted(settings) else Grass
+            self.grass = own(blades(settings, assets, self.ground, seed))
         self.sword = own(Sword(settings, assets)) if "sword" in only else None
         self.map = own(Map(settings, assets)) if "map" in only else None
 
@@ -118,7 +124,9 @@ class Island:
         """
         self.settings = settings
         for element in self._owned:
-            if hasattr(element, "_settings"):
+            if hasattr(element, "apply"):
+                element.apply(settings)
+            elif hasattr(element, "_settings"):
                 element._settings = settings
 
     def draw(self, moment: Moment) -> None:

@@ -180,10 +180,10 @@ class Transparent:
     split: bool = setting(
         False, "R3, section 5.1.2", "each half of a crossed quad takes its own place in the sort"
     )
-    fade: float = setting(
-        0.0, "chosen", "part of the radius over which sprites come out of nothing", 0, 1
+    fade: float = setting(0.0, "chosen", "fraction of the radius over which sprites fade in", 0, 1)
+    clear_near: bool = setting(
+        False, "chosen", "sprites fade out before the eye passes through them"
     )
-    clear_near: bool = setting(False, "chosen", "sprites clear away before the eye meets them")
     rooted: bool = setting(False, "chosen", "feet sink a little where the ground slopes")
     trimmed: bool = setting(
         False, "chosen", "quads end where the picture does, and none lies out of view"
@@ -201,7 +201,9 @@ class Trees:
     size_min: float = setting(0.325, "section 5.1.2", "units, width and height", 0.001, 100)
     size_max: float = setting(0.65, "section 5.1.2", "units, width and height", 0.001, 100)
     grouped: bool = setting(False, "chosen", "woods and clearings instead of a uniform spread")
-    crown: bool = setting(False, "R4, section 11.2.1", "a flat crown shows to who looks from above")
+    crown: bool = setting(
+        False, "R4, section 11.2.1", "from above a level picture of the crown fades in"
+    )
 
 
 @dataclass(frozen=True)
@@ -233,13 +235,13 @@ class Plants:
     shaded: bool = setting(False, "chosen", "plants are darker where a shadow lies on the ground")
     quads: int = setting(2, "R6, section 11.2.2", "quads of a plant: two, or three at 60 deg", 2, 3)
     fade_edge_on: bool = setting(
-        False, "R6, section 11.2.2", "a quad clears away while one looks along it"
+        False, "R6, section 11.2.2", "a quad fades out as it is seen edge-on"
     )
     crossed_within: float = setting(
         0.0, "chosen", "units; farther plants are single billboards; 0 is never", 0, 1000
     )
     rosette: bool = setting(
-        False, "R6, section 11.2.2", "a flat rosette shows to who looks from above"
+        False, "R6, section 11.2.2", "from above a level picture of the rosette fades in"
     )
 
 
@@ -256,14 +258,14 @@ class Grass:
     facing: float = setting(
         0.0,
         "R7, section 11.2.2",
-        "part by which blades turn to the viewer; over 0.5 none is a line",
+        "fraction by which blades turn to the viewer; above 0.5 none is seen edge-on",
         0,
         1,
     )
     method: str = setting(
         "cells",
         "R18, section 5.3",
-        "how blades are sent: all at once, or one by one as in 2006",
+        "how plain grass is sent: all at once, or blade by blade as in 2006",
         choices=("cells", "loop"),
     )
     tufts: int = setting(

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import trimesh
+from landscape.elements.sprites.sprite_rules import radii
 from stage import Stage, live_names, quad, small, write_ply
 from test_rabbit_dragon import CUBE, CUBE_FACES, LIT
 from test_transparent_elements import looking
@@ -14,7 +15,6 @@ from test_transparent_elements import looking
 from landscape.elements.animal import CUBES, SPARED, levels_of_detail
 from landscape.elements.dragon import Dragon
 from landscape.elements.sea.sea_watch import ABOVE, SeaWatch, compiling
-from landscape.elements.sprites.sprite_rules import radii
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.camera import ball_in_view, in_view, is_near

@@ -6,15 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
-from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, snapshot, write_plain
-from test_transparent_elements import BACKGROUND, BLUE, PLANT_GREEN, RED, looking, put
-
-from landscape.elements.castle import FLAME_Z, Castle, flame_across, halo
-from landscape.elements.ground import Ground
-from landscape.elements.ornate.castle_meshes import TORCHES
-from landscape.elements.sprites.atlas import CELL, CELLS, from_above, outline, top_coordinates
-from landscape.elements.sprites.planting import PLANT, plant_everything, slopes_under
 from landscape.elements.sprites.sprite_quads import (
     box_corners,
     crossed_quads,
@@ -28,6 +19,15 @@ from landscape.elements.sprites.sprite_quads import (
     within,
 )
 from landscape.elements.sprites.sprite_rules import clearness, radii, reach
+from PIL import Image
+from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, snapshot, write_plain
+from test_transparent_elements import BACKGROUND, BLUE, PLANT_GREEN, RED, looking, put
+
+from landscape.elements.castle import FLAME_Z, Castle, flame_across, halo
+from landscape.elements.ground import Ground
+from landscape.elements.ornate.castle_meshes import TORCHES
+from landscape.elements.sprites.atlas import CELL, CELLS, from_above, outline, top_coordinates
+from landscape.elements.sprites.planting import PLANT, plant_everything, slopes_under
 from landscape.elements.sprites.sprites_in_view import turned
 from landscape.elements.transparent_elements import TransparentElements, outlines
 from landscape.files.assets import Assets

@@ -7,6 +7,7 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
+from landscape.elements.sprites.sprite_quads import sway
 from stage import Stage, close, pixel, project, small
 
 from landscape.elements.grass import CELL, Grass, cells_around, greenness, visible_cells
@@ -23,7 +24,6 @@ from landscape.elements.meadow.blades import (
     drawn_at,
     nearness,
 )
-from landscape.elements.sprites.sprite_quads import sway
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import HeightField

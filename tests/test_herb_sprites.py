@@ -6,6 +6,7 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
+from landscape.elements.sprites.sprite_rules import crossing
 from PIL import Image
 from stage import Stage, close, pixel, project, small, write_plain
 from test_planting import grow, hill
@@ -34,7 +35,6 @@ from landscape.elements.sprites.planting import (
     herbs_by_place,
     woodland,
 )
-from landscape.elements.sprites.sprite_rules import crossing
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.files.assets import Assets
 from landscape.frame import Pose

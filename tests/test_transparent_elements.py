@@ -5,12 +5,6 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PIL import Image
-from stage import Stage, close, pixel, project, small, write_plain
-
-from landscape.elements.ground import Ground
-from landscape.elements.sprites.atlas import CELL, CELLS, GUTTER, atlas, cell_coordinates
-from landscape.elements.sprites.planting import PLANT, Sprites
 from landscape.elements.sprites.sprite_quads import (
     HALVES,
     QUAD,
@@ -21,6 +15,12 @@ from landscape.elements.sprites.sprite_quads import (
     upright_axes,
 )
 from landscape.elements.sprites.sprite_rules import visible_order
+from PIL import Image
+from stage import Stage, close, pixel, project, small, write_plain
+
+from landscape.elements.ground import Ground
+from landscape.elements.sprites.atlas import CELL, CELLS, GUTTER, atlas, cell_coordinates
+from landscape.elements.sprites.planting import PLANT, Sprites
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose

@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.elements.sprites.atlas import CELLS, HERBS, padded
+from landscape.elements.atlas import CELLS, padded
+from landscape.elements.sprites.atlas import HERBS
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import mip_chain, open_image, read_heights, read_image

@@ -24,9 +24,10 @@ import numpy as np
 
 from landscape import keys
 from landscape import settings as settings_module
-from landscape.elements import sun
+from landscape.elements import meadow, sun
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
+from landscape.elements.meadow.meadow import Meadow
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
@@ -317,7 +318,8 @@ def measure_grass(plan: Plan, count: int) -> dict[str, Any]:
     owned: list[Any] = []
     try:
         owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
-        owned.append(grass := Grass(values, assets, ground, plan.seed))
+        blades = Meadow if meadow.wanted(values) else Grass
+        owned.append(grass := blades(values, assets, ground, plan.seed))
         view = VIEWS[GRASS_VIEW]
         place = replace(view.pose, x=view.pose.x * wider, z=view.pose.z * wider)
         pose = replace(view, pose=place).place(ground.field, values.walk.eye)

@@ -20,14 +20,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.elements.meadow.blades import (
+from landscape.elements.grass import (
     COORDINATES,
     STRIP_TRIANGLES,
     WIND,
+    blade_corners,
     blade_vertices,
     blade_wind,
 )
-from landscape.elements.sprites.planting import scatter
+from landscape.elements.planting import scatter
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import gl
@@ -57,7 +58,7 @@ def sow(
 
     positions = scatter(field, count, rng, on_land)
     angles = rng.random(len(positions)) * 2 * np.pi
-    vertices = blade_vertices(positions, angles, scale)
+    vertices = blade_vertices(positions, blade_corners(angles), scale)
     return Blades(positions.astype(np.float32), vertices, radius, scale[0])
 
 

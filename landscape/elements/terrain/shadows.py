@@ -12,7 +12,7 @@ from collections.abc import Iterable
 import numpy as np
 from PIL import Image, ImageFilter
 
-from landscape.elements.sprites.planting import Sprites
+from landscape.elements.planting import Sprites
 from landscape.geometry.height_field import HeightField
 
 # All chosen.
