@@ -13,16 +13,18 @@ import numpy as np
 import pytest
 from stage import SIZE, SMALL, Stage, changes, live_names, snapshot, write_plain, write_ply
 
-from landscape.elements import sun
+from landscape.elements import meadow, sprites, sun
+from landscape.elements.atlas import CELLS
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
 from landscape.elements.map import Map
+from landscape.elements.meadow.meadow import Meadow
 from landscape.elements.rabbit import Rabbit
 from landscape.elements.reflection import mirrored
 from landscape.elements.sky_box import SkyBox
-from landscape.elements.sprites.atlas import CELLS
+from landscape.elements.sprites.refined_sprites import RefinedSprites
 from landscape.elements.sword import Sword
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
@@ -49,10 +51,12 @@ ELEMENTS: dict[str, Build] = {
     ),
     "water": lambda settings, assets, ground: WaterSurface(settings, assets),
     "sky": lambda settings, assets, ground: SkyBox(settings, assets),
-    "sprites": lambda settings, assets, ground: TransparentElements(
-        settings, assets, ground, 1, {"trees", "deer", "plants"}
+    "sprites": lambda settings, assets, ground: (
+        RefinedSprites if sprites.wanted(settings) else TransparentElements
+    )(settings, assets, ground, 1, {"trees", "deer", "plants"}),
+    "grass": lambda settings, assets, ground: (Meadow if meadow.wanted(settings) else Grass)(
+        settings, assets, ground, 1
     ),
-    "grass": lambda settings, assets, ground: Grass(settings, assets, ground, 1),
     "castle": lambda settings, assets, ground: Castle(settings, assets, ground.field),
     "rabbit": lambda settings, assets, ground: Rabbit(settings, assets, ground.field),
     "dragon": lambda settings, assets, ground: Dragon(settings, assets),
