@@ -98,7 +98,7 @@ def test_the_wind_moves_tips_fully_shoulders_half_and_feet_not_at_all() -> None:
     assert np.allclose(moved[:, 2, ::2], wind / 2, atol=1e-5)
     assert np.allclose(moved[:, 3, ::2], wind / 2, atol=1e-5)
     assert np.allclose(moved[:, 4, ::2], wind, atol=1e-5)
-    assert (blades.vertices == still).all(), "bending does not wear the still blades out"
+    assert (blades.vertices == still).all(), "bending leaves the still blades as they are"
 
 
 @pytest.fixture

@@ -213,6 +213,21 @@ def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
     assert np.array_equal(grown.counts, counts)
 
 
+def test_a_forgotten_cell_that_bore_less_than_its_share_grows_again_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    places_in = growth_module.places_in
+    monkeypatch.setattr(growth_module, "places_in", lambda *a: places_in(*a)[:30])
+    monkeypatch.setattr(growth_module, "LEAST", 0)
+    grown = growth(fade=True, count=500_000)
+    share = grown.counts[3240]
+    first = grown.patch(3240)
+    assert len(first.positions) == grown.counts[3240] == 30 < share
+    grown.forget(in_view=0)
+    again = grown.patch(3240)
+    assert again is not first and (again.ranges == first.ranges).all()
+
+
 # ---- what is drawn
 
 

@@ -58,7 +58,7 @@ def calm(stage: Stage, sprites: Any, pose: Pose = NORTH, **changes: Any) -> np.n
 
 
 @pytest.mark.parametrize("fixed", [False, True])
-def test_r3_the_near_half_of_a_quad_lies_before_a_billboard_that_crosses_it(
+def test_r3_the_near_half_of_a_quad_is_drawn_over_a_billboard_that_crosses_it(
     stage: Stage, sprites: RefinedSprites, fixed: bool
 ) -> None:
     # The plant's quad along z goes through the tree, which stands a little nearer than its middle.

@@ -39,8 +39,8 @@ from landscape.settings import Settings
 
 ELEMENT = "grass"
 
-KEPT, LEAST = 4, 400  # chosen: times the cells in view, and how many in any case, that are kept
-# grown for when the walker turns round
+KEPT = 4  # chosen: times the cells in view are kept grown, for when the walker turns round
+LEAST = 400  # chosen: so many cells are kept in any case
 COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.float32)
 # A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)

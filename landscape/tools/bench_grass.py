@@ -50,7 +50,7 @@ class Blades:
 def sow(
     field: HeightField, count: int, seed: int, radius: float, scale: tuple[float, ...] = (1.0, 1.0)
 ) -> Blades:
-    """Draw ``count`` blades by lot, spread evenly over the land."""
+    """Return ``count`` blades at random places, spread evenly over the land."""
     rng = np.random.default_rng([seed, 53])
 
     def on_land(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -63,7 +63,7 @@ def sow(
 
 
 def visible(blades: Blades, frame: Frame) -> np.ndarray:
-    """Return the indices of the blades before the camera and within the radius (section 5.3)."""
+    """Return the indices of the blades in front of the camera, within the radius (section 5.3)."""
     x, z = blades.positions[:, 0], blades.positions[:, 2]
     dx, dz = x - frame.pose.x, z - frame.pose.z
     near = np.flatnonzero(dx * dx + dz * dz < blades.radius**2)
