@@ -1,26 +1,33 @@
-"""The island: owns the elements and draws one frame; the order of drawing is the lesson."""
+"""The island of 2006: its elements, and the order in which a frame draws them, which is the lesson.
+
+A blended element must come after what shows through it, and the mirrored scene before the water
+that covers it. Everything else is order for speed.
+"""
 
 import functools
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
-from landscape.elements import sun
+from landscape.elements import meadow, sprites, sun
 from landscape.elements.animals.fine_dragon import dragon_class
 from landscape.elements.animals.fine_rabbit import rabbit_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import clipped
 from landscape.elements.map import Map
+from landscape.elements.meadow.meadow import Meadow
 from landscape.elements.ornate.ornate_castle import castle_class
 from landscape.elements.reflection import mirrored
+from landscape.elements.sea import sea
 from landscape.elements.sea.foam import Foam
 from landscape.elements.sea.query import SeaQuery
 from landscape.elements.sea.ring import HorizonRing
-from landscape.elements.sea.sea import Sea, reflected, wanted
+from landscape.elements.sea.sea import Sea, reflected
 from landscape.elements.sea.shallows import cut_level
 from landscape.elements.sky_box import SkyBox
+from landscape.elements.sprites.refined_sprites import RefinedSprites
 from landscape.elements.sword import Sword
 from landscape.elements.terrain.shadows import ShadowMap
 from landscape.elements.terrain.terrain import Terrain, ground_class
@@ -33,15 +40,42 @@ from landscape.fixes import FIXES
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField, height_field
 from landscape.geometry.obstacles import Obstacle
-from landscape.gl.calls import begin_pass, gl
+from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib
 from landscape.scene import SEED, Moment, Scene, begin_frame
 from landscape.settings import PRESETS, Settings
 from landscape.views import ALL, MAIN, VIEWS
 
 ELEMENTS = ALL
-SPRITES = {"trees", "deer", "plants"}
-Element = TypeVar("Element")
+SPRITES = ("trees", "deer", "plants")  # one element: all of them must be sorted together
+
+
+def classes(settings: Settings) -> dict[str, type | None]:
+    """Return the class that draws each thing: that of 2006, or one of what `best` adds to it."""
+    water = settings.water
+    plain_water = not sea.wanted(settings)
+    # A mirror image in the framebuffer is drawn before the land: there is nothing to query yet.
+    queried = water.query and settings.reflection.rippled
+    return {
+        "ground": ground_class(settings),
+        "water": WaterSurface if plain_water else Sea,
+        "ring": HorizonRing if plain_water and water.horizon > 0 else None,
+        "foam": Foam if water.foam else None,
+        "query": SeaQuery if queried else None,
+        "castle": castle_class(settings),
+        "rabbit": rabbit_class(settings),
+        "dragon": dragon_class(settings),
+        "sprites": RefinedSprites if sprites.wanted(settings) else TransparentElements,
+        "grass": Meadow if meadow.wanted(settings) else Grass,
+    }
+
+
+def shadows_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings on which the shadows baked into the ground depend."""
+    land = settings.ground, settings.water, settings.sun
+    if not settings.ground.shadows:
+        return ()
+    return *land, settings.castle, settings.rabbit, settings.trees, settings.deer, settings.plants
 
 
 class Island:
@@ -58,10 +92,6 @@ class Island:
         self.settings = settings
         self.shown = set(only)
         self._owned: list[Any] = []
-        self.water: WaterSurface | Sea | None = None
-        self.ring: HorizonRing | None = None
-        self.foam: Foam | None = None
-        self.sea_query: SeaQuery | None = None
         try:
             self._build(settings, assets, seed)
         except BaseException:
@@ -69,162 +99,142 @@ class Island:
             raise
 
     def _build(self, settings: Settings, assets: Assets, seed: int) -> None:
-        own, only = self._own, self.shown
+        begin_pass("setup")
+        own, kind = self._own, classes(settings)
         light = sun.direction(settings.sun)
-        self.ground = own(ground_class(settings)(settings, assets, light))
+        # The ground is always built: everything stands on it.
+        with drawing("ground"):
+            self.ground = ground_class(settings)(settings, assets, light)
+            self._owned.append(self.ground)
         field = self.ground.field
-        if "water" in only:
-            self._build_water(settings, assets, field)
-        self.sky = own(SkyBox(settings, assets)) if "sky" in only else None
-        self.castle = (
-            own(castle_class(settings)(settings, assets, field)) if "castle" in only else None
-        )
-        self.rabbit = (
-            own(rabbit_class(settings)(settings, assets, field)) if "rabbit" in only else None
-        )
-        self.dragon = own(dragon_class(settings)(settings, assets)) if "dragon" in only else None
-        kinds = SPRITES & only
-        self.sprites = (
-            own(TransparentElements(settings, assets, self.ground, seed, kinds)) if kinds else None
-        )
+        depths = [field] if kind["water"] is Sea else []
+        self.water = own("water", kind["water"], settings, assets, *depths)
+        self.ring = own("water", kind["ring"], settings, assets)
+        self.foam = own("water", kind["foam"], field)
+        self.query = own("water", kind["query"], settings)
+        self.sky = own("sky", SkyBox, settings, assets)
+        self.castle = own("castle", kind["castle"], settings, assets, field)
+        self.rabbit = own("rabbit", kind["rabbit"], settings, assets, field)
+        self.dragon = own("dragon", kind["dragon"], settings, assets)
+        self._kinds = tuple(name for name in SPRITES if name in self.shown)
+        place = settings, assets, self.ground, seed
+        self.sprites = own(self._kinds, kind["sprites"], *place, set(self._kinds))
         if settings.ground.shadows and isinstance(self.ground, Terrain):
-            self._lay_shadows(self.ground, light, assets, seed)
-        self.grass = own(Grass(settings, assets, self.ground, seed)) if "grass" in only else None
-        self.sword = own(Sword(settings, assets)) if "sword" in only else None
-        self.map = own(Map(settings, assets)) if "map" in only else None
+            self._bake_shadows(self.ground, light, assets, seed)
+        self.grass = own("grass", kind["grass"], *place)
+        self.sword = own("sword", Sword, settings, assets)
+        self.map = own("map", Map, settings, assets)
 
-    def _own(self, element: Element) -> Element:
-        self._owned.append(element)
-        return element
+    def _own(
+        self, names: str | tuple[str, ...], kind: Callable[..., Any] | None, *given: Any
+    ) -> Any:
+        """Build an element if any of its names is to be shown; otherwise return None."""
+        names = (names,) if isinstance(names, str) else names
+        if kind is None or self.shown.isdisjoint(names):
+            return None
+        with drawing(*names):
+            self._owned.append(kind(*given))
+        return self._owned[-1]
 
-    def _build_water(self, settings: Settings, assets: Assets, field: HeightField) -> None:
-        """The patches of 2006 or the sea, and what is drawn with either."""
-        own, water = self._own, settings.water
-        if wanted(settings):
-            self.water = own(Sea(settings, assets, field))
-        else:
-            self.water = own(WaterSurface(settings, assets))
-            if water.horizon > 0:
-                self.ring = own(HorizonRing(settings, assets))
-        if water.foam:
-            self.foam = own(Foam(field))
-        # A mirror image in the framebuffer must be drawn before the land, so nothing can be asked.
-        if water.query and settings.reflection.rippled:
-            self.sea_query = own(SeaQuery(settings))
-
-    def _lay_shadows(self, ground: Terrain, light: np.ndarray, assets: Assets, seed: int) -> None:
-        """Darken the ground where sprites, castle and rabbit throw their shadows."""
+    @drawing("ground")
+    def _bake_shadows(self, ground: Terrain, light: np.ndarray, assets: Assets, seed: int) -> None:
+        """Darken the ground's texture where sprites, castle and rabbit cast their shadows."""
 
         def shadows() -> tuple[np.ndarray]:
             shadow_map = ShadowMap(ground.field, light, len(ground.large))
-            for thing in (self.sprites, self.castle, self.rabbit):
-                if thing:
-                    thing.cast(shadow_map)
+            for element in (self.sprites, self.castle, self.rabbit):
+                if element:
+                    element.cast(shadow_map)
             return (shadow_map.light(),)
 
         values = self.settings
-        groups = [values.ground, values.water, values.sun, values.castle, values.rabbit]
-        groups += [values.trees, values.deer, values.plants]
-        what = repr((groups, seed, sorted(self.shown)))
+        what = repr((shadows_from(values), seed, sorted(self.shown)))
         files = values.ground.height_image, values.rabbit.mesh
         ground.shade(*recall((what, *assets.contents(*files)), shadows))
 
     def apply(self, settings: Settings) -> bool:
-        """Take settings that differ in what is read at each frame: fog, reflection, sorting, map.
-
-        What was built from the others (meshes, lists, places drawn by lot) stays as it is.
-        """
-        self.settings = settings
+        """Take settings that are read at each draw; False, and no change, if any was built in."""
+        for choice in (classes, shadows_from):
+            if choice(settings) != choice(self.settings):
+                return False
+        taken: list[Any] = []
         for element in self._owned:
-            if hasattr(element, "apply"):
-                element.apply(settings)
-            elif hasattr(element, "_settings"):
-                element._settings = settings
+            if not element.apply(settings):
+                for each in taken:
+                    each.apply(self.settings)
+                return False
+            taken.append(element)
+        self.settings = settings
         return True
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
         begin_pass("main")
-        frame = self._begin(moment)
-        settings, shown = self.settings, self._shown
-        sprites = shown(self.sprites, *SPRITES)
-        water = self.water if "water" in self.shown else None
-        # Sorted once for both passes, and when it is first asked for.
-        sort = functools.cache(lambda: sprites.prepare(frame) if sprites else None)
+        frame, draw, values = self._begin(moment), self._draw, self.settings
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
+            # Sorted once for both passes, when it is first needed.
+            sort = functools.cache(lambda: self.sprites.prepare(frame))
+            query = self.query if "water" in self.shown else None
 
             # The mirrored scene comes first: the water will be blended over it.
-            query = self.sea_query if water else None
-            ready = query is None or query.expected(frame)
-            if ready:
+            early = query is None or query.expected(frame)
+            if early:
                 self._draw_reflection(frame, sort)
 
-            # Opaque things, in any order as far as the picture goes: the depth buffer sorts them.
-            with clipped(cut_level(settings), settings.ground.clip):
-                if ground := shown(self.ground, "ground"):
-                    ground.draw(frame)
-                if rabbit := shown(self.rabbit, "rabbit"):
-                    rabbit.draw(frame)
-                if dragon := shown(self.dragon, "dragon"):
-                    dragon.draw(frame)
+            # Opaque elements, in any order as far as the picture goes: the depth buffer sorts them.
+            with clipped(cut_level(values), values.ground.clip):
+                draw("ground", self.ground, frame)
+                draw("rabbit", self.rabbit, frame)
+                draw("dragon", self.dragon, frame)
             if query:
                 query.ask(frame)
-            # OpenGL draws what it has while Python sorts, chooses and computes waves.
+            # OpenGL works on what it has while Python sorts, selects blades and computes waves.
             gl.glFlush()
-            sort()
-            if grass := shown(self.grass, "grass"):
-                grass.draw(frame)
-            # The sky comes after them: the pixels they took need no sky.
-            if sky := shown(self.sky, "sky"):
-                sky.draw(frame)
+            self._sort(sort)
+            draw("grass", self.grass, frame)
+            # The sky comes last of them: it is not drawn where they are.
+            draw("sky", self.sky, frame)
             gl.glFlush()
 
-            # Land may hide all of the sea; a mirror image that is a texture can come late.
-            if query and not query.shows():
-                water = None
-            if water and not ready:
+            # Land may hide all of the sea; a mirror image that is a texture can be drawn late.
+            water = query is None or query.shows()
+            if water and not early:
                 self._draw_reflection(frame, sort)
 
-            # Blended things come last, far to near: the castle with its flames, the water, sprites.
-            if castle := shown(self.castle, "castle"):
-                castle.draw(frame)
+            # Blended elements: the castle with its flames, the water over the mirrored scene, and
+            # the sprites from far to near.
+            draw("castle", self.castle, frame)
             if water:
-                if self.ring:
-                    self.ring.draw(frame)
-                water.draw(frame)
-                if self.foam:
-                    self.foam.draw(frame)
-            if sprites:
-                sprites.draw(frame, sort())
+                draw("water", self.ring, frame)
+                draw("water", self.water, frame)
+                draw("water", self.foam, frame)
+            self._draw_sprites(frame, sort)
 
-        # What is stuck to the window comes over everything.
+        # The overlay covers everything.
         begin_pass("overlay")
-        if (sword := shown(self.sword, "sword")) and settings.overlay.sword:
-            sword.draw(frame)
-        if (map := shown(self.map, "map")) and settings.overlay.map:
-            map.draw(frame)
+        if values.overlay.sword:
+            draw("sword", self.sword, frame)
+        if values.overlay.map:
+            draw("map", self.map, frame)
 
     def _draw_reflection(self, frame: Frame, sort: Callable[[], Any]) -> None:
-        """Draw what the water mirrors: ground, sky, sprites, dragon, and the castle if asked."""
-        settings, shown = self.settings, self._shown
-        if "reflection" not in self.shown or not settings.reflection.enabled:
+        """Draw what the water mirrors: ground, dragon, sky, sprites, and the castle if wanted."""
+        draw, values = self._draw, self.settings
+        if "reflection" not in self.shown or not values.reflection.enabled:
             return
         begin_pass("reflection")
         frame = replace(frame, mirrored=True)
         water = self.water if "water" in self.shown else None
-        with reflected(frame, settings, water) as frame, mirrored(settings):
-            if ground := shown(self.ground, "ground"):
-                ground.draw(frame)
-            if dragon := shown(self.dragon, "dragon"):
-                dragon.draw(frame)
-            if sky := shown(self.sky, "sky"):
-                sky.draw(frame)
-            if (castle := shown(self.castle, "castle")) and settings.reflection.castle:
-                castle.draw(frame)
-            if sprites := shown(self.sprites, *SPRITES):
+        with reflected(frame, values, water) as frame, mirrored(values):
+            draw("ground", self.ground, frame)
+            draw("dragon", self.dragon, frame)
+            draw("sky", self.sky, frame)
+            if values.reflection.castle:
+                draw("castle", self.castle, frame)
+            if self._sprites_shown:
                 gl.glFlush()
-                sprites.draw(frame, sort())
+            self._draw_sprites(frame, sort)
         begin_pass("main")
 
     def _begin(self, moment: Moment) -> Frame:
@@ -235,24 +245,40 @@ class Island:
         fogged = "fog" in self.shown
         return begin_frame(moment, values.camera, values.sun, values.fog, fogged, far)
 
+    def _draw(self, name: str, element: Any, frame: Frame) -> None:
+        """Draw an element if it was built and is shown now."""
+        if element is not None and name in self.shown:
+            with drawing(name):
+                element.draw(frame)
+
+    @property
+    def _sprites_shown(self) -> bool:
+        return self.sprites is not None and not self.shown.isdisjoint(SPRITES)
+
+    def _sort(self, sort: Callable[[], Any]) -> None:
+        """Sort the sprites now, so that OpenGL has work meanwhile."""
+        if self._sprites_shown:
+            sort()
+
+    def _draw_sprites(self, frame: Frame, sort: Callable[[], Any]) -> None:
+        if self._sprites_shown:
+            with drawing(*self._kinds):
+                self.sprites.draw(frame, sort())
+
     @property
     def size(self) -> float:
         """The side of the map in units."""
-        return self.ground.field.size
+        return self.ground.size
 
     def height(self, x: float, z: float) -> float:
         """Return the height of what one stands on at x, z in units: the ground or the water."""
-        return float(self.ground.field.height(x, z))
+        return float(self.ground.height(x, z))
 
     @property
     def obstacles(self) -> tuple[Obstacle, ...]:
         """What the walker goes round: the castle's walls, the rabbit, the dragon."""
-        standing = (self.castle, self.rabbit, self.dragon)
+        standing = (self.rabbit, self.dragon, self.castle)
         return tuple(each for element in standing if element for each in element.obstacles())
-
-    def _shown(self, element: Element | None, *names: str) -> Element | None:
-        """Return the element if it was built and any of its names is shown now."""
-        return None if self.shown.isdisjoint(names) else element
 
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""

@@ -27,26 +27,27 @@ from landscape.tools.bench_grass import WAYS, Blades, ClientArrays, OneByOne, be
 from landscape.tools.timing import Layer, clear
 
 LIGHT = {**SMALL, "deer.count": 4}
-TINY = bench.Options(
-    views=("fig35b", "fig35i", "fig34a"),
-    size=(96, 64),
-    settings=LIGHT,
-    rounds=3,
-    grass=(2_000, 1_600_000),
-    ways=500,
-    starts=1,
-)
+TINY: dict[str, Any] = {
+    "views": ["fig35b", "fig35i", "fig34a"],
+    "size": [96, 64],
+    "settings": LIGHT,
+    "rounds": 3,
+    "grass": [2_000, 1_600_000],
+    "ways": 500,
+    "starts": 1,
+}
 
 
 @pytest.fixture(scope="module")
 def result() -> dict[str, Any]:
     """A bench of a light island, in a process of its own: it opens and closes a context."""
     code = (
-        "import sys, json; sys.path.insert(0, sys.argv[1]); import test_bench;"
-        "heard = []; out = test_bench.bench.measure(test_bench.TINY, heard.append);"
+        "import sys, json; from landscape.tools import bench;"
+        "options = bench.Options(**json.loads(sys.argv[1])); heard = [];"
+        "out = bench.measure(options, heard.append);"
         "print(json.dumps({'result': out, 'heard': heard}))"
     )
-    command = [sys.executable, "-c", code, str(TESTS)]
+    command = [sys.executable, "-c", code, json.dumps(TINY)]
     done = subprocess.run(
         command, capture_output=True, text=True, timeout=120, env=environment(), check=False
     )
@@ -90,7 +91,7 @@ def test_more_blades_on_more_land_stand_as_thick(result: dict[str, Any]) -> None
 
 
 def test_the_bench_tells_of_each_step(result: dict[str, Any]) -> None:
-    assert len(result["heard"]) == bench.steps(TINY)
+    assert len(result["heard"]) == bench.steps(bench.Options(**TINY))
     assert result["heard"][-1] == "start"
 
 

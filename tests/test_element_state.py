@@ -13,17 +13,19 @@ import numpy as np
 import pytest
 from stage import SIZE, SMALL, Stage, changes, live_names, snapshot, write_plain, write_ply
 
-from landscape.elements import sun
+from landscape.elements import meadow, sprites, sun
 from landscape.elements.animals.fine_dragon import dragon_class
 from landscape.elements.animals.fine_rabbit import rabbit_class
+from landscape.elements.atlas import CELLS
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
 from landscape.elements.map import Map
+from landscape.elements.meadow.meadow import Meadow
 from landscape.elements.ornate.ornate_castle import castle_class
 from landscape.elements.reflection import mirrored
 from landscape.elements.sea.sea import Sea
 from landscape.elements.sky_box import SkyBox
-from landscape.elements.sprites.atlas import CELLS
+from landscape.elements.sprites.refined_sprites import RefinedSprites
 from landscape.elements.sword import Sword
 from landscape.elements.terrain.terrain import ground_class
 from landscape.elements.transparent_elements import TransparentElements
@@ -53,10 +55,12 @@ ELEMENTS: dict[str, Build] = {
     "water": lambda settings, assets, ground: WaterSurface(settings, assets),
     "sea": lambda settings, assets, ground: Sea(settings, assets, ground.field),
     "sky": lambda settings, assets, ground: SkyBox(settings, assets),
-    "sprites": lambda settings, assets, ground: TransparentElements(
-        settings, assets, ground, 1, {"trees", "deer", "plants"}
+    "sprites": lambda settings, assets, ground: (
+        RefinedSprites if sprites.wanted(settings) else TransparentElements
+    )(settings, assets, ground, 1, {"trees", "deer", "plants"}),
+    "grass": lambda settings, assets, ground: (Meadow if meadow.wanted(settings) else Grass)(
+        settings, assets, ground, 1
     ),
-    "grass": lambda settings, assets, ground: Grass(settings, assets, ground, 1),
     "castle": lambda settings, assets, ground: castle_class(settings)(
         settings, assets, ground.field
     ),

@@ -1,4 +1,4 @@
-"""Grass: the report's blades and wind, the same lot whichever way one walks, culling that loses
+"""Grass: the report's blades and wind, the same blades whichever way one walks, cells that lose
 no blade, and a blade where projection puts it."""
 
 import math
@@ -7,73 +7,78 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
+from flat_land import flat, grass_settings
+from sprite_stage import looking
 from stage import Stage, close, pixel, project, small
 
-from landscape.elements.grass import CELL, Grass, cells_around, greenness, visible_cells
-from landscape.elements.ground import Ground
-from landscape.elements.meadow.blades import (
+from landscape.elements import grass as grass_module
+from landscape.elements import meadow
+from landscape.elements.grass import (
     COORDINATES,
-    DENSE,
-    NEAR,
     STRIP_TRIANGLES,
-    Patch,
-    blade_tints,
+    Blades,
+    Grass,
+    bent,
+    blade_corners,
     blade_vertices,
     blade_wind,
-    drawn_at,
-    nearness,
+    send_one_by_one,
 )
-from landscape.elements.sprites.sprite_quads import sway
+from landscape.elements.grass_cells import CELL, cells_around, visible_cells
+from landscape.elements.ground import Ground
+from landscape.elements.transparent_elements import sway, visible
 from landscape.files.assets import Assets
-from landscape.frame import Frame, Pose
-from landscape.geometry.height_field import HeightField
-from landscape.settings import Settings
+from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField, greenness
+from landscape.gl.calls import recording
+from landscape.settings import Settings, preset
 
 ORIGIN = np.zeros((1, 3))
+NORTH = Pose(20.0, 3.1, 20.0)
 
 
 def test_a_blade_at_angle_0_is_the_reports_strip() -> None:
-    blade = blade_vertices(ORIGIN, np.zeros(1))[0]
-    wanted = [
+    blade = blade_vertices(ORIGIN, blade_corners(np.zeros(1)))[0]
+    expected = [
         (-0.003, 0, 0),
         (0.003, 0, 0),
         (-0.0015, 0.015, 0),
         (0.0015, 0.015, 0),
         (0, 0.02, 0.004),
     ]
-    assert np.allclose(blade, wanted, atol=1e-8)
+    assert np.allclose(blade, expected, atol=1e-8)
 
 
 def test_a_blade_at_60_degrees_stands_where_sine_and_cosine_say() -> None:
-    blade = blade_vertices(np.array([[1.0, 2.0, 3.0]]), np.array([math.pi / 3]))[0]
+    blade = blade_vertices(np.array([[1.0, 2.0, 3.0]]), blade_corners(np.array([math.pi / 3])))[0]
     c, s = 0.5, math.sqrt(0.75)
-    wanted = [
+    expected = [
         (1 - 0.003 * c, 2, 3 - 0.003 * s),
         (1 + 0.003 * c, 2, 3 + 0.003 * s),
         (1 - 0.0015 * c, 2.015, 3 - 0.0015 * s),
         (1 + 0.0015 * c, 2.015, 3 + 0.0015 * s),
         (1 + 0.004 * s, 2.02, 3 + 0.004 * c),
     ]
-    assert np.allclose(blade, wanted, atol=1e-6)
+    assert np.allclose(blade, expected, atol=1e-6)
 
 
 def test_the_scale_stretches_x_and_z_by_its_first_and_y_by_its_second_number() -> None:
-    angles = np.array([0.7])
-    once, scaled = blade_vertices(ORIGIN, angles)[0], blade_vertices(ORIGIN, angles, (2, 3))[0]
+    corners = blade_corners(np.array([0.7]))
+    once, scaled = (blade_vertices(ORIGIN, corners, scale)[0] for scale in ((1, 1), (2, 3)))
     assert np.allclose(scaled, once * (2, 3, 2))
 
 
 def test_the_strip_is_three_triangles_of_one_winding() -> None:
     # As a GL_TRIANGLE_STRIP: 0 1 2, then 2 1 3, then 2 3 4.
     assert STRIP_TRIANGLES.tolist() == [0, 1, 2, 2, 1, 3, 2, 3, 4]
-    blade = blade_vertices(ORIGIN, np.zeros(1))[0]
+    blade = blade_vertices(ORIGIN, blade_corners(np.zeros(1)))[0]
     a, b, c = (blade[STRIP_TRIANGLES.reshape(-1, 3)[:, k]] for k in range(3))
     assert (np.cross(b - a, c - a)[:, 2] > 0).all()
 
 
 def test_the_texture_coordinates_are_the_reports() -> None:
-    wanted = [(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)]
-    assert np.allclose(COORDINATES, wanted)
+    expected = [(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)]
+    assert np.allclose(COORDINATES, expected)
 
 
 def test_the_wind_is_a_fifth_of_the_plants() -> None:
@@ -83,102 +88,93 @@ def test_the_wind_is_a_fifth_of_the_plants() -> None:
     assert np.allclose(blade_wind(13.0, places, 1.5), sway(13.0, places) * 0.3)
 
 
-def flat(height: float = 3.0) -> Ground:
-    """A ground of one height and one green, without OpenGL."""
-    field = HeightField(np.full((5, 5), height, np.float32), 40.0, 0.6)
-
-    def colour(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        green = np.where(np.asarray(x) < 20, 0.5, 0.2)  # green in the west, grey in the east
-        return np.stack([np.full_like(green, 0.2), green, np.full_like(green, 0.2)], axis=1)
-
-    def light(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        return np.where(np.asarray(z) < 20, 1.0, 0.5)  # shadow in the south
-
-    return cast(Ground, SimpleNamespace(field=field, colour=colour, light=light))
-
-
-def sow(ground: Ground | None = None, seed: int = 7, **changes: Any) -> Grass:
-    """Return the grass of a flat island without its texture."""
-    grass = Grass.__new__(Grass)
-    keys = {f"grass.{key}": value for key, value in changes.items()}
-    grass._settings = small({"grass.count": 50_000, "castle.x": -900, **keys})
-    grass._ground, grass._seed = ground or flat(), seed
-    grass._across = int(np.ceil(40.0 / CELL))
-    grass._patches, grass._grown, grass._ends = {}, 0, (np.full(3, 0.4), np.full(3, 0.4))
-    grass._in_view, grass._chosen, grass._chosen_for = 0, None, None
-    grass.counts = grass._share()
-    grass._shared = grass.counts.copy()
-    return grass
+def test_the_wind_moves_tips_fully_shoulders_half_and_feet_not_at_all() -> None:
+    places = (np.random.default_rng(1).random((200, 3)) * 40).astype(np.float32)
+    blades = Blades(places, blade_vertices(places, blade_corners(np.linspace(0, 6, 200))))
+    still = blades.vertices.copy()
+    moved = bent(blades, 17.0, 1.5) - still
+    wind = blade_wind(17.0, places, 1.5)
+    assert np.allclose(moved[:, :2], 0.0) and np.allclose(moved[..., 1], 0.0)
+    assert np.allclose(moved[:, 2, ::2], wind / 2, atol=1e-5)
+    assert np.allclose(moved[:, 3, ::2], wind / 2, atol=1e-5)
+    assert np.allclose(moved[:, 4, ::2], wind, atol=1e-5)
+    assert (blades.vertices == still).all(), "bending leaves the still blades as they are"
 
 
-def all_blades(grass: Grass, cells: Any = None) -> list[Patch]:
-    return [grass._patch(int(c)) for c in (range(len(grass.counts)) if cells is None else cells)]
+@pytest.fixture
+def sow(stage: Stage, plain: Assets):
+    """A function that returns the grass of a flat island, released after the test."""
+    made = []
+
+    def grown(ground: Ground | None = None, seed: int = 7, **changes: Any) -> Grass:
+        made.append(Grass(grass_settings(**changes), plain, ground or flat(), seed))
+        return made[-1]
+
+    yield grown
+    stage.enter()
+    for grass in made:
+        grass.release()
 
 
-def test_the_cells_bear_as_many_blades_as_asked_for() -> None:
-    grass = sow()
-    assert grass.counts.sum() == 50_000
-    assert sum(len(patch.blades) for patch in all_blades(grass)) == 50_000
+def everything(grass: Grass) -> Blades:
+    """Return all blades of an island of 80 x 80 cells."""
+    cells = [grass.cell(number) for number in range(6400)]
+    return Blades(*(np.concatenate(arrays) for arrays in zip(*cells, strict=True)))
 
 
-def test_blades_are_spread_evenly_over_flat_land() -> None:
-    counts = sow(count=1_000_000).counts
-    assert len(counts) == 6400
-    assert np.abs(counts - 1e6 / 6400).max() < 6 * math.sqrt(1e6 / 6400)
+def test_as_many_blades_grow_as_asked_for(sow) -> None:
+    assert len(everything(sow()).positions) == 50_000
+    assert len(everything(sow(count=0)).positions) == 0
 
 
-def test_a_cells_blades_stand_in_the_cell_and_on_the_ground() -> None:
+def test_blades_are_spread_evenly_over_flat_land(sow) -> None:
+    places = everything(sow(count=200_000)).positions
+    counts = np.histogram2d(places[:, 0], places[:, 2], bins=20, range=[[0, 40], [0, 40]])[0]
+    assert np.abs(counts - 500).max() < 6 * math.sqrt(500)
+
+
+def test_a_cells_blades_stand_in_the_cell_and_on_the_ground(sow) -> None:
     grass = sow()
     for cell in (0, 79, 3210, 6399):
         row, column = divmod(cell, 80)
-        x, y, z = grass._patch(cell).positions.T
+        x, y, z = grass.cell(cell).positions.T
         assert (np.floor(x / CELL) == column).all() and (np.floor(z / CELL) == row).all()
         assert np.allclose(y, 3.0)
 
 
-def test_the_same_grass_grows_whichever_way_the_cells_are_visited() -> None:
+def test_the_same_grass_grows_whichever_way_the_cells_are_visited(sow) -> None:
     cells = [812, 3, 4000, 3999]
     there, back = sow(), sow()
-    forth = all_blades(there, cells)
-    again = all_blades(back, cells[::-1])[::-1]
+    forth = [there.cell(number) for number in cells]
+    again = [back.cell(number) for number in cells[::-1]][::-1]
     for one, two in zip(forth, again, strict=True):
-        assert (one.blades == two.blades).all() and (one.tints == two.tints).all()
+        assert (one.positions == two.positions).all() and (one.vertices == two.vertices).all()
 
 
-def test_another_seed_grows_other_grass() -> None:
-    one, two = sow(seed=7)._patch(3210), sow(seed=8)._patch(3210)
-    assert one.positions.shape != two.positions.shape or (one.positions != two.positions).any()
+def test_another_seed_grows_other_grass(sow) -> None:
+    one, two = (sow(seed=seed).cell(3210).positions for seed in (7, 8))
+    assert one.shape != two.shape or (one != two).any()
 
 
-def test_no_blade_stands_in_the_water_and_a_drowned_island_bears_none() -> None:
+def test_no_blade_stands_in_the_water_and_a_drowned_island_bears_none(sow) -> None:
     at = np.linspace(0, 6, 40, dtype=np.float32)
     slope = HeightField(np.repeat(at[None, :], 40, axis=0), 40.0, 3.0)
-    ground = cast(Ground, SimpleNamespace(field=slope))
-    grass = sow(ground)
-    assert grass.counts.sum() == 50_000
-    for patch in all_blades(grass, np.flatnonzero(grass.counts)[::50]):
-        assert (patch.positions[:, 1] > 3.0).all()
-    assert sow(flat(0.1)).counts.sum() == 0
+    places = everything(sow(cast(Ground, SimpleNamespace(field=slope)))).positions
+    assert len(places) == 50_000 and (places[:, 1] > 3.0).all()
+    assert len(everything(sow(flat(0.1))).positions) == 0
 
 
-def test_tinted_grass_keeps_to_green_ground_and_takes_its_colour() -> None:
-    grass = sow(tinted=True, count=20_000)
-    counts = grass.counts.reshape(80, 80)
-    assert counts[:, 40:].sum() == 0 and counts[:, :40].sum() == 20_000
-    tints = grass._patch(805).tints
-    assert (tints[..., 1] > tints[..., 0]).all() and (tints[..., 3] == 255).all()
+def test_no_blade_stands_in_the_castle(stage: Stage, plain: Assets) -> None:
+    settings = small({"grass.count": 50_000, "castle.x": 20.0, "castle.z": 20.0})
+    grass = Grass(settings, plain, flat(), 7)
+    places = everything(grass).positions
+    grass.release()
+    assert np.hypot(places[:, 0] - 20, places[:, 2] - 20).min() == pytest.approx(0.75, abs=0.1)
 
 
 def test_greenness_is_0_for_rock_and_1_for_a_meadow() -> None:
     colours = [(0.5, 0.5, 0.5), (0.82, 0.76, 0.62), (0.2, 0.5, 0.1), (0.358, 0.4, 0.358)]
     assert greenness(np.array(colours)) == pytest.approx([0.0, 0.0, 1.0, 0.5])
-
-
-def test_a_blade_is_darker_at_its_foot() -> None:
-    tints = blade_tints(np.array([(0.2, 0.4, 0.1)]), np.random.default_rng(0))[0].astype(float)
-    assert (tints[:2] < 0.9 * tints[4]).all()
-    assert (tints[0] == tints[1]).all() and (tints[2] == tints[4]).all()
-    assert tints[4, 1] / tints[4, 0] == pytest.approx(2.0, abs=0.05)
 
 
 def test_all_cells_within_the_radius_are_looked_at_and_none_off_the_map() -> None:
@@ -192,29 +188,20 @@ def test_all_cells_within_the_radius_are_looked_at_and_none_off_the_map() -> Non
     assert len(cells_around(500.0, 500.0, 4.0, 80)) == 0
 
 
-def modelview(pose: Pose) -> np.ndarray:
-    yaw = math.radians(pose.yaw)
-    right, ahead = np.array([math.cos(yaw), 0.0, math.sin(yaw)]), np.array(pose.forward)
-    matrix = np.eye(4)
-    matrix[:3, :3] = right, np.cross(right, ahead), -ahead
-    matrix[:3, 3] = -matrix[:3, :3] @ (pose.x, pose.y, pose.z)
-    return matrix.T.ravel()
-
-
 @pytest.mark.parametrize("yaw", [0.0, 45.0, 200.0])
 @pytest.mark.parametrize("pitch", [0.0, -35.0, 20.0, -89.0])
 def test_no_cell_that_shows_a_blade_on_the_screen_is_left_out(yaw: float, pitch: float) -> None:
     pose = Pose(20.2, 3.1, 19.9, yaw, pitch)
-    frame = Frame(pose, (160, 120), 0.0, modelview(pose), 60.0)
+    frame = looking(pose)
     points = np.random.default_rng(6).random((20_000, 2)) * 9 + 15.5
     points = np.insert(points, 1, 3.0 + 0.02, axis=1)
     away = points - frame.eye
     depth = away @ np.array(pose.forward)
-    reach = math.tan(math.radians(30)) * depth
+    half = math.tan(math.radians(30)) * depth
     on_screen = (
         (depth > 0.02)
-        & (np.abs(away @ frame.right) <= reach * 160 / 120)
-        & (np.abs(away @ frame.up) <= reach)
+        & (np.abs(away @ frame.right) <= half * 160 / 120)
+        & (np.abs(away @ frame.up) <= half)
         & (np.hypot(away[:, 0], away[:, 2]) < 4.0)
     )
     assert on_screen.any() or pitch > 0
@@ -225,101 +212,58 @@ def test_no_cell_that_shows_a_blade_on_the_screen_is_left_out(yaw: float, pitch:
 
 def test_cells_behind_or_beyond_the_radius_are_left_out() -> None:
     pose = Pose(20.0, 3.1, 20.0, 0.0, 0.0)
-    frame = Frame(pose, (160, 120), 0.0, modelview(pose), 60.0)
+    frame = looking(pose)
     centres = np.array([(20.0, 3.0, 23.0), (20.0, 3.0, 14.0), (20.0, 3.0, 17.0), (24.0, 3, 19.5)])
     assert visible_cells(frame, centres, 4.0).tolist() == [False, False, True, False]
 
 
-def frame_at(pose: Pose, kt: float = 0.0) -> Frame:
-    return Frame(pose, (160, 120), kt, modelview(pose), 60.0)
-
-
-def test_the_wind_moves_tips_fully_shoulders_half_and_feet_not_at_all() -> None:
+def test_cells_select_all_blades_that_a_test_of_every_blade_does_and_shows(sow) -> None:
     grass = sow()
-    frame = frame_at(Pose(20.0, 3.1, 20.0), kt=17.0)
-    patch = grass.select(frame)
-    moved = grass.bend(frame, patch) - patch.blades
-    wind = blade_wind(17.0, patch.positions, 1.0)
-    assert np.allclose(moved[:, :2], 0.0)
-    assert np.allclose(moved[:, 2, ::2], wind / 2, atol=1e-5)
-    assert np.allclose(moved[:, 3, ::2], wind / 2, atol=1e-5)
-    assert np.allclose(moved[:, 4, ::2], wind, atol=1e-5)
-    assert np.allclose(moved[..., 1], 0.0)
+    places = everything(grass).positions
+    for pose in (NORTH, Pose(12.3, 3.1, 25.1, 77.0, -20.0), Pose(1.0, 3.1, 1.0, 200.0, 10.0)):
+        frame = looking(pose)
+        one_by_one = places[visible(frame, places, 4.0)]
+        away, half = one_by_one - frame.eye, math.tan(math.radians(30)) * 160 / 120
+        in_window = np.abs(away @ frame.right) <= -frame.depth(one_by_one) * half
+        plain = {place.tobytes() for place in one_by_one[in_window]}
+        by_cell = {place.tobytes() for place in grass.select(frame).positions}
+        assert plain <= by_cell and len(by_cell) < 0.1 * len(places)
+        assert plain or pose.x == 1.0
 
 
-def test_bending_does_not_wear_the_still_blades_out() -> None:
+def test_every_blade_of_a_visible_cell_is_sent(sow) -> None:
     grass = sow()
-    frame = frame_at(Pose(20.0, 3.1, 20.0), kt=17.0)
-    first = grass.bend(frame, grass.select(frame))
-    second = grass.bend(frame, grass.select(frame))
-    assert (first == second).all()
-
-
-def test_with_fade_far_cells_are_thinned_and_far_blades_shrink() -> None:
-    grass = sow(fade=True, count=2_000_000)
-    frame = frame_at(Pose(20.0, 3.1, 20.0))
-    patch = grass.select(frame)
-    blades, places = grass.bend(frame, patch), patch.positions
-    away = np.hypot(places[:, 0] - 20, places[:, 2] - 20)
-    reach, still = 4.0 * patch.reach, patch.blades[:, 4, 1] - 3.0
-    part = (blades[:, 4, 1] - 3.0) / still
-    # Whole up to three quarters of its reach, then down to nothing at its end.
-    assert np.allclose(part, np.clip((reach - away) / (reach / 4), 0.0, 1.0), atol=1e-3)
-    assert (part[away < 0.2] > 0.99).all() and part.min() < 0.2
-    assert (away > 2.0).any() and still.min() > 0.005
-    ahead = {cell: len(grass._patch(cell).blades) for cell in (34 * 80 + 40,)}
-    for cell, whole in ahead.items():
-        middle = np.array([(cell % 80 + 0.5) * CELL, (cell // 80 + 0.5) * CELL])
-        drawn = (np.abs(places[:, ::2] - middle) < CELL / 2).all(axis=1).sum()
-        assert 0 < drawn < whole
-
-
-def test_without_fade_every_blade_of_a_visible_cell_is_sent() -> None:
-    grass = sow()
-    places = grass.select(frame_at(Pose(20.0, 3.1, 20.0))).positions
+    places = grass.select(looking(NORTH)).positions
     column, row = np.floor(places[:, ::2] / CELL).astype(int).T
     numbers, counts = np.unique(row * 80 + column, return_counts=True)
     assert len(numbers) > 10
-    assert (counts == grass.counts[numbers]).all()
+    assert [len(grass.cell(number).positions) for number in numbers] == counts.tolist()
 
 
-@pytest.mark.parametrize("fade", [True, False])
-def test_a_choice_that_is_kept_shows_what_a_new_one_would(fade: bool) -> None:
-    grass, other = (sow(fade=fade, count=200_000) for _ in range(2))
-    start = Pose(20.0, 3.1, 20.0, 10.0, -5.0)
-    kept = grass.chosen(frame_at(start))
-    for step in range(1, 6):
-        pose = Pose(20.0 + 0.01 * step, 3.1, 20.0 - 0.01 * step, 10.0 + 0.5 * step, -5.0)
-        frame = frame_at(pose, kt=3.0 * step)
-        assert (grass.chosen(frame) is kept) == (fade and step <= 4)
-        seen, anew = (
-            {b.tobytes() for b in g.bend(frame, p) if np.ptp(b[:, 1]) > 0}
-            for g, p in ((grass, grass.chosen(frame)), (other, other.select(frame)))
-        )
-        assert anew <= seen
-        if fade:
-            shown = grass.chosen(frame).positions
-            away = np.hypot(shown[:, 0] - pose.x, shown[:, 2] - pose.z)
-            flat = np.ptp(grass.bend(frame, grass.chosen(frame))[..., 1], axis=1) == 0
-            assert flat[away > 4.0 * grass.chosen(frame).reach].all()
-    far = frame_at(Pose(20.3, 3.1, 20.0, 10.0, -5.0))
-    assert grass.chosen(far) is not kept
-
-
-def test_other_settings_or_another_window_are_chosen_for_anew() -> None:
-    grass, pose = sow(fade=True, count=200_000), Pose(20.0, 3.1, 20.0)
-    kept = grass.chosen(frame_at(pose))
-    assert grass.chosen(frame_at(pose)) is kept
-    wide = Frame(pose, (320, 120), 0.0, modelview(pose), 60.0)
-    assert grass.chosen(wide) is not kept
-    kept = grass.chosen(wide)
-    grass._settings = small({"grass.fade": True, "grass.radius": 3.0})
-    assert grass.chosen(wide) is not kept
+def test_cells_long_out_of_view_are_dropped_and_grow_again_the_same(
+    sow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    grown = []
+    places_in = grass_module.places_in
+    monkeypatch.setattr(grass_module, "places_in", lambda *a: grown.append(a[0]) or places_in(*a))
+    monkeypatch.setattr(grass_module, "LEAST", 0)
+    grass = sow()
+    first = grass.select(looking(NORTH))
+    seen = set(grown)
+    again = grass.select(looking(NORTH))
+    assert len(grown) == len(seen), "what stays in view is kept"
+    for x in (8.0, 32.0, 8.0, 32.0, 14.0, 26.0):
+        grass.select(looking(Pose(x, 3.1, 35.0)))
+    grown.clear()
+    after = grass.select(looking(NORTH))
+    assert set(grown) == seen
+    for one, two in ((first, again), (first, after)):
+        assert (one.vertices == two.vertices).all()
 
 
 @pytest.fixture
 def field_of_grass(stage: Stage, plain: Assets):
-    """Grass with its texture on the plain island (height 3), released after the test."""
+    """Grass on the plain island (height 3), its ground, and its settings; released at the end."""
     settings = small()
     ground = Ground(settings, plain, np.array([0, 1, 0], np.float32))
     grass = Grass(settings, plain, ground, 7)
@@ -329,20 +273,15 @@ def field_of_grass(stage: Stage, plain: Assets):
     ground.release()
 
 
-def one_blade(place: tuple[float, float, float], angle: float) -> Patch:
-    positions = np.array([place], np.float32)
-    blades = blade_vertices(positions, np.array([angle]))
-    tints = np.full((1, 5, 4), 255, np.uint8)
-    return Patch(positions, blades, tints, np.ones(1, np.float32))
-
-
 @pytest.mark.parametrize("kt", [0.0, 40.0])
 def test_a_blade_is_drawn_where_projection_and_wind_put_it(
     stage: Stage, field_of_grass: tuple[Settings, Grass], monkeypatch, kt: float
 ) -> None:
     settings, grass = field_of_grass
     place = (20.0, 3.0, 19.94)
-    monkeypatch.setattr(grass, "chosen", lambda frame: one_blade(place, 0.0))
+    position = np.array([place], np.float32)
+    blade = Blades(position, blade_vertices(position, blade_corners(np.zeros(1))))
+    monkeypatch.setattr(grass, "select", lambda frame: blade)
     pose = Pose(20.0, 3.01, 20.0)
     with stage.frame(settings, pose, kt) as frame:
         grass.draw(frame)
@@ -373,35 +312,77 @@ def test_no_grass_in_view_draws_nothing(
         assert close(stage.read(), np.array([0.4, 0.6, 0.7]) * 255)
 
 
-def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
-    monkeypatch: pytest.MonkeyPatch,
+def test_while_the_eye_stands_the_selection_stands_and_the_wind_blows(
+    stage: Stage, field_of_grass: tuple[Settings, Grass], monkeypatch
 ) -> None:
-    grass = sow(fade=True)
-    first = all_blades(grass)
-    counts = grass.counts.copy()
-    monkeypatch.setattr("landscape.elements.grass.LEAST", 1000)
-    grass._in_view = 0
-    grass._forget()
-    assert grass._grown == sum(len(p.positions) for p in grass._patches.values()) <= 1000
-    assert max(grass._patches) == len(counts) - 1, "the last used stay"
-    again = all_blades(grass)
-    assert all(np.array_equal(a.blades, b.blades) for a, b in zip(first, again, strict=True))
-    assert np.array_equal(grass.counts, counts)
+    settings, grass = field_of_grass
+    selected = []
+    select = grass.select
+    monkeypatch.setattr(grass, "select", lambda frame: selected.append(frame) or select(frame))
+    pictures = []
+    for pose, kt in ((NORTH, 0.0), (NORTH, 9.0), (Pose(20.0, 3.1, 20.001), 9.0)):
+        with stage.frame(settings, pose, kt) as frame:
+            grass.draw(frame)
+            pictures.append(stage.read())
+    assert len(selected) == 2
+    assert (pictures[0] != pictures[1]).any()
 
 
-def test_tinted_blades_in_the_shadow_are_darker() -> None:
-    grass = sow(tinted=True)
-    across = int(np.sqrt(len(grass.counts)))
-    north, south = (
-        grass._patch(row * across + across // 4) for row in (across // 4, 3 * across // 4)
-    )
-    assert south.tints[..., 1].mean() == pytest.approx(0.5 * north.tints[..., 1].mean(), rel=0.1)
+def test_r18_the_loop_over_blades_draws_the_picture_of_one_call(stage: Stage, sow) -> None:
+    large: dict[str, Any] = {"count": 40_000, "scale": (3.0, 3.0)}
+    grass = sow(**large)
+    pictures, calls = [], []
+    for method in ("cells", "loop"):
+        settings = grass_settings(method=method, **large)
+        assert grass.apply(settings)
+        with stage.frame(settings, NORTH, kt=9.0) as frame, recording() as recorder:
+            grass.draw(frame)
+            pictures.append(stage.read())
+        calls.append([call.name for call in recorder.calls])
+    assert (pictures[0] == pictures[1]).all()
+    assert (np.abs(pictures[0] - np.array([102, 153, 178])) > 20).any(axis=2).sum() > 500
+    assert calls[0].count("glDrawElements") == 1 and not calls[0].count("glBegin")
+    assert calls[1].count("glBegin") == len(grass.select(frame).positions)
 
 
-def test_a_sparse_meadow_is_thinned_out_later_and_shows_less_all_the_same() -> None:
-    assert nearness(DENSE) == nearness(10 * DENSE) == NEAR
-    near = [nearness(density) for density in (DENSE / 64, DENSE / 8, DENSE)]
-    assert near == sorted(near, reverse=True) and near[0] > 2 * NEAR
-    # Of as many square units: blades drawn up to 2 units away, at 1 and at 8 times the density.
-    few, many = (drawn_at(count, near_, 2.0) for count, near_ in ((1000, near[0]), (8000, near[1])))
-    assert few < many < 3 * few
+def test_one_blade_takes_twelve_calls(stage: Stage) -> None:
+    blades = blade_vertices(np.zeros((3, 3)), blade_corners(np.zeros(3)))
+    with stage.frame(small(), Pose(0.0, 0.0, 5.0)), recording() as recorder:
+        send_one_by_one(blades)
+    names = [call.name for call in recorder.calls]
+    assert names.count("glVertex3f") == names.count("glTexCoord2f") == 15
+    assert names.count("glBegin") == names.count("glEnd") == 3
+
+
+def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(
+    stage: Stage, field_of_grass: tuple[Settings, Grass]
+) -> None:
+    settings, grass = field_of_grass
+
+    def shown() -> np.ndarray:
+        with stage.frame(settings, NORTH) as frame:
+            grass.draw(frame)
+            return stage.read()
+
+    wide = shown()
+    for change in (
+        {"grass.count": 3001}, {"grass.scale": (2.0, 1.0)}, {"castle.z": 20.0},
+        {"ground.resolution": 41}, {"water.level": 0.7}, {"grass.facing": 0.6},
+        {"grass.fade": True}, {"grass.tinted": True},
+    ):  # fmt: skip
+        assert not grass.apply(small({"grass.radius": 1.0, **change})), change
+        assert (shown() == wide).all(), "refused settings change nothing"
+    assert grass.apply(small({"grass.radius": 1.0, "fog.density": 0.5, "castle.yaw": 3.0}))
+    assert (shown() != wide).any()
+    assert grass.apply(settings)
+    assert (shown() == wide).all()
+
+
+def test_the_plain_grass_serves_2006_and_not_best() -> None:
+    assert not meadow.wanted(preset("2006")) and meadow.wanted(preset("best"))
+    for key, value in (
+        ("tinted", True), ("fade", True), ("facing", 0.6), ("tufts", 7), ("variety", 1.0),
+        ("arch", 4.0),
+    ):  # fmt: skip
+        assert meadow.wanted(small({f"grass.{key}": value})), key
+    assert not meadow.wanted(small({"grass.method": "loop", "grass.count": 9}))

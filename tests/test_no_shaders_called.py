@@ -12,8 +12,9 @@ import pytest
 from stage import SMALL as FEW
 from stage import write_plain, write_ply
 
-from landscape.elements import transparent_elements
-from landscape.elements.sprites.atlas import CELLS
+from landscape.elements import atlas
+from landscape.elements.atlas import CELLS
+from landscape.elements.sprites import atlas as refined_atlas
 from landscape.elements.water_surface import WaterSurface
 from landscape.gl.calls import Call, gl, recording
 from landscape.render import Offscreen
@@ -64,7 +65,8 @@ def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
     for preset in PRESETS:
         mine = [v for v in VIEWS.values() if v.preset in (preset, "")]
         with recording() as recorder, pytest.MonkeyPatch.context() as patch:
-            patch.setattr(transparent_elements, "mip_chain", quick_levels)
+            for module in (atlas, refined_atlas):
+                patch.setattr(module, "mip_chain", quick_levels)
             with Offscreen((64, 48), preset, SMALL, assets=folder) as offscreen:
                 for view in sorted(mine, key=lambda v: (str(v.settings), v.shown)):
                     start = len(recorder.calls)

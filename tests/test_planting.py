@@ -1,53 +1,15 @@
-"""Where sprites stand: on land, drawn by lot, the same lot for the same seed."""
-
-from types import SimpleNamespace
-from typing import Any, cast
+"""Where the sprites of 2006 stand: on land, at random, the same for the same seed."""
 
 import numpy as np
 import pytest
+from hill import ALL, grow, hill
 
-from landscape.elements.ground import Ground
-from landscape.elements.sprites.planting import (
-    DEER,
-    PLANT,
-    Sprites,
-    plant_everything,
-    scatter,
-    species_by_place,
-    woodland,
-)
+from landscape.elements.planting import DEER, DEER_POSTS, PLANT, Sprites, scatter
 from landscape.geometry.height_field import HeightField
-from landscape.keys import with_settings
-from landscape.settings import Settings
-
-ALL = {"trees", "deer", "plants"}
 
 
-def hill(level: float = 1.0) -> HeightField:
-    """A round hill of 4 units in a sea of the given level."""
-    at = np.linspace(-1.0, 1.0, 61)
-    heights = 4.0 * np.exp(-3 * (at[None, :] ** 2 + at[:, None] ** 2))
-    return HeightField(heights.astype(np.float32), 40.0, level)
-
-
-def green_in_the_west(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """A ground of grass where x is under 20, of sand elsewhere."""
-    grass, sand = np.array([0.2, 0.4, 0.1]), np.array([0.7, 0.6, 0.5])
-    return np.where((x < 20.0)[:, None], grass, sand)
-
-
-def grow(kinds: set[str] = ALL, seed: int = 5, field: HeightField | None = None, **changes: Any):
-    """Plant a hill; the castle and the rabbit stand where the settings put them."""
-    field = field or hill()
-    keys = {key.replace("__", "."): value for key, value in changes.items()}
-    settings = with_settings(Settings(), {"water.level": field.water_level, **keys})
-    ground = cast(Ground, SimpleNamespace(field=field, colour=green_in_the_west))
-    return settings, plant_everything(settings, ground, seed, kinds)
-
-
-@pytest.mark.parametrize("grouped", [False, True])
-def test_every_sprite_stands_on_land_at_the_grounds_height(grouped: bool) -> None:
-    _, sprites = grow(trees__grouped=grouped)
+def test_every_sprite_stands_on_land_at_the_grounds_height() -> None:
+    _, sprites = grow()
     x, y, z = sprites.positions.T
     assert (hill().terrain_height(x, z) > 1.0).all()
     assert np.allclose(y, hill().terrain_height(x, z))
@@ -85,7 +47,7 @@ def test_places_are_spread_evenly_over_flat_land() -> None:
 
 def test_the_same_seed_gives_the_same_places_and_another_seed_others() -> None:
     first, again, other = grow(seed=5)[1], grow(seed=5)[1], grow(seed=6)[1]
-    for name in ("positions", "sizes", "cells", "flipped", "tints"):
+    for name in ("positions", "sizes", "cells", "flipped"):
         assert (getattr(first, name) == getattr(again, name)).all()
     assert (first.positions != other.positions).any()
 
@@ -130,39 +92,14 @@ def test_only_so_many_species_as_asked_for() -> None:
         assert set(np.unique(sprites.cells)) == set(range(species))
 
 
-def test_in_woods_trees_stand_closer_than_by_chance() -> None:
-    def crowding(grouped: bool) -> float:
-        _, sprites = grow({"trees"}, trees__grouped=grouped, trees__count=1500)
-        xz = sprites.positions[:, [0, 2]]
-        bins = np.histogram2d(xz[:, 0], xz[:, 1], bins=20, range=[[0, 40], [0, 40]])[0]
-        return float(bins.var() / bins.mean())
-
-    assert crowding(True) > crowding(False)
+def test_the_first_deer_stand_at_their_posts_as_far_as_these_are_on_land() -> None:
+    _, sprites = grow({"deer"}, deer__count=3)
+    posts = np.array([post for post in DEER_POSTS if hill().terrain_height(*post) > 1.0])
+    assert 1 < len(posts) < len(DEER_POSTS)
+    assert np.allclose(sprites.positions[: len(posts[:3]), ::2], posts[:3])
 
 
-def test_a_wood_is_as_thick_as_its_function_says_and_never_quite_empty() -> None:
-    at = np.linspace(0, 40, 50)
-    density = woodland(3)(*np.meshgrid(at, at))
-    assert density.min() >= 0.02 and density.max() <= 1.0
-    assert density.std() > 0.1
-
-
-def test_conifers_stand_higher_than_shrubs() -> None:
-    rng = np.random.default_rng(2)
-    places = np.stack([np.zeros(4000), rng.random(4000) * 3, np.zeros(4000)], axis=1)
-    kind = species_by_place(places, 0.0, 4, rng)
-    assert set(np.unique(kind)) == {0, 1, 2, 3}
-    assert places[kind == 1, 1].mean() > places[kind == 3, 1].mean() + 0.5
-
-
-def test_sprites_are_joined_in_order() -> None:
-    one = Sprites(*(np.full((1, 2), k) for k in range(5)))
-    two = Sprites(*(np.full((2, 2), 10 + k) for k in range(5)))
-    assert (one + two).cells[:, 0].tolist() == [2, 12, 12]
-
-
-def test_grouped_plants_keep_to_green_ground_and_scattered_ones_do_not() -> None:
-    _, grouped = grow({"plants"}, trees__grouped=True)
-    _, scattered = grow({"plants"})
-    assert len(grouped.positions) > 500 and (grouped.positions[:, 0] < 20.0).all()
-    assert 0.3 < (scattered.positions[:, 0] < 20.0).mean() < 0.7
+def test_some_sprites_are_picked_by_mask_or_number() -> None:
+    sprites = Sprites(np.arange(9.0).reshape(3, 3), np.ones((3, 2)), np.arange(3), np.ones(3, bool))
+    assert sprites.only(np.array([True, False, True])).cells.tolist() == [0, 2]
+    assert sprites.only(np.array([2, 0])).positions[:, 0].tolist() == [6.0, 0.0]

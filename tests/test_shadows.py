@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.elements.sprites.planting import Sprites
+from landscape.elements.planting import Sprites
 from landscape.elements.terrain.shadows import (
     LIGHT_LEFT,
     ShadowMap,
@@ -40,9 +40,8 @@ def dark_box(light: np.ndarray, below: float = 0.9) -> tuple[float, ...]:
 
 def board(height: float = 2.0, width: float = 1.0) -> Sprites:
     """One sprite at (20, 20)."""
-    one = np.ones((1, 4)) * 255
     place, size = np.array([(20.0, 2.0, 20.0)]), np.array([(width, height)])
-    return Sprites(place, size, np.array([0]), np.array([False]), one)
+    return Sprites(place, size, np.array([0]), np.array([False]))
 
 
 def test_a_shadow_points_away_from_the_sun_as_far_as_a_thing_is_high() -> None:

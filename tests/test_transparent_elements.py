@@ -2,44 +2,42 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from PIL import Image
-from stage import Stage, close, pixel, project, small, write_plain
+from sprite_stage import (
+    BACKGROUND,
+    BLUE,
+    CONIFER,
+    GLASS_TREE,
+    NORTH,
+    PLANT_GREEN,
+    RED,
+    TREE,
+    WIDE,
+    element,
+    looking,
+    pictures,
+    put,
+    seen,
+)
+from stage import Stage, close, pixel, project, small
 
-from landscape.elements.ground import Ground
-from landscape.elements.sprites.atlas import CELL, CELLS, GUTTER, atlas, cell_coordinates
-from landscape.elements.sprites.planting import PLANT, Sprites
-from landscape.elements.sprites.sprite_quads import (
-    HALVES,
-    QUAD,
-    Quads,
+from landscape.elements.atlas import CELL, GUTTER, cell_coordinates, laid_out
+from landscape.elements.planting import PLANT
+from landscape.elements.sprites import wanted
+from landscape.elements.transparent_elements import (
+    CROSS,
+    TransparentElements,
     billboards,
     crossed_quads,
+    far_to_near,
     sway,
-    upright_axes,
+    visible,
 )
-from landscape.elements.sprites.sprite_rules import visible_order
-from landscape.elements.transparent_elements import TransparentElements
-from landscape.files.assets import Assets
-from landscape.frame import Frame, Pose
-
-BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
-RED, BLUE, PLANT_GREEN = (250, 0, 0, 255), (0, 0, 250, 255), (20, 230, 30, 255)
-
-
-def looking(pose: Pose) -> Frame:
-    """Return a frame whose modelview is written from the definition of the camera."""
-    yaw, pitch = math.radians(pose.yaw), math.radians(pose.pitch)
-    right = np.array([math.cos(yaw), 0.0, math.sin(yaw)])
-    ahead = np.array(pose.forward)
-    up = np.cross(right, ahead)
-    assert up[1] == pytest.approx(math.cos(pitch))
-    matrix = np.eye(4)
-    matrix[:3, :3] = right, up, -ahead
-    matrix[:3, 3] = -matrix[:3, :3] @ (pose.x, pose.y, pose.z)
-    return Frame(pose, (160, 120), 0.0, matrix.T.ravel(), 60.0)
+from landscape.frame import Pose
+from landscape.settings import preset
 
 
 def test_the_sway_is_the_reports_at_a_place_and_time_computed_by_hand() -> None:
@@ -54,23 +52,25 @@ def test_the_sway_is_the_reports_at_a_place_and_time_computed_by_hand() -> None:
     assert sway(7.0, places, 2.0) == pytest.approx(2 * sway(7.0, places))
 
 
-def test_what_is_seen_comes_from_far_to_near() -> None:
+def test_what_is_in_front_of_the_camera_and_near_is_visible() -> None:
     frame = looking(Pose(10.0, 1.0, 10.0, 90.0, 0.0))
     places = np.array([(12.0, 0, 10.0), (15.0, 0, 11.0), (9.0, 0, 10.0), (13.0, 0, 9.0)])
-    assert visible_order(frame, places, 100.0).tolist() == [1, 3, 0]
-    assert visible_order(frame, places, 100.0, sort=False).tolist() == [0, 1, 3]
+    assert visible(frame, places, 100.0).tolist() == [0, 1, 3]
+    assert visible(frame, places, 4.0).tolist() == [0, 3]
+    assert visible(frame, places, np.array([1.0, 9.0, 9.0, 9.0])).tolist() == [1, 3]
 
 
 def test_the_order_is_by_depth_along_the_view_and_not_by_distance() -> None:
     frame = looking(Pose(0.0, 0.0, 0.0, 0.0, 0.0))
     places = np.array([(3.0, 0.0, -2.0), (0.0, 0.0, -2.5)])
-    assert visible_order(frame, places, 100.0).tolist() == [1, 0]
+    assert far_to_near(np.arange(2), frame.depth(places)).tolist() == [1, 0]
 
 
 def test_random_places_are_sorted_and_none_in_view_is_lost() -> None:
     frame = looking(Pose(20.0, 2.0, 20.0, 33.0, -12.0))
     places = np.random.default_rng(3).random((5000, 3)) * (40.0, 3.0, 40.0)
-    order = visible_order(frame, places, 9.0)
+    found = visible(frame, places, 9.0)
+    order = far_to_near(found, frame.depth(places[found]))
     ahead = (places - (20.0, 2.0, 20.0)) @ np.array(frame.pose.forward)
     near = np.hypot(places[:, 0] - 20.0, places[:, 2] - 20.0) < 9.0
     assert set(order) == set(np.flatnonzero((ahead > 0) & near))
@@ -96,12 +96,6 @@ def test_billboards_face_the_camera_and_turn_counter_clockwise(pose: Pose) -> No
     assert np.allclose(normals, -np.array(pose.forward), atol=1e-9)
 
 
-def test_upright_billboards_keep_the_cameras_direction_and_stand() -> None:
-    right, up = upright_axes(looking(Pose(0, 0, 0, 40.0, -60.0)).right)
-    assert right == pytest.approx([math.cos(math.radians(40)), 0, math.sin(math.radians(40))])
-    assert up.tolist() == [0, 1, 0]
-
-
 def test_crossed_quads_stand_along_x_and_z_and_only_their_top_middles_sway() -> None:
     place, size = np.array([[5.0, 1.0, 7.0]]), np.array([[0.4, 0.6]])
     still = crossed_quads(place, size, np.zeros((1, 2)))[0]
@@ -110,38 +104,18 @@ def test_crossed_quads_stand_along_x_and_z_and_only_their_top_middles_sway() -> 
     assert np.allclose(still[:6, 2], 7.0) and np.allclose(still[6:, 0], 5.0)
     assert np.allclose(still[:, 1], np.tile([1, 1, 1, 1.6, 1.6, 1.6], 2))
     moved = crossed_quads(place, size, np.array([[0.05, -0.03]]))[0] - still
-    wanted = np.zeros((12, 3))
-    wanted[[4, 10]] = (0.05, 0.0, -0.03)
-    assert np.allclose(moved, wanted)
+    expected = np.zeros((12, 3))
+    expected[[4, 10]] = (0.05, 0.0, -0.03)
+    assert np.allclose(moved, expected)
 
 
 def test_the_four_triangles_of_a_plants_quad_cover_it_once() -> None:
     corners = crossed_quads(np.zeros((1, 3)), np.array([[2.0, 1.0]]), np.zeros((1, 2)))[0]
-    triangles = corners[np.concatenate([HALVES, HALVES + 6]).reshape(-1, 3)]
+    triangles = corners[CROSS.reshape(-1, 3)]
     areas = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]) / 2
     assert len(triangles) == 8
     assert areas[:4, 2].tolist() == [0.5] * 4
     assert np.abs(areas[4:, 0]).tolist() == [0.5] * 4
-
-
-def test_indices_name_each_quads_own_vertices_from_far_to_near() -> None:
-    tree = Quads.of(
-        np.zeros((2, 4, 3)), np.zeros((2, 4, 2)), np.zeros((2, 4)), QUAD, np.array([-1.0, -3.0])
-    )
-    plant = Quads.of(
-        np.zeros((1, 6, 3)), np.zeros((1, 6, 2)), np.zeros((1, 4)), HALVES, np.array([-2.0])
-    )
-    both = Quads.join([tree, plant])
-    first, second = QUAD[0].tolist(), (QUAD[0] + 4).tolist()
-    halves = (HALVES.ravel() + 8).tolist()
-    assert both.indices(sort=False).tolist() == first + second + halves
-    assert both.indices(sort=True).tolist() == second + halves + first
-    assert both.indices(sort=True).dtype == np.uint32
-    assert len(both.vertices) == 14 == both.indices(sort=False).max() + 1
-    nothing = Quads.of(
-        np.zeros((0, 4, 3)), np.zeros((0, 4, 2)), np.zeros((0, 4)), QUAD, np.zeros(0)
-    )
-    assert nothing.indices(sort=True).shape == (0,)
 
 
 def test_texture_coordinates_stay_inside_their_cell_and_under_the_gutter() -> None:
@@ -163,7 +137,7 @@ def test_a_mirrored_sprite_runs_backwards_in_s_alone() -> None:
 
 def test_the_atlas_lays_its_cells_out_in_rows_of_four() -> None:
     cells = [np.full((8, 8, 4), k + 1, np.uint8) for k in range(7)]
-    sheet = atlas(cells)
+    sheet = laid_out(cells)
     assert sheet.shape == (16, 32, 4)
     assert [int(sheet[3, 8 * k + 3, 0]) for k in range(4)] == [1, 2, 3, 4]
     assert [int(sheet[11, 8 * k + 3, 0]) for k in range(4)] == [5, 6, 7, 0]
@@ -171,50 +145,37 @@ def test_the_atlas_lays_its_cells_out_in_rows_of_four() -> None:
 
 @pytest.fixture(scope="module")
 def sprites(the_stage: Stage, tmp_path_factory) -> Iterator[TransparentElements]:
-    """The element, its cells of one colour each: broadleaf red, conifer blue, plant green."""
-    the_stage.enter()
-    folder = tmp_path_factory.mktemp("sprites")
-    colours = {name: (9, 9, 9, 255) for name in CELLS}
-    colours |= {CELLS[0]: RED, CELLS[1]: BLUE, CELLS[PLANT]: PLANT_GREEN}
-    write_plain(folder)
-    for name, colour in colours.items():
-        Image.new("RGBA", (CELL, CELL), colour).save(folder / name)
-    settings = small({"transparent.radius": 50.0})
-    assets = Assets(folder)
-    ground = Ground(settings, assets, np.array([0, 1, 0], np.float32))
-    element = TransparentElements(settings, assets, ground, 1, {"trees", "deer", "plants"})
-    yield element
-    the_stage.enter()
-    element.release()
-    ground.release()
+    """The element, its cells of one colour each."""
+    assets = pictures(tmp_path_factory.mktemp("sprites"))
+    with element(the_stage, TransparentElements, assets) as made:
+        yield made
 
 
-def put(element: TransparentElements, places, cells, size=(1.0, 1.0), alpha=None) -> None:
-    """Let the element have these sprites and no others."""
-    n = len(places)
-    tints = np.full((n, 4), 255.0)
-    if alpha is not None:
-        tints[:, 3] = alpha
-    sizes = np.tile(np.array(size, float), (n, 1))
-    element.stand(
-        Sprites(np.array(places, float), sizes, np.array(cells), np.zeros(n, bool), tints)
-    )
+def test_indices_name_each_sprites_own_vertices_from_far_to_near(sprites) -> None:
+    put(sprites, [(20.0, 3.0, 17.0), (20.0, 3.0, 16.0), (20.0, 3.0, 15.0)], [TREE, PLANT, CONIFER])
+    rows = {}
+    for is_sorted in (False, True):
+        assert sprites.apply(small({**WIDE, "transparent.sorted": is_sorted}))
+        vertices, coordinates, indices = sprites.prepare(looking(NORTH))
+        assert len(vertices) == len(coordinates) == 4 + 4 + 12 == indices.max() + 1
+        assert indices.dtype == np.uint32
+        rows[is_sorted] = indices.reshape(-1, 6)
+    # A billboard is a row of six indices, a plant four. Near tree, far tree, plant, as they stand;
+    near, far, *plant = rows[False].tolist()
+    assert max(near) == 3 and {4, 7} <= set(far) <= set(range(4, 8)) and np.min(plant) == 8
+    # sorted: far tree, plant, near tree.
+    assert rows[True].tolist() == [far, *plant, near]
 
 
-SETTINGS = small({"transparent.radius": 50.0})
-NORTH = Pose(20.0, 3.5, 20.0, 0.0, 0.0)
-
-
-def seen(stage: Stage, element: TransparentElements, pose: Pose = NORTH, kt: float = 0.0):
-    with stage.frame(SETTINGS, pose, kt) as frame:
-        element.draw(frame)
-        return stage.read()
+def test_none_in_view_gives_no_indices(sprites) -> None:
+    put(sprites, [(20.0, 3.0, 30.0)], [PLANT])
+    assert [len(array) for array in sprites.prepare(looking(NORTH))] == [0, 0, 0]
 
 
 @pytest.mark.parametrize("pose", [NORTH, Pose(20.0, 3.5, 20.0, 0.0, -20.0)])
 def test_a_tree_covers_exactly_its_width_and_height(stage: Stage, sprites, pose: Pose) -> None:
     place = (20.0, 3.0, 16.0)
-    put(sprites, [place], [1])
+    put(sprites, [place], [CONIFER])
     # At its border the filter mixes a little of the neighbouring cells in.
     blue = np.abs(seen(stage, sprites, pose) - BACKGROUND).max(axis=2) > 9
     frame = looking(pose)
@@ -233,21 +194,26 @@ def test_a_near_tree_is_blended_over_a_far_one_whatever_their_numbers(
     stage: Stage, sprites, nearer_first: bool
 ) -> None:
     near, far = (20.0, 3.0, 17.0), (20.0, 3.0, 15.0)
-    if nearer_first:
-        put(sprites, [near, far], [0, 1], alpha=[128, 255])
-    else:
-        put(sprites, [far, near], [1, 0], alpha=[255, 128])
+    places, cells = [far, near], [CONIFER, GLASS_TREE]
+    put(sprites, places[::-1] if nearer_first else places, cells[::-1] if nearer_first else cells)
     got = pixel(seen(stage, sprites), project(NORTH, (20.0, 3.4, 15.0)))
-    part = 128 / 255
-    assert close(got, part * np.array(RED[:3]) + (1 - part) * np.array(BLUE[:3]), 2)
+    alpha = 128 / 255
+    assert close(got, alpha * np.array(RED[:3]) + (1 - alpha) * np.array(BLUE[:3]), 2)
+
+
+def test_unsorted_a_near_tree_drawn_first_is_painted_over(stage: Stage, sprites) -> None:
+    put(sprites, [(20.0, 3.0, 17.0), (20.0, 3.0, 15.0)], [TREE, CONIFER])
+    at = project(NORTH, (20.0, 3.4, 15.0))
+    assert close(pixel(seen(stage, sprites), at), RED[:3], 2)
+    assert close(pixel(seen(stage, sprites, transparent__sorted=False), at), BLUE[:3], 2)
 
 
 def test_a_plant_between_two_trees_is_sorted_with_them(stage: Stage, sprites) -> None:
     places = [(20.0, 3.0, 17.0), (20.0, 3.0, 16.0), (20.0, 3.0, 15.0)]
-    put(sprites, places, [0, PLANT, 1], alpha=[128, 255, 255])
+    put(sprites, places, [GLASS_TREE, PLANT, CONIFER])
     got = pixel(seen(stage, sprites), project(NORTH, (20.0, 3.3, 16.0)))
-    part = 128 / 255
-    assert close(got, part * np.array(RED[:3]) + (1 - part) * np.array(PLANT_GREEN[:3]), 3)
+    alpha = 128 / 255
+    assert close(got, alpha * np.array(RED[:3]) + (1 - alpha) * np.array(PLANT_GREEN[:3]), 3)
 
 
 def test_a_plant_shows_its_quads_where_projection_puts_them(stage: Stage, sprites) -> None:
@@ -265,17 +231,63 @@ def test_a_plant_shows_its_quads_where_projection_puts_them(stage: Stage, sprite
 def test_plants_sway_and_trees_stand_still(stage: Stage, sprites) -> None:
     put(sprites, [(20.0, 3.0, 17.0)], [PLANT])
     assert (seen(stage, sprites, kt=0) != seen(stage, sprites, kt=31.0)).any()
-    put(sprites, [(20.0, 3.0, 17.0)], [1])
+    put(sprites, [(20.0, 3.0, 17.0)], [CONIFER])
     assert (seen(stage, sprites, kt=0) == seen(stage, sprites, kt=31.0)).all()
 
 
-def test_the_tint_multiplies_the_picture(stage: Stage, sprites) -> None:
-    put(sprites, [(20.0, 3.0, 17.0)], [1])
-    sprites.sprites.tints[:, :3] = 128
-    got = pixel(seen(stage, sprites), project(NORTH, (20.0, 3.4, 17.0)))
-    assert close(got, np.array(BLUE[:3]) * 128 / 255, 2)
+def test_without_texture_the_bare_quads_are_white(stage: Stage, sprites) -> None:
+    put(sprites, [(20.0, 3.0, 17.0)], [CONIFER])
+    picture = seen(stage, sprites, transparent__textured=False)
+    assert close(pixel(picture, project(NORTH, (20.0, 3.4, 17.0))), (255, 255, 255))
 
 
 def test_nothing_in_view_draws_nothing(stage: Stage, sprites) -> None:
-    put(sprites, [(20.0, 3.0, 30.0)], [1])
+    put(sprites, [(20.0, 3.0, 30.0)], [CONIFER])
     assert close(seen(stage, sprites), BACKGROUND)
+
+
+def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(
+    stage: Stage, sprites
+) -> None:
+    put(sprites, [(20.0, 3.0, 12.0)], [CONIFER])
+    assert (seen(stage, sprites, transparent__radius=9.0) != BACKGROUND.astype(int)).any()
+    there = seen(stage, sprites)
+    for change in (
+        {"trees.count": 61}, {"plants.size_max": 0.2}, {"ground.scale_y": 5.0},
+        {"water.level": 0.7}, {"castle.x": 20.0}, {"rabbit.scale": 0.2}, {"trees.species": 1},
+        {"transparent.upright": True}, {"ground.shadows": True},
+    ):  # fmt: skip
+        assert not sprites.apply(small({**WIDE, "transparent.radius": 1.0, **change})), change
+        with stage.frame(small(WIDE), NORTH) as frame:
+            sprites.draw(frame)
+            assert (stage.read() == there).all(), "refused settings change nothing"
+    near = seen(stage, sprites, transparent__radius=1.0, fog__density=0.5)
+    assert close(near, BACKGROUND)
+
+
+def test_the_mirrored_scene_is_drawn_from_the_same_arrays(stage: Stage, sprites) -> None:
+    put(sprites, [(20.0, 3.0, 17.0)], [CONIFER])
+    assert sprites.apply(small(WIDE))
+    with stage.frame(small(WIDE), NORTH) as frame:
+        prepared = sprites.prepare(frame)
+        sprites.draw(replace(frame, mirrored=True), prepared)
+        once = stage.read()
+    assert (once == seen(stage, sprites)).all()
+
+
+def test_the_plain_sprites_serve_2006_and_not_best() -> None:
+    assert not wanted(preset("2006"))
+    assert wanted(preset("best"))
+    for key in (
+        "transparent.upright", "transparent.split", "transparent.clear_near", "trees.crown",
+        "transparent.rooted", "transparent.trimmed", "trees.grouped", "deer.follow_slope",
+        "plants.shaded", "plants.fade_edge_on", "plants.rosette", "ground.shadows",
+    ):  # fmt: skip
+        assert wanted(small({key: True})), key
+    for key in ("transparent.fade", "transparent.min_pixels", "plants.radius"):
+        assert wanted(small({key: 0.5})), key
+    assert wanted(small({"plants.species": 2})) and wanted(small({"plants.quads": 3}))
+    assert wanted(small({"plants.crossed_within": 7.0}))
+    assert wanted(small({"transparent.trilinear": False}))
+    for key in ("transparent.sorted", "transparent.textured"):
+        assert not wanted(small({key: False})), key

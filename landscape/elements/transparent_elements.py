@@ -1,201 +1,187 @@
 """Trees, deer and plants: sprites that must be sorted (Transparent_elements, section 5.1 and 5.2).
 
-Techniques: billboards, quads spanned by the camera's right and up vectors as read from the
-modelview matrix, so that they always face it; crossed quads, two fixed quads at right angles whose
-top-centre vertex sways. Blending wants far before near, and the z buffer cannot do that: all of
-them together are sorted by their eye-space depth. All sprites share one texture, an atlas, so that
-one glDrawElements draws them in any order.
-Fixes of section 11.2, all by vertices and vertex alpha: upright billboards, deer that stand on the
-slope, half quads sorted one by one, quads that fade edge-on, crowns and rosettes from above.
+Techniques: *billboards* (trees, deer) are rectangles spanned by the camera's right and up vectors,
+read from the modelview matrix, so that they always face the viewer. *Crossed quads* (plants) are
+two fixed rectangles at right angles; their top-centre vertex sways in the wind. Both have pictures
+with a transparent surround. Blending needs far things drawn before near ones, and the depth buffer
+cannot order them, so all sprites together are *sorted* each frame by their eye-space depth. Their
+pictures share one texture, an atlas, so that one glDrawElements draws them in that order.
+
+``transparent.sorted`` off shows what the sort is for; ``transparent.textured`` off shows the quads.
+Two flaws remain, as in 2006 (section 11.2): from above, billboards lie on their backs and plants
+are crosses; and where two sprites cross, no order is right. ``elements/sprites/`` fixes them.
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
+from landscape.elements.atlas import CELLS, cell_coordinates, mip_levels, read_cells
 from landscape.elements.ground import Ground
-from landscape.elements.sprites.atlas import (
-    CELL,
-    CELLS,
-    COLUMNS,
-    GUTTER,
-    HERB_ROWS,
-    HERBS,
-    LEVELS,
-    ROWS,
-    TOPS_CELLS,
-    atlas,
-    cell_coordinates,
-    outline,
-    padded,
-    tops_cell,
-)
-from landscape.elements.sprites.planting import DEER, PLANT, Sprites, plant_everything
-from landscape.elements.sprites.sprite_quads import box_corners
-from landscape.elements.sprites.sprites_in_view import SpriteView
-from landscape.elements.sun import direction
-from landscape.elements.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_sprites
+from landscape.elements.planting import KINDS, PLANT, Sprites, plant, site
+from landscape.elements.sprites import wanted
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
-from landscape.files.images import mip_chain, read_image
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-CROWN_SHADE = 0.6  # chosen: how far a crown hides the sky from the ground, times the tree's width
-SHADE = 0.5  # chosen: power of the ground's light; a plant stands up into more of it
-SUNWARD = 0.8  # chosen: times its height, how far sunward of a plant its light is asked for
+# A billboard's vertices are bottom left, bottom right, top right, top left: two triangles.
+QUAD = np.array([[0, 1, 2, 0, 2, 3]], np.uint32)
+QUAD_S, QUAD_T = np.array([0.0, 1.0, 1.0, 0.0]), np.array([1.0, 1.0, 0.0, 0.0])
+# A crossed quad's are bottom left, middle, right, top left, middle, right. Each half is two
+# triangles, and each of the four triangles has the top middle, which sways.
+HALVES = np.array([[0, 4, 3, 0, 1, 4], [1, 2, 4, 4, 2, 5]], np.uint32)
+CROSS = np.concatenate([HALVES, HALVES + 6])  # the four halves of a plant's two quads
+CROSS_S, CROSS_T = np.array([0.0, 0.5, 1.0, 0.0, 0.5, 1.0]), np.repeat([1.0, 0.0], 3)
+CLEAR = 0.02  # chosen: fragments of less alpha show nothing and are not blended
 
 
-def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Return where the two boxes of each picture lie on its quad, and in the atlas.
+def visible(frame: Frame, positions: np.ndarray, radius: float | np.ndarray) -> np.ndarray:
+    """Return the indices of positions (n, 3) in front of the camera and within ``radius`` units.
 
-    Both are (2, cells, 8, 2): not mirrored and mirrored, then 4 corners of each box.
+    The distance is taken in x and z only, and compared squared, as in 2006.
     """
-    boxes = np.array([outline(cell[GUTTER:, :, 3]) for cell in cells])
-    rows = HERB_ROWS if len(cells) > len(CELLS) else ROWS
-    mirrored = np.stack([1 - boxes[..., 2], boxes[..., 1], 1 - boxes[..., 0], boxes[..., 3]], 2)
-    corners = box_corners(np.stack([boxes, mirrored])).reshape(2, len(cells), 8, 2)
-    coordinates = np.array(
-        [
-            [
-                cell_coordinates(np.array([cell]), np.array([bool(flip)]), s, t, rows)[0]
-                for cell, (s, t) in enumerate(corners[flip].transpose(0, 2, 1))
-            ]
-            for flip in (0, 1)
-        ]
-    )
-    return corners.astype(np.float32), coordinates
+    dx, dz = positions[:, 0] - frame.pose.x, positions[:, 2] - frame.pose.z
+    return np.flatnonzero((frame.depth(positions) < 0) & (dx * dx + dz * dz < radius * radius))
+
+
+def far_to_near(rows: np.ndarray, depth: np.ndarray) -> np.ndarray:
+    """Sort rows (n, ...) by eye-space z (n,), which is the more negative the farther."""
+    return rows[np.argsort(depth, kind="stable")]
+
+
+def billboards(
+    positions: np.ndarray, sizes: np.ndarray, right: np.ndarray, up: np.ndarray
+) -> np.ndarray:
+    """Return quads (n, 4, 3) that stand on positions (n, 3), sizes (n, 2) = width and height.
+
+    ``right`` and ``up`` are unit vectors, (3,) for all or (n, 3), one for each.
+    """
+    across = 0.5 * sizes[:, :1] * right
+    rise = sizes[:, 1:] * up
+    out = np.empty((len(positions), 4, 3), across.dtype)
+    np.subtract(positions, across, out=out[:, 0])
+    np.add(positions, across, out=out[:, 1])
+    np.add(out[:, 1], rise, out=out[:, 2])
+    np.add(out[:, 0], rise, out=out[:, 3])
+    return out
+
+
+def sway(kt: float, positions: np.ndarray, strength: float = 1.0) -> np.ndarray:
+    """Return dx, dz (n, 2) in units of the wind at positions (n, 3), section 5.2.2."""
+    x, z = positions[:, 0], positions[:, 2]
+    dx = 0.05 * np.cos(kt / 10 - 1.2 * x - 0.744 * z)
+    dz = 0.03 * np.cos(kt / 9.6 - 1.44 * x)
+    return np.stack([dx, dz], axis=1) * strength
+
+
+def crossed_quads(positions: np.ndarray, sizes: np.ndarray, winds: np.ndarray) -> np.ndarray:
+    """Return two quads of six vertices for each plant, (n, 12, 3), along x and along z.
+
+    Their top middles are moved by ``winds`` (n, 2) = dx, dz in units.
+    """
+    out = np.repeat(positions[:, None, :], 12, axis=1)
+    across = np.array([-0.5, 0.0, 0.5, -0.5, 0.0, 0.5])
+    out[:, :6, 0] += across * sizes[:, :1]
+    out[:, 6:, 2] += across * sizes[:, :1]
+    for top in (3, 9):
+        out[:, top : top + 3, 1] += sizes[:, 1:]
+        out[:, top + 1, ::2] += winds
+    return out
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the sprites' places, sizes and kinds come from."""
+    groups = settings.trees, settings.deer, settings.plants
+    sizes = [(group.count, group.size_min, group.size_max) for group in groups]
+    return (*sizes, settings.trees.species, *site(settings))
 
 
 class TransparentElements:
-    """All sprites of the island, in one sort."""
+    """All trees, deer and plants of the island, in one sort."""
 
     def __init__(
         self, settings: Settings, assets: Assets, ground: Ground, seed: int, kinds: set[str]
     ) -> None:
-        """Draw the places by lot (``seed``) and load the atlas; ``kinds`` are those to show."""
-        self.elements = tuple(k for k in ("trees", "deer", "plants") if k in kinds)
-        self._settings = settings
-        self.stand(self._planted(assets, ground, seed, kinds))
-        self._ground: Ground | None = ground if settings.plants.shaded else None
-        herbs = HERBS if settings.plants.species > 1 else ()
-        self._paths = [assets.path(name) for name in (*CELLS, *herbs)]
-
-        def pictures() -> tuple[np.ndarray, ...]:
-            cells = self._cells()
-            chains = [mip_chain(cell, LEVELS) for cell in cells]
-            levels = [atlas([chain[level] for chain in chains]) for level in range(LEVELS)]
-            return (*outlines(cells), *levels)
-
-        self._outlines, self._outline_coordinates, *levels = recall(
-            ["atlas", *self._contents()], pictures
-        )
-        self._rows = len(levels[0]) // CELL
-        self._texture = Texture(levels, repeat=False, trilinear=settings.transparent.trilinear)
-        self._topped = False
+        """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
+        self.elements = tuple(kind for kind in KINDS if kind in kinds)
+        self._settings, self._built_from = settings, built_from(settings)
+        self.stand(plant(settings, ground.field, seed, kinds))
+        paths = [assets.path(name) for name in CELLS]
+        levels = recall(["atlas", *map(content, paths)], lambda: mip_levels(read_cells(paths)))
+        self._texture = Texture(list(levels), repeat=False)
 
     def stand(self, sprites: Sprites) -> None:
         """Let these sprites stand on the island, and no others."""
-        self.sprites = sprites
-        self._view: SpriteView | None = None
-
-    def _planted(self, assets: Assets, ground: Ground, seed: int, kinds: set[str]) -> Sprites:
-        """Draw the places by lot, or recall them."""
-        settings = self._settings
-        large = content(assets.path(settings.ground.large_texture))
-        groups = [settings.ground, settings.water, settings.castle, settings.rabbit]
-        groups += [settings.trees, settings.deer, settings.plants]
-        what = (repr((groups, seed, sorted(kinds))), ground.field.heights.tobytes(), large)
-        planted = recall(
-            what, lambda: tuple(vars(plant_everything(settings, ground, seed, kinds)).values())
-        )
-        return Sprites(*planted)
-
-    def _contents(self) -> list[bytes]:
-        """Return what tells the atlas's pictures from any others."""
-        return [content(path) for path in self._paths]
-
-    def _cells(self) -> list[np.ndarray]:
-        """Return the atlas's cells; the one before the herbs is for the views from above."""
-        cells = [padded(read_image(path)) for path in self._paths]
-        if len(cells) > len(CELLS):
-            cells.insert(len(CELLS), np.zeros_like(cells[0]))
-        return cells
-
-    def cast(self, shadows: ShadowMap) -> None:
-        """Throw the sprites' shadows, and darken the ground at the trees' feet."""
-        cast_sprites(shadows, self.sprites, [cell[GUTTER:, :, 3] for cell in self._cells()])
-        trees = self.sprites.cells < DEER
-        widths = self.sprites.sizes[trees, 0]
-        shadows.hide_sky(self.sprites.positions[trees], CROWN_SHADE * widths, SKY_HIDDEN)
-
-    def _shade(self, ground: Ground) -> None:
-        """Darken the plants by the shadows beside them; asked once all shadows have fallen."""
-        plants = np.flatnonzero(self.sprites.cells >= PLANT)
-        # On the sunny side of it, or a plant would stand in its own shadow.
-        sunward = direction(self._settings.sun)[[0, 2]]
-        step = SUNWARD * self.sprites.sizes[plants, 1:] * sunward
-        x, z = (self.sprites.positions[plants][:, [0, 2]] + step).T
-        self.sprites.tints[plants, :3] *= ground.light(x, z)[:, None] ** SHADE
+        places, sizes = sprites.positions.astype(np.float32), sprites.sizes.astype(np.float32)
+        sprites, crossed = replace(sprites, positions=places, sizes=sizes), sprites.cells >= PLANT
+        self._boards, self._plants = sprites.only(~crossed), sprites.only(crossed)
+        self._board_st = cell_coordinates(self._boards.cells, self._boards.flipped, QUAD_S, QUAD_T)
+        s, t = np.tile(CROSS_S, 2), np.tile(CROSS_T, 2)
+        self._plant_st = cell_coordinates(self._plants.cells, self._plants.flipped, s, t)
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
-        """Return the frame's vertices, colours, texture coordinates and sorted indices."""
-        if self._ground:
-            self._shade(self._ground)
-            self._ground = None
-        if self._view is None:
-            self._view = SpriteView(
-                self.sprites, self._outlines, self._outline_coordinates, self._rows
-            )
-        return self._view.arrays(frame, self._settings)
+        """Return the frame's vertices, texture coordinates and sorted indices.
 
-    def _from_above(self) -> bool:
-        """Return whether anything has a picture for who looks from above."""
-        return self._settings.trees.crown or self._settings.plants.rosette
+        The mirrored scene is drawn from the same arrays, so the sort is done once a frame.
+        """
+        shared, plants = self._settings.transparent, self._settings.plants
 
-    def _fill_tops(self) -> None:
-        """Add the views from above to the bound atlas, once, when they are first asked for."""
+        seen = visible(frame, self._boards.positions, shared.radius)
+        places = self._boards.positions[seen]
+        right, up = frame.right.astype(np.float32), frame.up.astype(np.float32)
+        boards = billboards(places, self._boards.sizes[seen], right, up)
+        board_indices = 4 * np.arange(len(seen), dtype=np.uint32)[:, None] + QUAD
+        board_depth, board_st = frame.depth(places), self._board_st[seen]
 
-        def views() -> tuple[np.ndarray, ...]:
-            cells = self._cells()
-            count = len(TOPS_CELLS) if len(cells) > len(CELLS) else 1
-            tops = [mip_chain(tops_cell(cells, number), LEVELS) for number in range(count)]
-            return tuple(np.stack(level) for level in zip(*tops, strict=True))
+        seen = visible(frame, self._plants.positions, shared.radius)
+        places, sizes = self._plants.positions[seen], self._plants.sizes[seen]
+        # A small plant sways less.
+        winds = sway(frame.kt, places, plants.sway) * (sizes[:, 1:] / plants.size_max)
+        crosses = crossed_quads(places, sizes, winds)
+        first = np.arange(4 * len(boards), 4 * len(boards) + 12 * len(seen), 12, dtype=np.uint32)
+        plant_indices = (first[:, None, None] + CROSS).reshape(-1, 6)
+        plant_depth, plant_st = frame.depth(places), self._plant_st[seen]
 
-        for level, images in enumerate(recall(["tops", *self._contents()], views)):
-            side = CELL >> level
-            for number, image in enumerate(images):
-                row, column = divmod(TOPS_CELLS[number], COLUMNS)
-                box = side * column, side * row, side, side
-                gl.glTexSubImage2D(
-                    gl.GL_TEXTURE_2D, level, *box, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, image
-                )
-        self._topped = True
+        # A row of six indices is a billboard or half of a crossed quad.
+        indices = np.concatenate([board_indices, plant_indices])
+        if shared.sorted:
+            depth = np.concatenate([board_depth, np.repeat(plant_depth, len(CROSS))])
+            indices = far_to_near(indices, depth)
+        return (
+            np.concatenate([boards.reshape(-1, 3), crosses.reshape(-1, 3)]),
+            np.concatenate([board_st.reshape(-1, 2), plant_st.reshape(-1, 2)]),
+            indices.ravel(),
+        )
 
     def draw(self, frame: Frame, prepared: tuple[np.ndarray, ...] | None = None) -> None:
-        """Blend the sprites, far to near; ``prepared`` saves the work in the second pass."""
-        vertices, tints, coordinates, indices = prepared or self.prepare(frame)
+        """Blend the sprites, far to near, in the order that :meth:`prepare` found."""
+        vertices, coordinates, indices = prepared or self.prepare(frame)
         if not len(indices):
             return
-        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
-        with attrib(groups | gl.GL_CURRENT_BIT):
-            gl.glDepthMask(gl.GL_FALSE)
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT):
             if self._settings.transparent.textured:
+                gl.glDepthMask(gl.GL_FALSE)
                 gl.glEnable(gl.GL_BLEND)
                 gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
                 gl.glEnable(gl.GL_ALPHA_TEST)
-                gl.glAlphaFunc(gl.GL_GREATER, 0.02)
+                gl.glAlphaFunc(gl.GL_GREATER, CLEAR)
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
-                if self._from_above() and not self._topped:
-                    self._fill_tops()
-            else:
-                gl.glDepthMask(gl.GL_TRUE)
-            with client_arrays(vertices, None, tints, [coordinates]):
+            with client_arrays(vertices, coordinates=[coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def apply(self, settings: Settings) -> bool:
+        """Take new settings; False, and nothing changes, if they need the sprites built anew."""
+        if wanted(settings) or built_from(settings) != self._built_from:
+            return False
+        self._settings = settings
+        return True
 
     def release(self) -> None:
         """Delete the atlas; may be called twice."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.elements.sprites.atlas import padded
+from landscape.elements.atlas import padded
 from landscape.files.images import mip_chain
 
 SKY_FACES = ("north", "east", "south", "west", "top")

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from landscape.elements import sun
+from landscape.elements import meadow, sun
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
+from landscape.elements.meadow.meadow import Meadow
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
@@ -46,7 +47,8 @@ def measure_grass(
     owned: list[Any] = []
     try:
         owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
-        owned.append(grass := Grass(values, assets, ground, seed))
+        blades = Meadow if meadow.wanted(values) else Grass
+        owned.append(grass := blades(values, assets, ground, seed))
         place = replace(POSE, x=POSE.x * wider, z=POSE.z * wider)
         pose = placed(place, ground.field, values.walk.eye)
         frame = begin_frame(Moment(pose, size, KT), values.camera, values.sun, values.fog)

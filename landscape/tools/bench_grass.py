@@ -20,14 +20,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.elements.meadow.blades import (
+from landscape.elements.grass import (
     COORDINATES,
     STRIP_TRIANGLES,
     WIND,
+    blade_corners,
     blade_vertices,
     blade_wind,
 )
-from landscape.elements.sprites.planting import scatter
+from landscape.elements.planting import scatter
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import gl
@@ -49,7 +50,7 @@ class Blades:
 def sow(
     field: HeightField, count: int, seed: int, radius: float, scale: tuple[float, ...] = (1.0, 1.0)
 ) -> Blades:
-    """Draw ``count`` blades by lot, spread evenly over the land."""
+    """Return ``count`` blades at random places, spread evenly over the land."""
     rng = np.random.default_rng([seed, 53])
 
     def on_land(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -57,12 +58,12 @@ def sow(
 
     positions = scatter(field, count, rng, on_land)
     angles = rng.random(len(positions)) * 2 * np.pi
-    vertices = blade_vertices(positions, angles, scale)
+    vertices = blade_vertices(positions, blade_corners(angles), scale)
     return Blades(positions.astype(np.float32), vertices, radius, scale[0])
 
 
 def visible(blades: Blades, frame: Frame) -> np.ndarray:
-    """Return the indices of the blades before the camera and within the radius (section 5.3)."""
+    """Return the indices of the blades in front of the camera, within the radius (section 5.3)."""
     x, z = blades.positions[:, 0], blades.positions[:, 2]
     dx, dz = x - frame.pose.x, z - frame.pose.z
     near = np.flatnonzero(dx * dx + dz * dz < blades.radius**2)

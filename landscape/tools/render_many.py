@@ -66,7 +66,7 @@ def render_all(
 
 
 def _prepare(scenes: Mapping[str, str]) -> None:
-    """Know the same scenes, and leave Ctrl-C to the parent process, which waits for the pictures."""
+    """Know the same scenes, and leave Ctrl-C to the process that waits for the pictures."""
     SCENES.update(scenes)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 

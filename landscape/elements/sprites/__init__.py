@@ -1,1 +1,18 @@
-"""What the preset `best` adds to trees, deer and plants."""
+"""What the preset best adds to trees, deer and plants: see :class:`refined_sprites.RefinedSprites`.
+
+The technique of 2006 is in ``elements/transparent_elements.py``.
+"""
+
+from landscape.settings import Settings
+
+
+def wanted(settings: Settings) -> bool:
+    """Return whether the settings ask for more than the sprites of 2006 can show."""
+    shared, trees, plants = settings.transparent, settings.trees, settings.plants
+    return bool(
+        (shared.upright or shared.split or shared.fade or shared.clear_near or shared.rooted)
+        or (shared.trimmed or shared.min_pixels or not shared.trilinear)
+        or (trees.grouped or trees.crown or settings.deer.follow_slope or settings.ground.shadows)
+        or (plants.species > 1 or plants.radius or plants.shaded or plants.rosette)
+        or (plants.quads > 2 or plants.fade_edge_on or plants.crossed_within)
+    )

@@ -1,39 +1,33 @@
-"""The atlas of the sprites: every tree, deer and plant in one texture (section 5.1).
+"""The atlas of the refined sprites: herbs, pictures from above, and what is opaque in a cell.
 
-One texture for all lets one glDrawElements draw them in any order. A cell holds four small pictures
-of crowns and of a plant as seen from above, turned out of the side views: a fix of section 11.2.2.
-With ``plants.species`` over 1 the atlas has twice the rows, for the herbs and their views from
-above. No OpenGL here; an image's row 0 is t = 0.
+A cell that no sprite takes holds four small pictures of crowns and plants as seen from above, made
+from the side views: a fix of section 11.2.2. With ``plants.species`` over 1 the atlas has twice the
+rows, for the herbs and their pictures from above. No OpenGL here.
 """
 
 import numpy as np
 from PIL import Image
 
+from landscape.elements.atlas import (
+    CELL,
+    CELLS,
+    COLUMNS,
+    GUTTER,
+    LEVELS,
+    ROWS,
+    cell_coordinates,
+)
 from landscape.files.images import mip_chain
 
-CELL = 512  # chosen: texels per side of a sprite in the atlas
-CELLS = (
-    "tree_broadleaf.png",
-    "tree_conifer.png",
-    "tree_birch.png",
-    "tree_shrub.png",
-    "deer_stag.png",
-    "deer_doe.png",
-    "plant.png",
-)
 HERBS = ("fern.png", "oxeye.png", "willowherb.png", "marram.png", "heather.png")
-HERB = 8  # the first herb's cell; the views from above take the one before it
+HERB = 8  # the first herb's cell; the pictures from above take the one before it
+HERB_ROWS = 4
 FLOWERING = (9, 10, 12)  # cells of herbs with their flowers on top
-COLUMNS, ROWS, HERB_ROWS = 4, 2, 4
-# Chosen: transparent texels left above each sprite. At mip level 5 they are still one texel, and
-# the foot of the tree in the row above does not show over a fern's head.
-GUTTER = 32
-LEVELS = 6  # chosen: at the last mip level a cell is 16 texels wide
 
 TOPS_CELLS = (7, 13, 14)  # cells no sprite takes: four quarters each, with a GUTTER all round
 QUARTER = CELL // 2
 TOP_SIDE = QUARTER - 2 * GUTTER
-# Chosen, by looking at the pictures: cell; centre of the fan in s, t; its reach in s and t; the
+# Chosen, by looking at the pictures: cell; centre of the fan in s, t; its radius in s and t; the
 # angle of its middle (0 up, 180 down); half its opening; how many fans make the round.
 TOPS = (
     (0, (0.50, 0.44), (0.49, 0.41), 0.0, 84.0, 2),
@@ -46,91 +40,73 @@ TOPS = (
     (11, (0.50, 1.00), (0.95, 0.95), 0.0, 45.0, 6),
     (12, (0.50, 0.44), (0.46, 0.40), 0.0, 88.0, 2),
 )
-# Quarter of each cell's top, four to each of TOPS_CELLS; deer have none.
+# Which picture from above each cell has, four to each of TOPS_CELLS; deer have none.
 TOP_OF_CELL = np.array([0, 1, 2, 0, 0, 0, 3, 0, 4, 5, 6, 7, 8])
 
 
-def padded(image: np.ndarray) -> np.ndarray:
-    """Return a sprite (h, w, 4) as a cell, with its own top colours, clear, in the GUTTER."""
-    resized = Image.fromarray(image).resize((CELL, CELL - GUTTER), Image.Resampling.LANCZOS)
-    cell = np.pad(np.asarray(resized), ((GUTTER, 0), (0, 0), (0, 0)), mode="edge")
-    cell[:GUTTER, :, 3] = 0
-    return cell
+def with_herbs(cells: list[np.ndarray]) -> list[np.ndarray]:
+    """Return the cells of CELLS and HERBS in order, with the free cell between them."""
+    if len(cells) <= len(CELLS):
+        return cells
+    return [*cells[: len(CELLS)], np.zeros_like(cells[0]), *cells[len(CELLS) :]]
 
 
 def from_above(
     image: np.ndarray,
     centre: tuple[float, float],
-    reach: tuple[float, float],
+    radius: tuple[float, float],
     middle_deg: float,
     half_deg: float,
     fans: int,
     side: int,
 ) -> np.ndarray:
-    """Return a round picture (side, side, 4) of a plant from above, out of its side view.
+    """Return a round picture (side, side, 4) of a plant from above, made from its side view.
 
-    A fan of the side view, from ``centre`` on, is laid round the axis ``fans`` times (even), every
-    second one mirrored so that they join.
+    A fan cut out of the side view, from ``centre`` outwards, is laid round the axis ``fans`` times
+    (an even number), every second one mirrored so that their edges join.
     """
     at = (np.arange(2 * side) + 0.5) / side - 1.0
     x, y = np.meshgrid(at, at)
-    radius, angle = np.hypot(x, y), np.arctan2(y, x) % (2.0 * np.pi)
+    distance, angle = np.hypot(x, y), np.arctan2(y, x) % (2.0 * np.pi)
     turn = angle / (2.0 * np.pi) * fans % 2.0
     across = np.radians(middle_deg + half_deg * (2.0 * np.abs(turn - 1.0) - 1.0))
     h, w = image.shape[:2]
-    column = ((centre[0] + reach[0] * radius * np.sin(across)) * w).astype(int)
-    row = ((centre[1] - reach[1] * radius * np.cos(across)) * h).astype(int)
-    inside = (radius < 1.0) & (column >= 0) & (column < w) & (row >= 0) & (row < h)
+    column = ((centre[0] + radius[0] * distance * np.sin(across)) * w).astype(int)
+    row = ((centre[1] - radius[1] * distance * np.cos(across)) * h).astype(int)
+    inside = (distance < 1.0) & (column >= 0) & (column < w) & (row >= 0) & (row < h)
     picture = image[np.clip(row, 0, h - 1), np.clip(column, 0, w - 1)]
     picture[..., 3] = np.where(inside, picture[..., 3], 0)
     return mip_chain(picture, 2)[1]
 
 
 def tops_cell(cells: list[np.ndarray], number: int = 0) -> np.ndarray:
-    """Return the cell TOPS_CELLS[number] of four views from above; borders are clear and black."""
+    """Return the cell TOPS_CELLS[number]: four pictures from above, their surround transparent."""
     sheet = np.zeros((CELL, CELL, 4), np.uint8)
-    for k, (cell, centre, reach, middle, half, fans) in enumerate(
+    for k, (cell, centre, radius, middle, half, fans) in enumerate(
         TOPS[4 * number : 4 * number + 4]
     ):
-        top = from_above(cells[cell][GUTTER:], centre, reach, middle, half, fans, TOP_SIDE)
+        top = from_above(cells[cell][GUTTER:], centre, radius, middle, half, fans, TOP_SIDE)
         row, column = (QUARTER * q + GUTTER for q in divmod(k, 2))
         sheet[row : row + TOP_SIDE, column : column + TOP_SIDE] = top
     return sheet
 
 
-def rows_of(cells: list[np.ndarray]) -> int:
-    """Return how many rows the atlas of these cells has; a texture's sides are powers of two."""
-    return HERB_ROWS if len(cells) > HERB else ROWS
+def tops_levels(cells: list[np.ndarray]) -> tuple[np.ndarray, ...]:
+    """Return the mip levels of all TOPS_CELLS that go with these cells, (k, side, side, 4) each."""
+    count = len(TOPS_CELLS) if len(cells) > len(CELLS) else 1
+    chains = [mip_chain(tops_cell(cells, number), LEVELS) for number in range(count)]
+    return tuple(np.stack(level) for level in zip(*chains, strict=True))
 
 
-def atlas(cells: list[np.ndarray]) -> np.ndarray:
-    """Lay equal cells (side, side, 4) out in rows of COLUMNS."""
-    side = cells[0].shape[0]
-    sheet = np.zeros((rows_of(cells) * side, COLUMNS * side, 4), np.uint8)
-    for k, cell in enumerate(cells):
-        row, column = divmod(k, COLUMNS)
-        sheet[row * side : (row + 1) * side, column * side : (column + 1) * side] = cell
-    return sheet
-
-
-def cell_coordinates(
-    cells: np.ndarray, flipped: np.ndarray, s: np.ndarray, t: np.ndarray, rows: int = ROWS
-) -> np.ndarray:
-    """Return texture coordinates (n, k, 2) in the atlas of points s, t (k,) in 0..1 of cells (n,).
-
-    ``flipped`` (n,) mirrors s; half a texel is kept clear of the neighbouring cells, and
-    the GUTTER above. ``rows`` is how many the atlas has.
-    """
-    s = 0.5 / CELL + s * (1.0 - 1.0 / CELL)
-    t = GUTTER / CELL + t * (1.0 - (GUTTER + 0.5) / CELL)
-    turned = np.where(flipped[:, None], 1.0 - s, s)
-    u = (cells[:, None] % COLUMNS + turned) / COLUMNS
-    v = (cells[:, None] // COLUMNS + t) / rows
-    return np.ascontiguousarray(np.stack([u, v + 0 * u], axis=2), np.float32)
+def tops_place(number: int, level: int) -> tuple[int, int, int, int]:
+    """Return x, y, width and height in texels of TOPS_CELLS[number] at a mip level."""
+    side = CELL >> level
+    row, column = divmod(TOPS_CELLS[number], COLUMNS)
+    return side * column, side * row, side, side
 
 
 def top_coordinates(cells: np.ndarray, rows: int = ROWS) -> np.ndarray:
-    """Return texture coordinates (n, 4, 2) of the views from above that belong to cells (n,)."""
+    """Return texture coordinates (n, 4, 2) of the pictures from above that belong to cells (n,)."""
     number, quarter = (part[:, None] for part in np.divmod(TOP_OF_CELL[cells], 4))
     cell = np.array(TOPS_CELLS)[number]
     low, wide = GUTTER / CELL, TOP_SIDE / CELL
@@ -142,12 +118,12 @@ def top_coordinates(cells: np.ndarray, rows: int = ROWS) -> np.ndarray:
 
 
 def outline(alpha: np.ndarray) -> np.ndarray:
-    """Return the two boxes (s0, t0, s1, t1) of least area that hold a sprite, float (2, 4).
+    """Return the two boxes (s0, t0, s1, t1) of least area that hold a picture, float (2, 4).
 
     ``alpha`` (h, w) uint8. The boxes lie one above the other, from the first row that shows
     something to the last: the crown, and the trunk.
     """
-    # Twice the finest detail: the coarse mip levels spread a sprite by some texels.
+    # Twice the finest detail: the coarse mip levels spread a picture by some texels.
     solid = np.asarray(Image.fromarray(alpha).resize((64, 64), Image.Resampling.BOX)) > 0
     rows = np.flatnonzero(solid.any(axis=1))
     if not len(rows):
@@ -168,3 +144,32 @@ def outline(alpha: np.ndarray) -> np.ndarray:
         if area < least:
             best, least = boxes, area
     return best
+
+
+def box_corners(boxes: np.ndarray) -> np.ndarray:
+    """Return the corners (..., 4, 2) of boxes (..., 4) = s0, t0, s1, t1, in a billboard's order.
+
+    s runs from left to right and t from top to bottom, 0..1.
+    """
+    return np.stack([boxes[..., [0, 2, 2, 0]], boxes[..., [3, 3, 1, 1]]], axis=-1)
+
+
+def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Return where the two boxes of each picture lie on its quad, and in the atlas.
+
+    Both are (2, cells, 8, 2): not mirrored and mirrored, then 4 corners of each box.
+    """
+    boxes = np.array([outline(cell[GUTTER:, :, 3]) for cell in cells])
+    rows = HERB_ROWS if len(cells) > len(CELLS) else ROWS
+    mirrored = np.stack([1 - boxes[..., 2], boxes[..., 1], 1 - boxes[..., 0], boxes[..., 3]], 2)
+    corners = box_corners(np.stack([boxes, mirrored])).reshape(2, len(cells), 8, 2)
+    coordinates = np.array(
+        [
+            [
+                cell_coordinates(np.array([cell]), np.array([bool(flip)]), s, t, rows)[0]
+                for cell, (s, t) in enumerate(corners[flip].transpose(0, 2, 1))
+            ]
+            for flip in (0, 1)
+        ]
+    )
+    return corners.astype(np.float32), coordinates

@@ -11,7 +11,7 @@ No OpenGL here.
 import numpy as np
 from PIL import Image, ImageFilter
 
-from landscape.elements.sprites.planting import Sprites
+from landscape.elements.planting import Sprites
 from landscape.geometry.height_field import HeightField
 
 # All chosen.

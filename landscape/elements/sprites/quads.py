@@ -1,19 +1,17 @@
-"""The quads of the sprites as arrays: billboards, crossed quads, views from above. No OpenGL.
+"""The quads of the refined sprites as arrays: what the lesson's billboards and crosses lack.
 
-Billboards are spanned by the camera's right and up (section 5.1), or stand upright, or at right
-angles to a slope; crossed quads stand still and sway at the top (section 5.2). A :class:`Quads`
-holds what one glDrawElements needs of any of them: what lies in a sort is a quad, so that each half
-of a crossed quad may take its own place in it (section 11.2).
+Billboards stand upright, or at right angles to a slope; plants are two or three crossed quads that
+fade when seen edge-on; crowns and rosettes lie flat (section 11.2). A :class:`Quads` holds what one
+glDrawElements needs of any of them. What is sorted is a quad, so each half of a crossed quad can
+take its own place. The plain forms are in ``elements/transparent_elements.py``. No OpenGL here.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-# A quad's two triangles; and those of the halves of a crossed quad, among its six vertices (bottom
-# left, middle, right, top left, middle, right): each of the 4 has the top middle, which sways.
-QUAD = np.array([[0, 1, 2, 0, 2, 3]], np.uint32)
-HALVES = np.array([[0, 4, 3, 0, 1, 4], [1, 2, 4, 4, 2, 5]], np.uint32)
+from landscape.elements.transparent_elements import crossed_quads, far_to_near
+
 STEEPEST = 0.7  # chosen: rise over run; a deer leans no farther
 
 
@@ -68,47 +66,11 @@ class Quads:
 
     def indices(self, sort: bool) -> np.ndarray:
         """Return the index array (uint32) of all triangles, from far to near if ``sort``."""
-        triangles = self.triangles
-        if sort:
-            triangles = triangles[np.argsort(self.depth, kind="stable")]
+        triangles = far_to_near(self.triangles, self.depth) if sort else self.triangles
         return np.ascontiguousarray(triangles.ravel(), np.uint32)
 
 
-def sway(kt: float, positions: np.ndarray, strength: float = 1.0) -> np.ndarray:
-    """Return dx, dz (n, 2) in units of the wind at positions (n, 3), section 5.2.2."""
-    x, z = positions[:, 0], positions[:, 2]
-    dx = 0.05 * np.cos(kt / 10 - 1.2 * x - 0.744 * z)
-    dz = 0.03 * np.cos(kt / 9.6 - 1.44 * x)
-    return np.stack([dx, dz], axis=1) * strength
-
-
-def billboards(
-    positions: np.ndarray, sizes: np.ndarray, right: np.ndarray, up: np.ndarray
-) -> np.ndarray:
-    """Return quads (n, 4, 3) that stand on positions (n, 3), sizes (n, 2) = width and height.
-
-    ``right`` and ``up`` are (3,), or (n, 3), one for each. Corners: bottom left, bottom right, top
-    right, top left.
-    """
-    across = 0.5 * sizes[:, :1] * right
-    rise = sizes[:, 1:] * up
-    out = np.empty((len(positions), 4, 3), across.dtype)
-    np.subtract(positions, across, out=out[:, 0])
-    np.add(positions, across, out=out[:, 1])
-    np.add(out[:, 1], rise, out=out[:, 2])
-    np.add(out[:, 0], rise, out=out[:, 3])
-    return out
-
-
-def box_corners(boxes: np.ndarray) -> np.ndarray:
-    """Return the corners (..., 4, 2) of boxes (..., 4) = s0, t0, s1, t1, as a billboard has them.
-
-    s runs from left to right and t from top to bottom, 0..1.
-    """
-    return np.stack([boxes[..., [0, 2, 2, 0]], boxes[..., [3, 3, 1, 1]]], axis=-1)
-
-
-def within(quads: np.ndarray, corners: np.ndarray) -> np.ndarray:
+def points_of(quads: np.ndarray, corners: np.ndarray) -> np.ndarray:
     """Return the points (n, k, 3) at s, t = ``corners`` (n, k, 2) of billboards (n, 4, 3)."""
     low = quads[:, :1]
     points = corners[..., :1] * (quads[:, 1:2] - low)
@@ -144,31 +106,35 @@ def slope_axes(right: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.nd
     return across, up
 
 
-def crossed_quads(
-    positions: np.ndarray,
-    sizes: np.ndarray,
-    winds: np.ndarray,
-    turns: np.ndarray | None = None,
-) -> np.ndarray:
-    """Return quads of six vertices each, (n, 6 k, 3), two along x and along z.
+def own_turn(positions: np.ndarray) -> np.ndarray:
+    """Return an angle in radians (n,) of its own for every place (n, 3)."""
+    return np.asarray(7.0 * (positions[:, 0] + positions[:, 2]))
 
-    Per quad: bottom left, middle, right, top left, middle, right; the top middle moved by
-    ``winds`` (n, 2) = dx, dz. ``turns`` (n, k) in radians from x to z stands them otherwise.
+
+def turned(positions: np.ndarray, quads: int) -> np.ndarray:
+    """Return the angles (n, k) of a plant's crossed quads, in radians from x to z.
+
+    Two stand along x and z; three at 60 degrees, each plant turned by its own angle.
     """
-    count = 2 if turns is None else turns.shape[1]
+    own = own_turn(positions) if quads > 2 else np.zeros(len(positions))
+    return np.asarray(own[:, None] + np.arange(quads) * (np.pi / quads))
+
+
+def still_quads(positions: np.ndarray, sizes: np.ndarray, turns: np.ndarray) -> np.ndarray:
+    """Return crossed quads of six vertices each, (n, 6 k, 3), at angles ``turns`` (n, k), no wind.
+
+    Two are those of 2006, exactly along x and z.
+    """
+    count = turns.shape[1]
+    if count == 2:
+        return crossed_quads(positions, sizes, np.zeros((len(positions), 2), np.float32))
     out = np.repeat(positions[:, None, :], 6 * count, axis=1)
     across = np.array([-0.5, 0.0, 0.5, -0.5, 0.0, 0.5])
-    if turns is None:
-        out[:, :6, 0] += across * sizes[:, :1]
-        out[:, 6:, 2] += across * sizes[:, :1]
-    else:
-        along = (sizes[:, :1, None] * across) * np.ones((1, count, 1))
-        out[..., 0] += (np.cos(turns)[..., None] * along).reshape(out.shape[:2])
-        out[..., 2] += (np.sin(turns)[..., None] * along).reshape(out.shape[:2])
+    along = (sizes[:, :1, None] * across) * np.ones((1, count, 1))
+    out[..., 0] += (np.cos(turns)[..., None] * along).reshape(out.shape[:2])
+    out[..., 2] += (np.sin(turns)[..., None] * along).reshape(out.shape[:2])
     for top in range(3, 6 * count, 6):
         out[:, top : top + 3, 1] += sizes[:, 1:]
-        out[:, top + 1, 0] += winds[:, 0]
-        out[:, top + 1, 2] += winds[:, 1]
     return out
 
 
@@ -195,23 +161,18 @@ def lying(
 
 
 def smoothstep(low: float, high: float, values: np.ndarray) -> np.ndarray:
-    """Return 0 up to ``low``, 1 from ``high`` on, and a smooth way between."""
+    """Return 0 up to ``low``, 1 from ``high`` on, and a smooth cubic between."""
     t = np.clip((values - low) / (high - low), 0.0, 1.0)
     return np.asarray(t * t * (3.0 - 2.0 * t))
 
 
 def edge_on(away: np.ndarray, turns: np.ndarray) -> np.ndarray:
-    """Return how visible (n, k) 0..1 the quads along ``turns`` are to who looks along ``away``.
+    """Return how visible (n, k) 0..1 the quads at angles ``turns`` are from the eye.
 
-    ``away`` (n, 3) leads from the eye to the plant. A quad's normal is (-sin, cos) of its turn: the
-    share of it along the view is 1 face-on and 0 edge-on.
+    ``away`` (n, 3) leads from the eye to the plant. A quad's normal is (-sin, cos) of its turn: its
+    component along the view is 1 face-on and 0 edge-on.
     """
     x, z = away[:, :1], away[:, 2:]
     far = np.sqrt(np.maximum(x * x + z * z, 1e-18))
     facing = np.abs(z * np.cos(turns) - x * np.sin(turns)) / far
     return smoothstep(0.08, 0.4, facing)  # chosen: 5 and 24 degrees
-
-
-def steepness(away: np.ndarray) -> np.ndarray:
-    """Return the sine of the angle (n,) at which the view along ``away`` (n, 3) goes down."""
-    return np.asarray(-away[:, 1] / np.maximum(np.linalg.norm(away, axis=1), 1e-9))

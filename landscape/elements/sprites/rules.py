@@ -1,27 +1,17 @@
-"""Which sprites a frame shows, how far off, and how clearly: plain rules on arrays. No OpenGL."""
+"""How far off sprites are drawn, and how opaque they are: rules of the preset best. No OpenGL."""
 
 import math
 
 import numpy as np
 
-from landscape.elements.sprites.planting import DEER, PLANT
-from landscape.elements.sprites.sprite_quads import smoothstep
+from landscape.elements.planting import DEER, PLANT
+from landscape.elements.sprites.quads import smoothstep
 from landscape.frame import Frame
 from landscape.settings import Settings
 
 CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see crossing
-CLEARS = (0.2, 0.5)  # chosen: a sprite is gone, and whole, that many of its widths away
-HAZE = 512.0  # what less than 1 part in 512 is left of is not to be told from the fog
-
-
-def visible_order(
-    frame: Frame, positions: np.ndarray, radius: float | np.ndarray, sort: bool = True
-) -> np.ndarray:
-    """Return the indices of what is before the camera and within ``radius``, far to near."""
-    depth = frame.depth(positions)
-    dx, dz = positions[:, 0] - frame.pose.x, positions[:, 2] - frame.pose.z
-    seen = np.flatnonzero((depth < 0) & (dx * dx + dz * dz < radius * radius))
-    return seen[np.argsort(depth[seen], kind="stable")] if sort else seen
+CLEARS = (0.2, 0.5)  # chosen: so many widths away a sprite is gone, and is whole
+HAZE = 512.0  # where the fog leaves less than 1/512 of a colour, no level of 255 differs
 
 
 def is_deer(cells: np.ndarray) -> np.ndarray:
@@ -29,8 +19,8 @@ def is_deer(cells: np.ndarray) -> np.ndarray:
     return np.asarray((cells >= DEER) & (cells < PLANT))
 
 
-def reach(settings: Settings) -> float:
-    """Return how far sprites are drawn; sprites that fade stop where the fog hides all."""
+def farthest(settings: Settings) -> float:
+    """Return how far sprites are drawn; sprites that fade stop where the fog hides them."""
     shared, fog = settings.transparent, settings.fog
     if shared.fade and fog.enabled and fog.mode == "exp2" and fog.density > 0:
         return min(shared.radius, math.sqrt(math.log(HAZE)) / fog.density)
@@ -43,7 +33,7 @@ def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Fra
     No farther than ``transparent.radius`` and ``plants.radius``, and as far as they are at least
     ``transparent.min_pixels`` pixels high.
     """
-    far, least = reach(settings), settings.transparent.min_pixels
+    far, least = farthest(settings), settings.transparent.min_pixels
     plants = np.float32(min(far, settings.plants.radius or far))
     out = np.where(cells >= PLANT, plants, np.float32(far))
     return np.minimum(out, heights * np.float32(frame.pixels / least)) if least else out
@@ -52,7 +42,7 @@ def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Fra
 def clearness(
     settings: Settings, radius: np.ndarray, widths: np.ndarray, away: np.ndarray
 ) -> np.ndarray:
-    """Return 0..1 (n,), how much is seen of sprites of these widths, ``away`` units off.
+    """Return the opacity 0..1 (n,) of sprites of these widths, ``away`` (n,) units off.
 
     They fade towards their ``radius`` (``transparent.fade``), and before the eye passes through
     them (``transparent.clear_near``).
@@ -63,24 +53,23 @@ def clearness(
     if shared.clear_near:
         gone, whole = CLEARS
         near = np.flatnonzero(away < whole * widths)
-        part = (away[near] / widths[near] - gone) / (whole - gone)
-        out[near] *= np.clip(part, 0.0, 1.0)
+        out[near] *= np.clip((away[near] / widths[near] - gone) / (whole - gone), 0.0, 1.0)
     return out
 
 
 def crossing(settings: Settings, away: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the alpha (n,) of plants as single and as crossed quads, ``away`` (n,) units off.
 
-    One comes in before the other goes, so that nothing of the change is seen while walking.
+    One fades in before the other fades out, so that a walker does not see the change.
     """
     far = settings.plants.crossed_within
     if not far:
         return np.zeros_like(away), np.ones_like(away)
-    start, both, end = (far * part for part in CROSSFADE)
+    start, both, end = (far * fraction for fraction in CROSSFADE)
     return smoothstep(start, both, away), 1.0 - smoothstep(both, end, away)
 
 
 def has_top(settings: Settings, cells: np.ndarray) -> np.ndarray:
-    """Return which sprites (n,) have a picture for who looks from above, by their atlas cells."""
+    """Return which sprites (n,) have a picture from above, by their atlas cells."""
     plants, trees = settings.plants.rosette, settings.trees.crown
     return np.asarray(np.where(cells >= PLANT, plants, (cells < DEER) & trees))

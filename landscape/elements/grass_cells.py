@@ -1,0 +1,99 @@
+"""The cells of the map that bear grass: how many blades each has, where, and which are visible.
+
+A frame cannot test every blade of the island from Python, 1,500,000 of them; it can test some
+hundred square cells round the walker. And blades need not exist before their cell is seen. All is
+random but seeded. No OpenGL here.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from landscape.frame import Frame
+from landscape.geometry.height_field import HeightField
+from landscape.settings import Castle
+
+CELL = 0.5  # chosen: units per side of a cell; small against the radius, large against a blade
+HALF_DIAGONAL = CELL * 0.7072
+PROBES = 4  # chosen: places per side of a cell where it is tested whether grass grows
+SHORE = 0.004  # chosen: units above the water where grass begins
+CASTLE = 0.75  # chosen: units round the castle's middle where none grows
+TRIES = 12  # chosen: so often places are drawn for blades of a cell that still lack one
+
+Suits = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""A function of places x, z (n,) that returns how likely a blade grows there, (n,) in 0..1."""
+
+
+def bears_grass(field: HeightField, castle: Castle, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return 1 at places x, z (n,) on land, on the map and off the castle, 0 elsewhere."""
+    land = (field.terrain_height(x, z) > field.water_level + SHORE).astype(float)
+    land *= np.hypot(x - castle.x, z - castle.z) > CASTLE
+    land *= (x < field.size) & (z < field.size)
+    return land
+
+
+def cover(suits: Suits, across: int) -> np.ndarray:
+    """Return which fraction of each cell bears grass, (cells,), row by row, ``across`` a row."""
+    probes = (np.arange(PROBES * across) + 0.5) * CELL / PROBES
+    x, z = np.meshgrid(probes, probes)
+    grid = suits(x.ravel(), z.ravel()).reshape(across, PROBES, across, PROBES)
+    return np.asarray(grid.mean(axis=(1, 3)).ravel())
+
+
+def shared_out(count: int, share: np.ndarray, seed: int) -> np.ndarray:
+    """Return how many of ``count`` blades each cell bears, at random by its ``share`` (cells,)."""
+    if not share.any():
+        return np.zeros(len(share), int)
+    return np.random.default_rng([seed, 7]).multinomial(count, share / share.sum())
+
+
+def places_in(
+    cell: int, across: int, count: int, rng: np.random.Generator, suits: Suits
+) -> np.ndarray:
+    """Return ``count`` random places x, z (count, 2) in a cell, fewer where hardly any suits."""
+    row, column = divmod(cell, across)
+    kept: list[np.ndarray] = []
+    for _ in range(TRIES):
+        xz = (rng.random((4 * count + 8, 2)) + (column, row)) * CELL
+        kept.append(xz[rng.random(len(xz)) < suits(xz[:, 0], xz[:, 1])])
+        if sum(map(len, kept)) >= count:
+            break
+    return np.concatenate(kept)[:count]
+
+
+def cells_around(x: float, z: float, radius: float, across: int) -> np.ndarray:
+    """Return column and row (n, 2) of the cells within ``radius`` of x, z in units, or nearly so.
+
+    The work depends on the radius alone, not on how large the map is or how much grows on it.
+    """
+    low = np.floor((np.array([x, z]) - radius) / CELL).astype(int)
+    high = np.floor((np.array([x, z]) + radius) / CELL).astype(int)
+    low, high = np.maximum(low, 0), np.minimum(high, across - 1)
+    columns, rows = (np.arange(a, b + 1) for a, b in zip(low, high, strict=True))
+    return np.stack(np.meshgrid(columns, rows), axis=2).reshape(-1, 2)
+
+
+def cell_centres(cells: np.ndarray, field: HeightField) -> np.ndarray:
+    """Return the centres (n, 3), on the ground, of cells (n, 2) = column, row."""
+    x, z = ((cells + 0.5) * CELL).T
+    return np.stack([x, field.terrain_height(x, z), z], axis=1)
+
+
+def visible_cells(
+    frame: Frame, centres: np.ndarray, radius: float, margin: float = 0.0, angle: float = 0.0
+) -> np.ndarray:
+    """Return a mask (n,) of the cells with centres (n, 3) that may show a blade of grass.
+
+    In front of the camera, between the left and right sides of its view, and within ``radius``.
+    With ``margin`` units and ``angle`` radians, also after the eye has moved and turned that far.
+    """
+    size = HALF_DIAGONAL + 0.1 + margin
+    away = centres - frame.eye
+    near = away[:, 0] ** 2 + away[:, 2] ** 2 < (radius + size) ** 2
+    width, height = frame.size
+    side = math.tan(math.radians(frame.fov / 2)) * max(width / height, 1.0)
+    side = math.tan(min(math.atan(side) + angle, 1.5))  # short of a right angle
+    depth = -frame.depth(centres)
+    inside = np.abs(away @ frame.right) <= depth * side + size * math.hypot(1.0, side)
+    return np.asarray(near & inside & (depth > -size))

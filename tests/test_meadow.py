@@ -1,0 +1,348 @@
+"""The meadow: blades turned to the viewer, in tufts and layers, tinted, thinned out far off."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from flat_land import flat, grass_settings
+from sprite_stage import looking
+from stage import Stage, small
+
+from landscape.elements.grass import (
+    Blades,
+    Grass,
+    bent,
+    blade_corners,
+    blade_vertices,
+    blade_wind,
+)
+from landscape.elements.grass_cells import CELL
+from landscape.elements.ground import Ground
+from landscape.elements.meadow import growth as growth_module
+from landscape.elements.meadow.blades import (
+    DENSE,
+    NEAR,
+    Patch,
+    arched,
+    blade_tints,
+    count_at,
+    facing,
+    facing_plain,
+    nearness,
+)
+from landscape.elements.meadow.growth import Growth
+from landscape.elements.meadow.meadow import Meadow
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+
+NORTH = Pose(20.0, 3.1, 20.0)
+LUSH: dict[str, Any] = {"fade": True, "tufts": 7, "variety": 1.0, "count": 200_000}
+
+
+def growth(**changes: Any) -> Growth:
+    """Return how a meadow grows on the flat land."""
+    grey = np.full(3, 0.4)
+    return Growth(grass_settings(**changes), flat(), 7, (grey, grey))
+
+
+@pytest.fixture
+def sow(stage: Stage, plain: Assets):
+    """A function that returns the meadow of a flat island, released after the test."""
+    made = []
+
+    def grown(**changes: Any) -> Meadow:
+        made.append(Meadow(grass_settings(**changes), plain, flat(), 7))
+        return made[-1]
+
+    yield grown
+    stage.enter()
+    for each in made:
+        each.release()
+
+
+# ---- blades
+
+
+def test_an_arch_bends_the_tip_so_many_times_as_far_and_the_shoulders_a_third_of_it() -> None:
+    plain = blade_corners(np.array([0.3, 2.0]))
+    assert (arched(plain, 1.0) == plain).all()
+    far = arched(plain, 4.0)
+    assert np.allclose(far[:, 4, ::2], 4 * plain[:, 4, ::2])
+    assert np.allclose(far[:, 2:4] - plain[:, 2:4], (far[:, 4:] - plain[:, 4:]) / 3)
+    assert (far[:, :2] == plain[:, :2]).all() and np.allclose(far[..., 1], plain[..., 1])
+
+
+def test_a_blade_is_darker_at_its_foot() -> None:
+    tints = blade_tints(np.array([(0.2, 0.4, 0.1)]), np.random.default_rng(0))[0].astype(float)
+    assert (tints[:2] < 0.9 * tints[4]).all()
+    assert (tints[0] == tints[1]).all() and (tints[2] == tints[4]).all()
+    assert tints[4, 1] / tints[4, 0] == pytest.approx(2.0, abs=0.05)
+
+
+def test_a_sparse_meadow_is_thinned_out_later_and_shows_less_all_the_same() -> None:
+    assert nearness(DENSE) == nearness(10 * DENSE) == NEAR
+    near = [nearness(density) for density in (DENSE / 64, DENSE / 8, DENSE)]
+    assert near == sorted(near, reverse=True) and near[0] > 2 * NEAR
+    # Of as many square units: blades drawn up to 2 units away, at 1 and at 8 times the density.
+    few, many = (count_at(count, near_, 2.0) for count, near_ in ((1000, near[0]), (8000, near[1])))
+    assert few < many < 3 * few
+
+
+def seen_widths(blades: np.ndarray, eye: np.ndarray) -> np.ndarray:
+    """Return the feet's width at right angles to the line of sight, as a fraction of the whole."""
+    across = (blades[:, 1] - blades[:, 0])[:, ::2]
+    away = blades[:, 0, ::2] / 2 + blades[:, 1, ::2] / 2 - eye
+    sight = np.stack([-away[:, 1], away[:, 0]], axis=1)
+    seen = (across * sight).sum(axis=1) / np.linalg.norm(sight, axis=1)
+    return np.abs(seen) / np.linalg.norm(across, axis=1)
+
+
+def test_r7_no_blade_is_a_line_seen_edge_on() -> None:
+    angles = np.linspace(0, 2 * np.pi, 721)
+    spots = np.random.default_rng(5).random((721, 3)) * 6
+    eye = np.array([3.0, 9.0])
+    plain = blade_vertices(spots, blade_corners(angles))
+    turned = facing_plain(plain, (spots[:, ::2] - eye).astype(np.float32), 0.6)
+    assert seen_widths(plain, eye).min() < 0.05
+    # sqrt(1 - (0.4 / 0.6)^2)
+    assert seen_widths(turned, eye).min() > 0.74
+    width = np.linalg.norm(turned[:, 1] - turned[:, 0], axis=1)
+    assert np.allclose(width, 0.006, rtol=1e-3)
+    assert (turned[:, 4] == plain[:, 4]).all()
+    middle = (turned[:, 0] + turned[:, 1]) / 2
+    assert np.allclose(middle, spots, atol=1e-5)
+
+
+@pytest.mark.parametrize("fraction", [0.3, 0.6, 1.0])
+def test_r7_by_complex_numbers_blades_turn_as_in_the_plain_form(fraction: float) -> None:
+    rng = np.random.default_rng(6)
+    spots = rng.random((500, 3)) * 6
+    plain = blade_vertices(spots, blade_corners(rng.random(500) * 7), (0.4, 1.1))
+    away = (spots[:, ::2] - (3.0, 9.0)).astype(np.float32)
+    columns = np.ascontiguousarray(plain.transpose(1, 2, 0))
+    facing(columns, np.ascontiguousarray(away.T), fraction)
+    turned = facing_plain(plain, away, fraction)
+    assert np.abs(turned - plain).max() > 4e-4
+    assert np.allclose(columns.transpose(2, 0, 1), turned, rtol=0, atol=2e-6)
+
+
+def test_r7_blades_turn_smoothly_as_the_walker_passes() -> None:
+    blades = blade_vertices(np.zeros((400, 3)), blade_corners(np.full(400, 0.3)))
+    around = np.linspace(0, 2 * np.pi, 400)
+    away = np.stack([np.cos(around), np.sin(around)], axis=1).astype(np.float32)
+    turned = facing_plain(blades, away, 0.6)
+    side = (turned[:, 1] - turned[:, 0])[:, ::2] / 0.006
+    assert np.linalg.norm(np.diff(side, axis=0), axis=1).max() < 0.1
+
+
+@pytest.mark.parametrize("fraction", [0.0, 0.6])
+def test_r7_the_setting_turns_the_blades_that_are_drawn(sow, fraction: float) -> None:
+    meadow, frame = sow(facing=fraction), looking(NORTH)
+    widths = seen_widths(meadow.bend(frame, meadow.select(frame)), np.array([20.0, 20.0]))
+    assert widths.min() > 0.7 if fraction else widths.min() < 0.05
+
+
+# ---- growth
+
+
+def test_tinted_grass_keeps_to_green_ground_and_takes_its_colour() -> None:
+    grown = growth(tinted=True, count=20_000)
+    counts = grown.counts.reshape(80, 80)
+    assert counts[:, 40:].sum() == 0 and counts[:, :40].sum() == 20_000
+    tints = grown.patch(805).tints
+    assert (tints[..., 1] > tints[..., 0]).all() and (tints[..., 3] == 255).all()
+
+
+def test_tinted_blades_in_the_shadow_are_darker() -> None:
+    grown = growth(tinted=True)
+    north, south = (grown.patch(row * 80 + 20) for row in (20, 60))
+    assert south.tints[..., 1].mean() == pytest.approx(0.5 * north.tints[..., 1].mean(), rel=0.1)
+
+
+def test_blades_grow_in_tufts_that_lean_apart() -> None:
+    patch = growth(**LUSH).patch(3210)
+    spread = patch.positions[:7, ::2] - patch.positions[:7, ::2].mean(axis=0)
+    assert np.abs(spread).max() < 0.02
+    tips = patch.vertices[:, 4, ::2] - patch.positions[:, ::2]
+    loose = growth(**{**LUSH, "tufts": 0}).patch(3210)
+    spread = loose.positions[:7, ::2] - loose.positions[:7, ::2].mean(axis=0)
+    assert np.abs(spread).max() > 0.05
+    assert np.linalg.norm(tips, axis=1).min() > 0.003
+
+
+def test_a_far_cell_grows_the_same_blades_as_when_one_stands_in_it() -> None:
+    far, near = growth(**{**LUSH, "count": 2_000_000}), growth(**{**LUSH, "count": 2_000_000})
+    whole = near.patch(3210)
+    first = far.patch(3210, 40)
+    assert 40 <= len(first.vertices) < len(whole.vertices) == near.counts[3210]
+    assert (first.vertices == whole.vertices[: len(first.vertices)]).all()
+    assert (far.patch(3210).vertices == whole.vertices).all()
+
+
+def test_where_hardly_anything_grows_a_cell_bears_what_was_found(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(growth_module, "places_in", lambda *a: np.full((3, 2), 20.1))
+    grown = growth(**LUSH)
+    assert len(grown.patch(3240).vertices) == grown.counts[3240] == 21
+
+
+def test_variety_makes_heights_and_colours_differ() -> None:
+    def spread(variety: float) -> tuple[float, float]:
+        patch = growth(tinted=True, **{**LUSH, "variety": variety}).patch(3210)
+        heights = patch.vertices[:, 4, 1] - patch.positions[:, 1]
+        return float(heights.std()), float((patch.tints[:, 4, 0] / patch.tints[:, 4, 1]).std())
+
+    plain, varied = spread(0.0), spread(1.0)
+    assert varied[0] > 1.3 * plain[0] and varied[1] > 5 * plain[1]
+
+
+def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    grown = growth(fade=True)
+    first, counts = [grown.patch(cell) for cell in range(6400)], grown.counts.copy()
+    assert grown.grown == 50_000
+    monkeypatch.setattr(growth_module, "LEAST", 1000)
+    grown.forget(in_view=0)
+    assert 900 < grown.grown <= 1000
+    assert grown.patch(6399) is first[6399], "the last used stay"
+    again = [grown.patch(cell) for cell in range(6400)]
+    assert grown.patch(0) is not first[0]
+    assert all(np.array_equal(a.vertices, b.vertices) for a, b in zip(first, again, strict=True))
+    assert np.array_equal(grown.counts, counts)
+
+
+def test_a_forgotten_cell_that_bore_less_than_its_share_grows_again_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    places_in = growth_module.places_in
+    monkeypatch.setattr(growth_module, "places_in", lambda *a: places_in(*a)[:30])
+    monkeypatch.setattr(growth_module, "LEAST", 0)
+    grown = growth(fade=True, count=500_000)
+    share = grown.counts[3240]
+    first = grown.patch(3240)
+    assert len(first.positions) == grown.counts[3240] == 30 < share
+    grown.forget(in_view=0)
+    again = grown.patch(3240)
+    assert again is not first and (again.ranges == first.ranges).all()
+
+
+# ---- what is drawn
+
+
+def test_with_no_refinement_the_meadow_is_the_plain_grass(sow, stage: Stage, plain: Assets) -> None:
+    meadow, settings = sow(), grass_settings()
+    grass = Grass(settings, plain, flat(), 7)
+    patch, blades = meadow.select(looking(NORTH)), grass.select(looking(NORTH))
+    assert (patch.positions == blades.positions).all()
+    assert (patch.vertices == blades.vertices).all() and len(blades.positions) > 100
+    frame = looking(NORTH, kt=17.0)
+    assert (meadow.bend(frame, patch) == bent(blades, 17.0, 1.0)).all()
+    pictures = []
+    for element in (meadow, grass):
+        with stage.frame(settings, NORTH, kt=17.0) as frame:
+            element.draw(frame)
+            pictures.append(stage.read())
+    grass.release()
+    assert (pictures[0] == pictures[1]).all() and pictures[0].std() > 1
+
+
+def test_the_wind_bends_the_meadow_as_the_plain_grass(sow) -> None:
+    meadow, frame = sow(facing=0.6), looking(NORTH, kt=17.0)
+    patch = meadow.select(frame)
+    moved = meadow.bend(frame, patch) - meadow.bend(looking(NORTH, kt=0.0), patch)
+    wind = blade_wind(17.0, patch.positions, 1.0) - blade_wind(0.0, patch.positions, 1.0)
+    assert np.allclose(moved[:, 4, ::2], wind, atol=1e-5)
+    plain = Blades(patch.positions, patch.vertices)
+    assert np.allclose(moved, bent(plain, 17.0, 1.0) - bent(plain, 0.0, 1.0), atol=1e-5)
+
+
+def test_with_fade_far_cells_are_thinned_and_far_blades_shrink(sow) -> None:
+    meadow, frame = sow(fade=True, count=2_000_000), looking(NORTH)
+    patch = meadow.select(frame)
+    vertices, places = meadow.bend(frame, patch), patch.positions
+    away = np.hypot(places[:, 0] - 20, places[:, 2] - 20)
+    ranges, still = 4.0 * patch.ranges, patch.vertices[:, 4, 1] - 3.0
+    left = (vertices[:, 4, 1] - 3.0) / still
+    # Whole up to three quarters of its range, then down to nothing at its end.
+    assert np.allclose(left, np.clip((ranges - away) / (ranges / 4), 0.0, 1.0), atol=1e-3)
+    assert (left[away < 0.2] > 0.99).all() and left.min() < 0.2
+    assert (away > 2.0).any() and still.min() > 0.005
+    cell = 34 * 80 + 40
+    whole = growth(fade=True, count=2_000_000).counts[cell]
+    middle = np.array([(cell % 80 + 0.5) * CELL, (cell // 80 + 0.5) * CELL])
+    drawn = (np.abs(places[:, ::2] - middle) < CELL / 2).all(axis=1).sum()
+    assert 0 < drawn < whole
+
+
+def shown(meadow: Meadow, frame: Any, patch: Patch) -> set[bytes]:
+    """Return the blades of a patch that show, bent."""
+    return {blade.tobytes() for blade in meadow.bend(frame, patch) if np.ptp(blade[:, 1]) > 0}
+
+
+@pytest.mark.parametrize("fade", [True, False])
+def test_a_choice_that_is_kept_shows_what_a_new_one_would(sow, fade: bool) -> None:
+    meadow, other = (sow(fade=fade, count=200_000) for _ in range(2))
+    start = Pose(20.0, 3.1, 20.0, 10.0, -5.0)
+    kept = meadow.choice(looking(start))
+    for step in range(1, 6):
+        pose = Pose(20.0 + 0.01 * step, 3.1, 20.0 - 0.01 * step, 10.0 + 0.5 * step, -5.0)
+        frame = looking(pose, kt=3.0 * step)
+        assert (meadow.choice(frame) is kept) == (fade and step <= 4)
+        plain = other.select(frame)
+        assert shown(other, frame, plain) <= shown(meadow, frame, meadow.choice(frame))
+        if fade:
+            drawn = meadow.choice(frame)
+            away = np.hypot(drawn.positions[:, 0] - pose.x, drawn.positions[:, 2] - pose.z)
+            flat = np.ptp(meadow.bend(frame, drawn)[..., 1], axis=1) == 0
+            assert flat[away > 4.0 * drawn.ranges].all()
+    assert meadow.choice(looking(Pose(20.3, 3.1, 20.0, 10.0, -5.0))) is not kept
+
+
+def test_other_settings_or_another_window_are_chosen_for_anew(sow) -> None:
+    meadow = sow(fade=True, count=200_000)
+    kept = meadow.choice(looking(NORTH))
+    assert meadow.choice(looking(NORTH)) is kept
+    wide = looking(NORTH, size=(320, 120))
+    assert meadow.choice(wide) is not kept
+    kept = meadow.choice(wide)
+    assert meadow.apply(grass_settings(fade=True, count=200_000, facing=0.5))
+    assert meadow.choice(wide) is not kept
+
+
+def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(sow) -> None:
+    meadow, frame = sow(facing=0.6), looking(NORTH)
+
+    def drawn() -> np.ndarray:
+        return meadow.bend(frame, meadow.choice(frame))
+
+    before = drawn()
+    for key, value in (
+        ("count", 50_001), ("scale", (2.0, 1.0)), ("tufts", 6), ("arch", 2.0), ("fade", True),
+        ("variety", 0.5), ("tinted", True),
+    ):  # fmt: skip
+        assert not meadow.apply(grass_settings(**{key: value})), key
+        assert (drawn() == before).all(), "refused settings change nothing"
+    assert not meadow.apply(small({"grass.count": 50_000, "castle.x": 3.0}))
+    assert meadow.apply(grass_settings(facing=0.6, radius=2.0))
+    assert len(drawn()) < len(before)
+    assert meadow.apply(grass_settings(facing=0.3)) and (drawn() != before).any()
+    fading = sow(fade=True)
+    assert not fading.apply(grass_settings(fade=True, radius=3.0))
+
+
+def test_the_meadow_takes_the_colours_of_the_ground(stage: Stage, plain: Assets) -> None:
+    settings = small({"grass.count": 400_000, "grass.tinted": True, "grass.scale": (3.0, 3.0)})
+    ground = Ground(settings, plain, np.array([0.0, 1.0, 0.0], np.float32))
+    ground.large = np.full((4, 4, 3), (60, 120, 40), np.uint8)
+    meadow = Meadow(settings, plain, ground, 7)
+    with stage.frame(settings, NORTH, kt=9.0) as frame:
+        meadow.draw(frame)
+        picture = stage.read()
+    meadow.release()
+    ground.release()
+    blades = picture[(np.abs(picture - np.array([102, 153, 178])) > 20).any(axis=2)]
+    assert len(blades) > 500
+    red, green, blue = np.median(blades, axis=0)
+    assert green / red == pytest.approx(2.0, abs=0.2) and green / blue == pytest.approx(3, abs=0.3)

@@ -1,0 +1,121 @@
+"""What refined sprites keep: a choice for several frames, and settings applied without building."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from sprite_stage import BACKGROUND, CONIFER, NORTH, WIDE, element, looking, pictures, put, seen
+from stage import Stage, close, small
+
+from landscape.elements.sprites import sprites_in_view
+from landscape.elements.sprites.choice import LaidOut, choose
+from landscape.elements.sprites.planting import TintedSprites
+from landscape.elements.sprites.refined_sprites import RefinedSprites
+from landscape.frame import Pose
+from landscape.keys import with_settings
+from landscape.settings import Settings
+
+
+@pytest.fixture(scope="module")
+def sprites(the_stage: Stage, tmp_path_factory) -> Iterator[RefinedSprites]:
+    """The element, its cells of one colour each."""
+    assets = pictures(tmp_path_factory.mktemp("choice"))
+    with element(the_stage, RefinedSprites, assets) as made:
+        yield made
+
+
+SCATTERED = {
+    "transparent__fade": 0.2, "transparent__trimmed": True, "trees__crown": True,
+    "plants__crossed_within": 3.0, "plants__rosette": True, "transparent__radius": 9.0,
+}  # fmt: skip
+
+
+def scattered(sprites: RefinedSprites, count: int = 300) -> None:
+    """Let sprites of all kinds stand about the eye of NORTH."""
+    rng = np.random.default_rng(8)
+    places = np.stack([rng.uniform(8, 32, count), rng.uniform(1, 4, count)], axis=1)
+    places = np.insert(places, 2, rng.uniform(8, 32, count), axis=1)
+    put(sprites, places, rng.integers(0, 7, count), (0.5, 0.5))
+
+
+def test_a_choice_kept_for_several_frames_shows_what_one_made_anew_would(
+    stage: Stage, sprites: RefinedSprites, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = []
+    monkeypatch.setattr(sprites_in_view, "choose", lambda *a: made.append(a) or choose(*a))
+    poses = [
+        replace(NORTH, x=20.0 + 0.018 * k, yaw=1.2 * k, pitch=-0.3 * k) for k in range(4)
+    ]  # 0.054 units and 3.6 degrees in all
+    settings = small({**WIDE, **{key.replace("__", "."): v for key, v in SCATTERED.items()}})
+
+    def shown(fresh: bool) -> list[np.ndarray]:
+        out = []
+        for pose in poses:
+            if fresh or not out:
+                scattered(sprites)
+            with stage.frame(settings, pose) as frame:
+                sprites.draw(frame)
+                out.append(stage.read())
+        return out
+
+    assert sprites.apply(settings)
+    kept, anew = shown(fresh=False), shown(fresh=True)
+    assert len(made) == 1 + len(poses)
+    assert all((one == other).all() for one, other in zip(kept, anew, strict=True))
+    assert (kept[0] != kept[-1]).any()
+    # Farther on, or turned farther, all is chosen anew; without fade at every step.
+    shown(fresh=False)
+    for change in ({"x": 20.2}, {"yaw": 9.0}):
+        before = len(made)
+        with stage.frame(settings, replace(NORTH, **change)) as frame:
+            sprites.draw(frame)
+        assert len(made) == before + 1
+    settings = with_settings(settings, {"transparent.fade": 0.0})
+    assert sprites.apply(settings)
+    before = len(made)
+    shown(fresh=False)
+    assert len(made) == before + len(poses)
+
+
+def test_a_choice_with_a_margin_has_all_that_the_plain_one_has_anywhere_within_it() -> None:
+    rng = np.random.default_rng(4)
+    places = np.insert(rng.uniform(5, 35, (3000, 2)), 1, rng.uniform(0.7, 4, 3000), axis=1)
+    sizes, cells = rng.uniform(0.1, 0.6, (3000, 2)), rng.integers(0, 7, 3000)
+    flipped, tints = rng.random(3000) < 0.5, np.full((3000, 4), 255.0)
+    every = TintedSprites(places, sizes, cells, flipped, tints, np.zeros((3000, 2)))
+    boxes = np.zeros((2, 7, 8, 2), np.float32)
+    laid_out = LaidOut(every, boxes, boxes, 2)
+    keys = {"transparent.fade": 0.2, "transparent.trimmed": True, "transparent.radius": 9.0}
+    settings = with_settings(Settings(), {**keys, "plants.crossed_within": 4.0})
+    start = Pose(20.0, 3.0, 20.0, 33.0, -8.0)
+    wide = choose(laid_out, looking(start), settings, 0.06, math.radians(4.0))
+    for k in range(20):
+        aside = rng.uniform(-0.03, 0.03, 3)
+        turn = rng.uniform(-1.9, 1.9, 2)
+        pose = Pose(
+            20.0 + aside[0], 3.0 + aside[1], 20.0 + aside[2], 33.0 + turn[0], -8.0 + turn[1]
+        )
+        plain = choose(laid_out, looking(pose), settings)
+        assert 10 < len(plain.which) < len(wide.which), k
+        assert np.isin(plain.which, wide.which).all()
+        crossed = plain.which[plain.crossed.which]
+        assert np.isin(crossed, wide.which[wide.crossed.which]).all()
+
+
+def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(
+    stage: Stage, sprites: RefinedSprites
+) -> None:
+    put(sprites, [(20.0, 3.0, 17.0)], [CONIFER])
+    there = seen(stage, sprites)
+    for change in (
+        {"trees.count": 61}, {"trees.grouped": True}, {"plants.species": 5}, {"rabbit.x": 3.0},
+        {"ground.resolution": 41}, {"transparent.trilinear": False}, {"plants.shaded": True},
+        {"ground.large_texture": "map.png"},
+    ):  # fmt: skip
+        assert not sprites.apply(small({**WIDE, "transparent.radius": 1.0, **change})), change
+        with stage.frame(small(WIDE), NORTH) as frame:
+            sprites.draw(frame)
+            assert (stage.read() == there).all(), "refused settings change nothing"
+    assert close(seen(stage, sprites, transparent__radius=1.0), BACKGROUND)
