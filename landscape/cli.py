@@ -23,7 +23,7 @@ from landscape.scene import SCENES, Scene, check_options, find_view, listed_view
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
     if isinstance(sys.stdout, io.TextIOWrapper):
-        # A file may have a name that the terminal's alphabet lacks.
+        # A file name may have characters that the terminal's encoding lacks.
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         options = parse(argv, COMMANDS)
@@ -35,11 +35,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     except NoOpenGLError as error:
         return _fail(error, 3)
     except BrokenPipeError:
-        # The reader left (head, less): there is nothing more to say.
+        # The reader (head, less) closed the pipe, so there is nothing more to print.
         _silence_output()
         return 0
     except OSError as error:
-        # What is written to a file has its own message: this is standard output on a full disk.
+        # Errors in writing files have their own messages; this is standard output on a full disk.
         _silence_output()
         return _fail(f"{error.filename or 'standard output'}: {error.strerror}", 2)
     except MemoryError:
@@ -55,7 +55,7 @@ def _fail(reason: object, status: int) -> int:
 
 
 def _silence_output() -> None:
-    """Let what is left of standard output vanish, or the interpreter complains as it ends."""
+    """Discard what is left of standard output, or the interpreter reports an error at exit."""
     with contextlib.suppress(OSError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
@@ -63,7 +63,7 @@ def _silence_output() -> None:
 def _changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, Any]:
     """Return the settings of --settings and --set, the latter winning.
 
-    A key that one of the scenes knows by another name now is told on standard error.
+    A notice on standard error names each key that one of the scenes has renamed.
     """
     changes = keys.read_toml(options.settings) if options.settings else {}
     changes |= dict(options.changes)
@@ -74,7 +74,7 @@ def _changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, Any]:
 
 
 def _scenes(views: Sequence[str]) -> list[Scene]:
-    """Return the scenes of views, the first scene where there is no view; InputError."""
+    """Return the scenes of views, or the first scene if there is no view; raises InputError."""
     return list({k.name: k for k in (find_view(name)[0] for name in views)}.values()) or [scene()]
 
 
@@ -149,7 +149,7 @@ def _views(options: argparse.Namespace) -> int:
 def _figures(options: argparse.Namespace) -> int:
     from landscape.gallery import figures
 
-    # The gallery is kept in the checkout; elsewhere it is looked for in the current folder.
+    # The gallery is part of the checkout; without one, look in the current folder.
     kept = Path(__file__).resolve().parents[1] / "screenshots"
     if not kept.is_dir():
         kept = Path("screenshots")

@@ -1,4 +1,4 @@
-"""What an element is told about the frame it draws. No element reads a clock."""
+"""What an element receives about the frame it draws. No element reads a clock."""
 
 import math
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ import numpy as np
 class Pose:
     """Where the eye is: x, y, z in units; yaw 0 looks north (-z), 90 east (+x); pitch up.
 
-    Angles in degrees. ``y`` may be None in a place to go to: eye height above the ground there.
+    Angles in degrees. ``y`` may be None in a pose to move to: eye height above the ground there.
     """
 
     x: float
@@ -35,7 +35,7 @@ class Pose:
 class Frame:
     """One frame: pose, window size in pixels, kt, and the walker's state.
 
-    ``modelview`` is the camera's matrix as OpenGL gives it back, 16 floats, column after column.
+    ``modelview`` is the camera's matrix as OpenGL returns it, 16 floats in column-major order.
     ``step`` counts the walker's steps (k_step); ``stroke`` is 0 at rest and 1 to 4 in a stroke.
     ``fov`` is the vertical field of view in degrees.
     """
@@ -79,8 +79,8 @@ class Frame:
     def frustum_planes(self) -> np.ndarray:
         """Normals (3, 5) of the planes through the eye that bound the view, pointing into it.
 
-        The last is the view's direction, of length 1; those of the frustum's four sides have the
-        length by which a ball's radius must be multiplied, or a box' half sides.
+        The last is the view direction, of length 1. The normals of the frustum's four sides are not
+        unit vectors: a sphere's radius, or a box's half sides, must be multiplied by their length.
         """
         ahead = -self.modelview[[2, 6, 10]]
         top = math.tan(math.radians(self.fov) / 2)
@@ -91,16 +91,16 @@ class Frame:
 
     @cached_property
     def frustum_rows(self) -> list[list[float]]:
-        """:attr:`frustum_planes` as plain numbers, a normal a row."""
+        """:attr:`frustum_planes` as plain numbers, one normal per row."""
         rows: list[list[float]] = self.frustum_planes.T.tolist()
         return rows
 
     @property
     def pixels(self) -> float:
-        """How many pixels high a thing of one unit is, one unit away."""
+        """The height in pixels of an object one unit high, one unit away."""
         return self.size[1] / (2.0 * math.tan(math.radians(self.fov) / 2))
 
     def depth(self, points: np.ndarray) -> np.ndarray:
-        """Return the eye-space z of points (n, 3): negative before the camera (section 5.1.1)."""
+        """Return the eye-space z of points (n, 3), negative in front of the camera (5.1.1)."""
         axis = self.modelview[[2, 6, 10]].astype(points.dtype)
         return points @ axis + points.dtype.type(self.modelview[14])

@@ -188,7 +188,8 @@ class Island:
                 draw("rabbit", self.rabbit, frame)
                 draw("dragon", self.dragon, frame)
             if query:
-                query.ask(frame)
+                with drawing("water"):
+                    query.ask(frame)
             # OpenGL works on what it has while Python sorts, selects blades and computes waves.
             gl.glFlush()
             self._sort(sort)

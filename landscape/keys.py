@@ -1,8 +1,8 @@
 """Dotted settings: how they are declared, checked, changed, read from TOML, and listed.
 
 A scene's settings are a frozen dataclass of groups, each a frozen dataclass of values declared by
-:func:`setting`. The key of a value is ``group.name``. A value is a bool, an int, a float, a text or
-a tuple of floats. No setting is named here: each scene brings its own.
+:func:`setting`. The key of a value is ``group.name``. A value is a bool, an int, a float, a string
+or a tuple of floats. No setting is named here: each scene brings its own.
 """
 
 import dataclasses
@@ -23,7 +23,7 @@ Field = dataclasses.Field[Any]
 class Renamed:
     """What became of a key that files may still have: its new name, or "" if it is gone.
 
-    ``negated`` values changed their sign.
+    With ``negated`` the sign of the value changed too.
     """
 
     key: str = ""
@@ -38,7 +38,7 @@ def setting(
     high: float | None = None,
     choices: tuple[str, ...] = (),
 ) -> Any:
-    """Declare one setting: its default, where that comes from, its unit and its limits."""
+    """Declare one setting: its default, the source of the default, its unit and its limits."""
     meta = {"source": source, "unit": unit, "low": low, "high": high, "choices": choices}
     return field(default=default, metadata=meta)
 
@@ -65,9 +65,10 @@ def get(settings: Any, key: str) -> Value:
 
 
 def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
-    """Return settings with some keys changed; values may be texts, as from the command line.
+    """Return settings with some keys changed; values may be strings, as on the command line.
 
-    Renamed keys are taken as well. Raises InputError that names the key and what was expected.
+    Old names of renamed keys are accepted as well. Raises InputError that names the key and what
+    was expected.
     """
     known = fields(type(settings))
     for key, value in current_names(settings, changes)[0].items():
@@ -88,7 +89,7 @@ def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name:
 
 
 def current_names(settings: Any, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
-    """Return changes under today's names, and one line of notice for each key that had another.
+    """Return changes under current names, and a one-line notice for each key under an old name.
 
     The class attribute ``RENAMED`` of a settings class, if it has one, maps old keys to
     :class:`Renamed`.
@@ -109,7 +110,7 @@ def current_names(settings: Any, changes: Mapping[str, Any]) -> tuple[dict[str, 
 
 
 def _negated(value: Any) -> Any:
-    """Return a number, or the text of one, with its sign changed; anything else as it is."""
+    """Return a number, or a string of one, with its sign changed; anything else unchanged."""
     try:
         return -float(value)
     except (TypeError, ValueError, OverflowError):
@@ -119,7 +120,7 @@ def _negated(value: Any) -> Any:
 def read_toml(path: Path) -> dict[str, Any]:
     """Read a TOML file of settings into a flat table of dotted keys."""
     try:
-        # "utf-8-sig": Windows' editors begin a file with a byte order mark.
+        # "utf-8-sig": some Windows editors begin a file with a byte order mark.
         tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror})") from error
@@ -134,7 +135,7 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 
 def _checked(key: str, item: Field, value: Any) -> Value:
-    """Convert a text or a TOML value to the type of the key's default, and check its limits."""
+    """Convert a string or a TOML value to the type of the key's default, and check its limits."""
     meta, default = item.metadata, item.default
     wrong = InputError(f"setting {key}: expected {expected(item)}, not {_short(value)}")
     if isinstance(default, bool):
@@ -169,14 +170,14 @@ def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) 
         raise wrong from None
     if isinstance(value, float) and number != value:
         raise wrong
-    # Comparing is safe where converting is not: a whole number may be beyond all floats.
+    # Comparing is safe where converting is not: an int may be larger than any float.
     if not meta["low"] <= number <= meta["high"]:
         raise wrong
     return number
 
 
 def _short(value: Any) -> str:
-    """Write a value given for a setting, cut where it is long."""
+    """Format a value given for a setting, truncated if it is long."""
     try:
         text = repr(value)
     except ValueError:
@@ -200,7 +201,7 @@ def expected(item: Field) -> str:
 
 
 def table(settings: Any) -> list[dict[str, Any]]:
-    """Return every key with its value, its default, unit, source and what it takes."""
+    """Return every key with its value, default, unit, source and the values it accepts."""
     return [
         {
             "key": key,

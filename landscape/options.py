@@ -20,14 +20,14 @@ BY_VIEW = (
 
 
 def parse(argv: Sequence[str] | None, commands: Commands) -> argparse.Namespace:
-    """Parse the command line; views may stand before, between and after the options.
+    """Parse the command line; views may come before, between and after the options.
 
     ``commands`` maps each command's name to the function that runs it.
     """
     parser = build_parser(commands)
     options, rest = parser.parse_known_args(argv)
     if rest:
-        # argparse itself takes those before the first option only.
+        # argparse itself takes only the views before the first option.
         if "views" not in options or any(word.startswith("-") for word in rest):
             parser.error(f"unrecognized arguments: {' '.join(rest)}")
         options.views = [*options.views, *rest]
@@ -37,11 +37,11 @@ def parse(argv: Sequence[str] | None, commands: Commands) -> argparse.Namespace:
 class _Parser(argparse.ArgumentParser):
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
-        # What begins so is a value, never an option: a pose may be -1,2,3,0,0.
+        # Text that begins like this is a value, never an option: a pose may be -1,2,3,0,0.
         self._negative_number_matcher = re.compile(r"-\.?\d")
 
     def error(self, message: str) -> Any:
-        """End in one line, as all bad input does."""
+        """Report the error in one line, as for all bad input."""
         raise InputError(f"{message} (see `{self.prog} --help`)")
 
 
@@ -62,7 +62,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         return sub
 
     walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
-    walk.add_argument("view", nargs="?", default="", metavar="VIEW", help="or a scene")
+    walk.add_argument("view", nargs="?", default="", metavar="VIEW", help="a view or a scene")
     walk.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
     walk.add_argument("--fullscreen", action="store_true")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
@@ -81,7 +81,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     views = command("views", "list the named views", "--json")
     views.add_argument("--json", action="store_true")
 
-    figures = command("figures", "make the report's figures", "35 --out figures")
+    figures = command("figures", "draw the report's figures", "35 --out figures")
     figures.add_argument("names", nargs="*", metavar="FIG", help="35, fig35a or R6; default: all")
     figures.add_argument("--out", type=Path, default=Path("figures"), metavar="DIR")
     figures.add_argument("--check", action="store_true", help="compare with the committed pictures")
@@ -107,7 +107,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         epilog="example: landscape assets build water.png --assets mine",
     )
     build.add_argument("names", nargs="*", metavar="NAME", help="file names; default: all")
-    build.add_argument("--assets", type=Path, metavar="DIR", help="where to; default: in place")
+    build.add_argument("--assets", type=Path, metavar="DIR", help="default: in place")
     build.add_argument("-q", "--quiet", action="store_true")
     build.set_defaults(run=run["assets build"])
     check = actions.add_parser(
@@ -115,7 +115,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         help="check every asset: seams, edges, sizes, meshes",
         epilog="example: landscape assets check --assets mine",
     )
-    check.add_argument("--assets", type=Path, metavar="DIR", help="your own files, before ours")
+    check.add_argument("--assets", type=Path, metavar="DIR", help="your own files, used first")
     check.add_argument("--json", action="store_true")
     check.set_defaults(run=run["assets check"])
     sheet = actions.add_parser(
@@ -138,7 +138,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     fetch.add_argument("-q", "--quiet", action="store_true")
     fetch.set_defaults(run=run["assets fetch-stanford"])
 
-    bench = command("bench", "measure frames, grass and the start", "fig35a --json out.json")
+    bench = command("bench", "measure frames, grass and startup", "fig35a --json out.json")
     bench.add_argument("views", nargs="*", metavar="VIEW", help="default: the nine of figure 35")
     bench.add_argument("--json", type=Path, metavar="FILE", help="write the results as JSON")
     bench.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
@@ -154,7 +154,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
 
 
 def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:
-    """Add the options that all drawing commands share; ``preset`` explains the default one."""
+    """Add the options that all drawing commands share; ``preset`` is the help of --preset."""
     add = parser.add_argument_group("common options").add_argument
     add("--backend", choices=("auto", "osmesa", "egl", "glfw"), default="auto")
     add("--preset", default=None, help=preset)

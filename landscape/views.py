@@ -24,7 +24,7 @@ def walking(x: float, z: float, yaw: float, pitch: float = 0.0) -> Pose:
 
 
 def _table(*views: View) -> dict[str, View]:
-    """Return views by name, with the preset 2006 where that shows what they are for."""
+    """Return views by name, with the preset 2006 if they show one technique or flaw."""
     return {
         view.name: view if view.figure.split()[0] in WHOLE else replace(view, preset="2006")
         for view in views
@@ -48,7 +48,7 @@ PLANT_BEFORE = Pose(19.933, 1.128, 25.415, 20.0, -16.0)
 LONE_BLADE = {"grass.count": 2000, "grass.scale": (4.0, 3.5)}
 BLADE_BEFORE = Pose(19.948, 1.063, 26.011, 40.0, -9.0)
 LAWN_BEFORE = walking(21.25, 23.75, 340.0, -7.0)
-CLEARER = {"fog.density": 0.05}  # chosen: less than half of 2006, where the point is far away
+CLEARER = {"fog.density": 0.05}  # chosen: less than half of 2006, for views of something far away
 
 VIEWS = _table(
     View("fig2a", "terrain in wireframe from above, cut at sea level", ABOVE, shown=LAND,
@@ -72,8 +72,9 @@ VIEWS = _table(
          settings=NO_FOG | {"water.animated": False}),
     View("fig10a", "terrain and water in wireframe", Pose(12.0, 2.2, 32.5, 20.0, -28.0),
          shown=("ground", "water"), settings=NO_FOG | {"ground.units": "none"}, wireframe=True),
-    View("fig11a", "animated water, one time", Pose(12.0, 1.1, 35.0, 10.0, -12.0), 10, shown=SHORE),
-    View("fig11b", "animated water, another time", Pose(12.0, 1.1, 35.0, 10.0, -12.0), 60,
+    View("fig11a", "animated water at one time", Pose(12.0, 1.1, 35.0, 10.0, -12.0), 10,
+         shown=SHORE),
+    View("fig11b", "animated water at another time", Pose(12.0, 1.1, 35.0, 10.0, -12.0), 60,
          shown=SHORE),
     View("fig13a", "the sky box from far outside", Pose(33.0, 9.0, 41.0, 328.0, -17.0),
          shown=("sky",), settings=NO_FOG | {"sky.anchored": True}),
@@ -113,7 +114,7 @@ VIEWS = _table(
          shown=OUTDOORS),
     View("fig25b", "castle from the air", Pose(26.3, 4.4, 19.2, 22.0, -38.0), 10, shown=OUTDOORS,
          settings={"deer.count": 600}),
-    View("fig25c", "castle from afar", walking(28.25, 20.25, 344.0, 8.0), 10, shown=OUTDOORS),
+    View("fig25c", "castle from a distance", walking(28.25, 20.25, 344.0, 8.0), 10, shown=OUTDOORS),
     View("fig25d", "arriving at the gate wall", GATE_BEFORE, 10, shown=OUTDOORS),
     View("fig25e", "one flame close up", Pose(27.85, 2.56, 17.66, 336.0, -1.0), 12, shown=OUTDOORS),
     View("fig25f", "the door close up", Pose(27.64, 2.5, 17.84, 340.0, 1.0), 12, shown=OUTDOORS),
@@ -122,14 +123,14 @@ VIEWS = _table(
     View("fig27b", "dragon in wireframe", Pose(11.5, 0.9, 31.2, 358.5, 6.0), shown=("dragon",),
          settings=NO_FOG | {"ground.clip": False, "camera.cull": True, "camera.fov": 13.0},
          wireframe=True),
-    View("fig28a", "rabbit by cylindrical coordinates", walking(20.25, 24.2, 50.0, -4.0), 0,
+    View("fig28a", "rabbit with cylindrical mapping", walking(20.25, 24.2, 50.0, -4.0), 0,
          shown=("rabbit", "ground", "sky"), settings=NO_FOG),
-    View("fig28b", "dragon by (x, z)", Pose(11.5, 0.9, 31.2, 356.0, 2.0), 0, shown=("dragon",),
-         settings=NO_FOG | {"ground.clip": False, "camera.fov": 20.0}),
-    View("fig29a", "rabbit from near", Pose(20.63, 1.22, 23.84, 218.0, -20.0), 0, shown=OUTDOORS),
+    View("fig28b", "dragon mapped by (x, z)", Pose(11.5, 0.9, 31.2, 356.0, 2.0), 0,
+         shown=("dragon",), settings=NO_FOG | {"ground.clip": False, "camera.fov": 20.0}),
+    View("fig29a", "rabbit close up", Pose(20.63, 1.22, 23.84, 218.0, -20.0), 0, shown=OUTDOORS),
     View("fig29b", "rabbit among the plants", walking(20.2, 24.6, 30.0, -2.0), 0, shown=OUTDOORS,
          settings={"plants.count": 6000}),
-    View("fig29c", "rabbit farther off", walking(19.6, 25.6, 30.0, 0.0), 0, shown=OUTDOORS),
+    View("fig29c", "rabbit from farther away", walking(19.6, 25.6, 30.0, 0.0), 0, shown=OUTDOORS),
     View("fig29d", "sea dragon half under water", Pose(11.9, 0.85, 31.0, 335.0, 1.0), 20,
          shown=OUTDOORS),
     View("fig29e", "sea dragon, second angle", Pose(9.2, 0.95, 30.6, 50.0, -1.0), 20,
@@ -138,7 +139,7 @@ VIEWS = _table(
     View("fig32b", "sword stroke, second frame", walking(21.0, 23.0, 30.0), 9, stroke=2),
     View("fig32c", "sword stroke, third frame", walking(21.0, 23.0, 30.0), 13, stroke=3),
     View("fig32d", "sword stroke, fourth frame", walking(21.0, 23.0, 30.0), 17, stroke=4),
-    View("fig33a", "map in the upper left, point at the walker", walking(15.6, 26.6, 215.0), 10),
+    View("fig33a", "map in the upper left, with our position", walking(15.6, 26.6, 215.0), 10),
     View("fig34a", "fog over an open view", walking(23.4, 20.2, 285.0, 2.0), 10, shown=OUTDOORS),
     View("fig35a", "wide view: vegetation and reflections", Pose(8.0, 1.0, 33.0, 28.0, -1.0), 40,
          shown=OUTDOORS),
@@ -157,9 +158,9 @@ VIEWS = _table(
     View("fig35h", "an islet with a deer reflected", Pose(33.8, 0.71, 21.2, 40.0, -2.0), 70,
          shown=OUTDOORS),
     View("fig35i", "approaching the dragon, sword in view", walking(13.2, 27.0, 226.0, 0.0), 15),
-    View("fig36a", "flaw: a tree from above faces the camera", Pose(22.0, 2.6, 23.2, 0.0, -80.0),
+    View("fig36a", "flaw: seen from above, a tree faces us", Pose(22.0, 2.6, 23.2, 0.0, -80.0),
          shown=OUTDOORS, settings={"trees.count": 2500}),
-    View("fig36b", "flaw: a deer from above faces the camera", Pose(20.27, 1.4, 28.93, 0.0, -84.0),
+    View("fig36b", "flaw: seen from above, a deer faces us", Pose(20.27, 1.4, 28.93, 0.0, -84.0),
          shown=OUTDOORS),
     View("fig37a", "flaw: crossed quads seen along an axis", Pose(20.025, 1.078, 25.421, 0.0, -8.0),
          0, shown=OUTDOORS, settings=LONE_PLANT | {"camera.fov": 40.0}),

@@ -1,4 +1,4 @@
-"""The meadow: blades turned to the viewer, in tufts and layers, tinted, thinned out far off."""
+"""The meadow: blades turned to the viewer, in tufts and layers, tinted, thinned out far away."""
 
 from typing import Any
 

@@ -65,7 +65,7 @@ def test_a_choice_kept_for_several_frames_shows_what_one_made_anew_would(
     assert len(made) == 1 + len(poses)
     assert all((one == other).all() for one, other in zip(kept, anew, strict=True))
     assert (kept[0] != kept[-1]).any()
-    # Farther on, or turned farther, all is chosen anew; without fade at every step.
+    # Farther on, or turned farther, all is chosen again; without fade at every step.
     shown(fresh=False)
     for change in ({"x": 20.2}, {"yaw": 9.0}):
         before = len(made)

@@ -200,7 +200,7 @@ def test_what_is_less_high_than_so_many_pixels_is_not_drawn() -> None:
     least = with_settings(Settings(), {**keys, "transparent.min_pixels": 2.0})
     far = radii(least, cells, heights, frame)
     assert far[0] == 8.0
-    # So far off the others are just two pixels high.
+    # At this distance the others are just two pixels high.
     pixels = heights[1:] / far[1:] * frame.size[1] / (2 * math.tan(math.radians(frame.fov / 2)))
     assert pixels == pytest.approx([2.0, 2.0])
 

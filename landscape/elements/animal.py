@@ -33,9 +33,7 @@ def read_animal(assets: Assets, name: str, key: str) -> Mesh:
 
 
 class Animal:
-    """A lit, textured mesh that stands somewhere; ``elements`` names it in a trace."""
-
-    elements: tuple[str, ...] = ()
+    """A lit, textured mesh at a fixed place."""
 
     def __init__(
         self,
@@ -46,7 +44,7 @@ class Animal:
         yaw_deg: float,
         scale: float,
     ) -> None:
-        """Scale a mesh of -1..1 to ``scale`` units and stand it at ``place``."""
+        """Scale a mesh of -1..1 to ``scale`` units and place it at ``place``."""
         self._settings, self._built_from = settings, self.built_from(settings)
         self._place, self._yaw, self._scale = place, yaw_deg, scale
         self._vertices = mesh.vertices
@@ -61,7 +59,7 @@ class Animal:
         raise NotImplementedError
 
     def apply(self, settings: Settings) -> bool:
-        """Draw as ``settings`` say from now on; False, and no change, if the animal is another."""
+        """Apply new settings; return False, changing nothing, if the animal must be rebuilt."""
         if self.built_from(settings) != self._built_from:
             return False
         self._settings = settings
@@ -73,13 +71,13 @@ class Animal:
         return {0.0: DisplayList(lambda: draw_mesh(sent))}
 
     def _list(self, frame: Frame) -> DisplayList:
-        """Return the list to call in a frame: there is one."""
+        """Return the list to call in a frame: here there is only one."""
         return self._lists[0.0]
 
     def draw(self, frame: Frame) -> None:
-        """Draw the mesh where it stands; with ``camera.cull`` without its back faces."""
+        """Draw the mesh at its place; with ``camera.cull``, without its back faces."""
         # GL_LIGHTING_BIT saves the material that glColor sets. Without it Mesa would keep the
-        # animal's grey for what is lit next: the popped colour does not reach the material.
+        # animal's grey for whatever is lit next: the popped colour does not reach the material.
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
             gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
@@ -94,7 +92,7 @@ class Animal:
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def _set_material(self) -> None:
-        """Change the material beyond its colour: in 2006 nothing."""
+        """Change more of the material than its colour; in 2006, nothing."""
 
     def cast(self, shadows: ShadowMap) -> None:
         """Cast the mesh's shadow, a point per vertex, and darken the ground under it."""

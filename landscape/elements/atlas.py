@@ -2,8 +2,8 @@
 
 With one texture for all, one glDrawElements can draw them in any order, which sorted sprites need.
 Each picture has a square cell. Where cells meet, filtering and mip levels would mix neighbours; so
-each cell is halved by itself, texture coordinates keep half a texel clear of the cell's border, and
-transparent texels are left above each picture. No OpenGL here; an image's row 0 is t = 0.
+each cell is downsampled separately, texture coordinates stay half a texel inside the cell's border,
+and transparent texels are left above each picture. No OpenGL here; an image's row 0 is t = 0.
 """
 
 from collections.abc import Sequence
@@ -25,14 +25,14 @@ CELLS = (
     "plant.png",
 )
 COLUMNS, ROWS = 4, 2  # the sides of a texture are powers of two
-# Chosen: transparent texels above each picture. At mip level 5 they are still one texel, and the
+# Chosen: transparent texels above each picture. At mip level 5 they are still one texel, so the
 # foot of the tree in the row above does not show over a plant's top.
 GUTTER = 32
 LEVELS = 6  # chosen: at the last mip level a cell is 16 texels wide
 
 
 def padded(image: np.ndarray) -> np.ndarray:
-    """Return a picture (h, w, 4) as a cell: its top row's colours, transparent, in the GUTTER."""
+    """Return a picture (h, w, 4) as a cell: its top row, made transparent, fills the GUTTER."""
     resized = Image.fromarray(image).resize((CELL, CELL - GUTTER), Image.Resampling.LANCZOS)
     cell = np.pad(np.asarray(resized), ((GUTTER, 0), (0, 0), (0, 0)), mode="edge")
     cell[:GUTTER, :, 3] = 0
@@ -40,7 +40,7 @@ def padded(image: np.ndarray) -> np.ndarray:
 
 
 def read_cells(paths: Sequence[Path]) -> list[np.ndarray]:
-    """Read pictures, one a cell."""
+    """Read pictures, one per cell."""
     return [padded(read_image(path)) for path in paths]
 
 
@@ -55,7 +55,7 @@ def laid_out(cells: Sequence[np.ndarray]) -> np.ndarray:
 
 
 def mip_levels(cells: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
-    """Return the mip levels of the atlas of these cells, each cell halved by itself."""
+    """Return the mip levels of the atlas of these cells, each cell downsampled separately."""
     chains = [mip_chain(cell, LEVELS) for cell in cells]
     return tuple(laid_out([chain[level] for chain in chains]) for level in range(LEVELS))
 
@@ -63,7 +63,7 @@ def mip_levels(cells: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
 def cell_coordinates(
     cells: np.ndarray, flipped: np.ndarray, s: np.ndarray, t: np.ndarray, rows: int = ROWS
 ) -> np.ndarray:
-    """Return texture coordinates (n, k, 2) in the atlas of points s, t (k,) in 0..1 of cells (n,).
+    """Return atlas coordinates (n, k, 2) of the points s, t (k,), 0..1 within each of cells (n,).
 
     ``flipped`` (n,) mirrors s. ``rows`` is how many the atlas has.
     """

@@ -2,9 +2,9 @@
 
 Techniques: a few meshes built once and drawn several times; a door texture with a transparent
 surround, blended over the bricks; a light texture multiplied over both by
-glBlendFunc(GL_ZERO, GL_SRC_COLOR), whose far texture coordinates move, so that the light flickers;
-torches as a parametric cylinder and cone; fire as an animated 4x4 sprite sheet on a quad.
-Own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
+glBlendFunc(GL_ZERO, GL_SRC_COLOR), whose texture coordinates move at two edges, so that the light
+flickers; torches as a parametric cylinder and cone; fire as an animated 4x4 sprite sheet on a quad.
+The castle's own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset, the depth mask.
 What is wrong with it: a flame is flat, and vanishes from the side (switch ``castle.flame_faces``,
 R2); the gate's three layers are fogged three times, so that it is darker than the other walls in
@@ -41,12 +41,10 @@ from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "castle"
-
 TORCHES = (0.27, 0.75)  # section 6.1: 0.27, and 0.48 farther
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
 FLAME_Z = -0.07  # section 6.1
-FOOT_SHADE = 0.22  # chosen: units from the walls over which they hide the sky
+FOOT_SHADE = 0.22  # chosen: units from the walls within which they block part of the sky
 
 
 def flame_frame(kt: float) -> tuple[int, int]:
@@ -56,9 +54,9 @@ def flame_frame(kt: float) -> tuple[int, int]:
 
 
 def flame_across(eye: tuple[float, float], x: float, faces: bool) -> tuple[float, float]:
-    """Return the unit vector (x, z), in the castle's frame, along which a flame at ``x`` is wide.
+    """Return the unit vector (x, z), in the castle's frame, of the width of a flame at ``x``.
 
-    Along the wall; or at right angles to the line to the ``eye`` (x, z), if the flame ``faces`` it.
+    Along the wall; or perpendicular to the line to the ``eye`` (x, z), if the flame ``faces`` it.
     """
     away_x, away_z = x - eye[0], FLAME_Z - eye[1]
     far = math.hypot(away_x, away_z)
@@ -68,7 +66,7 @@ def flame_across(eye: tuple[float, float], x: float, faces: bool) -> tuple[float
 
 
 def light_shift(kt: float) -> tuple[float, float]:
-    """Return how far the light's far texture coordinates move in s and t (section 6.1)."""
+    """Return how far the light's moving texture coordinates shift in s and t (section 6.1)."""
     return 0.01 * np.sin(kt / 10.8) ** 2, 0.01 * np.cos(kt / 7.2) ** 2
 
 
@@ -76,7 +74,7 @@ class Castle:
     """The castle on its hill."""
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
-        """Read the textures and compile one display list of all that does not move."""
+        """Read the textures and compile one display list of everything that does not move."""
         castle = settings.castle
         corners = np.array([(-0.6, -0.6), (-0.6, 0.6), (0.6, -0.6), (0.6, 0.6), (0, 0)])
         stands = field.height(castle.x + corners[:, 0], castle.z + corners[:, 1])
@@ -89,7 +87,7 @@ class Castle:
             Texture(read_image(assets.path(name)), repeat=False)
             for name in ("castle_door.png", "fire.png")
         )
-        # Repeated: the moving coordinates leave 0..1 by a hundredth.
+        # GL_REPEAT: the moving coordinates exceed 0..1 by a hundredth.
         self._light = Texture(self._light_image(read_image(assets.path("castle_light.png"), "RGB")))
         self._masonry = DisplayList(self._send)
 
@@ -101,7 +99,7 @@ class Castle:
         return *place, castle.multitexture, castle.ornate
 
     def apply(self, settings: Settings) -> bool:
-        """Draw as ``settings`` say from now on; False, and no change, if the castle is another."""
+        """Apply new settings; return False, changing nothing, if the castle must be rebuilt."""
         if self.built_from(settings) != self._built_from:
             return False
         self._settings = settings
@@ -112,7 +110,7 @@ class Castle:
         return image
 
     def _send(self) -> None:
-        """Send bricks, then stone; each mesh is drawn wherever it stands."""
+        """Send the bricks, then the stone; a mesh is sent once for each place where it occurs."""
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._brick.bind()
         self._send_bricks()
@@ -157,7 +155,7 @@ class Castle:
         """Blend door and light over the bricks: three layers, each fogged (section 11.2.4)."""
         gl.glEnable(gl.GL_TEXTURE_2D)
         gl.glEnable(gl.GL_BLEND)
-        # From afar the depth buffer cannot tell the layers from the wall.
+        # From a distance the depth buffer cannot separate the layers from the wall.
         gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
         gl.glNormal3f(0.0, 0.0, -1.0)
         gl.glPolygonOffset(-1.0, -2.0)
@@ -172,7 +170,7 @@ class Castle:
         gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
 
     def _gate_quad(self, z: float, shift_s: float, shift_t: float) -> None:
-        """Send a layer over the gate wall; its far texture coordinates may move."""
+        """Send a layer over the gate wall; s may shift at its far side, and t at its top."""
         gl.glBegin(gl.GL_QUADS)
         for s, t, x, y in (
             (0.0, 1.0, 0.0, 0.0),
@@ -223,11 +221,11 @@ class Castle:
         return np.asarray((points - 0.5) @ turn.T + (self.base[0], self.base[2]))
 
     def outlines(self, step: float) -> list[tuple[np.ndarray, float, float]]:
-        """Return what casts the shadow, see the function :func:`outlines`."""
+        """Return the outlines that cast the shadow, see the function :func:`outlines`."""
         return outlines(step)
 
     def cast(self, shadows: ShadowMap) -> None:
-        """Cast the shadow of walls and towers, and darken the ground along their feet."""
+        """Cast the shadow of walls and towers, and darken the ground along their base."""
         step = 0.7 * shadows.texel
         for line, low, high in self.outlines(step):
             cast_outlines(shadows, self._outside(line), low, high, step)

@@ -1,11 +1,11 @@
 """The sea dragon: a triangle mesh half in the water (Dragon, section 7).
 
 Technique: as the rabbit, with the vertices' own (x, z) as texture coordinates, which gives vertical
-lines; the mirrored scene draws it a second time.
+streaks; the mirrored scene draws it a second time.
 State used: as animal.py.
-What is wrong with it: on its flanks, where x and z hardly change, the texture is drawn out into
-those lines (switch ``dragon.mapping``, animals/axis_mapping.py). The dragon of the preset ``best``
-is animals/fine_dragon.py.
+What is wrong with it: on its flanks, where x and z hardly change, the texture is stretched into
+those streaks (switch ``dragon.mapping``, animals/axis_mapping.py). The dragon of the preset
+``best`` is animals/fine_dragon.py.
 """
 
 import math
@@ -19,8 +19,6 @@ from landscape.geometry.obstacles import Obstacle, Wall
 from landscape.settings import Dragon as DragonSettings
 from landscape.settings import Settings
 
-ELEMENT = "dragon"
-
 LONG = (0.85, 0.16)  # chosen, times its scale: half its length along x and half its thickness
 
 
@@ -30,7 +28,7 @@ def planar(vertices: np.ndarray) -> np.ndarray:
 
 
 def swimming(dragon: DragonSettings, level: float) -> tuple[float, float, float]:
-    """Return the place of the mesh's middle when its water line is at the water's ``level``."""
+    """Return the position of the mesh's centre with its water line at the water's ``level``."""
     return dragon.x, level - dragon.sink * dragon.scale, dragon.z
 
 
@@ -44,10 +42,8 @@ def dragon_obstacles(dragon: DragonSettings, level: float) -> tuple[Obstacle, ..
 class Dragon(Animal):
     """The dragon, its water line at the water's level."""
 
-    elements = (ELEMENT,)
-
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Read the mesh, lay the texture on it and sink it to its water line."""
+        """Read the mesh, map the texture onto it and lower it to its water line."""
         dragon, level = settings.dragon, settings.water.level
         mesh = read_animal(assets, dragon.mesh, "dragon.mesh")
         mesh = replace(mesh, coordinates=(planar(mesh.vertices),))

@@ -2,7 +2,7 @@
 
 Technique: GL_FOG in mode GL_EXP2, f = exp(-(density * distance)^2), enabled once for all elements.
 Because of the square, the near scene stays clear and the fog then thickens fast. The distance may
-be the one along the line of sight or the eye-space depth: OpenGL allows both.
+be the radial distance from the eye or the eye-space depth: OpenGL allows both.
 What is wrong with it: what is drawn in several blended layers is fogged several times
 (``castle.multitexture``, R11), and the sky box most in its corners (``sky.unfogged``, R10).
 State used: GL_FOG and its parameters.
@@ -13,11 +13,9 @@ import numpy as np
 from landscape.gl.calls import drawing, gl
 from landscape.settings import Fog
 
-ELEMENT = "fog"
-
 
 def visibility(distance: np.ndarray, density: float) -> np.ndarray:
-    """Return the fraction of its colour that GL_EXP2 fog leaves a thing at ``distance`` units."""
+    """Return the fraction of its colour that GL_EXP2 fog leaves an object at ``distance`` units."""
     return np.exp(-np.square(density * distance))
 
 

@@ -3,12 +3,12 @@
 Technique: a blade is a strip of five vertices, textured and bent by the wind. It is opaque, so
 there is no blending and no sort: the depth buffer orders the blades. Only those in front of the
 camera and within a radius are drawn. In 2006 a loop tested each blade of the island in each frame
-and sent it vertex by vertex. Here the map is cut into square cells, a frame tests the cells round
+and sent it vertex by vertex. Here the map is cut into square cells, a frame tests the cells around
 the walker, and one glDrawElements sends the blades of those that are visible.
 
-``grass.method`` = loop sends blade after blade, as in 2006: the same picture, and the time goes
-into the calls (R18). A flaw that remains: seen edge-on, a blade is a line (R7). Fixes, tufts and
-colours are in ``elements/meadow/``. State used: GL_TEXTURE_2D. OpenGL 1.1.
+``grass.method`` = loop sends one blade after another, as in 2006: the picture is the same, and the
+time is spent in the calls (R18). A flaw that remains: seen edge-on, a blade is a line (R7). Fixes,
+tufts and colours are in ``elements/meadow/``. State used: GL_TEXTURE_2D. OpenGL 1.1.
 """
 
 from functools import partial
@@ -37,19 +37,17 @@ from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "grass"
-
-KEPT = 4  # chosen: times the cells in view are kept grown, for when the walker turns round
-LEAST = 400  # chosen: so many cells are kept in any case
+KEPT = 4  # chosen: cells kept in memory, times those in view, for when the walker turns around
+LEAST = 400  # chosen: the number of cells that are kept in any case
 COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.float32)
-# A strip of five vertices is three triangles; the winding of the second is turned as in a strip.
+# A strip of five vertices is three triangles; the winding of the second is reversed, as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
 WIND = ((2, 0.5), (3, 0.5), (4, 1.0))  # section 5.3.2: vertex, and its fraction of the wind
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 
 
 class Blades(NamedTuple):
-    """Where blades stand, float32 (n, 3), and their vertices without wind, float32 (n, 5, 3)."""
+    """Positions of blades, float32 (n, 3), and their vertices without wind, float32 (n, 5, 3)."""
 
     positions: np.ndarray
     vertices: np.ndarray
@@ -75,7 +73,7 @@ def blade_corners(angles: np.ndarray) -> np.ndarray:
 def blade_vertices(
     positions: np.ndarray, corners: np.ndarray, scale: tuple[float, ...] = (1.0, 1.0)
 ) -> np.ndarray:
-    """Return blades, float32 (n, 5, 3), of ``corners`` (n, 5, 3) standing at positions (n, 3).
+    """Return blades, float32 (n, 5, 3), of ``corners`` (n, 5, 3) at positions (n, 3).
 
     ``scale`` = (sx, sy) stretches x and z, and y, as glScalef(sx, sy, sx) does in section 5.3.2.
     """
@@ -101,7 +99,8 @@ def bent(blades: Blades, kt: float, scale_x: float) -> np.ndarray:
 def send_one_by_one(vertices: np.ndarray) -> None:
     """Send blades (n, 5, 3) in a loop, a strip each, vertex by vertex, as in section 5.3.2.
 
-    Twelve calls a blade. In 2006 they were sixteen: a matrix moved and scaled each blade as well.
+    Twelve calls per blade. In 2006 there were sixteen, as a matrix also moved and scaled each
+    blade.
     """
     for corners in vertices.tolist():
         gl.glBegin(gl.GL_TRIANGLE_STRIP)
@@ -112,7 +111,7 @@ def send_one_by_one(vertices: np.ndarray) -> None:
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the blades' number, places and shapes come from."""
+    """Return the settings that the blades' number, places and shapes depend on."""
     ground, grass, castle = settings.ground, settings.grass, settings.castle
     return (
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
@@ -125,13 +124,13 @@ class Grass:
     """All blades, cell by cell."""
 
     def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
-        """Share the blades out over the cells at random, by ``seed``."""
+        """Distribute the blades over the cells at random, by ``seed``."""
         self._settings, self._seed, self._field = settings, seed, ground.field
         self._built_from = built_from(settings)
         self._suits = partial(bears_grass, ground.field, settings.castle)
         self._across = int(np.ceil(ground.field.size / CELL))
         self._counts = shared_out(settings.grass.count, cover(self._suits, self._across), seed)
-        self._grown: dict[int, Blades] = {}  # by cell, the last used last
+        self._grown: dict[int, Blades] = {}  # by cell, the most recently used last
         self._selected: Blades | None = None
         self._selected_for: tuple[object, ...] = ()
         self._texture = Texture(read_image(assets.path("blade.png"), "RGB"), repeat=False)
@@ -139,10 +138,10 @@ class Grass:
         self._coordinates = np.empty((0, 2), np.float32)
 
     def cell(self, number: int) -> Blades:
-        """Return the blades of a cell, grown when it first comes into view.
+        """Return the blades of a cell, created when it first comes into view.
 
-        Each cell has its own random generator: the same blades grow in it whichever way the walker
-        came, and what is never seen costs nothing.
+        Each cell has its own random generator, so it has the same blades whichever way the walker
+        came, and a cell that is never seen costs nothing.
         """
         blades = self._grown.pop(number, None)
         if blades is None:
@@ -157,9 +156,9 @@ class Grass:
         return blades
 
     def select(self, frame: Frame) -> Blades:
-        """Return the blades of the visible cells, among them all that :func:`visible` would find.
+        """Return the blades of the visible cells, including all that :func:`visible` would find.
 
-        That function, which picks the sprites, is the plain way: it tests every blade.
+        That function, which selects the sprites, is the plain form: it would test every blade.
         """
         radius = self._settings.grass.radius
         cells = cells_around(frame.pose.x, frame.pose.z, radius, self._across)
@@ -176,7 +175,7 @@ class Grass:
         """Select, bend and send the visible blades."""
         view = frame.pose, frame.size, frame.fov
         if self._selected is None or self._selected_for != view:
-            # While the eye stands still, the selection stands: only the wind moves.
+            # While the eye does not move, the selection is reused: only the wind changes.
             self._selected, self._selected_for = self.select(frame), view
         grass = self._settings.grass
         vertices = bent(self._selected, frame.kt, grass.scale[0])
@@ -198,7 +197,7 @@ class Grass:
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def apply(self, settings: Settings) -> bool:
-        """Take new settings; False, and nothing changes, if they need the blades grown anew."""
+        """Apply new settings; return False, changing nothing, if the blades must be regrown."""
         if wanted(settings) or built_from(settings) != self._built_from:
             return False
         self._settings, self._selected = settings, None

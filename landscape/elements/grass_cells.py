@@ -1,8 +1,8 @@
-"""The cells of the map that bear grass: how many blades each has, where, and which are visible.
+"""Grass by cells of the map: how many blades each cell has, where, and which cells are visible.
 
-A frame cannot test every blade of the island from Python, 1,500,000 of them; it can test some
-hundred square cells round the walker. And blades need not exist before their cell is seen. All is
-random but seeded. No OpenGL here.
+Python cannot test every blade of the island, 1,500,000 of them, in each frame; it can test some
+hundred square cells around the walker. Blades need not exist before their cell is seen. Everything
+is random but seeded. No OpenGL here.
 """
 
 import math
@@ -18,15 +18,15 @@ CELL = 0.5  # chosen: units per side of a cell; small against the radius, large 
 HALF_DIAGONAL = CELL * 0.7072
 PROBES = 4  # chosen: places per side of a cell where it is tested whether grass grows
 SHORE = 0.004  # chosen: units above the water where grass begins
-CASTLE = 0.75  # chosen: units round the castle's middle where none grows
-TRIES = 12  # chosen: so often places are drawn for blades of a cell that still lack one
+CASTLE = 0.75  # chosen: radius in units around the castle's centre where no grass grows
+TRIES = 12  # chosen: most rounds of random places tried to place the blades of a cell
 
 Suits = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """A function of places x, z (n,) that returns how likely a blade grows there, (n,) in 0..1."""
 
 
 def bears_grass(field: HeightField, castle: Castle, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return 1 at places x, z (n,) on land, on the map and off the castle, 0 elsewhere."""
+    """Return 1 at places x, z (n,) on land, on the map and outside the castle, 0 elsewhere."""
     land = (field.terrain_height(x, z) > field.water_level + SHORE).astype(float)
     land *= np.hypot(x - castle.x, z - castle.z) > CASTLE
     land *= (x < field.size) & (z < field.size)
@@ -34,7 +34,7 @@ def bears_grass(field: HeightField, castle: Castle, x: np.ndarray, z: np.ndarray
 
 
 def cover(suits: Suits, across: int) -> np.ndarray:
-    """Return which fraction of each cell bears grass, (cells,), row by row, ``across`` a row."""
+    """Return the fraction of each cell that grows grass, (cells,), by rows of ``across`` cells."""
     probes = (np.arange(PROBES * across) + 0.5) * CELL / PROBES
     x, z = np.meshgrid(probes, probes)
     grid = suits(x.ravel(), z.ravel()).reshape(across, PROBES, across, PROBES)
@@ -51,7 +51,7 @@ def shared_out(count: int, share: np.ndarray, seed: int) -> np.ndarray:
 def places_in(
     cell: int, across: int, count: int, rng: np.random.Generator, suits: Suits
 ) -> np.ndarray:
-    """Return ``count`` random places x, z (count, 2) in a cell, fewer where hardly any suits."""
+    """Return ``count`` random places x, z (count, 2) in a cell, fewer if few are suitable."""
     row, column = divmod(cell, across)
     kept: list[np.ndarray] = []
     for _ in range(TRIES):
@@ -63,7 +63,7 @@ def places_in(
 
 
 def cells_around(x: float, z: float, radius: float, across: int) -> np.ndarray:
-    """Return column and row (n, 2) of the cells within ``radius`` of x, z in units, or nearly so.
+    """Return column and row (n, 2) of the cells within about ``radius`` of x, z, in units.
 
     The work depends on the radius alone, not on how large the map is or how much grows on it.
     """
@@ -93,7 +93,7 @@ def visible_cells(
     near = away[:, 0] ** 2 + away[:, 2] ** 2 < (radius + size) ** 2
     width, height = frame.size
     side = math.tan(math.radians(frame.fov / 2)) * max(width / height, 1.0)
-    side = math.tan(min(math.atan(side) + angle, 1.5))  # short of a right angle
+    side = math.tan(min(math.atan(side) + angle, 1.5))  # less than a right angle
     depth = -frame.depth(centres)
     inside = np.abs(away @ frame.right) <= depth * side + size * math.hypot(1.0, side)
     return np.asarray(near & inside & (depth > -size))

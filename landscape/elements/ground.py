@@ -4,10 +4,10 @@ Techniques: the image is resampled to a grid of vertices; vertex arrays are draw
 glDrawElements, compiled once into a display list; two textures by multitexturing, unit 0 the
 large-scale colour, unit 1 a detail repeated many times; a clip plane cuts the ground at the water
 level. Height queries are bilinear over the same grid (geometry/height_field.py).
-State used: texture units 0 and 1, GL_COMBINE in unit 1 (OpenGL 1.3), GL_CLIP_PLANE0.
-What is wrong with it: edges between coarse triangles (switch ``ground.smooth``, R14); the walker
-stands a little above or below them (``ground.exact_height``, R15); one detail on grass, sand and
-rock (``ground.materials``). The ground of the preset ``best`` is terrain/terrain.py.
+State used: texture units 0 and 1, GL_COMBINE in unit 1 (OpenGL 1.3), GL_CLIP_PLANE0. What is wrong
+with it: edges between coarse triangles (switch ``ground.smooth``, R14); the walker stands a little
+above or below them (``ground.exact_height``, R15); one detail texture on grass, sand and rock
+(``ground.materials``). The ground of the preset ``best`` is terrain/terrain.py.
 """
 
 from collections.abc import Iterator
@@ -28,16 +28,14 @@ from landscape.gl.texture import Texture
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
-ELEMENT = "ground"
-
 HEIGHTS = ("height_image", "resolution", "size", "scale_y", "smooth", "subdivide", "exact_height")
 TEXTURES = ("large_texture", "detail_texture", "detail_repeat", "units", "texture_size")
-OTHER_CLASS = ("materials", "tiles", "low_stretch", "shadows")  # these ask for terrain/terrain.py
+OTHER_CLASS = ("materials", "tiles", "low_stretch", "shadows")  # these need terrain/terrain.py
 
 
 @contextmanager
 def clipped(level: float, enabled: bool = True) -> Iterator[None]:
-    """Keep only what stands above the water: the plane y - level = 0 (section 2.1.2)."""
+    """Keep only what is above the water: the plane y - level = 0 (section 2.1.2)."""
     if not enabled:
         yield
         return
@@ -67,7 +65,7 @@ def large_texture(
 
 
 def lay_units(layers: list[Texture]) -> None:
-    """Set unit 0 to the first layer, and each further unit to multiply by twice its own.
+    """Set unit 0 to the first layer, and each further unit to multiply by twice its layer.
 
     Twice, so that mid grey in the detail leaves the large-scale colour as it is.
     """
@@ -95,10 +93,10 @@ def leave_units(layers: list[Texture]) -> None:
 
 
 class Ground:
-    """The ground, and the answers to how high it is and what colour it has."""
+    """The ground, and queries for its height and colour."""
 
     def __init__(self, settings: Settings, assets: Assets, sun: np.ndarray) -> None:
-        """Read heights and colours and compile the display list; ``sun`` (3,) is towards it."""
+        """Read heights and colours and compile the display list; ``sun`` (3,) points to it."""
         ground = settings.ground
         path = assets.path(ground.height_image, "ground.height_image")
         self.field = height_field(read_heights(path), ground, settings.water.level)
@@ -117,7 +115,7 @@ class Ground:
         return *used, settings.water.level, shaded
 
     def apply(self, settings: Settings) -> bool:
-        """Draw as ``settings`` say from now on; False, and no change, if the ground is another."""
+        """Apply new settings; return False, changing nothing, if the ground must be rebuilt."""
         if self.built_from(settings) != self._built_from:
             return False
         self._settings = settings
@@ -139,7 +137,7 @@ class Ground:
         self._lists.append(DisplayList(send))
 
     def _texture(self, image: np.ndarray, repeat: bool = True) -> Texture:
-        """Make a texture that lives as long as the ground."""
+        """Make a texture that is released with the ground."""
         self._textures.append(Texture(image, repeat))
         return self._textures[-1]
 
@@ -171,7 +169,7 @@ class Ground:
         return lookup(self.large, np.asarray(x) / self.size, np.asarray(z) / self.size) / 255.0
 
     def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return the fraction of light that reaches x, z in units, (n,): in 2006 all of it."""
+        """Return the fraction of light that reaches x, z in units, (n,); in 2006, 1."""
         return np.ones(np.shape(x))
 
     def release(self) -> None:

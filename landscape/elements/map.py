@@ -16,8 +16,6 @@ from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "map"
-
 
 def place_on_map(x: float, z: float, size: float) -> tuple[float, float]:
     """Return where (x, z) in units is on the map, -1..1 to the right and up (section 9.2)."""
@@ -47,7 +45,7 @@ class Map:
         self._list = DisplayList(send)
 
     def apply(self, settings: Settings) -> bool:
-        """Draw by new settings from now on; False, and no change, if the quad would differ."""
+        """Apply new settings; return False, changing nothing, if the quad would differ."""
         if settings.overlay.map_alpha != self._settings.overlay.map_alpha:
             return False
         self._settings = settings

@@ -1,6 +1,6 @@
-"""Where trees, deer and plants stand: random places all over the land (section 5.1.2).
+"""Where trees, deer and plants are: random places all over the land (section 5.1.2).
 
-A place is uniform over the map, and drawn again when it falls on water. The random numbers are
+Places are uniform over the map, and drawn again if they are on water. The random numbers are
 seeded: the same seed gives the same island. Woods, meadows and several kinds of herb are in
 ``elements/sprites/planting.py``. No OpenGL here.
 """
@@ -16,21 +16,21 @@ from landscape.settings import Deer, Plants, Settings, Trees
 KINDS = ("trees", "deer", "plants")
 DEER, PLANT = 4, 6  # the first atlas cell of each kind; trees start at 0
 SHORE = 0.02  # chosen: units above the water where the first sprite may stand
-CASTLE = 1.1  # chosen: units from the castle's middle to its last corner
-COURT = 2.2  # chosen: units round the castle's middle where no tree hides it
-BATCHES = 200  # chosen: so often places are drawn for sprites that still lack one
+CASTLE = 1.1  # chosen: units from the castle's centre to its farthest corner
+COURT = 2.2  # chosen: radius in units around the castle's centre kept free of trees
+BATCHES = 200  # chosen: most rounds of random places tried to place the sprites
 HOPELESS = 10_000  # chosen: after so many unsuitable places in one batch there is no suitable one
-# Chosen: x, z of the first deer. One stands by the bay's plants, one on the meadow, one on an
+# Chosen: x, z of the first deer. One is by the bay's plants, one on the meadow, one on an
 # islet, one near the castle. (The program of 2006 could read places from a file as well.)
 DEER_POSTS = ((20.26, 28.98), (21.95, 21.25), (34.55, 20.38), (25.9, 15.2), (19.98, 29.3))
 
 Chance = Callable[[np.ndarray, np.ndarray], np.ndarray]
-"""A function of places x, z (n,) that returns how likely each is taken, (n,) in 0..1."""
+"""A function of places x, z (n,) that returns how likely each is accepted, (n,) in 0..1."""
 
 
 @dataclass(frozen=True)
 class Sprites:
-    """Where sprites stand, (n, 3); sizes (n, 2) = width, height; atlas cells; mirrored or not."""
+    """Positions of sprites, (n, 3); sizes (n, 2) = width, height; atlas cells; mirrored or not."""
 
     positions: np.ndarray
     sizes: np.ndarray
@@ -38,14 +38,14 @@ class Sprites:
     flipped: np.ndarray
 
     def only(self, which: np.ndarray) -> "Sprites":
-        """Return some of them: those a mask (n,) or indices name."""
+        """Return some of them, selected by a mask (n,) or by indices."""
         return Sprites(*(values[which] for values in vars(self).values()))
 
 
 def scatter(field: HeightField, count: int, rng: np.random.Generator, suits: Chance) -> np.ndarray:
-    """Return ``count`` random positions (n, 3), uniform where ``suits`` is, drawn again elsewhere.
+    """Return ``count`` random positions (n, 3), each accepted with the chance ``suits`` gives it.
 
-    On a map with (almost) no suitable place they are fewer.
+    On a map with (almost) no suitable place there are fewer.
     """
     found: list[np.ndarray] = []
     missing = count
@@ -63,7 +63,7 @@ def scatter(field: HeightField, count: int, rng: np.random.Generator, suits: Cha
 
 
 def clear_land(settings: Settings, field: HeightField, castle: float = CASTLE) -> Chance:
-    """Return a function x, z -> 1 on land, 0 in the water, by the castle and in the rabbit."""
+    """Return a function x, z -> 1 on land, 0 in the water, near the castle and in the rabbit."""
 
     def suits(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         free = field.terrain_height(x, z) > settings.water.level + SHORE
@@ -100,7 +100,7 @@ def plant(settings: Settings, field: HeightField, seed: int, kinds: set[str]) ->
     parts = []
     for number, kind in enumerate(KINDS):
         if kind in kinds:
-            # Each kind has its own generator, so that showing one alone moves none of it.
+            # Each kind has its own generator, so a kind that is shown alone does not move.
             rng = np.random.default_rng([seed, number])
             suits = clear_land(settings, field, COURT if kind == "trees" else CASTLE)
             parts.append(random_sprites(kind, settings, field, rng, suits))
@@ -109,7 +109,7 @@ def plant(settings: Settings, field: HeightField, seed: int, kinds: set[str]) ->
 
 
 def site(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that say where land is and where something else stands on it."""
+    """Return the settings that determine where there is land and what else stands on it."""
     ground, castle, rabbit = settings.ground, settings.castle, settings.rabbit
     return (
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y),

@@ -1,7 +1,7 @@
 """The rabbit: a triangle mesh on land (Rabit, section 7).
 
 Technique: a PLY mesh in a display list (animal.py), textured by the cylindrical coordinates of its
-own vertices. The absolute value of the angle gives both ends of the turn the same texture
+own vertices. The absolute value of the angle gives both ends of its range the same texture
 coordinate: without it the whole texture would run backwards through one narrow strip.
 State used: as animal.py.
 What is wrong with it: near the axis the angle changes fast, and the texture is pinched (switch
@@ -21,10 +21,8 @@ from landscape.geometry.obstacles import Obstacle, Tower
 from landscape.settings import Rabbit as RabbitSettings
 from landscape.settings import Settings
 
-ELEMENT = "rabbit"
-
-SUNK = 0.02  # chosen, times its scale: so far into the ground that no light shows under it
-ROUND = 0.6  # chosen, times its scale: radius of a circle round haunches and chest
+SUNK = 0.02  # chosen, times its scale: how far it is sunk, so that no gap shows under it
+ROUND = 0.6  # chosen, times its scale: radius of a circle around haunches and chest
 
 
 def cylindrical(vertices: np.ndarray, l1: float, l2: float) -> np.ndarray:
@@ -35,7 +33,7 @@ def cylindrical(vertices: np.ndarray, l1: float, l2: float) -> np.ndarray:
 
 
 def standing(rabbit: RabbitSettings, mesh: Mesh, field: HeightField) -> tuple[float, float, float]:
-    """Return the place of the mesh's middle when its lowest vertex is on the ground."""
+    """Return the position of the mesh's centre that puts its lowest vertex on the ground."""
     low = float(mesh.vertices[:, 1].min()) * rabbit.scale
     y = float(field.height(rabbit.x, rabbit.z)) - low - SUNK * rabbit.scale
     return rabbit.x, y, rabbit.z
@@ -50,10 +48,8 @@ def rabbit_obstacles(rabbit: RabbitSettings, field: HeightField) -> tuple[Obstac
 class Rabbit(Animal):
     """The rabbit, on the ground."""
 
-    elements = (ELEMENT,)
-
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
-        """Read the mesh, lay the texture round it and stand it on the ground."""
+        """Read the mesh, map the texture around it and place it on the ground."""
         rabbit = settings.rabbit
         mesh = read_animal(assets, rabbit.mesh, "rabbit.mesh")
         place = standing(rabbit, mesh, field)

@@ -1,10 +1,10 @@
 """The reflection: the scene drawn a second time, mirrored at the water plane (section 3).
 
-Technique: a mirror matrix diag(1, -1, 1, 1) on the modelview, moved to the water's height. It
+Technique: a mirror matrix diag(1, -1, 1, 1) on the modelview, translated to the water's height. It
 reverses the winding of every triangle, so the front face is swapped; and the lights are placed
 again under it, or the mirrored scene would be lit from below. The clip plane, given in the mirrored
-frame, keeps what stands above the water. Drawn before the water, which is blended over it.
-What is wrong with it: where no water is, the mirrored scene can show past the land's edge. With
+frame, keeps what is above the water. Drawn before the water, which is blended over it. What is
+wrong with it: where there is no water, the mirrored scene can show past the land's edge. With
 ``reflection.stencil`` the water first marks its pixels in the stencil buffer, and the mirrored
 scene is drawn only there. It is also a perfect mirror, whatever the waves do:
 ``reflection.rippled`` draws it into a texture instead (sea/mirror_image.py).
@@ -21,8 +21,6 @@ from landscape.elements.ground import clipped
 from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.state import attrib, matrix
 from landscape.settings import Settings
-
-ELEMENT = "reflection"
 
 MIRROR = np.diag([1.0, -1.0, 1.0, 1.0]).astype(np.float32)  # section 3.1
 

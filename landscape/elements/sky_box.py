@@ -24,8 +24,6 @@ from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "sky"
-
 FACES = ("west", "north", "east", "south", "top")
 
 

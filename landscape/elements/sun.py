@@ -1,8 +1,8 @@
 """The sun: one directional light.
 
-Not a class in the 2006 report, whose water and animals are lit all the same. A light's position is
-transformed by the modelview matrix that is current when it is given: so it is given again under
-the mirror matrix, or the reflection would be lit from below (see reflection.py).
+Not a class in the 2006 report, whose water and animals are lit nevertheless. A light's position is
+transformed by the modelview matrix that is current when it is set, so it is set again under the
+mirror matrix; otherwise the reflection would be lit from below (see reflection.py).
 With ``sun.fill`` a second, weak light of the sky's colour comes from the opposite side.
 State used: GL_LIGHT0, GL_LIGHT1, GL_COLOR_MATERIAL; an element that is lit enables GL_LIGHTING.
 """
@@ -13,8 +13,6 @@ import numpy as np
 
 from landscape.gl.calls import drawing, gl
 from landscape.settings import Sun
-
-ELEMENT = "frame"
 
 SPECULAR = (1.0, 0.95, 0.85)  # chosen: RGB of the sun's highlights
 
@@ -29,7 +27,7 @@ def direction(sun: Sun) -> np.ndarray:
 
 
 def shine(sun: Sun) -> None:
-    """Give the lights their colours and place them; glColor becomes the lit material."""
+    """Give the lights their colours and place them; glColor then sets the lit material."""
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, np.array([*sun.diffuse, 1.0], np.float32))
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, np.array([*sun.ambient, 1.0], np.float32))
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([*SPECULAR, 1.0], np.float32))
@@ -52,6 +50,6 @@ def place(sun: Sun) -> None:
     towards = np.append(direction(sun), 0.0).astype(np.float32)
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, towards)
     if sun.fill > 0.0:
-        # Opposite the sun, so that the shaded sides are not all of one tone.
+        # Opposite the sun, so that the shaded sides do not all have the same tone.
         across = np.array([-towards[0], 0.5, -towards[2], 0.0], np.float32)
         gl.glLightfv(gl.GL_LIGHT1, gl.GL_POSITION, across)

@@ -17,10 +17,8 @@ from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "sword"
-
 STROKES = 4  # section 8.2
-ASPECT = 3 / 2  # chosen: width by height of the pictures; wider windows have them at the right
+ASPECT = 3 / 2  # chosen: width by height of the pictures; in wider windows they are at the right
 
 
 def bob(step: float) -> float:
@@ -32,7 +30,7 @@ class Sword:
     """The sword at rest and its stroke."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Load the five pictures and compile the quad; no setting changes either."""
+        """Load the five pictures and compile the quad; no setting affects them."""
         names = ["sword_rest.png"] + [f"sword_{k}.png" for k in range(1, STROKES + 1)]
         self._textures = [Texture(read_image(assets.path(n)), repeat=False) for n in names]
         self._list = DisplayList(picture_quad)

@@ -3,13 +3,13 @@
 Techniques: *billboards* (trees, deer) are rectangles spanned by the camera's right and up vectors,
 read from the modelview matrix, so that they always face the viewer. *Crossed quads* (plants) are
 two fixed rectangles at right angles; their top-centre vertex sways in the wind. Both have pictures
-with a transparent surround. Blending needs far things drawn before near ones, and the depth buffer
+with a transparent surround. Blending needs far objects drawn before near ones, and the depth buffer
 cannot order them, so all sprites together are *sorted* each frame by their eye-space depth. Their
 pictures share one texture, an atlas, so that one glDrawElements draws them in that order.
 
 ``transparent.sorted`` off shows what the sort is for; ``transparent.textured`` off shows the quads.
 Two flaws remain, as in 2006 (section 11.2): from above, billboards lie on their backs and plants
-are crosses; and where two sprites cross, no order is right. ``elements/sprites/`` fixes them.
+are crosses; and where two sprites intersect, no order is right. ``elements/sprites/`` fixes them.
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 
@@ -19,7 +19,7 @@ import numpy as np
 
 from landscape.elements.atlas import CELLS, cell_coordinates, mip_levels, read_cells
 from landscape.elements.ground import Ground
-from landscape.elements.planting import KINDS, PLANT, Sprites, plant, site
+from landscape.elements.planting import PLANT, Sprites, plant, site
 from landscape.elements.sprites import wanted
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
@@ -37,7 +37,7 @@ QUAD_S, QUAD_T = np.array([0.0, 1.0, 1.0, 0.0]), np.array([1.0, 1.0, 0.0, 0.0])
 HALVES = np.array([[0, 4, 3, 0, 1, 4], [1, 2, 4, 4, 2, 5]], np.uint32)
 CROSS = np.concatenate([HALVES, HALVES + 6])  # the four halves of a plant's two quads
 CROSS_S, CROSS_T = np.array([0.0, 0.5, 1.0, 0.0, 0.5, 1.0]), np.repeat([1.0, 0.0], 3)
-CLEAR = 0.02  # chosen: fragments of less alpha show nothing and are not blended
+CLEAR = 0.02  # chosen: fragments of lower alpha are invisible and are not blended
 
 
 def visible(frame: Frame, positions: np.ndarray, radius: float | np.ndarray) -> np.ndarray:
@@ -50,14 +50,14 @@ def visible(frame: Frame, positions: np.ndarray, radius: float | np.ndarray) -> 
 
 
 def far_to_near(rows: np.ndarray, depth: np.ndarray) -> np.ndarray:
-    """Sort rows (n, ...) by eye-space z (n,), which is the more negative the farther."""
+    """Sort rows (n, ...) by eye-space z (n,), which is more negative the farther away."""
     return rows[np.argsort(depth, kind="stable")]
 
 
 def billboards(
     positions: np.ndarray, sizes: np.ndarray, right: np.ndarray, up: np.ndarray
 ) -> np.ndarray:
-    """Return quads (n, 4, 3) that stand on positions (n, 3), sizes (n, 2) = width and height.
+    """Return quads (n, 4, 3) with their feet at positions (n, 3), sizes (n, 2) = width and height.
 
     ``right`` and ``up`` are unit vectors, (3,) for all or (n, 3), one for each.
     """
@@ -72,7 +72,7 @@ def billboards(
 
 
 def sway(kt: float, positions: np.ndarray, strength: float = 1.0) -> np.ndarray:
-    """Return dx, dz (n, 2) in units of the wind at positions (n, 3), section 5.2.2."""
+    """Return the wind's dx, dz (n, 2), in units, at positions (n, 3), section 5.2.2."""
     x, z = positions[:, 0], positions[:, 2]
     dx = 0.05 * np.cos(kt / 10 - 1.2 * x - 0.744 * z)
     dz = 0.03 * np.cos(kt / 9.6 - 1.44 * x)
@@ -95,7 +95,7 @@ def crossed_quads(positions: np.ndarray, sizes: np.ndarray, winds: np.ndarray) -
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the sprites' places, sizes and kinds come from."""
+    """Return the settings that the sprites' places, sizes and kinds depend on."""
     groups = settings.trees, settings.deer, settings.plants
     sizes = [(group.count, group.size_min, group.size_max) for group in groups]
     return (*sizes, settings.trees.species, *site(settings))
@@ -108,7 +108,6 @@ class TransparentElements:
         self, settings: Settings, assets: Assets, ground: Ground, seed: int, kinds: set[str]
     ) -> None:
         """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
-        self.elements = tuple(kind for kind in KINDS if kind in kinds)
         self._settings, self._built_from = settings, built_from(settings)
         self.stand(plant(settings, ground.field, seed, kinds))
         paths = [assets.path(name) for name in CELLS]
@@ -116,7 +115,7 @@ class TransparentElements:
         self._texture = Texture(list(levels), repeat=False)
 
     def stand(self, sprites: Sprites) -> None:
-        """Let these sprites stand on the island, and no others."""
+        """Place these sprites on the island, and no others."""
         places, sizes = sprites.positions.astype(np.float32), sprites.sizes.astype(np.float32)
         sprites, crossed = replace(sprites, positions=places, sizes=sizes), sprites.cells >= PLANT
         self._boards, self._plants = sprites.only(~crossed), sprites.only(crossed)
@@ -177,7 +176,7 @@ class TransparentElements:
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def apply(self, settings: Settings) -> bool:
-        """Take new settings; False, and nothing changes, if they need the sprites built anew."""
+        """Apply new settings; return False, changing nothing, if the sprites must be rebuilt."""
         if wanted(settings) or built_from(settings) != self._built_from:
             return False
         self._settings = settings

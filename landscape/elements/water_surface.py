@@ -1,13 +1,13 @@
 """The water: a transparent, animated plane over the reflection (Water_surface, section 3).
 
 Technique: one patch of 40 x 40 vertices, sent from arrays in each frame and drawn 5 x 5 times by
-translation, blended with GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA. The plane stays flat: what moves are
-the texture coordinates and, under the light, the normals. All terms have period 1 over the patch,
+translation, blended with GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA. The plane stays flat: only the
+texture coordinates and, for the lighting, the normals move. All terms have period 1 over the patch,
 so neighbouring patches match.
 State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 What it lacks: the reflection does not ripple (``reflection.rippled``), no vertex rises
-(``water.relief``), and the sea ends with the last patch (``water.horizon``). With any of the first
-two the class Sea (sea/sea.py) stands in for this one; HorizonRing (sea/ring.py) adds the third.
+(``water.relief``), and the sea ends with the last patch (``water.horizon``). With either of the
+first two the class Sea (sea/sea.py) replaces this one; HorizonRing (sea/ring.py) adds the third.
 """
 
 import numpy as np
@@ -22,14 +22,12 @@ from landscape.gl.state import attrib, client_arrays, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings, Water
 
-ELEMENT = "water"
-
 PATCHES = range(-1, 4)  # section 3.2: k from -1 to 3, on both axes
 TWO_PI = 2.0 * np.pi
 
 
 def water_square(water: Water) -> tuple[float, float]:
-    """Return the low and high border of all water, in x and in z, units."""
+    """Return the lower and upper bound of all water, in x and in z, units."""
     reach = water.horizon
     return PATCHES[0] * water.patch - reach, (PATCHES[-1] + 1) * water.patch + reach
 
@@ -91,7 +89,7 @@ class WaterSurface:
         self._texture = water_texture(settings, assets)
 
     def apply(self, settings: Settings) -> bool:
-        """Draw by new settings from now on; False, and no change, if the patch would differ."""
+        """Apply new settings; return False, changing nothing, if the patch would differ."""
         if built_from(settings) != built_from(self._settings):
             return False
         self._settings = settings

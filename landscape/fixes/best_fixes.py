@@ -72,7 +72,7 @@ BEST_FIXES: tuple[Fix, ...] = (
         ),
         common={
             "sky.set": "sunset",
-            "sun.azimuth": 250.0,  # where the textures of the sunset have it
+            "sun.azimuth": 250.0,  # where the sun is in the sunset textures
             "sun.elevation": 5.0,
             "sun.diffuse": (1.0, 0.8, 0.55),
             "fog.color": (0.86, 0.72, 0.6),

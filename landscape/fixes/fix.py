@@ -1,4 +1,4 @@
-"""A fix of something wrong in the pictures of 2006, shown by a picture before and one after."""
+"""A fix for a flaw in the pictures of 2006, shown by one picture before and one after."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

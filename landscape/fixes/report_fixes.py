@@ -18,8 +18,8 @@ REPORT_FIXES: tuple[Fix, ...] = (
         {"sky.moving": False},
         {"sky.moving": True},
         "In fig14a and all other figures the sky is a painting that never changes.",
-        "The streaks around the sun are painted and stay. The ragged clouds that are added drift "
-        "slowly over them.",
+        "The streaks around the sun are painted and do not move. The ragged clouds that are added "
+        "drift slowly over them.",
         "A second, half-transparent layer of cloud is blended over the box. glTranslatef on the "
         "GL_TEXTURE matrix shifts its texture a little with each kt.",
         (
@@ -56,7 +56,7 @@ REPORT_FIXES: tuple[Fix, ...] = (
         "The sort of fig17b gives each tree or plant a single depth, which is not enough where two "
         "of them intersect. No figure shows it.",
         "Look at the trunk of the big conifer. Before, the tree is painted over the fern at its "
-        "foot; after, the half of the fern that stands in front of the trunk is there.",
+        "foot; after, the half of the fern in front of the trunk is visible.",
         "Each half of a crossed quad gets its own depth in the sort, so that a half in front of a "
         "tree is blended after it. All sprites are still drawn by a single glDrawElements.",
         (
@@ -122,7 +122,7 @@ REPORT_FIXES: tuple[Fix, ...] = (
     ),
     Fix(
         "R6b",
-        "Plants that are no crosses from above",
+        "Plants that are not crosses from above",
         "fig37b",
         0.0,
         {"plants.quads": 2, "plants.fade_edge_on": False, "plants.rosette": False},
@@ -172,7 +172,7 @@ REPORT_FIXES: tuple[Fix, ...] = (
     ),
     Fix(
         "R9",
-        "Walls that hide no hill",
+        "Sky walls that do not hide hills",
         "fig40a",
         0.0,
         {"sky.background": False},
@@ -250,13 +250,13 @@ REPORT_FIXES: tuple[Fix, ...] = (
     ),
     Fix(
         "R13",
-        "A mouse that turns without end",
+        "A mouse that turns the view without end",
         Pose(20.0, GROUND, 28.0, 180.0, 0.0),
         10.0,
         {"walk.mouse_relative": False},
         {"walk.mouse_relative": True},
-        "In 2006 the position of the mouse pointer set the direction of view, so at the border of "
-        "the window the turn was over. A figure cannot show it.",
+        "In 2006 the position of the mouse pointer set the direction of view, so the turn ended at "
+        "the border of the window. A figure cannot show it.",
         "Two views from the same place. The first looks due south, where the mouse of 2006 had to "
         "stop; the second looks 70 degrees farther round, where it could not go.",
         "Nothing changes in OpenGL: the mouse is captured, and reports how far it moved instead of "
@@ -291,7 +291,7 @@ REPORT_FIXES: tuple[Fix, ...] = (
         0.0,
         {"ground.exact_height": False},
         {"ground.exact_height": True},
-        "In 2006 the rabbit and the walker stand on a smoothly bent surface, but the ground is "
+        "In 2006 the rabbit and the walker stand on a smoothly curved surface, but the ground is "
         "drawn as the flat triangles of fig2b. Between the vertices the two differ. No figure "
         "shows it.",
         "Before, the rabbit floats 0.16 units above the ground; after, it sits on it.",

@@ -86,8 +86,8 @@ ASSET_PANELS: dict[str, tuple[tuple[str, ...], str, str, str]] = {
         ("castle_light.png",),
         "light texture: two yellowish halos",
         "two soft yellowish spots on pale blue-grey",
-        "The colours of the wall are multiplied by it. In the two spots, where the torches are, "
-        "they stay as they are. The pale blue-grey, which is part of the texture, dims them only a "
+        "The colours of the wall are multiplied by it. They do not change in the two spots, where "
+        "the torches are; the pale blue-grey, which is part of the texture, dims them only a "
         "little.",
     ),
     "fig24a": (

@@ -9,7 +9,7 @@ AMPLIFICATION = 16  # chosen: makes a difference of one level visible
 
 
 def difference(expected: np.ndarray, actual: np.ndarray) -> np.ndarray:
-    """Return each pixel's largest difference of a channel, int32 (h, w), of uint8 pictures."""
+    """Return each pixel's largest difference in any channel, int32 (h, w), of uint8 pictures."""
     # Signed: in uint8, 3 - 5 is 254.
     return np.asarray(np.abs(expected.astype(np.int32) - actual.astype(np.int32)).max(axis=2))
 

@@ -42,7 +42,8 @@ def check(
 ) -> int:
     """Compare new panels with the committed ones; return 1 if any differs.
 
-    For each that differs, what was expected, what was drawn and their difference go to ``out``.
+    For each panel that differs, the expected picture, the new one and their difference are written
+    to ``out``.
     """
     kept = folder / RENDERER
     expected_renderer = kept.read_text(encoding="utf-8").strip() if kept.exists() else ""

@@ -39,7 +39,7 @@ INTRODUCTION = (
     " several textures. *kt*: the animation counter, 30 per second. *Unit*: of length, about"
     " 17 m; the walker's eye is 0.1 units above the ground.",
     "",
-    "The command under a picture makes it, with no screen needed. `landscape figures --check`"
+    "The command under a picture draws it, and needs no screen. `landscape figures --check`"
     " compares all pictures with what the program draws today; `landscape figures --update`"
     " replaces those that differ, and rewrites this page.",
     "",

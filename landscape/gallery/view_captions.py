@@ -52,8 +52,8 @@ VIEW_PANELS: dict[str, tuple[str, str]] = {
     "fig10a": (
         "dark wireframe of the sea in front, white wireframe of the land behind",
         "Compare the meshes: the dark squares of the water are a third as wide as the white ones "
-        "of the land. The water needs them so small to vary its lighting and its texture "
-        "coordinates.",
+        "of the land. They must be that small because the lighting and the texture coordinates of "
+        "the water vary from vertex to vertex.",
     ),
     "fig11a": (
         "blue water with ripples in front of a hazy beach",
@@ -119,8 +119,8 @@ VIEW_PANELS: dict[str, tuple[str, str]] = {
     ),
     "fig21b": (
         "the same blade, green, standing on the ground",
-        "The same blade with the texture of fig20a. It is opaque: it needs no blending, so no "
-        "sorting.",
+        "The same blade with the texture of fig20a. It is opaque, so it needs neither "
+        "blending nor sorting.",
     ),
     "fig22a": (
         "a meadow with short grass, trees behind",
@@ -247,8 +247,8 @@ VIEW_PANELS: dict[str, tuple[str, str]] = {
     ),
     "fig35d": (
         "a stag on a slope in front of trees",
-        "The stag, the trees and the ferns are flat textures, and only the slope is not; together "
-        "they pass for a landscape.",
+        "The stag, the trees and the ferns are flat textures. Only the slope is real geometry, yet "
+        "together they pass for a landscape.",
     ),
     "fig35e": (
         "trees on a hillside, with a castle in haze on top",

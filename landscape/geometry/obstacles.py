@@ -57,7 +57,7 @@ Obstacle = Tower | Wall
 def courtyard(
     x: float, z: float, yaw_deg: float, thickness: float, top: float, towers: tuple[float, float]
 ) -> tuple[Obstacle, ...]:
-    """Return four walls round a square of 1 x 1 units about (x, z), and a tower at each corner.
+    """Return four walls around a square of 1 x 1 units about (x, z), and a tower at each corner.
 
     ``yaw_deg`` turns it as glRotatef about y does. ``top`` is the walls' height, ``towers`` the
     radius of the towers and their height.

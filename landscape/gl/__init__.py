@@ -1,1 +1,1 @@
-"""The only rooms that import OpenGL: contexts, the seam all calls go through, and thin owners."""
+"""The only modules that import OpenGL: contexts, the seam for all calls, and thin wrappers."""

@@ -46,7 +46,7 @@ class Calls:
 
 
 gl: Any = Calls()
-# The attributes of ``gl`` outside noting() and inside it. To switch is one assignment.
+# The attributes of ``gl`` outside noting() and inside it. Switching is one assignment.
 _plain: dict[str, Any] = gl.__dict__
 _noted: dict[str, Any] = {}
 _depth = 0  # how many noting() blocks are open
@@ -68,7 +68,7 @@ class Listing:
         self._notes += (name, len(args), *args, *where)
 
     def calls(self) -> list[Call]:
-        """Return the calls, and with them those of the lists that are called from this one."""
+        """Return the calls, each with the calls of the display lists that it executes."""
         if self._calls is None:
             self._calls, notes = [], iter(self._notes)
             for name in notes:
@@ -84,7 +84,7 @@ Lists = dict[int, Listing]
 
 
 class Recorder:
-    """What a recording has collected; calls compiled into a display list stand under that list."""
+    """What a recording has collected; calls compiled into a list are listed under it."""
 
     def __init__(self, override: Override | None = None) -> None:
         self.calls: list[Call] = []
@@ -122,7 +122,7 @@ def recording(override: Override | None = None) -> Iterator[Recorder]:
 
 @contextmanager
 def noting() -> Iterator[None]:
-    """Note the calls of the block: for the recording, if there is one, and for display lists."""
+    """Note the block's calls, for display lists and for the recording, if there is one."""
     global _depth
     _depth += 1
     gl.__dict__ = _noted
@@ -149,7 +149,8 @@ def replacing(name: str, function: Callable[..., Any]) -> Iterator[Callable[...,
 class drawing(ContextDecorator):
     """Say which element the block draws: ``with drawing("water"):``, or as a decorator.
 
-    Several names share what is drawn. The innermost block wins; outside any it is "frame".
+    Several names share what is drawn. The innermost block applies; outside all blocks the element
+    is "frame".
     """
 
     def __init__(self, element: str, *others: str) -> None:
@@ -165,8 +166,8 @@ class drawing(ContextDecorator):
 def drawn_now() -> tuple[str, ...]:
     """Return the names that the innermost drawing() block gave.
 
-    A context manager that draws by itself takes them before its own drawing() block, and lets its
-    caller's block run inside ``drawing(*names)``.
+    A context manager that draws by itself reads them before its own drawing() block, and runs its
+    caller's block inside ``drawing(*names)``.
     """
     return _drawing[-1]
 
@@ -178,7 +179,7 @@ def begin_pass(name: str) -> None:
 
 
 def use_lists(lists: Lists) -> None:
-    """Take ``lists`` for the current context's: the number of a list means nothing in another."""
+    """Use ``lists`` as the current context's: a list's number has no meaning in another context."""
     global _lists
     _lists = lists
 

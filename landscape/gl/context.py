@@ -43,7 +43,7 @@ _platform: str | None = None
 def use_platform(name: str) -> None:
     """Bind PyOpenGL to ``osmesa``, ``egl``, ``glx`` or ``wayland``, once for the process.
 
-    To check for errors after each call costs more than most calls. So it is done only if the
+    Checking for errors after each call costs more than most calls do, so it is done only if the
     environment has LANDSCAPE_GL_CHECKS=1, as in the tests; then PyOpenGL also raises an error where
     it would silently copy an array.
     """
@@ -66,7 +66,7 @@ def use_platform(name: str) -> None:
 
         if name == "osmesa":
             # PyOpenGL stores arrays by the current context. Without this type every call returns
-            # a new pointer object, equal to no other, and no array would ever be freed.
+            # a new pointer object, equal to no other, so no array would ever be freed.
             platform.PLATFORM.OSMesa.OSMesaGetCurrentContext.restype = ctypes.c_void_p
         import OpenGL.GL
     except (ImportError, AttributeError, OSError, TypeError) as error:
@@ -215,8 +215,8 @@ class EGLContext:
 class GLFWContext:
     """A GLFW window: visible for the walk, hidden for stills, or on GLFW's null platform.
 
-    With ``headless`` there is no window system at all and OSMesa draws: the code of the window runs
-    as it does on a screen.
+    With ``headless`` there is no window system at all and OSMesa draws: the window code runs as it
+    does on a screen.
     """
 
     backend = "glfw"

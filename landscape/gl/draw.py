@@ -20,7 +20,7 @@ def level_square(low: float, high: float, y: float) -> None:
 
 
 def picture_quad() -> None:
-    """Send an upright square, -1..1 at distance 1, that shows the whole texture, row 0 on top."""
+    """Send an upright square, -1..1 at distance 1, with the whole texture, row 0 at the top."""
     gl.glBegin(gl.GL_QUADS)
     for s, t, x, y in ((0, 1, -1, -1), (1, 1, 1, -1), (1, 0, 1, 1), (0, 0, -1, 1)):
         gl.glTexCoord2f(float(s), float(t))

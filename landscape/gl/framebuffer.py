@@ -17,7 +17,7 @@ class Framebuffer:
     def __init__(self, size: tuple[int, int], samples: int = 0) -> None:
         """Create and bind a target of ``size`` = (width, height) pixels.
 
-        InputError where the size is beyond GL_MAX_VIEWPORT_DIMS.
+        InputError where the size exceeds GL_MAX_VIEWPORT_DIMS.
         """
         limits = gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)
         most = min(int(gl.glGetIntegerv(gl.GL_MAX_RENDERBUFFER_SIZE)), *(int(v) for v in limits))

@@ -1,4 +1,4 @@
-"""What is noted of an OpenGL call: its name, arguments, element, pass and source line."""
+"""What is noted about an OpenGL call: its name, arguments, element, pass and source line."""
 
 import os
 from collections.abc import Sequence
@@ -24,8 +24,8 @@ FIRST = 64  # chosen: values of an array that a trace shows
 class Call:
     """One call.
 
-    ``args`` are the arguments as OpenGL got them. ``shared_by`` names the element that draws, or
-    several that share the call; ``listed`` holds the calls that a glCallList executes.
+    ``args`` are the arguments as OpenGL received them. ``shared_by`` names the element that draws,
+    or several that share the call; ``listed`` holds the calls that a glCallList executes.
     """
 
     name: str
@@ -96,7 +96,7 @@ def plain(value: Any) -> Any:
     return getattr(value, "value", type(value).__name__)
 
 
-_files: dict[str, str] = {}  # the path of a source file to its name in a trace, "" for none
+_files: dict[str, str] = {}  # source path to name in a trace, or ""
 
 
 def caller(frame: FrameType) -> tuple[str, int]:

@@ -1,4 +1,4 @@
-"""A whole frame to be drawn again without Python: as display lists, and what no list can hold."""
+"""Replaying a whole frame without Python: display lists, and the calls that no list can hold."""
 
 from collections.abc import Callable
 
@@ -6,14 +6,15 @@ from landscape.gl.calls import gl, noting, replacing
 
 
 class Replay:
-    """A frame as display lists, with the changes of framebuffer between them.
+    """A frame as display lists, with the framebuffer changes between them.
 
-    A list cannot hold those: OpenGL executes glBindFramebuffer while it compiles a list, and a call
-    of the list does not repeat it. So a list ends before each one, and the next begins after it.
+    A list cannot hold those: OpenGL executes glBindFramebuffer at once, even while it compiles a
+    list, and calling the list does not repeat it. So a list ends before each such call, and the
+    next begins after it.
     """
 
     def __init__(self, draw: Callable[[], object]) -> None:
-        """Compile what ``draw`` calls; it must leave the framebuffer bound that it found."""
+        """Compile what ``draw`` calls; it must leave the same framebuffer bound as before."""
         self._names: list[int] = []
         self._steps: list[Callable[[], object]] = []
         with replacing("glBindFramebuffer", self._between) as self._bind:

@@ -1,4 +1,4 @@
-"""Scoped state: what a block changes is as before after it, even if it raises."""
+"""Scoped state: what a block changes is restored after it, even if it raises."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -20,9 +20,9 @@ def attrib(mask: int) -> Iterator[None]:
 
 @contextmanager
 def front_faces(only: bool = True) -> Iterator[None]:
-    """Let OpenGL leave out the block's triangles that turn their back to the viewer.
+    """Cull the block's triangles that face away from the viewer.
 
-    Of a closed thing none of them shows. With ``only`` false the block draws all.
+    On a closed mesh none of them is visible. With ``only`` false the block draws all triangles.
     """
     if only:
         gl.glEnable(gl.GL_CULL_FACE)

@@ -23,7 +23,7 @@ class Texture:
         (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE;
         ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic. Without ``trilinear`` only the
         nearer of two mip levels is sampled, which is a third cheaper. Without ``mipmaps`` there
-        are none: in those of an atlas, neighbouring pictures would bleed into each other.
+        are none: in the mip levels of an atlas, neighbouring pictures would bleed into each other.
         ``lod_bias`` is added to the mip level that OpenGL chooses; below 0 the texture is sharper
         (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
@@ -51,7 +51,7 @@ class Texture:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL, len(images) - 1)
         elif mipmaps:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, gl.GL_TRUE)
-        # By default every row must begin at a multiple of 4 bytes; those of RGB images may not.
+        # By default every row must begin at a multiple of 4 bytes; rows of RGB images may not.
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for level, image in enumerate(images):
             height, width, channels = image.shape

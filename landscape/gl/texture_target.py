@@ -1,8 +1,8 @@
 """A texture that can be drawn into: a framebuffer object whose colour is a texture.
 
-What glCopyTexSubImage2D did in 2006, without the copy; and it works beside a multisampled
-framebuffer, from which nothing can be copied. Needs EXT_framebuffer_object with
-EXT_packed_depth_stencil (2005; core in OpenGL 3.0) and textures of any size (OpenGL 2.0).
+It does what glCopyTexSubImage2D did in 2006, without the copy, and it also works beside a
+multisampled framebuffer, from which OpenGL cannot copy to a texture. Needs EXT_framebuffer_object
+with EXT_packed_depth_stencil (2005; core in OpenGL 3.0) and textures of any size (OpenGL 2.0).
 """
 
 from collections.abc import Iterator
@@ -48,7 +48,7 @@ class TextureTarget:
 
     @contextmanager
     def drawing(self) -> Iterator[None]:
-        """Let the block draw into the texture, cleared; then all is drawn where it was before."""
+        """Let the block draw into the cleared texture; then restore the previous framebuffer."""
         previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
         gl.glPushAttrib(gl.GL_VIEWPORT_BIT)
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)

@@ -37,7 +37,7 @@ class Seam:
 
 
 def seams(picture: np.ndarray) -> list[Seam]:
-    """Measure the seams of a tile (h, w, 3 or 4) between last and first column, and row."""
+    """Measure the seams of a tile (h, w, 3 or 4): last to first column, last to first row."""
     found = []
     values = picture.astype(np.int16)
     if values.shape[2] == 4:
@@ -149,7 +149,7 @@ def height_at(heights: np.ndarray, x: float, z: float, size: float) -> float:
 
 
 def open_edges(triangles: np.ndarray) -> int:
-    """Count the edges not used once in each direction; 0 is closed and consistently wound."""
+    """Count the edges not used once in each direction; 0 means closed and consistently wound."""
     t = triangles.astype(np.int64)
     pairs = np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]])
     n = int(t.max()) + 1

@@ -1,9 +1,9 @@
-"""Measuring: what a frame costs, and what of it is Python's doing (`landscape bench`).
+"""Measure what a frame costs, and how much of that is Python's share (`landscape bench`).
 
-A frame is measured in *layers*, times a full-screen, trilinear-filtered, EXP2-fogged textured quad
-of the same size; and against its *replay*, the same frame compiled into one display list and
-called, which is what OpenGL alone needs. Medians are taken. Every combination of states is drawn
-before it is timed: llvmpipe compiles code at its first use.
+The time of a frame is given in *layers*: one layer is the time of a full-screen, trilinear-filtered
+textured quad in EXP2 fog, of the same size. It is also compared with the frame's *replay*: the same
+frame compiled into display lists and called, which is what OpenGL alone needs. Medians are taken.
+Every combination of states is drawn before it is timed, as llvmpipe compiles code at first use.
 """
 
 import json
@@ -38,9 +38,9 @@ from landscape.scene import (
 from landscape.tools import bench_blades
 from landscape.tools.timing import Layer, in_turns
 
-STARTS = 3  # chosen: the first of one more start fills the disk caches
-RATE = 30.0  # chosen: frames a second at which the walker comes to a view that is timed
-LOOK = 30.0  # chosen: degrees per second he turns then
+STARTS = 3  # chosen: starts that count; one more comes first, to fill the disk caches
+RATE = 30.0  # chosen: frames per second at which the walker approaches a timed view
+LOOK = 30.0  # chosen: degrees per second by which the walker turns meanwhile
 
 _FIRST_FRAME = """
 import json, sys
@@ -93,17 +93,17 @@ def _kind(options: Options) -> Scene:
 
 
 def measure(options: Options, done: Callable[[str], None] = lambda name: None) -> dict[str, Any]:
-    """Measure all of the plan; return what `bench --json` prints. ``done`` hears of each step.
+    """Measure all that is asked for; return what `bench --json` prints; call ``done`` per step.
 
     - ``layer_ms``: the median time of one layer, measured between the frames.
-    - ``views``: ``frame_ms`` a whole frame, drawn as the walk draws it, the frame of a step before
-      having been drawn just then; ``replay_ms`` the same
-      frame as one display list; ``python_ms`` their difference, which is what Python, PyOpenGL and
-      sending the frame's arrays cost (noise can bring it below 0); ``python_tax`` their quotient;
-      ``layers`` frame_ms / layer_ms; ``gl_calls`` how many calls the program makes in it.
+    - ``views``, for each view: ``frame_ms``, a whole frame as in the walk, drawn just after the
+      frame one step before it; ``replay_ms``, the same frame as display lists; ``python_ms``, their
+      difference, which is what Python, PyOpenGL and sending the frame's arrays cost (noise can
+      bring it below 0); ``python_tax``, frame_ms / replay_ms; ``layers``, frame_ms / layer_ms;
+      ``gl_calls``, how many calls the program makes in the frame.
     - ``grass`` and ``ways``: see :mod:`landscape.tools.bench_blades`; empty for a scene without
       grass.
-    - ``startup_ms``: see :func:`measure_startup`; null where no start was asked for.
+    - ``startup_ms``: see :func:`measure_startup`; null if no start was asked for.
     """
     context = open_context(options.backend)
     try:
@@ -139,7 +139,7 @@ def _told(value: Any, name: str, done: Callable[[str], None]) -> Any:
 
 
 def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, Any]:
-    """Return ``layer_ms`` and ``views``; one open scene serves all its views of one setting."""
+    """Return ``layer_ms`` and ``views``; views with the same settings share one open scene."""
     groups: dict[tuple[str, Any], list[str]] = {}
     for name in dict.fromkeys(options.views):
         kind, view = find_view(name)
@@ -187,15 +187,15 @@ def _measure_group(
         for name in names:
             shown_here = set(kind.shown(views[name], options.only))
             draw = partial(draw_view, views[name], opened, shown_here, options)
-            draw()  # once makes what is made once
+            draw()  # the first frame makes what is made only once
             with recording() as recorder:
                 draw()
                 calls[name] = len(recorder.calls)
-            # A frame reads the camera's matrix back, and a list being compiled sets none: having
-            # just been drawn, the frame has left the very matrix that it will ask for.
+            # A frame reads the camera's matrix back, but compiling a list sets no matrix. The
+            # frame just drawn has left the very matrix that will be read.
             draw()
             lists.append(Replay(draw))
-            # A layer beside each view meets the same slow moments.
+            # A layer timed beside each view meets the same slow moments.
             actions |= {
                 f"{name} frame": draw,
                 f"{name} replay": lists[-1].call,
@@ -213,7 +213,7 @@ def _measure_group(
 def draw_view(
     view: View, opened: OpenScene, shown: set[str], options: Options, arriving: bool = False
 ) -> None:
-    """Draw one frame of a view of an open scene, or of the step before on the way there."""
+    """Draw one frame of a view of an open scene; if ``arriving``, the frame one step before."""
     opened.shown = shown
     values = opened.settings
     pose = placed(view.pose, opened, values.walk.eye)
@@ -249,10 +249,10 @@ def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, A
 
 
 def measure_startup(options: Options) -> float:
-    """Return the median time in milliseconds from the command to the first frame, drawn.
+    """Return the median time in milliseconds from the command to the first drawn frame.
 
-    Each is a process of its own: the interpreter, all imports, the context, building the scene,
-    one frame read back. One start more comes first and is not counted, so disk caches are warm.
+    Each start is a new process: the interpreter, all imports, the context, building the scene, one
+    frame read back. One more start comes first and is not counted, so that disk caches are warm.
     """
     asked = {
         "view": options.views[0] if options.views else _kind(options).start,
@@ -284,7 +284,7 @@ def measure_startup(options: Options) -> float:
 
 
 def report(result: Mapping[str, Any]) -> str:
-    """Write the figures as tables for people."""
+    """Return the results as tables of text."""
     width, height = result["size"]
     lines = [f"{result['renderer']}, {width}x{height}, preset {result['preset']}"]
     if result["views"]:

@@ -1,4 +1,4 @@
-"""What the grass costs: by number of blades, and in four ways from 2006 to today (bench_grass)."""
+"""The cost of the grass: by number of blades, and in four ways from 2006 on (bench_grass.py)."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -31,11 +31,11 @@ def measure_grass(
 ) -> dict[str, Any]:
     """Measure ``count`` blades where the grass is dense.
 
-    ``select_ms``: choosing what to draw, alone; ``draw_ms``: the whole of Grass.draw: bending in
-    the wind, sending and drawing what is chosen for a while; ``static_ms``: a display list of the
-    same blades, so draw_ms / static_ms is what the grass costs against standing still;
-    ``visible``: blades drawn.
-    Above 1,500,000 blades the land grows with them, so that they stand as thick as 200,000.
+    ``select_ms``: only selecting the blades to draw; ``draw_ms``: all of Grass.draw, that is,
+    bending in the wind, sending and drawing a selection that is kept for several frames;
+    ``static_ms``: a display list of the same blades, so draw_ms / static_ms compares moving grass
+    with motionless grass; ``visible``: blades drawn. Above 1,500,000 blades the land grows with
+    their number, so that they stand as densely as 200,000 on the island.
     """
     wider = 1.0 if count <= MOST_ON_ISLAND else float(np.sqrt(count / BLADES))
     values = replace(
@@ -78,7 +78,7 @@ def measure_grass(
 def measure_ways(
     values: Any, blade_count: int, size: tuple[int, int], assets: Assets, seed: int, rounds: int
 ) -> list[dict[str, Any]]:
-    """Draw the same blades in four ways, the report's first (see bench_grass).
+    """Draw the same blades in four ways, the report's first (see bench_grass.py).
 
     Returns for each its ``name``, the blades on the land (``count``), and the ``ms`` of a frame.
     """

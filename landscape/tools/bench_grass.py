@@ -4,11 +4,12 @@ All four show the same picture; what differs is who does the work, and how often
 
 - :class:`OneByOne`, as in 2006: a loop tests every blade of the land and sends what it keeps
   vertex by vertex (glBegin, glEnd). In C each call cost 12 ns; from Python it costs 400.
-- :class:`ClientArrays`: numpy tests and bends all blades at once, one glDrawElements sends them.
+- :class:`ClientArrays`: numpy tests all blades and bends the visible; one glDrawElements sends them.
 - :class:`VertexBuffer`: the same, but the driver gets the blades in a buffer object of OpenGL 1.5,
-  orphaned first, so that it need not wait for the frame before.
-- :class:`Compiled`: a display list of the blades that one frame shows. The fastest, as nothing is
-  chosen or bent again: good for one place and one gust of wind only. It is the floor.
+  orphaned first, so that it need not wait for the previous frame.
+- :class:`Compiled`: a display list of the blades that one frame shows. It is the fastest, because
+  nothing is selected or bent again, but it fits only one pose and one instant of wind: it gives the
+  lower bound.
 
 The island itself draws its grass cell by cell (elements/grass.py). State used: GL_TEXTURE_2D.
 """
@@ -39,7 +40,7 @@ from landscape.gl.texture import Texture
 
 @dataclass(frozen=True)
 class Blades:
-    """Places, float32 (n, 3), and still vertices, float32 (n, 5, 3), in units; ``radius`` drawn."""
+    """Positions (n, 3) and vertices without wind (n, 5, 3), float32 in units; ``radius`` shown."""
 
     positions: np.ndarray
     vertices: np.ndarray
@@ -87,7 +88,7 @@ def strip_indices(count: int) -> np.ndarray:
 
 @contextmanager
 def textured(texture: Texture) -> Iterator[None]:
-    """Draw the block's blades in the texture."""
+    """Draw the blades of the block with the texture."""
     with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
         gl.glEnable(gl.GL_TEXTURE_2D)
         texture.bind()
@@ -117,7 +118,7 @@ class OneByOne:
             for (x, y, z), corners in zip(self._positions, self._vertices, strict=True):
                 if (x - ex) ** 2 + (z - ez) ** 2 >= square or ax * x + ay * y + az * z >= -offset:
                     continue
-                # The plants' sway over five, as blade_wind.
+                # A fifth of the plants' sway, as in blade_wind.
                 dx = 0.05 * math.cos(kt / 10 - 1.2 * x - 0.744 * z) * self._scale_x / 5
                 dz = 0.03 * math.cos(kt / 9.6 - 1.44 * x) * self._scale_x / 5
                 gl.glBegin(gl.GL_TRIANGLE_STRIP)
@@ -133,7 +134,7 @@ class OneByOne:
 
 
 class ClientArrays:
-    """All blades tested and bent by numpy, sent from this program's memory each frame."""
+    """Blades tested and bent by numpy, sent from client memory each frame."""
 
     name = "client arrays"
 
@@ -181,7 +182,7 @@ class VertexBuffer:
             gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
             gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._names[0])
-            # New data of the same name: the driver keeps the old ones until their frame is done.
+            # New storage for the same name: the driver keeps the old one until its frame is done.
             gl.glBufferData(gl.GL_ARRAY_BUFFER, vertices.nbytes, vertices, gl.GL_STREAM_DRAW)
             gl.glVertexPointer(3, gl.GL_FLOAT, 0, None)
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._names[1])

@@ -12,7 +12,7 @@ from landscape.gl.context import BACKENDS
 PACKAGES = (
     "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs", "tqdm",
 )  # fmt: skip
-SECONDS = 60  # chosen: a backend that takes longer is taken to hang
+SECONDS = 60  # chosen: a backend that takes longer is considered to hang
 
 _PROBE = """
 import json, sys
@@ -49,7 +49,7 @@ def examine() -> dict[str, Any]:
 
 
 def probe(backend: str) -> dict[str, Any]:
-    """Open a context in another process and return ok, and renderer and version or a reason."""
+    """Open a context in another process; return ok, with renderer and version or a reason."""
     command = [sys.executable, "-c", _PROBE, backend]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)

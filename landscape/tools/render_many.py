@@ -36,8 +36,8 @@ def render_all(
 ) -> None:
     """Draw and save each job, then call ``done`` with its name; ``arguments`` are an Offscreen's.
 
-    After Ctrl-C, or when one job fails, jobs that have begun are finished and no other is started:
-    all files on the disk are whole.
+    After Ctrl-C, or when one job fails, jobs that have begun are finished and no more are started,
+    so all files on the disk are complete.
     """
     count = min(os.cpu_count() or 1, MOST_PROCESSES, len(jobs) // (FEWEST // 2))
     if count < 2:
@@ -66,7 +66,7 @@ def render_all(
 
 
 def _prepare(scenes: Mapping[str, str]) -> None:
-    """Know the same scenes, and leave Ctrl-C to the process that waits for the pictures."""
+    """Copy the list of scenes, and leave Ctrl-C to the process that waits for the pictures."""
     SCENES.update(scenes)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 

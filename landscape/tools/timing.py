@@ -1,7 +1,8 @@
-"""Timing what OpenGL draws: in turns, and against a layer of the same size.
+"""Timing what OpenGL draws: in turns, and relative to a full-screen layer of the same size.
 
-Milliseconds say little on a machine that does other things as well. What is compared is timed in
-turns, a round of each, so that a slow moment affects all of them. Every time ends in glFinish.
+Milliseconds say little on a machine that is also doing other things. So what is to be compared is
+timed in turns, one run of each per round, and a slow moment affects all of them. Every measurement
+ends with glFinish.
 """
 
 import time
@@ -16,7 +17,7 @@ from landscape.scene import SEED
 
 
 def timed(action: Callable[[], object]) -> float:
-    """Return how long ``action`` takes, in milliseconds, all drawing done before and after."""
+    """Return how long ``action`` takes in milliseconds, with glFinish before and after it."""
     gl.glFinish()
     start = time.perf_counter()
     action()
@@ -31,8 +32,8 @@ def in_turns(
 ) -> dict[str, list[float]]:
     """Time the actions one after the other, ``rounds`` times, each on a cleared target.
 
-    Returns the times of each in milliseconds. Each is run twice first. ``before`` holds what is
-    done, untimed, before an action each time.
+    Returns the times of each in milliseconds. Each is first run twice without being timed.
+    ``before`` maps the name of an action to what is done, untimed, before each run of it.
     """
     times: dict[str, list[float]] = {name: [] for name in actions}
     for turn in range(-2, rounds):
@@ -47,7 +48,7 @@ def in_turns(
 
 
 def clear() -> None:
-    """Clear what is drawn on."""
+    """Clear the colour, depth and stencil buffers."""
     gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
 
 

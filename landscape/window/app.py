@@ -1,7 +1,7 @@
 """The window: the frame loop, from input to a picture on the screen.
 
-Every frame is a :class:`Tick`, live or from a recording, and nothing else moves the walk. So a
-recorded walk is reproduced to the pixel.
+Every frame advances the walk by one :class:`Tick`, live or from a recording. Nothing else does, so
+a replay reproduces a recorded walk to the pixel.
 """
 
 import os
@@ -30,15 +30,15 @@ from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer, read
 from landscape.window.walker import advance, aimed, start
 
 SIZE = (1280, 720)  # chosen: window coordinates
-SHOWN = 2.0  # seconds a message stays
-FADE = 0.5  # chosen: seconds at their end in which it fades out
-REST = 0.05  # chosen: seconds between looks at a window that shows nothing
+SHOWN = 2.0  # seconds for which a message is shown
+FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
+REST = 0.05  # chosen: seconds between checks of a window that is minimised or has no area
 
 
 class Walk:
     """A window, a scene in it, and the walker; use as ``with Walk(...) as walk``.
 
-    ``backend`` "osmesa" needs no screen: GLFW's null platform, drawn into memory.
+    The backend "osmesa" needs no screen: it uses GLFW's null platform and renders into memory.
     """
 
     def __init__(
@@ -156,7 +156,7 @@ class Walk:
         return tick
 
     def _obey(self, order: str) -> None:
-        """Carry out an order to the window, which recordings leave out."""
+        """Carry out an order to the window; recordings do not contain orders."""
         if order == "quit":
             glfw.set_window_should_close(self.window, True)
         elif order == "screenshot":
@@ -235,7 +235,7 @@ class Walk:
             former.release()
 
     def _switch_fix(self, name: str) -> None:
-        """Choose the next fix, or turn the chosen one on or off; say what is chosen and set."""
+        """Choose the next fix, or turn the chosen one on or off; then show its name and state."""
         if name == "next_fix":
             self._fix = (self._fix + 1) % len(self._kind.fixes)
         fix = self._kind.fixes[self._fix]
@@ -266,7 +266,7 @@ class Walk:
         return read_pixels(self._size)
 
     def present(self) -> None:
-        """Show the frame, after saving it if asked to; show the frame rate in the title."""
+        """Save the frame if asked to, then show it; update the frame rate in the title."""
         if self._shoot:
             self._shoot = False
             self._note = self._save()
@@ -311,7 +311,7 @@ def run(
     writer: Writer | None = None,
     frames: int | None = None,
 ) -> int:
-    """Walk live, or through ``ticks``, for at most ``frames``; return how many were drawn."""
+    """Walk live or replay ``ticks``, for at most ``frames`` frames; return how many were drawn."""
     drawn = 0
     while frames is None or drawn < frames:
         if walk.resting():
@@ -351,9 +351,9 @@ def walk(
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
-    Of ``view`` only the scene, the place and kt count: its switches are for stills. A replay takes
-    everything but ``assets``, ``backend``, ``fullscreen`` and ``frames`` from its file. Raises
-    InputError and NoOpenGLError.
+    Only the scene, the pose and kt are taken from ``view``; the rest of it is for stills. A replay
+    takes everything except ``assets``, ``backend``, ``fullscreen`` and ``frames`` from its file.
+    Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
         raise InputError("--backend egl: it opens no window; expected auto, glfw or osmesa")
@@ -382,7 +382,7 @@ def walk(
         with Walk(plan, assets, backend, fullscreen) as opened:
             run(opened, ticks, writer, frames)
     finally:
-        # After Ctrl-C or an error the recording so far shows what led to it.
+        # After Ctrl-C or an error, the recording up to then shows what led to it.
         kept = writer is not None and writer.finish()
     if kept and not quiet:
         print(record)

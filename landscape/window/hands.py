@@ -1,4 +1,4 @@
-"""What keyboard and mouse report between two frames, turned into what the walker intends."""
+"""Collect keyboard and mouse input between two frames and turn it into the walker's intent."""
 
 from collections.abc import Iterable
 
@@ -19,7 +19,7 @@ from landscape.window.keys import (
 )
 from landscape.window.walker import Intent
 
-JUMP = 200.0  # chosen: pixels; larger motions between two reports are the pointer being moved
+JUMP = 200.0  # chosen: pixels; a larger motion between two reports is a pointer jump: clamped
 
 
 class Hands:
@@ -67,12 +67,12 @@ class Hands:
         self._last = x, y
 
     def capture(self, captured: bool) -> None:
-        """Start or stop looking by the mouse; the first motion afterwards is dropped."""
+        """Start or stop mouse look; the first motion afterwards is dropped."""
         self.captured = captured
         self._last = None
 
     def focus(self, focused: bool) -> None:
-        """Release all keys when another window gets the focus: no release would be reported."""
+        """Release all keys when the focus is lost, as their release would not be reported."""
         self._last = None
         if not focused:
             self._held.clear()
@@ -82,7 +82,7 @@ class Hands:
                 self.orders.append("release")
 
     def take(self) -> tuple[Intent, tuple[str, ...]]:
-        """Return what was asked for since the last call: the intent, and names of switches."""
+        """Return the intent since the last call, and the names of the switches pressed."""
         down = self._held | self._tapped  # a key tapped between two slow frames counts as well
 
         def pair(plus: Iterable[int], minus: Iterable[int]) -> float:
@@ -97,7 +97,7 @@ class Hands:
             look=(self._look[0], self._look[1]),
             run=not down.isdisjoint(RUN),
             strike="strike" in switches,
-            # Pressed twice within a frame cancels out.
+            # Two presses within a frame cancel out.
             fly=switches.count("fly") % 2 == 1,
         )
         self._tapped, self._switches, self._look = set(), [], [0.0, 0.0]

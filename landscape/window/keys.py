@@ -1,7 +1,7 @@
-"""The keys of the walk: one table of what each does, how its label reads, and its help text.
+"""The key bindings of the walk: one table of what each key does, its label and its help text.
 
-Keys are positions on the keyboard, by GLFW's codes, which are named after a US keyboard: KEY_W is
-the Z of an AZERTY one. The help text of a binding is ``help.ACTION`` in words.py.
+Keys are positions on the keyboard. GLFW names its key codes after the US layout: KEY_W is the key
+labelled Z on an AZERTY keyboard. The help text of a binding is ``help.ACTION`` in words.py.
 """
 
 from dataclasses import dataclass
@@ -19,8 +19,9 @@ HELD, SWITCH, ORDER = "held", "switch", "order"
 class Binding:
     """Keys and what they do.
 
-    ``kind`` is "held" (acts while it is down), "switch" (acts on the walk, so recordings keep it)
-    or "order" (acts on the window). A switch of a setting names its dotted key.
+    ``kind`` is "held" (acts while a key is down), "switch" (acts on the walk, so recordings keep
+    it) or "order" (acts on the window). ``setting`` is the dotted key of the setting that a switch
+    toggles.
     """
 
     action: str
@@ -71,7 +72,7 @@ NAMED_KEYS = {
 
 
 def available(settings: Any, fixes: bool) -> tuple[Binding, ...]:
-    """Return the bindings that a scene with these settings, with or without fixes, can answer."""
+    """Return the bindings that work in a scene with these settings, with or without fixes."""
     known = keys.fields(type(settings))
     return tuple(
         binding
@@ -85,6 +86,6 @@ def key_label(key: int, language: str) -> str:
     """Return what the user's keyboard prints on a key; GLFW must be running."""
     if key in NAMED_KEYS:
         return words.text(language, NAMED_KEYS[key])
-    # GLFW's codes of letters are those of ASCII.
+    # GLFW's key codes of letters are their ASCII codes.
     printed = (glfw.get_key_name(key, 0) or chr(key)).strip()
     return printed.upper() if len(printed.upper()) == 1 else printed

@@ -1,8 +1,8 @@
-"""The panel: text over the picture, a list of keys and a line for messages.
+"""The panel: text over the picture, namely a list of keys and a line for messages.
 
-Not in the report. Technique: Pillow writes the text into an image, which becomes a texture of
-sides that are powers of two; one blended quad shows it texel for pixel under a glOrtho of the
-window's size.
+Not in the report. Technique: Pillow draws the text into an image, which becomes a texture with
+power-of-two sides. One blended quad shows it at one texel per pixel, under a glOrtho projection of
+the window's size.
 State used: both matrices, GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 """
 
@@ -18,10 +18,8 @@ from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture import Texture
 
-ELEMENT = "panel"
-
 FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
-SMALLEST = 8  # chosen: pixels per line of text; smaller is unreadable
+SMALLEST = 8  # chosen: font size in pixels; smaller text is unreadable
 LINES = 34  # chosen: lines of text that fill the window's height
 PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white text over white clouds
 WORDS, KEYS, TITLE = (240, 240, 235), (255, 214, 120), (255, 255, 255)  # chosen: RGB
@@ -39,7 +37,7 @@ def font(size: int) -> Any:
 
 
 def writable(text: str, face: Any) -> str:
-    """Return the text with characters the font lacks replaced: without accents, or by "?"."""
+    """Return the text; characters that the font lacks lose their accents or become "?"."""
     missing = bytes(face.getmask("\uffff"))
 
     def known(character: str) -> str:
@@ -99,7 +97,7 @@ def line_image(text: str, size: tuple[int, int]) -> np.ndarray:
 
 
 def padded(image: np.ndarray) -> np.ndarray:
-    """Return the image (h, w, 4) padded at right and bottom to sides that are powers of two."""
+    """Return the image (h, w, 4) padded at the right and bottom to power-of-two sides."""
     h, w = (1 << (side - 1).bit_length() for side in image.shape[:2])
     canvas = np.zeros((h, w, 4), np.uint8)
     canvas[: image.shape[0], : image.shape[1]] = image
@@ -142,7 +140,7 @@ class Panel:
     """The list of keys in the middle of the window, the message at its lower edge."""
 
     def __init__(self, title: str, rows: Sequence[tuple[str, str]]) -> None:
-        """Keep the text; textures are made when first shown, and again for another size."""
+        """Keep the text; textures are made when first shown, and again when the size changes."""
         self._title, self._rows = title, list(rows)
         self._keys: Plate | None = None
         self._line: Plate | None = None

@@ -1,9 +1,9 @@
 """Recorded walks: a JSON Lines file from which a walk is replayed, pixel for pixel.
 
-The first line is the plan (format version, settings, seed, view, size, ...); then comes a line a
-frame: its length in seconds and what the user asked for, and only what differs from the default;
-the last line counts the frames, so that a truncated file is known as such. Floats are written in
-full. Assets are not kept: a walk over one's own island needs the same ``--assets`` again.
+The first line is the plan: format version, settings, seed, view, size and so on. Then comes one
+line per frame: its length in seconds, and whatever input differs from the default. The last line
+has the number of frames, so that a truncated file is detected. Floats are written with full
+precision. Assets are not stored: replaying a walk on your own island needs the same ``--assets``.
 """
 
 import json
@@ -22,7 +22,7 @@ from landscape.scene import scene
 from landscape.window.walker import Intent
 
 VERSION = 1
-MAX_SECONDS = 1.0  # chosen: a longer frame (a suspended machine) counts as this
+MAX_SECONDS = 1.0  # chosen: a longer frame (after the machine was suspended) counts as this
 MAX_SIDE = 16384  # pixels, as on the command line
 ACTIONS = (
     "map",
@@ -60,7 +60,7 @@ class Plan:
 class Tick:
     """One frame of a walk: its length, what was asked for, and the window's size in pixels.
 
-    ``actions`` are some of ACTIONS; ``note`` is a message that no action explains.
+    ``actions`` are some of ACTIONS; ``note`` is a message that does not come from an action.
     """
 
     seconds: float
@@ -194,7 +194,7 @@ def _object(path: Path, number: int, line: str) -> dict[str, Any]:
     except (ValueError, RecursionError):
         value = None
     if not isinstance(value, dict):
-        raise InputError(f"{path}:{number}: expected a JSON object a line, as --record writes")
+        raise InputError(f"{path}:{number}: expected one JSON object per line, as --record writes")
     return value
 
 

@@ -1,9 +1,10 @@
 """The walker: where the eye stands and how it moves (Position in 2006, section 8.2). No OpenGL.
 
 The report moves the walker a fixed dL per key event: x += dL sin(yaw), z -= dL cos(yaw) plus
-0.0005 cos(step/4), eye = height(x, z) + 0.006 cos(step/3) + 0.1. Here the same is said per second,
-so that it does not depend on the frame rate, and the walker minds the map's border and the castle.
-A :class:`Walker` is a plain value: :func:`advance` makes the next one from what the user asks for.
+0.0005 cos(step/4), eye = height(x, z) + 0.006 cos(step/3) + 0.1. Here speeds are per second, so
+that the motion does not depend on the frame rate, and the walker stops at the map's border and at
+obstacles such as the castle. A :class:`Walker` is a plain value: :func:`advance` returns the next
+one from the user's input.
 """
 
 import math
@@ -19,7 +20,7 @@ from landscape.scene import Terrain
 RADIUS = 0.05  # chosen: units, half the walker's width; 2.5 times the near plane's distance
 MARGIN = 0.1  # chosen: units kept from the map's border
 STRIDE = 0.02  # chosen: units, the longest step near a wall; far less than a wall's thickness
-WANDER = 0.0005  # section 8.2: units a step drifts to the north, times cos(step / 4)
+WANDER = 0.0005  # section 8.2: units of drift to the north per step, times cos(step / 4)
 FLY = 2.0  # chosen: times the walking speed
 FLOOR = 0.05  # chosen: units a flying eye keeps above the ground, the water and obstacles
 FALL = 6.0  # chosen: units per second, falling after a flight
@@ -32,8 +33,8 @@ class Intent:
     """What the user asks for in one frame.
 
     ``forward``, ``right``, ``up`` and ``turn`` (to the right) are -1 to 1; ``look`` is how far the
-    mouse went, pixels to the right and down. ``strike`` and ``fly`` are events: the sword's stroke
-    begins, flying begins or ends.
+    mouse moved, in pixels right and down. ``strike`` and ``fly`` are events: a stroke of the sword
+    begins; flying begins or ends.
     """
 
     forward: float = 0.0
@@ -50,8 +51,8 @@ class Intent:
 class Walker:
     """The eye's position in units, yaw and pitch in degrees, and the state of the body.
 
-    ``step`` is the report's k_step; ``drop`` the height in units still to fall after a flight;
-    ``stroke`` is 0 at rest and 1 to 4 in a stroke of the sword, ``struck`` kt ago.
+    ``step`` is the report's k_step; ``drop`` is the height in units still to fall after a flight;
+    ``stroke`` is 0 at rest and 1 to 4 during a stroke of the sword, which began ``struck`` kt ago.
     """
 
     x: float
@@ -79,7 +80,7 @@ def _gap(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, floa
 def push_out(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, float]:
     """Return the point nearest to x, z, in units, where the walker touches no obstacle.
 
-    Where a wall meets a tower each push may lead into the other: eight come close enough.
+    Where a wall meets a tower, a push out of one may lead into the other; eight are enough.
     """
     for _ in range(8):
         gap, nx, nz = _gap(x, z, obstacles)
@@ -94,9 +95,9 @@ def aimed(
 ) -> tuple[float, float]:
     """Return the look, in pixels right and down, that turns the view to where the cursor points.
 
-    In 2006 the mouse's place set the rotation (R13): here the window's width is SWEEP degrees of
-    yaw with north in its middle, its height as many of pitch as fit. ``cursor`` and ``size`` are in
-    pixels, ``mouse`` in degrees per pixel.
+    In 2006 the position of the mouse set the rotation (R13). Here the window's width covers SWEEP
+    degrees of yaw, with north in the middle, and its height covers the whole range of pitch.
+    ``cursor`` and ``size`` are in pixels, ``mouse`` in degrees per pixel.
     """
     if mouse <= 0.0 or 0 in size:
         return 0.0, 0.0
@@ -108,7 +109,7 @@ def aimed(
 
 
 def start(pose: Pose, ground: Terrain, settings: Any) -> Walker:
-    """Return a walker at a pose; one well above eye height flies. A pose without y walks."""
+    """Return a walker at a pose: flying if well above eye height, else (or with no y) on foot."""
     y = at_eye = float(ground.height(pose.x, pose.z)) + settings.walk.eye
     flying = pose.y is not None and pose.y > at_eye + settings.walk.bob + FLOOR
     if flying:
@@ -131,7 +132,7 @@ def advance(
     walker = _strike(walker, intent, seconds * settings.clock.kt_per_second, settings)
     turned = intent.turn * walk.turn * seconds + intent.look[0] * walk.mouse
     pitch = walker.pitch - intent.look[1] * walk.mouse
-    # On a curve, the heading half-way through the frame depends least on the frame rate.
+    # In a turn, the heading half-way through the frame makes the path depend least on its length.
     heading = walker.yaw + turned / 2
     walker = replace(
         walker,
@@ -218,7 +219,7 @@ def _walk(
         # Far from obstacles the rest is one move; near them no move is longer than STRIDE.
         stride = min(left, max(_gap(x, z, obstacles)[0] - RADIUS, STRIDE))
         after = step + stride * settings.walk.steps_per_unit
-        # The report's small term, summed over the steps of this move.
+        # The report's small drift term, summed over the steps of this move.
         drift = 4 * WANDER * (math.sin(after / 4) - math.sin(step / 4))
         to = x + stride * ux, z + stride * uz - drift
         there = _reachable((x, z), to, ground, solid)

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 TEXTS: dict[str, dict[str, str]] = {
     "en": {
         "help.title": "Keys",
-        "help.walk": "walk (arrows up and down as well)",
+        "help.walk": "walk (or the up and down arrows)",
         "help.turn": "turn (or click, then move the mouse)",
         "help.escape": "release the mouse; again to quit",
         "help.run": "run",
@@ -50,16 +50,16 @@ TEXTS: dict[str, dict[str, str]] = {
         "fix.off": "off",
         "saved": "{name} saved",
         "not_saved": "the screenshot could not be saved here",
-        "no_monitor": "no full screen here",
+        "no_monitor": "full screen is not available here",
     },
     "fr": {
         "help.title": "Touches",
         "help.walk": "marcher (ou flèches haut et bas)",
         "help.turn": "tourner (ou cliquer, puis bouger la souris)",
-        "help.escape": "libérer la souris ; encore une fois : quitter",
+        "help.escape": "libérer la souris, puis quitter",
         "help.run": "courir",
-        "help.strike": "coup d'épée (ou bouton gauche)",
-        "help.fly": "voler, ou marcher de nouveau",
+        "help.strike": "donner un coup d'épée (ou clic gauche)",
+        "help.fly": "voler, ou revenir au sol",
         "help.up_down": "monter et descendre en vol",
         "help.map": "carte",
         "help.wireframe": "fil de fer",
@@ -70,7 +70,7 @@ TEXTS: dict[str, dict[str, str]] = {
         "help.fix": "activer ou désactiver la correction",
         "help.fullscreen": "plein écran",
         "help.screenshot": "enregistrer une capture d'écran",
-        "help.help": "ces touches",
+        "help.help": "afficher cette liste",
         "key.up": "Haut",
         "key.down": "Bas",
         "key.left": "Gauche",
@@ -80,11 +80,11 @@ TEXTS: dict[str, dict[str, str]] = {
         "key.page_down": "Page suiv.",
         "key.left_shift": "Maj",
         "key.escape": "Échap",
-        "hint": "{letter} : touches",
+        "hint": "{letter}\u00a0: touches",
         "fly.on": "en vol",
         "fly.off": "à pied",
         "map.on": "carte affichée",
-        "map.off": "carte cachée",
+        "map.off": "carte masquée",
         "wireframe.on": "fil de fer",
         "wireframe.off": "faces pleines",
         "fog.on": "avec brouillard",
@@ -93,11 +93,11 @@ TEXTS: dict[str, dict[str, str]] = {
         "reflection.off": "sans reflet",
         "sorting.on": "arbres triés",
         "sorting.off": "arbres non triés",
-        "fix.on": "activé",
-        "fix.off": "désactivé",
+        "fix.on": "activée",
+        "fix.off": "désactivée",
         "saved": "{name} enregistré",
-        "not_saved": "l'image ne peut être enregistrée ici",
-        "no_monitor": "pas de plein écran ici",
+        "not_saved": "impossible d'enregistrer la capture d'écran ici",
+        "no_monitor": "plein écran indisponible ici",
     },
 }
 
@@ -105,7 +105,7 @@ TEXTS: dict[str, dict[str, str]] = {
 def language(environment: Mapping[str, str]) -> str:
     """Return the first language the environment asks for that TEXTS has, else "en".
 
-    LANGUAGE may list several, best first; else LC_ALL, LC_MESSAGES and LANG count, in this order.
+    LANGUAGE may list several, preferred first; then LC_ALL, LC_MESSAGES and LANG, in this order.
     """
     wanted = environment.get("LANGUAGE", "").split(":")
     locale = next(
@@ -119,6 +119,6 @@ def language(environment: Mapping[str, str]) -> str:
 
 
 def text(language: str, key: str, **words: str) -> str:
-    """Return a text in a language, or in English where it has none; ``words`` fill its {names}."""
+    """Return a text in a language, else in English; ``words`` fill its {placeholders}."""
     table = TEXTS.get(language, {})
     return table.get(key, TEXTS["en"][key]).format(**words)

@@ -98,7 +98,7 @@ class FineAnimal(Animal):
         return x, mirrored_height(y, self._settings.water.level) if frame.mirrored else y, z
 
     def visible(self, frame: Frame) -> bool:
-        """Return whether the ball round the mesh, mirrored if the frame is, meets the view."""
+        """Return whether the ball around the mesh, mirrored if the frame is, meets the view."""
         return ball_in_view(frame, self._middle(frame), self._reach)
 
     def draw(self, frame: Frame) -> None:

@@ -19,8 +19,6 @@ from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import gl
 from landscape.settings import Settings
 
-ELEMENT = "dragon"
-
 SHININESS = 40.0  # chosen: wet scales
 
 
@@ -33,8 +31,6 @@ def dragon_class(settings: Settings) -> type[Dragon] | type["FineDragon"]:
 
 class FineDragon(FineAnimal):
     """The dragon, its water line at the water's level."""
-
-    elements = (ELEMENT,)
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the mesh and its colours, make its levels and sink it to its water line."""

@@ -12,8 +12,6 @@ from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
 from landscape.settings import Settings
 
-ELEMENT = "rabbit"
-
 
 def rabbit_class(settings: Settings) -> type[Rabbit] | type["FineRabbit"]:
     """Return the class whose rabbit these settings describe."""
@@ -24,8 +22,6 @@ def rabbit_class(settings: Settings) -> type[Rabbit] | type["FineRabbit"]:
 
 class FineRabbit(FineAnimal):
     """The rabbit, on the ground."""
-
-    elements = (ELEMENT,)
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the mesh and its colours, make its levels and stand it on the ground."""

@@ -17,7 +17,7 @@ from landscape.frame import Frame
 NEAR = 0.28  # chosen: units within which, with grass.fade, every blade of a dense meadow is drawn
 DENSE = 3_600.0  # chosen: blades on a square unit; 1,500,000 on the island
 SPARSE = 0.4  # chosen: in one with k times fewer blades it is k**SPARSE as far
-WIDENING = 0.5  # chosen: blades that are drawn k times as far off are k**WIDENING as wide
+WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDENING as wide
 FOOT = 0.75  # chosen: brightness of a tinted blade at its foot, times the ground's
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: what tall grass has more of the ground's colour
 SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # of a blade's feet and shoulders
@@ -44,7 +44,7 @@ def nearness(density: float) -> float:
 
 
 def thinned_ranges(count: int, near: float, radius: float) -> np.ndarray:
-    """Return how far off each of a cell's blades is drawn, (count,) in 0..1 times ``radius``.
+    """Return how far away each of a cell's blades is drawn, (count,) in 0..1 times ``radius``.
 
     All up to ``near`` units; beyond, as many as keep the number per pixel the same: the fraction
     left at distance d is (near / d) squared. The blades drawn from farthest off come first.

@@ -1,4 +1,4 @@
-"""The meadow of the preset best: grass in tufts, tinted, turned to the viewer, thinned out far off.
+"""The meadow of `best`: grass in tufts, tinted, turned to the viewer, thinned out far away.
 
 Techniques, on the blades of ``elements/grass.py``, still sent by one glDrawElements:
 
@@ -41,8 +41,6 @@ from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
-
-ELEMENT = "grass"
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
@@ -122,7 +120,7 @@ class Meadow:
         return is_near(self._chosen_for, frame, margin, angle)
 
     def bend(self, frame: Frame, patch: Patch) -> np.ndarray:
-        """Return a patch's vertices, float32 (n, 5, 3), in the wind, turned, and sunk far off.
+        """Return a patch's vertices, float32 (n, 5, 3), in the wind, turned, and sunk far away.
 
         Without facing and fade they are those of the plain :func:`grass.bent`.
         """
@@ -169,7 +167,7 @@ class Meadow:
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def apply(self, settings: Settings) -> bool:
-        """Take new settings; False, and nothing changes, if they need the blades grown anew."""
+        """Take new settings; False, and nothing changes, if they need the blades regrown."""
         if built_from(settings) != self._built_from:
             return False
         self._settings, self._chosen = settings, None

@@ -22,8 +22,6 @@ from landscape.gl.state import attrib, combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "castle"
-
 GATE_CORNERS = ((1.0, 0.0), (0.0, 0.0), (0.0, 1.0), (1.0, 1.0))  # x, y, in the order of the bricks
 MIX = {
     "COMBINE_RGB": "INTERPOLATE",

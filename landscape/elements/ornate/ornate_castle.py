@@ -31,8 +31,6 @@ from landscape.gl.state import combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "castle"
-
 REACH = 1.8  # chosen: radius of the ball about the middle of the walls that holds the castle
 SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
@@ -110,7 +108,7 @@ class OrnateCastle(CastleInOnePass):
         return ornate_outlines(step)
 
     def visible(self, frame: Frame) -> bool:
-        """Return whether the ball round the castle, mirrored if the frame is, meets the view."""
+        """Return whether the ball around the castle, mirrored if the frame is, meets the view."""
         x, y, z = self.base[0], self.base[1] + 0.5, self.base[2]
         if frame.mirrored:
             y = mirrored_height(y, self._settings.water.level)

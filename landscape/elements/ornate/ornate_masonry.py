@@ -39,7 +39,7 @@ def revolved_strips(segments: int, sides: int, first: int = 0) -> list[np.ndarra
 
 
 def belt(low: float, high: float, out: float, gate: tuple[float, float]) -> np.ndarray:
-    """Return a band round the four walls as quads (n, 4, 3): its face, a slope above, an underside.
+    """Return a band around the walls as quads (n, 4, 3): its face, a slope above, an underside.
 
     The gate wall has none between the two x of ``gate``.
     """
@@ -59,7 +59,7 @@ def belt(low: float, high: float, out: float, gate: tuple[float, float]) -> np.n
 
 
 def ring_of_merlons(radius: float, base: float, count: int) -> np.ndarray:
-    """Return battlements round a tower about the y axis, quads (n, 4, 3)."""
+    """Return battlements around a tower about the y axis, quads (n, 4, 3)."""
     quads = []
     inner, top, half = radius - 0.035, base + 0.8 * MERLON, 0.29 * 2 * np.pi / count
     for middle in 2 * np.pi * np.arange(count) / count:

@@ -8,8 +8,6 @@ import numpy as np
 from landscape.elements.ornate.roofs import MASTS
 from landscape.gl.calls import gl
 
-ELEMENT = "castle"
-
 PENNANT = (0.75, 0.12, 0.10)  # chosen
 # A strip has six pairs of vertices; its slope at a pair is measured between these two pairs.
 BEFORE, AFTER = np.array([0, 0, 1, 2, 3, 4]), np.array([1, 2, 3, 4, 5, 5])

@@ -1,1 +1,1 @@
-"""Beyond the water of 2006: a grid about the eye, waves, a rippling reflection, glitter, foam."""
+"""Beyond the water of 2006: a grid around the eye, waves, a rippling reflection, glitter, foam."""

@@ -1,7 +1,7 @@
-"""The sea's grid: laid out about the eye, in equal steps of angle. No OpenGL here.
+"""The sea's grid: laid out around the eye, in equal steps of angle. No OpenGL here.
 
 A grid of equal cells on the map is too coarse at the viewer's feet and too fine at the horizon. The
-lines of this one are equal steps of azimuth and of the angle below the horizon, as the eye sees
+lines of this one are at equal steps of azimuth and of the angle below the horizon, as the eye sees
 them: cells are about equally large on the screen, and almost nothing out of view is sent.
 """
 
@@ -15,13 +15,13 @@ from landscape.geometry.mesh import grid_triangles
 AZIMUTH_STEP = np.radians(2.0)  # chosen: angle between two lines of the grid, across
 DEPRESSION_STEP = np.radians(0.6)  # chosen: and downwards
 MAX_LINES = 160  # chosen: lines across, and downwards; wider views take steps twice as large
-BELOW_WINDOW = 0.06  # chosen: radians that the grid goes on below the window, as troughs sink
-MIN_HEIGHT = 0.02  # chosen: units above the water, the lowest eye that a grid is made for
+BELOW_WINDOW = 0.06  # chosen: radians that the grid extends below the window, for wave troughs
+MIN_HEIGHT = 0.02  # chosen: units above the water of the lowest eye that a grid is made for
 
 
 @lru_cache(maxsize=16)
 def triangles_of(columns: int, rows: int) -> np.ndarray:
-    """Return the triangles of a grid, uint32 (m, 3), row 0 first; kept, as few sizes occur."""
+    """Return the triangles of a grid, uint32 (m, 3), row 0 first; cached, as few sizes occur."""
     return grid_triangles(columns, rows)
 
 
@@ -49,7 +49,7 @@ def view_angles(frame: Frame) -> tuple[float, float, float, float] | None:
     if not below.any():
         return None
     first = max(float(depression.min()), 0.0)
-    if pitch - np.radians(frame.fov) / 2 <= -np.pi / 2:  # the window shows the eye's own foot point
+    if pitch - np.radians(frame.fov) / 2 <= -np.pi / 2:  # the window shows the point below the eye
         return yaw - np.pi, yaw + np.pi, first, np.pi / 2
     around = np.arctan2(a, ahead)[depression > -0.05]
     last = float(depression.max())
@@ -85,17 +85,17 @@ def eye_grid(frame: Frame, level: float, reach: float) -> "EyeGrid | None":
 
 
 class EyeGrid:
-    """A grid on the water about the eye: rows are rings, far to near, columns are directions.
+    """A grid on the water around the eye: rows are rings, far to near, columns are directions.
 
     ``height`` is that of the eye above the water; ``x`` and ``z``, float32 (rows, columns), are the
-    vertices' places in units; ``ring`` (rows,) the rings' radii and ``cell`` (rows,) the distance
-    to the next ring; ``east`` and ``south`` (columns,) the directions as unit vectors.
+    vertices' positions in units; ``ring`` (rows,) the rings' radii and ``cell`` (rows,) the
+    distance to the next ring; ``east`` and ``south`` (columns,) the directions as unit vectors.
     """
 
     def __init__(
         self, frame: Frame, height: float, azimuth: np.ndarray, depression: np.ndarray, step: float
     ) -> None:
-        """Lay out the grid; both angles in radians, ``step`` that between two depressions."""
+        """Lay out the grid; both angles in radians; ``step`` is that between two depressions."""
         self.height = height
         self.east = np.sin(azimuth).astype(np.float32)
         self.south = -np.cos(azimuth).astype(np.float32)

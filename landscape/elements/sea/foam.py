@@ -19,11 +19,9 @@ from landscape.gl.state import attrib, client_arrays, combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "water"
-
 DEEP = 0.11  # chosen: units of depth where a breaker begins
-LAND = 0.012  # chosen: units above the water that it runs up to
-BREAKERS = 2  # chosen: breakers on their way at any moment
+LAND = 0.012  # chosen: height it runs up to, in units above the water
+BREAKERS = 2  # chosen: breakers under way at any moment
 PERIOD = 150.0  # chosen: kt that one breaker takes
 PROFILE = (256, 128)  # chosen: texels of the breakers' texture, times and depths
 LACE = 256  # chosen: texels per side of the lace
@@ -54,7 +52,7 @@ def breakers(times: int, depths: int) -> np.ndarray:
 def lace(size: int = LACE, seed: int = 2006) -> np.ndarray:
     """Return a tile of lace, (size, size) in 0..0.5: bright threads between round holes.
 
-    The zero lines of smooth noise: two layers, each noise of about one wavelength.
+    The zero crossings of smooth noise, in two layers of about one wavelength each.
     """
     noise = np.random.default_rng(seed).standard_normal((2, size, size))
     k = np.hypot(*np.meshgrid(*[np.fft.fftfreq(size) * size] * 2))
@@ -122,7 +120,7 @@ class Foam:
         self._list = DisplayList(send)
 
     def apply(self, settings: Settings) -> bool:
-        """Return whether the foam lies right by new settings too: at the same water level."""
+        """Return whether the foam is also right for new settings: at the same water level."""
         return settings.water.level == self._level
 
     def draw(self, frame: Frame) -> None:

@@ -1,7 +1,7 @@
-"""The sun's glints on the sea: sharp sparks, where specular light makes milky spots.
+"""The sun's glints on the sea: sharp sparks, where specular lighting would make milky spots.
 
 Technique: a second, additive pass (GL_SRC_ALPHA, GL_ONE) over the part of the grid that may mirror
-the sun. The alpha of a vertex tells how near the water's slope there comes to the one that mirrors
+the sun. The alpha of a vertex says how close the water's slope there is to the one that mirrors
 the sun to the eye; two texture units add sparks that drift against each other, and the combiner
 keeps only the peaks of the sum (GL_ADD, then GL_ADD_SIGNED with GL_ALPHA_SCALE 4; OpenGL 1.3):
 dense in the middle of the sun's path, single sparks at its borders, twinkling with kt.
@@ -19,10 +19,8 @@ from landscape.gl.state import attrib, client_arrays, combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "water"
-
 SPREAD = 0.15  # chosen: standard deviation of the slopes of ripples too small for the grid
-FAINT = 0.22  # chosen: intensity of the sun under which even the strongest sparks stay dark
+FAINT = 0.22  # chosen: intensity of the sun below which even the strongest sparks stay dark
 PEAK = 0.42  # chosen: alpha in the middle of the path
 TILES = (2.6, 3.7)  # chosen: tiles of sparks per unit, by layer
 DRIFT = (0.0031, -0.0043)  # chosen: tiles per kt
@@ -46,8 +44,9 @@ def sun_intensity(
 ) -> np.ndarray:
     """Return 0..1, (rows, columns): how strongly each place mirrors the sun to the eye.
 
-    ``towards`` (3,) is the direction of the sun. The normal that mirrors it lies half-way between
-    the sun and the line of sight; the intensity is a Gaussian of how far the slope is from its.
+    ``towards`` (3,) is the direction of the sun. The normal that mirrors it is half-way between the
+    sun and the line of sight; the intensity is a Gaussian of the difference between the slope and
+    that normal's slope.
     """
     half_x = towards[0] - grid.ring[:, None] / grid.sight * grid.east
     half_z = towards[2] - grid.ring[:, None] / grid.sight * grid.south
@@ -57,7 +56,7 @@ def sun_intensity(
 
 
 def bright_triangles(triangles: np.ndarray, intensity: np.ndarray) -> np.ndarray:
-    """Return a grid's triangles (m, 3) in the smallest rectangle with all that exceeds FAINT."""
+    """Return a grid's triangles (m, 3) in the smallest rectangle with all vertices over FAINT."""
     bright = intensity > FAINT
     rows, columns = (np.flatnonzero(bright.any(axis=axis)) for axis in (1, 0))
     if not len(rows):
@@ -69,7 +68,7 @@ def bright_triangles(triangles: np.ndarray, intensity: np.ndarray) -> np.ndarray
 
 
 class Glitter:
-    """The sparks over the sea; Sea draws them over its own vertices."""
+    """The sparks over the sea; Sea draws them with its own vertices."""
 
     def __init__(self) -> None:
         """Make and upload the tile of sparks."""

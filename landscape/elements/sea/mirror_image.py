@@ -1,10 +1,10 @@
 """The mirrored scene as a texture, for waves to distort (R16, section 12; ``reflection.rippled``).
 
 Technique: render to texture. The mirrored scene is drawn before the frame itself, into a
-framebuffer object of half the window's size, with a slightly wider projection: the ripples look
-beyond the window's borders. The texture is then projected onto the water: the texture matrix is
-bias x projection x camera, so that a vertex that gives its own place as texture coordinate falls on
-its own pixel, and one that gives a place moved by a ripple falls beside it. (In 2006 this would
+framebuffer object of half the window's size, with a slightly wider projection: ripples look up
+places beyond the window's borders. The texture is then projected onto the water: the texture matrix
+is bias x projection x camera, so that a vertex that gives its own place as texture coordinate falls
+on its own pixel, and one that gives a place moved by a ripple falls beside it. (In 2006 this would
 have been glCopyTexSubImage2D.)
 State used: a framebuffer object, viewport and projection; to draw with it, one texture unit with
 GL_COMBINE (OpenGL 1.3) and crossbar (1.4), its texture matrix.
@@ -22,15 +22,13 @@ from landscape.gl.calls import gl
 from landscape.gl.state import combine, matrix
 from landscape.gl.texture_target import TextureTarget
 
-ELEMENT = "reflection"
-
 DETAIL = 0.5  # chosen: pixels of the mirror image per pixel of the window; ripples blur it anyway
 MARGIN = 1.15  # chosen: times the window's width and height that the mirror image covers
 # Clip coordinates -1..1 to texture coordinates 0..1.
 BIAS = np.array([(0.5, 0, 0, 0.5), (0, 0.5, 0, 0.5), (0, 0, 0.5, 0.5), (0, 0, 0, 1.0)])
 
 Taken = tuple[TextureTarget, np.ndarray]
-"""The texture, and the matrix (4, 4) from places to its coordinates."""
+"""The texture, and the matrix (4, 4) from positions to its coordinates."""
 
 
 def widened(projection: np.ndarray, margin: float) -> np.ndarray:
@@ -42,8 +40,8 @@ def widened(projection: np.ndarray, margin: float) -> np.ndarray:
 def mirror_unit(mirror: Taken | None, unit: int) -> Iterator[None]:
     """Let unit 1 or 2 mix the mirror image in, by the primary colour's alpha; None does nothing.
 
-    The block sets the array of texture coordinates. Alpha comes out as 1; or, with the depths on
-    unit 1, as how much of the bottom the water and the mirror image hide.
+    The block sets the array of texture coordinates. The resulting alpha is 1; or, with the depths
+    on unit 1, how much of the bottom the water and the mirror image hide.
     """
     if mirror is None:
         yield
@@ -88,7 +86,7 @@ class MirrorImage:
         if self._target is None or self._target.size != (width, height):
             self.release()
             self._target = TextureTarget((width, height))
-        # OpenGL gives and takes matrices column after column.
+        # OpenGL returns and takes matrices in column-major order.
         seen = np.array(gl.glGetFloatv(gl.GL_PROJECTION_MATRIX), np.float64).reshape(4, 4).T
         projection = widened(seen, MARGIN)
         fov = 2 * math.degrees(math.atan(MARGIN * math.tan(math.radians(frame.fov) / 2)))
@@ -105,7 +103,7 @@ class MirrorImage:
         self._matrix = BIAS @ projection @ frame.modelview.reshape(4, 4).T
 
     def take(self) -> Taken | None:
-        """Return texture and matrix; None if it was not drawn again since the last time."""
+        """Return texture and matrix; None if it was not redrawn since the last call."""
         taken, self._matrix = self._matrix, None
         return (self._target, taken) if self._target is not None and taken is not None else None
 

@@ -5,9 +5,9 @@ them. So once the land is in the depth buffer, a square at the height the sea ma
 into neither colour nor depth, and OpenGL counts the samples that pass the depth test
 (GL_ARB_occlusion_query, OpenGL 1.5). If there are none, no pixel of the sea can show.
 
-To ask is cheap, to wait for the answer is not: everything sent before must be drawn first. While
-the sea was in view the answer is therefore read one frame later, when it is ready, and the frame
-draws the sea in any case. A frame waits only while the sea was out of view, and after a jump to
+Asking is cheap; waiting for the answer is not, because everything sent before must be drawn first.
+If the sea was in view, the answer is therefore read one frame later, when it is ready, and the
+frame draws the sea in any case. A frame waits only if the sea was out of view, and after a jump to
 another place. A picture never depends on what was seen before.
 State used: colour and depth masks, the query.
 """
@@ -22,10 +22,8 @@ from landscape.gl.draw import level_square
 from landscape.gl.state import attrib
 from landscape.settings import Settings
 
-ELEMENT = "water"
-
-ABOVE = 0.05  # chosen: units over the water level that no wave and no breaker reaches
-JUMP = 0.5  # chosen: units, or of the unit line of sight: more than a step between two frames
+ABOVE = 0.05  # chosen: units above the water level that no wave and no breaker reaches
+JUMP = 0.5  # chosen: change of position in units, or of the unit view vector: no step is so large
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
@@ -59,11 +57,11 @@ class SeaQuery:
         self._last: np.ndarray | None = None
 
     def apply(self, settings: Settings) -> bool:
-        """Return whether the query also answers for new settings: the same surface."""
+        """Return whether the query is also valid for new settings: for the same surface."""
         return built_from(settings) == self._built_from
 
     def expected(self, frame: Frame) -> bool:
-        """Return whether the mirror image must be drawn before it is known if any sea shows."""
+        """Return whether to draw the mirror image before it is known if any sea is visible."""
         if compiling():
             return self._shows
         if self._asked:
@@ -75,7 +73,7 @@ class SeaQuery:
         return self._shows
 
     def ask(self, frame: Frame) -> None:
-        """Ask whether any of the sea may show over what is in the depth buffer now."""
+        """Start the query: may any of the sea show in front of what is in the depth buffer?"""
         if compiling():
             return
         self._asked = frame.eye_y > self._height
@@ -90,7 +88,7 @@ class SeaQuery:
     def shows(self) -> bool:
         """Return whether the sea may show; waits for the answer unless it showed before.
 
-        While a display list is compiled nothing can be asked: the last answer stands.
+        While a display list is being compiled no query is possible: the last answer is used.
         """
         if self._asked and not self._shows and not compiling():
             self._shows, self._asked = self._answer() > 0, False

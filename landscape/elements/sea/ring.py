@@ -1,8 +1,8 @@
-"""The horizon ring: flat sea round the patches of 2006, out to the horizon (``water.horizon``).
+"""The horizon ring: flat sea around the patches of 2006, out to the horizon (``water.horizon``).
 
-Technique: a grid whose lines are ever farther apart, without the cell that the patches fill, in a
-display list. It does not move: waves would not show at that distance. Drawn before the patches, in
-the same colour. (Sea needs no ring: its own grid reaches the horizon.)
+Technique: a grid whose lines are farther apart outwards, without the cell that the patches fill, in
+a display list. It does not move: waves would not show at that distance. Drawn before the patches,
+in the same colour. (Sea needs no ring: its own grid reaches the horizon.)
 State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 """
 
@@ -16,8 +16,6 @@ from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, client_arrays
 from landscape.settings import Settings
-
-ELEMENT = "water"
 
 STEPS = np.array([0.02, 0.05, 0.12, 0.3, 1.0])  # chosen: lines outside, as fractions of the reach
 
@@ -66,7 +64,7 @@ class HorizonRing:
         self._list = DisplayList(send)
 
     def apply(self, settings: Settings) -> bool:
-        """Draw by new settings from now on; False, and no change, if the ring would differ."""
+        """Apply new settings; return False, changing nothing, if the ring would differ."""
         if built_from(settings) != built_from(self._settings):
             return False
         self._settings = settings

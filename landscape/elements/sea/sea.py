@@ -1,14 +1,14 @@
-"""The sea: water with waves and a rippling mirror image, one grid about the eye (R16, R17).
+"""The sea: water with waves and a rippling mirror image, one grid around the eye (R16, R17).
 
-Stands in for WaterSurface, and has the same methods. Sections 11.2 and 12 of the report.
+It replaces WaterSurface, and has the same methods. Sections 11.2 and 12 of the report.
 Technique: instead of 25 equal patches, a grid whose lines are equal steps of angle as the eye sees
 them (eye_grid.py). A sum of small waves gives each vertex its normal, its height
 (``water.relief``), and with ``reflection.rippled`` the place where it looks up the mirror image
 (mirror_image.py). With ``water.fresnel`` the alpha of each vertex follows the angle of view: the
-water's own colour from above, a mirror far off. ``water.shallow`` shows the bottom through shallow
-water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
-Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
-it as the patches are.
+water's own colour from above, a mirror in the distance. ``water.shallow`` shows the bottom through
+shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py). Without
+``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over it as
+the patches are.
 State used: GL_LIGHTING, up to three texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
 texture matrix, GL_BLEND.
 """
@@ -40,9 +40,7 @@ from landscape.gl.draw import level_square
 from landscape.gl.state import attrib, client_arrays
 from landscape.settings import Settings
 
-ELEMENT = "water"
-
-SHOAL = 0.15  # chosen: units of depth under which the relief fades out towards the beach
+SHOAL = 0.15  # chosen: units of depth below which the relief fades out towards the beach
 
 
 def wanted(settings: Settings) -> bool:
@@ -91,7 +89,7 @@ class Sea:
         self._glitter = Glitter() if settings.water.glitter > 0 else None
 
     def apply(self, settings: Settings) -> bool:
-        """Draw by new settings from now on; False, and no change, if the sea would be rebuilt."""
+        """Apply new settings; return False, changing nothing, if the sea must be rebuilt."""
         if built_from(settings) != built_from(self._settings):
             return False
         self._settings = settings
@@ -165,7 +163,7 @@ class Sea:
         return colors
 
     def _relief_left(self, grid: EyeGrid) -> np.ndarray:
-        """Return the fraction of the relief left at the grid's places: 0 on the beach."""
+        """Return the fraction of the relief that remains at the grid's places: 0 on the beach."""
         scale = np.float32(TEXELS / self._size)
         row, column = (np.clip(a * scale, 0, TEXELS - 1).astype(int) for a in (grid.z, grid.x))
         return np.asarray(self._relief.take(row * TEXELS + column))

@@ -1,8 +1,9 @@
-"""Shallow water: a texture of the sea's depth, and a floor under the deep (``water.shallow``).
+"""Shallow water: a texture of the sea's depth, and a floor below deep water (``water.shallow``).
 
-Technique: a texture over the whole map holds, by the depth, a tint for the water's colour and in
-alpha how much of the bottom the water hides. The ground is then cut not at the water but SEEN
-below it; where it is cut, a plane closes the sea, as steep coasts would show the background.
+Technique: a texture over the whole map holds, for the depth there, a tint for the water's colour
+and, in alpha, how much of the bottom the water hides. The ground is then cut not at the water but
+SEEN below it; where it is cut, a plane closes the sea; otherwise the background would show at steep
+coasts.
 State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 """
 
@@ -15,8 +16,6 @@ from landscape.gl.state import attrib, combine
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-ELEMENT = "water"
-
 SEEN = 0.45  # chosen: units of depth below which no bottom shows through the water
 CLEAR = 0.085  # chosen: units of depth that hide two thirds of the bottom
 TURQUOISE = np.array([1.05, 1.5, 1.3])  # chosen: times the water's colour where it is shallow
@@ -25,7 +24,7 @@ TEXELS = 512  # chosen: depths per side of the map
 
 
 def cut_level(settings: Settings) -> float:
-    """Return the height under which no ground is drawn: the water's, or the lowest that shows.
+    """Return the height below which no ground is drawn: the water's, or the lowest visible one.
 
     A mirror image in the framebuffer needs the ground cut at the water; one in a texture does not.
     """
@@ -43,8 +42,8 @@ def depth_picture(depths: np.ndarray) -> np.ndarray:
     """Return depths (n, n) in units as a texture, uint8 (n, n, 4).
 
     Alpha is how much of the bottom the water hides. The colour is half of the factor that
-    multiplies the water's own: TURQUOISE at the edge, 1 in the deep. The border is opaque, as it
-    is clamped and the open sea lies beyond.
+    multiplies the water's own: TURQUOISE at the edge, 1 in the deep. The border is opaque: it is
+    clamped, and beyond it is the open sea.
     """
     depth = np.maximum(depths, 0.0)
     hidden = 1.0 - np.exp(-depth / CLEAR)

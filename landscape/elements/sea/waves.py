@@ -1,4 +1,4 @@
-"""The sea's waves as arrays: heights, slopes, normals, and what they do to the mirror image.
+"""The sea's waves as arrays: heights, slopes, normals, and how they move the mirror image.
 
 No OpenGL here. The sea is a sum of sine waves: the height of one is a sine of its phase, its slope
 the cosine. Long waves lift the surface; all of them tilt it.
@@ -27,9 +27,9 @@ PHASES = 1.7 * np.arange(len(WAVES))  # chosen: radians at t = 0, so that no two
 FREQUENCIES = 1.3 * np.sqrt(NUMBERS)  # radians per t: deep-water waves; 1.3 is chosen
 RELIEF_FROM = 0.4  # chosen: units, shorter waves tilt the surface but do not lift it
 LIFTING = int((WAVES[:, 0] >= RELIEF_FROM).sum())  # the longest come first
-DAMPED = 0.02  # chosen: fraction of its slope under which a wave is left out
+DAMPED = 0.02  # chosen: fraction of its slope below which a wave is left out
 MIRRORED = 0.6  # chosen: fraction of a ripple's tilt that moves the mirror image; 1 is a rough sea
-CALM = 0.8  # chosen: fraction of the way up to the horizon that a ripple may look
+CALM = 0.8  # chosen: how far towards the horizon a ripple may move the image, as a fraction
 
 
 def opacity(cosine: np.ndarray, alpha: float) -> np.ndarray:
@@ -57,7 +57,8 @@ def waves(
     """Return height and slopes along x and z, float32 (rows, columns), of the sea at time ``t``.
 
     ``x`` and ``z`` (rows, columns) are places in units, ``cell`` (rows,) the distance to the next
-    row. :func:`waves_one_by_one`, with all waves in one array: a quarter of the NumPy calls.
+    row. The same as :func:`waves_one_by_one`, with all waves in one array: a quarter of the NumPy
+    calls.
     """
     slope = damped_slopes(cell)[..., None]
     # Reduced to one turn before the sum: float32 has too few digits for a large t.
@@ -101,7 +102,7 @@ def mirror_places(
     """Return where each vertex looks up the mirror image, float32 (n, 3) in units.
 
     A mirror tilted by a slope turns the ray by twice that angle. Along the line of sight this
-    moves the image up or down by that angle; across it, by the fraction that the low view leaves.
+    moves the image up or down by that angle; across it, by the fraction height / distance of it.
     """
     along = slope_x * grid.east + slope_z * grid.south
     across = slope_x * -grid.south + slope_z * grid.east
@@ -115,6 +116,6 @@ def mirror_places(
 
 
 def facing(grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
-    """Return the cosine between each facet's normal and the line of sight, (rows, columns)."""
+    """Return the cosine of the angle between each facet's normal and the view, (rows, columns)."""
     along = slope_x * grid.east + slope_z * grid.south
     return np.clip((grid.height + along * grid.ring[:, None]) / grid.sight, 0.0, 1.0)

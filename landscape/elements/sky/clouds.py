@@ -1,7 +1,7 @@
 """Clouds that move: a half-transparent layer over the sky box (R1, section 4.1; ``sky.moving``).
 
 Technique: a disc above the eye, in a display list, blended over the box. Its vertex alpha falls to
-nothing at the rim, where the disc would otherwise end above the horizon. glTranslatef on the
+zero at the rim; otherwise the disc would visibly end above the horizon. glTranslatef on the
 texture matrix lets it drift with kt: no vertex is sent again.
 State used: GL_TEXTURE_2D, GL_BLEND, no depth writes, texture matrix. SkyBox restores the state.
 """
@@ -17,8 +17,6 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.state import client_arrays, matrix
 from landscape.gl.texture import Texture
 
-ELEMENT = "sky"
-
 RINGS = (0.0, 0.5, 1.2, 2.2, 3.8, 6.0)  # chosen: radii of the disc, its height being 1
 SIDES = 24  # chosen: sectors of the disc
 ALPHA = 0.75  # chosen: opacity overhead
@@ -29,7 +27,7 @@ DRIFT = (0.00013, -0.00005)  # chosen: textures per kt, east and south
 def cloud_disc() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return a disc one unit above the eye: vertices (n, 3), colours (n, 4), coordinates (n, 2).
 
-    The last array is the triangles (m, 3), counter-clockwise from below. Opacity falls to nothing
+    The last array is the triangles (m, 3), counter-clockwise from below. Opacity falls to zero
     at the rim, which is RINGS[-1] units away, about 9 degrees above the horizon.
     """
     angle = np.arange(SIDES + 1) * 2 * np.pi / SIDES
@@ -44,7 +42,7 @@ def cloud_disc() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
 
 
 class Clouds:
-    """The cloud layer; SkyBox draws it about the eye, in its own state."""
+    """The cloud layer; SkyBox draws it around the eye, and restores the state."""
 
     def __init__(self, assets: Assets) -> None:
         """Load the picture and compile the disc."""

@@ -1,6 +1,6 @@
 """The atlas of the refined sprites: herbs, pictures from above, and what is opaque in a cell.
 
-A cell that no sprite takes holds four small pictures of crowns and plants as seen from above, made
+A cell that no sprite uses holds four small pictures of crowns and plants as seen from above, made
 from the side views: a fix of section 11.2.2. With ``plants.species`` over 1 the atlas has twice the
 rows, for the herbs and their pictures from above. No OpenGL here.
 """
@@ -20,15 +20,15 @@ from landscape.elements.atlas import (
 from landscape.files.images import mip_chain
 
 HERBS = ("fern.png", "oxeye.png", "willowherb.png", "marram.png", "heather.png")
-HERB = 8  # the first herb's cell; the pictures from above take the one before it
+HERB = 8  # the first herb's cell; the pictures from above use the one before it
 HERB_ROWS = 4
 FLOWERING = (9, 10, 12)  # cells of herbs with their flowers on top
 
-TOPS_CELLS = (7, 13, 14)  # cells no sprite takes: four quarters each, with a GUTTER all round
+TOPS_CELLS = (7, 13, 14)  # cells no sprite uses: four quarters each, with a GUTTER all around
 QUARTER = CELL // 2
 TOP_SIDE = QUARTER - 2 * GUTTER
 # Chosen, by looking at the pictures: cell; centre of the fan in s, t; its radius in s and t; the
-# angle of its middle (0 up, 180 down); half its opening; how many fans make the round.
+# angle of its middle (0 up, 180 down); half its opening; how many fans make the full circle.
 TOPS = (
     (0, (0.50, 0.44), (0.49, 0.41), 0.0, 84.0, 2),
     (1, (0.47, 0.10), (0.92, 0.92), 180.0, 24.0, 14),
@@ -62,7 +62,7 @@ def from_above(
 ) -> np.ndarray:
     """Return a round picture (side, side, 4) of a plant from above, made from its side view.
 
-    A fan cut out of the side view, from ``centre`` outwards, is laid round the axis ``fans`` times
+    A fan cut out of the side view, from ``centre`` outwards, is laid around the axis ``fans`` times
     (an even number), every second one mirrored so that their edges join.
     """
     at = (np.arange(2 * side) + 0.5) / side - 1.0
@@ -118,9 +118,9 @@ def top_coordinates(cells: np.ndarray, rows: int = ROWS) -> np.ndarray:
 
 
 def outline(alpha: np.ndarray) -> np.ndarray:
-    """Return the two boxes (s0, t0, s1, t1) of least area that hold a picture, float (2, 4).
+    """Return the two boxes (s0, t0, s1, t1) of least area that contain a picture, float (2, 4).
 
-    ``alpha`` (h, w) uint8. The boxes lie one above the other, from the first row that shows
+    ``alpha`` (h, w) uint8. The boxes are one above the other, from the first row that shows
     something to the last: the crown, and the trunk.
     """
     # Twice the finest detail: the coarse mip levels spread a picture by some texels.
@@ -155,7 +155,7 @@ def box_corners(boxes: np.ndarray) -> np.ndarray:
 
 
 def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Return where the two boxes of each picture lie on its quad, and in the atlas.
+    """Return where the two boxes of each picture are on its quad, and in the atlas.
 
     Both are (2, cells, 8, 2): not mirrored and mirrored, then 4 corners of each box.
     """

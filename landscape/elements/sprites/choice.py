@@ -1,10 +1,10 @@
-"""Which sprites may show: chosen with a margin, and kept while the eye stays about where it is.
+"""Which sprites may be visible: chosen with a margin, and kept while the eye stays near.
 
-Choosing looks at every sprite of the island. The plain way is to choose anew in each frame, with no
-margin: ``choose(laid_out, frame, settings)``. With a margin, what was chosen serves several frames.
-It then holds sprites that do not show yet, but they change no pixel: they lie beside the window or
-have faded away. Whatever of them stays the same is laid out once in a choice, in the form that
-OpenGL takes, float32 and uint8. No OpenGL here.
+Choosing tests every sprite of the island. The plain form is to choose in each frame, with no
+margin: ``choose(laid_out, frame, settings)``. With a margin, one choice is used for several frames.
+It then includes sprites that are not visible yet, but they change no pixel: they are outside the
+window or have faded out. Their data that no frame changes is prepared once per choice, in the types
+that OpenGL takes, float32 and uint8. No OpenGL here.
 """
 
 from dataclasses import dataclass
@@ -28,13 +28,14 @@ from landscape.frame import Frame
 from landscape.geometry.camera import in_view, mirrored_height
 from landscape.settings import Settings
 
-FOOT = 0.07  # chosen: half a trunk's width, times the tree's
+FOOT = 0.07  # chosen: half a trunk's width, times the tree's width
 
 
 def rooted(sprites: TintedSprites) -> np.ndarray:
-    """Return the places (n, 3) with trees and plants sunk where the ground slopes.
+    """Return the places (n, 3) with trees and plants lowered where the ground slopes.
 
-    By the slope times half the trunk: the foot's lower side then touches the ground.
+    They are lowered by the slope times half the trunk's width: the downhill side of the foot then
+    touches the ground.
     """
     steep = np.hypot(sprites.slopes[:, 0], sprites.slopes[:, 1])
     sunk = FOOT * steep * sprites.sizes[:, 0]
@@ -53,7 +54,7 @@ class LaidOut:
     def __init__(
         self, sprites: TintedSprites, outlines: np.ndarray, outline_st: np.ndarray, rows: int
     ) -> None:
-        """Lay out what no frame changes."""
+        """Prepare what is the same in every frame."""
         self.places = {
             False: np.ascontiguousarray(sprites.positions, np.float32),
             True: np.ascontiguousarray(rooted(sprites), np.float32),
@@ -68,7 +69,7 @@ class LaidOut:
 
 @dataclass(frozen=True)
 class Crossed:
-    """Plants so near that they may be crossed quads: their numbers in a choice, (m,).
+    """Plants near enough to be crossed quads: their indices in a choice, (m,).
 
     ``turns`` (m, k) are the angles of their k quads, ``still`` (m, 6 k, 3) these without wind,
     ``feet`` (m, 2 k, 3) the middles of the half quads' feet, ``st`` (m, 6 k, 2) in the atlas.
@@ -83,12 +84,13 @@ class Crossed:
 
 @dataclass(frozen=True)
 class Choice:
-    """Sprites that may show, in order of their numbers ``which`` (n,) on the island.
+    """Sprites that may be visible, in order of their indices ``which`` (n,) on the island.
 
-    Of each the place (n, 3), size (n, 2), atlas cell and radius; where the deer are, and which have
-    a picture from above; of their billboards the texture coordinates ``st`` (n, 4, 2), the tint's
-    opacity (n,) in 0..255, colours (n, 4, 4), whose alpha each frame writes, and triangles (n, 6);
-    and the boxes of what is opaque in their pictures (n, 8, 2), on the quad and in the atlas.
+    For each, the position (n, 3), size (n, 2), atlas cell and radius; which are deer, and which
+    have a picture from above; for their billboards, the texture coordinates ``st`` (n, 4, 2), the
+    tint's opacity (n,) in 0..255, colours (n, 4, 4), whose alpha each frame writes, and triangles
+    (n, 6); and the boxes of what is opaque in their pictures (n, 8, 2), on the quad and in the
+    atlas.
     """
 
     which: np.ndarray
@@ -109,9 +111,9 @@ class Choice:
 def choose(
     laid_out: LaidOut, frame: Frame, settings: Settings, margin: float = 0.0, angle: float = 0.0
 ) -> Choice:
-    """Return the sprites that may show, mirrored or not, from the eye of a frame.
+    """Return the sprites that may be visible, mirrored or not, from the eye of a frame.
 
-    Or from any eye within ``margin`` units of it, turned by up to ``angle`` radians.
+    That includes any eye within ``margin`` units of it, turned by up to ``angle`` radians.
     """
     places = laid_out.places[settings.transparent.rooted]
     radius = radii(settings, laid_out.cells, laid_out.sizes[:, 1], frame)
@@ -145,9 +147,9 @@ def in_window(
     margin: float,
     angle: float,
 ) -> np.ndarray:
-    """Return the numbers of the sprites within their ``radius`` (n,) that meet the view frustum.
+    """Return the indices of the sprites within their ``radius`` (n,) that meet the view frustum.
 
-    Themselves or their mirror images. A sprite is taken as a ball, as large as it may ever be.
+    Either they or their mirror images meet it. The test uses a sprite's largest bounding sphere.
     """
     places, slack = laid_out.places[settings.transparent.rooted], np.float32(margin)
     dx, dz = places[:, 0] - frame.pose.x, places[:, 2] - frame.pose.z

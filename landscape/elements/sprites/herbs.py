@@ -1,4 +1,4 @@
-"""Which herb grows where: the five kinds of ``plants.species``, each in its own surroundings.
+"""Which herb grows where: the five kinds of ``plants.species``, each in its own habitat.
 
 Ferns grow in woods, ox-eyes in drifts on meadows, willow-herb at the edge of woods, marram on sand,
 heather on stony slopes. No OpenGL here.
@@ -29,7 +29,7 @@ def herb_chances(
 ) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
     """Return a function x, z -> (n, ``plants.species``): how well a place suits each herb, 0..1.
 
-    Flowers and heather come in drifts of a unit or two; what suits nothing stays bare.
+    Flowers and heather come in drifts of a unit or two; a place that suits no herb stays bare.
     """
     field, level, species = ground.field, settings.water.level, settings.plants.species
     woods = woodland(seed)
@@ -38,7 +38,7 @@ def herb_chances(
     def chances(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         height, slope = field.terrain_height(x, z) - level, field.slope(x, z)
         green = greenness(ground.colour(x, z))
-        # The woods as they stand: no tree is near the castle, in a glade, or on a steep slope.
+        # The woods as planted: no tree is near the castle, in a glade, or on a steep slope.
         court = np.hypot(x - settings.castle.x, z - settings.castle.z) - COURT
         shade = np.clip(1.6 * woods(x, z), 0.0, 1.0) * outside_glades(x, z)
         shade *= np.clip(court / 0.5, 0.0, 1.0) * np.clip((0.9 - slope) / 0.3, 0, 1)

@@ -1,7 +1,7 @@
-"""Where the refined sprites stand: woods, herbs where they belong, tints, and the ground's slope.
+"""Where the refined sprites are: woods, herbs in their habitats, tints, and the ground's slope.
 
-With ``trees.grouped`` trees stand in woods, by height and slope, each species where it grows, and
-plants keep to green ground; with ``plants.species`` over 1 plants are several herbs. Without either
+With ``trees.grouped`` trees stand in woods, by height and slope, each species in its habitat, and
+plants grow on green ground; with ``plants.species`` over 1 plants are several herbs. Without either
 these are the places of ``elements/planting.py``. No OpenGL here.
 """
 
@@ -31,7 +31,7 @@ from landscape.elements.sprites.woods import (
 from landscape.geometry.height_field import HeightField, greenness
 from landscape.settings import Settings
 
-PLAIN = 0.3  # chosen: how far the tints of herbs but the fern differ, as a fraction of leaves'
+PLAIN = 0.3  # chosen: variation of the tints of herbs except the fern, as a fraction of leaves'
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]
         n = len(positions)
         tints = np.full((n, 4), 255.0)
         if woods is not None:
-            # A tree twice as wide as high is no tree: keep the report's range, tie the two sides.
+            # No tree is twice as wide as high: keep the report's range, tie width to height.
             sizes[:, 0] = np.clip(sizes[:, 1] * rng.uniform(0.8, 1.1, n), 0, None)
             if kind == "trees":
                 edge = 1.0 - woods(positions[:, 0], positions[:, 2])
@@ -73,7 +73,7 @@ def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]
                 tints[:, :3] *= leaf_tints(rng, n)
         if kind == "plants" and herbs is not None:
             cells, sizes = herbs_by_place(herbs(*positions[:, [0, 2]].T), plants, rng)
-            # What is white must not come out yellow or blue.
+            # White flowers must not be tinted yellow or blue.
             tints[:, :3] = np.where(cells == HERB, 1.0, PLAIN)[:, None] * (tints[:, :3] - 255.0)
             tints[:, :3] += 255.0
         slopes = slopes_under(field, positions, sizes[:, 0])

@@ -2,8 +2,9 @@
 
 Billboards stand upright, or at right angles to a slope; plants are two or three crossed quads that
 fade when seen edge-on; crowns and rosettes lie flat (section 11.2). A :class:`Quads` holds what one
-glDrawElements needs of any of them. What is sorted is a quad, so each half of a crossed quad can
-take its own place. The plain forms are in ``elements/transparent_elements.py``. No OpenGL here.
+glDrawElements needs of any of them. Quads are what is sorted, so each half of a crossed quad can
+have its own place in the order. The plain forms are in ``elements/transparent_elements.py``. No
+OpenGL here.
 """
 
 from dataclasses import dataclass
@@ -19,8 +20,8 @@ STEEPEST = 0.7  # chosen: rise over run; a deer leans no farther
 class Quads:
     """Vertices (v, 3), texture coordinates (v, 2), colours (v, 4) in 0..255; quads as triangles.
 
-    ``triangles`` (n, 6) names the vertices of each quad's two triangles; ``depth`` (n,) is its
-    place in the sort.
+    ``triangles`` (n, 6) holds the vertex indices of each quad's two triangles; ``depth`` (n,) is
+    its place in the sort.
     """
 
     vertices: np.ndarray
@@ -37,7 +38,7 @@ class Quads:
         pattern: np.ndarray,
         depth: np.ndarray,
     ) -> "Quads":
-        """Return n times the quads ``pattern`` (k, 6), which share the vertices (n, c, 3).
+        """Return the quads ``pattern`` (k, 6) n times, each time over c of the vertices (n, c, 3).
 
         Coordinates are (n, c, 2), colours (n, 4) or (n, c, 4), depth (n,) or (n, k).
         """
@@ -86,13 +87,13 @@ def upright_axes(right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def leaning(slopes: np.ndarray) -> np.ndarray:
-    """Return slopes (n, 2) = dy/dx, dy/dz as a deer leans with them: no steeper than STEEPEST."""
+    """Return slopes (n, 2) = dy/dx, dy/dz limited to STEEPEST, the most that a deer leans."""
     steep = np.hypot(slopes[:, 0], slopes[:, 1])
     return np.asarray(slopes * np.minimum(1.0, STEEPEST / np.maximum(steep, 1e-9))[:, None])
 
 
 def slope_axes(right: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return right and up, (n, 3) each, of billboards that stand at right angles to a slope.
+    """Return right and up, (n, 3) each, of billboards that are perpendicular to a slope.
 
     ``slopes`` (n, 2) = dy/dx, dy/dz. Right is the camera's, tilted into the slope; up is the
     slope's normal.
@@ -107,14 +108,14 @@ def slope_axes(right: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 def own_turn(positions: np.ndarray) -> np.ndarray:
-    """Return an angle in radians (n,) of its own for every place (n, 3)."""
+    """Return a different angle in radians (n,) for each place (n, 3)."""
     return np.asarray(7.0 * (positions[:, 0] + positions[:, 2]))
 
 
 def turned(positions: np.ndarray, quads: int) -> np.ndarray:
     """Return the angles (n, k) of a plant's crossed quads, in radians from x to z.
 
-    Two stand along x and z; three at 60 degrees, each plant turned by its own angle.
+    Two are along x and z; three are at 60 degrees, each plant turned by its own angle.
     """
     own = own_turn(positions) if quads > 2 else np.zeros(len(positions))
     return np.asarray(own[:, None] + np.arange(quads) * (np.pi / quads))
@@ -149,7 +150,7 @@ def half_places(crossed: np.ndarray) -> np.ndarray:
 def lying(
     positions: np.ndarray, widths: np.ndarray, slopes: np.ndarray, turns: np.ndarray
 ) -> np.ndarray:
-    """Return quads (n, 4, 3) about positions that lie as the ground slopes, (n, 2).
+    """Return quads (n, 4, 3) around positions, parallel to the ground of slopes (n, 2).
 
     ``turns`` (n,) in radians turns each in its plane.
     """
@@ -169,8 +170,8 @@ def smoothstep(low: float, high: float, values: np.ndarray) -> np.ndarray:
 def edge_on(away: np.ndarray, turns: np.ndarray) -> np.ndarray:
     """Return how visible (n, k) 0..1 the quads at angles ``turns`` are from the eye.
 
-    ``away`` (n, 3) leads from the eye to the plant. A quad's normal is (-sin, cos) of its turn: its
-    component along the view is 1 face-on and 0 edge-on.
+    ``away`` (n, 3) points from the eye to the plant. A quad's normal is (-sin, cos) of its turn:
+    its component along the view is 1 face-on and 0 edge-on.
     """
     x, z = away[:, :1], away[:, 2:]
     far = np.sqrt(np.maximum(x * x + z * z, 1e-18))

@@ -2,20 +2,20 @@
 
 Techniques, all by vertices and vertex alpha, still in one sort and one glDrawElements:
 
-- ``transparent.upright`` (R4): billboards turn about the y axis only; ``trees.crown`` fades a level
-  picture of the crown in from above.
+- ``transparent.upright`` (R4): billboards turn about the y axis only; ``trees.crown`` fades in a
+  horizontal picture of the crown when seen from above.
 - ``transparent.split`` (R3): each half of a crossed quad has its own place in the sort.
-- ``deer.follow_slope`` (R5): a deer's billboard stands at right angles to the slope.
-- ``plants.quads``, ``plants.fade_edge_on``, ``plants.rosette`` (R6): three quads, that fade when
-  seen edge-on, and a level picture from above.
+- ``deer.follow_slope`` (R5): a deer's billboard is perpendicular to the slope.
+- ``plants.quads``, ``plants.fade_edge_on``, ``plants.rosette`` (R6): three quads, which fade when
+  seen edge-on, and a horizontal picture when seen from above.
 - ``transparent.fade``, ``clear_near``, ``min_pixels``: alpha towards the radius, near the eye, and
   where a sprite is only a few pixels high; ``plants.crossed_within``: far plants are billboards.
 - ``transparent.trimmed``: quads end where the picture does, and what is out of view is not sent.
 - ``transparent.rooted``: feet sink a little on slopes; ``plants.shaded``: plants in the ground's
   shadows are darker; ``trees.grouped``, ``plants.species``: see :mod:`planting`.
 
-With all of them off the picture is that of ``elements/transparent_elements.py``, where the
-technique of 2006 stands. State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off;
+With all of them off the picture is that of ``elements/transparent_elements.py``, which
+shows the technique of 2006. State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off;
 GL_COLOR_ARRAY. OpenGL 1.1.
 """
 
@@ -23,7 +23,7 @@ import numpy as np
 
 from landscape.elements.atlas import CELL, CELLS, GUTTER, mip_levels, read_cells
 from landscape.elements.ground import Ground
-from landscape.elements.planting import DEER, KINDS, PLANT, site
+from landscape.elements.planting import DEER, PLANT, site
 from landscape.elements.sprites.atlas import (
     HERBS,
     outlines,
@@ -45,13 +45,13 @@ from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-CROWN_SHADE = 0.6  # chosen: radius within which a crown hides the sky, times the tree's width
-SHADE = 0.5  # chosen: power of the ground's light; a plant stands up into more of it
-SUNWARD = 0.8  # chosen: times its height, how far sunward of a plant its light is looked up
+CROWN_SHADE = 0.6  # chosen: radius within which a crown blocks the sky, times the tree's width
+SHADE = 0.5  # chosen: exponent on the ground's light; a plant rises into more light
+SUNWARD = 0.8  # chosen: times a plant's height, how far towards the sun its light is looked up
 
 
 def planted_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the sprites' places, sizes, kinds and tints come from."""
+    """Return the settings that the sprites' places, sizes, kinds and tints depend on."""
     groups = settings.trees, settings.deer, settings.plants
     sizes = [(group.count, group.size_min, group.size_max) for group in groups]
     species = settings.trees.species, settings.trees.grouped, settings.plants.species
@@ -74,7 +74,6 @@ class RefinedSprites:
         self, settings: Settings, assets: Assets, ground: Ground, seed: int, kinds: set[str]
     ) -> None:
         """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
-        self.elements = tuple(kind for kind in KINDS if kind in kinds)
         self._settings, self._built_from = settings, built_from(settings)
         herbs = HERBS if settings.plants.species > 1 else ()
         self._paths = [assets.path(name) for name in (*CELLS, *herbs)]
@@ -98,7 +97,7 @@ class RefinedSprites:
         self._topped = False
 
     def stand(self, sprites: TintedSprites) -> None:
-        """Let these sprites stand on the island, and no others."""
+        """Place these sprites on the island, and no others."""
         self.sprites = sprites
         self._view: SpritesInView | None = None
 
@@ -112,16 +111,16 @@ class RefinedSprites:
         return with_herbs(read_cells(self._paths))
 
     def cast(self, shadows: ShadowMap) -> None:
-        """Throw the sprites' shadows, and darken the ground at the trees' feet."""
+        """Cast the sprites' shadows, and darken the ground at the trees' feet."""
         cast_sprites(shadows, self.sprites, [cell[GUTTER:, :, 3] for cell in self._cells()])
         trees = self.sprites.cells < DEER
         widths = self.sprites.sizes[trees, 0]
         shadows.hide_sky(self.sprites.positions[trees], CROWN_SHADE * widths, SKY_HIDDEN)
 
     def shade(self, ground: Ground) -> None:
-        """Darken the plants by the shadows that lie on the ground beside them."""
+        """Darken the plants by the shadows on the ground beside them."""
         plants = np.flatnonzero(self.sprites.cells >= PLANT)
-        # On the sunny side of it, or a plant would stand in its own shadow.
+        # Looked up on its sunny side: elsewhere a plant would be in its own shadow.
         sunward = direction(self._settings.sun)[[0, 2]]
         step = SUNWARD * self.sprites.sizes[plants, 1:] * sunward
         x, z = (self.sprites.positions[plants][:, [0, 2]] + step).T
@@ -131,7 +130,7 @@ class RefinedSprites:
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
         """Return the frame's vertices, colours, texture coordinates and sorted indices."""
         if self._unshaded:
-            # The first frame comes after all shadows have been laid on the ground.
+            # The first frame comes after all shadows have been baked into the ground.
             self.shade(self._unshaded)
             self._unshaded = None
         if self._view is None:
@@ -140,7 +139,7 @@ class RefinedSprites:
         return self._view.arrays(frame, self._settings)
 
     def _fill_tops(self) -> None:
-        """Add the pictures from above to the bound atlas, once, when they are first asked for."""
+        """Add the pictures from above to the bound atlas, once, when they are first needed."""
         levels = recall(["tops", *self._contents], lambda: tops_levels(self._cells()))
         for level, images in enumerate(levels):
             for number, image in enumerate(images):
@@ -173,7 +172,7 @@ class RefinedSprites:
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def apply(self, settings: Settings) -> bool:
-        """Take new settings; False, and nothing changes, if they need the sprites built anew."""
+        """Apply new settings; return False, changing nothing, if the sprites must be rebuilt."""
         if built_from(settings) != self._built_from:
             return False
         self._settings = settings

@@ -1,4 +1,4 @@
-"""How far off sprites are drawn, and how opaque they are: rules of the preset best. No OpenGL."""
+"""How far away sprites are drawn, and how opaque they are: rules of the preset best. No OpenGL."""
 
 import math
 
@@ -10,8 +10,8 @@ from landscape.frame import Frame
 from landscape.settings import Settings
 
 CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see crossing
-CLEARS = (0.2, 0.5)  # chosen: so many widths away a sprite is gone, and is whole
-HAZE = 512.0  # where the fog leaves less than 1/512 of a colour, no level of 255 differs
+CLEARS = (0.2, 0.5)  # chosen: how many of its widths away a sprite is invisible, and is opaque
+HAZE = 512.0  # where the fog leaves less than 1/512 of a colour, no 8-bit value changes
 
 
 def is_deer(cells: np.ndarray) -> np.ndarray:
@@ -30,8 +30,8 @@ def farthest(settings: Settings) -> float:
 def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Frame) -> np.ndarray:
     """Return how far sprites of these atlas cells and heights (n,) are drawn, float32 units.
 
-    No farther than ``transparent.radius`` and ``plants.radius``, and as far as they are at least
-    ``transparent.min_pixels`` pixels high.
+    No farther than ``transparent.radius`` and ``plants.radius``, and only as far as they are at
+    least ``transparent.min_pixels`` pixels high.
     """
     far, least = farthest(settings), settings.transparent.min_pixels
     plants = np.float32(min(far, settings.plants.radius or far))
@@ -42,7 +42,7 @@ def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Fra
 def clearness(
     settings: Settings, radius: np.ndarray, widths: np.ndarray, away: np.ndarray
 ) -> np.ndarray:
-    """Return the opacity 0..1 (n,) of sprites of these widths, ``away`` (n,) units off.
+    """Return the opacity 0..1 (n,) of sprites of these widths, ``away`` (n,) units away.
 
     They fade towards their ``radius`` (``transparent.fade``), and before the eye passes through
     them (``transparent.clear_near``).
@@ -58,7 +58,7 @@ def clearness(
 
 
 def crossing(settings: Settings, away: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the alpha (n,) of plants as single and as crossed quads, ``away`` (n,) units off.
+    """Return the alpha (n,) of plants as single and as crossed quads, ``away`` (n,) units away.
 
     One fades in before the other fades out, so that a walker does not see the change.
     """

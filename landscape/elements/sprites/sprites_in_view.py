@@ -1,7 +1,7 @@
 """What a frame shows of the refined sprites, as arrays for one glDrawElements. No OpenGL.
 
-A frame asks for it once and draws it twice, mirrored and straight. :mod:`choice` says which sprites
-may show; here a frame adds what depends on the eye: the quads' corners, alpha, order.
+A frame computes them once and draws them twice, mirrored and not. :mod:`choice` selects the sprites
+that may be visible; here a frame adds what depends on the eye: the quads' corners, alpha and order.
 """
 
 from dataclasses import dataclass
@@ -27,13 +27,13 @@ from landscape.frame import Frame
 from landscape.geometry.camera import REUSE_ANGLE, REUSE_DISTANCE, is_near
 from landscape.settings import Settings
 
-# Sines of the angle at which one looks down, all chosen: between the first two a picture from above
-# fades in, between the others the upright picture fades out.
+# Sines of the viewing angle below the horizontal, all chosen: between the first two a picture from
+# above fades in, between the others the upright picture fades out.
 COMES, GOES = (0.35, 0.70), (0.80, 0.97)
 ROSETTE_HEIGHT, ROSETTE_WIDTH = 0.30, 1.25  # chosen: times the plant's height and width
 BLOOM_HEIGHT, BLOOM_WIDTH = 0.65, 0.90  # chosen: the same of the herbs that flower
 CROWN_HEIGHT, CROWN_WIDTH = 0.62, 0.95  # chosen: times the tree's height and width
-TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay
+TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay off
 
 TWO_BOXES = np.concatenate([QUAD, QUAD + 4])  # what is opaque in a picture, see atlas.outlines
 
@@ -87,11 +87,11 @@ class SpritesInView:
         )
 
     def choice(self, frame: Frame, settings: Settings) -> Choice:
-        """Return the sprites that may show: the last choice while it serves, or a new one.
+        """Return the sprites that may be visible: the last choice while it is valid, or a new one.
 
-        Without ``transparent.fade`` a sprite would stop at its radius too late, and without
-        ``transparent.trimmed`` what is behind the eye is left out: then each place of the eye has
-        its own choice.
+        Without ``transparent.fade`` an old choice would show sprites beyond their radius, and
+        without ``transparent.trimmed`` a choice omits what is behind the eye: in either case each
+        position of the eye needs its own choice.
         """
         shared = settings.transparent
         reusable = shared.fade and shared.trimmed
@@ -122,7 +122,7 @@ class SpritesInView:
     ) -> list[Quads]:
         """Return the billboards of ``alpha`` (n,) over 0: trees, deer, and plants far away.
 
-        Corners and colours are computed of all sprites, which costs less than to pick some.
+        Corners and colours are computed for all sprites, which costs less than selecting some.
         """
         right, up = (
             upright_axes(frame.right) if settings.transparent.upright else (frame.right, frame.up)
@@ -166,7 +166,7 @@ class SpritesInView:
         near: np.ndarray,
         alpha: np.ndarray,
     ) -> Quads:
-        """Return the half quads of the plants ``near``, numbered as in choice.crossed."""
+        """Return the half quads of the plants ``near``, indexed as in choice.crossed."""
         crossed, count = choice.crossed, settings.plants.quads
         which, turns, quads = crossed.which[near], crossed.turns[near], crossed.still[near]
         positions, sizes = choice.positions[which], choice.sizes[which]

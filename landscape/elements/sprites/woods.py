@@ -9,13 +9,13 @@ import numpy as np
 from landscape.elements.planting import Chance
 
 SHRUB = 3  # the atlas cell of the fourth species of tree
-# Chosen: x, z and radius in units of open ground in the woods: round the rabbit, on the way from
-# the meadow to the castle, and where the eye of the named views stands.
+# Chosen: x, z and radius in units of open ground in the woods: around the rabbit, on the way from
+# the meadow to the castle, and where the eye of the named views is.
 GLADES = (
     (20.5, 24.0, 1.1), (22.5, 21.5, 1.3), (24.6, 19.6, 1.0), (13.6, 27.2, 1.2), (21.9, 9.9, 0.9),
     (22.6, 10.8, 0.6),
 )  # fmt: skip
-WAVES = 11  # chosen: of which a pattern of drifts is the sum
+WAVES = 11  # chosen: whose sum is a pattern of drifts
 
 
 def woodland(seed: int) -> Chance:
@@ -38,7 +38,7 @@ def woodland(seed: int) -> Chance:
 def drifts_of(seed: int, number: int) -> Chance:
     """Return a function x, z -> 0..1: how densely a flower grows, in patches of a unit or two."""
     rng = np.random.default_rng([seed, number])
-    # Waves in every direction, or the patches would lie in rows.
+    # The waves cover all directions; otherwise the patches would form rows.
     angle = (np.arange(WAVES) + rng.random(WAVES)) * (np.pi / WAVES)
     k, phase = rng.uniform(1.5, 5.0, WAVES), rng.uniform(0, 2 * np.pi, WAVES)
 

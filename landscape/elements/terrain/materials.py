@@ -13,8 +13,6 @@ from landscape.geometry.height_field import greenness
 from landscape.gl.calls import gl
 from landscape.gl.texture import Texture
 
-ELEMENT = "ground"
-
 MID = 0.8  # chosen: strength of the detail laid into the large texture
 
 

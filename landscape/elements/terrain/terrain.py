@@ -34,8 +34,6 @@ from landscape.gl.texture import Texture
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
-ELEMENT = "ground"
-
 
 def ground_class(settings: Settings) -> type[Ground]:
     """Return the class whose ground these settings describe."""

@@ -1,0 +1,141 @@
+"""Settings changed in an open island: taken, and drawn as if it had been built so, or refused.
+
+Each key in turn gets another value. Where ``apply`` says that it was taken, the picture must be
+that of an island built with the value; where it says no, nothing may have changed.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from stage import SIZE, Stage, small
+
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.island import ELEMENTS, Island
+from landscape.keys import Field, fields, get, with_settings
+from landscape.scene import Moment
+from landscape.settings import PRESETS, Settings
+
+FEW: dict[str, Any] = {
+    "grass.count": 20_000,
+    "trees.count": 60,
+    "plants.count": 60,
+    "deer.count": 10,
+    "ground.resolution": 40,
+    "ground.texture_size": 64,
+    "ground.tiles": 2,
+    "grass.radius": 3.0,
+}
+MOMENTS = (
+    Moment(Pose(12.0, 1.1, 30.5, 330.0, -4.0), SIZE, 40.0, 3.0, 2),  # dragon, water, trees, overlay
+    Moment(Pose(28.3, 2.6, 18.9, 336.0, 2.0), SIZE, 40.0),  # castle, grass, plants
+    Moment(Pose(20.2, 1.4, 24.5, 40.0, -15.0), SIZE, 40.0),  # rabbit
+)
+FILES = {
+    "ground.height_image": "height16.png",
+    "ground.large_texture": "ground_sand.png",
+    "ground.detail_texture": "ground_rock.png",
+    "ground.sand_texture": "ground_rock.png",
+    "ground.rock_texture": "ground_sand.png",
+    "rabbit.mesh": "dragon.ply",
+    "dragon.mesh": "rabbit.ply",
+}
+
+
+def another(key: str, item: Field, value: Any) -> Any:
+    """Return a value for a key other than ``value``, within its limits."""
+    low, high = item.metadata["low"], item.metadata["high"]
+    if isinstance(value, bool):
+        return not value
+    if item.metadata["choices"]:
+        return next(choice for choice in item.metadata["choices"] if choice != value)
+    if isinstance(value, str):
+        return FILES[key] if FILES[key] != value else "height.png"
+    if isinstance(value, tuple):
+        return tuple(part * 0.8 if part * 0.8 >= low else part + 0.1 for part in value)
+    if isinstance(value, int):
+        return value + 1 if value + 1 <= high else value - 1
+    changed = value * 0.8 if value else 0.3
+    return changed if low <= changed <= high else min(max(value + 0.1, low), high)
+
+
+def pictures(stage: Stage, island: Island) -> list[np.ndarray]:
+    """Draw the island from each place, twice, as what is first seen may come a frame later."""
+    found = []
+    with stage.borrowed():
+        for moment in MOMENTS:
+            island.draw(moment)
+            island.draw(moment)
+            found.append(stage.read())
+    return found
+
+
+@pytest.fixture(scope="module", params=["2006", "best"])
+def base(request: pytest.FixtureRequest) -> Settings:
+    return small({**PRESETS[request.param], **FEW})
+
+
+@pytest.fixture(scope="module")
+def opened(base: Settings, the_stage: Stage) -> Iterator[Island]:
+    the_stage.enter()
+    island = Island(base, Assets())
+    yield island
+    the_stage.enter()
+    island.release()
+
+
+GROUPS = sorted({key.split(".")[0] for key in fields(Settings)})
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("group", GROUPS)
+def test_what_is_taken_is_drawn_as_if_built_so_and_the_rest_is_refused(
+    stage: Stage, base: Settings, opened: Island, group: str
+) -> None:
+    taken = {}
+    for key, item in fields(Settings).items():
+        if key.startswith(f"{group}."):
+            value = another(key, item, get(base, key))
+            changed = with_settings(base, {key: value})
+            assert changed != base, key
+            if opened.apply(changed):
+                assert opened.settings == changed
+                taken[key] = value
+                assert opened.apply(base)
+            else:
+                assert opened.settings == base, f"{key}: refused, and yet changed"
+    if not taken:
+        return
+    # All keys of the group that are taken one by one are taken together, for speed.
+    changed = with_settings(base, taken)
+    assert opened.apply(changed), f"{group}: taken one by one, refused together"
+    drawn = pictures(stage, opened)
+    assert opened.apply(base)
+    built = Island(changed, Assets())
+    wanted = pictures(stage, built)
+    built.release()
+    for number, (got, expected) in enumerate(zip(drawn, wanted, strict=True)):
+        off = np.abs(got - expected).max()
+        assert off == 0, f"{', '.join(taken)}: picture {number} is off by {off} levels"
+
+
+def test_an_element_that_refuses_leaves_the_others_as_they_were(
+    stage: Stage, base: Settings, opened: Island
+) -> None:
+    before = pictures(stage, opened)
+    # The fog could be taken; the sky's box is compiled.
+    assert not opened.apply(with_settings(base, {"fog.density": 0.4, "sky.half_width": 6.5}))
+    assert opened.settings == base
+    after = pictures(stage, opened)
+    assert all((a == b).all() for a, b in zip(before, after, strict=True))
+
+
+def test_fog_sun_and_overlay_are_taken_without_building_anything(
+    base: Settings, opened: Island, stage: Stage
+) -> None:
+    live = {"fog.density": 0.2, "overlay.map": False, "camera.fov": 50.0}
+    assert opened.apply(with_settings(base, live))
+    assert opened.apply(base)
+    assert set(ELEMENTS) == opened.shown
