@@ -21,7 +21,7 @@ demo:
 	fi
 
 test: lint
-	@$(BIN)/pytest -q
+	@$(BIN)/pytest -q -n auto --maxprocesses 4 --dist loadfile
 
 lint:
 	@scripts/setup.sh test

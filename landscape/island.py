@@ -1,7 +1,7 @@
 """The island of 2006: its elements, and the order in which a frame draws them, which is the lesson.
 
 A blended element must come after what shows through it, and the mirrored scene before the water
-that covers it. Everything else is order for speed.
+that covers it. The rest of the order is for speed.
 """
 
 import functools
@@ -51,7 +51,7 @@ SPRITES = ("trees", "deer", "plants")  # one element: all of them must be sorted
 
 
 def classes(settings: Settings) -> dict[str, type | None]:
-    """Return the class that draws each thing: that of 2006, or one of what `best` adds to it."""
+    """Return the class that draws each element: the one of 2006, or one that `best` adds."""
     water = settings.water
     plain_water = not sea.wanted(settings)
     # A mirror image in the framebuffer is drawn before the land: there is nothing to query yet.
@@ -153,7 +153,7 @@ class Island:
         ground.shade(*recall((what, *assets.contents(*files)), shadows))
 
     def apply(self, settings: Settings) -> bool:
-        """Take settings that are read at each draw; False, and no change, if any was built in."""
+        """Apply settings read at each draw; return False, changing nothing, if one was built in."""
         for choice in (classes, shadows_from):
             if choice(settings) != choice(self.settings):
                 return False
@@ -173,7 +173,7 @@ class Island:
         frame, draw, values = self._begin(moment), self._draw, self.settings
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
-            # Sorted once for both passes, when it is first needed.
+            # Sorted once for both passes, when first needed.
             sort = functools.cache(lambda: self.sprites.prepare(frame))
             query = self.query if "water" in self.shown else None
 
@@ -182,7 +182,7 @@ class Island:
             if early:
                 self._draw_reflection(frame, sort)
 
-            # Opaque elements, in any order as far as the picture goes: the depth buffer sorts them.
+            # Opaque elements: the depth buffer sorts them, so their order does not matter.
             with clipped(cut_level(values), values.ground.clip):
                 draw("ground", self.ground, frame)
                 draw("rabbit", self.rabbit, frame)
@@ -190,15 +190,16 @@ class Island:
             if query:
                 with drawing("water"):
                     query.ask(frame)
-            # OpenGL works on what it has while Python sorts, selects blades and computes waves.
+            # OpenGL executes the calls so far while Python sorts, selects blades and computes
+            # waves.
             gl.glFlush()
             self._sort(sort)
             draw("grass", self.grass, frame)
-            # The sky comes last of them: it is not drawn where they are.
+            # The sky comes last of the opaque elements: it is not drawn where they cover it.
             draw("sky", self.sky, frame)
             gl.glFlush()
 
-            # Land may hide all of the sea; a mirror image that is a texture can be drawn late.
+            # Land may hide all of the sea; a mirror image that is a texture can be drawn this late.
             water = query is None or query.shows()
             if water and not early:
                 self._draw_reflection(frame, sort)
@@ -257,7 +258,7 @@ class Island:
         return self.sprites is not None and not self.shown.isdisjoint(SPRITES)
 
     def _sort(self, sort: Callable[[], Any]) -> None:
-        """Sort the sprites now, so that OpenGL has work meanwhile."""
+        """Sort the sprites now, while OpenGL executes the calls sent before."""
         if self._sprites_shown:
             sort()
 
@@ -277,7 +278,7 @@ class Island:
 
     @property
     def obstacles(self) -> tuple[Obstacle, ...]:
-        """What the walker goes round: the castle's walls, the rabbit, the dragon."""
+        """What the walker goes around: the castle's walls, the rabbit, the dragon."""
         standing = (self.rabbit, self.dragon, self.castle)
         return tuple(each for element in standing if element for each in element.obstacles())
 

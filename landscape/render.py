@@ -1,4 +1,4 @@
-"""Stills: a scene drawn with no screen."""
+"""Stills: a scene drawn without a screen."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -70,9 +70,9 @@ class Offscreen:
             raise
 
     def look(self, view: Place, kt: float | None = None, wireframe: bool = False) -> None:
-        """Take a named view's place and switches, or a pose (x, y, z, yaw, pitch).
+        """Move to a named view, with its switches, or to a pose (x, y, z, yaw, pitch).
 
-        A pose is a place in the first scene; its y may be None: eye height above the ground.
+        A pose is in the first scene; its y may be None: eye height above the ground.
         """
         if isinstance(view, str):
             kind, named = find_view(view)
@@ -88,7 +88,7 @@ class Offscreen:
         )
 
     def _open(self, kind: Scene, view: View) -> OpenScene:
-        """Open the scene as the view wants it, unless it is the one that is open."""
+        """Open the scene as the view needs it, unless that one is already open."""
         preset = self._preset or kind.preset_of(view)
         values = kind.values(preset, view.settings, self._given)
         wanted = (kind.name, values, kind.shown(view, self._only))

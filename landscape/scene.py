@@ -26,7 +26,7 @@ from landscape.settings import Camera, Fog, Sun
 SEED = 2006  # chosen: the year of the report
 
 # Name to module. A module is imported when one of its views is first asked for; the first scene is
-# the one that is meant where nothing says which.
+# the default.
 SCENES: dict[str, str] = {
     "island": "landscape.island",
 }
@@ -86,15 +86,15 @@ class OpenScene(Terrain, Protocol):
 
     @property
     def obstacles(self) -> Sequence[Obstacle]:
-        """What the walker goes round."""
+        """What the walker goes around."""
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
 
     def apply(self, settings: Any) -> bool:
-        """Take other settings without building anything; False, and no change, if that cannot be.
+        """Apply other settings without building anything; return False if that is impossible.
 
-        The caller then opens the scene again.
+        Then nothing has changed, and the caller opens the scene again.
         """
 
     def release(self) -> None:
@@ -122,7 +122,7 @@ class View:
 
     @property
     def figure(self) -> str:
-        """The report's figure and panel, as in "35 a"; empty for a view that is none."""
+        """The report's figure and panel, as in "35 a"; empty for a view that is not a figure."""
         return f"{self.name[3:-1]} {self.name[-1]}" if self.name.startswith("fig") else ""
 
 
@@ -150,7 +150,7 @@ class Scene:
     fixes: Sequence[Fix] = ()
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
-        """Return the settings of a preset (None: the default) with changes, the last winning."""
+        """Return the settings of a preset (None: the default) with changes; later ones override."""
         values = keys.preset(self.settings, self.presets, preset or self.preset)
         for each in changes:
             values = keys.with_settings(values, each)
@@ -161,7 +161,10 @@ class Scene:
         return view.preset or self.preset
 
     def only(self, names: Iterable[str] | None) -> tuple[str, ...]:
-        """Return the elements in ``names`` in the scene's order, all for None; InputError."""
+        """Return the elements in ``names`` in the scene's order, all for None.
+
+        InputError for a name that is none of them.
+        """
         wanted = self.elements if names is None else tuple(names)
         for name in wanted:
             if name not in self.elements:
@@ -186,9 +189,9 @@ def scene(name: str = "") -> Scene:
 def check_options(
     preset: str | None, settings: Mapping[str, Any], only: Iterable[str] | None
 ) -> None:
-    """Check options given for views that are not known yet: some scene must take all of them.
+    """Check options given for views that are not known yet: some scene must accept all of them.
 
-    Raises the first scene's InputError where none does.
+    Raises the first scene's InputError if none does.
     """
     reasons = []
     for kind in map(scene, SCENES):
@@ -202,7 +205,7 @@ def check_options(
 
 
 def find_view(name: str) -> tuple[Scene, View]:
-    """Return a view and its scene; a scene's name stands for the view where its walk begins.
+    """Return a view and its scene; a scene's name means the view where its walk begins.
 
     InputError if there is neither.
     """

@@ -83,7 +83,11 @@ class Ground:
         "both", "figure 4", "texture units in use", choices=("both", "large", "detail", "none")
     )
     mid_repeat: float = setting(
-        0.0, "chosen", "times over the map, detail laid into ground.materials; 0 is off", 0, 1000
+        0.0,
+        "chosen",
+        "repeats over the map of the detail baked in with ground.materials; 0 is off",
+        0,
+        1000,
     )
     smooth: str = setting(
         "none",
@@ -156,7 +160,7 @@ class Water:
     animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
     time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
     fresnel: bool = setting(
-        False, "chosen", "opacity by the angle of view: the mirror image is strongest far off"
+        False, "chosen", "opacity by the angle of view: the mirror image is strongest far away"
     )
     horizon: float = setting(0.0, "chosen", "units, reach of the sea beyond the patches", 0, 10000)
     glitter: float = setting(0.0, "chosen", "strength of the sun's glints on the waves", 0, 1)
@@ -164,7 +168,7 @@ class Water:
     shallow: bool = setting(False, "chosen", "shallow water is clear and turquoise")
     foam: bool = setting(False, "chosen", "breakers along the beaches")
     query: bool = setting(
-        False, "chosen", "skip sea and mirror image while an occlusion query finds all of it hidden"
+        False, "chosen", "skip sea and mirror image while an occlusion query finds the sea hidden"
     )
 
 
@@ -176,7 +180,7 @@ class Sky:
     half_width: float = setting(8.0, "chosen", "units, D", 0.5, 10000)
     height: float = setting(5.0, "chosen", "units, H", 0.1, 10000)
     anchored: bool = setting(
-        False, "figure 13", "stays at the middle of the map instead of following the viewer"
+        False, "figure 13", "stays at the centre of the map instead of following the viewer"
     )
     moving: bool = setting(False, "R1, section 4.1", "a cloud layer that drifts with kt")
     follow_y: bool = setting(False, "R8, section 11.2.3", "centred on the eye in y as well")
@@ -209,7 +213,7 @@ class Transparent:
     trimmed: bool = setting(
         False,
         "chosen",
-        "quads fit the opaque part of the picture, and none lies outside the frustum",
+        "quads fit the opaque part of the picture; those outside the frustum are not sent",
     )
     min_pixels: float = setting(0.0, "chosen", "pixels; smaller sprites fade out", 0, 100)
     trilinear: bool = setting(True, "chosen", "trilinear filtering; off, the nearest mip level")
@@ -226,7 +230,9 @@ class Trees:
     grouped: bool = setting(
         False, "chosen", "woods and clearings instead of a uniform distribution"
     )
-    crown: bool = setting(False, "R4, section 11.2.1", "a level crown picture, visible from above")
+    crown: bool = setting(
+        False, "R4, section 11.2.1", "a horizontal crown picture, visible from above"
+    )
 
 
 @dataclass(frozen=True)
@@ -267,7 +273,7 @@ class Plants:
     crossed_within: float = setting(
         0.0, "chosen", "units, plants farther away are single billboards; 0 is never", 0, 1000
     )
-    rosette: bool = setting(False, "R6, section 11.2.2", "a level rosette, visible from above")
+    rosette: bool = setting(False, "R6, section 11.2.2", "a horizontal rosette, visible from above")
 
 
 @dataclass(frozen=True)
@@ -282,7 +288,7 @@ class Grass:
     radius: float = setting(4.0, "chosen", "units, blades farther away are not drawn", 0, 1000)
     tinted: bool = setting(False, "chosen", "blades take the colour of the ground below them")
     fade: bool = setting(
-        False, "chosen", "blades shrink towards the radius instead of ending there"
+        False, "chosen", "blades shrink towards the radius instead of ending abruptly there"
     )
     facing: float = setting(
         0.0,

@@ -18,16 +18,17 @@ BRICK, DOOR = np.array(PLAIN["castle_brick.png"]), np.array(PLAIN["castle_door.p
 
 
 def at(x: float, y: float, z: float = 0.0) -> tuple[float, float, float]:
-    """Return the island's place of one in the castle's own frame."""
+    """Return the island coordinates of a point in the castle's own frame."""
     return 19.5 + x, 2.0 + y, 19.5 + z
 
 
 def drawn(
     stage: Stage, assets: Assets, pose: Pose = GATE, kt: float = 0.0, **changes: Any
 ) -> np.ndarray:
-    """Return the castle alone, its gate wall at z = 19.5 looking north.
+    """Return a picture of the castle alone, whose gate wall at z = 19.5 faces north.
 
-    Settings are named with ``__`` for the dot. The state must stay, release may be called twice.
+    Settings are named with ``__`` for the dot. The state must be left as found, and release may be
+    called twice.
     """
     keys = {key.replace("__", "."): value for key, value in changes.items()}
     settings = small({**WHITE_LIGHT, **PLACED, **keys})

@@ -1,4 +1,4 @@
-"""A whole scene in forty lines: a chessboard to walk on. test_scene.py plugs it in."""
+"""A complete scene in about seventy lines: a chessboard to walk on. test_scene.py plugs it in."""
 
 from dataclasses import dataclass
 

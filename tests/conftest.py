@@ -8,7 +8,12 @@ import shutil
 import tempfile
 
 # The tests do not use the user's own cache.
-os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
+# Worker processes of pytest-xdist inherit the folder of the process that started them.
+WORKER = "PYTEST_XDIST_WORKER" in os.environ
+if WORKER:
+    os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe's threads compete with the workers
+else:
+    os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
 
 from collections.abc import Iterator
@@ -23,7 +28,8 @@ from landscape.gl.context import open_context
 
 
 def pytest_sessionfinish() -> None:
-    shutil.rmtree(os.environ["LANDSCAPE_CACHE"], ignore_errors=True)
+    if not WORKER:
+        shutil.rmtree(os.environ["LANDSCAPE_CACHE"], ignore_errors=True)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -1,4 +1,4 @@
-"""A round green hill in the sea, for tests of what grows where."""
+"""A round green hill in the sea, for tests of where sprites grow."""
 
 from types import SimpleNamespace
 from typing import Any, cast

@@ -1,4 +1,4 @@
-"""What the tests of the sea share: a beach, a grid about an eye, a mirrored wall, what was sent."""
+"""What the tests of the sea share: a beach, a grid around the eye, a mirrored wall, sent data."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -28,12 +28,12 @@ def beach(slope: float = 0.1, edge: float = 20.0) -> HeightField:
 
 
 def frame_at(pose: Pose = POSE, fov: float = 60.0) -> Frame:
-    """A frame that no OpenGL has begun."""
+    """A frame made without OpenGL."""
     return Frame(pose, SIZE, 0.0, np.eye(4).ravel(), fov)
 
 
 def grid_at(pose: Pose = POSE) -> EyeGrid:
-    """The grid about an eye that sees water."""
+    """The grid around an eye that sees water."""
     grid = eye_grid(frame_at(pose), LEVEL, 60.0)
     assert grid is not None
     return grid
@@ -61,7 +61,7 @@ def drawn(
 def mirrored_wall(
     stage: Stage, assets: Assets, changes: Mapping[str, Any], kt: float = 0.0
 ) -> np.ndarray:
-    """Return the picture of the sea and a red wall's mirror image in it, the wall itself not."""
+    """Return a picture of the sea and a red wall's mirror image in it, without the wall itself."""
     common = {**WHITE_LIGHT, "water.textured": False, "water.color": (0.0, 0.0, 0.4, 0.2)}
     settings = small({**common, **changes})
     sea = Sea(settings, assets, beach(edge=-30.0))
@@ -78,7 +78,7 @@ def mirrored_wall(
 
 
 def red(picture: np.ndarray) -> np.ndarray:
-    """Return where a picture shows the wall."""
+    """Return which pixels of a picture show the wall."""
     return np.asarray(picture[..., 0] > 150)
 
 

@@ -37,7 +37,7 @@ AnySprites = TransparentElements | RefinedSprites
 
 
 def looking(pose: Pose, kt: float = 0.0, size: tuple[int, int] = SIZE) -> Frame:
-    """Return a frame whose modelview is written from the definition of the camera."""
+    """Return a frame whose modelview is computed from the definition of the camera."""
     yaw = math.radians(pose.yaw)
     right, ahead = np.array([math.cos(yaw), 0.0, math.sin(yaw)]), np.array(pose.forward)
     matrix = np.eye(4)
@@ -80,7 +80,7 @@ def put(
     slope: tuple[float, float] = (0.0, 0.0),
     tint: tuple[float, ...] = (255.0,) * 4,
 ) -> None:
-    """Let these sprites stand, and no others; slope and tint are for refined ones."""
+    """Place these sprites and no others; slope and tint are for refined ones."""
     n = len(places)
     stand = Sprites(
         np.array(places, float),
@@ -103,7 +103,7 @@ def seen(
     size: tuple[int, int] = SIZE,
     **changes: Any,
 ) -> np.ndarray:
-    """Return the sprites' picture under some settings; the state must stay."""
+    """Return a picture of the sprites under some settings; the state must be left as found."""
     keys = {key.replace("__", "."): value for key, value in changes.items()}
     settings = small({**WIDE, **keys})
     assert sprites.apply(settings)

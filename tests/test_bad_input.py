@@ -172,7 +172,7 @@ def broken_images(folder: Path) -> None:
     ["truncated.png", "header.png", "empty.png", "text.png", "mesh.png", "folder.png"]
     + ["truncated.jpg", "missing.png", "~nosuchuser/x.png", "x" * 300 + ".png", "two\nlines.png"],
 )
-def test_a_file_that_is_no_image_is_refused_by_name(name: str, shell: Shell) -> None:
+def test_a_file_that_is_not_an_image_is_refused_by_name(name: str, shell: Shell) -> None:
     broken_images(shell.cwd)
     before = files(shell.cwd)
     refused(draw_heights(shell, name), name.replace("\n", " "))

@@ -1,5 +1,5 @@
-"""The bench: the figures it prints, the replay that is the frame, four ways to draw the same grass,
-and a long run that keeps its memory. Nothing here fails because a machine is slow."""
+"""The bench: the values it prints, the replay that equals the frame, four ways to draw the same
+grass, and a long run whose memory does not grow. Nothing here fails because a machine is slow."""
 
 import json
 import subprocess
@@ -56,7 +56,7 @@ def result() -> dict[str, Any]:
     return answer
 
 
-def test_the_bench_gives_the_figures_of_the_contract(result: dict[str, Any]) -> None:
+def test_the_bench_returns_the_documented_values(result: dict[str, Any]) -> None:
     figures = result["result"]
     assert figures.keys() >= {"renderer", "size", "layer_ms", "views", "grass", "startup_ms"}
     assert figures["size"] == [96, 64]
@@ -72,7 +72,7 @@ def test_the_bench_gives_the_figures_of_the_contract(result: dict[str, Any]) -> 
     assert [way["name"] for way in figures["ways"]] == [way.name for way in WAYS]
 
 
-def test_the_ratios_are_those_of_the_times(result: dict[str, Any]) -> None:
+def test_the_ratios_follow_from_the_times(result: dict[str, Any]) -> None:
     figures = result["result"]
     assert figures["layer_ms"] > 0
     for view in figures["views"].values():
@@ -83,25 +83,25 @@ def test_the_ratios_are_those_of_the_times(result: dict[str, Any]) -> None:
     assert figures["startup_ms"] > 100  # less than the interpreter with numpy: nothing was run
 
 
-def test_more_blades_on_more_land_stand_as_thick(result: dict[str, Any]) -> None:
+def test_more_blades_on_more_land_have_the_same_density(result: dict[str, Any]) -> None:
     few, many = result["result"]["grass"]
     assert few["count"] < many["count"]
     assert few["visible"] > 0
     assert many["visible"] > 0
 
 
-def test_the_bench_tells_of_each_step(result: dict[str, Any]) -> None:
+def test_the_bench_reports_each_step(result: dict[str, Any]) -> None:
     assert len(result["heard"]) == bench.steps(bench.Options(**TINY))
     assert result["heard"][-1] == "start"
 
 
-def test_the_report_shows_every_view_and_figure(result: dict[str, Any]) -> None:
+def test_the_report_shows_every_view_and_value(result: dict[str, Any]) -> None:
     text = bench.report(result["result"])
     for word in ("fig35b", "fig35i", "1,600,000", "immediate mode", "first frame"):
         assert word in text
 
 
-def test_the_default_views_and_counts_are_those_of_the_contract() -> None:
+def test_the_default_views_and_counts_are_the_documented_ones() -> None:
     options = bench.Options()
     assert list(options.views) == [f"fig35{panel}" for panel in "abcdefghi"]
     assert list(options.grass) == [200_000, 1_500_000, 10_000_000]
@@ -109,7 +109,7 @@ def test_the_default_views_and_counts_are_those_of_the_contract() -> None:
     assert {options.values(*find_view(name)) for name in options.views} == {preset("best")}
 
 
-def test_the_command_writes_the_figures_and_prints_the_tables(
+def test_the_command_writes_json_and_prints_the_tables(
     monkeypatch: pytest.MonkeyPatch,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
@@ -147,7 +147,9 @@ def test_an_unknown_view_is_bad_input_from_python() -> None:
 
 @pytest.mark.parametrize("preset", ["best", "2006"])
 @pytest.mark.parametrize("name", ["fig35a", "fig35f", "fig35i"])
-def test_the_replayed_picture_is_the_frame(stage: Stage, name: str, preset: str) -> None:
+def test_the_replay_draws_the_same_picture_as_the_frame(
+    stage: Stage, name: str, preset: str
+) -> None:
     options = bench.Options(size=stage.size, preset=preset, settings=LIGHT)
     kind, view = find_view(name)
     with stage.borrowed():
@@ -187,7 +189,7 @@ def flat_blades(count: int = 400) -> Blades:
     return sow(field, count, 3, 1.5, (2.0, 3.0))
 
 
-def test_blades_stand_on_land_as_many_as_asked() -> None:
+def test_as_many_blades_stand_on_land_as_asked_for() -> None:
     heights = np.ones((5, 5), np.float32)
     heights[:, :3] = 0.0
     blades = sow(HeightField(heights, 4.0, 0.5), 300, 1, 1.0)
@@ -195,7 +197,7 @@ def test_blades_stand_on_land_as_many_as_asked() -> None:
     assert (blades.positions[:, 0] > 2.0).all()
 
 
-def test_visible_blades_are_near_and_before_the_eye(stage: Stage) -> None:
+def test_visible_blades_are_near_and_in_front_of_the_eye(stage: Stage) -> None:
     blades = flat_blades()
     with stage.frame(small(), Pose(2.0, 1.1, 2.0, 90.0)) as frame:
         chosen = visible(blades, frame)
@@ -294,7 +296,7 @@ GROWTH = 1 << 20  # chosen: bytes per 100 frames; what the grass of all views ta
 
 @pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
-def test_500_frames_of_changing_views_keep_memory_and_release_what_they_make() -> None:
+def test_500_frames_of_changing_views_leak_neither_memory_nor_objects() -> None:
     settings = {**LIGHT, "grass.count": 2_000}
     command = [sys.executable, "-c", LONG_RUN, str(TESTS), json.dumps(settings)]
     done = subprocess.run(

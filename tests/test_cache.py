@@ -1,4 +1,4 @@
-"""The cache gives what was made; damage, crowds, full and forbidden folders do no harm."""
+"""The cache returns what was made; damage, many processes, full or forbidden folders do no harm."""
 
 import functools
 import importlib.util
@@ -67,7 +67,7 @@ def test_other_parts_make_other_arrays(folder: Path) -> None:
     assert maker.times == 4
 
 
-def test_changed_code_makes_the_arrays_anew(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_changed_code_makes_the_arrays_again(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     maker = Maker()
     cache.recall(["x"], maker)
     assert cache.code() == cache.code()
@@ -118,7 +118,7 @@ def scene(path: Path, value: float) -> Any:
     ],
     ids=["function", "method", "object", "partial", "wrapped"],
 )
-def test_a_changed_file_outside_the_package_makes_its_arrays_anew(
+def test_a_changed_file_outside_the_package_makes_its_arrays_again(
     folder: Path, tmp_path: Path, maker: Callable[[Any], Any]
 ) -> None:
     path = tmp_path / "my scenes" / "scene.py"
@@ -129,14 +129,14 @@ def test_a_changed_file_outside_the_package_makes_its_arrays_anew(
     assert len(list(folder.iterdir())) == 2, "the arrays of the first text were found again"
 
 
-def test_code_that_lies_in_no_file_is_never_cached(folder: Path) -> None:
+def test_results_of_code_that_is_in_no_file_are_never_cached(folder: Path) -> None:
     typed: dict[str, Any] = {}
     for value in (1.0, 2.0):
         exec(compile(SCENE.format(value=value), "<typed>", "exec"), typed)
         assert (cache.recall(["heights"], typed["heights"])[0] == value).all()
 
 
-def test_code_anywhere_in_the_package_counts_and_so_does_its_place(tmp_path: Path) -> None:
+def test_the_hash_depends_on_code_anywhere_in_the_package_and_on_its_path(tmp_path: Path) -> None:
     package = tmp_path / "landscape"
     shutil.copytree(cache.PACKAGE / "files", package / "files")
     found = [cache.code_below(package)]
@@ -154,7 +154,7 @@ def test_code_anywhere_in_the_package_counts_and_so_does_its_place(tmp_path: Pat
     assert len(set(found)) == 5
 
 
-def test_the_packages_own_code_is_hashed_whole() -> None:
+def test_all_of_the_packages_own_code_is_hashed() -> None:
     assert cache.code_below(cache.PACKAGE) in cache.code()
     assert cache.code_outside(read_image) == b""
 
@@ -178,7 +178,7 @@ DAMAGES: list[Callable[[bytes], bytes]] = [
 
 
 @pytest.mark.parametrize("damage", DAMAGES)
-def test_a_damaged_file_is_made_anew(folder: Path, damage: Callable[[bytes], bytes]) -> None:
+def test_a_damaged_file_is_replaced(folder: Path, damage: Callable[[bytes], bytes]) -> None:
     maker = Maker()
     cache.recall(["x"], maker)
     (path,) = folder.iterdir()
@@ -199,7 +199,7 @@ def crowd(folder: str, gate: "multiprocessing.synchronize.Barrier", number: int)
         assert (got == turn).all()
 
 
-def test_processes_that_start_together_all_get_whole_arrays(folder: Path) -> None:
+def test_processes_that_start_together_all_get_complete_arrays(folder: Path) -> None:
     spawn = multiprocessing.get_context("spawn")
     gate = spawn.Barrier(2)
     crew = [spawn.Process(target=crowd, args=(str(folder), gate, n)) for n in range(2)]
@@ -211,7 +211,7 @@ def test_processes_that_start_together_all_get_whole_arrays(folder: Path) -> Non
     assert len(list(folder.glob("*.arrays"))) == 20 and not list(folder.glob(".*"))
 
 
-def test_a_folder_that_cannot_be_used_is_as_good_as_none(
+def test_an_unusable_folder_means_no_cache_and_no_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "file").write_text("in the way")
@@ -241,7 +241,7 @@ def test_an_empty_variable_turns_the_cache_off(monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems have other folders")
-def test_without_the_variable_the_system_says_where(
+def test_without_the_variable_the_system_chooses_the_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delenv("LANDSCAPE_CACHE", raising=False)
@@ -254,7 +254,7 @@ def test_without_the_variable_the_system_says_where(
     assert cache.folder() == tmp_path / "mine"
 
 
-def test_what_was_used_longest_ago_goes_first(folder: Path, monkeypatch) -> None:
+def test_the_least_recently_used_file_is_deleted_first(folder: Path, monkeypatch) -> None:
     big = Maker(np.zeros((100, 100), np.uint8))
     for name in "abc":
         cache.recall([name], big)
@@ -280,7 +280,7 @@ def test_an_image_is_decoded_once_and_again_when_it_changes(folder: Path, tmp_pa
     assert read_image(path, "RGB", largest=2).shape[1] == 2
 
 
-def test_the_contents_of_the_assets_change_with_any_of_them(tmp_path: Path) -> None:
+def test_the_hash_of_the_assets_changes_with_any_of_them(tmp_path: Path) -> None:
     (tmp_path / "a.png").write_bytes(b"one")
     assets = Assets(tmp_path)
     before = assets.contents()

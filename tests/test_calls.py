@@ -1,4 +1,4 @@
-"""The seam: off it is PyOpenGL itself; on it tells every call, and the report's calls are there."""
+"""The seam: off, it is PyOpenGL itself; on, it records every call, the report's among them."""
 
 import ast
 from collections.abc import Iterator
@@ -34,7 +34,7 @@ from landscape.window.panel import Panel
 PACKAGE = Path(calls.__file__).resolve().parents[1]
 
 
-def test_off_the_seam_is_pyopengls_own_functions_and_numbers(stage: Stage) -> None:
+def test_when_off_the_seam_has_pyopengls_own_functions_and_constants(stage: Stage) -> None:
     import OpenGL.GL as original
 
     for name in ("glEnable", "glDrawElements", "glTexImage2D", "glClipPlane", "GL_EXP2", "GL_FOG"):
@@ -55,13 +55,13 @@ def test_after_recording_the_seam_is_pyopengl_again(stage: Stage) -> None:
     assert gl.glIsEnabled is original.glIsEnabled
 
 
-def test_names_that_are_not_opengls_are_not_there_and_load_nothing() -> None:
+def test_names_unknown_to_opengl_are_missing_and_load_nothing() -> None:
     for name in ("__test__", "pytestmark", "enable"):
         assert not hasattr(gl, name)
     assert not hasattr(gl, "glNoSuchFunction")
 
 
-def test_a_recording_within_another_notes_for_itself_and_hands_back(stage: Stage) -> None:
+def test_a_nested_recording_keeps_its_own_calls_and_then_hands_back(stage: Stage) -> None:
     with recording() as outer:
         gl.glIsEnabled(gl.GL_FOG)
         with recording() as inner:
@@ -71,7 +71,9 @@ def test_a_recording_within_another_notes_for_itself_and_hands_back(stage: Stage
     assert [call.shown for call in outer.calls] == [["GL_FOG"], ["GL_LIGHTING"]]
 
 
-def test_a_call_tells_its_name_arguments_element_source_and_pass(stage: Stage, plain: Any) -> None:
+def test_a_recorded_call_has_its_name_arguments_element_source_and_pass(
+    stage: Stage, plain: Any
+) -> None:
     settings = small()
     water = WaterSurface(settings, plain)
     with stage.frame(settings, Pose(20.0, 2.0, 20.0)) as frame:
@@ -93,7 +95,7 @@ def test_a_call_tells_its_name_arguments_element_source_and_pass(stage: Stage, p
     assert "GL_LIGHTING_BIT" in push.shown[0] and "GL_ENABLE_BIT" in push.shown[0]
 
 
-def test_what_a_list_holds_is_told_under_its_call(stage: Stage) -> None:
+def test_the_contents_of_a_list_are_recorded_under_its_call(stage: Stage) -> None:
     with stage.borrowed(), recording() as recorder:
         owner = DisplayList(lambda: gl.glColor4f(1.0, 0.5, 0.25, 1.0))
         owner.call()
@@ -132,7 +134,7 @@ def test_the_drawing_block_names_the_element_and_the_innermost_wins(stage: Stage
     assert recorder.calls[2].element == "trees"
 
 
-def test_clipping_and_mirroring_name_their_own_calls_and_leave_the_block_to_its_owner(
+def test_clipping_and_mirroring_own_their_calls_but_not_those_in_the_block(
     stage: Stage,
 ) -> None:
     settings = small()
@@ -165,7 +167,7 @@ def test_the_help_panel_names_its_calls(stage: Stage) -> None:
     assert {call.element for call in recorder.calls} == {"panel"}
 
 
-def test_the_source_is_the_file_that_asked_even_outside_the_package(stage: Stage) -> None:
+def test_the_source_is_the_calling_file_even_outside_the_package(stage: Stage) -> None:
     with recording() as recorder:
         with attrib(gl.GL_ENABLE_BIT):
             gl.glIsEnabled(gl.GL_FOG)
@@ -175,7 +177,7 @@ def test_the_source_is_the_file_that_asked_even_outside_the_package(stage: Stage
         assert file == "test_calls.py" and wanted in lines[int(line) - 1]
 
 
-def test_a_list_compiled_before_the_recording_is_known_by_its_calls(stage: Stage) -> None:
+def test_the_calls_of_a_list_compiled_before_the_recording_are_known(stage: Stage) -> None:
     import OpenGL.GL as original
 
     array = np.array([1.0, 0.5, 0.25, 1.0], np.float32)
@@ -201,7 +203,7 @@ def test_a_list_compiled_before_the_recording_is_known_by_its_calls(stage: Stage
     first.release()
 
 
-def test_a_failure_while_compiling_ends_the_list_and_the_noting(stage: Stage) -> None:
+def test_a_failure_while_compiling_ends_the_list_and_its_recording(stage: Stage) -> None:
     import OpenGL.GL as original
 
     def fail() -> None:
@@ -262,7 +264,7 @@ def test_an_array_shows_the_values_it_had_at_the_call(stage: Stage) -> None:
     assert shown == [[1.0, 0.0, 0.0, 1.0], [0.5, 0.5, 0.5, 0.5]]
 
 
-def test_an_override_reaches_into_a_list_that_is_compiled(stage: Stage) -> None:
+def test_an_override_changes_the_calls_that_a_list_compiles(stage: Stage) -> None:
     def larger(name: str, args: tuple[Any, ...]) -> tuple[Any, ...]:
         return (7.0,) if name == "glPointSize" else args
 
@@ -276,7 +278,7 @@ def test_an_override_reaches_into_a_list_that_is_compiled(stage: Stage) -> None:
     assert recorder.calls[0].listed[0].shown == [7.0]
 
 
-def test_a_recording_within_another_hands_the_pass_back(stage: Stage) -> None:
+def test_a_nested_recording_hands_the_pass_back(stage: Stage) -> None:
     with recording() as outer:
         begin_pass("main")
         with recording() as inner:
@@ -285,7 +287,7 @@ def test_a_recording_within_another_hands_the_pass_back(stage: Stage) -> None:
     assert [call.pass_ for call in (*inner.calls, *outer.calls)] == ["setup", "main"]
 
 
-def test_a_replay_is_split_where_the_framebuffer_changes_and_leaves_the_seam_as_it_was(
+def test_a_replay_is_split_where_the_framebuffer_changes_and_restores_the_seam(
     stage: Stage,
 ) -> None:
     import OpenGL.GL as original
@@ -384,7 +386,7 @@ def test_the_suite_itself_runs_with_pyopengls_checks_on() -> None:
     assert OpenGL.ERROR_CHECKING and OpenGL.ERROR_ON_COPY
 
 
-def test_a_recording_over_running_islands_sees_inside_the_lists_of_each(
+def test_a_recording_of_running_islands_sees_inside_the_lists_of_each(
     stage: Stage, plain_folder: Path
 ) -> None:
     options = {"assets": plain_folder, "only": ("ground", "sky", "castle", "fog")}
@@ -441,7 +443,7 @@ def test_every_element_draws_in_the_arrival_at_the_castle(arrival: list[Call]) -
     assert set(ELEMENTS) <= names
 
 
-def test_what_a_list_holds_is_its_elements(arrival: list[Call]) -> None:
+def test_the_contents_of_a_list_belong_to_its_element(arrival: list[Call]) -> None:
     for call in arrival:
         if call.listed or call.name == "glNewList":
             assert call.element != "frame"
@@ -472,7 +474,7 @@ def test_the_clip_plane_is_0_1_0_minus_the_level(arrival: list[Call]) -> None:
         assert equation["values"] == [0.0, 1.0, 0.0, -0.6]
 
 
-def test_the_mirror_matrix_is_given_once_in_the_reflection(arrival: list[Call]) -> None:
+def test_the_mirror_matrix_is_sent_once_in_the_reflection(arrival: list[Call]) -> None:
     mirrors = [call for call in drawn(arrival) if call.name == "glMultMatrixf"]
     assert [call.pass_ for call in mirrors] == ["reflection"]
     values = mirrors[0].shown[0]["values"]
@@ -508,7 +510,7 @@ def test_the_water_is_drawn_five_by_five_times(arrival: list[Call]) -> None:
     assert ["GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"] in of(arrival, "water", "glBlendFunc")
 
 
-def test_all_sprites_go_in_one_draw_call_a_pass_and_share_it(arrival: list[Call]) -> None:
+def test_all_sprites_share_one_draw_call_per_pass(arrival: list[Call]) -> None:
     draws = [c for c in arrival if "trees" in c.shared_by and c.name == "glDrawElements"]
     assert [call.pass_ for call in draws] == ["reflection", "main"]
     assert draws[0].shared_by == ("trees", "deer", "plants")
@@ -531,7 +533,7 @@ def test_what_is_pushed_is_popped(arrival: list[Call]) -> None:
     assert names.count("glPushAttrib") == names.count("glPopAttrib") > 10
 
 
-def test_the_text_of_a_trace_has_a_line_a_call_and_indents_lists(arrival: list[Call]) -> None:
+def test_the_text_of_a_trace_has_one_line_per_call_and_indents_lists(arrival: list[Call]) -> None:
     lines = list(as_text(arrival))
     assert len(lines) == sum(1 + len(call.listed) for call in arrival)
     fog = next(line for line in lines if "glFogi(" in line)

@@ -1,4 +1,4 @@
-"""The camera's view frustum: what is in it, and when an eye is near another."""
+"""The camera's view frustum: what is in it, and when two eye poses are near each other."""
 
 from dataclasses import replace
 
@@ -47,7 +47,7 @@ def test_the_eye_is_near_until_it_has_moved_or_turned_too_far() -> None:
     assert not is_near(down, looking(replace(down.pose, yaw=10.0)))
 
 
-def test_one_ball_is_in_view_as_many_are() -> None:
+def test_one_ball_is_tested_as_many_balls_are() -> None:
     frame = looking(Pose(20.0, 3.0, 20.0, 33.0, -12.0))
     rng = np.random.default_rng(3)
     places, sizes = rng.random((300, 3)) * (40, 6, 40), rng.random(300)

@@ -41,7 +41,7 @@ from landscape.keys import with_settings
 LIGHT = np.array(PLAIN["castle_light.png"]) / 255
 
 
-def test_the_flame_runs_through_sixteen_pictures_two_kt_each() -> None:
+def test_the_flame_runs_through_sixteen_frames_of_two_kt_each() -> None:
     assert [flame_frame(kt) for kt in (0, 1, 2, 7, 8, 30, 31.9)] == [
         *((0, 0), (0, 0), (1, 0), (3, 0), (0, 1)),
         *((3, 3), (3, 3)),
@@ -67,7 +67,7 @@ def turned_outward(mesh: Mesh) -> np.ndarray:
 
 
 @pytest.mark.parametrize("mesh", [walls_mesh(4.0), tower_mesh(4.0)], ids=["walls", "tower"])
-def test_meshes_have_unit_normals_whole_indices_and_one_winding(mesh: Mesh) -> None:
+def test_meshes_have_unit_normals_valid_indices_and_one_winding(mesh: Mesh) -> None:
     assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-5)
     assert mesh.triangles.max() == len(mesh.vertices) - 1
     solid = np.linalg.norm(
@@ -78,7 +78,7 @@ def test_meshes_have_unit_normals_whole_indices_and_one_winding(mesh: Mesh) -> N
         assert array.dtype == np.float32 and array.flags.c_contiguous
 
 
-def test_a_boxs_faces_look_away_from_its_middle_and_its_bottom_is_open() -> None:
+def test_a_boxs_faces_point_away_from_its_centre_and_its_bottom_is_open() -> None:
     quads = box_quads(1.0, 2.0, 3.0, 2.0, 4.0, 6.0)
     normals = np.cross(quads[:, 1] - quads[:, 0], quads[:, 2] - quads[:, 0])
     outward = quads.mean(axis=1) - (1.5, 3.0, 4.5)
@@ -104,7 +104,7 @@ def test_merlons_stand_between_the_towers_on_all_four_walls() -> None:
         assert np.hypot(*(middle - corner).T).min() > TOWER_RADIUS
 
 
-def test_bricks_are_as_large_on_every_wall() -> None:
+def test_bricks_have_the_same_size_on_every_wall() -> None:
     quads = np.concatenate([box_quads(0, 0, 0, 2, 1, 3)])
     mesh = quads_mesh(quads, 4.0)
     for k in range(4):  # the upright faces
@@ -129,7 +129,7 @@ def test_the_gate_is_the_door_times_the_light(stage: Stage, plain: Assets) -> No
         assert close(pixel(picture, project(GATE, at(x, y, 0.0))), DOOR * LIGHT)
 
 
-def test_bricks_show_through_the_doors_clear_surround_and_take_the_light(
+def test_bricks_show_through_the_doors_transparent_surround_and_are_lit(
     stage: Stage, plain_folder
 ) -> None:
     assets = Assets(write_plain(plain_folder, {"castle_door.png": (90, 60, 30, 0)}))
@@ -137,7 +137,7 @@ def test_bricks_show_through_the_doors_clear_surround_and_take_the_light(
     assert close(pixel(picture, project(GATE, at(0.5, 0.5, 0))), BRICK * LIGHT)
 
 
-def test_a_half_clear_door_is_blended_before_it_is_lit(stage: Stage, plain_folder) -> None:
+def test_a_half_transparent_door_is_blended_before_it_is_lit(stage: Stage, plain_folder) -> None:
     assets = Assets(write_plain(plain_folder, {"castle_door.png": (90, 60, 30, 102)}))
     picture = drawn(stage, assets)
     wanted = (0.4 * DOOR + 0.6 * BRICK) * LIGHT
@@ -145,7 +145,7 @@ def test_a_half_clear_door_is_blended_before_it_is_lit(stage: Stage, plain_folde
 
 
 @pytest.mark.parametrize("distance", [1.0, 4.0, 15.0])
-def test_the_layers_do_not_fight_for_depth_at_any_distance(
+def test_the_layers_do_not_z_fight_at_any_distance(
     stage: Stage, plain: Assets, distance: float
 ) -> None:
     pose = Pose(20.7, 2.6, 19.5 - distance, 180.0 + math.degrees(math.atan2(0.7, distance)), -2.0)
@@ -177,7 +177,7 @@ def test_a_tower_stands_at_every_corner(stage: Stage, plain: Assets) -> None:
 
 
 @pytest.mark.parametrize("kt", [0.0, 7.0, 21.0])
-def test_both_torches_burn_with_the_picture_of_the_moment(
+def test_both_torches_show_the_current_frame_of_the_flame(
     stage: Stage, plain_folder, kt: float
 ) -> None:
     sheet = np.zeros((256, 256, 4), np.uint8)
@@ -272,7 +272,7 @@ def test_the_settings_choose_the_class_of_the_castle() -> None:
         assert castle_class(small(changes)) is chosen
 
 
-def test_flames_turn_by_a_setting_taken_later_as_by_one_given_at_first(
+def test_flames_turn_alike_whether_the_setting_is_built_in_or_applied_later(
     stage: Stage, plain_folder
 ) -> None:
     Image.new("RGBA", (64, 64), (255, 0, 255, 255)).save(plain_folder / "fire.png")

@@ -56,7 +56,7 @@ def test_clouds_are_blended_over_the_top_and_drift_with_kt(stage: Stage, plain_f
     assert np.abs(whole - now).mean() < 2
 
 
-def test_the_cloud_disc_ends_in_nothing_and_faces_down() -> None:
+def test_the_cloud_disc_fades_to_nothing_and_faces_down() -> None:
     vertices, colors, _, triangles = cloud_disc()
     rim = np.hypot(vertices[:, 0], vertices[:, 2]) > 5.9
     assert rim.any() and (colors[rim, 3] == 0).all() and (colors[~rim, 3] > 0).all()

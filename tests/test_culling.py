@@ -1,4 +1,4 @@
-"""What is skipped to save time, back faces and far detail: no picture shows it."""
+"""Back faces and far detail are skipped to save time, and no picture shows it."""
 
 from collections.abc import Iterator
 
@@ -16,7 +16,7 @@ FEW = {
 
 @pytest.fixture(scope="module")
 def both() -> Iterator[tuple[Offscreen, Offscreen]]:
-    """The island in best, with all that is skipped, and drawn in full."""
+    """The island in best twice: with all that may be skipped left out, and drawn in full."""
     with (
         Offscreen(SIZE, "best", FEW, samples=0) as some,
         Offscreen(SIZE, "best", {**FEW, **ALL_DRAWN}, samples=0) as everything,
@@ -26,7 +26,7 @@ def both() -> Iterator[tuple[Offscreen, Offscreen]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("view", ["fig35a", "fig35c", "fig35f", "fig35g", "fig35i"])
-def test_the_picture_is_that_of_everything_drawn(both, view: str) -> None:
+def test_the_picture_is_the_same_as_with_everything_drawn(both, view: str) -> None:
     pictures = []
     for offscreen in both:
         offscreen.look(view)
@@ -38,7 +38,7 @@ def test_the_picture_is_that_of_everything_drawn(both, view: str) -> None:
 
 
 @pytest.mark.slow
-def test_a_coarser_mirror_image_changes_the_water_alone_and_little(both) -> None:
+def test_a_coarser_mirror_image_changes_only_the_water_and_only_a_little(both) -> None:
     fine, _ = both
     with Offscreen(SIZE, "best", {**FEW, "reflection.lod_scale": 8.0}, samples=0) as coarse:
         for view, horizon in (("fig35a", 115), ("fig35i", 115)):

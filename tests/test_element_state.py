@@ -1,7 +1,7 @@
 """Every element in both presets: state, stacks and errors as found; release twice; no leak.
 
-That a frame leaves the state as it began is looked after by ``stage.frame`` in every GL test; here
-each element is drawn for it with all its switches.
+In every GL test ``stage.frame`` checks that a frame leaves the state as it found it. Here each
+element is drawn under that check, with all its switches.
 """
 
 from collections.abc import Callable
@@ -91,7 +91,7 @@ def configured(name: str) -> Settings:
 
 @pytest.fixture(params=list(PRESETS))
 def values(request: pytest.FixtureRequest) -> Settings:
-    """The settings of each preset, light."""
+    """The settings of each preset, with few objects."""
     return configured(request.param)
 
 
@@ -208,7 +208,7 @@ def test_a_whole_frame_leaves_the_state_as_its_beginning_set_it(
     assert live_names() == before
 
 
-def test_an_island_that_cannot_be_built_releases_what_was(
+def test_an_island_that_cannot_be_built_releases_what_it_had_built(
     stage: Stage, values: Settings, tmp_path: Path
 ) -> None:
     folder = write_plain(tmp_path)

@@ -1,4 +1,4 @@
-"""The sea's grid about the eye: it covers what the window shows of the water, and keeps still."""
+"""The sea's grid around the eye: it covers the water that the window shows, and keeps still."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ from landscape.frame import Pose
         Pose(3, 1, 9, 340, -28),
     ],
 )
-def test_the_grid_reaches_every_point_of_the_window_that_sees_water(pose: Pose) -> None:
+def test_the_grid_covers_every_point_of_the_window_that_shows_water(pose: Pose) -> None:
     grid = grid_at(pose)
     # Rays through the window's border, from the definition of the perspective.
     yaw, pitch = np.radians(pose.yaw), np.radians(pose.pitch)
@@ -58,7 +58,7 @@ def test_a_wide_view_has_no_more_lines_than_the_limit() -> None:
     assert grid.triangles.max() == grid.x.size - 1
 
 
-def test_rows_come_far_to_near_and_are_kept_inside_the_water() -> None:
+def test_rows_run_from_far_to_near_and_stay_inside_the_water() -> None:
     grid = grid_at()
     assert (np.diff(grid.ring) <= 0).all()
     grid.keep_within(15.0, 30.0)

@@ -1,4 +1,4 @@
-"""Foam: between the beach and its depth, periodic, moving, and over the water only."""
+"""Foam: between the beach and its greatest depth, periodic, moving, and over the water only."""
 
 import numpy as np
 from seaside import LEVEL, beach
@@ -34,7 +34,7 @@ def test_foam_lies_between_the_beach_and_its_depth_and_moves(stage: Stage) -> No
     assert (foamy(stage, foam.PERIOD) == white).all()
 
 
-def test_a_foam_is_built_at_once_fits_its_water_level_only_and_leaves_nothing(
+def test_foam_is_built_at_once_for_one_water_level_and_leaves_nothing(
     stage: Stage,
 ) -> None:
     before = live_names()

@@ -55,12 +55,12 @@ def test_linear_fog_runs_from_start_to_end(stage: Stage, depth: float) -> None:
     assert close(got, mixed(min(max((12.0 - depth) / 10.0, 0.0), 1.0)), 2)
 
 
-def test_another_colour_and_density_are_taken(stage: Stage) -> None:
+def test_a_new_colour_and_density_are_applied(stage: Stage) -> None:
     got = at_depth(stage, 3.0, density=0.5, color=(1.0, 0.0, 1.0))
     part = math.exp(-(1.5**2))
     assert close(got, part * COLOUR * 255 + (1 - part) * np.array([255, 0, 255]), 2)
 
 
-def test_without_fog_the_colour_is_its_own(stage: Stage) -> None:
+def test_without_fog_the_colour_is_unchanged(stage: Stage) -> None:
     assert close(at_depth(stage, 12.0, fog=False), COLOUR * 255)
     assert close(at_depth(stage, 12.0, enabled=False), COLOUR * 255)

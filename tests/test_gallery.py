@@ -1,4 +1,4 @@
-"""The gallery: every figure and every fix has its panels, captions and commands, and the page."""
+"""The gallery: the panels, captions and commands of every figure and every fix, and the page."""
 
 import re
 import shlex
@@ -53,7 +53,7 @@ def test_panels_are_chosen_by_figure_panel_or_fix() -> None:
 
 
 @pytest.mark.parametrize("fix", FIXES, ids=lambda fix: fix.name)
-def test_every_pair_differs_in_settings_and_2006_is_its_before(fix) -> None:
+def test_every_pair_differs_in_settings_and_2006_has_those_of_its_before(fix) -> None:
     assert fix.off.keys() <= fix.on.keys() and dict(fix.off) != dict(fix.on)
     before = preset("2006")
     for key, value in fix.off.items():
@@ -63,7 +63,7 @@ def test_every_pair_differs_in_settings_and_2006_is_its_before(fix) -> None:
 
 
 @pytest.mark.parametrize("fix", FIXES, ids=lambda fix: fix.name)
-def test_every_pair_uses_today_s_names_of_settings(fix) -> None:
+def test_every_pair_uses_current_setting_names(fix) -> None:
     for after in (False, True):
         assert fix.settings(after).keys() <= keys.fields(Settings).keys()
 
@@ -83,7 +83,7 @@ def test_a_printed_command_has_the_settings_of_its_picture(fix) -> None:
         assert with_settings(Settings(), changes) == with_settings(Settings(), fix.settings(after))
 
 
-def test_a_printed_command_makes_the_kept_picture(tmp_path: Path) -> None:
+def test_a_printed_command_draws_the_committed_picture(tmp_path: Path) -> None:
     for panel in named_panels(["fig5a", "R14_after", "R15_after"]):
         program, *words = shlex.split(panel.command)
         done = landscape(*words, "--out", tmp_path / "picture.png", "-q")
@@ -103,7 +103,7 @@ def test_a_pose_s_height_is_a_number_or_the_word_ground() -> None:
     assert "--pose=20,ground,28,250,0 " in commands["R13_after"]
 
 
-def test_the_kept_page_is_today_s() -> None:
+def test_the_committed_page_is_up_to_date() -> None:
     assert (KEPT / "README.md").read_text(encoding="utf-8") == page(), "landscape figures --update"
 
 
@@ -137,7 +137,7 @@ def test_every_file_and_setting_a_document_names_exists() -> None:
             assert any((base / name).exists() for base in (ROOT, ROOT / "landscape")), name
 
 
-def test_a_small_image_is_enlarged_on_grey_and_stays_in_its_middle() -> None:
+def test_a_small_image_is_enlarged_and_centred_on_grey() -> None:
     image = np.zeros((10, 20, 4), np.uint8)
     image[:, :10] = (255, 0, 0, 255)
     picture = on_grey(image)

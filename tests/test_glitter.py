@@ -32,7 +32,7 @@ def test_only_the_cells_that_may_glint_are_sent() -> None:
     assert len(bright_triangles(triangles_of(5, 6), 0 * intensity + 1)) == 40
 
 
-def test_glints_add_light_and_never_take_any(stage: Stage, plain: Assets) -> None:
+def test_glints_add_light_and_never_remove_any(stage: Stage, plain: Assets) -> None:
     changes = {"sun.elevation": 45.0, "sun.azimuth": 0.0, "water.textured": False}
     changes |= {"sun.diffuse": (1.0, 0.9, 0.8)}
     towards = Pose(20.0, 1.6, 30.0, 0.0, -45.0)

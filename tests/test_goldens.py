@@ -151,7 +151,7 @@ def draw(
 
 
 @pytest.mark.parametrize("name", ELEMENTS)
-def test_an_element_looks_as_it_did(
+def test_an_element_matches_its_golden_picture(
     stage: Stage, islands: dict[str, Island], request: pytest.FixtureRequest, name: str
 ) -> None:
     picture = draw(stage, islands["2006"], *ELEMENTS[name])
@@ -160,7 +160,7 @@ def test_an_element_looks_as_it_did(
 
 
 @pytest.mark.parametrize("stroke", [1, 2, 3, 4])
-def test_a_sword_stroke_looks_as_it_did(
+def test_a_sword_stroke_matches_its_golden_picture(
     stage: Stage, islands: dict[str, Island], request: pytest.FixtureRequest, stroke: int
 ) -> None:
     place = Pose(20.0, 5.0, 20.0)
@@ -170,7 +170,7 @@ def test_a_sword_stroke_looks_as_it_did(
 
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("preset", ["2006", "best"])
-def test_a_whole_scene_looks_as_it_did(
+def test_a_whole_scene_matches_its_golden_picture(
     stage: Stage,
     islands: dict[str, Island],
     target: Framebuffer,

@@ -81,7 +81,7 @@ def test_the_texture_coordinates_are_the_reports() -> None:
     assert np.allclose(COORDINATES, expected)
 
 
-def test_the_wind_is_a_fifth_of_the_plants() -> None:
+def test_the_wind_is_a_fifth_of_the_plants_sway() -> None:
     places = np.array([(0.0, 1.0, 0.0), (3.0, 1.0, 2.0)])
     assert blade_wind(0.0, places, 1.0)[0] == pytest.approx([0.01, 0.006])
     assert np.allclose(blade_wind(13.0, places, 1.0), sway(13.0, places) / 5)
@@ -142,7 +142,7 @@ def test_a_cells_blades_stand_in_the_cell_and_on_the_ground(sow) -> None:
         assert np.allclose(y, 3.0)
 
 
-def test_the_same_grass_grows_whichever_way_the_cells_are_visited(sow) -> None:
+def test_the_same_grass_grows_in_whatever_order_the_cells_are_visited(sow) -> None:
     cells = [812, 3, 4000, 3999]
     there, back = sow(), sow()
     forth = [there.cell(number) for number in cells]
@@ -177,7 +177,7 @@ def test_greenness_is_0_for_rock_and_1_for_a_meadow() -> None:
     assert greenness(np.array(colours)) == pytest.approx([0.0, 0.0, 1.0, 0.5])
 
 
-def test_all_cells_within_the_radius_are_looked_at_and_none_off_the_map() -> None:
+def test_all_cells_within_the_radius_are_examined_and_none_off_the_map() -> None:
     rng = np.random.default_rng(5)
     for x, z in [(20.0, 20.0), (0.1, 39.9), (-3.0, 12.0), (33.3, 7.7)]:
         cells = {tuple(cell) for cell in cells_around(x, z, 4.0, 80).tolist()}
@@ -217,7 +217,7 @@ def test_cells_behind_or_beyond_the_radius_are_left_out() -> None:
     assert visible_cells(frame, centres, 4.0).tolist() == [False, False, True, False]
 
 
-def test_cells_select_all_blades_that_a_test_of_every_blade_does_and_shows(sow) -> None:
+def test_cells_select_every_visible_blade_that_testing_each_blade_finds(sow) -> None:
     grass = sow()
     places = everything(grass).positions
     for pose in (NORTH, Pose(12.3, 3.1, 25.1, 77.0, -20.0), Pose(1.0, 3.1, 1.0, 200.0, 10.0)):
@@ -240,7 +240,7 @@ def test_every_blade_of_a_visible_cell_is_sent(sow) -> None:
     assert [len(grass.cell(number).positions) for number in numbers] == counts.tolist()
 
 
-def test_cells_long_out_of_view_are_dropped_and_grow_again_the_same(
+def test_cells_long_out_of_view_are_dropped_and_regrow_identically(
     sow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     grown = []
@@ -312,7 +312,7 @@ def test_no_grass_in_view_draws_nothing(
         assert close(stage.read(), np.array([0.4, 0.6, 0.7]) * 255)
 
 
-def test_while_the_eye_stands_the_selection_stands_and_the_wind_blows(
+def test_while_the_eye_stands_still_the_selection_is_kept_and_the_wind_blows(
     stage: Stage, field_of_grass: tuple[Settings, Grass], monkeypatch
 ) -> None:
     settings, grass = field_of_grass
@@ -328,7 +328,7 @@ def test_while_the_eye_stands_the_selection_stands_and_the_wind_blows(
     assert (pictures[0] != pictures[1]).any()
 
 
-def test_r18_the_loop_over_blades_draws_the_picture_of_one_call(stage: Stage, sow) -> None:
+def test_r18_the_loop_over_blades_and_one_call_draw_the_same_picture(stage: Stage, sow) -> None:
     large: dict[str, Any] = {"count": 40_000, "scale": (3.0, 3.0)}
     grass = sow(**large)
     pictures, calls = [], []
@@ -354,7 +354,7 @@ def test_one_blade_takes_twelve_calls(stage: Stage) -> None:
     assert names.count("glBegin") == names.count("glEnd") == 3
 
 
-def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(
+def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
     stage: Stage, field_of_grass: tuple[Settings, Grass]
 ) -> None:
     settings, grass = field_of_grass
@@ -378,7 +378,7 @@ def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(
     assert (shown() == wide).all()
 
 
-def test_the_plain_grass_serves_2006_and_not_best() -> None:
+def test_the_plain_grass_is_used_in_2006_and_not_in_best() -> None:
     assert not meadow.wanted(preset("2006")) and meadow.wanted(preset("best"))
     for key, value in (
         ("tinted", True), ("fade", True), ("facing", 0.6), ("tufts", 7), ("variety", 1.0),

@@ -78,7 +78,7 @@ def test_the_clip_plane_removes_everything_below_the_water(stage: Stage, plain_f
     assert close(pictures[False][int(row), int(column - 2)], land)
 
 
-def test_the_plane_goes_away_when_the_block_ends_even_by_an_exception(stage: Stage) -> None:
+def test_the_clip_plane_is_disabled_when_the_block_ends_even_by_an_exception(stage: Stage) -> None:
     with stage.frame(small(), DOWN):  # the frame itself looks at what is enabled
         with pytest.raises(RuntimeError):
             with clipped(1.0):
@@ -120,9 +120,7 @@ def test_no_texture_is_larger_than_asked_for(stage: Stage, plain_folder) -> None
 # The ground's answers
 
 
-def test_the_ground_answers_how_high_it_is_and_that_all_of_it_is_lit(
-    stage: Stage, plain_folder
-) -> None:
+def test_the_ground_gives_its_height_and_is_lit_everywhere(stage: Stage, plain_folder) -> None:
     ramp = np.repeat(np.arange(256, dtype=np.uint8)[None, :], 256, axis=0)
     Image.fromarray(ramp).save(plain_folder / "height.png")
     settings = small({"ground.resolution": 100, "water.level": 3.0})
@@ -136,7 +134,7 @@ def test_the_ground_answers_how_high_it_is_and_that_all_of_it_is_lit(
     ground.release()
 
 
-def test_the_ground_takes_new_settings_that_it_does_not_use_and_refuses_the_rest(
+def test_the_ground_accepts_settings_that_it_does_not_use_and_refuses_the_rest(
     stage: Stage, plain: Assets
 ) -> None:
     settings = small()

@@ -24,7 +24,7 @@ def plane(a: float, b: float, n: int = 9, level: float = -100.0) -> HeightField:
     return HeightField(heights.astype(np.float32), 40.0, level)
 
 
-def test_vertex_k_of_n_takes_the_image_at_k_over_n() -> None:
+def test_vertex_k_of_n_samples_the_image_at_k_over_n() -> None:
     row, column = np.mgrid[0:8, 0:8]
     image = (3 * column + 20 * row).astype(np.float32)
     field = height_field(image, GroundSettings(resolution=4, scale_y=6.4), 0.0)
@@ -66,7 +66,7 @@ def test_heights_between_vertices_are_bilinear() -> None:
     assert field.terrain_height(5.0, 10.0) == pytest.approx((near + far) / 2)
 
 
-def test_outside_the_map_the_border_goes_on() -> None:
+def test_outside_the_map_the_height_of_the_border_continues() -> None:
     field = plane(0.1, 0.05)
     assert field.terrain_height(-3.0, 20.0) == pytest.approx(field.terrain_height(0.0, 20.0))
     assert field.terrain_height(50.0, 41.0) == pytest.approx(0.1 * 40 + 0.05 * 40 + 1, rel=1e-6)
@@ -98,7 +98,7 @@ def test_normals_of_rough_ground_have_length_one_and_point_up() -> None:
     assert (mesh.normals[:, 1] > 0).all()
 
 
-def test_all_triangles_turn_counter_clockwise_seen_from_above() -> None:
+def test_all_triangles_are_counter_clockwise_seen_from_above() -> None:
     heights = np.random.default_rng(2).random((7, 7)).astype(np.float32)
     mesh = ground_mesh(HeightField(heights, 40.0, 0.0), (1.0,))
     a, b, c = (mesh.vertices[mesh.triangles[:, k]] for k in range(3))
@@ -107,7 +107,7 @@ def test_all_triangles_turn_counter_clockwise_seen_from_above() -> None:
     assert up.sum() / 2 == pytest.approx(40.0 * 40.0, rel=1e-5)
 
 
-def test_vertices_stand_at_k_over_n_minus_1_and_indices_stay_inside() -> None:
+def test_vertices_stand_at_k_over_n_minus_1_and_indices_are_in_range() -> None:
     mesh = ground_mesh(plane(0.1, 0.2, n=5), (1.0, 160.0))
     assert mesh.vertices[7].tolist() == pytest.approx([20.0, 0.1 * 20 + 0.2 * 10 + 1, 10.0])
     assert mesh.triangles.shape == (2 * 4 * 4, 3)
@@ -117,7 +117,7 @@ def test_vertices_stand_at_k_over_n_minus_1_and_indices_stay_inside() -> None:
     assert mesh.coordinates[1][7].tolist() == pytest.approx([80.0, 40.0])
 
 
-def test_an_island_without_a_texture_is_sand_low_and_green_above() -> None:
+def test_an_island_without_a_texture_has_sand_low_down_and_green_above() -> None:
     colours = colour_by_height(plane(0.1, 0.0, level=1.0), np.array([0, 1, 0]), 64).astype(int)
     red, green, blue = colours[32, 0]
     assert red > green > blue  # sand
@@ -147,7 +147,9 @@ def drawn_heights(mesh: Mesh, x: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("smooth", ["none", "b_spline"])
-def test_the_eye_is_always_as_high_above_the_surface_drawn(shipped: Assets, smooth: str) -> None:
+def test_the_eye_is_always_equally_high_above_the_drawn_surface(
+    shipped: Assets, smooth: str
+) -> None:
     changes = {"ground.exact_height": True, "ground.smooth": smooth, "ground.subdivide": 2}
     settings = with_settings(Settings(), {**changes, "water.level": 0.0})
     image = np.random.default_rng(1).random((64, 64)) * 200 + 20
@@ -196,7 +198,7 @@ def test_catmull_rom_passes_through_the_knots_and_the_b_spline_near_them() -> No
 
 
 @pytest.mark.parametrize("kind", ["catmull_rom", "b_spline"])
-def test_the_patches_meet_with_one_slope(kind: str) -> None:
+def test_the_patches_meet_with_the_same_slope(kind: str) -> None:
     parts = 50
     curve = spline_weights(6, parts, kind) @ np.array([0, 3, -2, 5, 5, 1.0])
     slope = np.diff(curve) * parts
@@ -205,7 +207,7 @@ def test_the_patches_meet_with_one_slope(kind: str) -> None:
     assert np.abs(slope).max() > 3
 
 
-def test_the_setting_makes_a_finer_ground_of_the_same_data() -> None:
+def test_the_setting_makes_a_finer_ground_from_the_same_data() -> None:
     image = np.random.default_rng(1).random((32, 32)) * 255
     plain = height_field(image, GroundSettings(resolution=10), 0.0)
     fine = height_field(

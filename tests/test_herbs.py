@@ -41,7 +41,7 @@ FERN, OXEYE = HERB, HERB + 1
 COLOURS = [(40 + 40 * k, 255 - 45 * k, 20 + 30 * k, 255) for k in range(len(HERBS))]
 
 
-def test_with_herbs_the_atlas_is_as_high_as_wide() -> None:
+def test_with_herbs_the_atlas_is_square() -> None:
     cells = [np.full((8, 8, 4), k + 1, np.uint8) for k in range(len(CELLS) + len(HERBS))]
     sheet = laid_out(with_herbs(cells))
     assert sheet.shape == (32, 32, 4)
@@ -52,7 +52,7 @@ def test_with_herbs_the_atlas_is_as_high_as_wide() -> None:
     assert with_herbs(cells[: len(CELLS)]) == cells[: len(CELLS)]
 
 
-def test_pictures_from_above_have_cells_that_no_sprite_takes() -> None:
+def test_pictures_from_above_have_cells_of_their_own() -> None:
     taken = {*range(len(CELLS)), *range(HERB, HERB + len(HERBS))}
     assert taken.isdisjoint(TOPS_CELLS)
     plants = np.array([PLANT, *range(HERB, HERB + len(HERBS))])
@@ -103,7 +103,7 @@ def test_from_above_each_herb_shows_its_own_colour(
     assert close(here, COLOURS[cell - HERB][:3], 12)
 
 
-def test_single_and_crossed_plants_change_over_without_a_gap_or_a_jump() -> None:
+def test_plants_switch_between_single_and_crossed_without_a_gap_or_a_jump() -> None:
     single, crossed = crossing(small({"plants.crossed_within": 5.0}), np.linspace(0.0, 8.0, 801))
     assert (np.maximum(single, crossed) == 1.0).all()
     assert single[0] == 0.0 and crossed[-1] == 0.0
@@ -123,7 +123,7 @@ def test_plants_beyond_their_own_radius_are_not_drawn_and_trees_are(
     assert counts == [9, 5]
 
 
-def test_plants_are_darker_where_the_ground_on_their_sunny_side_is_and_trees_as_they_were(
+def test_plants_but_not_trees_are_darkened_by_shadow_on_their_sunny_side(
     sprites: RefinedSprites,
 ) -> None:
     sunrise = {"sun.azimuth": 90.0, "sun.elevation": 10.0}

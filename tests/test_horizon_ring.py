@@ -26,7 +26,7 @@ def test_the_ring_fills_everything_but_the_patches() -> None:
     assert not ((middle > -10) & (middle < 40)).all(axis=1).any()
 
 
-def test_the_sea_goes_on_to_the_horizon_in_the_patches_colour(stage: Stage, plain: Assets) -> None:
+def test_the_sea_extends_to_the_horizon_in_the_patches_colour(stage: Stage, plain: Assets) -> None:
     settings = small(FAR)
     ring = HorizonRing(settings, plain)
     high = Pose(20.0, 12.0, 20.0, 0.0, -10.0)
@@ -55,7 +55,7 @@ def test_ring_and_patches_leave_no_gap_and_overlap_nowhere(stage: Stage, plain: 
     assert close(both, COLOUR)
 
 
-def test_a_ring_takes_another_colour_and_refuses_another_shape(stage: Stage, plain: Assets) -> None:
+def test_a_ring_accepts_a_new_colour_and_refuses_a_new_shape(stage: Stage, plain: Assets) -> None:
     before = live_names()
     ring = HorizonRing(small(FAR), plain)
     changed = small({**FAR, "water.color": (1.0, 0.0, 0.0, 1.0)})

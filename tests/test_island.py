@@ -1,4 +1,4 @@
-"""The frame: the camera in closed form, the order of drawing, what is shown, always the same."""
+"""The frame: the camera in closed form, the order of drawing, what is shown, identical repeats."""
 
 import math
 from collections.abc import Iterator
@@ -20,7 +20,7 @@ MOMENT = Moment(POSE, SIZE, 20.0, 5.0)
 
 @pytest.fixture(scope="module")
 def island(the_stage: Stage) -> Iterator[Island]:
-    """The island of 2006, light."""
+    """The island of 2006, with few objects."""
     the_stage.enter()
     made = Island(small({"grass.count": 100_000}), Assets())
     yield made
@@ -126,7 +126,7 @@ def test_the_same_seed_builds_the_same_island_and_another_a_different_one(stage:
 
 
 @pytest.mark.parametrize("element", ["ground", "sky", "water", "grass", "sword", "map", "castle"])
-def test_an_element_not_shown_is_not_there(stage: Stage, island: Island, element: str) -> None:
+def test_an_element_not_shown_is_not_drawn(stage: Stage, island: Island, element: str) -> None:
     moment = MOMENT
     if element == "castle":
         moment = Moment(Pose(island.castle.base[0], 4.0, 19.5, 0.0, -20.0), SIZE)  # type: ignore[union-attr]

@@ -1,4 +1,4 @@
-"""Levels of detail of the animals: which is drawn, what they save, that all are released."""
+"""Levels of detail of the animals: which is drawn, what each saves, that all are released."""
 
 import itertools
 from dataclasses import replace
@@ -62,7 +62,7 @@ def test_the_lists_of_all_levels_are_made_at_once_and_released(stage: Stage, pla
     assert live_names()[1] == before
 
 
-def test_levels_of_detail_from_the_cache_are_those_just_made(
+def test_levels_of_detail_from_the_cache_equal_those_just_made(
     stage: Stage, plain_folder, tmp_path, monkeypatch
 ) -> None:
     write_ply(plain_folder / "dragon.ply", *ball())
@@ -99,7 +99,7 @@ def test_in_the_mirror_image_an_animal_may_be_coarser(stage: Stage, plain_folder
 
 
 @pytest.mark.parametrize("closed", [True, False])
-def test_only_a_closed_animal_is_drawn_without_its_back(
+def test_back_faces_are_culled_only_on_closed_animals(
     stage: Stage, plain_folder, closed: bool
 ) -> None:
     """A box whose lid is missing shows its inside, with or without camera.cull."""

@@ -49,7 +49,7 @@ def test_the_map_fills_the_upper_left_quarter_of_each_side(
 
 
 @pytest.mark.parametrize(("x", "z"), [(20.0, 20.0), (10.0, 30.0), (34.0, 6.0)])
-def test_the_walkers_point_is_five_pixels_wide_where_he_stands(
+def test_the_point_at_the_walkers_position_is_five_pixels_wide(
     stage: Stage, plain: Assets, x: float, z: float
 ) -> None:
     picture = drawn(stage, plain, Pose(x, 1.0, z, 77.0, 10.0))
@@ -83,7 +83,7 @@ def test_the_map_lies_over_everything_whatever_the_depth(stage: Stage, plain: As
     assert close(picture[20, 20], GREEN)
 
 
-def test_the_map_takes_the_size_of_the_island_and_refuses_another_opacity(
+def test_the_map_accepts_a_new_island_size_and_refuses_a_new_opacity(
     stage: Stage, plain: Assets
 ) -> None:
     map_ = Map(small(), plain)

@@ -63,7 +63,7 @@ def sow(stage: Stage, plain: Assets):
 # ---- blades
 
 
-def test_an_arch_bends_the_tip_so_many_times_as_far_and_the_shoulders_a_third_of_it() -> None:
+def test_arch_multiplies_the_bend_of_the_tip_and_moves_the_shoulders_a_third_as_far() -> None:
     plain = blade_corners(np.array([0.3, 2.0]))
     assert (arched(plain, 1.0) == plain).all()
     far = arched(plain, 4.0)
@@ -79,7 +79,7 @@ def test_a_blade_is_darker_at_its_foot() -> None:
     assert tints[4, 1] / tints[4, 0] == pytest.approx(2.0, abs=0.05)
 
 
-def test_a_sparse_meadow_is_thinned_out_later_and_shows_less_all_the_same() -> None:
+def test_a_sparse_meadow_is_thinned_out_farther_away_and_still_shows_fewer_blades() -> None:
     assert nearness(DENSE) == nearness(10 * DENSE) == NEAR
     near = [nearness(density) for density in (DENSE / 64, DENSE / 8, DENSE)]
     assert near == sorted(near, reverse=True) and near[0] > 2 * NEAR
@@ -97,7 +97,7 @@ def seen_widths(blades: np.ndarray, eye: np.ndarray) -> np.ndarray:
     return np.abs(seen) / np.linalg.norm(across, axis=1)
 
 
-def test_r7_no_blade_is_a_line_seen_edge_on() -> None:
+def test_r7_no_blade_is_seen_edge_on() -> None:
     angles = np.linspace(0, 2 * np.pi, 721)
     spots = np.random.default_rng(5).random((721, 3)) * 6
     eye = np.array([3.0, 9.0])
@@ -114,7 +114,7 @@ def test_r7_no_blade_is_a_line_seen_edge_on() -> None:
 
 
 @pytest.mark.parametrize("fraction", [0.3, 0.6, 1.0])
-def test_r7_by_complex_numbers_blades_turn_as_in_the_plain_form(fraction: float) -> None:
+def test_r7_complex_numbers_turn_blades_as_the_plain_form_does(fraction: float) -> None:
     rng = np.random.default_rng(6)
     spots = rng.random((500, 3)) * 6
     plain = blade_vertices(spots, blade_corners(rng.random(500) * 7), (0.4, 1.1))
@@ -170,7 +170,7 @@ def test_blades_grow_in_tufts_that_lean_apart() -> None:
     assert np.linalg.norm(tips, axis=1).min() > 0.003
 
 
-def test_a_far_cell_grows_the_same_blades_as_when_one_stands_in_it() -> None:
+def test_a_cell_grows_the_same_blades_far_away_as_close_up() -> None:
     far, near = growth(**{**LUSH, "count": 2_000_000}), growth(**{**LUSH, "count": 2_000_000})
     whole = near.patch(3210)
     first = far.patch(3210, 40)
@@ -179,7 +179,7 @@ def test_a_far_cell_grows_the_same_blades_as_when_one_stands_in_it() -> None:
     assert (far.patch(3210).vertices == whole.vertices).all()
 
 
-def test_where_hardly_anything_grows_a_cell_bears_what_was_found(
+def test_a_cell_with_few_places_to_grow_uses_the_places_found(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(growth_module, "places_in", lambda *a: np.full((3, 2), 20.1))
@@ -197,7 +197,7 @@ def test_variety_makes_heights_and_colours_differ() -> None:
     assert varied[0] > 1.3 * plain[0] and varied[1] > 5 * plain[1]
 
 
-def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
+def test_cells_long_unused_are_dropped_and_regrow_identically(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     grown = growth(fade=True)
@@ -213,7 +213,7 @@ def test_cells_not_used_for_long_are_forgotten_and_grow_again_the_same(
     assert np.array_equal(grown.counts, counts)
 
 
-def test_a_forgotten_cell_that_bore_less_than_its_share_grows_again_the_same(
+def test_a_dropped_cell_with_fewer_blades_than_its_share_regrows_identically(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     places_in = growth_module.places_in
@@ -248,7 +248,7 @@ def test_with_no_refinement_the_meadow_is_the_plain_grass(sow, stage: Stage, pla
     assert (pictures[0] == pictures[1]).all() and pictures[0].std() > 1
 
 
-def test_the_wind_bends_the_meadow_as_the_plain_grass(sow) -> None:
+def test_the_wind_bends_the_meadow_like_the_plain_grass(sow) -> None:
     meadow, frame = sow(facing=0.6), looking(NORTH, kt=17.0)
     patch = meadow.select(frame)
     moved = meadow.bend(frame, patch) - meadow.bend(looking(NORTH, kt=0.0), patch)
@@ -282,7 +282,7 @@ def shown(meadow: Meadow, frame: Any, patch: Patch) -> set[bytes]:
 
 
 @pytest.mark.parametrize("fade", [True, False])
-def test_a_choice_that_is_kept_shows_what_a_new_one_would(sow, fade: bool) -> None:
+def test_a_reused_selection_shows_what_a_new_one_would(sow, fade: bool) -> None:
     meadow, other = (sow(fade=fade, count=200_000) for _ in range(2))
     start = Pose(20.0, 3.1, 20.0, 10.0, -5.0)
     kept = meadow.choice(looking(start))
@@ -300,7 +300,7 @@ def test_a_choice_that_is_kept_shows_what_a_new_one_would(sow, fade: bool) -> No
     assert meadow.choice(looking(Pose(20.3, 3.1, 20.0, 10.0, -5.0))) is not kept
 
 
-def test_other_settings_or_another_window_are_chosen_for_anew(sow) -> None:
+def test_new_settings_or_a_new_window_size_cause_a_new_selection(sow) -> None:
     meadow = sow(fade=True, count=200_000)
     kept = meadow.choice(looking(NORTH))
     assert meadow.choice(looking(NORTH)) is kept
@@ -311,7 +311,7 @@ def test_other_settings_or_another_window_are_chosen_for_anew(sow) -> None:
     assert meadow.choice(wide) is not kept
 
 
-def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(sow) -> None:
+def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(sow) -> None:
     meadow, frame = sow(facing=0.6), looking(NORTH)
 
     def drawn() -> np.ndarray:

@@ -62,7 +62,7 @@ def test_a_cone_has_the_normals_of_a_cone() -> None:
     assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-5)
 
 
-def test_a_turned_profile_closes_without_a_seam_in_the_light() -> None:
+def test_a_surface_of_revolution_closes_without_a_seam_in_its_lighting() -> None:
     mesh = revolve([(0.5, 0.0), (0.5, 1.0), (0.7, 1.2)], 10, (4, 2))
     for start in range(0, len(mesh.vertices), 11):
         assert np.allclose(mesh.vertices[start], mesh.vertices[start + 10], atol=1e-6)
@@ -72,7 +72,7 @@ def test_a_turned_profile_closes_without_a_seam_in_the_light() -> None:
     assert len(mesh.vertices) == 2 * 2 * 11 and mesh.triangles.max() == 43
 
 
-def test_a_turned_profile_faces_away_from_its_axis() -> None:
+def test_a_surface_of_revolution_faces_away_from_its_axis() -> None:
     mesh = revolve([(0.5, 0.0), (0.5, 1.0)], 12, (1, 1))
     outward = mesh.vertices[:, [0, 2]] / 0.5
     # Two triangles lie on one side of a vertex and one on the other: a few degrees to the side.
@@ -82,7 +82,7 @@ def test_a_turned_profile_faces_away_from_its_axis() -> None:
     assert ((face * (a + b + c) * (1, 0, 1)).sum(axis=1) > 0).all()
 
 
-def test_gathering_keeps_every_triangle_and_brings_neighbours_together() -> None:
+def test_sorting_keeps_every_triangle_and_brings_neighbours_together() -> None:
     rng = np.random.default_rng(5)
     along = np.linspace(0.0, 1.0, 30)
     x, z = (a.ravel() for a in np.meshgrid(along, along))
@@ -199,7 +199,7 @@ def test_colours_of_vertices_are_read_from_a_ply_that_has_them(tmp_path: Path) -
     assert read_colours(tmp_path / "other.obj") is None
 
 
-def test_colours_of_a_damaged_file_end_in_its_name(tmp_path: Path) -> None:
+def test_damaged_vertex_colours_are_refused_by_file_name(tmp_path: Path) -> None:
     path = tmp_path / "cut.ply"
     path.write_text(COLOURED[:-20])
     with pytest.raises(InputError, match=r"cut\.ply: expected a whole PLY"):
@@ -216,7 +216,7 @@ def sphere(rings: int = 40) -> Mesh:
 
 
 @pytest.mark.parametrize("cube", [0.05, 0.2])
-def test_a_clustered_mesh_is_off_by_no_more_than_its_cubes(cube: float) -> None:
+def test_vertex_clustering_moves_the_surface_by_less_than_a_cube(cube: float) -> None:
     fine = sphere()
     coarse = clustered(fine, cube)
     assert len(coarse.vertices) < len(fine.vertices)
@@ -231,7 +231,7 @@ def test_a_clustered_mesh_is_off_by_no_more_than_its_cubes(cube: float) -> None:
     assert apart.max() <= cube * np.sqrt(3)
 
 
-def test_a_mesh_is_closed_if_each_edge_has_its_other_half() -> None:
+def test_a_mesh_is_closed_if_each_edge_has_its_opposite() -> None:
     faces = sphere(12).triangles
     assert is_closed(faces)
     assert not is_closed(faces[1:])

@@ -38,7 +38,7 @@ def test_the_ripples_leave_no_hole_at_the_windows_borders(stage: Stage, plain: A
         assert (below[..., 2] >= 120).all(), "every pixel of water has half of the water's blue"
 
 
-def test_the_texture_draws_beside_any_framebuffer_and_is_taken_once(stage: Stage) -> None:
+def test_the_texture_is_drawn_outside_the_framebuffer_and_is_taken_once(stage: Stage) -> None:
     image = MirrorImage()
     with stage.frame(small(), POSE) as frame:
         assert image.take() is None

@@ -1,7 +1,7 @@
 """No named view calls an entry point on the list of shaders_none/forbidden.txt.
 
-The list itself is tested in test_no_shader_list.py, and that no file but those of landscape/gl can
-go past the seam in test_calls.py.
+The list itself is tested in test_no_shader_list.py; test_calls.py tests that only the files of
+landscape/gl can bypass the seam.
 """
 
 from collections.abc import Iterator
@@ -55,10 +55,10 @@ def quick_levels(image: np.ndarray, levels: int) -> list[np.ndarray]:
 
 @pytest.fixture(scope="module")
 def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
-    """Every view in its own preset, and those of figure 35 in all: (preset, view) to names called.
+    """The names called, by (preset, view): each view in its own preset, figure 35 in all presets.
 
-    One island serves all views that need the same, so what it calls while it is built is counted
-    with the first view drawn in it.
+    Views that need the same island share one, so the calls that build it are counted with the first
+    view drawn in it.
     """
     folder = quick_assets(tmp_path_factory.mktemp("quick"))
     found: dict[tuple[str, str], set[str]] = {}

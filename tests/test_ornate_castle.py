@@ -56,13 +56,13 @@ def faces(mesh: Mesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("mesh", [ornate_masonry(4.0)[0], roofs(4.0), quads_mesh(loopholes(), 1.0)])
-def test_every_face_turns_the_way_its_normal_points(mesh: Mesh) -> None:
+def test_the_winding_of_every_face_agrees_with_its_normal(mesh: Mesh) -> None:
     _, turn, normal = faces(mesh)
     assert ((turn * normal).sum(axis=1) > -1e-9).all()
     assert np.isfinite(mesh.vertices).all() and mesh.triangles.max() < len(mesh.vertices)
 
 
-def test_bands_loopholes_and_towers_look_away_from_what_they_stand_on() -> None:
+def test_bands_loopholes_and_towers_face_away_from_what_they_stand_on() -> None:
     for low, high, out in (BAND, PLINTH):
         quads = belt(low, high, out, GATE)
         middle, turn, _ = faces(quads_mesh(quads, 1.0))
@@ -126,7 +126,7 @@ def test_pennants_hang_under_the_tips_of_their_masts_and_are_shaded_by_their_slo
 
 
 @pytest.mark.parametrize(("mirrored", "rippled", "burns"), [(0, 1, 1), (1, 0, 1), (1, 1, 0)])
-def test_in_an_image_that_ripples_neither_flame_nor_pennant_is_drawn(
+def test_flames_and_pennants_are_not_drawn_into_a_rippled_mirror_image(
     stage: Stage, plain: Assets, mirrored: int, rippled: int, burns: int
 ) -> None:
     settings = small({**SETTINGS, "castle.ornate": True, "reflection.rippled": bool(rippled)})
@@ -157,7 +157,7 @@ def test_an_ornate_castle_out_of_view_is_not_drawn_and_its_mirror_image_is_lower
 
 
 def rotation(yaw: float) -> np.ndarray:
-    """Return what glRotatef about y multiplies rows (n, 3) with; needs a context."""
+    """Return the matrix by which glRotatef about y multiplies rows (n, 3); needs a context."""
     gl.glPushMatrix()
     gl.glLoadIdentity()
     gl.glRotatef(yaw, 0.0, 1.0, 0.0)
@@ -268,7 +268,7 @@ def test_light_is_least_in_shadow_and_at_the_damp_foot() -> None:
     assert shaded.mean() < 0.75 * free.mean()
 
 
-def test_boxes_on_shelves_do_not_overlap() -> None:
+def test_boxes_packed_on_shelves_do_not_overlap() -> None:
     rng = np.random.default_rng(4)
     sizes = [(int(w), int(h)) for w, h in rng.integers(2, 60, (150, 2))]
     used = np.zeros((SIDE, SIDE), int)
@@ -279,7 +279,7 @@ def test_boxes_on_shelves_do_not_overlap() -> None:
         shelves([(SIDE, SIDE), (2, 2)])
 
 
-def test_every_vertex_looks_up_the_light_of_its_own_place() -> None:
+def test_every_vertex_looks_up_the_light_at_its_own_position() -> None:
     mesh, strips = ornate_masonry(4.0)
     named = np.concatenate([strip.ravel() for strip in strips])
     assert sorted(named.tolist()) == list(range(len(mesh.vertices)))

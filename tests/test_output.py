@@ -49,7 +49,7 @@ def test_a_file_is_written_whole_with_a_new_folder_and_the_usual_rights(tmp_path
     assert list(path.parent.iterdir()) == [path]
 
 
-def test_an_earlier_file_is_replaced_and_what_had_it_open_still_reads_the_old(
+def test_an_earlier_file_is_replaced_and_whoever_has_it_open_still_reads_it(
     tmp_path: Path,
 ) -> None:
     path = tmp_path / "a.bin"
@@ -126,7 +126,7 @@ def test_a_symbolic_link_is_followed_and_not_replaced(tmp_path: Path) -> None:
     assert len(list((tmp_path / "real").iterdir())) == 1
 
 
-def test_a_name_of_the_longest_length_is_written(tmp_path: Path) -> None:
+def test_a_file_name_of_the_greatest_length_is_written(tmp_path: Path) -> None:
     path = tmp_path / ("x" * 251 + ".png")
     write_whole(path, b"abc")
     assert path.read_bytes() == b"abc"

@@ -1,4 +1,4 @@
-"""Where the sprites of 2006 stand: on land, at random, the same for the same seed."""
+"""Where the sprites of 2006 stand: on land, at random, at the same places for the same seed."""
 
 import numpy as np
 import pytest
@@ -77,7 +77,7 @@ def test_none_asked_for_gives_none() -> None:
     assert len(sprites.positions) == 0
 
 
-def test_the_chance_of_a_place_is_the_share_of_its_sprites() -> None:
+def test_sprites_are_spread_in_proportion_to_the_density() -> None:
     flat = HeightField(np.full((4, 4), 3.0, np.float32), 40.0, 1.0)
     places = scatter(
         flat, 20_000, np.random.default_rng(1), lambda x, z: np.where(x < 20, 0.9, 0.3)
@@ -86,13 +86,13 @@ def test_the_chance_of_a_place_is_the_share_of_its_sprites() -> None:
     assert (places[:, 0] < 20).mean() == pytest.approx(0.75, abs=0.02)
 
 
-def test_only_so_many_species_as_asked_for() -> None:
+def test_no_more_species_grow_than_asked_for() -> None:
     for species in (1, 2, 4):
         _, sprites = grow({"trees"}, trees__species=species)
         assert set(np.unique(sprites.cells)) == set(range(species))
 
 
-def test_the_first_deer_stand_at_their_posts_as_far_as_these_are_on_land() -> None:
+def test_the_first_deer_stand_at_their_fixed_places_if_these_are_on_land() -> None:
     _, sprites = grow({"deer"}, deer__count=3)
     posts = np.array([post for post in DEER_POSTS if hill().terrain_height(*post) > 1.0])
     assert 1 < len(posts) < len(DEER_POSTS)

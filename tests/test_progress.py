@@ -1,4 +1,4 @@
-"""Progress: on a terminal only, and never in the way."""
+"""Progress: shown on a terminal only, and never in the way of the output."""
 
 import io
 import os
@@ -31,7 +31,9 @@ def test_progress_counts_every_step_on_a_terminal(monkeypatch: pytest.MonkeyPatc
     assert err.getvalue().endswith("\n")
 
 
-def test_bytes_are_shown_in_their_unit_and_never_run_back(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_bytes_are_shown_in_their_unit_and_never_go_backwards(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     err = Terminal()
     monkeypatch.setattr(sys, "stderr", err)
     with Progress(2_000_000, title="bunny", unit="B") as progress:
@@ -49,7 +51,7 @@ def test_a_total_that_is_not_known_is_no_error(monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.parametrize(("total", "quiet"), [(3, True), (1, False)])
-def test_no_progress_when_quiet_or_for_a_single_thing(
+def test_no_progress_when_quiet_or_for_a_single_step(
     total: int, quiet: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     err = Terminal()
@@ -69,7 +71,7 @@ def test_no_progress_where_standard_error_is_a_file_or_closed(
     progress_of(3, monkeypatch, closed)
 
 
-def test_standard_error_that_closes_meanwhile_does_not_end_the_job(
+def test_standard_error_closed_meanwhile_does_not_end_the_job(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     err = Terminal()

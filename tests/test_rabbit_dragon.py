@@ -54,7 +54,7 @@ def test_the_shipped_meshes_fill_minus_1_to_1_with_unit_normals(shipped: Assets,
 
 
 @pytest.mark.parametrize("name", ["rabbit.ply", "dragon.ply"])
-def test_the_shipped_meshes_turn_counter_clockwise_seen_from_outside(
+def test_the_shipped_meshes_are_counter_clockwise_seen_from_outside(
     shipped: Assets, name: str
 ) -> None:
     mesh = read_animal(shipped, name, "key")
@@ -106,7 +106,7 @@ def test_the_dragon_sinks_to_its_water_line(stage: Stage, cube: Assets) -> None:
 
 @pytest.mark.parametrize("animal", ["rabbit", "dragon"])
 @pytest.mark.parametrize("scale", [0.2, 0.5, 1.0])
-def test_its_light_is_ambient_plus_diffuse_whatever_its_size(
+def test_an_animals_light_is_ambient_plus_diffuse_whatever_its_size(
     stage: Stage, plain_folder, animal: str, scale: float
 ) -> None:
     write_ply(plain_folder / f"{animal}.ply", PLATE, np.array([(0, 1, 2, 3)]))
@@ -195,7 +195,7 @@ def test_a_glossy_dragon_glints_over_its_texture_and_a_dull_one_does_not(
     assert np.allclose(glint, 0.25 * np.array([1.0, 0.95, 0.85]), atol=0.03)
 
 
-def test_every_face_is_mapped_along_the_axis_it_looks_at(shipped: Assets) -> None:
+def test_every_face_is_mapped_along_the_axis_it_faces(shipped: Assets) -> None:
     read = read_animal(shipped, "rabbit.ply", "key")
     vertices, triangles = read.vertices, read.triangles
     mesh = by_axis(read, 4.0)
@@ -203,7 +203,7 @@ def test_every_face_is_mapped_along_the_axis_it_looks_at(shipped: Assets) -> Non
     assert np.allclose(mesh.vertices[mesh.triangles], vertices[triangles])
 
     def stretch(coordinates: np.ndarray, corners: np.ndarray, points: np.ndarray) -> np.ndarray:
-        """Texture area over area, of each face: 4 is a chart seen straight on."""
+        """Return texture area over area for each face; 4 if it is mapped along its normal."""
         s, p = coordinates[corners], points[corners].astype(np.float64)
         a, b = s[:, 1] - s[:, 0], s[:, 2] - s[:, 0]
         size = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
@@ -229,7 +229,7 @@ def test_the_setting_chooses_the_rabbits_mapping(stage: Stage, shipped: Assets) 
 
 
 @pytest.mark.parametrize("animal", ["rabbit", "dragon"])
-def test_an_animal_takes_what_is_read_at_each_frame_and_refuses_the_rest(
+def test_an_animal_accepts_settings_read_each_frame_and_refuses_the_rest(
     stage: Stage, cube: Assets, animal: str
 ) -> None:
     for changes in ({}, {f"{animal}.mapping": "axis", "camera.lod_pixels": 0.5}):

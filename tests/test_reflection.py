@@ -31,12 +31,12 @@ def send(corners: np.ndarray, colour=(1.0, 0.0, 0.0)) -> None:
         quad(corners)
 
 
-def test_the_mirror_matrix_turns_y_round_and_twice_is_nothing() -> None:
+def test_the_mirror_matrix_negates_y_and_applied_twice_is_the_identity() -> None:
     assert MIRROR.tolist() == np.diag([1.0, -1.0, 1.0, 1.0]).tolist()
     assert (np.eye(4) == MIRROR @ MIRROR).all()
 
 
-def test_the_mirrored_height_is_as_far_under_the_water_as_the_height_is_over_it() -> None:
+def test_the_mirrored_height_is_as_far_below_the_water_as_the_height_is_above() -> None:
     assert mirrored_height(1.5, 0.6) == pytest.approx(-0.3)
     assert mirrored_height(np.array([0.6, 0.0]), 0.6) == pytest.approx([0.6, 1.2])
     assert mirrored_height(mirrored_height(3.0, 0.6), 0.6) == pytest.approx(3.0)
@@ -63,7 +63,7 @@ def test_an_object_and_its_mirror_image_are_where_projection_says(
         assert close(pixel(alone, project(POSE, (x + dx, image[1] + dy, z))), BACKGROUND)
 
 
-def test_what_stands_under_the_water_is_not_mirrored_up_out_of_it(stage: Stage) -> None:
+def test_what_is_under_water_is_not_mirrored_above_it(stage: Stage) -> None:
     with stage.frame(SETTINGS, POSE):
         with mirrored(SETTINGS):
             send(board(0.5, LEVEL, -3.0, 0.3))
@@ -136,7 +136,7 @@ def test_no_reflected_pixel_falls_outside_the_water(stage: Stage) -> None:
     assert close(kept[~water], BACKGROUND), "marking must not paint"
 
 
-def test_marking_the_water_paints_nothing_and_hides_nothing(stage: Stage) -> None:
+def test_marking_the_water_writes_neither_colour_nor_depth(stage: Stage) -> None:
     pond = np.array([(-1.0, LEVEL, -3), (0.5, LEVEL, -3), (0.5, LEVEL, -5), (-1.0, LEVEL, -5)])
     pose = Pose(0.0, 1.6, 0.0, 0.0, -15.0)
     with stage.frame(SETTINGS, pose):
@@ -147,7 +147,9 @@ def test_marking_the_water_paints_nothing_and_hides_nothing(stage: Stage) -> Non
         assert ((stage.read() == RED).all(axis=2)).sum() > 500
 
 
-def test_the_whole_waters_mark_covers_what_the_water_covers(stage: Stage, plain: Assets) -> None:
+def test_the_stencil_mark_of_the_water_covers_what_the_water_covers(
+    stage: Stage, plain: Assets
+) -> None:
     water = WaterSurface(SETTINGS, plain)
     pose = Pose(15.0, 70.6, 15.0, 0.0, -90.0)
     with stage.frame(SETTINGS, pose) as frame:
@@ -162,7 +164,7 @@ def test_the_whole_waters_mark_covers_what_the_water_covers(stage: Stage, plain:
 
 
 @pytest.mark.parametrize("block", [lambda: mirrored(SETTINGS), lambda: inside_water(lambda: None)])
-def test_an_exception_inside_leaves_the_state_as_it_was(stage: Stage, block) -> None:
+def test_an_exception_inside_restores_the_state(stage: Stage, block) -> None:
     with stage.frame(SETTINGS, POSE):
         with pytest.raises(RuntimeError):
             with block():

@@ -1,4 +1,4 @@
-"""Many stills by several processes: the same pictures, each told once, whole files after Ctrl-C."""
+"""Many stills by several processes: the same pictures, each reported once, no partial files."""
 
 import os
 import signal
@@ -23,12 +23,12 @@ NAMES = ("fig35a", "fig35e", "fig35g", "fig2a")
 
 @pytest.fixture
 def two(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let four pictures be many, on any machine."""
+    """Make four pictures enough for two processes, on any machine."""
     monkeypatch.setattr(render_many, "FEWEST", 2)
     monkeypatch.setattr(os, "cpu_count", lambda: 2)
 
 
-def test_several_processes_draw_the_pictures_of_one(two: None, tmp_path: Path) -> None:
+def test_several_processes_draw_the_same_pictures_as_one(two: None, tmp_path: Path) -> None:
     told: list[str] = []
     jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
     render_many.render_all(jobs, ARGUMENTS, 7.0, False, told.append)
@@ -40,7 +40,7 @@ def test_several_processes_draw_the_pictures_of_one(two: None, tmp_path: Path) -
     assert len(list(tmp_path.iterdir())) == len(NAMES)
 
 
-def test_what_one_process_cannot_do_ends_in_its_own_words(two: None, tmp_path: Path) -> None:
+def test_an_error_in_one_process_is_reported_in_its_own_words(two: None, tmp_path: Path) -> None:
     jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
     arguments = {**ARGUMENTS, "settings": {"ground.height_image": "nowhere.png"}}
     with pytest.raises(InputError, match=r"nowhere\.png: no such file"):
@@ -48,7 +48,7 @@ def test_what_one_process_cannot_do_ends_in_its_own_words(two: None, tmp_path: P
     assert list(tmp_path.iterdir()) == []
 
 
-def test_few_pictures_take_no_further_process(
+def test_few_pictures_are_drawn_without_further_processes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(render_many, "ProcessPoolExecutor", None)
@@ -60,7 +60,7 @@ def test_few_pictures_take_no_further_process(
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="sends SIGINT to a group of processes")
-def test_ctrl_c_amid_many_pictures_leaves_whole_files_only(tmp_path: Path) -> None:
+def test_ctrl_c_while_drawing_many_pictures_leaves_only_complete_files(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "landscape", "render", *list(VIEWS)[:40]]
     command += ["--size", "160x120", "--samples", "0", "--out", str(tmp_path)]
     process = subprocess.Popen(

@@ -95,7 +95,7 @@ def test_an_import_that_goes_up_or_across_is_found(tmp_path: Path, monkeypatch) 
     assert upward(high) == ["landscape/tools/trace.py:1: landscape.window.app"]
 
 
-def test_geometry_and_files_never_see_opengl() -> None:
+def test_geometry_and_files_never_import_opengl() -> None:
     for path in modules():
         below = LEVELS.get(room(own_name(path)), 99) < LEVELS["gl"]
         text = path.read_text(encoding="utf-8")
@@ -103,7 +103,7 @@ def test_geometry_and_files_never_see_opengl() -> None:
             assert "landscape.gl" not in text and "import OpenGL" not in text, path
 
 
-def test_the_top_has_at_most_14_modules_and_none_but_tables_is_over_400_lines() -> None:
+def test_the_top_has_at_most_14_modules_and_only_tables_exceed_400_lines() -> None:
     assert len(list(PACKAGE.glob("*.py"))) <= 14
     tables = {"settings.py", "report_fixes.py", "view_captions.py"}
     for path in modules():

@@ -40,7 +40,7 @@ def landscape(*arguments: str | Path) -> Done:
     return python(COMMAND, *map(str, arguments), env=environment(PYTHONPATH=path))
 
 
-def test_a_scene_of_a_file_of_its_own_is_rendered(tmp_path: Path) -> None:
+def test_a_scene_in_a_file_of_its_own_is_rendered(tmp_path: Path) -> None:
     for name, options in (
         ("a", ()),
         ("b", ("--set", "board.squares=2")),
@@ -55,13 +55,13 @@ def test_a_scene_of_a_file_of_its_own_is_rendered(tmp_path: Path) -> None:
     assert (pictures[1] != pictures[0]).any() and (pictures[2] != pictures[0]).any()
 
 
-def test_many_of_its_views_are_rendered_by_several_processes(tmp_path: Path) -> None:
+def test_many_views_of_the_scene_are_rendered_by_several_processes(tmp_path: Path) -> None:
     done = landscape("render", *["board"] * 16, *["fig6a"], "--size", "16x12", "--out", tmp_path)
     assert (done.status, done.err) == (0, "")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["board.png", "fig6a.png"]
 
 
-def test_it_is_walked_on_the_null_platform(tmp_path: Path) -> None:
+def test_the_scene_is_walked_on_the_null_platform(tmp_path: Path) -> None:
     record = tmp_path / "walk.jsonl"
     arguments = ("walk", "chessboard", "--backend", "osmesa", "--size", "64x48", "--frames", "3")
     done = landscape(*arguments, "--record", record)
@@ -74,7 +74,7 @@ def test_it_is_walked_on_the_null_platform(tmp_path: Path) -> None:
     assert (tmp_path / "b").read_text() == record.read_text()
 
 
-def test_it_is_traced(tmp_path: Path) -> None:
+def test_the_scene_is_traced(tmp_path: Path) -> None:
     calls = landscape("trace", "board", "--json").json()
     vertices = [call for call in calls if call["name"] == "glVertex3f"]
     assert len(vertices) == 4 * 64
@@ -84,7 +84,7 @@ def test_it_is_traced(tmp_path: Path) -> None:
     assert done.status == 2 and "squares" in done.err
 
 
-def test_it_is_measured_and_has_no_grass(tmp_path: Path) -> None:
+def test_the_scene_is_measured_and_has_no_grass(tmp_path: Path) -> None:
     out = tmp_path / "bench.json"
     done = landscape("bench", "board", "--size", "32x24", "--json", out, "--quiet")
     assert (done.status, done.err) == (0, "")
@@ -93,7 +93,7 @@ def test_it_is_measured_and_has_no_grass(tmp_path: Path) -> None:
     assert figures["views"]["board"]["gl_calls"] > 300 and figures["startup_ms"] > 0
 
 
-def test_it_is_listed_with_its_views_settings_and_elements() -> None:
+def test_the_scene_is_listed_with_its_views_settings_and_elements() -> None:
     views = {view["name"]: view for view in landscape("views", "--json").json()}
     assert views["board"]["pose"] == [4.0, 1.1, 7.0, 0.0, -20.0]
     assert (views["board"]["scene"], views["board"]["preset"]) == ("chessboard", "best")
@@ -125,7 +125,7 @@ def test_a_view_knows_its_scene_and_a_scenes_name_means_its_start(plugged: None)
     assert find_view("island")[1].name == scene("island").start == scene().start
 
 
-def test_every_view_has_a_name_of_its_own_and_a_preset_and_elements_of_its_scene() -> None:
+def test_view_names_are_unique_and_presets_and_elements_are_those_of_the_scene() -> None:
     names = [view["name"] for view in listed_views()]
     assert len(names) == len(set(names)) and not set(names) & set(SCENES)
     for kind in map(scene, SCENES):

@@ -45,7 +45,7 @@ def test_relief_moves_the_vertices_about_the_level_and_fades_out_at_the_beach(
     assert np.abs(on[on[:, 2] < 19.9][:, 1] - LEVEL).max() == 0.0
 
 
-def test_the_waves_show_as_they_move(stage: Stage, plain: Assets) -> None:
+def test_moving_waves_change_the_picture(stage: Stage, plain: Assets) -> None:
     changes = {"water.relief": True, "water.textured": False, "water.fresnel": True}
     first, second = (drawn(stage, plain, changes, kt=kt)[0] for kt in (0.0, 30.0))
     assert (first != second).any()
@@ -53,7 +53,7 @@ def test_the_waves_show_as_they_move(stage: Stage, plain: Assets) -> None:
     assert (drawn(stage, plain, still)[0] == drawn(stage, plain, still, kt=30.0)[0]).all()
 
 
-def test_the_alpha_is_that_of_the_angle(
+def test_the_alpha_follows_the_viewing_angle(
     stage: Stage, plain: Assets, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(waves, "STEEP", 0.0 * waves.STEEP)
@@ -126,7 +126,7 @@ def test_without_water_the_mirrored_scene_is_drawn_all_over(stage: Stage, ripple
         assert (stage.read() == (255, 0, 0)).all()
 
 
-def test_the_seas_mark_reaches_as_far_as_its_water(stage: Stage, plain: Assets) -> None:
+def test_the_seas_stencil_mark_reaches_as_far_as_its_water(stage: Stage, plain: Assets) -> None:
     settings = small({"water.horizon": 10.0})
     sea = Sea(settings, plain, beach())
     pose = Pose(15.0, 70.6, 15.0, 0.0, -90.0)
@@ -145,7 +145,9 @@ def test_the_seas_mark_reaches_as_far_as_its_water(stage: Stage, plain: Assets) 
 # Shallow water.
 
 
-def test_the_depths_picture_is_clear_at_the_edge_and_opaque_in_the_deep_and_at_the_border() -> None:
+def test_the_depth_texture_is_clear_at_the_edge_and_opaque_in_deep_water_and_at_the_border() -> (
+    None
+):
     depths = np.tile(np.array([0.5, -0.1, 0.0, 0.085, 5.0, 0.0]), (6, 1))
     picture = depth_picture(depths)
     row = picture[2]
@@ -192,7 +194,7 @@ def test_a_floor_closes_the_sea_where_the_ground_is_cut(stage: Stage, plain: Ass
     assert close(edge, np.array(FLOOR) * 255, 20), "no background shows through clear water"
 
 
-def test_the_ground_is_cut_deeper_only_where_the_water_lets_one_see_it() -> None:
+def test_the_ground_is_cut_deeper_only_if_the_water_is_clear_enough_to_show_it() -> None:
     for shallow, rippled, cut in (
         (False, False, LEVEL),
         (False, True, LEVEL),
@@ -208,7 +210,7 @@ def test_the_ground_is_cut_deeper_only_where_the_water_lets_one_see_it() -> None
 # State and settings.
 
 
-def test_everything_at_once_leaves_the_state_as_it_was_and_no_name(
+def test_all_switches_at_once_leave_the_state_as_found_and_no_object(
     stage: Stage, plain: Assets
 ) -> None:
     settings = small(dict.fromkeys(BETTER, True) | {"water.glitter": 0.4})
@@ -224,7 +226,7 @@ def test_everything_at_once_leaves_the_state_as_it_was_and_no_name(
     assert live_names() == before
 
 
-def test_a_sea_takes_new_settings_as_if_built_from_them(stage: Stage, plain: Assets) -> None:
+def test_a_sea_draws_applied_settings_as_if_built_from_them(stage: Stage, plain: Assets) -> None:
     old = {**WHITE_LIGHT, "water.glitter": 0.2}
     new = old | {"water.color": (1.0, 0.3, 0.0, 0.9), "water.relief": True, "water.fresnel": True}
     new |= {"water.repeat": 2.0, "water.glitter": 0.4, "water.horizon": 50.0}
@@ -249,7 +251,7 @@ def test_a_sea_takes_new_settings_as_if_built_from_them(stage: Stage, plain: Ass
     ],
     ids=lambda change: next(iter(change)),
 )
-def test_a_sea_refuses_what_it_must_be_rebuilt_for_and_stays_as_it_was(
+def test_a_sea_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
     stage: Stage, plain: Assets, change: dict
 ) -> None:
     settings = small({**WHITE_LIGHT, "water.fresnel": True})

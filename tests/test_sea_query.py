@@ -17,7 +17,7 @@ FEW = {"grass.count": 200_000, "trees.count": 700, "plants.count": 500}
 
 
 def asked(stage: Stage, query: SeaQuery, wall: bool, eye_y: float = 2.0) -> tuple[bool, bool]:
-    """Return what is expected, and what is found, from an eye over the sea, or behind a wall."""
+    """Return whether the sea is expected, and found, to show over the sea or behind a wall."""
     with stage.frame(SETTINGS, Pose(20.0, eye_y, 20.0, 0.0, -20.0)) as frame:
         expected = query.expected(frame)
         if wall:
@@ -57,7 +57,7 @@ def test_an_eye_among_the_waves_always_sees_them(stage: Stage) -> None:
     query.release()
 
 
-def test_while_a_list_is_compiled_the_last_answer_stands(stage: Stage) -> None:
+def test_while_a_list_is_compiled_the_last_answer_is_kept(stage: Stage) -> None:
     query, answers = SeaQuery(SETTINGS), []
     for _ in range(2):
         asked(stage, query, wall=True)
@@ -74,7 +74,7 @@ def test_while_a_list_is_compiled_the_last_answer_stands(stage: Stage) -> None:
     query.release()
 
 
-def test_a_query_fits_one_surface_and_is_deleted_on_release(stage: Stage) -> None:
+def test_a_query_belongs_to_one_surface_and_is_deleted_on_release(stage: Stage) -> None:
     with recording() as recorder:
         query = SeaQuery(SETTINGS)
     assert [call.name for call in recorder.calls].count("glGenQueries") == 1

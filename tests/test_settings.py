@@ -1,4 +1,4 @@
-"""The settings: presets, texts, TOML, limits, and what each key says of itself."""
+"""The settings: presets, values as text, TOML, limits, and the description of each key."""
 
 import re
 from pathlib import Path
@@ -38,7 +38,7 @@ def test_every_key_says_its_unit_and_its_source(key: str) -> None:
 
 
 @pytest.mark.parametrize("key", NUMBERS)
-def test_every_number_is_taken_at_its_limits_and_refused_beyond(key: str) -> None:
+def test_every_number_is_accepted_at_its_limits_and_refused_beyond(key: str) -> None:
     low, high = KEYS[key].metadata["low"], KEYS[key].metadata["high"]
     assert [changed(key, low), changed(key, high)] == [low, high] and low < high
     beyond: list[object] = [low - 1, high + 1, 10**400, float("nan"), float("inf")]
@@ -51,7 +51,7 @@ def test_the_preset_2006_is_the_defaults() -> None:
     assert preset("2006") == Settings()
 
 
-def test_the_preset_best_changes_only_keys_that_exist_each_to_what_it_says() -> None:
+def test_the_preset_best_sets_only_existing_keys_to_the_given_values() -> None:
     best = preset("best")
     for key, value in settings.BEST.items():
         assert key in KEYS
@@ -81,7 +81,7 @@ def test_words_for_false_are_understood(text: str) -> None:
     assert changed("fog.enabled", text) is False
 
 
-def test_numbers_are_read_as_one_writes_them() -> None:
+def test_numbers_are_read_as_people_write_them() -> None:
     assert changed("grass.count", "1_000_000") == 1_000_000
     assert changed("grass.count", 2000.0) == 2000 and isinstance(
         changed("grass.count", 2000.0), int
@@ -105,7 +105,7 @@ def test_a_later_change_wins() -> None:
     assert with_settings(once, {"fog.density": 0.25}).fog.density == 0.25
 
 
-def test_a_toml_file_may_use_tables_dotted_keys_and_windows_byte_order_mark(tmp_path: Path) -> None:
+def test_a_toml_file_may_use_tables_dotted_keys_and_a_byte_order_mark(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text(
         "\ufeff# mine\ngrass.count = 1_000\r\n[fog]\r\ndensity = 0.05\ncolor = [0.5, 1, 0]\n"
@@ -122,7 +122,7 @@ def test_an_empty_toml_file_changes_nothing(tmp_path: Path) -> None:
     assert read_toml(tmp_path / "empty.toml") == {}
 
 
-def test_the_message_says_what_would_do() -> None:
+def test_the_error_message_says_what_is_expected() -> None:
     for key, value, message in (
         ("grass.count", "2.5", "a whole number from 0 to 40000000, not '2.5'"),
         ("fog.color", "1,2", "3 numbers from 0 to 1, separated by commas, not '1,2'"),

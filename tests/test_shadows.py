@@ -32,7 +32,7 @@ def light_of(shadows: ShadowMap) -> np.ndarray:
 
 
 def dark_box(light: np.ndarray, below: float = 0.9) -> tuple[float, ...]:
-    """Return x and z, from and to in units, of what is darker than ``below``."""
+    """Return the ranges of x and of z, in units, of what is darker than ``below``."""
     rows, columns = np.nonzero(light[..., 1] < below)
     edges = columns.min(), columns.max() + 1, rows.min(), rows.max() + 1
     return tuple(float(edge) * TEXEL for edge in edges)
@@ -67,7 +67,7 @@ def test_under_a_zenith_sun_no_shadow_is_cast() -> None:
     assert np.allclose(overhead.offset(np.array([(20.0, 2.0, 20.0)])), 0.0)
 
 
-def test_a_sprite_casts_its_own_picture() -> None:
+def test_a_sprite_casts_a_shadow_of_its_own_shape() -> None:
     # The upper half is opaque: the shadow begins one unit off the foot, and is one unit long.
     alpha = np.zeros((64, 64), np.uint8)
     alpha[:32] = 255
@@ -96,7 +96,7 @@ def test_what_falls_off_the_map_is_lost_and_nothing_wraps() -> None:
     assert (light[20:] == 1.0).all() and (light[:, 20:] == 1.0).all()
 
 
-def test_at_a_foot_the_sky_is_hidden_most_and_at_the_radius_not_at_all() -> None:
+def test_ambient_occlusion_is_strongest_at_the_foot_and_zero_at_the_radius() -> None:
     shadows = shadow_map()
     shadows.hide_sky(np.array([(20.2, 2.0, 20.2)]), np.array([3.0]), 0.4)
     light = light_of(shadows)[202, 202:240, 1]

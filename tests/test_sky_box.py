@@ -38,7 +38,7 @@ def test_the_walls_and_the_top_close_edge_to_edge() -> None:
     assert rim == {tuple(corner) for corner in faces["top"].tolist()}
 
 
-def test_walls_turn_counter_clockwise_seen_from_inside_and_the_top_from_above() -> None:
+def test_walls_are_counter_clockwise_seen_from_inside_and_the_top_from_above() -> None:
     for name, corners in face_corners(3.0, 2.0).items():
         normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         inside = np.array([0.0, 1.0, 0.0]) - corners.mean(axis=0)
@@ -87,7 +87,9 @@ def test_straight_up_is_the_top(stage: Stage, plain: Assets) -> None:
 
 
 @pytest.mark.parametrize("y", [0.7, 1.5, 4.0])
-def test_the_box_follows_in_x_and_z_and_never_in_y(stage: Stage, plain: Assets, y: float) -> None:
+def test_the_box_follows_the_eye_in_x_and_z_and_never_in_y(
+    stage: Stage, plain: Assets, y: float
+) -> None:
     pose = Pose(31.0, y, 7.0, 0.0, 0.0)
     picture = drawn(stage, plain, pose)
     foot = project(pose, (31.0, LEVEL, 7.0 - D))
@@ -173,7 +175,7 @@ def test_the_sunset_is_another_set_of_faces(stage: Stage, plain_folder) -> None:
     assert close(picture[60, 80], (220, 90, 30))
 
 
-def test_r8_the_clouds_stay_as_far_however_high_one_climbs(stage: Stage) -> None:
+def test_r8_climbing_does_not_bring_the_clouds_nearer(stage: Stage) -> None:
     low, high = (Pose(20.0, y, 20.0, 40.0, 30.0) for y in (0.7, 4.5))
     plain, following = (
         [drawn(stage, Assets(), pose, follow_y=follow_y) for pose in (low, high)]
@@ -222,7 +224,7 @@ def test_r10_corner_and_middle_of_a_wall_are_equally_hazed(
 
 
 @pytest.mark.parametrize("key", ["follow_y", "background", "unfogged", "anchored"])
-def test_a_box_takes_new_switches_as_if_built_from_them(
+def test_a_box_draws_applied_switches_as_if_built_from_them(
     stage: Stage, plain: Assets, key: str
 ) -> None:
     pose = Pose(27.0, 2.0, 12.0, 20.0, 10.0)
@@ -239,7 +241,7 @@ def test_a_box_takes_new_switches_as_if_built_from_them(
 @pytest.mark.parametrize(
     "change", [{"set": "sunset"}, {"half_width": 9.0}, {"height": 6.0}, {"moving": True}]
 )
-def test_a_box_refuses_what_it_must_be_rebuilt_for_and_stays_as_it_was(
+def test_a_box_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
     stage: Stage, plain: Assets, change: dict
 ) -> None:
     pose = Pose(20.0, 2.0, 20.0, 20.0, 10.0)

@@ -1,4 +1,4 @@
-"""The refined sprites' arrays: quads, boxes, pictures from above, the rules of what is drawn."""
+"""The refined sprites' arrays: quads, boxes, pictures from above, and what is drawn."""
 
 import math
 
@@ -38,7 +38,7 @@ def test_indices_name_each_quads_own_vertices_from_far_to_near() -> None:
     assert nothing.indices(sort=True).shape == (0,)
 
 
-def test_upright_billboards_keep_the_cameras_direction_and_stand() -> None:
+def test_upright_billboards_keep_the_cameras_direction_and_stay_vertical() -> None:
     yaw = math.radians(40.0)
     right, up = upright_axes(np.array([math.cos(yaw), 0.0, math.sin(yaw)]))
     assert right == pytest.approx([math.cos(yaw), 0, math.sin(yaw)])
@@ -97,7 +97,7 @@ def test_pictures_from_above_keep_clear_of_each_other() -> None:
     assert corners[..., 0].min() > 0.75 and corners[..., 1].min() > 0.5
 
 
-def test_an_outline_holds_all_that_shows_in_less_area() -> None:
+def test_an_outline_contains_all_that_is_visible_in_less_area() -> None:
     alpha = np.zeros((128, 128), np.uint8)
     alpha[20:70, 10:110] = 255
     alpha[70:, 50:66] = 255

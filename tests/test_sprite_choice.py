@@ -1,4 +1,4 @@
-"""What refined sprites keep: a choice for several frames, and settings applied without building."""
+"""Refined sprites: a selection reused for several frames, and settings applied in place."""
 
 import math
 from collections.abc import Iterator
@@ -33,14 +33,14 @@ SCATTERED = {
 
 
 def scattered(sprites: RefinedSprites, count: int = 300) -> None:
-    """Let sprites of all kinds stand about the eye of NORTH."""
+    """Place sprites of all kinds around the eye of NORTH."""
     rng = np.random.default_rng(8)
     places = np.stack([rng.uniform(8, 32, count), rng.uniform(1, 4, count)], axis=1)
     places = np.insert(places, 2, rng.uniform(8, 32, count), axis=1)
     put(sprites, places, rng.integers(0, 7, count), (0.5, 0.5))
 
 
-def test_a_choice_kept_for_several_frames_shows_what_one_made_anew_would(
+def test_a_selection_reused_for_several_frames_shows_what_a_new_one_would(
     stage: Stage, sprites: RefinedSprites, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made = []
@@ -79,7 +79,7 @@ def test_a_choice_kept_for_several_frames_shows_what_one_made_anew_would(
     assert len(made) == before + len(poses)
 
 
-def test_a_choice_with_a_margin_has_all_that_the_plain_one_has_anywhere_within_it() -> None:
+def test_a_selection_with_a_margin_contains_that_of_every_pose_within_the_margin() -> None:
     rng = np.random.default_rng(4)
     places = np.insert(rng.uniform(5, 35, (3000, 2)), 1, rng.uniform(0.7, 4, 3000), axis=1)
     sizes, cells = rng.uniform(0.1, 0.6, (3000, 2)), rng.integers(0, 7, 3000)
@@ -104,7 +104,7 @@ def test_a_choice_with_a_margin_has_all_that_the_plain_one_has_anywhere_within_i
         assert np.isin(crossed, wide.which[wide.crossed.which]).all()
 
 
-def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(
+def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
     stage: Stage, sprites: RefinedSprites
 ) -> None:
     put(sprites, [(20.0, 3.0, 17.0)], [CONIFER])

@@ -1,4 +1,4 @@
-"""The refined sprites: each fix of section 11.2, and what is chosen for several frames.
+"""The refined sprites: each fix of section 11.2, and selections kept for several frames.
 
 Each of these tests fails when its fix is taken out.
 """
@@ -92,7 +92,7 @@ def test_r4_from_above_an_upright_billboard_is_foreshortened(
     assert rows[0] == pytest.approx(top if fixed else lying_down, abs=2)
 
 
-def test_r5_axes_lie_in_the_slope_and_stand_on_it() -> None:
+def test_r5_one_axis_lies_in_the_slope_and_the_other_is_at_right_angles_to_it() -> None:
     slopes = np.array([(0.0, 0.0), (0.5, 0.0), (0.3, -0.4), (30.0, 0.0)])
     across, up = slope_axes(np.array([1.0, 0.0, 0.0]), leaning(slopes))
     assert np.allclose(np.linalg.norm(across, axis=1), 1) and np.allclose((across * up).sum(1), 0)
@@ -147,7 +147,7 @@ def test_r6_no_line_is_seen_along_a_quad(
 
 
 @pytest.mark.parametrize("fixed", [False, True])
-def test_r6_from_above_a_plant_is_a_disc_and_no_cross(
+def test_r6_from_above_a_plant_is_a_disc_and_not_a_cross(
     stage: Stage, sprites: RefinedSprites, fixed: bool
 ) -> None:
     above = Pose(20.0, 6.0, 16.0, 0.0, -90.0)
@@ -160,7 +160,7 @@ def test_r6_from_above_a_plant_is_a_disc_and_no_cross(
 
 
 @pytest.mark.parametrize("fixed", [False, True])
-def test_from_above_a_tree_is_a_crown_and_no_line(
+def test_from_above_a_tree_is_a_crown_and_not_a_line(
     stage: Stage, sprites: RefinedSprites, fixed: bool
 ) -> None:
     above = Pose(20.0, 7.0, 16.0, 0.0, -90.0)
@@ -191,7 +191,7 @@ def test_faded_sprites_stop_where_the_fog_hides_all() -> None:
     assert farthest(with_settings(Settings(), {**keys, "transparent.fade": 0.0})) == 50.0
 
 
-def test_what_is_less_high_than_so_many_pixels_is_not_drawn() -> None:
+def test_sprites_lower_than_min_pixels_are_not_drawn() -> None:
     frame = looking(NORTH)
     cells, heights = np.array([0, PLANT, 0]), np.array([0.5, 0.05, 0.01], np.float32)
     keys = {"transparent.radius": 8.0, "plants.radius": 4.0}
@@ -233,7 +233,7 @@ def test_switching_everything_on_and_off_again_changes_nothing(
 
 
 @pytest.mark.parametrize("fixed", [False, True])
-def test_r5_a_deer_has_both_ends_of_its_feet_on_the_slope(
+def test_r5_a_deer_stands_on_the_slope_with_both_ends(
     stage: Stage, sprites: RefinedSprites, fixed: bool
 ) -> None:
     put(sprites, [(20.0, 3.0, 17.0)], [4], slope=(0.5, 0.0))

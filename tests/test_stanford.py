@@ -97,7 +97,7 @@ def server(monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
 
 @pytest.fixture(autouse=True)
 def small_scans(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Expect the small mesh instead of Stanford's, except in the test of Stanford's own."""
+    """Expect the small mesh instead of Stanford's, except in the test of the real scans."""
     if "meshes" not in request.keywords:
         right = stanford.fingerprint(np.array(VERTICES, "f4"), np.array(FACES, "i4"))
         monkeypatch.setattr(stanford, "SCANS", tuple(replace(s, sha256=right) for s in SCANS))
@@ -131,7 +131,7 @@ def test_headers_of_either_spelling_have_the_same_fingerprint() -> None:
     assert found == {stanford.SCANS[0].sha256}
 
 
-def test_what_is_there_and_right_is_not_fetched_again(server: Server, tmp_path: Path) -> None:
+def test_valid_files_are_not_fetched_again(server: Server, tmp_path: Path) -> None:
     stanford.fetch(tmp_path, server.url)
     (tmp_path / DRAGON.file).write_bytes(ply(height=2))
     server.asked.clear()
@@ -271,7 +271,7 @@ def test_a_server_that_is_not_there_is_named(
     assert files(tmp_path) == []
 
 
-def test_a_silent_server_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_silent_server_times_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("no_proxy", "127.0.0.1")
     monkeypatch.setattr(stanford, "TIMEOUT_S", 0.1)
     with socket.create_server(("127.0.0.1", 0)) as mute:

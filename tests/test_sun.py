@@ -56,7 +56,7 @@ def test_a_lit_floor_shows_ambient_plus_diffuse_times_the_cosine(
 
 
 @pytest.mark.parametrize("fill", [0.0, 0.5])
-def test_a_wall_turned_from_the_sun_gets_ambient_and_the_fill_across(
+def test_a_wall_facing_away_from_the_sun_gets_ambient_and_fill_light(
     stage: Stage, fill: float
 ) -> None:
     """A wall that faces north, the sun in the south at the horizon."""

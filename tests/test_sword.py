@@ -35,7 +35,9 @@ def drawn(stage: Stage, assets: Assets, **how) -> np.ndarray:
 
 
 @pytest.mark.parametrize("stroke", range(1, STROKES + 1))
-def test_each_part_of_the_stroke_has_its_picture(stage: Stage, plain: Assets, stroke: int) -> None:
+def test_each_part_of_the_stroke_has_its_own_texture(
+    stage: Stage, plain: Assets, stroke: int
+) -> None:
     picture = drawn(stage, plain, stroke=stroke)
     assert close(picture[10:110, 5:155], PLAIN[f"sword_{stroke}.png"][:3])
 

@@ -72,7 +72,7 @@ def test_a_tiles_box_holds_it_and_is_mirrored_at_the_water() -> None:
 
 
 @pytest.mark.parametrize("side", [8, 9])
-def test_every_second_row_and_column_leaves_a_quarter_of_the_triangles(side: int) -> None:
+def test_keeping_every_second_row_and_column_leaves_a_quarter_of_the_triangles(side: int) -> None:
     heights = np.random.default_rng(3).random((side, side)).astype(np.float32)
     mesh = ground_mesh(HeightField(heights, 40.0, 0.6), (1.0, 5.0))
     coarse = every_second(mesh)
@@ -190,7 +190,7 @@ def test_rock_shows_where_it_is_steep_or_grey_and_hardly_under_green() -> None:
     assert rock_share(np.array([(0.0, 1.0, 0.0)]), colours[:1]) == pytest.approx([0.0])
 
 
-def test_the_detail_laid_into_the_colours_keeps_their_mean() -> None:
+def test_detail_baked_into_the_colours_keeps_their_mean() -> None:
     detail = (np.random.default_rng(1).random((64, 64, 3)) * 200 + 27.5).astype(np.uint8)
     colours = np.full((256, 256, 3), 100, np.uint8)
     green = textured(colours, detail, 8.0, np.full((256, 256, 1), 255, np.uint8))
@@ -223,7 +223,7 @@ def test_the_ground_shows_the_light_map_and_keeps_its_own_colour(
     assert np.allclose(ground.light(x, z), 127 / 255)
 
 
-def test_the_integers_of_a_shaded_texture_are_colour_times_light() -> None:
+def test_a_shaded_texture_is_colour_times_light_within_one_level() -> None:
     rng = np.random.default_rng(6)
     painted = rng.integers(0, 256, (40, 40, 4)).astype(np.uint8)
     light = rng.integers(0, 256, (40, 40, 3)).astype(np.uint8)
@@ -233,7 +233,7 @@ def test_the_integers_of_a_shaded_texture_are_colour_times_light() -> None:
     assert np.array_equal(shaded(painted, np.full_like(light, 255)), painted)
 
 
-def test_the_terrain_takes_what_is_read_at_each_frame_and_refuses_the_rest(
+def test_the_terrain_accepts_settings_read_each_frame_and_refuses_the_rest(
     stage: Stage, plain: Assets
 ) -> None:
     settings = small({"ground.tiles": 4, "ground.clip": False})

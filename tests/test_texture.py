@@ -33,7 +33,7 @@ def noise(h: int, w: int, channels: int) -> np.ndarray:
 
 @pytest.mark.parametrize(("h", "w"), [(6, 8), (3, 5), (5, 7)])
 @pytest.mark.parametrize("channels", [3, 4])
-def test_every_texel_of_any_size_lands_in_its_place_row_0_at_t_0(
+def test_at_any_size_every_texel_lands_in_its_place_with_row_0_at_t_0(
     stage: Stage, h: int, w: int, channels: int
 ) -> None:
     image = noise(h, w, channels)
@@ -47,7 +47,7 @@ def test_every_texel_of_any_size_lands_in_its_place_row_0_at_t_0(
             assert close(got, image[row, column, :3], 12), (row, column)
 
 
-def test_clamping_keeps_the_other_side_out_and_repeating_lets_it_in(stage: Stage) -> None:
+def test_clamping_keeps_out_the_opposite_border_and_repeating_lets_it_in(stage: Stage) -> None:
     image = np.zeros((4, 4, 3), np.uint8)
     image[:, 3] = 255  # the right column is white
     clamped = shown(stage, Texture(image, repeat=False))
@@ -69,7 +69,7 @@ def test_given_mip_levels_are_used_as_they_are(stage: Stage) -> None:
     assert close(picture[60, 80], 160)  # level 4, the last one given, though smaller would fit
 
 
-def test_between_two_mip_levels_they_are_mixed_or_the_nearer_taken(stage: Stage) -> None:
+def test_two_mip_levels_are_interpolated_or_the_nearer_one_is_used(stage: Stage) -> None:
     # 340 texels on 120 pixels: half-way between level 1 and level 2.
     levels = [np.full((340 >> k, 340 >> k, 3), 28 * k, np.uint8) for k in range(9)]
     mixed = shown(stage, Texture(levels))[60, 80]
@@ -90,7 +90,7 @@ def test_making_a_texture_leaves_the_bound_one_bound(stage: Stage) -> None:
     second.release()
 
 
-def test_releasing_twice_deletes_once_and_takes_nobody_elses_name(stage: Stage) -> None:
+def test_releasing_twice_deletes_once_and_spares_other_textures(stage: Stage) -> None:
     before = live_names()
     one = Texture(noise(4, 4, 3))
     one.release()

@@ -128,7 +128,7 @@ def test_texture_coordinates_stay_inside_their_cell_and_under_the_gutter() -> No
     assert uv[1, 0] == pytest.approx([0.25 + half_u, 0.5 + gutter])
 
 
-def test_a_mirrored_sprite_runs_backwards_in_s_alone() -> None:
+def test_a_mirrored_sprite_runs_backwards_in_s_only() -> None:
     s, t = np.array([0.0, 0.3, 1.0]), np.array([0.2, 0.5, 0.9])
     there, back = cell_coordinates(np.array([2, 2]), np.array([False, True]), s, t)
     assert np.allclose(there[:, 0] + back[:, 0], 2 * (2.5 / 4))
@@ -246,7 +246,7 @@ def test_nothing_in_view_draws_nothing(stage: Stage, sprites) -> None:
     assert close(seen(stage, sprites), BACKGROUND)
 
 
-def test_what_is_read_each_frame_can_be_applied_and_what_was_built_cannot(
+def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
     stage: Stage, sprites
 ) -> None:
     put(sprites, [(20.0, 3.0, 12.0)], [CONIFER])
@@ -275,7 +275,7 @@ def test_the_mirrored_scene_is_drawn_from_the_same_arrays(stage: Stage, sprites)
     assert (once == seen(stage, sprites)).all()
 
 
-def test_the_plain_sprites_serve_2006_and_not_best() -> None:
+def test_the_plain_sprites_are_used_in_2006_and_not_in_best() -> None:
     assert not wanted(preset("2006"))
     assert wanted(preset("best"))
     for key in (

@@ -75,7 +75,7 @@ def test_the_eye_stands_above_the_ground_by_the_report_s_formula():
     assert walker.step == pytest.approx(50 / 30 * WALK.speed * WALK.steps_per_unit)
 
 
-def test_forward_goes_where_the_report_s_sum_over_steps_goes():
+def test_walking_forward_matches_the_report_s_sum_over_steps():
     yaw, steps = 30.0, 54
     length = 1 / WALK.steps_per_unit
     x, z = 20.0, 20.0
@@ -176,7 +176,7 @@ def test_no_random_walk_crosses_a_wall(inside):
     assert touched > 100, "the walks met too few walls to prove anything"
 
 
-def test_no_walk_goes_through_an_animal_and_one_can_go_round_it():
+def test_no_walk_goes_through_an_animal_but_the_walker_can_go_round_it():
     rabbit, dragon = Rabbit(x=20.0, z=20.0, scale=0.4), Dragon(x=25.0, z=20.0, yaw=90.0, scale=1.0)
     field = flat(BASE)
     obstacles = (*rabbit_obstacles(rabbit, field), *dragon_obstacles(dragon, field.water_level))
@@ -216,12 +216,12 @@ def test_no_frame_is_long_enough_to_tunnel(seconds):
 
 @pytest.mark.parametrize("side", [0, 90, 180, 270])
 @pytest.mark.parametrize("yaw", [0.0, -160.0])
-def test_a_wall_met_at_an_angle_lets_one_slide_along_it(side, yaw):
+def test_a_walker_slides_along_a_wall_met_at_an_angle(side, yaw):
     castle = Castle(x=20.0, z=20.0, yaw=yaw)
     obstacles = castle_obstacles(castle, BASE)
 
     def along_and_off(x, z):
-        """Return the place as the wall has it: units along it, and off the castle's centre."""
+        """Return a position relative to the wall: units along it, and from the castle's centre."""
         a = math.radians(side + yaw)
         return (
             math.cos(a) * (x - 20) - math.sin(a) * (z - 20),
@@ -296,7 +296,7 @@ def test_landing_falls_to_the_ground_and_the_formula_holds_again():
     assert again.y == pytest.approx(landed.y)
 
 
-def test_one_who_falls_on_a_wall_slips_off_it():
+def test_a_walker_who_falls_on_a_wall_slips_off_it():
     castle = Castle(x=20.0, z=20.0, yaw=0.0)
     obstacles, field = castle_obstacles(castle, BASE), flat(BASE)
     for z in (20.5 - 0.03, 20.5 - 0.01):
@@ -316,7 +316,7 @@ def test_a_view_from_above_starts_in_flight_and_one_at_eye_height_on_foot():
         assert (walker.yaw, walker.pitch) == (12.0, -3.0)
 
 
-def test_the_mouse_turns_the_head_and_the_neck_has_its_limits():
+def test_the_mouse_turns_the_view_within_the_limits_of_pitch():
     walker = go(at(20, 20, 350.0), Intent(look=(200.0, -100.0)), 0.0)
     assert walker.yaw == pytest.approx((350 + 200 * WALK.mouse) % 360)
     assert walker.pitch == pytest.approx(100 * WALK.mouse)
@@ -325,13 +325,13 @@ def test_the_mouse_turns_the_head_and_the_neck_has_its_limits():
 
 
 @pytest.mark.parametrize("frames", [1, 10, 90])
-def test_the_arrows_turn_by_the_second(frames):
+def test_the_arrow_keys_turn_at_a_rate_per_second(frames):
     walker = go(at(20, 20, 0.0), Intent(turn=-1), 1.0, frames=frames)
     assert walker.yaw == pytest.approx(360 - WALK.turn)
 
 
 @pytest.mark.parametrize("rate", [20, 60, 144])
-def test_a_stroke_shows_four_frames_of_its_time_and_rests(rate):
+def test_a_stroke_shows_its_four_frames_in_time_and_then_rests(rate):
     per_frame = SETTINGS.walk.stroke_kt / SETTINGS.clock.kt_per_second
     walker = go(at(20, 20), Intent(strike=True), 1 / rate)
     shown: dict[int, int] = {walker.stroke: 1}
@@ -346,7 +346,7 @@ def test_a_stroke_shows_four_frames_of_its_time_and_rests(rate):
         assert shown[stroke] / rate == pytest.approx(per_frame, abs=1.01 / rate)
 
 
-def test_a_stroke_is_not_begun_again_while_it_runs():
+def test_a_stroke_is_not_restarted_while_it_runs():
     walker = go(at(20, 20), Intent(strike=True), 0.0)
     seen = []
     for _ in range(60):
@@ -372,7 +372,7 @@ def test_the_walker_needs_no_opengl():
         ((999, 300), 180, -89),
     ],
 )
-def test_an_absolute_mouse_turns_the_head_where_it_points(cursor, yaw, pitch) -> None:
+def test_an_absolute_mouse_turns_the_view_to_where_it_points(cursor, yaw, pitch) -> None:
     walker = Walker(20.0, 1.0, 20.0, yaw=33.0, pitch=-20.0)
     look = aimed(walker, cursor, (400, 200), WALK.mouse)
     after = go(walker, Intent(look=look), 0.0)
@@ -380,7 +380,7 @@ def test_an_absolute_mouse_turns_the_head_where_it_points(cursor, yaw, pitch) ->
     assert after.pitch == pytest.approx(pitch, abs=1e-9)
 
 
-def test_an_absolute_mouse_that_turns_nothing_is_left_alone() -> None:
+def test_an_absolute_mouse_without_sensitivity_turns_nothing() -> None:
     walker = Walker(20.0, 1.0, 20.0)
     assert aimed(walker, (10, 10), (400, 200), 0.0) == (0.0, 0.0)
     assert aimed(walker, (10, 10), (0, 0), 0.12) == (0.0, 0.0)

@@ -27,7 +27,7 @@ def test_slopes_are_the_derivatives_of_the_height(monkeypatch: pytest.MonkeyPatc
 
 
 @pytest.mark.parametrize("t", [0.0, 1.7, 900.0])
-def test_all_waves_at_once_are_their_sum_one_by_one(t: float) -> None:
+def test_all_waves_computed_at_once_equal_their_sum(t: float) -> None:
     grid = grid_at()
     fast = waves.waves(grid.x, grid.z, grid.cell, t)
     plain = waves.waves_one_by_one(grid.x.astype(float), grid.z.astype(float), grid.cell, t)
@@ -44,7 +44,7 @@ def test_normals_stand_at_right_angles_to_the_slopes() -> None:
     assert normals[0] @ (0, 0.2, 1) == pytest.approx(0, abs=1e-6)
 
 
-def test_far_water_is_calmer_and_a_wave_is_about_a_hundredth_high() -> None:
+def test_far_water_is_calmer_and_a_wave_is_about_a_hundredth_of_a_unit_high() -> None:
     grid = grid_at(Pose(20, 1.1, 30, 0, -12))
     lift, slope_x, slope_z = waves.waves(grid.x, grid.z, grid.cell, 0.4)
     steep = np.hypot(slope_x, slope_z)
@@ -70,7 +70,7 @@ def test_flat_water_looks_up_its_own_place_and_a_tilt_moves_it_by_twice_the_angl
     assert np.allclose(aside, -2 * waves.MIRRORED * 0.01 * grid.height, rtol=0.02)
 
 
-def test_a_facet_that_leans_to_the_viewer_mirrors_less() -> None:
+def test_a_facet_that_leans_towards_the_viewer_reflects_less() -> None:
     grid = grid_at(POSE)
     flat = np.zeros(grid.x.shape, np.float32)
     away = np.hypot(grid.ring, grid.height)

@@ -1,7 +1,7 @@
-"""The window: keys and mouse, its ups and downs, recordings, words; on the null platform and Xvfb.
+"""The window: keys, mouse, resizing, recordings and texts, on the null platform and under Xvfb.
 
-GLFW's null platform runs the real window code with no screen; what it cannot do, key events, comes
-from xdotool under Xvfb. Each window lives in a process of its own.
+GLFW's null platform runs the real window code with no screen. It cannot send key events: these come
+from xdotool under Xvfb. Each window has a process of its own.
 """
 
 import dataclasses
@@ -51,7 +51,7 @@ PRESS, RELEASE, REPEAT = glfw.PRESS, glfw.RELEASE, glfw.REPEAT
 # Hands: what GLFW reports, and what is made of it.
 
 
-def test_keys_make_intents_by_their_places() -> None:
+def test_keys_make_intents_by_their_positions() -> None:
     hands = Hands()
     for key, intent in (
         (glfw.KEY_W, Intent(forward=1)),
@@ -74,14 +74,14 @@ def test_keys_make_intents_by_their_places() -> None:
         assert hands.take() == (Intent(), ())
 
 
-def test_two_keys_against_each_other_cancel() -> None:
+def test_opposite_keys_cancel() -> None:
     hands = Hands()
     for key in (glfw.KEY_W, glfw.KEY_S, glfw.KEY_A):
         hands.key(key, PRESS)
     assert hands.take()[0] == Intent(forward=0, right=-1)
 
 
-def test_a_key_tapped_between_two_frames_counts_for_one() -> None:
+def test_a_key_tapped_between_two_frames_counts_for_one_frame() -> None:
     hands = Hands()
     hands.key(glfw.KEY_W, PRESS)
     hands.key(glfw.KEY_W, RELEASE)
@@ -89,7 +89,7 @@ def test_a_key_tapped_between_two_frames_counts_for_one() -> None:
     assert hands.take()[0] == Intent()
 
 
-def test_a_repeated_key_switches_nothing_again() -> None:
+def test_key_repeats_do_not_trigger_a_switch_again() -> None:
     hands = Hands()
     for action in (PRESS, REPEAT, REPEAT, RELEASE):
         hands.key(glfw.KEY_G, action)
@@ -98,7 +98,7 @@ def test_a_repeated_key_switches_nothing_again() -> None:
     assert hands.take() == (Intent(), ())
 
 
-def test_flying_pressed_twice_in_a_frame_is_not_pressed() -> None:
+def test_two_presses_of_the_fly_key_in_a_frame_cancel() -> None:
     hands = Hands()
     hands.key(glfw.KEY_F, PRESS)
     assert hands.take()[0].fly
@@ -118,7 +118,7 @@ def test_the_first_click_captures_and_the_next_strikes() -> None:
     assert hands.take()[0].strike
 
 
-def test_the_mouse_looks_when_captured_without_its_first_motion_or_jumps() -> None:
+def test_the_captured_mouse_turns_the_view_except_by_its_first_motion_or_jumps() -> None:
     hands = Hands()
     hands.motion(5.0, 5.0)
     assert hands.take()[0].look == (0, 0)
@@ -135,7 +135,7 @@ def test_the_mouse_looks_when_captured_without_its_first_motion_or_jumps() -> No
     assert hands.take()[0].look == (0, 0)
 
 
-def test_escape_lets_the_mouse_go_first_and_then_leaves() -> None:
+def test_escape_first_releases_the_mouse_and_then_quits() -> None:
     hands = Hands()
     hands.capture(True)
     hands.key(glfw.KEY_ESCAPE, PRESS)
@@ -144,7 +144,7 @@ def test_escape_lets_the_mouse_go_first_and_then_leaves() -> None:
     assert hands.orders == ["release", "quit"]
 
 
-def test_a_lost_focus_lets_keys_and_mouse_go() -> None:
+def test_losing_the_focus_releases_keys_and_mouse() -> None:
     hands = Hands()
     hands.capture(True)
     hands.key(glfw.KEY_W, PRESS)
@@ -157,7 +157,7 @@ def test_a_lost_focus_lets_keys_and_mouse_go() -> None:
 # Words.
 
 
-def test_every_word_that_is_shown_exists() -> None:
+def test_every_text_that_is_shown_exists() -> None:
     english = words.TEXTS["en"]
     shown = (
         {f"help.{binding.action}" for binding in BINDINGS}
@@ -197,7 +197,7 @@ ROWS = [("W A S D", "walk (arrows up and down as well)"), ("Page up", "fly, and 
 
 
 @pytest.mark.parametrize("size", [(640, 480), (1920, 1080), (1600, 900), (320, 240)])
-def test_the_list_of_keys_fits_and_its_letters_grow_with_the_window(size: tuple[int, int]) -> None:
+def test_the_list_of_keys_fits_and_its_font_grows_with_the_window(size: tuple[int, int]) -> None:
     image = keys_image("Keys", ROWS, size)
     assert image.shape[1] <= size[0]
     assert image.shape[0] <= size[1]
@@ -205,7 +205,7 @@ def test_the_list_of_keys_fits_and_its_letters_grow_with_the_window(size: tuple[
         assert image.shape[0] > 0.5 * size[1], "the letters are too small for the window"
 
 
-def test_long_words_make_the_letters_smaller_until_the_list_fits() -> None:
+def test_long_texts_shrink_the_font_until_the_list_fits() -> None:
     rows = [
         ("Left Right", "a text as long as some other language may well need to say the same")
     ] * 15
@@ -215,13 +215,13 @@ def test_long_words_make_the_letters_smaller_until_the_list_fits() -> None:
     )
 
 
-def test_no_window_is_too_small_for_words() -> None:
+def test_no_window_is_too_small_for_text() -> None:
     for size in ((1, 1), (3, 200), (200, 3)):
         assert keys_image("Keys", ROWS, size).size
         assert line_image("screenshot-0001.png saved", size).size
 
 
-def test_letters_that_the_font_lacks_are_written_plainly() -> None:
+def test_characters_that_the_font_lacks_are_replaced() -> None:
     own = ImageFont.load_default(16)
     assert writable("Échap, à pied: \uffff", own) == "Echap, a pied: ?"
     assert writable("Esc", font(16)) == "Esc"
@@ -285,7 +285,7 @@ def write(path: Path, plan: Plan, ticks: list[Tick]) -> Path:
     return path
 
 
-def test_a_recording_reads_back_to_the_last_bit(tmp_path: Path) -> None:
+def test_a_recording_is_read_back_exactly(tmp_path: Path) -> None:
     wanted = plan(pose=Pose(0.1, 1 / 3, 2.0))
     got, ticks = recording.read(write(tmp_path / "a.jsonl", wanted, TICKS))
     assert (got, ticks) == (wanted, TICKS)
@@ -294,7 +294,7 @@ def test_a_recording_reads_back_to_the_last_bit(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["a.jsonl"]
 
 
-def test_a_recording_without_a_frame_or_unfinished_loses_no_earlier_file(tmp_path: Path) -> None:
+def test_an_empty_or_unfinished_recording_does_not_replace_an_earlier_file(tmp_path: Path) -> None:
     path = tmp_path / "a.jsonl"
     path.write_text("earlier")
     empty, broken = Writer(path, plan()), None
@@ -308,7 +308,7 @@ def test_a_recording_without_a_frame_or_unfinished_loses_no_earlier_file(tmp_pat
 
 
 @pytest.mark.parametrize("name", ["missing/a.jsonl", "."])
-def test_a_place_that_cannot_be_written_is_bad_input(tmp_path: Path, name: str) -> None:
+def test_a_path_that_cannot_be_written_is_bad_input(tmp_path: Path, name: str) -> None:
     with pytest.raises(InputError, match="--record"):
         Writer(tmp_path / name, plan())
 
@@ -359,7 +359,7 @@ def test_a_damaged_recording_is_bad_input_and_the_line_is_named(tmp_path: Path, 
     assert "\n" not in str(error.value)
 
 
-def test_a_file_that_is_no_text_or_not_there_is_bad_input(tmp_path: Path) -> None:
+def test_a_binary_or_missing_file_is_bad_input(tmp_path: Path) -> None:
     path = tmp_path / "a.jsonl"
     path.write_bytes(b"\x89PNG\r\n\x1a\n\xff\x00")
     for bad in (path, tmp_path, tmp_path / "none"):
@@ -504,20 +504,20 @@ def test_a_minimised_window_or_one_without_area_rests(scripted) -> None:
     assert scripted["live"][19]["size"] == [160, 120]
 
 
-def test_a_lost_focus_releases_keys_and_cursor_on_the_null_platform(scripted) -> None:
+def test_losing_the_focus_releases_keys_and_cursor_on_the_null_platform(scripted) -> None:
     forward = [tick.intent.forward for tick in scripted["ticks"]]
     # Once when it is minimised, once when another window is clicked.
     assert forward == [0.0] * 2 + [1.0] * 14 + [0.0] * 3 + [1.0] + [0.0] * 9
     assert scripted["released"]
 
 
-def test_the_captured_mouse_turns_the_head_on_the_null_platform(scripted) -> None:
+def test_the_captured_mouse_turns_the_view_on_the_null_platform(scripted) -> None:
     looks = [tick.intent.look for tick in scripted["ticks"]]
     assert looks[13] == looks[14] == (0.0, 0.0)
     assert looks[15] == (40.0, -5.0)
 
 
-def test_full_screen_comes_and_goes(scripted) -> None:
+def test_full_screen_can_be_entered_and_left(scripted) -> None:
     sizes = [frame["size"] for frame in scripted["live"]]
     assert sizes[24] != [160, 120]
     assert sizes[25] == sizes[28] == [160, 120]
@@ -574,7 +574,7 @@ print(json.dumps([hint, seen]))
 """
 
 
-def test_each_switch_does_something_says_so_and_takes_it_back() -> None:
+def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
     done = python(STILLS, json.dumps(SMALL | {"trees.count": 3000}), env=environment())
     assert done.status == 0, done.err
     hint, seen = json.loads(done.out)

@@ -43,7 +43,7 @@ def test_the_same_seed_gives_the_same_woods_and_another_seed_others() -> None:
     )
 
 
-def test_in_woods_trees_stand_closer_than_by_chance() -> None:
+def test_in_woods_trees_stand_closer_than_at_random() -> None:
     def crowding(grouped: bool) -> float:
         xz = refine({"trees"}, trees__grouped=grouped, trees__count=1500).positions[:, [0, 2]]
         bins = np.histogram2d(xz[:, 0], xz[:, 1], bins=20, range=[[0, 40], [0, 40]])[0]
@@ -79,7 +79,7 @@ def grown(**changes: Any) -> TintedSprites:
     return refine({"plants"}, **{**given, "plants__species": 5, **changes})
 
 
-def test_one_species_is_the_fern_of_2006_and_more_are_so_many_herbs() -> None:
+def test_one_species_is_the_fern_of_2006_and_more_are_as_many_herbs() -> None:
     assert set(grown(plants__species=1).cells) == {PLANT}
     for species in (2, 3, 5):
         assert set(grown(plants__species=species).cells) == set(range(HERB, HERB + species))
@@ -111,7 +111,7 @@ def test_marram_grows_low_and_heather_high_or_on_slopes() -> None:
     assert ((slope > 0.30) | (heather[:, 1] > 3.2)).all() and (heather[:, 1] > 1.5).all()
 
 
-def test_flowers_come_in_drifts_that_run_in_no_direction() -> None:
+def test_flowers_come_in_drifts_with_no_preferred_direction() -> None:
     at = np.linspace(0, 40, 200)
     x, z = (a.ravel() for a in np.meshgrid(at, at))
     for number in (101, 102, 104):
@@ -122,7 +122,7 @@ def test_flowers_come_in_drifts_that_run_in_no_direction() -> None:
         assert max(steps) < 1.5 * min(steps)
 
 
-def test_an_herb_is_picked_by_its_chance_and_as_high_as_its_kind_is() -> None:
+def test_a_herb_is_chosen_by_its_probability_and_has_the_height_of_its_kind() -> None:
     plants = with_settings(preset("best"), {"plants.size_min": 0.1, "plants.size_max": 0.2}).plants
     chances = np.tile([0.0, 0.3, 0.6, 0.0, 0.0], (20_000, 1))
     cells, sizes = herbs_by_place(chances, plants, np.random.default_rng(1))

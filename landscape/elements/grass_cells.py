@@ -42,7 +42,7 @@ def cover(suits: Suits, across: int) -> np.ndarray:
 
 
 def shared_out(count: int, share: np.ndarray, seed: int) -> np.ndarray:
-    """Return how many of ``count`` blades each cell bears, at random by its ``share`` (cells,)."""
+    """Return how many of ``count`` blades each cell gets, at random by its ``share`` (cells,)."""
     if not share.any():
         return np.zeros(len(share), int)
     return np.random.default_rng([seed, 7]).multinomial(count, share / share.sum())

@@ -4,10 +4,10 @@ Techniques: the image is resampled to a grid of vertices; vertex arrays are draw
 glDrawElements, compiled once into a display list; two textures by multitexturing, unit 0 the
 large-scale colour, unit 1 a detail repeated many times; a clip plane cuts the ground at the water
 level. Height queries are bilinear over the same grid (geometry/height_field.py).
-State used: texture units 0 and 1, GL_COMBINE in unit 1 (OpenGL 1.3), GL_CLIP_PLANE0. What is wrong
-with it: edges between coarse triangles (switch ``ground.smooth``, R14); the walker stands a little
-above or below them (``ground.exact_height``, R15); one detail texture on grass, sand and rock
-(``ground.materials``). The ground of the preset ``best`` is terrain/terrain.py.
+State used: texture units 0 and 1, GL_COMBINE in unit 1 (OpenGL 1.3), GL_CLIP_PLANE0.
+What is wrong with it: edges between coarse triangles (switch ``ground.smooth``, R14); the walker
+stands a little above or below them (``ground.exact_height``, R15); one detail texture on grass,
+sand and rock (``ground.materials``). The ground of the preset ``best`` is terrain/terrain.py.
 """
 
 from collections.abc import Iterator

@@ -19,7 +19,7 @@ SHORE = 0.02  # chosen: units above the water where the first sprite may stand
 CASTLE = 1.1  # chosen: units from the castle's centre to its farthest corner
 COURT = 2.2  # chosen: radius in units around the castle's centre kept free of trees
 BATCHES = 200  # chosen: most rounds of random places tried to place the sprites
-HOPELESS = 10_000  # chosen: after so many unsuitable places in one batch there is no suitable one
+HOPELESS = 10_000  # chosen: a batch of more places, none of them suitable, ends the search
 # Chosen: x, z of the first deer. One is by the bay's plants, one on the meadow, one on an
 # islet, one near the castle. (The program of 2006 could read places from a file as well.)
 DEER_POSTS = ((20.26, 28.98), (21.95, 21.25), (34.55, 20.38), (25.9, 15.2), (19.98, 29.3))

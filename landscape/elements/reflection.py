@@ -3,9 +3,9 @@
 Technique: a mirror matrix diag(1, -1, 1, 1) on the modelview, translated to the water's height. It
 reverses the winding of every triangle, so the front face is swapped; and the lights are placed
 again under it, or the mirrored scene would be lit from below. The clip plane, given in the mirrored
-frame, keeps what is above the water. Drawn before the water, which is blended over it. What is
-wrong with it: where there is no water, the mirrored scene can show past the land's edge. With
-``reflection.stencil`` the water first marks its pixels in the stencil buffer, and the mirrored
+frame, keeps what is above the water. Drawn before the water, which is blended over it.
+What is wrong with it: where there is no water, the mirrored scene can show past the land's edge.
+With ``reflection.stencil`` the water first marks its pixels in the stencil buffer, and the mirrored
 scene is drawn only there. It is also a perfect mirror, whatever the waves do:
 ``reflection.rippled`` draws it into a texture instead (sea/mirror_image.py).
 State used: modelview, GL_CLIP_PLANE0, front face, light positions, stencil test.

@@ -1,4 +1,4 @@
-"""The sky: five textured walls round the walker (Sky_box, section 4).
+"""The sky: five textured walls around the walker (Sky_box, section 4).
 
 Technique: a sky box in a display list, translated with the viewer before it is called. In 2006 it
 follows in x and z, never in y.
@@ -28,7 +28,7 @@ FACES = ("west", "north", "east", "south", "top")
 
 
 def face_corners(d: float, h: float) -> dict[str, np.ndarray]:
-    """Return each face's corners (4, 3), from the picture's top left, going down, seen from inside.
+    """Return each face's corners (4, 3), from the picture's top left downwards, seen from inside.
 
     The top face has north at its top and west at its left, as on a map.
     """
@@ -95,14 +95,14 @@ class SkyBox:
         self._clouds = Clouds(assets) if sky.moving else None
 
     def apply(self, settings: Settings) -> bool:
-        """Draw by new settings from now on; False, and no change, if the box would differ."""
+        """Apply new settings; return False, changing nothing, if the box would differ."""
         if built_from(settings) != built_from(self._settings):
             return False
         self._settings = settings
         return True
 
     def draw(self, frame: Frame) -> None:
-        """Draw the box about the viewer, mirrored or not as the frame says."""
+        """Draw the box around the viewer, mirrored or not as the frame says."""
         sky, level = self._settings.sky, self._settings.water.level
         x, y, z = frame.eye.tolist()
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT

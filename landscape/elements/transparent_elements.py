@@ -8,7 +8,7 @@ cannot order them, so all sprites together are *sorted* each frame by their eye-
 pictures share one texture, an atlas, so that one glDrawElements draws them in that order.
 
 ``transparent.sorted`` off shows what the sort is for; ``transparent.textured`` off shows the quads.
-Two flaws remain, as in 2006 (section 11.2): from above, billboards lie on their backs and plants
+Two flaws remain, as in 2006 (section 11.2): seen from above, billboards lie flat and plants
 are crosses; and where two sprites intersect, no order is right. ``elements/sprites/`` fixes them.
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """

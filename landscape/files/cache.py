@@ -2,8 +2,8 @@
 
 The name of a file is a hash of everything its arrays were made from, code included, so a file is
 never out of date. It holds a checksum: a damaged file is noticed, and its arrays are made again. It
-appears whole or not at all, so processes that start together do not disturb each other. The folder
-is ``LANDSCAPE_CACHE``, or the system's folder for caches; set to nothing, the variable turns the
+appears complete or not at all, so processes that start together do not disturb each other. The
+folder is ``LANDSCAPE_CACHE``, or the system's folder for caches; an empty LANDSCAPE_CACHE turns the
 cache off. The files used longest ago are deleted when all together exceed MOST_BYTES.
 """
 
@@ -24,7 +24,7 @@ from landscape.errors import InputError
 from landscape.files.output import write_whole
 
 MAGIC = b"landscape cache 1\n"
-MOST_BYTES = 400 << 20  # chosen: some five times what the shipped island takes
+MOST_BYTES = 400 << 20  # chosen: about five times what the shipped island takes
 ALIGNED = 16  # bytes
 PACKAGE = Path(__file__).resolve().parents[1]
 Arrays = tuple[np.ndarray, ...]
@@ -45,7 +45,7 @@ def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
     """Return what ``make`` returns, from the cache if it was made before.
 
     The result must depend only on ``parts`` and on code: this package's, or that of the file which
-    defines ``make``. A cache that cannot be used is no error. The arrays may be written to.
+    defines ``make``. A cache that cannot be used is not an error. The arrays may be written to.
     """
     place, theirs = folder(), code_outside(make)
     if place is None or theirs is None:
@@ -81,12 +81,12 @@ def code_below(folder: Path) -> bytes:
 def code_outside(make: Callable[..., Any]) -> bytes | None:
     """Return a hash of the file that defines ``make``; nothing if it belongs to this package.
 
-    None where the code cannot be read: such as typed into an interpreter.
+    None where the code cannot be read, for example if it was typed into an interpreter.
     """
     while isinstance(make, functools.partial):
         make = make.func
     make = inspect.unwrap(make)
-    # A function or a method; or else an object that can be called.
+    # A function or a method, or else a callable object.
     body = getattr(make, "__code__", None) or getattr(type(make).__call__, "__code__", None)
     if body is None:
         return None
@@ -136,7 +136,7 @@ def _read(path: Path) -> Arrays | None:
 def _write(path: Path, arrays: Arrays) -> None:
     """Write arrays to a file, and delete old files if there are too many."""
     header = json.dumps([(array.dtype.str, array.shape) for array in arrays]).encode()
-    # Each array begins at an aligned offset, so that it can be used where the file was read to.
+    # Each array begins at an aligned offset, so that it can be used in place, without a copy.
     body = [header + b" " * (-(len(MAGIC) + 8 + len(header)) % ALIGNED)]
     body += [part.tobytes() + bytes(-part.nbytes % ALIGNED) for part in arrays]
     checksum = functools.reduce(lambda total, part: zlib.crc32(part, total), body, 0)

@@ -9,7 +9,7 @@ from PIL import Image
 from landscape.errors import InputError
 from landscape.files.cache import content, recall
 
-MAX_SIZE = 4096  # chosen: more texels than the pixels of the largest window are of no use
+MAX_SIZE = 4096  # chosen: more texels than the largest window has pixels are of no use
 
 
 def read_image(path: Path, mode: str = "RGBA", largest: int = MAX_SIZE) -> np.ndarray:
@@ -34,7 +34,8 @@ def open_image(path: Path) -> Image.Image:
     """Open and decode an image; InputError where that fails."""
     try:
         with warnings.catch_warnings(), path.open("rb") as file:
-            # Pillow warns of large images, which are allowed, and of damage that it could repair.
+            # Pillow warns about large images, which are allowed, and about damage that it could
+            # repair.
             warnings.simplefilter("ignore")
             image: Image.Image = Image.open(file)
             image.load()

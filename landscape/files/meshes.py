@@ -1,7 +1,7 @@
 """Reading meshes: PLY by our own reader, other formats by trimesh. No OpenGL here.
 
-The report's Mesh_tool has a PLY reader of its own, and so do we. Besides, trimesh accepts truncated
-ASCII files, refuses some files that Blender writes, and takes longer to import.
+The report's Mesh_tool has its own PLY reader, and so does this program. Besides, trimesh accepts
+truncated ASCII files, refuses some files that Blender writes, and takes longer to import.
 """
 
 import re
@@ -24,7 +24,7 @@ OTHER_FORMATS = (".obj", ".stl", ".off", ".glb")
 
 
 def read_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Read a mesh file by its ending: vertices float32 (n, 3) and triangles uint32 (m, 3).
+    """Read a mesh file by its extension: vertices float32 (n, 3) and triangles uint32 (m, 3).
 
     .ply by :func:`read_ply`; .obj, .stl, .off and .glb by trimesh. InputError names the file.
     """
@@ -76,7 +76,7 @@ def read_colours(path: Path) -> np.ndarray | None:
 
 
 def _read_ply(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
-    """Return vertices, triangles and colours; InputError where the file is not a whole PLY."""
+    """Return vertices, triangles and colours; InputError where the file is not a complete PLY."""
     try:
         data = path.read_bytes()
     except OSError as error:
@@ -91,7 +91,7 @@ def _read_ply(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
 class _Element:
     """A PLY element: its number of rows, and the name, type and count type of each property.
 
-    Only a list has a count, of a type of its own. Types are numpy's, as in "<f4".
+    Only a list has a count, with its own type. Types are numpy's, as in "<f4".
     """
 
     name: str
@@ -120,7 +120,7 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     header = [line.split() for line in data[: end.start()].decode("latin-1").splitlines()]
     body = data[end.end() :]
     if ["format", "ascii", "1.0"] in header:
-        # The numbers of a text become doubles, which are then read like those of a binary file.
+        # ASCII numbers become doubles, which are then read like those of a binary file.
         body = np.fromiter(map(float, body.split()), np.float64).tobytes()
     vertices, triangles = np.empty((0, 3)), np.empty((0, 3))
     colours = None
@@ -145,7 +145,7 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
 
 
 def _elements(header: list[list[str]]) -> list[_Element]:
-    """Read the words of a PLY header."""
+    """Parse the words of a PLY header."""
     form = next((words[1:] for words in header if words[:1] == ["format"]), [])
     if form not in ([name, "1.0"] for name in BYTE_ORDERS):
         raise ValueError(f"its format is {' '.join(form)[:60]!r}")
@@ -218,7 +218,7 @@ def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], i
 
 
 def _fans(polygons: np.ndarray | list[np.ndarray]) -> np.ndarray:
-    """Cut polygons, (m, k) or m arrays of their own lengths, into triangles (n, 3)."""
+    """Cut polygons, (m, k) or m arrays of different lengths, into triangles (n, 3)."""
     groups = [polygons]
     if isinstance(polygons, list):
         lengths = sorted({len(polygon) for polygon in polygons})

@@ -1,6 +1,6 @@
 """Writing results: whole files or none.
 
-Every file that the program writes goes through :func:`write_all`, but for the recording of a walk,
+Every file that the program writes goes through :func:`write_all`, except the recording of a walk,
 which grows frame by frame (window/recording.py).
 """
 
@@ -17,7 +17,7 @@ from PIL import Image
 
 from landscape.errors import InputError
 
-# Only PNG is written: as the name of a folder to make, any of these would be a mistake.
+# Only PNG is written: a folder to be made with one of these endings would be a mistake.
 OTHER_PICTURES = {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ppm", ".avif"}
 
 

@@ -57,7 +57,7 @@ class Progress:
 
 def _on_terminal() -> bool:
     """Return whether standard error is a terminal."""
-    # A program started with standard error closed has None there; one that closed it, a dead file.
+    # Standard error is None if it was closed at the start, a closed file if it was closed later.
     return sys.stderr is not None and not sys.stderr.closed and sys.stderr.isatty()
 
 

@@ -1,6 +1,6 @@
 """Fetch the real rabbit and dragon: two scans of the Stanford 3D Scanning Repository.
 
-The island has a rabbit and a dragon of its own; the report of 2006 showed Stanford's. This module
+The island has its own rabbit and dragon; the report of 2006 showed Stanford's. This module
 downloads those, takes the two meshes out of their archives and checks them, so that they can be
 used instead: ``rabbit.mesh`` and ``dragon.mesh``.
 
@@ -30,7 +30,7 @@ from landscape.files.output import check_folder, write_all
 from landscape.files.progress import Progress
 
 BASE_URL = "https://graphics.stanford.edu/pub/3Dscanrep"
-TIMEOUT_S = 30.0  # chosen: a server that sends no byte for so long is not going to answer
+TIMEOUT_S = 30.0  # chosen: a server that sends no byte for this long is not going to answer
 MAX_MEMBER_BYTES = 64 << 20  # chosen: forty times the larger scan, and still fits any memory
 
 
@@ -73,7 +73,7 @@ def fetch(destination: Path, base_url: str = BASE_URL, quiet: bool = False) -> l
     """Download the scans into the folder ``destination`` and return the paths of the two files.
 
     Files that exist and hold the right numbers are kept, and not fetched again. Nothing is written
-    before all are there and right. On a terminal a bar shows the progress, unless ``quiet``.
+    before all are present and correct. On a terminal a bar shows the progress, unless ``quiet``.
     InputError says what failed.
     """
     destination = Path(destination)

@@ -1,4 +1,4 @@
-"""What the camera can see: balls and boxes against the planes of the view frustum. No OpenGL."""
+"""What the camera can see: spheres and boxes against the planes of the view frustum. No OpenGL."""
 
 import math
 from collections.abc import Sequence
@@ -18,9 +18,9 @@ Height = TypeVar("Height", float, np.ndarray)
 def is_near(
     then: Frame, now: Frame, distance: float = REUSE_DISTANCE, angle: float = REUSE_ANGLE
 ) -> bool:
-    """Return whether the eye of ``then`` has moved less than ``distance`` units, or not at all.
+    """Return whether the eye has moved less than ``distance`` units since ``then``, or not at all.
 
-    And turned less than ``angle`` radians about any axis, with the same window.
+    It must also have turned less than ``angle`` radians about any axis, with the same window.
     """
     if (then.size, then.fov) != (now.size, now.fov):
         return False
@@ -32,12 +32,12 @@ def is_near(
 
 
 def mirrored_height(y: Height, level: float) -> Height:
-    """Return the height of the mirror image of what stands at ``y``, in water at ``level``."""
+    """Return the height of the mirror image of a point at height ``y``, in water at ``level``."""
     return 2.0 * level - y
 
 
 def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    """Return whether balls about positions (n, 3) of radius ``reach`` (n,) meet the frustum, (n,).
+    """Return whether spheres at positions (n, 3) of radius ``reach`` (n,) meet the frustum, (n,).
 
     Its four sides go through the eye; near and far planes are left out.
     """
@@ -48,7 +48,7 @@ def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarra
 
 
 def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
-    """Return what in_view returns, for one ball and without arrays: in a tenth of the time."""
+    """Return what in_view returns, for one sphere and without arrays: in a tenth of the time."""
     pose = frame.pose
     x, y, z = middle[0] - pose.x, middle[1] - frame.eye_y, middle[2] - pose.z
     return all(
@@ -58,10 +58,10 @@ def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
 
 
 def boxes_in_view(frame: Frame, middles: np.ndarray, halves: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of the boxes, middles and half sides (n, 3), that the camera may see.
+    """Return a mask (n,) of the boxes, centres and half sides (n, 3), that the camera may see.
 
-    A box is out of view when all its corners lie behind the same side of the frustum, that is, when
-    the corner farthest along the side's normal does.
+    A box is out of view when all its corners are outside the same plane of the frustum, that is,
+    when the corner farthest along the plane's normal is.
     """
     sides = frame.frustum_planes.T
     within = sides @ (middles - frame.eye).T + np.abs(sides) @ halves.T

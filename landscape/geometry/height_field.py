@@ -2,7 +2,7 @@
 
 In 2006 an image of 512 x 512 was resampled to 50 x 50 vertices, and heights between them were
 bilinear. A smoother ground comes from bicubic patches over the same vertices (splines.py); exact
-standing follows the triangles that are drawn (section 11.2.6).
+heights follow the triangles that are drawn (section 11.2.6).
 """
 
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from landscape.geometry.mesh import Mesh, grid_triangles, vertex_normals
 from landscape.geometry.splines import smoothed
 from landscape.settings import Ground as GroundSettings
 
-MOST_VERTICES = 1025  # chosen: a longer side makes over a million vertices, seconds to build
+MOST_VERTICES = 1025  # chosen: more makes over a million vertices, which take seconds to build
 
 
 def lookup(image: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -80,7 +80,7 @@ class HeightField:
 def height_field(image: np.ndarray, settings: GroundSettings, water_level: float) -> HeightField:
     """Resample an image (h, w) of values 0..255 to the vertices' heights.
 
-    Vertex k of N takes the image at k/N though it stands at k/(N-1), as in the report. With
+    Vertex k of N samples the image at k/N although it is at k/(N-1), as in the report. With
     ``ground.smooth`` these vertices are the knots of bicubic patches, and the field keeps the finer
     vertices of the patches, for drawing and for height queries.
     """
@@ -105,8 +105,8 @@ def ground_mesh(
 ) -> Mesh:
     """Return the height field as a mesh, with texture coordinates repeated ``repeats`` times.
 
-    Vertex k of N stands at k/(N-1) of the side. Textures that are repeated more than once may have
-    coordinates of their own, ``detail_uv`` (n*n, 2).
+    Vertex k of N is at k/(N-1) of the side. Textures that are repeated more than once may have
+    their own coordinates, ``detail_uv`` (n*n, 2).
     """
     n = len(field.heights)
     along = np.arange(n) / (n - 1)

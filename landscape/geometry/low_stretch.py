@@ -1,9 +1,9 @@
 """Low-stretch texture coordinates for a height field: detail keeps its scale on slopes.
 
 A texture mapped by x and z alone is stretched where the ground is steep: uphill, a step of 1 is
-sqrt(1 + slope^2) long. Steps of that length cannot all meet on a plane, so the coordinates are
-those whose steps come nearest in the least-squares sense. That is a Poisson equation, which
-cosine waves solve one by one. Not in the report.
+sqrt(1 + slope^2) long. Steps of that length cannot all fit together in a plane, so the coordinates
+are those whose steps come nearest in the least-squares sense. That is a Poisson equation, which a
+cosine transform solves one wave at a time. Not in the report.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ def low_stretch_uv(field: HeightField) -> np.ndarray:
 
 
 def low_stretch_coordinates(heights: np.ndarray, cell: float) -> np.ndarray:
-    """Return where each vertex of a height field (n, n) lies when it is flattened, (n, n, 2).
+    """Return where each vertex of a height field (n, n) is when it is flattened, (n, n, 2).
 
     ``cell`` is the side of a cell; the result is in the same units.
     """

@@ -1,6 +1,6 @@
 """The castle's walls and towers as meshes: boxes, and surfaces of revolution. No OpenGL.
 
-Own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
+The castle's own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
 """
 
 from collections.abc import Iterable
@@ -26,7 +26,7 @@ def box_quads(x0: float, y0: float, z0: float, x1: float, y1: float, z1: float) 
 
 
 def quads_mesh(quads: np.ndarray, repeat: float) -> Mesh:
-    """Return flat-shaded quads (n, 4, 3) with a texture laid ``repeat`` times per unit.
+    """Return flat-shaded quads (n, 4, 3) with a texture repeated ``repeat`` times per unit.
 
     Corners are counter-clockwise seen from outside. The texture runs along the horizontal edge and
     down the vertical one, so that courses of bricks line up from quad to quad.
@@ -73,7 +73,7 @@ def walls_mesh(repeat: float) -> Mesh:
 
 
 def tower_mesh(repeat: float) -> Mesh:
-    """Return a tower about the y axis: a cylinder that widens to a parapet with a sunken floor."""
+    """Return a tower around the y axis: a cylinder that widens to a parapet with a sunken floor."""
     r, top = TOWER_RADIUS, TOWER_TOP
     profile = [(r, -FOOT), (r, top - 0.16), (r + 0.025, top - 0.11), (r + 0.025, top)]
     profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
@@ -93,9 +93,9 @@ def on_edges(corners: Iterable[tuple[float, float]], spacing: float) -> np.ndarr
 
 
 def outlines(step: float) -> list[tuple[np.ndarray, float, float]]:
-    """Return what casts the shadow: lines of places x, z (n, 2), and heights from and to.
+    """Return the outlines that cast the shadow: places x, z (n, 2), and heights from and to.
 
-    The places of a line are ``step`` units apart.
+    The places of an outline are ``step`` units apart.
     """
     angles = np.arange(0.0, 2 * np.pi, step / TOWER_RADIUS)
     circle = TOWER_RADIUS * np.stack([np.cos(angles), np.sin(angles)], axis=1)

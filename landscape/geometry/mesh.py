@@ -78,7 +78,7 @@ def revolve(
     t = np.ascontiguousarray((band + starts).reshape(-1, 3), np.uint32)
     n = vertex_normals(v, t)
     for ring_start in range(0, len(v), sides + 1):
-        # First and last vertex of a ring are one point: without this the seam shows in the light.
+        # The first and last vertex of a ring coincide: otherwise the lighting shows a seam.
         last = ring_start + sides
         mean = n[ring_start] + n[last]
         n[ring_start] = n[last] = mean / np.linalg.norm(mean)

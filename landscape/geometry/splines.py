@@ -6,7 +6,7 @@ then along x make a bicubic patch of every cell.
 
 import numpy as np
 
-# Between the middle two of four knots a cubic is (t^3, t^2, t, 1) times one of these, times them.
+# Between the middle two of four knots a cubic is (t^3, t^2, t, 1) x one of these x the knots.
 SPLINES = {
     "catmull_rom": np.array([[-1, 3, -3, 1], [2, -5, 4, -1], [-1, 0, 1, 0], [0, 2, 0, 0]]) / 2.0,
     "b_spline": np.array([[-1, 3, -3, 1], [3, -6, 3, 0], [-3, 0, 3, 0], [1, 4, 1, 0]]) / 6.0,

@@ -4,7 +4,8 @@ All four show the same picture; what differs is who does the work, and how often
 
 - :class:`OneByOne`, as in 2006: a loop tests every blade of the land and sends what it keeps
   vertex by vertex (glBegin, glEnd). In C each call cost 12 ns; from Python it costs 400.
-- :class:`ClientArrays`: numpy tests all blades and bends the visible; one glDrawElements sends them.
+- :class:`ClientArrays`: numpy tests all blades and bends the visible ones; one glDrawElements
+  sends them.
 - :class:`VertexBuffer`: the same, but the driver gets the blades in a buffer object of OpenGL 1.5,
   orphaned first, so that it need not wait for the previous frame.
 - :class:`Compiled`: a display list of the blades that one frame shows. It is the fastest, because

@@ -1,8 +1,8 @@
-"""Texture coordinates along the axis that each face looks at (R12, section 11.2.5). No OpenGL.
+"""Texture coordinates projected along an axis, chosen by face (R12, section 11.2.5). No OpenGL.
 
-Cylindrical coordinates pinch the texture near the axis, (x, z) draws it out on upright faces. Here
-each face is mapped in the plane it looks at most, a chart; on the border of two charts a vertex is
-doubled, once for each.
+Cylindrical coordinates pinch the texture near the axis; (x, z) stretches it on upright faces. Here
+each face is projected along the axis it is most normal to; the faces of one axis make a chart. On
+the border of two charts a vertex is duplicated, one copy for each.
 """
 
 import numpy as np
@@ -13,13 +13,13 @@ from landscape.geometry.mesh import Mesh
 def by_axis(mesh: Mesh, repeat: float) -> Mesh:
     """Return a mesh of vertices in -1..1 mapped by charts, ``repeat`` textures over 2 units.
 
-    A face whose normal points mostly along x lies in the chart of (z, y), along y in that of
+    A face whose normal points mostly along x is in the chart of (z, y), along y in that of
     (x, z), along z in that of (x, y). The vertices' smooth normals decide, not the face's own,
     which would speckle a rough skin with charts of one face.
     """
     facing = np.abs(mesh.normals[mesh.triangles].sum(axis=1)).argmax(axis=1)
     count = len(mesh.vertices)
-    # One number for a vertex in a chart: chart * count + vertex.
+    # One number per vertex and chart: chart * count + vertex.
     corners, triangles = np.unique(mesh.triangles + facing[:, None] * count, return_inverse=True)
     chart, own = np.divmod(corners, count)
     vertices = np.ascontiguousarray(mesh.vertices[own])

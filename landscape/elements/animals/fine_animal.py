@@ -1,8 +1,8 @@
 """What the rabbit and the dragon of the preset `best` share: levels of detail, colours, culling.
 
-A mesh of fewer triangles is drawn while the error it makes is below ``camera.lod_pixels`` pixels
-(levels_of_detail.py), nothing while the animal is out of view. A mesh file may bring a colour for
-each vertex. Not in the report.
+A mesh of fewer triangles is drawn while its error is below ``camera.lod_pixels`` pixels
+(levels_of_detail.py), and none while the animal is out of view. A mesh file may contain a colour
+for each vertex. Not in the report.
 State used: as animal.py, and the current colour.
 """
 
@@ -32,8 +32,9 @@ from landscape.settings import Settings
 
 
 def read_painted(assets: Assets, name: str, key: str, painted: bool) -> Mesh:
-    """Return the mesh of a file, its vertices in -1..1, with the colours of the file if it is
-    ``painted`` and has any; ``key`` names the setting in an error.
+    """Return the mesh of a file, its vertices in -1..1; ``key`` names the setting in an error.
+
+    With ``painted`` it has the colours of the file, if there are any.
     """
     mesh = read_animal(assets, name, key)
     found = read_colours(assets.path(name, key)) if painted else None
@@ -57,10 +58,10 @@ class FineAnimal(Animal):
         yaw_deg: float,
         scale: float,
     ) -> None:
-        """Scale a mesh of -1..1 to ``scale`` units and stand it at ``place``.
+        """Scale a mesh of -1..1 to ``scale`` units and place it at ``place``.
 
-        ``lay`` gives a mesh its texture coordinates. ``source`` is the key of mesh and layout in
-        the cache.
+        ``lay`` gives a mesh its texture coordinates. ``source`` is the cache key of the mesh and
+        its coordinates.
         """
         self._lay, self._source = lay, source
         super().__init__(settings, assets, mesh, place, yaw_deg, scale)
@@ -72,14 +73,14 @@ class FineAnimal(Animal):
             ["levels of detail", repr(cubes), *self._source],
             lambda: packed(levels_of_detail(mesh, self._lay, cubes)),
         )
-        # All at once: a list that comes and goes leaves holes in the memory it was in.
+        # All at once: lists that are made and deleted later would fragment memory.
         return {
             cube: DisplayList(partial(draw_mesh, scaled(level, self._scale)))
             for cube, level in unpacked(levels).items()
         }
 
     def level(self, frame: Frame) -> float:
-        """Return the cube of the coarsest level whose error is no larger than allowed."""
+        """Return the cube side of the coarsest level whose error is no larger than allowed."""
         allowed = self._settings.camera.lod_pixels
         if allowed <= 0.0:
             return CUBES[0]
@@ -93,15 +94,15 @@ class FineAnimal(Animal):
         return self._lists[self.level(frame)]
 
     def _middle(self, frame: Frame) -> tuple[float, float, float]:
-        """Return the animal's middle, or its mirror image if the frame is mirrored."""
+        """Return the animal's centre, or its mirror image if the frame is mirrored."""
         x, y, z = self._place
         return x, mirrored_height(y, self._settings.water.level) if frame.mirrored else y, z
 
     def visible(self, frame: Frame) -> bool:
-        """Return whether the ball around the mesh, mirrored if the frame is, meets the view."""
+        """Return whether the bounding sphere, mirrored if the frame is, meets the view frustum."""
         return ball_in_view(frame, self._middle(frame), self._reach)
 
     def draw(self, frame: Frame) -> None:
-        """Draw the mesh where it stands; with ``camera.cull`` only if it is in view."""
+        """Draw the mesh at its place; with ``camera.cull``, only if it is in view."""
         if not self._settings.camera.cull or self.visible(frame):
             super().draw(frame)

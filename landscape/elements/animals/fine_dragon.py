@@ -33,7 +33,7 @@ class FineDragon(FineAnimal):
     """The dragon, its water line at the water's level."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Read the mesh and its colours, make its levels and sink it to its water line."""
+        """Read the mesh and its colours, make its levels and lower it to its water line."""
         dragon = settings.dragon
         mesh = read_painted(assets, dragon.mesh, "dragon.mesh", dragon.painted)
 
@@ -57,7 +57,7 @@ class FineDragon(FineAnimal):
         return dragon_obstacles(self._settings.dragon, self._settings.water.level)
 
     def _set_material(self) -> None:
-        """Let the sun glint; GL_LIGHTING_BIT restores all of this."""
+        """Add the specular highlight; popping GL_LIGHTING_BIT restores all of this."""
         gloss = self._settings.dragon.gloss
         if not gloss:
             return

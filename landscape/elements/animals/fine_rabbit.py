@@ -24,7 +24,7 @@ class FineRabbit(FineAnimal):
     """The rabbit, on the ground."""
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
-        """Read the mesh and its colours, make its levels and stand it on the ground."""
+        """Read the mesh and its colours, make its levels and place it on the ground."""
         rabbit = settings.rabbit
         mesh = read_painted(assets, rabbit.mesh, "rabbit.mesh", rabbit.painted)
 

@@ -1,7 +1,7 @@
 """Levels of detail of an animal's mesh, by vertex clustering. No OpenGL here.
 
-A level merges the vertices inside cubes of one side, and is used while such a cube is smaller than
-the error allowed in pixels. Not in the report.
+A level merges the vertices inside cubes of equal side, and is used while such a cube is smaller
+than the error allowed in pixels. Not in the report.
 """
 
 import math

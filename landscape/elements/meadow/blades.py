@@ -2,7 +2,7 @@
 
 The blade of 2006 and its wind are in ``elements/grass.py``. With ``grass.facing`` a blade's wide
 side turns to the viewer (R7, section 11.2.2): its direction d on the map becomes (1 - f) d + f r,
-where r is at right angles to the line from the eye to the blade, both of length 1. For f over 0.5
+where r is perpendicular to the line from the eye to the blade, both of length 1. For f over 0.5
 that sum never points along the line of sight, whatever d is, and it changes smoothly as one walks:
 no blade is seen edge-on, and none flips over. No OpenGL here.
 """
@@ -15,12 +15,12 @@ import numpy as np
 from landscape.frame import Frame
 
 NEAR = 0.28  # chosen: units within which, with grass.fade, every blade of a dense meadow is drawn
-DENSE = 3_600.0  # chosen: blades on a square unit; 1,500,000 on the island
-SPARSE = 0.4  # chosen: in one with k times fewer blades it is k**SPARSE as far
-WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDENING as wide
+DENSE = 3_600.0  # chosen: blades per square unit; 1,500,000 on the island
+SPARSE = 0.4  # chosen: with k times fewer blades, NEAR is multiplied by k**SPARSE
+WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDENING times as wide
 FOOT = 0.75  # chosen: brightness of a tinted blade at its foot, times the ground's
-LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: what tall grass has more of the ground's colour
-SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # of a blade's feet and shoulders
+LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: change of the ground's colour for tall grass
+SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # sideways, of a blade's feet and shoulders
 
 
 def arched(corners: np.ndarray, arch: float) -> np.ndarray:
@@ -35,10 +35,11 @@ def arched(corners: np.ndarray, arch: float) -> np.ndarray:
 
 
 def nearness(density: float) -> float:
-    """Return the units within which every blade is drawn, by the blades on a square unit.
+    """Return the units within which every blade is drawn, by the blades per square unit.
 
-    A sparse meadow is thinned out from farther on than a dense one, so that far grass shows in
-    both; but not so far that it would look as dense, and cost as much.
+    Thinning out begins farther away in a sparse meadow than in a dense one, so that distant grass
+    is visible in both; but not so far away that the sparse one would look as dense and cost as
+    much.
     """
     return NEAR * max(DENSE / max(density, 1e-9), 1.0) ** SPARSE
 
@@ -47,14 +48,14 @@ def thinned_ranges(count: int, near: float, radius: float) -> np.ndarray:
     """Return how far away each of a cell's blades is drawn, (count,) in 0..1 times ``radius``.
 
     All up to ``near`` units; beyond, as many as keep the number per pixel the same: the fraction
-    left at distance d is (near / d) squared. The blades drawn from farthest off come first.
+    left at distance d is (near / d) squared. The blades with the longest range come first.
     """
     fraction = (np.arange(count) + 1.0) / max(count, 1)
     return np.asarray(np.minimum(near / np.sqrt(fraction) / radius, 1.0))
 
 
 def count_at(count: int, near: float, distance: float) -> int:
-    """Return how many of a cell's ``count`` blades are drawn from ``distance`` units off."""
+    """Return how many of a cell's ``count`` blades are drawn at ``distance`` units."""
     return int(np.ceil(count * min(near / max(distance, 1e-6), 1.0) ** 2))
 
 
@@ -66,7 +67,7 @@ def facing_plain(vertices: np.ndarray, away: np.ndarray, fraction: float) -> np.
     """
     half = (vertices[:, 1, ::2] - vertices[:, 0, ::2]) / 2
     width = np.linalg.norm(half, axis=1, keepdims=True)
-    sideways = np.stack([-away[:, 1], away[:, 0]], axis=1)  # at right angles to the line of sight
+    sideways = np.stack([-away[:, 1], away[:, 0]], axis=1)  # perpendicular to the line of sight
     sideways = sideways / np.linalg.norm(sideways, axis=1, keepdims=True)
     turned = (1.0 - fraction) * half / width + fraction * sideways
     turned *= width / np.linalg.norm(turned, axis=1, keepdims=True)
@@ -78,7 +79,7 @@ def facing_plain(vertices: np.ndarray, away: np.ndarray, fraction: float) -> np.
 def facing(columns: np.ndarray, away: np.ndarray, fraction: float) -> None:
     """Turn blades in place as :func:`facing_plain` does: a row of all blades at a time.
 
-    ``columns``, float32 (5, 3, n), holds each coordinate of each vertex as a row of its own;
+    ``columns``, float32 (5, 3, n), holds each coordinate of each vertex in its own row;
     ``away`` (2, n) is x, z from the eye to each blade.
     """
     # Directions on the map as complex numbers, x + i z: one operation for both coordinates.
@@ -125,7 +126,7 @@ def blade_tints(
 
     ``upper`` and ``foot`` (3,) are the texture's mean colours there. Drawn at twice texture times
     tint, the upper part of a blade has the ground's own colour, a little lighter or darker at
-    random. Its foot is FOOT times as bright, so that no blade looks stuck on.
+    random. Its foot is FOOT times as bright, so that no blade looks pasted on.
     """
     light = colour * rng.uniform(0.92, 1.28, (len(colour), 1)) / (2.0 * np.asarray(upper))
     tints = np.repeat(light[:, None, :], 5, axis=1)
@@ -147,7 +148,7 @@ class Patch:
 
     @cached_property
     def columns(self) -> np.ndarray:
-        """The vertices as (5, 3, n), for what is computed of all blades a row at a time."""
+        """The vertices as (5, 3, n), for what is computed for all blades a row at a time."""
         return np.ascontiguousarray(self.vertices.transpose(1, 2, 0))
 
     @cached_property
@@ -170,8 +171,8 @@ NOTHING = Patch(
 def in_range(frame: Frame, patch: Patch, radius: float, margin: float = 0.0) -> Patch:
     """Return the blades of a patch that are in range of the walker and not behind him.
 
-    Their cells were thinned out by their nearest points only. A foot a little behind the eye is
-    kept, as its tip may be in view. ``margin`` is how far the eye may still move.
+    Their cells were thinned out only by the distance of the nearest point. A foot a little
+    behind the eye is kept, as its tip may be in view. ``margin`` is how far the eye may still move.
     """
     dx, dz = patch.positions[:, 0] - frame.pose.x, patch.positions[:, 2] - frame.pose.z
     ranges = np.float32(radius) * patch.ranges + np.float32(margin)

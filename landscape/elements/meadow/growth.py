@@ -1,8 +1,8 @@
 """How the meadow grows: blades by cell of the map, in tufts and layers, made when they are needed.
 
-A cell's blades are random, from generators of its own: they are the same whichever way the walker
-came. With ``grass.fade`` they come in layers, each as large as all before it, and a far cell grows
-the first ones only. No OpenGL here.
+A cell's blades are random, from the cell's own generators: they are the same whichever way the
+walker came. With ``grass.fade`` they come in layers, each as large as all before it, and a far cell
+has only the first ones. No OpenGL here.
 """
 
 import numpy as np
@@ -28,17 +28,17 @@ from landscape.settings import Settings
 
 LAYER = 64  # chosen: blades in the first layer of a cell
 TUFT_RADIUS = 0.017  # chosen: units, how far apart the roots of a tuft's blades are
-KEPT = 6  # chosen: times the blades in view are kept grown, for when the walker turns round
-LEAST = 40_000  # chosen: so many blades are kept in any case, 4 MB
+KEPT = 6  # chosen: blades kept in memory, times those in view, for when the walker turns around
+LEAST = 40_000  # chosen: the number of blades that are kept in any case, 4 MB
 
 
 class Growth:
-    """The blades of all cells; ``counts`` (cells,) is how many each bears when full-grown."""
+    """The blades of all cells; ``counts`` (cells,) is how many each has when complete."""
 
     def __init__(
         self, settings: Settings, ground: Ground, seed: int, ends: tuple[np.ndarray, np.ndarray]
     ) -> None:
-        """Share the blades out over the cells at random, by ``seed``.
+        """Distribute the blades over the cells at random, by ``seed``.
 
         ``ends`` are the mean colours (3,) of the blade's texture, at its upper part and its foot.
         """
@@ -48,11 +48,11 @@ class Growth:
         self.near = nearness(count / (share.sum() * CELL**2)) if share.any() else NEAR
         self.counts = shared_out(count, share, seed)
         self._shared = self.counts.copy()
-        self._patches: dict[int, Patch] = {}  # by cell, the last used last
+        self._patches: dict[int, Patch] = {}  # by cell, the most recently used last
         self.grown = 0
 
     def suits(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return 0..1: on land and off the castle; tinted grass keeps off what is not green."""
+        """Return 0..1: on land, outside the castle and, if tinted, on green ground."""
         land = bears_grass(self._ground.field, self._settings.castle, x, z)
         if self._settings.grass.tinted:
             land *= greenness(self._ground.colour(x, z))
@@ -70,13 +70,13 @@ class Growth:
             patch = more if patch is None else joined([patch, more])
             self.grown += len(more.positions)
             if len(patch.positions) < end:
-                # Hardly anything grows here: the cell bears what was found.
+                # Few places here are suitable: the cell keeps the blades that have one.
                 self.counts[cell] = total = len(patch.positions)
         self._patches[cell] = patch
         return patch
 
     def forget(self, in_view: int) -> None:
-        """Drop the cells that were not used for longest while too many blades are grown.
+        """Drop the least recently used cells while too many blades are kept.
 
         The same blades grow again when they come into view. ``in_view`` blades are drawn now.
         """
@@ -87,7 +87,7 @@ class Growth:
             self.counts[cell] = self._shared[cell]
 
     def _layer(self, total: int, have: int) -> int:
-        """Return where the layer that begins at blade ``have`` ends: each doubles the blades."""
+        """Return the end of the layer that begins at blade ``have``; each doubles the blades."""
         return min(max(LAYER, 2 * have), total) if self._settings.grass.fade else total
 
     def _grow(self, cell: int, first: int, last: int) -> Patch:
@@ -126,6 +126,6 @@ class Growth:
         return Patch(positions.astype(np.float32), vertices, tints, ranges.astype(np.float32))
 
     def _tallness(self, roots: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-        """Return how much taller than the mean (0) tufts with these roots (n, 2) are, over -1."""
+        """Return how much taller than the mean tufts at roots (n, 2) are: fractions above -1."""
         own = rng.uniform(-0.35, 0.45, len(roots))
         return np.asarray(own + 0.45 * lushness(roots[:, 0], roots[:, 1]))

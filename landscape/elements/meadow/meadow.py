@@ -44,7 +44,7 @@ from landscape.settings import Settings
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the blades' number, places, shapes and tints come from."""
+    """Return the settings that the blades' number, places, shapes and tints depend on."""
     grass, ground = settings.grass, settings.ground
     used = [*grass_built_from(settings), grass.tufts, grass.arch, grass.variety, grass.fade]
     used += [grass.tinted, grass.radius if grass.fade else None]
@@ -60,7 +60,7 @@ class Meadow:
     """All blades, cell by cell."""
 
     def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
-        """Share the blades out over the cells at random, by ``seed``; they grow when seen."""
+        """Distribute the blades over the cells at random, by ``seed``; they are made when seen."""
         self._settings, self._field = settings, ground.field
         self._built_from = built_from(settings)
         image = read_image(assets.path("blade.png"), "RGB")
@@ -78,7 +78,7 @@ class Meadow:
         """Return what to draw: the visible cells' blades, the far cells' thinned out.
 
         With ``margin`` units and ``angle`` radians, all that is to be drawn until the eye has moved
-        and turned that far. Without, it is the plain way of :meth:`choice`.
+        and turned that far. Without, it is the plain form of :meth:`choice`.
         """
         growth, grass = self._growth, self._settings.grass
         growth.forget(self._in_view)
@@ -102,11 +102,11 @@ class Meadow:
         return whole
 
     def choice(self, frame: Frame) -> Patch:
-        """Return what to draw in a frame: the last choice, while the eye stays about where it was.
+        """Return what to draw in a frame: the last choice, while the eye stays near.
 
-        It was made with a margin, so it holds some blades too many. They change no pixel: they lie
+        It was made with a margin, so it has some blades too many. They change no pixel: they are
         outside the window, or have sunk into the ground. Without ``grass.fade`` no blade sinks at
-        the end of its range, and each place of the eye has its own choice.
+        the end of its range, so each position of the eye needs its own choice.
         """
         fade = self._settings.grass.fade
         margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if fade else (0.0, 0.0)
@@ -167,7 +167,7 @@ class Meadow:
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def apply(self, settings: Settings) -> bool:
-        """Take new settings; False, and nothing changes, if they need the blades regrown."""
+        """Apply new settings; return False, changing nothing, if the blades must be regrown."""
         if built_from(settings) != self._built_from:
             return False
         self._settings, self._chosen = settings, None

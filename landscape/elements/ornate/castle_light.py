@@ -2,8 +2,8 @@
 
 OpenGL lights each vertex as if nothing stood between it and the sun. A light map adds the shadows:
 every part of the surface gets a box of texels in one small texture, and for each texel rays are
-sent to the sun and over the sky, which towers, walls and keep may block. The light that is left,
-times the stains of rain and damp, multiplies the bricks in a second texture unit. Places are in the
+sent to the sun and over the sky, which towers, walls and keep may block. The remaining light,
+times stains from rain and damp, multiplies the bricks in a second texture unit. Places are in the
 castle's own frame, see geometry/masonry.py. Not in the report; a technique of its time.
 """
 
@@ -26,13 +26,13 @@ Cylinder = tuple[float, float, float, float, float]
 TEXELS = 64  # texels per unit of the castle's own frame, where a wall is 1 long
 SIDE = 512  # texels per side of the texture
 OFF = 0.004  # units: distance from the surface at which a ray starts
-PENUMBRA = 0.03  # radians between the rays to the sun, so that its shadow has a soft edge
+PENUMBRA = 0.03  # radians that the rays to the sun spread over, so that its shadow has a soft edge
 SUN_RAYS, SKY_RAYS = 7, 28
 BOUNCE = np.array([0.30, 0.29, 0.22])  # fraction of the sky's light the ground reflects, RGB
 CONTACT = 0.10  # units over which the ground darkens the foot of a wall
 LATTICE = 32  # lattice points per side of the noise, which then repeats
-RUNS = 0.24  # units down which rain leaves its streaks under a ledge
-EXPOSURE = 1.08  # times the light, since the weather darkens the stones
+RUNS = 0.24  # length in units of the streaks that rain leaves under a ledge
+EXPOSURE = 1.08  # times the light, as the weathering darkens the stones
 
 
 def turned_sun(sun: Sun, yaw: float) -> np.ndarray:
@@ -60,7 +60,7 @@ def solids() -> tuple[list[Box], list[Cylinder]]:
     ]
     x0, z0, x1, z1, top = KEEP
     boxes.append((x0, -FOOT, z0, x1, top, z1))
-    for share in (0.0, 0.25, 0.5, 0.75):  # the pyramid in steps
+    for share in (0.0, 0.25, 0.5, 0.75):  # the pyramid, approximated by steps
         a = share * (x1 - x0) / 2 - 0.05 * (1 - share)
         y = top + share * KEEP_ROOF
         boxes.append((x0 + a, y, z0 + a, x1 - a, y + KEEP_ROOF / 4, z1 - a))
@@ -121,7 +121,7 @@ def sky_rays(count: int) -> list[np.ndarray]:
 def open_to(places: np.ndarray, normals: np.ndarray, rays: Sequence[np.ndarray]) -> np.ndarray:
     """Return 0..1 (n,), the fraction of the light along ``rays`` that reaches the surface.
 
-    Each ray is weighted by the cosine of its angle of incidence; with none in front, 0.
+    Each ray is weighted by the cosine of its angle of incidence; 0 if none is in front.
     """
     start = places + OFF * normals
     got, all_ = np.zeros(len(places)), np.full(len(places), 1e-9)
@@ -148,7 +148,7 @@ def noise(places: np.ndarray, frequency: tuple[float, float, float], seed: int) 
 
 
 def weather(places: np.ndarray) -> np.ndarray:
-    """Return the weathering of the stones at places (n, 3), a colour (n, 3) up to 1 to multiply by.
+    """Return the weathering of the stones at places (n, 3), factors (n, 3) up to 1.
 
     Paler and darker patches, streaks of rain under ledges, damp and green at the foot. All numbers
     are chosen by eye.
@@ -171,8 +171,8 @@ def weather(places: np.ndarray) -> np.ndarray:
 def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.ndarray:
     """Return the colours (n, 3) that multiply OpenGL's light at places with normals (n, 3).
 
-    They hold the unblocked light of sun and sky, and the weathering. OpenGL clamps its light at 1,
-    where the sun hardly adds to the sky; so these may exceed 1. ``yaw`` in degrees.
+    They combine the unblocked light of sun and sky with the weathering. OpenGL clamps its lighting
+    at 1, where the sun adds little to the sky's light, so these may exceed 1. ``yaw`` in degrees.
     """
     towards = turned_sun(sun, yaw)
     across = np.array([-towards[0], 0.5, -towards[2]]) / math.hypot(towards[0], towards[2], 0.5)

@@ -39,15 +39,15 @@ Unit = tuple[Texture, dict[str, str], float, np.ndarray]
 def halo(light: np.ndarray) -> np.ndarray:
     """Return the light texture (h, w, 3) scaled so that its darkest colour, doubled, is white.
 
-    In 2006 the light only darkened: by its grey of two thirds where no torch shines. This one
-    leaves the wall as it is there, and brightens it elsewhere.
+    In 2006 the light only darkened: by a grey of two thirds where no torch shines. This one leaves
+    the wall unchanged there, and brightens it elsewhere.
     """
     darkest = np.maximum(light.reshape(-1, 3).min(axis=0), 1)
     return np.ascontiguousarray(np.clip(light * (127.5 / darkest) + 0.5, 0, 255), np.uint8)
 
 
 def without_gate(walls: Mesh, repeat: float) -> Mesh:
-    """Return the walls with the outer face of the gate wall, the first quad, only below y = 0."""
+    """Return the walls; of the gate wall's outer face, the first quad, only what is below y = 0."""
     vertices, coordinates = walls.vertices.copy(), walls.coordinates[0].copy()
     top = np.flatnonzero((np.arange(len(vertices)) < 4) & (vertices[:, 1] > 0))
     vertices[top, 1], coordinates[top, 1] = 0.0, repeat

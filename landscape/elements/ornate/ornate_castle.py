@@ -31,10 +31,10 @@ from landscape.gl.state import combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-REACH = 1.8  # chosen: radius of the ball about the middle of the walls that holds the castle
+REACH = 1.8  # chosen: radius of the castle's bounding sphere, centred in the walls
 SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
-BY_DAY = 0.5  # chosen: fraction of the torches' glow that is visible beside the sun's light
+BY_DAY = 0.5  # chosen: fraction of the torches' glow that is visible in sunlight
 
 
 def castle_class(settings: Settings) -> type[Castle]:
@@ -104,11 +104,11 @@ class OrnateCastle(CastleInOnePass):
         return [*super()._units(), (self._light_map, terms, 2.0, coordinates)]
 
     def outlines(self, step: float) -> list[tuple[np.ndarray, float, float]]:
-        """Return what casts the shadow, see :func:`ornate_outlines`."""
+        """Return the outlines that cast the shadow, see :func:`ornate_outlines`."""
         return ornate_outlines(step)
 
     def visible(self, frame: Frame) -> bool:
-        """Return whether the ball around the castle, mirrored if the frame is, meets the view."""
+        """Return whether the bounding sphere, mirrored if the frame is, meets the view frustum."""
         x, y, z = self.base[0], self.base[1] + 0.5, self.base[2]
         if frame.mirrored:
             y = mirrored_height(y, self._settings.water.level)

@@ -1,7 +1,7 @@
 """The ornate castle's masonry: walls on a plinth, bands, battlements, a keep. No OpenGL here.
 
-Strips say how each surface may be laid into the light map, see castle_light.py.
-Own frame as in geometry/masonry.py.
+Strips describe how each surface is laid out in the light map, see castle_light.py.
+In the castle's own frame, as in geometry/masonry.py.
 """
 
 import numpy as np
@@ -18,10 +18,10 @@ from landscape.geometry.masonry import (
 )
 from landscape.geometry.mesh import Mesh, merged, moved, revolve
 
-# Chosen: heights from and to, and how far it stands out of the wall.
+# Chosen: heights from and to, and how far it projects from the wall.
 PLINTH, BAND = (-FOOT, 0.075, 0.022), (0.885, 0.925, 0.012)
 KEEP = (0.30, 0.56, 0.62, 0.88, 1.52)  # x0, z0, x1, z1, top
-ROOFED = ((0.0, 1.0), (1.0, 1.0))  # the towers behind have conical roofs
+ROOFED = ((0.0, 1.0), (1.0, 1.0))  # the rear towers have conical roofs
 GATE = (0.375, 0.635)  # x from and to: the part of the gate wall that the plinth leaves free
 
 
@@ -39,7 +39,7 @@ def revolved_strips(segments: int, sides: int, first: int = 0) -> list[np.ndarra
 
 
 def belt(low: float, high: float, out: float, gate: tuple[float, float]) -> np.ndarray:
-    """Return a band around the walls as quads (n, 4, 3): its face, a slope above, an underside.
+    """Return a band around the walls as quads (n, 4, 3): its face, a sloping top, an underside.
 
     The gate wall has none between the two x of ``gate``.
     """
@@ -75,7 +75,7 @@ def ring_of_merlons(radius: float, base: float, count: int) -> np.ndarray:
 def ornate_tower(repeat: float, crowned: bool) -> tuple[Mesh, list[np.ndarray]]:
     """Return a tower about the y axis with plinth and band, and its strips for the light map.
 
-    ``crowned`` with battlements, or without them for a roof.
+    It has battlements if ``crowned``, otherwise none, as it gets a roof.
     """
     r, top, sides = TOWER_RADIUS, TOWER_TOP, 24
     low, high, out = PLINTH
@@ -84,7 +84,7 @@ def ornate_tower(repeat: float, crowned: bool) -> tuple[Mesh, list[np.ndarray]]:
     profile += [(r, top - 0.16), (r + 0.03, top - 0.10), (r + 0.03, top)]
     profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
     shaft = revolve(profile, sides, (max(1, round(2 * np.pi * r * repeat)), 1))
-    # Texture coordinates by height, so that the courses of towers and walls are at one level.
+    # Texture coordinates by height, so that the courses of towers and walls line up.
     round_, _ = shaft.coordinates[0].T
     level = np.stack([round_, (1.0 - shaft.vertices[:, 1]) * repeat], axis=1).astype(np.float32)
     shaft = Mesh(shaft.vertices, shaft.normals, shaft.triangles, (level,))

@@ -15,7 +15,7 @@ QUADS = (np.arange(0, 10, 2)[:, None] + (0, 1, 3, 2)).ravel()  # the vertices of
 _X, _Z, _FOOT, LENGTH = np.array(MASTS).T
 TOP = np.stack([_X, _FOOT + 1.15 * LENGTH, _Z], axis=1)  # where a pennant hangs, (m, 3)
 PHASE = 11.0 * np.arange(len(MASTS))  # chosen: kt between the waves of one pennant and the next
-SPAN = (AFTER - BEFORE) * LENGTH[:, None]  # of five to a pennant's length, (m, 6)
+SPAN = (AFTER - BEFORE) * LENGTH[:, None]  # from BEFORE to AFTER, in fifths of a unit, (m, 6)
 VERTEX = [("colour", "u1", 4), ("place", "f4", 3)]  # GL_C4UB_V3F
 
 

@@ -27,7 +27,7 @@ def triangles_of(columns: int, rows: int) -> np.ndarray:
 
 @lru_cache(maxsize=16)
 def window_border(fov: float, aspect: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return points on the window's border, to the right and up, (68,) each, one unit ahead."""
+    """Return x (right) and y (up), (68,) each, of points on the window's border, one unit ahead."""
     top = np.tan(np.radians(fov) / 2)
     along = np.linspace(-1.0, 1.0, 17)
     edge = np.ones_like(along)
@@ -36,10 +36,11 @@ def window_border(fov: float, aspect: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def view_angles(frame: Frame) -> tuple[float, float, float, float] | None:
-    """Return azimuth from, to and depression from, to of what the window shows below the horizon.
+    """Return the limits of azimuth and depression of what the window shows below the horizon.
 
-    Radians; azimuth 0 is north and grows eastward, depression 0 is the horizon and pi/2 straight
-    down. None where the window shows nothing below the horizon.
+    Lowest and highest azimuth, then depression, in radians; azimuth 0 is north and grows eastward,
+    depression 0 is the horizon and pi/2 straight down. None where the window shows nothing below
+    the horizon.
     """
     a, b = window_border(frame.fov, frame.size[0] / frame.size[1])
     yaw, pitch = np.radians(frame.pose.yaw), np.radians(frame.pose.pitch)
@@ -57,7 +58,7 @@ def view_angles(frame: Frame) -> tuple[float, float, float, float] | None:
 
 
 def grid_lines(start: float, end: float, step: float) -> np.ndarray:
-    """Return the multiples of ``step`` that enclose a range; ``step`` doubles until they are few.
+    """Return the multiples of ``step`` that enclose a range; ``step`` doubles as often as needed.
 
     As they are multiples, the grid's lines stay where they are when the viewer turns.
     """
@@ -105,7 +106,7 @@ class EyeGrid:
         self.z = np.float32(frame.pose.z) + self.ring[:, None] * self.south
 
     def keep_within(self, low: float, high: float) -> None:
-        """Move what lies outside the square from ``low`` to ``high`` onto its border."""
+        """Move what is outside the square from ``low`` to ``high`` onto its border."""
         np.clip(self.x, low, high, out=self.x)
         np.clip(self.z, low, high, out=self.z)
 

@@ -3,9 +3,9 @@
 Technique: render to texture. The mirrored scene is drawn before the frame itself, into a
 framebuffer object of half the window's size, with a slightly wider projection: ripples look up
 places beyond the window's borders. The texture is then projected onto the water: the texture matrix
-is bias x projection x camera, so that a vertex that gives its own place as texture coordinate falls
-on its own pixel, and one that gives a place moved by a ripple falls beside it. (In 2006 this would
-have been glCopyTexSubImage2D.)
+is bias x projection x camera, so a vertex whose texture coordinate is its own position samples its
+own pixel, and one whose texture coordinate is moved by a ripple samples a place beside it. (In 2006
+this would have been glCopyTexSubImage2D.)
 State used: a framebuffer object, viewport and projection; to draw with it, one texture unit with
 GL_COMBINE (OpenGL 1.3) and crossbar (1.4), its texture matrix.
 """

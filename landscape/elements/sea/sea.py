@@ -6,9 +6,9 @@ them (eye_grid.py). A sum of small waves gives each vertex its normal, its heigh
 (``water.relief``), and with ``reflection.rippled`` the place where it looks up the mirror image
 (mirror_image.py). With ``water.fresnel`` the alpha of each vertex follows the angle of view: the
 water's own colour from above, a mirror in the distance. ``water.shallow`` shows the bottom through
-shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py). Without
-``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over it as
-the patches are.
+shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
+Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
+it as the patches are.
 State used: GL_LIGHTING, up to three texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
 texture matrix, GL_BLEND.
 """

@@ -2,7 +2,7 @@
 
 Technique: a texture over the whole map holds, for the depth there, a tint for the water's colour
 and, in alpha, how much of the bottom the water hides. The ground is then cut not at the water but
-SEEN below it; where it is cut, a plane closes the sea; otherwise the background would show at steep
+SEEN below it. Where it is cut, a plane closes the sea; otherwise the background would show at steep
 coasts.
 State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 """

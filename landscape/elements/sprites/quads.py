@@ -1,7 +1,7 @@
 """The quads of the refined sprites as arrays: what the lesson's billboards and crosses lack.
 
 Billboards stand upright, or at right angles to a slope; plants are two or three crossed quads that
-fade when seen edge-on; crowns and rosettes lie flat (section 11.2). A :class:`Quads` holds what one
+fade when seen edge-on; crowns and rosettes are flat (section 11.2). A :class:`Quads` holds what one
 glDrawElements needs of any of them. Quads are what is sorted, so each half of a crossed quad can
 have its own place in the order. The plain forms are in ``elements/transparent_elements.py``. No
 OpenGL here.

@@ -14,8 +14,8 @@ Techniques, all by vertices and vertex alpha, still in one sort and one glDrawEl
 - ``transparent.rooted``: feet sink a little on slopes; ``plants.shaded``: plants in the ground's
   shadows are darker; ``trees.grouped``, ``plants.species``: see :mod:`planting`.
 
-With all of them off the picture is that of ``elements/transparent_elements.py``, which
-shows the technique of 2006. State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off;
+With all of them off the picture is that of ``elements/transparent_elements.py``, which shows the
+technique of 2006. State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off;
 GL_COLOR_ARRAY. OpenGL 1.1.
 """
 

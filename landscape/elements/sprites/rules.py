@@ -10,7 +10,7 @@ from landscape.frame import Frame
 from landscape.settings import Settings
 
 CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see crossing
-CLEARS = (0.2, 0.5)  # chosen: how many of its widths away a sprite is invisible, and is opaque
+CLEARS = (0.2, 0.5)  # chosen: times its width: where a sprite is invisible, and where opaque
 HAZE = 512.0  # where the fog leaves less than 1/512 of a colour, no 8-bit value changes
 
 

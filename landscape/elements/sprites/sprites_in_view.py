@@ -63,7 +63,7 @@ class SpritesInView:
         self._tops: dict[bool, tuple[np.ndarray, ...]] = {}
 
     def arrays(self, frame: Frame, settings: Settings) -> tuple[np.ndarray, ...]:
-        """Return vertices, colours, texture coordinates and indices, sorted if they are to be."""
+        """Return vertices, colours, texture coordinates and indices, sorted or not."""
         choice = self.choice(frame, settings)
         seen = self._seen(frame, settings, choice)
         plants = choice.crossed.which

@@ -1,4 +1,4 @@
-"""Turf, sand and rock: where each lies on the ground, and the four texture units that mix them.
+"""Turf, sand and rock: where each is on the ground, and the four texture units that mix them.
 
 Unit 0 is turf. Unit 1 interpolates to sand by the large texture's alpha, which it reads from unit 3
 (crossbar). Unit 2 interpolates to rock by the vertices' alpha. Unit 3 multiplies by the large-scale
@@ -13,7 +13,7 @@ from landscape.geometry.height_field import greenness
 from landscape.gl.calls import gl
 from landscape.gl.texture import Texture
 
-MID = 0.8  # chosen: strength of the detail laid into the large texture
+MID = 0.8  # chosen: strength of the detail baked into the large texture
 
 
 def turf_alpha(large: np.ndarray) -> np.ndarray:
@@ -25,10 +25,10 @@ def turf_alpha(large: np.ndarray) -> np.ndarray:
 def textured(
     colours: np.ndarray, detail: np.ndarray, repeat: float, turf: np.ndarray
 ) -> np.ndarray:
-    """Return colours, uint8 (n, n, 3), times MID of twice a detail (m, m, 3), ``repeat`` times.
+    """Return colours, uint8 (n, n, 3), modulated by a detail (m, m, 3), ``repeat`` times.
 
     ``turf``, uint8 (n, n, 1), says where grass grows; bare ground gets a third of the contrast.
-    What a further texture unit would do in each frame is done once. It serves the ground a few
+    This does once what another texture unit would do in each frame. It is for the ground a few
     units away, where the fine detail has averaged to grey; near the eye it is too coarse.
     """
     size = max(round(len(colours) / repeat), 1)
@@ -43,8 +43,8 @@ def textured(
 def rock_share(normals: np.ndarray, colour: np.ndarray) -> np.ndarray:
     """Return 0..1, how much rock shows on ground with these normals and colours (n, 3).
 
-    Steep ground is rock, and so is grey ground; green is not. Chosen after the rules that painted
-    the colours.
+    Steep ground is rock, and so is grey ground; green is not. The limits are chosen to match the
+    rules that painted the colours.
     """
     slope = np.hypot(normals[:, 0], normals[:, 2]) / np.maximum(normals[:, 1], 1e-6)
     steep = np.clip((slope - 0.3) / 0.3, 0.0, 1.0)

@@ -1,11 +1,11 @@
-"""Shadows laid into the ground's colours once, before the first frame (a light map).
+"""Shadows baked into the ground's colours once, before the first frame (a light map).
 
 Not in the report, whose trees and castle cast none. Technique: what casts a shadow is sampled as
 points. Each point is projected along the sun's direction onto the ground and darkens the texel it
 lands on. The samples of a sprite are the texels of its own picture, so that a birch casts the
-shadow of a birch. Around the foot of things, where they hide the sky, the ground is a little darker
-as well. None of this costs time while walking: neither the sun nor what casts a shadow moves.
-No OpenGL here.
+shadow of a birch. Around the foot of objects, which block part of the sky, the ground is a little
+darker as well. None of this costs time while walking: neither the sun nor what casts a shadow
+moves. No OpenGL here.
 """
 
 import numpy as np
@@ -15,13 +15,13 @@ from landscape.elements.planting import Sprites
 from landscape.geometry.height_field import HeightField
 
 # All chosen.
-LIGHT_LEFT = np.array([0.50, 0.53, 0.58], np.float32)  # of the colour in full shadow
-SKY_HIDDEN = 0.38  # fraction of the light lost right at the foot of a thing
-SKY_TEXELS = 4  # the hidden sky is soft: one of its texels is so many shadow texels wide
+LIGHT_LEFT = np.array([0.50, 0.53, 0.58], np.float32)  # fraction of the colour in full shadow
+SKY_HIDDEN = 0.38  # fraction of the light lost right at the foot of an object
+SKY_TEXELS = 4  # shadow texels per texel of the shade from the blocked sky, which is soft
 SAMPLES_PER_TEXEL = 1.3  # along each side, so that there are no gaps between points
 MOST_SAMPLES = 48  # along a sprite's side
 SOFTNESS = 0.7  # texels: radius of the blur that makes a penumbra
-FLATTEST = 0.35  # rise over run of sunlight along the ground; flatter light casts no farther
+FLATTEST = 0.35  # least rise over run of the sunlight along the ground; limits long shadows
 
 
 class ShadowMap:
@@ -101,8 +101,8 @@ class ShadowMap:
 def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray]) -> None:
     """Cast the shadows of sprites, ``pictures`` (h, w) of alpha uint8 by atlas cell, foot last.
 
-    Each is a board that faces the sun. All samples of all sprites of a picture are computed at
-    once; :func:`on_board` says where a single one lands.
+    Each is treated as a board that faces the sun. All samples of all sprites of a picture are
+    computed at once; :func:`on_board` says where a single one lands.
     """
     for cell, picture in enumerate(pictures):
         mine = np.flatnonzero(sprites.cells == cell)
@@ -116,7 +116,7 @@ def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray
         small = Image.fromarray(picture).resize((columns, rows), Image.Resampling.BOX)
         alpha = np.asarray(small, np.float32) / 255
         row, column = np.nonzero(alpha > 0.1)
-        # Samples run along the second axis: u, v is the place on the board as on_board has it.
+        # Samples run along the second axis: u, v is the place on the board, as in on_board.
         u = ((column + 0.5) / columns - 0.5).astype(np.float32)
         v = (1.0 - (row + 0.5) / rows).astype(np.float32)
         wide = sizes[:, :1] * np.where(sprites.flipped[mine], -1, 1)[:, None] * across
@@ -125,7 +125,7 @@ def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray
             feet[:, k, None].astype(np.float32) + wide[:, j, None] * u + high[:, j, None] * v
             for j, k in ((0, 0), (1, 2))
         )
-        # The area of shadow of a sample: its share of the board, times the length of the offset.
+        # The area of shadow of a sample: its fraction of the board, times the length of the offset.
         area = sizes.prod(axis=1) * np.hypot(*offset.T) / (columns * rows * shadows.texel**2)
         amount = area[:, None].astype(np.float32) * alpha[row, column]
         shadows.darken(x.ravel(), z.ravel(), amount.ravel())
@@ -157,7 +157,7 @@ def cast_points(shadows: ShadowMap, points: np.ndarray) -> None:
 def cast_outlines(
     shadows: ShadowMap, places: np.ndarray, low: float, high: float, step: float
 ) -> None:
-    """Cast the shadow of an upright wall over places x, z (n, 2), from ``low`` to ``high``.
+    """Cast the shadow of an upright wall along places x, z (n, 2), from ``low`` to ``high``.
 
     Heights in units above the ground at each place; samples ``step`` units apart.
     """

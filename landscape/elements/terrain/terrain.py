@@ -1,10 +1,11 @@
 """The ground of the preset `best`: three materials, tiles, shadows, low-stretch detail.
 
-With ``ground.materials`` turf, sand and rock each have a detail of their own, mixed in four texture
-units (materials.py). With ``ground.tiles`` above 1 the mesh is cut into square display lists
-(tiles.py); those outside the view frustum are not called, and the mirror image uses coarser ones.
-With ``ground.low_stretch`` details keep their scale on slopes; with ``ground.shadows`` the shadows
-of what stands on the ground are laid into the large texture (shadows.py). Not in the report.
+With ``ground.materials`` turf, sand and rock each have their own detail texture, mixed in four
+texture units (materials.py). With ``ground.tiles`` above 1 the mesh is cut into square display
+lists (tiles.py); those outside the view frustum are not called, and the mirror image uses coarser
+ones. With ``ground.low_stretch`` details keep their scale on slopes; with ``ground.shadows`` the
+shadows of what stands on the ground are baked into the large texture (shadows.py). Not in the
+report.
 State used: as the ground, with four texture units; GL_CULL_FACE; the current colour.
 """
 
@@ -56,7 +57,7 @@ class Terrain(Ground):
     """The ground with the techniques above, each by its own switch."""
 
     def _build(self, ground: GroundSettings, assets: Assets) -> None:
-        """Make the layers, lay the mesh out for them and compile its tiles."""
+        """Make the layers, build the mesh with their coordinates and compile its tiles."""
         self._light: np.ndarray | None = None
         self._mixed = ground.materials and ground.units == "both"
         self._painted = self._materials(ground, assets) if self._mixed else self.large
@@ -102,7 +103,7 @@ class Terrain(Ground):
         return replace(ground, clip=True), settings.water.level, coarser, shaded
 
     def _compile(self, mesh: Mesh, textures: list[Texture], count: int) -> None:
-        """Compile one list of everything, or one per tile and two that set the units and leave."""
+        """Compile one list of everything, or one per tile and two to set and reset the units."""
         before, after = self._units(textures)
         self._tiles, self._mirrored = list[DisplayList](), list[DisplayList]()
         if count <= 1:
@@ -129,7 +130,7 @@ class Terrain(Ground):
             self._lists += self._mirrored
 
     def _units(self, textures: list[Texture]) -> tuple[Callable[[], None], Callable[[], None]]:
-        """Return what sets the texture units, and what leaves them as they were."""
+        """Return a function that sets the texture units, and one that restores them."""
         if not self._mixed:
             return partial(lay_units, textures), partial(leave_units, textures)
 
@@ -186,8 +187,8 @@ class Terrain(Ground):
         before, after = self._around
         before.call()
         kept = self.tiles_in_view(frame).tolist()
-        # Seen from above, land only turns its back behind a crest, which hides it. The mirrored eye
-        # is under the land, whose lower side hides what stands on it.
+        # Seen from above, land faces away only behind a crest, which hides it. The mirrored eye is
+        # below the land, whose underside must hide what stands on it.
         lists = self._mirrored if frame.mirrored else self._tiles
         with front_faces(self._settings.camera.cull and not frame.mirrored):
             call_lists([lists[k] for k in kept])

@@ -1,4 +1,4 @@
-"""The ground's mesh cut into square tiles, each with the box it fills. No OpenGL here."""
+"""The ground's mesh cut into square tiles, each with its bounding box. No OpenGL here."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from landscape.geometry.mesh import Mesh, grid_triangles
 
 @dataclass(frozen=True)
 class Tile:
-    """A square part of the ground's mesh, and its box: low and high corner (3,) each."""
+    """A square part of the ground's mesh, and the low and high corner (3,) of its bounding box."""
 
     mesh: Mesh
     low: np.ndarray
@@ -21,7 +21,7 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
     """Cut a grid's mesh into ``tiles`` x ``tiles`` meshes; each triangle goes to one of them."""
     side = round(len(mesh.vertices) ** 0.5) - 1
     cell = np.arange(side) * tiles // side
-    number = np.repeat(np.add.outer(cell * tiles, cell).ravel(), 2)  # two triangles a cell
+    number = np.repeat(np.add.outer(cell * tiles, cell).ravel(), 2)  # two triangles per cell
     parts = []
     for k in range(tiles * tiles):
         triangles = mesh.triangles[number == k]
@@ -41,7 +41,7 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
 
 
 def boxes(tiles: list[Tile], level: float | None = None) -> tuple[np.ndarray, np.ndarray]:
-    """Return the middles and the half sides of the tiles' boxes, (n, 3) each.
+    """Return the centres and the half sides of the tiles' boxes, (n, 3) each.
 
     Mirrored in water at the height ``level``, if it is given.
     """
