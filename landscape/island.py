@@ -11,26 +11,27 @@ from typing import Any
 
 import numpy as np
 
-from landscape.elements import meadow, sprites, sun
-from landscape.elements.animals.fine_dragon import dragon_class
-from landscape.elements.animals.fine_rabbit import rabbit_class
+from landscape.elements import sun
+from landscape.elements.best import meadow, sprites
+from landscape.elements.best.animals.fine_dragon import dragon_class
+from landscape.elements.best.animals.fine_rabbit import rabbit_class
+from landscape.elements.best.meadow.meadow import Meadow
+from landscape.elements.best.ornate.ornate_castle import castle_class
+from landscape.elements.best.sea import sea
+from landscape.elements.best.sea.foam import Foam
+from landscape.elements.best.sea.occlusion_query import SeaQuery
+from landscape.elements.best.sea.ring import HorizonRing
+from landscape.elements.best.sea.sea import Sea, reflected
+from landscape.elements.best.sea.shallows import cut_level
+from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.terrain.shadows import ShadowMap
+from landscape.elements.best.terrain.terrain import Terrain, ground_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import clipped
 from landscape.elements.map import Map
-from landscape.elements.meadow.meadow import Meadow
-from landscape.elements.ornate.ornate_castle import castle_class
 from landscape.elements.reflection import mirrored
-from landscape.elements.sea import sea
-from landscape.elements.sea.foam import Foam
-from landscape.elements.sea.query import SeaQuery
-from landscape.elements.sea.ring import HorizonRing
-from landscape.elements.sea.sea import Sea, reflected
-from landscape.elements.sea.shallows import cut_level
 from landscape.elements.sky_box import SkyBox
-from landscape.elements.sprites.refined_sprites import RefinedSprites
 from landscape.elements.sword import Sword
-from landscape.elements.terrain.shadows import ShadowMap
-from landscape.elements.terrain.terrain import Terrain, ground_class
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets

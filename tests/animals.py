@@ -3,8 +3,8 @@
 import numpy as np
 import trimesh
 
-from landscape.elements.animals.fine_dragon import FineDragon, dragon_class
-from landscape.elements.animals.fine_rabbit import FineRabbit, rabbit_class
+from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
+from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.dragon import Dragon
 from landscape.elements.rabbit import Rabbit
 from landscape.files.assets import Assets

@@ -1,3 +1,4 @@
+# ruff: noqa: E402  (the environment must be set before OpenGL is imported)
 """Fixtures for all tests. PyOpenGL checks every call, and GL tests must not leave changed state.
 
 A GL test uses the fixture ``stage``; see stage.py.

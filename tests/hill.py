@@ -5,9 +5,9 @@ from typing import Any, cast
 
 import numpy as np
 
+from landscape.elements.best.sprites.refined_planting import TintedSprites, plant_refined
 from landscape.elements.ground import Ground
 from landscape.elements.planting import plant
-from landscape.elements.sprites.planting import TintedSprites, plant_refined
 from landscape.geometry.height_field import HeightField
 from landscape.keys import with_settings
 from landscape.settings import Settings

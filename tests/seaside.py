@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from stage import SIZE, WHITE_LIGHT, Stage, quad, small
 
+from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
+from landscape.elements.best.sea.sea import Sea, reflected
 from landscape.elements.reflection import mirrored
-from landscape.elements.sea.eye_grid import EyeGrid, eye_grid
-from landscape.elements.sea.sea import Sea, reflected
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import HeightField

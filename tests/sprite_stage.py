@@ -11,10 +11,10 @@ from PIL import Image
 from stage import SIZE, Stage, small, write_plain
 
 from landscape.elements.atlas import CELL, CELLS
+from landscape.elements.best.sprites.refined_planting import TintedSprites
+from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.ground import Ground
 from landscape.elements.planting import PLANT, Sprites
-from landscape.elements.sprites.planting import TintedSprites
-from landscape.elements.sprites.refined_sprites import RefinedSprites
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose

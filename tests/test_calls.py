@@ -11,9 +11,9 @@ import OpenGL
 import pytest
 from stage import SMALL, Stage, close, small
 
+from landscape.elements.best.sea.sea import reflected
 from landscape.elements.ground import clipped
 from landscape.elements.reflection import inside_water, mirrored
-from landscape.elements.sea.sea import reflected
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.water_surface import WaterSurface
 from landscape.frame import Pose

@@ -9,6 +9,8 @@ from castles import BRICK, DOOR, FLAT, GATE, PLACED, at, drawn
 from PIL import Image
 from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write_plain
 
+from landscape.elements.best.ornate.gate import CastleInOnePass
+from landscape.elements.best.ornate.ornate_castle import OrnateCastle, castle_class
 from landscape.elements.castle import (
     FLAME_Z,
     TORCHES,
@@ -17,8 +19,6 @@ from landscape.elements.castle import (
     flame_frame,
     light_shift,
 )
-from landscape.elements.ornate.gate import CastleInOnePass
-from landscape.elements.ornate.ornate_castle import OrnateCastle, castle_class
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from stage import Stage, close, live_names, small, write_plain
 
-from landscape.elements.sky.clouds import ALPHA, DRIFT, REPEAT, RINGS, cloud_disc
+from landscape.elements.best.sky.clouds import ALPHA, DRIFT, REPEAT, RINGS, cloud_disc
 from landscape.elements.sky_box import SkyBox
 from landscape.files.assets import Assets
 from landscape.frame import Pose

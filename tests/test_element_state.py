@@ -13,21 +13,22 @@ import numpy as np
 import pytest
 from stage import SIZE, SMALL, Stage, changes, live_names, snapshot, write_plain, write_ply
 
-from landscape.elements import meadow, sprites, sun
-from landscape.elements.animals.fine_dragon import dragon_class
-from landscape.elements.animals.fine_rabbit import rabbit_class
+from landscape.elements import sun
 from landscape.elements.atlas import CELLS
+from landscape.elements.best import meadow, sprites
+from landscape.elements.best.animals.fine_dragon import dragon_class
+from landscape.elements.best.animals.fine_rabbit import rabbit_class
+from landscape.elements.best.meadow.meadow import Meadow
+from landscape.elements.best.ornate.ornate_castle import castle_class
+from landscape.elements.best.sea.sea import Sea
+from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.terrain.terrain import ground_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
 from landscape.elements.map import Map
-from landscape.elements.meadow.meadow import Meadow
-from landscape.elements.ornate.ornate_castle import castle_class
 from landscape.elements.reflection import mirrored
-from landscape.elements.sea.sea import Sea
 from landscape.elements.sky_box import SkyBox
-from landscape.elements.sprites.refined_sprites import RefinedSprites
 from landscape.elements.sword import Sword
-from landscape.elements.terrain.terrain import ground_class
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.errors import InputError

@@ -5,7 +5,7 @@ import pytest
 from seaside import LEVEL, POSE, frame_at, grid_at
 from stage import SIZE
 
-from landscape.elements.sea.eye_grid import eye_grid
+from landscape.elements.best.sea.eye_grid import eye_grid
 from landscape.frame import Pose
 
 

@@ -4,8 +4,8 @@ import numpy as np
 from seaside import LEVEL, beach
 from stage import Stage, live_names, project, small
 
-from landscape.elements.sea import foam
-from landscape.elements.sea.foam import Foam
+from landscape.elements.best.sea import foam
+from landscape.elements.best.sea.foam import Foam
 from landscape.frame import Pose
 
 DOWN = Pose(20.0, 3.6, 20.5, 0.0, -89.9)

@@ -5,8 +5,8 @@ import pytest
 from seaside import beach, drawn, grid_at
 from stage import Stage
 
-from landscape.elements.sea.eye_grid import triangles_of
-from landscape.elements.sea.glitter import bright_triangles, sun_intensity
+from landscape.elements.best.sea.eye_grid import triangles_of
+from landscape.elements.best.sea.glitter import bright_triangles, sun_intensity
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 

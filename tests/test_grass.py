@@ -12,7 +12,7 @@ from sprite_stage import looking
 from stage import Stage, close, pixel, project, small
 
 from landscape.elements import grass as grass_module
-from landscape.elements import meadow
+from landscape.elements.best import meadow
 from landscape.elements.grass import (
     COORDINATES,
     STRIP_TRIANGLES,
@@ -26,10 +26,11 @@ from landscape.elements.grass import (
 )
 from landscape.elements.grass_cells import CELL, cells_around, visible_cells
 from landscape.elements.ground import Ground
-from landscape.elements.transparent_elements import sway, visible
+from landscape.elements.transparent_elements import visible
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField, greenness
+from landscape.geometry.wind import sway
 from landscape.gl.calls import recording
 from landscape.settings import Settings, preset
 

@@ -21,9 +21,7 @@ from sprite_stage import (
 from stage import Stage, close, pixel, project, small
 
 from landscape.elements.atlas import CELLS, COLUMNS, cell_coordinates, laid_out
-from landscape.elements.ground import Ground
-from landscape.elements.planting import PLANT
-from landscape.elements.sprites.atlas import (
+from landscape.elements.best.sprites.refined_atlas import (
     FLOWERING,
     HERB,
     HERB_ROWS,
@@ -33,8 +31,10 @@ from landscape.elements.sprites.atlas import (
     top_coordinates,
     with_herbs,
 )
-from landscape.elements.sprites.refined_sprites import RefinedSprites
-from landscape.elements.sprites.rules import crossing
+from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.sprites.rules import crossing
+from landscape.elements.ground import Ground
+from landscape.elements.planting import PLANT
 from landscape.frame import Pose
 
 FERN, OXEYE = HERB, HERB + 1

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, small
 
-from landscape.elements.sea.ring import HorizonRing, ring_grid
+from landscape.elements.best.sea.ring import HorizonRing, ring_grid
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose

@@ -8,11 +8,12 @@ import pytest
 from animals import CUBE, CUBE_FACES, LIT, ball, made
 from stage import Stage, live_names, small, write_ply
 
-from landscape.elements.animals.fine_animal import FineAnimal
-from landscape.elements.animals.levels_of_detail import AT_MOST, CUBES, levels_of_detail
+from landscape.elements.best.animals.fine_animal import FineAnimal
+from landscape.elements.best.animals.levels_of_detail import AT_MOST, CUBES, levels_of_detail
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.geometry.mesh import Mesh, clustered
+from landscape.geometry.clustering import clustered
+from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import recording
 
 
@@ -70,7 +71,7 @@ def test_levels_of_detail_from_the_cache_equal_those_just_made(
     settings = small({**LIT, "camera.lod_pixels": 1.0})
     pictures, built = [], []
     monkeypatch.setattr(
-        "landscape.elements.animals.levels_of_detail.clustered",
+        "landscape.elements.best.animals.levels_of_detail.clustered",
         lambda *a: built.append(a) or clustered(*a),
     )
     for _ in range(2):

@@ -8,18 +8,10 @@ from flat_land import flat, grass_settings
 from sprite_stage import looking
 from stage import Stage, small
 
-from landscape.elements.grass import (
-    Blades,
-    Grass,
-    bent,
-    blade_corners,
-    blade_vertices,
-    blade_wind,
-)
-from landscape.elements.grass_cells import CELL
-from landscape.elements.ground import Ground
-from landscape.elements.meadow import growth as growth_module
-from landscape.elements.meadow.blades import (
+from landscape.elements.best.meadow import growth as growth_module
+from landscape.elements.best.meadow.growth import Growth
+from landscape.elements.best.meadow.meadow import Meadow
+from landscape.elements.best.meadow.refined_blades import (
     DENSE,
     NEAR,
     Patch,
@@ -30,8 +22,16 @@ from landscape.elements.meadow.blades import (
     facing_plain,
     nearness,
 )
-from landscape.elements.meadow.growth import Growth
-from landscape.elements.meadow.meadow import Meadow
+from landscape.elements.grass import (
+    Blades,
+    Grass,
+    bent,
+    blade_corners,
+    blade_vertices,
+    blade_wind,
+)
+from landscape.elements.grass_cells import CELL
+from landscape.elements.ground import Ground
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 

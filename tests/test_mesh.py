@@ -11,10 +11,10 @@ from stage import Stage, close, small, write_ply
 from landscape.errors import InputError
 from landscape.files.meshes import read_colours, read_mesh, read_ply
 from landscape.frame import Pose
+from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import (
     Mesh,
     centred,
-    clustered,
     gathered,
     grid_triangles,
     is_closed,

@@ -5,8 +5,8 @@ import pytest
 from seaside import LEVEL, POSE, mirrored_wall, red
 from stage import Stage, close, pixel, project, quad, small
 
-from landscape.elements.sea import waves
-from landscape.elements.sea.mirror_image import MirrorImage, widened
+from landscape.elements.best.sea import waves
+from landscape.elements.best.sea.mirror_image import MirrorImage, widened
 from landscape.files.assets import Assets
 from landscape.gl.calls import gl
 

@@ -14,7 +14,7 @@ from stage import write_plain, write_ply
 
 from landscape.elements import atlas
 from landscape.elements.atlas import CELLS
-from landscape.elements.sprites import atlas as refined_atlas
+from landscape.elements.best.sprites import refined_atlas
 from landscape.elements.water_surface import WaterSurface
 from landscape.gl.calls import Call, gl, recording
 from landscape.render import Offscreen

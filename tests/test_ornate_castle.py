@@ -7,8 +7,7 @@ import pytest
 from castles import FLAT, PLACED
 from stage import Stage, pixel, project, small
 
-from landscape.elements.castle import Castle
-from landscape.elements.ornate.castle_light import (
+from landscape.elements.best.ornate.castle_light import (
     SIDE,
     light,
     light_map,
@@ -17,10 +16,10 @@ from landscape.elements.ornate.castle_light import (
     stopped,
     turned_sun,
 )
-from landscape.elements.ornate.gate import GATE_CORNERS
-from landscape.elements.ornate.loopholes import loopholes
-from landscape.elements.ornate.ornate_castle import OrnateCastle
-from landscape.elements.ornate.ornate_masonry import (
+from landscape.elements.best.ornate.gate import GATE_CORNERS
+from landscape.elements.best.ornate.loopholes import loopholes
+from landscape.elements.best.ornate.ornate_castle import OrnateCastle
+from landscape.elements.best.ornate.ornate_masonry import (
     BAND,
     GATE,
     KEEP,
@@ -29,15 +28,16 @@ from landscape.elements.ornate.ornate_masonry import (
     ornate_masonry,
     ornate_tower,
 )
-from landscape.elements.ornate.pennants import (
+from landscape.elements.best.ornate.pennants import (
     interleaved,
     packed_by_hand,
     pennant,
     pennant_vertices,
 )
-from landscape.elements.ornate.roofs import KEEP_ROOF, MASTS, ornate_outlines, roofs
+from landscape.elements.best.ornate.roofs import KEEP_ROOF, MASTS, ornate_outlines, roofs
+from landscape.elements.best.terrain.shadows import ShadowMap
+from landscape.elements.castle import Castle
 from landscape.elements.sun import direction
-from landscape.elements.terrain.shadows import ShadowMap
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP, outlines, quads_mesh

@@ -8,9 +8,9 @@ from animals import CUBE, CUBE_FACES, FLAT, LIT, PLATE, made
 from stage import PLAIN, Stage, close, pixel, project, small, write_ply
 
 from landscape.elements.animal import COLOR, read_animal
-from landscape.elements.animals.axis_mapping import by_axis
-from landscape.elements.animals.fine_dragon import FineDragon, dragon_class
-from landscape.elements.animals.fine_rabbit import FineRabbit, rabbit_class
+from landscape.elements.best.animals.axis_mapping import by_axis
+from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
+from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.rabbit import Rabbit, cylindrical
 from landscape.files.assets import Assets

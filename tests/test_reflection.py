@@ -8,7 +8,7 @@ from landscape.elements.reflection import MIRROR, inside_water, mirrored
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.geometry.camera import mirrored_height
+from landscape.geometry.height_field import mirrored_height
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib
 

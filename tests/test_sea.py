@@ -5,10 +5,10 @@ import pytest
 from seaside import BACKGROUND, CALM, LEVEL, POSE, beach, drawn, mirrored_wall, red, sent
 from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, quad, small
 
+from landscape.elements.best.sea import waves
+from landscape.elements.best.sea.sea import Sea, reflected, wanted
+from landscape.elements.best.sea.shallows import FLOOR, SEEN, cut_level, depth_picture
 from landscape.elements.reflection import inside_water
-from landscape.elements.sea import waves
-from landscape.elements.sea.sea import Sea, reflected, wanted
-from landscape.elements.sea.shallows import FLOOR, SEEN, cut_level, depth_picture
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose

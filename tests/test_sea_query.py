@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from stage import Stage, quad, small
 
-from landscape.elements.sea.query import ABOVE, SeaQuery, compiling
+from landscape.elements.best.sea.occlusion_query import ABOVE, SeaQuery, compiling
 from landscape.frame import Pose
 from landscape.gl.calls import gl, recording
 from landscape.gl.display_list import DisplayList

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.elements.planting import Sprites
-from landscape.elements.terrain.shadows import (
+from landscape.elements.best.terrain.shadows import (
     LIGHT_LEFT,
     ShadowMap,
     cast_points,
     cast_sprites,
     on_board,
 )
+from landscape.elements.planting import Sprites
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.masonry import on_edges
 

@@ -5,8 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from landscape.elements.sprites.atlas import box_corners, from_above, outline, top_coordinates
-from landscape.elements.sprites.quads import (
+from landscape.elements.best.sprites.refined_atlas import (
+    box_corners,
+    from_above,
+    outline,
+    top_coordinates,
+)
+from landscape.elements.best.sprites.refined_quads import (
     Quads,
     lying,
     points_of,

@@ -9,10 +9,10 @@ import pytest
 from sprite_stage import BACKGROUND, CONIFER, NORTH, WIDE, element, looking, pictures, put, seen
 from stage import Stage, close, small
 
-from landscape.elements.sprites import sprites_in_view
-from landscape.elements.sprites.choice import LaidOut, choose
-from landscape.elements.sprites.planting import TintedSprites
-from landscape.elements.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.sprites import sprites_in_view
+from landscape.elements.best.sprites.choice import LaidOut, choose
+from landscape.elements.best.sprites.refined_planting import TintedSprites
+from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.frame import Pose
 from landscape.keys import with_settings
 from landscape.settings import Settings

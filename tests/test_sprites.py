@@ -26,17 +26,17 @@ from sprite_stage import (
 )
 from stage import Stage, close, pixel, project, snapshot
 
-from landscape.elements.planting import PLANT
-from landscape.elements.sprites.planting import slopes_under
-from landscape.elements.sprites.quads import (
+from landscape.elements.best.sprites.refined_planting import slopes_under
+from landscape.elements.best.sprites.refined_quads import (
     edge_on,
     half_places,
     leaning,
     slope_axes,
     turned,
 )
-from landscape.elements.sprites.refined_sprites import RefinedSprites
-from landscape.elements.sprites.rules import clearness, farthest, radii
+from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.sprites.rules import clearness, farthest, radii
+from landscape.elements.planting import PLANT
 from landscape.elements.transparent_elements import TransparentElements, crossed_quads
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField

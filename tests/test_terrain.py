@@ -8,14 +8,14 @@ import pytest
 from PIL import Image
 from stage import Stage, close, small
 
+from landscape.elements.best.terrain.materials import rock_share, textured
+from landscape.elements.best.terrain.terrain import Terrain, ground_class, shaded
+from landscape.elements.best.terrain.tiles import boxes, cut, every_second
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.sun import direction
-from landscape.elements.terrain.materials import rock_share, textured
-from landscape.elements.terrain.terrain import Terrain, ground_class, shaded
-from landscape.elements.terrain.tiles import boxes, cut, every_second
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.geometry.camera import boxes_in_view
+from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.height_field import HeightField, ground_mesh
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import recording

@@ -25,18 +25,18 @@ from sprite_stage import (
 from stage import Stage, close, pixel, project, small
 
 from landscape.elements.atlas import CELL, GUTTER, cell_coordinates, laid_out
+from landscape.elements.best.sprites import wanted
 from landscape.elements.planting import PLANT
-from landscape.elements.sprites import wanted
 from landscape.elements.transparent_elements import (
     CROSS,
     TransparentElements,
     billboards,
     crossed_quads,
     far_to_near,
-    sway,
     visible,
 )
 from landscape.frame import Pose
+from landscape.geometry.wind import sway
 from landscape.settings import preset
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from seaside import LEVEL, POSE, grid_at
 
-from landscape.elements.sea import waves
+from landscape.elements.best.sea import waves
 from landscape.frame import Pose
 
 

@@ -35,8 +35,8 @@ from landscape.island import ELEMENTS
 from landscape.keys import with_settings
 from landscape.settings import preset
 from landscape.window import recording, words
+from landscape.window.bindings import BINDINGS, NAMED_KEYS, SETTINGS, SWITCHES
 from landscape.window.hands import JUMP, Hands
-from landscape.window.keys import BINDINGS, NAMED_KEYS, SETTINGS, SWITCHES
 from landscape.window.panel import Panel, font, keys_image, line_image, writable
 from landscape.window.recording import Plan, Tick, Writer
 from landscape.window.walker import Intent, Walker, advance, start

@@ -7,12 +7,12 @@ import pytest
 from hill import grow, hill, refine
 from stage import Stage
 
+from landscape.elements.best.sprites.herbs import herbs_by_place
+from landscape.elements.best.sprites.refined_atlas import HERB, HERBS
+from landscape.elements.best.sprites.refined_planting import TintedSprites, plant_refined
+from landscape.elements.best.sprites.woods import SHRUB, drifts_of, species_by_place, woodland
 from landscape.elements.ground import Ground
 from landscape.elements.planting import COURT, PLANT
-from landscape.elements.sprites.atlas import HERB, HERBS
-from landscape.elements.sprites.herbs import herbs_by_place
-from landscape.elements.sprites.planting import TintedSprites, plant_refined
-from landscape.elements.sprites.woods import SHRUB, drifts_of, species_by_place, woodland
 from landscape.files.assets import Assets
 from landscape.keys import with_settings
 from landscape.settings import preset

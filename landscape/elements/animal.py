@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from landscape.elements.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points
+from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.files.meshes import read_mesh

@@ -4,8 +4,8 @@ Technique: as the rabbit, with the vertices' own (x, z) as texture coordinates, 
 streaks; the mirrored scene draws it a second time.
 State used: as animal.py.
 What is wrong with it: on its flanks, where x and z hardly change, the texture is stretched into
-those streaks (switch ``dragon.mapping``, animals/axis_mapping.py). The dragon of the preset
-``best`` is animals/fine_dragon.py.
+those streaks (switch ``dragon.mapping``, best/animals/axis_mapping.py). The dragon of the preset
+``best`` is best/animals/fine_dragon.py.
 """
 
 import math

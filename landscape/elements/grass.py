@@ -8,7 +8,7 @@ the walker, and one glDrawElements sends the blades of those that are visible.
 
 ``grass.method`` = loop sends one blade after another, as in 2006: the picture is the same, and the
 time is spent in the calls (R18). A flaw that remains: seen edge-on, a blade is a line (R7). Fixes,
-tufts and colours are in ``elements/meadow/``. State used: GL_TEXTURE_2D. OpenGL 1.1.
+tufts and colours are in ``elements/best/meadow/``. State used: GL_TEXTURE_2D. OpenGL 1.1.
 """
 
 from functools import partial
@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from landscape.elements.best.meadow import wanted
 from landscape.elements.grass_cells import (
     CELL,
     bears_grass,
@@ -27,11 +28,10 @@ from landscape.elements.grass_cells import (
     visible_cells,
 )
 from landscape.elements.ground import Ground
-from landscape.elements.meadow import wanted
-from landscape.elements.transparent_elements import sway
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.wind import sway
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture

@@ -7,7 +7,7 @@ level. Height queries are bilinear over the same grid (geometry/height_field.py)
 State used: texture units 0 and 1, GL_COMBINE in unit 1 (OpenGL 1.3), GL_CLIP_PLANE0.
 What is wrong with it: edges between coarse triangles (switch ``ground.smooth``, R14); the walker
 stands a little above or below them (``ground.exact_height``, R15); one detail texture on grass,
-sand and rock (``ground.materials``). The ground of the preset ``best`` is terrain/terrain.py.
+sand and rock (``ground.materials``). The ground of the preset ``best`` is best/terrain/terrain.py.
 """
 
 from collections.abc import Iterator
@@ -30,7 +30,7 @@ from landscape.settings import Settings
 
 HEIGHTS = ("height_image", "resolution", "size", "scale_y", "smooth", "subdivide", "exact_height")
 TEXTURES = ("large_texture", "detail_texture", "detail_repeat", "units", "texture_size")
-OTHER_CLASS = ("materials", "tiles", "low_stretch", "shadows")  # these need terrain/terrain.py
+OTHER_CLASS = ("materials", "tiles", "low_stretch", "shadows")  # these need best/terrain/terrain.py
 
 
 @contextmanager

@@ -2,7 +2,7 @@
 
 Places are uniform over the map, and drawn again if they are on water. The random numbers are
 seeded: the same seed gives the same island. Woods, meadows and several kinds of herb are in
-``elements/sprites/planting.py``. No OpenGL here.
+``elements/best/sprites/refined_planting.py``. No OpenGL here.
 """
 
 from collections.abc import Callable

@@ -5,8 +5,8 @@ own vertices. The absolute value of the angle gives both ends of its range the s
 coordinate: without it the whole texture would run backwards through one narrow strip.
 State used: as animal.py.
 What is wrong with it: near the axis the angle changes fast, and the texture is pinched (switch
-``rabbit.mapping``, R12, animals/axis_mapping.py). The rabbit of the preset ``best`` is
-animals/fine_rabbit.py.
+``rabbit.mapping``, R12, best/animals/axis_mapping.py). The rabbit of the preset ``best`` is
+best/animals/fine_rabbit.py.
 """
 
 from dataclasses import replace

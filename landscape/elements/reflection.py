@@ -7,7 +7,7 @@ frame, keeps what is above the water. Drawn before the water, which is blended o
 What is wrong with it: where there is no water, the mirrored scene can show past the land's edge.
 With ``reflection.stencil`` the water first marks its pixels in the stencil buffer, and the mirrored
 scene is drawn only there. It is also a perfect mirror, whatever the waves do:
-``reflection.rippled`` draws it into a texture instead (sea/mirror_image.py).
+``reflection.rippled`` draws it into a texture instead (best/sea/mirror_image.py).
 State used: modelview, GL_CLIP_PLANE0, front face, light positions, stencil test.
 """
 

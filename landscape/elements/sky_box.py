@@ -7,17 +7,17 @@ What is wrong with it, and the switches that show it: the ceiling comes nearer a
 them (``sky.background``, R9, gives the box the greatest depth by glDepthRange(1, 1), so that it
 shows only where nothing else is); corners are farther away and so more fogged than the middles of
 the walls (``sky.unfogged``, R10, draws it without fog, as the haze is painted on it). Together the
-three put the sky at infinity. It never changes: ``sky.moving`` (R1) adds sky/clouds.py.
+three put the sky at infinity. It never changes: ``sky.moving`` (R1) adds best/sky/clouds.py.
 State used: GL_TEXTURE_2D; fog, depth range, depth writes and GL_CLIP_PLANE0 by the switches.
 """
 
 import numpy as np
 
-from landscape.elements.sky.clouds import Clouds
+from landscape.elements.best.sky.clouds import Clouds
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
-from landscape.geometry.camera import mirrored_height
+from landscape.geometry.height_field import mirrored_height
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, matrix

@@ -9,7 +9,7 @@ pictures share one texture, an atlas, so that one glDrawElements draws them in t
 
 ``transparent.sorted`` off shows what the sort is for; ``transparent.textured`` off shows the quads.
 Two flaws remain, as in 2006 (section 11.2): seen from above, billboards lie flat and plants
-are crosses; and where two sprites intersect, no order is right. ``elements/sprites/`` fixes them.
+are crosses; and where two sprites intersect, no order is right. ``best/sprites/`` fixes them.
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 
@@ -18,12 +18,13 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.elements.atlas import CELLS, cell_coordinates, mip_levels, read_cells
+from landscape.elements.best.sprites import wanted
 from landscape.elements.ground import Ground
 from landscape.elements.planting import PLANT, Sprites, plant, site
-from landscape.elements.sprites import wanted
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.frame import Frame
+from landscape.geometry.wind import sway
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
@@ -69,14 +70,6 @@ def billboards(
     np.add(out[:, 1], rise, out=out[:, 2])
     np.add(out[:, 0], rise, out=out[:, 3])
     return out
-
-
-def sway(kt: float, positions: np.ndarray, strength: float = 1.0) -> np.ndarray:
-    """Return the wind's dx, dz (n, 2), in units, at positions (n, 3), section 5.2.2."""
-    x, z = positions[:, 0], positions[:, 2]
-    dx = 0.05 * np.cos(kt / 10 - 1.2 * x - 0.744 * z)
-    dz = 0.03 * np.cos(kt / 9.6 - 1.44 * x)
-    return np.stack([dx, dz], axis=1) * strength
 
 
 def crossed_quads(positions: np.ndarray, sizes: np.ndarray, winds: np.ndarray) -> np.ndarray:

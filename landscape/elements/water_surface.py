@@ -7,7 +7,8 @@ so neighbouring patches match.
 State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 What it lacks: the reflection does not ripple (``reflection.rippled``), no vertex rises
 (``water.relief``), and the sea ends with the last patch (``water.horizon``). With either of the
-first two the class Sea (sea/sea.py) replaces this one; HorizonRing (sea/ring.py) adds the third.
+first two the class Sea (best/sea/sea.py) replaces this one; HorizonRing (best/sea/ring.py) adds the
+third.
 """
 
 import numpy as np

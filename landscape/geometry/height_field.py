@@ -6,6 +6,7 @@ heights follow the triangles that are drawn (section 11.2.6).
 """
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
@@ -30,6 +31,14 @@ def lookup(image: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     top = image[y0, x0] * (1 - fx) + image[y0, x1] * fx
     bottom = image[y1, x0] * (1 - fx) + image[y1, x1] * fx
     return top * (1 - fy) + bottom * fy
+
+
+Height = TypeVar("Height", float, np.ndarray)
+
+
+def mirrored_height(y: Height, level: float) -> Height:
+    """Return the height of the mirror image of a point at height ``y``, in water at ``level``."""
+    return 2.0 * level - y
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.elements.sprites.atlas import CELLS, HERBS
+from landscape.elements.best.sprites.refined_atlas import CELLS, HERBS
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from landscape.elements import meadow, sun
+from landscape.elements import sun
+from landscape.elements.best import meadow
+from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
-from landscape.elements.meadow.meadow import Meadow
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose

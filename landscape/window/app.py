@@ -23,8 +23,8 @@ from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
 from landscape.scene import SEED, Moment, OpenScene, find_view, scene
 from landscape.window import words
+from landscape.window.bindings import SETTINGS, available, key_label
 from landscape.window.hands import Hands
-from landscape.window.keys import SETTINGS, available, key_label
 from landscape.window.panel import Panel
 from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer, read
 from landscape.window.walker import advance, aimed, start

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import glfw
 
-from landscape.window.keys import (
+from landscape.window.bindings import (
     BACKWARD,
     DOWN,
     FORWARD,

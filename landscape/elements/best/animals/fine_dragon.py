@@ -1,0 +1,67 @@
+"""The dragon of the preset `best`: mapped along axes, painted, glossy, with levels of detail.
+
+The sun glints on its wet scales by GL_SPECULAR, which is added after the texture instead of
+multiplied by it: GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2).
+State used: as the fine animal; specular material and the light model's colour control.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from landscape.elements.best.animals.axis_mapping import by_axis
+from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
+from landscape.elements.dragon import Dragon, dragon_obstacles, planar, swimming
+from landscape.files.assets import Assets
+from landscape.files.cache import content
+from landscape.geometry.mesh import Mesh
+from landscape.geometry.obstacles import Obstacle
+from landscape.gl.calls import gl
+from landscape.settings import Settings
+
+SHININESS = 40.0  # chosen: wet scales
+
+
+def dragon_class(settings: Settings) -> type[Dragon] | type["FineDragon"]:
+    """Return the class whose dragon these settings describe."""
+    dragon = settings.dragon
+    fine = dragon.mapping == "axis" or dragon.painted or dragon.gloss > 0.0
+    return FineDragon if fine or settings.camera.lod_pixels > 0.0 else Dragon
+
+
+class FineDragon(FineAnimal):
+    """The dragon, its water line at the water's level."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Read the mesh and its colours, make its levels and lower it to its water line."""
+        dragon = settings.dragon
+        mesh = read_painted(assets, dragon.mesh, "dragon.mesh", dragon.painted)
+
+        def lay(mesh: Mesh) -> Mesh:
+            if dragon.mapping == "axis":
+                return by_axis(mesh, dragon.repeat)
+            return replace(mesh, coordinates=(planar(mesh.vertices),))
+
+        source = content(assets.path(dragon.mesh)), repr(dragon)
+        place = swimming(dragon, settings.water.level)
+        super().__init__(settings, assets, mesh, lay, source, place, dragon.yaw, dragon.scale)
+
+    @staticmethod
+    def built_from(settings: Settings) -> tuple[object, ...]:
+        """Return the settings that the lists were made from."""
+        dragon = replace(settings.dragon, gloss=float(settings.dragon.gloss > 0.0))
+        return dragon, settings.camera.lod_pixels > 0.0, settings.water.level
+
+    def obstacles(self) -> tuple[Obstacle, ...]:
+        """Return what the walker cannot pass."""
+        return dragon_obstacles(self._settings.dragon, self._settings.water.level)
+
+    def _set_material(self) -> None:
+        """Add the specular highlight; popping GL_LIGHTING_BIT restores all of this."""
+        gloss = self._settings.dragon.gloss
+        if not gloss:
+            return
+        gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
+        glint = np.array([gloss] * 3 + [1.0], np.float32)
+        gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, glint)
+        gl.glMaterialf(gl.GL_FRONT, gl.GL_SHININESS, SHININESS)

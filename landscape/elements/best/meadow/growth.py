@@ -1,0 +1,131 @@
+"""How the meadow grows: blades by cell of the map, in tufts and layers, made when they are needed.
+
+A cell's blades are random, from the cell's own generators: they are the same whichever way the
+walker came. With ``grass.fade`` they come in layers, each as large as all before it, and a far cell
+has only the first ones. No OpenGL here.
+"""
+
+import numpy as np
+
+from landscape.elements.best.meadow.refined_blades import (
+    LUSH,
+    NEAR,
+    WIDENING,
+    Patch,
+    arched,
+    blade_tints,
+    hues,
+    joined,
+    lushness,
+    nearness,
+    thinned_ranges,
+)
+from landscape.elements.grass import blade_corners, blade_vertices
+from landscape.elements.grass_cells import CELL, bears_grass, cover, places_in, shared_out
+from landscape.elements.ground import Ground
+from landscape.geometry.height_field import greenness
+from landscape.settings import Settings
+
+LAYER = 64  # chosen: blades in the first layer of a cell
+TUFT_RADIUS = 0.017  # chosen: units, how far apart the roots of a tuft's blades are
+KEPT = 6  # chosen: blades kept in memory, times those in view, for when the walker turns around
+LEAST = 40_000  # chosen: the number of blades that are kept in any case, 4 MB
+
+
+class Growth:
+    """The blades of all cells; ``counts`` (cells,) is how many each has when complete."""
+
+    def __init__(
+        self, settings: Settings, ground: Ground, seed: int, ends: tuple[np.ndarray, np.ndarray]
+    ) -> None:
+        """Distribute the blades over the cells at random, by ``seed``.
+
+        ``ends`` are the mean colours (3,) of the blade's texture, at its upper part and its foot.
+        """
+        self._settings, self._ground, self._seed, self._ends = settings, ground, seed, ends
+        self.across = int(np.ceil(ground.field.size / CELL))
+        share, count = cover(self.suits, self.across), settings.grass.count
+        self.near = nearness(count / (share.sum() * CELL**2)) if share.any() else NEAR
+        self.counts = shared_out(count, share, seed)
+        self._shared = self.counts.copy()
+        self._patches: dict[int, Patch] = {}  # by cell, the most recently used last
+        self.grown = 0
+
+    def suits(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return 0..1: on land, outside the castle and, if tinted, on green ground."""
+        land = bears_grass(self._ground.field, self._settings.castle, x, z)
+        if self._settings.grass.tinted:
+            land *= greenness(self._ground.colour(x, z))
+        return land
+
+    def patch(self, cell: int, wanted: int | None = None) -> Patch:
+        """Return at least the first ``wanted`` blades of a cell, or all."""
+        total = int(self.counts[cell])
+        wanted = total if wanted is None else wanted
+        patch = self._patches.pop(cell, None)
+        while patch is None or len(patch.positions) < min(wanted, total):
+            have = 0 if patch is None else len(patch.positions)
+            end = self._layer(total, have)
+            more = self._grow(cell, have, end)
+            patch = more if patch is None else joined([patch, more])
+            self.grown += len(more.positions)
+            if len(patch.positions) < end:
+                # Few places here are suitable: the cell keeps the blades that have one.
+                self.counts[cell] = total = len(patch.positions)
+        self._patches[cell] = patch
+        return patch
+
+    def forget(self, in_view: int) -> None:
+        """Drop the least recently used cells while too many blades are kept.
+
+        The same blades grow again when they come into view. ``in_view`` blades are drawn now.
+        """
+        most = max(KEPT * in_view, LEAST)
+        while self.grown > most:
+            cell = next(iter(self._patches))
+            self.grown -= len(self._patches.pop(cell).positions)
+            self.counts[cell] = self._shared[cell]
+
+    def _layer(self, total: int, have: int) -> int:
+        """Return the end of the layer that begins at blade ``have``; each doubles the blades."""
+        return min(max(LAYER, 2 * have), total) if self._settings.grass.fade else total
+
+    def _grow(self, cell: int, first: int, last: int) -> Patch:
+        """Return the blades ``first`` to ``last`` of a cell."""
+        grass = self._settings.grass
+        rng = np.random.default_rng([self._seed, 7, cell, *([first] if first else [])])
+        each = max(grass.tufts, 1)
+        roots = places_in(cell, self.across, -(-(last - first) // each), rng, self.suits)
+        tuft = np.repeat(np.arange(len(roots)), each)[: last - first]
+        angles = rng.random(len(tuft)) * 2 * np.pi
+        xz = roots[tuft]
+        if grass.tufts:
+            # Outwards, the way a blade leans: its tip bends to (sin, cos) of its angle.
+            away = TUFT_RADIUS * np.sqrt(rng.random(len(tuft)))
+            xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
+        positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
+        vertices = blade_vertices(positions, arched(blade_corners(angles), grass.arch), grass.scale)
+        ranges = np.ones(len(xz))
+        if grass.fade:
+            ranges = thinned_ranges(int(self.counts[cell]), self.near, grass.radius)
+            ranges = ranges[first : first + len(xz)]
+            grown = np.empty((len(xz), 1, 3))
+            wider = np.maximum(ranges * grass.radius / self.near, 1.0) ** WIDENING
+            grown[..., 0] = grown[..., 2] = wider[:, None]
+            grown[..., 1] = rng.uniform(0.6, 1.25, (len(xz), 1))
+            grown[:, 0, 1] *= 1.0 + grass.variety * self._tallness(roots, rng)[tuft]
+            feet = positions[:, None]
+            vertices = ((vertices - feet) * grown + feet).astype(np.float32)
+        tints = np.full((len(xz), 5, 4), 255, np.uint8)
+        if grass.tinted:
+            colour = self._ground.colour(roots[:, 0], roots[:, 1])
+            colour *= 1.0 + grass.variety * (hues(len(roots), rng) - 1.0)
+            colour *= 1.0 + grass.variety * lushness(roots[:, 0], roots[:, 1])[:, None] * LUSH
+            colour *= self._ground.light(roots[:, 0], roots[:, 1])[:, None]
+            tints[..., :3] = blade_tints(colour[tuft], rng, *self._ends)
+        return Patch(positions.astype(np.float32), vertices, tints, ranges.astype(np.float32))
+
+    def _tallness(self, roots: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+        """Return how much taller than the mean tufts at roots (n, 2) are: fractions above -1."""
+        own = rng.uniform(-0.35, 0.45, len(roots))
+        return np.asarray(own + 0.45 * lushness(roots[:, 0], roots[:, 1]))

@@ -1,0 +1,178 @@
+"""The meadow of `best`: grass in tufts, tinted, turned to the viewer, thinned out far away.
+
+Techniques, on the blades of ``elements/grass.py``, still sent by one glDrawElements:
+
+- ``grass.facing`` (R7): each frame turns the wide side of every blade partly to the viewer.
+- ``grass.tinted``: a blade takes the colour of the ground it stands on, by a colour array; the
+  texture unit doubles texture times colour, so that a tint can make a blade lighter.
+- ``grass.fade``: with distance fewer and wider blades are drawn, and each sinks into the ground
+  towards the end of its range, so that none appears all at once.
+- ``grass.tufts``, ``grass.variety``, ``grass.arch``: blades that share a root, lean apart, and
+  differ in height and colour from tuft to tuft; see :mod:`growth`.
+
+State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (OpenGL 1.3).
+"""
+
+import numpy as np
+
+from landscape.elements.best.meadow.growth import TUFT_RADIUS, Growth
+from landscape.elements.best.meadow.refined_blades import (
+    NOTHING,
+    Patch,
+    count_at,
+    facing,
+    in_range,
+    joined,
+)
+from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, WIND, blade_wind
+from landscape.elements.grass import built_from as grass_built_from
+from landscape.elements.grass_cells import (
+    HALF_DIAGONAL,
+    cell_centres,
+    cells_around,
+    visible_cells,
+)
+from landscape.elements.ground import Ground
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib, client_arrays
+from landscape.gl.texture import Texture
+from landscape.settings import Settings
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the blades' number, places, shapes and tints depend on."""
+    grass, ground = settings.grass, settings.ground
+    used = [*grass_built_from(settings), grass.tufts, grass.arch, grass.variety, grass.fade]
+    used += [grass.tinted, grass.radius if grass.fade else None]
+    if grass.tinted:
+        used += [ground.large_texture, ground.texture_size, ground.shadows]
+    if grass.tinted and ground.shadows:
+        used += [settings.sun, settings.castle, settings.rabbit]
+        used += [settings.trees, settings.deer, settings.plants]
+    return tuple(used)
+
+
+class Meadow:
+    """All blades, cell by cell."""
+
+    def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
+        """Distribute the blades over the cells at random, by ``seed``; they are made when seen."""
+        self._settings, self._field = settings, ground.field
+        self._built_from = built_from(settings)
+        image = read_image(assets.path("blade.png"), "RGB")
+        half, last = max(len(image) // 2, 1), len(image) * 7 // 8
+        upper, foot = (part.mean(axis=(0, 1)) / 255.0 for part in (image[:half], image[last:]))
+        self._growth = Growth(settings, ground, seed, (upper, foot))
+        self._texture = Texture(image, repeat=False)
+        self._in_view = 0
+        self._chosen: Patch | None = None
+        self._chosen_for: Frame | None = None
+        self._indices = np.empty(0, np.uint32)
+        self._coordinates = np.empty((0, 2), np.float32)
+
+    def select(self, frame: Frame, margin: float = 0.0, angle: float = 0.0) -> Patch:
+        """Return what to draw: the visible cells' blades, the far cells' thinned out.
+
+        With ``margin`` units and ``angle`` radians, all that is to be drawn until the eye has moved
+        and turned that far. Without, it is the plain form of :meth:`choice`.
+        """
+        growth, grass = self._growth, self._settings.grass
+        growth.forget(self._in_view)
+        radius = grass.radius
+        cells = cells_around(frame.pose.x, frame.pose.z, radius + margin, growth.across)
+        centres = cell_centres(cells, self._field)
+        numbers = cells[:, 1] * growth.across + cells[:, 0]
+        seen = visible_cells(frame, centres, radius, margin, angle) & (growth.counts[numbers] > 0)
+        nearest = np.hypot(centres[:, 0] - frame.pose.x, centres[:, 2] - frame.pose.z)
+        nearest -= HALF_DIAGONAL + TUFT_RADIUS + margin
+        found = []
+        for number, distance in zip(numbers[seen].tolist(), nearest[seen].tolist(), strict=True):
+            last = int(growth.counts[number])
+            if grass.fade:
+                last = count_at(last, growth.near, distance)
+            found.append(growth.patch(number, last).only(slice(last)))
+        whole = joined(found) if found else NOTHING
+        if grass.fade:
+            whole = in_range(frame, whole, radius, margin)
+        self._in_view = len(whole.positions)
+        return whole
+
+    def choice(self, frame: Frame) -> Patch:
+        """Return what to draw in a frame: the last choice, while the eye stays near.
+
+        It was made with a margin, so it has some blades too many. They change no pixel: they are
+        outside the window, or have sunk into the ground. Without ``grass.fade`` no blade sinks at
+        the end of its range, so each position of the eye needs its own choice.
+        """
+        fade = self._settings.grass.fade
+        margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if fade else (0.0, 0.0)
+        if self._chosen is None or not self._still_serves(frame, margin, angle):
+            self._chosen, self._chosen_for = self.select(frame, margin, angle), frame
+        return self._chosen
+
+    def _still_serves(self, frame: Frame, margin: float, angle: float) -> bool:
+        """Return whether the last choice was made for an eye near this one."""
+        assert self._chosen_for is not None
+        return is_near(self._chosen_for, frame, margin, angle)
+
+    def bend(self, frame: Frame, patch: Patch) -> np.ndarray:
+        """Return a patch's vertices, float32 (n, 5, 3), in the wind, turned, and sunk far away.
+
+        Without facing and fade they are those of the plain :func:`grass.bent`.
+        """
+        grass, places, columns = self._settings.grass, patch.places, patch.columns.copy()
+        wind = blade_wind(frame.kt, places.T, grass.scale[0]).T
+        for vertex, fraction in WIND:
+            columns[vertex, ::2] += fraction * wind
+        away = places[::2] - np.array([[frame.pose.x], [frame.pose.z]], np.float32)
+        if grass.facing > 0:
+            facing(columns, away, grass.facing)
+        if grass.fade:
+            ranges = np.float32(grass.radius) * patch.ranges
+            far = np.sqrt(away[0] * away[0] + away[1] * away[1])
+            left = np.clip(4.0 * (1.0 - far / ranges), 0.0, 1.0)
+            columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left
+            gone = np.flatnonzero(left <= 0.0)
+            columns[..., gone] = places[:, gone]
+        return np.ascontiguousarray(columns.transpose(2, 0, 1))
+
+    def draw(self, frame: Frame) -> None:
+        """Choose, bend and send the visible blades."""
+        patch = self.choice(frame)
+        count = len(patch.positions)
+        if not count:
+            return
+        vertices = self.bend(frame, patch).reshape(-1, 3)
+        if len(self._indices) < 9 * count:
+            first = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
+            self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
+            self._coordinates = np.tile(COORDINATES, (2 * count, 1))
+        tinted = patch.tints.reshape(-1, 4) if self._settings.grass.tinted else None
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self._texture.bind()
+            if tinted is not None:
+                # Twice texture times tint: a tint can make a blade lighter than its texture.
+                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
+                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+            with client_arrays(vertices, None, tinted, [self._coordinates]):
+                gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)
+            if tinted is not None:
+                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
+                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; return False, changing nothing, if the blades must be regrown."""
+        if built_from(settings) != self._built_from:
+            return False
+        self._settings, self._chosen = settings, None
+        return True
+
+    def release(self) -> None:
+        """Delete the texture; may be called twice."""
+        self._texture.release()

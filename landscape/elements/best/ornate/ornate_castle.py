@@ -1,0 +1,133 @@
+"""The castle of the preset `best`: a keep, roofs, bands, loopholes, pennants and a light map.
+
+The bricks are multiplied by a light map in a second texture unit (castle_light.py); the gate is
+drawn in one pass as in gate.py, with the light map in a fourth unit. Slates are the same bricks in
+another colour. In a mirror image that ripples, flames and pennants are left out: they are too small
+to be recognised there. Not in the report.
+State used: as gate.py, with four texture units.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from landscape.elements.best.ornate.castle_light import light_map
+from landscape.elements.best.ornate.gate import TIMES, CastleInOnePass, Unit
+from landscape.elements.best.ornate.loopholes import loopholes
+from landscape.elements.best.ornate.ornate_masonry import ornate_masonry
+from landscape.elements.best.ornate.pennants import draw_pennants
+from landscape.elements.best.ornate.roofs import MASTS, ornate_outlines, roofs
+from landscape.elements.castle import Castle
+from landscape.files.assets import Assets
+from landscape.files.cache import recall
+from landscape.frame import Frame
+from landscape.geometry.culling import ball_in_view
+from landscape.geometry.height_field import HeightField, mirrored_height
+from landscape.geometry.masonry import quads_mesh
+from landscape.geometry.mesh import revolve
+from landscape.gl.calls import gl
+from landscape.gl.draw import draw_mesh
+from landscape.gl.state import combine, matrix
+from landscape.gl.texture import Texture
+from landscape.settings import Settings
+
+REACH = 1.8  # chosen: radius of the castle's bounding sphere, centred in the walls
+SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
+NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
+BY_DAY = 0.5  # chosen: fraction of the torches' glow that is visible in sunlight
+
+
+def castle_class(settings: Settings) -> type[Castle]:
+    """Return the class whose castle these settings describe."""
+    if settings.castle.ornate:
+        return OrnateCastle
+    return CastleInOnePass if settings.castle.multitexture else Castle
+
+
+class OrnateCastle(CastleInOnePass):
+    """The castle with all its ornaments."""
+
+    def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
+        """Compute the light map, or take it from the cache, and compile the lists."""
+        castle, sun = settings.castle, settings.sun
+        bricks, strips = ornate_masonry(castle.brick_repeat)
+        picture, lit = recall(
+            ["castle's light", repr((castle.brick_repeat, castle.yaw, sun))],
+            lambda: light_map(bricks, strips, sun, castle.yaw),
+        )
+        self._bricks = replace(bricks, coordinates=(*bricks.coordinates, lit))
+        self._light_map = Texture(picture, repeat=False, mipmaps=False)
+        super().__init__(settings, assets, field)
+
+    @staticmethod
+    def built_from(settings: Settings) -> tuple[object, ...]:
+        """Return the settings that the lists and the light map were made from."""
+        castle = settings.castle
+        place = castle.x, castle.z, castle.yaw, castle.brick_repeat
+        return *place, castle.ornate, settings.sun
+
+    def _light_image(self, image: np.ndarray) -> np.ndarray:
+        glow = super()._light_image(image)
+        return np.asarray(NEUTRAL + BY_DAY * (glow - NEUTRAL) + 0.5, np.uint8)
+
+    def _send_bricks(self) -> None:
+        """Send bricks without the gate wall, slates, masts and dark openings."""
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        self._light_map.bind()
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+        # The first two triangles are the gate wall.
+        draw_mesh(replace(self._bricks, triangles=self._bricks.triangles[2:]))
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        gl.glDisable(gl.GL_TEXTURE_2D)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+        gl.glColor3f(*SLATE)
+        draw_mesh(roofs(self._repeat))
+        self._stone.bind()
+        gl.glColor3f(*WOOD)
+        for x, z, foot, length in MASTS:
+            with matrix():
+                gl.glTranslatef(x, foot - 0.03, z)
+                draw_mesh(revolve([(0.006, 0.0), (0.003, 0.03 + 1.4 * length)], 6, (1, 1)))
+        gl.glDisable(gl.GL_TEXTURE_2D)
+        gl.glColor3f(*DARK)
+        draw_mesh(quads_mesh(loopholes(), 1.0))
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glColor3f(1.0, 1.0, 1.0)
+
+    def _units(self) -> list[Unit]:
+        coordinates = self._bricks.coordinates[1][:4]
+        terms = TIMES | {"SOURCE1_RGB": "TEXTURE3"}
+        return [*super()._units(), (self._light_map, terms, 2.0, coordinates)]
+
+    def outlines(self, step: float) -> list[tuple[np.ndarray, float, float]]:
+        """Return the outlines that cast the shadow, see :func:`ornate_outlines`."""
+        return ornate_outlines(step)
+
+    def visible(self, frame: Frame) -> bool:
+        """Return whether the bounding sphere, mirrored if the frame is, meets the view frustum."""
+        x, y, z = self.base[0], self.base[1] + 0.5, self.base[2]
+        if frame.mirrored:
+            y = mirrored_height(y, self._settings.water.level)
+        return ball_in_view(frame, (x, y, z), REACH)
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the castle; with ``camera.cull`` only if it is in view."""
+        if not self._settings.camera.cull or self.visible(frame):
+            super().draw(frame)
+
+    def _draw_fire(self, frame: Frame) -> None:
+        """Draw flames and pennants."""
+        if frame.mirrored and self._settings.reflection.rippled:
+            return
+        super()._draw_fire(frame)
+        gl.glDisable(gl.GL_TEXTURE_2D)
+        draw_pennants(frame.kt)
+
+    def release(self) -> None:
+        """Delete the lists and the textures; may be called twice."""
+        self._light_map.release()
+        super().release()

@@ -1,0 +1,187 @@
+"""The sea: water with waves and a rippling mirror image, one grid around the eye (R16, R17).
+
+It replaces WaterSurface, and has the same methods. Sections 11.2 and 12 of the report.
+Technique: instead of 25 equal patches, a grid whose lines are equal steps of angle as the eye sees
+them (eye_grid.py). A sum of small waves gives each vertex its normal, its height
+(``water.relief``), and with ``reflection.rippled`` the place where it looks up the mirror image
+(mirror_image.py). With ``water.fresnel`` the alpha of each vertex follows the angle of view: the
+water's own colour from above, a mirror in the distance. ``water.shallow`` shows the bottom through
+shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
+Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
+it as the patches are.
+State used: GL_LIGHTING, up to three texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
+texture matrix, GL_BLEND.
+"""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
+from landscape.elements.best.sea.glitter import Glitter
+from landscape.elements.best.sea.mirror_image import MirrorImage, mirror_unit
+from landscape.elements.best.sea.shallows import TEXELS, Shallows, cut_level, sea_depths
+from landscape.elements.best.sea.waves import facing, mirror_places, opacity, surface_normals, waves
+from landscape.elements.reflection import inside_water
+from landscape.elements.water_surface import (
+    WaterSurface,
+    water_square,
+    water_texture,
+    wave_coordinates,
+    wave_time,
+)
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.geometry.height_field import HeightField
+from landscape.gl.calls import drawing, drawn_now, gl
+from landscape.gl.draw import level_square
+from landscape.gl.state import attrib, client_arrays
+from landscape.settings import Settings
+
+SHOAL = 0.15  # chosen: units of depth below which the relief fades out towards the beach
+
+
+def wanted(settings: Settings) -> bool:
+    """Return whether the settings ask for more than the patches of 2006."""
+    water = settings.water
+    more = settings.reflection.rippled, water.relief, water.shallow, water.fresnel
+    return any(more) or water.glitter > 0
+
+
+@contextmanager
+def reflected(
+    frame: Frame, settings: Settings, water: "WaterSurface | Sea | None"
+) -> Iterator[Frame]:
+    """Let the block draw the mirrored scene where it belongs; yield the frame to draw it by.
+
+    That is the sea's mirror texture, or the framebuffer: with ``reflection.stencil`` only where
+    the water is, if there is any.
+    """
+    if isinstance(water, Sea) and settings.reflection.rippled:
+        outside = drawn_now()
+        with drawing("reflection"), water.mirror.drawing(frame) as smaller, drawing(*outside):
+            yield smaller
+    else:
+        with inside_water(water.mark if water and settings.reflection.stencil else None):
+            yield frame
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return the values that the constructor uses."""
+    water = settings.water
+    return water.level, water.trilinear, water.lod_bias, water.shallow, water.glitter > 0
+
+
+class Sea:
+    """The sea; ``mirror`` takes the mirrored scene before each ``draw``."""
+
+    def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
+        """Load the texture, and compute how deep the sea over ``field`` is."""
+        self._settings = settings
+        self._size = field.size
+        depths = sea_depths(field)
+        self._relief = np.clip(depths / SHOAL, 0.0, 1.0).astype(np.float32)
+        self.mirror = MirrorImage()
+        self._texture = water_texture(settings, assets)
+        self._shallows = Shallows(depths, field.size) if settings.water.shallow else None
+        self._glitter = Glitter() if settings.water.glitter > 0 else None
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; return False, changing nothing, if the sea must be rebuilt."""
+        if built_from(settings) != built_from(self._settings):
+            return False
+        self._settings = settings
+        return True
+
+    def mark(self) -> None:
+        """Send the bare surface without its waves, for the stencil."""
+        level_square(*water_square(self._settings.water), self._settings.water.level)
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the surface, mixed with the mirror texture or blended over the framebuffer."""
+        mirror = self.mirror.take()
+        water = self._settings.water
+        grid = self._grid(frame)
+        if grid is None:
+            return
+        t = wave_time(frame.kt, water)
+        lift, slope_x, slope_z = waves(grid.x, grid.z, grid.cell, t)
+        y = np.full(grid.x.shape, water.level, np.float32)
+        if water.relief:
+            y += lift * self._relief_left(grid)
+        vertices = np.stack([grid.x.ravel(), y.ravel(), grid.z.ravel()], axis=1)
+        normals = surface_normals(slope_x, slope_z)
+        colors = self._colors(grid, slope_x, slope_z)
+        plane = np.stack([grid.x.ravel(), grid.z.ravel()])
+        places = np.ascontiguousarray(plane.T)
+        layers = [wave_coordinates(plane / np.float32(water.patch), t, water.repeat)]
+        if self._shallows is not None:
+            layers.append(self._shallows.coordinates(places))
+        triangles = grid.triangles
+
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
+        with attrib(groups):
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glEnable(gl.GL_LIGHTING)
+            gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
+            floor = cut_level(self._settings)
+            if self._shallows is not None and floor < water.level:
+                self._shallows.draw_floor(floor)
+            with (
+                self._texture_units(),
+                client_arrays(vertices, normals, colors, layers),
+                mirror_unit(mirror, len(layers)),
+            ):
+                if mirror is not None:
+                    looked_up = mirror_places(grid, y, slope_x, slope_z)
+                    gl.glTexCoordPointer(3, gl.GL_FLOAT, 0, looked_up)
+                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+            if self._glitter is not None:
+                surface, slopes = (vertices, places), (slope_x, slope_z)
+                self._glitter.draw(frame, self._settings, grid, surface, slopes)
+
+    def _grid(self, frame: Frame) -> EyeGrid | None:
+        """Return the grid on all water in view; None if there is none."""
+        water = self._settings.water
+        low, high = water_square(water)
+        corner = [max(abs(eye - low), abs(eye - high)) for eye in (frame.pose.x, frame.pose.z)]
+        grid = eye_grid(frame, water.level, math.hypot(*corner))
+        if grid is not None:
+            grid.keep_within(low, high)
+        return grid
+
+    def _colors(self, grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
+        """Return the vertices' colours, float32 (n, 4); alpha is the opacity over the mirror."""
+        water = self._settings.water
+        colors = np.empty((grid.x.size, 4), np.float32)
+        colors[:] = water.color
+        if water.fresnel:
+            colors[:, 3] = opacity(facing(grid, slope_x, slope_z), water.color[3]).ravel()
+        return colors
+
+    def _relief_left(self, grid: EyeGrid) -> np.ndarray:
+        """Return the fraction of the relief that remains at the grid's places: 0 on the beach."""
+        scale = np.float32(TEXELS / self._size)
+        row, column = (np.clip(a * scale, 0, TEXELS - 1).astype(int) for a in (grid.z, grid.x))
+        return np.asarray(self._relief.take(row * TEXELS + column))
+
+    @contextmanager
+    def _texture_units(self) -> Iterator[None]:
+        """Unit 0: the water's texture times the light; unit 1: the depths, if they show."""
+        # GL_TEXTURE_BIT restores every unit's environment, and which unit is active.
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
+            if self._settings.water.textured:
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                self._texture.bind()
+            if self._shallows is not None:
+                self._shallows.set_unit()
+            yield
+
+    def release(self) -> None:
+        """Delete what was made; may be called twice."""
+        for owner in (self.mirror, self._texture, self._shallows, self._glitter):
+            if owner is not None:
+                owner.release()

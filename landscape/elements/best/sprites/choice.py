@@ -1,0 +1,183 @@
+"""Which sprites may be visible: chosen with a margin, and kept while the eye stays near.
+
+Choosing tests every sprite of the island. The plain form is to choose in each frame, with no
+margin: ``choose(laid_out, frame, settings)``. With a margin, one choice is used for several frames.
+It then includes sprites that are not visible yet, but they change no pixel: they are outside the
+window or have faded out. Their data that no frame changes is prepared once per choice, in the types
+that OpenGL takes, float32 and uint8. No OpenGL here.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from landscape.elements.atlas import cell_coordinates
+from landscape.elements.best.sprites.refined_planting import TintedSprites
+from landscape.elements.best.sprites.refined_quads import half_places, leaning, still_quads, turned
+from landscape.elements.best.sprites.rules import has_top, is_deer, radii
+from landscape.elements.planting import PLANT
+from landscape.elements.transparent_elements import (
+    CROSS_S,
+    CROSS_T,
+    QUAD,
+    QUAD_S,
+    QUAD_T,
+    visible,
+)
+from landscape.frame import Frame
+from landscape.geometry.culling import in_view
+from landscape.geometry.height_field import mirrored_height
+from landscape.settings import Settings
+
+FOOT = 0.07  # chosen: half a trunk's width, times the tree's width
+
+
+def rooted(sprites: TintedSprites) -> np.ndarray:
+    """Return the places (n, 3) with trees and plants lowered where the ground slopes.
+
+    They are lowered by the slope times half the trunk's width: the downhill side of the foot then
+    touches the ground.
+    """
+    steep = np.hypot(sprites.slopes[:, 0], sprites.slopes[:, 1])
+    sunk = FOOT * steep * sprites.sizes[:, 0]
+    places = sprites.positions.copy()
+    places[:, 1] -= np.where(is_deer(sprites.cells), 0.0, sunk)
+    return places
+
+
+class LaidOut:
+    """All sprites of the island as arrays in OpenGL's types, and the atlas they are drawn from.
+
+    ``outlines`` and ``outline_st`` say what is opaque in each cell, see :func:`atlas.outlines`;
+    ``rows`` is how many rows the atlas has.
+    """
+
+    def __init__(
+        self, sprites: TintedSprites, outlines: np.ndarray, outline_st: np.ndarray, rows: int
+    ) -> None:
+        """Prepare what is the same in every frame."""
+        self.places = {
+            False: np.ascontiguousarray(sprites.positions, np.float32),
+            True: np.ascontiguousarray(rooted(sprites), np.float32),
+        }
+        self.sizes = np.ascontiguousarray(sprites.sizes, np.float32)
+        self.cells, self.flipped, self.slopes = sprites.cells, sprites.flipped, sprites.slopes
+        self.leaning = leaning(sprites.slopes).astype(np.float32)
+        self.tints = sprites.tints.astype(np.uint8)
+        self.st = cell_coordinates(sprites.cells, sprites.flipped, QUAD_S, QUAD_T, rows)
+        self.outlines, self.outline_st, self.rows = outlines, outline_st, rows
+
+
+@dataclass(frozen=True)
+class Crossed:
+    """Plants near enough to be crossed quads: their indices in a choice, (m,).
+
+    ``turns`` (m, k) are the angles of their k quads, ``still`` (m, 6 k, 3) these without wind,
+    ``feet`` (m, 2 k, 3) the middles of the half quads' feet, ``st`` (m, 6 k, 2) in the atlas.
+    """
+
+    which: np.ndarray
+    turns: np.ndarray
+    still: np.ndarray
+    feet: np.ndarray
+    st: np.ndarray
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Sprites that may be visible, in order of their indices ``which`` (n,) on the island.
+
+    For each, the position (n, 3), size (n, 2), atlas cell and radius; which are deer, and which
+    have a picture from above; for their billboards, the texture coordinates ``st`` (n, 4, 2), the
+    tint's opacity (n,) in 0..255, colours (n, 4, 4), whose alpha each frame writes, and triangles
+    (n, 6); and the boxes of what is opaque in their pictures (n, 8, 2), on the quad and in the
+    atlas.
+    """
+
+    which: np.ndarray
+    positions: np.ndarray
+    sizes: np.ndarray
+    cells: np.ndarray
+    radius: np.ndarray
+    deer: np.ndarray
+    topped: np.ndarray
+    st: np.ndarray
+    opacity: np.ndarray
+    colours: np.ndarray
+    triangles: np.ndarray
+    boxes: tuple[np.ndarray, np.ndarray]
+    crossed: Crossed
+
+
+def choose(
+    laid_out: LaidOut, frame: Frame, settings: Settings, margin: float = 0.0, angle: float = 0.0
+) -> Choice:
+    """Return the sprites that may be visible, mirrored or not, from the eye of a frame.
+
+    That includes any eye within ``margin`` units of it, turned by up to ``angle`` radians.
+    """
+    places = laid_out.places[settings.transparent.rooted]
+    radius = radii(settings, laid_out.cells, laid_out.sizes[:, 1], frame)
+    if settings.transparent.trimmed:
+        which = in_window(laid_out, frame, settings, radius, margin, angle)
+    else:
+        which = visible(frame, places, radius)
+    cells, flipped = laid_out.cells[which], laid_out.flipped[which].astype(int)
+    return Choice(
+        which=which,
+        positions=places[which],
+        sizes=laid_out.sizes[which],
+        cells=cells,
+        radius=radius[which],
+        deer=np.flatnonzero(is_deer(cells)),
+        topped=has_top(settings, cells),
+        st=laid_out.st[which],
+        opacity=laid_out.tints[which, 3],
+        colours=np.repeat(laid_out.tints[which][:, None], 4, axis=1),
+        triangles=4 * np.arange(len(which), dtype=np.uint32)[:, None] + QUAD,
+        boxes=(laid_out.outlines[flipped, cells], laid_out.outline_st[flipped, cells]),
+        crossed=crossed_plants(laid_out, frame, settings, which, margin),
+    )
+
+
+def in_window(
+    laid_out: LaidOut,
+    frame: Frame,
+    settings: Settings,
+    radius: np.ndarray,
+    margin: float,
+    angle: float,
+) -> np.ndarray:
+    """Return the indices of the sprites within their ``radius`` (n,) that meet the view frustum.
+
+    Either they or their mirror images meet it. The test uses a sprite's largest bounding sphere.
+    """
+    places, slack = laid_out.places[settings.transparent.rooted], np.float32(margin)
+    dx, dz = places[:, 0] - frame.pose.x, places[:, 2] - frame.pose.z
+    flat, farthest = dx * dx + dz * dz, radius + slack
+    which = np.flatnonzero(flat < farthest * farthest)
+    sizes, middles = laid_out.sizes[which], places[which]
+    middles[:, 1] += 0.5 * sizes[:, 1]
+    mirrored = middles.copy()
+    mirrored[:, 1] = mirrored_height(mirrored[:, 1], settings.water.level)
+    kept = np.zeros(len(which), bool)
+    for points in (middles, mirrored) if settings.reflection.enabled else (middles,):
+        away = np.sqrt(flat[which] + np.square(points[:, 1] - np.float32(frame.eye_y)))
+        kept |= in_view(frame, points, sizes.sum(axis=1) + slack + np.float32(angle) * away)
+    return which[kept]
+
+
+def crossed_plants(
+    laid_out: LaidOut, frame: Frame, settings: Settings, which: np.ndarray, margin: float
+) -> Crossed:
+    """Return the plants among ``which`` that may be crossed quads."""
+    far = settings.plants.crossed_within or np.inf
+    points = laid_out.places[settings.transparent.rooted][which]
+    away = np.hypot(points[:, 0] - frame.pose.x, points[:, 2] - frame.pose.z)
+    near = np.flatnonzero((laid_out.cells[which] >= PLANT) & (away < far + margin))
+    count, own = settings.plants.quads, which[near]
+    turns = turned(points[near], count)
+    still = still_quads(points[near], laid_out.sizes[own], turns)
+    s, t = np.tile(CROSS_S, count), np.tile(CROSS_T, count)
+    st = cell_coordinates(laid_out.cells[own], laid_out.flipped[own], s, t, laid_out.rows)
+    return Crossed(near, turns, still, half_places(still), st)

@@ -1,0 +1,132 @@
+"""Where the refined sprites are: woods, herbs in their habitats, tints, and the ground's slope.
+
+With ``trees.grouped`` trees stand in woods, by height and slope, each species in its habitat, and
+plants grow on green ground; with ``plants.species`` over 1 plants are several herbs. Without either
+these are the places of ``elements/planting.py``. No OpenGL here.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from landscape.elements.best.sprites.herbs import herb_chances, herbs_by_place
+from landscape.elements.best.sprites.refined_atlas import HERB
+from landscape.elements.best.sprites.woods import (
+    SHRUB,
+    off_glades,
+    outside_glades,
+    species_by_place,
+    woodland,
+)
+from landscape.elements.ground import Ground
+from landscape.elements.planting import (
+    CASTLE,
+    COURT,
+    KINDS,
+    Chance,
+    Sprites,
+    clear_land,
+    random_sprites,
+)
+from landscape.geometry.height_field import HeightField, greenness
+from landscape.settings import Settings
+
+PLAIN = 0.3  # chosen: variation of the tints of herbs except the fern, as a fraction of leaves'
+
+
+@dataclass(frozen=True)
+class TintedSprites(Sprites):
+    """Sprites with a tint (n, 4) each in 0..255, and the ground's slope (n, 2) = dy/dx, dy/dz."""
+
+    tints: np.ndarray
+    slopes: np.ndarray
+
+
+def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]) -> TintedSprites:
+    """Return all sprites of some ``kinds``: random (seeded) places, sizes and looks."""
+    field, plants = ground.field, settings.plants
+    woods = woodland(seed) if settings.trees.grouped else None
+    herbs = herb_chances(settings, ground, seed) if plants.species > 1 else None
+    parts = []
+    for number, kind in enumerate(KINDS):
+        if kind not in kinds:
+            continue
+        rng = np.random.default_rng([seed, number])
+        suits = clear_land(settings, field, COURT if kind == "trees" else CASTLE)
+        if kind == "plants" and herbs is not None:
+            suits = for_herbs(suits, herbs)
+        elif woods is not None:
+            suits = in_woods(kind, settings, ground, suits, woods)
+        found = random_sprites(kind, settings, field, rng, suits)
+        positions, sizes, cells = found.positions, found.sizes, found.cells
+        n = len(positions)
+        tints = np.full((n, 4), 255.0)
+        if woods is not None:
+            # No tree is twice as wide as high: keep the report's range, tie width to height.
+            sizes[:, 0] = np.clip(sizes[:, 1] * rng.uniform(0.8, 1.1, n), 0, None)
+            if kind == "trees":
+                edge = 1.0 - woods(positions[:, 0], positions[:, 2])
+                species, level = settings.trees.species, settings.water.level
+                cells = species_by_place(positions, level, species, rng, edge)
+                sizes *= np.where(cells == SHRUB, rng.uniform(0.4, 0.75, n), 1.0)[:, None]
+            if kind != "deer":
+                tints[:, :3] *= leaf_tints(rng, n)
+        if kind == "plants" and herbs is not None:
+            cells, sizes = herbs_by_place(herbs(*positions[:, [0, 2]].T), plants, rng)
+            # White flowers must not be tinted yellow or blue.
+            tints[:, :3] = np.where(cells == HERB, 1.0, PLAIN)[:, None] * (tints[:, :3] - 255.0)
+            tints[:, :3] += 255.0
+        slopes = slopes_under(field, positions, sizes[:, 0])
+        parts.append(TintedSprites(positions, sizes, cells, found.flipped, tints, slopes))
+    arrays = zip(*(vars(part).values() for part in parts), strict=True)
+    return TintedSprites(*(np.concatenate(each) for each in arrays))
+
+
+def in_woods(kind: str, settings: Settings, ground: Ground, clear: Chance, woods: Chance) -> Chance:
+    """Return where one kind of sprite grows on an island of woods and meadows."""
+    field, level = ground.field, settings.water.level
+
+    def trees(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        free = clear(x, z) * outside_glades(x, z)
+        height, slope = field.terrain_height(x, z) - level, field.slope(x, z)
+        free *= np.clip((height - 0.12) / 0.1, 0, 1) * np.clip((2.9 - height) / 0.8, 0, 1)
+        free *= np.clip((0.9 - slope) / 0.3, 0, 1)
+        return np.asarray(free * woods(x, z))
+
+    def deer(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        height, slope = field.terrain_height(x, z) - level, field.slope(x, z)
+        gentle = (height > 0.1) * (slope < 0.8) * np.clip((2.6 - height) / 0.6, 0, 1)
+        return np.asarray(clear(x, z) * gentle)
+
+    def ferns(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        # On green ground, and more of them in the woods' shade than on the meadows.
+        green = greenness(ground.colour(x, z)) * off_glades(x, z, 0.6)
+        return deer(x, z) * green * (0.25 + 0.75 * np.clip(2.0 * woods(x, z), 0, 1))
+
+    return {"trees": trees, "deer": deer, "plants": ferns}[kind]
+
+
+def for_herbs(clear: Chance, herbs: Chance) -> Chance:
+    """Return where any herb grows; ``herbs`` gives the chance (n, k) of each of them."""
+
+    def suits(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        free = clear(x, z) * off_glades(x, z, 0.3)
+        return np.asarray(free * np.minimum(herbs(x, z).sum(axis=1), 1.0))
+
+    return suits
+
+
+def leaf_tints(rng: np.random.Generator, count: int) -> np.ndarray:
+    """Return factors (n, 3) on a sprite's colours: some darker, some yellower, some bluer."""
+    light, warm = rng.uniform(0.78, 1.0, count), rng.uniform(-1.0, 1.0, count)
+    tint = np.stack([1 - 0.16 * np.maximum(-warm, 0), 1 - 0.05 * np.abs(warm)], axis=1)
+    tint = np.insert(tint, 2, 1 - 0.28 * np.maximum(warm, 0), axis=1)
+    return np.asarray(light[:, None] * tint)
+
+
+def slopes_under(ground: HeightField, positions: np.ndarray, widths: np.ndarray) -> np.ndarray:
+    """Return dy/dx and dy/dz (n, 2) of the ground from one end of a sprite's foot to the other."""
+    x, z, half = positions[:, 0], positions[:, 2], 0.5 * widths
+    dx = ground.terrain_height(x + half, z) - ground.terrain_height(x - half, z)
+    dz = ground.terrain_height(x, z + half) - ground.terrain_height(x, z - half)
+    return np.stack([dx, dz], axis=1) / (2.0 * half)[:, None]

@@ -1,0 +1,183 @@
+"""Trees, deer and plants of the preset best: the flaws of section 11.2 fixed, one switch each.
+
+Techniques, all by vertices and vertex alpha, still in one sort and one glDrawElements:
+
+- ``transparent.upright`` (R4): billboards turn about the y axis only; ``trees.crown`` fades in a
+  horizontal picture of the crown when seen from above.
+- ``transparent.split`` (R3): each half of a crossed quad has its own place in the sort.
+- ``deer.follow_slope`` (R5): a deer's billboard is perpendicular to the slope.
+- ``plants.quads``, ``plants.fade_edge_on``, ``plants.rosette`` (R6): three quads, which fade when
+  seen edge-on, and a horizontal picture when seen from above.
+- ``transparent.fade``, ``clear_near``, ``min_pixels``: alpha towards the radius, near the eye, and
+  where a sprite is only a few pixels high; ``plants.crossed_within``: far plants are billboards.
+- ``transparent.trimmed``: quads end where the picture does, and what is out of view is not sent.
+- ``transparent.rooted``: feet sink a little on slopes; ``plants.shaded``: plants in the ground's
+  shadows are darker; ``trees.grouped``, ``plants.species``: see :mod:`planting`.
+
+With all of them off the picture is that of ``elements/transparent_elements.py``, which shows the
+technique of 2006. State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off;
+GL_COLOR_ARRAY. OpenGL 1.1.
+"""
+
+import numpy as np
+
+from landscape.elements.atlas import CELL, CELLS, GUTTER, mip_levels, read_cells
+from landscape.elements.best.sprites.choice import LaidOut
+from landscape.elements.best.sprites.refined_atlas import (
+    HERBS,
+    outlines,
+    tops_levels,
+    tops_place,
+    with_herbs,
+)
+from landscape.elements.best.sprites.refined_planting import TintedSprites, plant_refined
+from landscape.elements.best.sprites.sprites_in_view import SpritesInView
+from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_sprites
+from landscape.elements.ground import Ground
+from landscape.elements.planting import DEER, PLANT, site
+from landscape.elements.sun import direction
+from landscape.elements.transparent_elements import CLEAR
+from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib, client_arrays
+from landscape.gl.texture import Texture
+from landscape.settings import Settings
+
+CROWN_SHADE = 0.6  # chosen: radius within which a crown blocks the sky, times the tree's width
+SHADE = 0.5  # chosen: exponent on the ground's light; a plant rises into more light
+SUNWARD = 0.8  # chosen: times a plant's height, how far towards the sun its light is looked up
+
+
+def planted_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the sprites' places, sizes, kinds and tints depend on."""
+    groups = settings.trees, settings.deer, settings.plants
+    sizes = [(group.count, group.size_min, group.size_max) for group in groups]
+    species = settings.trees.species, settings.trees.grouped, settings.plants.species
+    colours = settings.ground.large_texture, settings.ground.texture_size
+    return (*sizes, *species, *colours, *site(settings))
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return all settings that a :class:`RefinedSprites` reads when it is built."""
+    shadows: tuple[object, ...] = ()
+    if settings.plants.shaded:
+        shadows = settings.ground.shadows, settings.sun, settings.castle, settings.rabbit
+    return (*planted_from(settings), settings.transparent.trilinear, shadows)
+
+
+class RefinedSprites:
+    """All sprites of the island, in one sort."""
+
+    def __init__(
+        self, settings: Settings, assets: Assets, ground: Ground, seed: int, kinds: set[str]
+    ) -> None:
+        """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
+        self._settings, self._built_from = settings, built_from(settings)
+        herbs = HERBS if settings.plants.species > 1 else ()
+        self._paths = [assets.path(name) for name in (*CELLS, *herbs)]
+        self._contents = [content(path) for path in self._paths]
+        self._outlines, self._outline_st, *levels = recall(
+            ["refined atlas", *self._contents], self._make_atlas
+        )
+        self._rows = len(levels[0]) // CELL
+        self._unshaded: Ground | None = ground if settings.plants.shaded else None
+        large = content(assets.path(settings.ground.large_texture))
+        what = repr((planted_from(settings), seed, sorted(kinds)))
+        self.stand(
+            TintedSprites(
+                *recall(
+                    (what, ground.field.heights.tobytes(), large),
+                    lambda: tuple(vars(plant_refined(settings, ground, seed, kinds)).values()),
+                )
+            )
+        )
+        self._texture = Texture(levels, repeat=False, trilinear=settings.transparent.trilinear)
+        self._topped = False
+
+    def stand(self, sprites: TintedSprites) -> None:
+        """Place these sprites on the island, and no others."""
+        self.sprites = sprites
+        self._view: SpritesInView | None = None
+
+    def _make_atlas(self) -> tuple[np.ndarray, ...]:
+        """Return the pictures' outlines and the atlas's mip levels."""
+        cells = self._cells()
+        return (*outlines(cells), *mip_levels(cells))
+
+    def _cells(self) -> list[np.ndarray]:
+        """Return the atlas's cells; the one before the herbs is for the pictures from above."""
+        return with_herbs(read_cells(self._paths))
+
+    def cast(self, shadows: ShadowMap) -> None:
+        """Cast the sprites' shadows, and darken the ground at the trees' feet."""
+        cast_sprites(shadows, self.sprites, [cell[GUTTER:, :, 3] for cell in self._cells()])
+        trees = self.sprites.cells < DEER
+        widths = self.sprites.sizes[trees, 0]
+        shadows.hide_sky(self.sprites.positions[trees], CROWN_SHADE * widths, SKY_HIDDEN)
+
+    def shade(self, ground: Ground) -> None:
+        """Darken the plants by the shadows on the ground beside them."""
+        plants = np.flatnonzero(self.sprites.cells >= PLANT)
+        # Looked up on its sunny side: elsewhere a plant would be in its own shadow.
+        sunward = direction(self._settings.sun)[[0, 2]]
+        step = SUNWARD * self.sprites.sizes[plants, 1:] * sunward
+        x, z = (self.sprites.positions[plants][:, [0, 2]] + step).T
+        self.sprites.tints[plants, :3] *= ground.light(x, z)[:, None] ** SHADE
+        self._view = None
+
+    def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
+        """Return the frame's vertices, colours, texture coordinates and sorted indices."""
+        if self._unshaded:
+            # The first frame comes after all shadows have been baked into the ground.
+            self.shade(self._unshaded)
+            self._unshaded = None
+        if self._view is None:
+            arrays = self._outlines, self._outline_st, self._rows
+            self._view = SpritesInView(LaidOut(self.sprites, *arrays))
+        return self._view.arrays(frame, self._settings)
+
+    def _fill_tops(self) -> None:
+        """Add the pictures from above to the bound atlas, once, when they are first needed."""
+        levels = recall(["tops", *self._contents], lambda: tops_levels(self._cells()))
+        for level, images in enumerate(levels):
+            for number, image in enumerate(images):
+                box = tops_place(number, level)
+                gl.glTexSubImage2D(
+                    gl.GL_TEXTURE_2D, level, *box, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, image
+                )
+        self._topped = True
+
+    def draw(self, frame: Frame, prepared: tuple[np.ndarray, ...] | None = None) -> None:
+        """Blend the sprites, far to near, in the order that :meth:`prepare` found."""
+        settings = self._settings
+        vertices, tints, coordinates, indices = prepared or self.prepare(frame)
+        if not len(indices):
+            return
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
+        with attrib(groups | gl.GL_CURRENT_BIT):
+            if settings.transparent.textured:
+                gl.glDepthMask(gl.GL_FALSE)
+                gl.glEnable(gl.GL_BLEND)
+                gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+                gl.glEnable(gl.GL_ALPHA_TEST)
+                gl.glAlphaFunc(gl.GL_GREATER, CLEAR)
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                self._texture.bind()
+                if (settings.trees.crown or settings.plants.rosette) and not self._topped:
+                    self._fill_tops()
+            with client_arrays(vertices, None, tints, [coordinates]):
+                gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; return False, changing nothing, if the sprites must be rebuilt."""
+        if built_from(settings) != self._built_from:
+            return False
+        self._settings = settings
+        return True
+
+    def release(self) -> None:
+        """Delete the atlas; may be called twice."""
+        self._texture.release()

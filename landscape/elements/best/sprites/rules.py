@@ -1,0 +1,75 @@
+"""How far away sprites are drawn, and how opaque they are: rules of the preset best. No OpenGL."""
+
+import math
+
+import numpy as np
+
+from landscape.elements.best.sprites.refined_quads import smoothstep
+from landscape.elements.planting import DEER, PLANT
+from landscape.frame import Frame
+from landscape.settings import Settings
+
+CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see crossing
+CLEARS = (0.2, 0.5)  # chosen: times its width: where a sprite is invisible, and where opaque
+HAZE = 512.0  # where the fog leaves less than 1/512 of a colour, no 8-bit value changes
+
+
+def is_deer(cells: np.ndarray) -> np.ndarray:
+    """Return which sprites (n,) are deer, by their atlas cells."""
+    return np.asarray((cells >= DEER) & (cells < PLANT))
+
+
+def farthest(settings: Settings) -> float:
+    """Return how far sprites are drawn; sprites that fade stop where the fog hides them."""
+    shared, fog = settings.transparent, settings.fog
+    if shared.fade and fog.enabled and fog.mode == "exp2" and fog.density > 0:
+        return min(shared.radius, math.sqrt(math.log(HAZE)) / fog.density)
+    return shared.radius
+
+
+def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Frame) -> np.ndarray:
+    """Return how far sprites of these atlas cells and heights (n,) are drawn, float32 units.
+
+    No farther than ``transparent.radius`` and ``plants.radius``, and only as far as they are at
+    least ``transparent.min_pixels`` pixels high.
+    """
+    far, least = farthest(settings), settings.transparent.min_pixels
+    plants = np.float32(min(far, settings.plants.radius or far))
+    out = np.where(cells >= PLANT, plants, np.float32(far))
+    return np.minimum(out, heights * np.float32(frame.pixels / least)) if least else out
+
+
+def clearness(
+    settings: Settings, radius: np.ndarray, widths: np.ndarray, away: np.ndarray
+) -> np.ndarray:
+    """Return the opacity 0..1 (n,) of sprites of these widths, ``away`` (n,) units away.
+
+    They fade towards their ``radius`` (``transparent.fade``), and before the eye passes through
+    them (``transparent.clear_near``).
+    """
+    shared, out = settings.transparent, np.ones_like(away)
+    if shared.fade:
+        out *= np.clip((radius - away) / (np.float32(shared.fade) * radius), 0.0, 1.0)
+    if shared.clear_near:
+        gone, whole = CLEARS
+        near = np.flatnonzero(away < whole * widths)
+        out[near] *= np.clip((away[near] / widths[near] - gone) / (whole - gone), 0.0, 1.0)
+    return out
+
+
+def crossing(settings: Settings, away: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the alpha (n,) of plants as single and as crossed quads, ``away`` (n,) units away.
+
+    One fades in before the other fades out, so that a walker does not see the change.
+    """
+    far = settings.plants.crossed_within
+    if not far:
+        return np.zeros_like(away), np.ones_like(away)
+    start, both, end = (far * fraction for fraction in CROSSFADE)
+    return smoothstep(start, both, away), 1.0 - smoothstep(both, end, away)
+
+
+def has_top(settings: Settings, cells: np.ndarray) -> np.ndarray:
+    """Return which sprites (n,) have a picture from above, by their atlas cells."""
+    plants, trees = settings.plants.rosette, settings.trees.crown
+    return np.asarray(np.where(cells >= PLANT, plants, (cells < DEER) & trees))

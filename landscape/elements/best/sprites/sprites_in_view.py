@@ -1,0 +1,223 @@
+"""What a frame shows of the refined sprites, as arrays for one glDrawElements. No OpenGL.
+
+A frame computes them once and draws them twice, mirrored and not. :mod:`choice` selects the sprites
+that may be visible; here a frame adds what depends on the eye: the quads' corners, alpha and order.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from landscape.elements.best.sprites.choice import Choice, LaidOut, choose
+from landscape.elements.best.sprites.refined_atlas import FLOWERING, top_coordinates
+from landscape.elements.best.sprites.refined_quads import (
+    Quads,
+    edge_on,
+    lying,
+    own_turn,
+    points_of,
+    slope_axes,
+    smoothstep,
+    upright_axes,
+)
+from landscape.elements.best.sprites.rules import clearness, crossing
+from landscape.elements.planting import PLANT
+from landscape.elements.transparent_elements import HALVES, QUAD, billboards
+from landscape.frame import Frame
+from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
+from landscape.geometry.wind import sway
+from landscape.settings import Settings
+
+# Sines of the viewing angle below the horizontal, all chosen: between the first two a picture from
+# above fades in, between the others the upright picture fades out.
+COMES, GOES = (0.35, 0.70), (0.80, 0.97)
+ROSETTE_HEIGHT, ROSETTE_WIDTH = 0.30, 1.25  # chosen: times the plant's height and width
+BLOOM_HEIGHT, BLOOM_WIDTH = 0.65, 0.90  # chosen: the same of the herbs that flower
+CROWN_HEIGHT, CROWN_WIDTH = 0.62, 0.95  # chosen: times the tree's height and width
+TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay off
+
+TWO_BOXES = np.concatenate([QUAD, QUAD + 4])  # what is opaque in a picture, see atlas.outlines
+
+
+@dataclass(frozen=True)
+class Seen:
+    """How the eye sees each sprite of a choice, (n,) each.
+
+    ``away`` is the horizontal distance in units, ``below`` the sine of the angle at which the eye
+    looks down on it, ``depth`` the eye-space z, ``alpha`` 0..1.
+    """
+
+    away: np.ndarray
+    below: np.ndarray
+    depth: np.ndarray
+    alpha: np.ndarray
+
+
+class SpritesInView:
+    """All sprites of the island, and what a frame shows of them."""
+
+    def __init__(self, laid_out: LaidOut) -> None:
+        """Show these sprites."""
+        self._all = laid_out
+        self._choice: Choice | None = None
+        self._chosen_for: tuple[Frame, Settings] | None = None
+        self._tops: dict[bool, tuple[np.ndarray, ...]] = {}
+
+    def arrays(self, frame: Frame, settings: Settings) -> tuple[np.ndarray, ...]:
+        """Return vertices, colours, texture coordinates and indices, sorted or not."""
+        choice = self.choice(frame, settings)
+        seen = self._seen(frame, settings, choice)
+        plants = choice.crossed.which
+        single, crossed = crossing(settings, seen.away[plants])
+        alpha = seen.alpha.copy()
+        alpha[plants] *= single
+        parts = self._boards(frame, settings, choice, seen, alpha)
+        crossed *= seen.alpha[plants]
+        near = np.flatnonzero(crossed)
+        if len(near):
+            parts.append(self._crossed(frame, settings, choice, seen, near, crossed[near]))
+        top = np.flatnonzero(choice.topped & (seen.below > COMES[0]))
+        if len(top):
+            parts.append(self._from_above(frame, settings, choice, seen, top))
+        quads = Quads.join(parts) if len(parts) > 1 else parts[0]
+        return (
+            np.ascontiguousarray(quads.vertices, np.float32),
+            quads.colours,
+            quads.coordinates,
+            quads.indices(settings.transparent.sorted),
+        )
+
+    def choice(self, frame: Frame, settings: Settings) -> Choice:
+        """Return the sprites that may be visible: the last choice while it is valid, or a new one.
+
+        Without ``transparent.fade`` an old choice would show sprites beyond their radius, and
+        without ``transparent.trimmed`` a choice omits what is behind the eye: in either case each
+        position of the eye needs its own choice.
+        """
+        shared = settings.transparent
+        reusable = shared.fade and shared.trimmed
+        margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if reusable else (0.0, 0.0)
+        if self._choice is None or not self._still_serves(frame, settings, margin, angle):
+            self._choice = choose(self._all, frame, settings, margin, angle)
+            self._chosen_for = frame, settings
+        return self._choice
+
+    def _still_serves(self, frame: Frame, settings: Settings, margin: float, angle: float) -> bool:
+        """Return whether the last choice was made for these settings and an eye near this one."""
+        assert self._chosen_for is not None
+        then, chosen_settings = self._chosen_for
+        return chosen_settings is settings and is_near(then, frame, margin, angle)
+
+    def _seen(self, frame: Frame, settings: Settings, choice: Choice) -> Seen:
+        """Return how the eye of a frame sees the sprites of a choice."""
+        line = choice.positions - frame.eye.astype(np.float32)
+        x, y, z = line.T
+        flat = x * x + z * z
+        away = np.sqrt(flat)
+        below = -y / np.sqrt(np.maximum(flat + y * y, 1e-12))
+        alpha = clearness(settings, choice.radius, choice.sizes[:, 0], away)
+        return Seen(away, below, frame.depth(choice.positions), alpha)
+
+    def _boards(
+        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, alpha: np.ndarray
+    ) -> list[Quads]:
+        """Return the billboards of ``alpha`` (n,) over 0: trees, deer, and plants far away.
+
+        Corners and colours are computed for all sprites, which costs less than selecting some.
+        """
+        right, up = (
+            upright_axes(frame.right) if settings.transparent.upright else (frame.right, frame.up)
+        )
+        quads = billboards(
+            choice.positions, choice.sizes, right.astype(np.float32), up.astype(np.float32)
+        )
+        deer = choice.deer
+        if settings.deer.follow_slope and len(deer):
+            axes = slope_axes(frame.right, self._all.leaning[choice.which[deer]])
+            quads[deer] = billboards(choice.positions[deer], choice.sizes[deer], *axes)
+        board = alpha > 0.0
+        above = np.flatnonzero(choice.topped & (seen.below > GOES[0]))
+        if len(above):
+            alpha[above] *= 1.0 - smoothstep(*GOES, seen.below[above])
+        colours = choice.colours
+        colours[..., 3] = (choice.opacity * alpha)[:, None]
+        close = board & (seen.away < (TRIM_WITHIN if settings.transparent.trimmed else 0.0))
+        far, near = np.flatnonzero(board & ~close), np.flatnonzero(close)
+        parts = [
+            Quads(
+                quads.reshape(-1, 3),
+                choice.st.reshape(-1, 2),
+                colours.reshape(-1, 4),
+                choice.triangles[far],
+                seen.depth[far],
+            )
+        ]
+        if len(near):
+            corners, st = (box[near] for box in choice.boxes)
+            boxes = points_of(quads[near], corners)
+            parts.append(Quads.of(boxes, st, colours[near, 0], TWO_BOXES, seen.depth[near]))
+        return parts
+
+    def _crossed(
+        self,
+        frame: Frame,
+        settings: Settings,
+        choice: Choice,
+        seen: Seen,
+        near: np.ndarray,
+        alpha: np.ndarray,
+    ) -> Quads:
+        """Return the half quads of the plants ``near``, indexed as in choice.crossed."""
+        crossed, count = choice.crossed, settings.plants.quads
+        which, turns, quads = crossed.which[near], crossed.turns[near], crossed.still[near]
+        positions, sizes = choice.positions[which], choice.sizes[which]
+        winds = sway(frame.kt, positions, settings.plants.sway)
+        winds *= sizes[:, 1:] / settings.plants.size_max
+        quads[:, 4::6, ::2] += winds[:, None]
+        if settings.plants.rosette:
+            alpha = alpha * (1.0 - smoothstep(*GOES, seen.below[which]))
+        if settings.plants.fade_edge_on:
+            line = positions - frame.eye
+            alpha = alpha[:, None] * np.repeat(edge_on(line, turns), 6, axis=1)
+        depth = seen.depth[which]
+        if settings.transparent.split:
+            depth = frame.depth(crossed.feet[near])
+        bases = 6 * np.arange(count, dtype=np.uint32)[:, None, None]
+        pattern = (HALVES + bases).reshape(-1, 6)
+        colours = tinted(self._all.tints[choice.which[which]], alpha)
+        return Quads.of(quads, crossed.st[near], colours, pattern, depth)
+
+    def _from_above(
+        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, top: np.ndarray
+    ) -> Quads:
+        """Return the crowns and rosettes of what is seen from above, ``top`` of a choice."""
+        which = choice.which[top]
+        quads, st, middles = (a[which] for a in self._lying(settings.transparent.rooted))
+        alpha = seen.alpha[top] * smoothstep(*COMES, seen.below[top])
+        colours = tinted(self._all.tints[which], alpha)
+        return Quads.of(quads, st, colours, QUAD, frame.depth(middles))
+
+    def _lying(self, rooted: bool) -> tuple[np.ndarray, ...]:
+        """Return quads (n, 4, 3), coordinates and middles (n, 3) of all sprites' tops.
+
+        Computed when one is first seen: they never change.
+        """
+        if rooted not in self._tops:
+            every = self._all
+            cells, sizes, middles = every.cells, every.sizes, every.places[rooted].copy()
+            plant = cells >= PLANT
+            looks = [plant & np.isin(cells, FLOWERING), plant]
+            rise = np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT)
+            middles[:, 1] += sizes[:, 1] * rise
+            widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
+            quads = lying(middles, widths, every.slopes * plant[:, None], own_turn(middles))
+            st = top_coordinates(cells, every.rows)
+            self._tops[rooted] = quads.astype(np.float32), st, middles
+        return self._tops[rooted]
+
+
+def tinted(tints: np.ndarray, alpha: np.ndarray) -> np.ndarray:
+    """Return tints (n, 4) with this alpha (n,), or (n, k, 4) with (n, k)."""
+    colours = tints if alpha.ndim == 1 else np.repeat(tints[:, None], alpha.shape[1], axis=1)
+    colours[..., 3] = colours[..., 3] * alpha
+    return colours

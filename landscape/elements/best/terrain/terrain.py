@@ -1,0 +1,195 @@
+"""The ground of the preset `best`: three materials, tiles, shadows, low-stretch detail.
+
+With ``ground.materials`` turf, sand and rock each have their own detail texture, mixed in four
+texture units (materials.py). With ``ground.tiles`` above 1 the mesh is cut into square display
+lists (tiles.py); those outside the view frustum are not called, and the mirror image uses coarser
+ones. With ``ground.low_stretch`` details keep their scale on slopes; with ``ground.shadows`` the
+shadows of what stands on the ground are baked into the large texture (shadows.py). Not in the
+report.
+State used: as the ground, with four texture units; GL_CULL_FACE; the current colour.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from landscape.elements.best.sea.shallows import cut_level
+from landscape.elements.best.terrain.materials import mix_units, rock_share, textured, turf_alpha
+from landscape.elements.best.terrain.tiles import Tile, boxes, cut, every_second
+from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
+from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.geometry.culling import boxes_in_view
+from landscape.geometry.height_field import ground_mesh, lookup
+from landscape.geometry.low_stretch import low_stretch_uv
+from landscape.geometry.mesh import Mesh
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList, call_lists
+from landscape.gl.draw import draw_mesh
+from landscape.gl.state import front_faces
+from landscape.gl.texture import Texture
+from landscape.settings import Ground as GroundSettings
+from landscape.settings import Settings
+
+
+def ground_class(settings: Settings) -> type[Ground]:
+    """Return the class whose ground these settings describe."""
+    ground = settings.ground
+    wanted = ground.materials or ground.tiles > 1 or ground.low_stretch or ground.shadows
+    return Terrain if wanted else Ground
+
+
+def shaded(painted: np.ndarray, light: np.ndarray) -> np.ndarray:
+    """Return colours, uint8 (n, n, 3 or 4), times a light map, uint8 (n, n, 3), 255 full light.
+
+    That is colour * light / 255, here in integers: a shift right by 8 divides by 256.
+    """
+    out = painted.copy()
+    out[..., :3] = painted[..., :3] * (light.astype(np.uint16) + 1) >> 8
+    return out
+
+
+class Terrain(Ground):
+    """The ground with the techniques above, each by its own switch."""
+
+    def _build(self, ground: GroundSettings, assets: Assets) -> None:
+        """Make the layers, build the mesh with their coordinates and compile its tiles."""
+        self._light: np.ndarray | None = None
+        self._mixed = ground.materials and ground.units == "both"
+        self._painted = self._materials(ground, assets) if self._mixed else self.large
+        self._splat = self._texture(self._painted, repeat=False)
+        detail = partial(self._detail, assets)
+        if self._mixed:
+            layers = [(detail("detail_texture"), ground.detail_repeat)]
+            layers.append((detail("sand_texture"), ground.sand_repeat))
+            layers.append((detail("rock_texture"), ground.rock_repeat))
+            layers.append((self._splat, 1.0))
+        else:
+            both = [(self._splat, 1.0), (detail("detail_texture"), ground.detail_repeat)]
+            layers = {"both": both, "large": both[:1], "detail": both[1:], "none": []}[ground.units]
+        detail_uv = low_stretch_uv(self.field) if ground.low_stretch else None
+        mesh = ground_mesh(self.field, tuple(repeat for _, repeat in layers), detail_uv)
+        if self._mixed:
+            x, z = mesh.vertices[:, 0], mesh.vertices[:, 2]
+            colors = np.full((len(mesh.vertices), 4), 255, np.uint8)
+            colors[:, 3] = rock_share(mesh.normals, self.colour(x, z)) * 255
+            mesh = replace(mesh, colors=colors)
+        self._compile(mesh, [texture for texture, _ in layers], ground.tiles)
+
+    def _materials(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
+        """Return the large colours, and the fraction of turf as alpha, uint8 (n, n, 4)."""
+        large, repeat = self.large, ground.mid_repeat
+        turf = turf_alpha(large)
+        if repeat <= 0:
+            return np.concatenate([large, turf], axis=2)
+        path = assets.path(ground.detail_texture)
+        pattern = read_image(path, "RGB")
+        (colours,) = recall(
+            [content(path), large.tobytes(), repr(repeat)],
+            lambda: (textured(large, pattern, repeat, turf),),
+        )
+        return np.concatenate([colours, turf], axis=2)
+
+    @staticmethod
+    def built_from(settings: Settings) -> tuple[object, ...]:
+        """Return the settings that textures and lists were made from."""
+        ground, sun = settings.ground, settings.sun
+        shaded = (sun.azimuth, sun.elevation) if has_no_colours(ground) else None
+        coarser = settings.reflection.lod_scale > 1
+        return replace(ground, clip=True), settings.water.level, coarser, shaded
+
+    def _compile(self, mesh: Mesh, textures: list[Texture], count: int) -> None:
+        """Compile one list of everything, or one per tile and two to set and reset the units."""
+        before, after = self._units(textures)
+        self._tiles, self._mirrored = list[DisplayList](), list[DisplayList]()
+        if count <= 1:
+
+            def whole() -> None:
+                before()
+                draw_mesh(mesh)
+                after()
+
+            self._lists.append(DisplayList(whole))
+            return
+
+        def compiled(tiles: list[Tile]) -> list[DisplayList]:
+            return [DisplayList(partial(draw_mesh, tile.mesh)) for tile in tiles]
+
+        tiles, level = cut(mesh, count), self.field.water_level
+        self._boxes, self._mirrored_boxes = boxes(tiles), boxes(tiles, level)
+        self._tiles = self._mirrored = compiled(tiles)
+        self._around = [DisplayList(before), DisplayList(after)]
+        self._lists += [*self._tiles, *self._around]
+        if self._settings.reflection.lod_scale > 1:
+            tiles = cut(every_second(mesh), count)
+            self._mirrored, self._mirrored_boxes = compiled(tiles), boxes(tiles, level)
+            self._lists += self._mirrored
+
+    def _units(self, textures: list[Texture]) -> tuple[Callable[[], None], Callable[[], None]]:
+        """Return a function that sets the texture units, and one that restores them."""
+        if not self._mixed:
+            return partial(lay_units, textures), partial(leave_units, textures)
+
+        def before() -> None:
+            gl.glPushAttrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT)
+            mix_units(textures)
+
+        return before, lambda: gl.glPopAttrib()
+
+    def shade(self, light: np.ndarray) -> None:
+        """Multiply the large texture by a light map, uint8 (n, n, 3), 255 full light.
+
+        ``n`` is the large texture's side. :meth:`colour` still returns the unshaded colour.
+        """
+        self._light = light[..., 1]
+        painted = shaded(self._painted, light)
+        self._splat.bind()
+        height, width, channels = painted.shape
+        layout = gl.GL_RGBA if channels == 4 else gl.GL_RGB
+        gl.glTexSubImage2D(
+            gl.GL_TEXTURE_2D, 0, 0, 0, width, height, layout, gl.GL_UNSIGNED_BYTE, painted
+        )
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return the fraction of light that the shadows leave at x, z in units, (n,) in 0..1."""
+        if self._light is None:
+            return super().light(x, z)
+        return lookup(self._light, np.asarray(x) / self.size, np.asarray(z) / self.size) / 255.0
+
+    def tiles_in_view(self, frame: Frame) -> np.ndarray:
+        """Return the numbers of the tiles that the frame may show, mirrored or not.
+
+        The nearest come first, so that the depth test rejects what they hide before its texels are
+        looked up.
+        """
+        level = self.field.water_level
+        if frame.mirrored:
+            middles, halves = self._mirrored_boxes
+            above = middles[:, 1] - halves[:, 1] <= level
+        else:
+            middles, halves = self._boxes
+            lowest = cut_level(self._settings) if self._settings.ground.clip else -np.inf
+            above = middles[:, 1] + halves[:, 1] >= lowest
+        kept = np.flatnonzero(boxes_in_view(frame, middles, halves) & above)
+        away = np.maximum(np.abs(middles[kept] - frame.eye) - halves[kept], 0.0)
+        return kept[np.argsort((away * away).sum(axis=1), kind="stable")]
+
+    def draw(self, frame: Frame) -> None:
+        """Call the list, or the lists of the tiles in view."""
+        if not self._tiles:
+            self._lists[0].call()
+            return
+        before, after = self._around
+        before.call()
+        kept = self.tiles_in_view(frame).tolist()
+        # Seen from above, land faces away only behind a crest, which hides it. The mirrored eye is
+        # below the land, whose underside must hide what stands on it.
+        lists = self._mirrored if frame.mirrored else self._tiles
+        with front_faces(self._settings.camera.cull and not frame.mirrored):
+            call_lists([lists[k] for k in kept])
+        after.call()
