@@ -12,7 +12,6 @@ class Texture:
         self,
         levels: np.ndarray | list[np.ndarray],
         repeat: bool = True,
-        anisotropy: float = 1.0,
         trilinear: bool = True,
         lod_bias: float = 0.0,
         mipmaps: bool = True,
@@ -20,10 +19,10 @@ class Texture:
         """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
 
         Row 0 of the image is t = 0. The driver makes the mip levels of a single image
-        (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE;
-        ``anisotropy`` above 1 needs EXT_texture_filter_anisotropic. Without ``trilinear`` only the
-        nearer of two mip levels is sampled, which is a third cheaper. Without ``mipmaps`` there
-        are none: in the mip levels of an atlas, neighbouring pictures would bleed into each other.
+        (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE.
+        Without ``trilinear`` only the nearer of two mip levels is sampled, which is a third
+        cheaper. Without ``mipmaps`` there are none: in the mip levels of an atlas, neighbouring
+        pictures would bleed into each other.
         ``lod_bias`` is added to the mip level that OpenGL chooses; below 0 the texture is sharper
         (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
@@ -45,8 +44,6 @@ class Texture:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
         if lod_bias:
             gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_LOD_BIAS, lod_bias)
-        if anisotropy > 1.0:
-            gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_ANISOTROPY, anisotropy)
         if len(images) > 1:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL, len(images) - 1)
         elif mipmaps:

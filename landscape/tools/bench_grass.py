@@ -22,13 +22,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from landscape.elements import grass, transparent_elements
 from landscape.elements.grass import (
     COORDINATES,
     STRIP_TRIANGLES,
-    WIND,
     blade_corners,
     blade_vertices,
-    blade_wind,
 )
 from landscape.elements.planting import scatter
 from landscape.frame import Frame
@@ -66,19 +65,13 @@ def sow(
 
 def visible(blades: Blades, frame: Frame) -> np.ndarray:
     """Return the indices of the blades in front of the camera, within the radius (section 5.3)."""
-    x, z = blades.positions[:, 0], blades.positions[:, 2]
-    dx, dz = x - frame.pose.x, z - frame.pose.z
-    near = np.flatnonzero(dx * dx + dz * dz < blades.radius**2)
-    return near[frame.depth(blades.positions[near]) < 0]
+    return transparent_elements.visible(frame, blades.positions, blades.radius)
 
 
 def bent(blades: Blades, chosen: np.ndarray, kt: float) -> np.ndarray:
     """Return the vertices, float32 (n, 5, 3), of the ``chosen`` blades in the wind of ``kt``."""
-    vertices = blades.vertices[chosen]
-    wind = blade_wind(kt, blades.positions[chosen].astype(np.float64), blades.scale_x)
-    for vertex, part in WIND:
-        vertices[:, vertex, ::2] += (part * wind).astype(np.float32)
-    return vertices
+    part = grass.Blades(blades.positions[chosen], blades.vertices[chosen])
+    return grass.bent(part, kt, blades.scale_x)
 
 
 def strip_indices(count: int) -> np.ndarray:
