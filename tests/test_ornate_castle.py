@@ -7,7 +7,8 @@ import pytest
 from castles import FLAT, PLACED
 from stage import Stage, pixel, project, small
 
-from landscape.elements.best.ornate.castle_light import (
+from landscape.elements.best.ornate.gate import GATE_CORNERS
+from landscape.elements.best.ornate.light_map import (
     SIDE,
     light,
     light_map,
@@ -16,7 +17,6 @@ from landscape.elements.best.ornate.castle_light import (
     stopped,
     turned_sun,
 )
-from landscape.elements.best.ornate.gate import GATE_CORNERS
 from landscape.elements.best.ornate.loopholes import loopholes
 from landscape.elements.best.ornate.ornate_castle import OrnateCastle
 from landscape.elements.best.ornate.ornate_masonry import (

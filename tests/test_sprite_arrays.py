@@ -18,8 +18,8 @@ from landscape.elements.best.sprites.refined_quads import (
     smoothstep,
     still_quads,
     turned,
-    upright_axes,
 )
+from landscape.elements.best.sprites.slope_billboards import upright_axes
 from landscape.elements.transparent_elements import HALVES, QUAD, crossed_quads
 
 

@@ -27,15 +27,10 @@ from sprite_stage import (
 from stage import Stage, close, pixel, project, snapshot
 
 from landscape.elements.best.sprites.refined_planting import slopes_under
-from landscape.elements.best.sprites.refined_quads import (
-    edge_on,
-    half_places,
-    leaning,
-    slope_axes,
-    turned,
-)
+from landscape.elements.best.sprites.refined_quads import edge_on, half_places, turned
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.sprites.rules import clearness, farthest, radii
+from landscape.elements.best.sprites.slope_billboards import leaning, slope_axes
 from landscape.elements.planting import PLANT
 from landscape.elements.transparent_elements import TransparentElements, crossed_quads
 from landscape.frame import Pose

@@ -9,7 +9,8 @@ pictures share one texture, an atlas, so that one glDrawElements draws them in t
 
 ``transparent.sorted`` off shows what the sort is for; ``transparent.textured`` off shows the quads.
 Two flaws remain, as in 2006 (section 11.2): seen from above, billboards lie flat and plants
-are crosses; and where two sprites intersect, no order is right. ``best/sprites/`` fixes them.
+are crosses; and where two sprites intersect, no order is right. ``best/sprites/`` fixes them, and
+makes deer lean with the slope.
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 

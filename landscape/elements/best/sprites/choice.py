@@ -13,8 +13,9 @@ import numpy as np
 
 from landscape.elements.atlas import cell_coordinates
 from landscape.elements.best.sprites.refined_planting import TintedSprites
-from landscape.elements.best.sprites.refined_quads import half_places, leaning, still_quads, turned
+from landscape.elements.best.sprites.refined_quads import half_places, still_quads, turned
 from landscape.elements.best.sprites.rules import has_top, is_deer, radii
+from landscape.elements.best.sprites.slope_billboards import leaning
 from landscape.elements.planting import PLANT
 from landscape.elements.transparent_elements import (
     CROSS_S,

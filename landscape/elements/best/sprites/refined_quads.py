@@ -1,10 +1,9 @@
 """The quads of the refined sprites as arrays: what the lesson's billboards and crosses lack.
 
-Billboards stand upright, or at right angles to a slope; plants are two or three crossed quads that
-fade when seen edge-on; crowns and rosettes are flat (section 11.2). A :class:`Quads` holds what one
-glDrawElements needs of any of them. Quads are what is sorted, so each half of a crossed quad can
-have its own place in the order. The plain forms are in ``elements/transparent_elements.py``. No
-OpenGL here.
+Plants are two or three crossed quads that fade when seen edge-on; crowns and rosettes are flat
+(section 11.2). A :class:`Quads` holds what one glDrawElements needs of any of them. Quads are what
+is sorted, so each half of a crossed quad can have its own place in the order. The plain forms are
+in ``elements/transparent_elements.py``. No OpenGL here.
 """
 
 from dataclasses import dataclass
@@ -12,8 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from landscape.elements.transparent_elements import crossed_quads, far_to_near
-
-STEEPEST = 0.7  # chosen: rise over run; a deer leans no farther
 
 
 @dataclass(frozen=True)
@@ -78,33 +75,6 @@ def points_of(quads: np.ndarray, corners: np.ndarray) -> np.ndarray:
     points += (1.0 - corners[..., 1:]) * (quads[:, 3:] - low)
     points += low
     return np.asarray(points)
-
-
-def upright_axes(right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return right and up of billboards that turn about the y axis only."""
-    level = np.array([right[0], 0.0, right[2]])
-    return level / max(float(np.linalg.norm(level)), 1e-9), np.array([0.0, 1.0, 0.0])
-
-
-def leaning(slopes: np.ndarray) -> np.ndarray:
-    """Return slopes (n, 2) = dy/dx, dy/dz limited to STEEPEST, the most that a deer leans."""
-    steep = np.hypot(slopes[:, 0], slopes[:, 1])
-    return np.asarray(slopes * np.minimum(1.0, STEEPEST / np.maximum(steep, 1e-9))[:, None])
-
-
-def slope_axes(right: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return right and up, (n, 3) each, of billboards that are perpendicular to a slope.
-
-    ``slopes`` (n, 2) = dy/dx, dy/dz. Right is the camera's, tilted into the slope; up is the
-    slope's normal.
-    """
-    level, _ = upright_axes(right)
-    across, up = np.empty((2, len(slopes), 3), slopes.dtype)
-    across[:], across[:, 1] = level, slopes @ level[[0, 2]].astype(slopes.dtype)
-    up[:, 0], up[:, 1], up[:, 2] = -slopes[:, 0], 1.0, -slopes[:, 1]
-    for axes in (across, up):
-        axes /= np.sqrt((axes * axes).sum(axis=1))[:, None]
-    return across, up
 
 
 def own_turn(positions: np.ndarray) -> np.ndarray:

@@ -16,11 +16,10 @@ from landscape.elements.best.sprites.refined_quads import (
     lying,
     own_turn,
     points_of,
-    slope_axes,
     smoothstep,
-    upright_axes,
 )
 from landscape.elements.best.sprites.rules import clearness, crossing
+from landscape.elements.best.sprites.slope_billboards import slope_axes, upright_axes
 from landscape.elements.planting import PLANT
 from landscape.elements.transparent_elements import HALVES, QUAD, billboards
 from landscape.frame import Frame
