@@ -4,7 +4,8 @@
 >>> image = landscape.render("fig35e", size=(1280, 720))
 """
 
+from landscape.errors import InputError, NoOpenGLError
 from landscape.render import Offscreen, render
 
 __version__ = "0.1.0"
-__all__ = ["Offscreen", "render"]
+__all__ = ["InputError", "NoOpenGLError", "Offscreen", "render"]

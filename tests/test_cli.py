@@ -431,7 +431,7 @@ with landscape.Offscreen((32, 24), preset="2006", only=("ground", "fog")) as one
         assert (other.draw() != alone).any() and (one.draw() == alone).all()
     assert (one.draw() == alone).all()
 
-from landscape.errors import InputError
+from landscape import InputError
 for wrong in (
     lambda: landscape.render("fig99z"),
     lambda: landscape.Offscreen(size=(0, 10)),

@@ -1,7 +1,7 @@
 """The herbs of the preset `best`: lady fern, ox-eye daisies, rosebay willow-herb, marram, heather.
 
 Each is a clump (:mod:`landscape.studio.clumps`) that fills its sprite; its size in the scene is set
-in `landscape/elements/sprites/planting.py`.
+in `landscape/elements/best/sprites/refined_planting.py`.
 """
 
 from collections.abc import Callable
