@@ -1,4 +1,4 @@
-"""What the preset `best` adds beyond the report, as pairs of pictures, before and after."""
+"""What goes beyond the report, as pairs of pictures, before and after."""
 
 from typing import Any
 
@@ -130,5 +130,26 @@ BEST_FIXES: tuple[Fix, ...] = (
             "grass.arch": 4.0,
             "grass.radius": 7.0,
         },
+    ),
+    Fix(
+        "stencil",
+        "A reflection that ends with the water",
+        Pose(20.0, 1.7, 35.5, 170.0, -14.0),
+        20.0,
+        {"reflection.rippled": False, "reflection.stencil": False},
+        {"reflection.rippled": False, "reflection.stencil": True},
+        "The mirrored scene is drawn over the whole framebuffer. In fig6a nothing covers it where "
+        "there is no water.",
+        "Look at the horizon, beyond the edge of the last water patch. Before, clouds and hills "
+        "hang upside down where there is no water; after, nothing is mirrored there.",
+        "The water surface is first drawn into the stencil buffer only (glStencilOp, with "
+        "glColorMask off). The mirrored scene then passes the stencil test only where the water "
+        "is. The preset `best` renders its mirror image to a texture and needs no stencil.",
+        (
+            "the edge of the sea, with mirrored clouds and hills in the void beyond it",
+            "the same edge of the sea, with only the fog's colour beyond it",
+        ),
+        common={"fog.enabled": False, "sky.background": True, "sky.follow_y": True},
+        only=("ground", "water", "sky", "reflection", "trees"),
     ),
 )

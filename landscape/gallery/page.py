@@ -31,7 +31,8 @@ INTRODUCTION = (
     f"- *R1* to *R19*: the improvements that the report suggests, in our numbering"
     f" ([report_fixes.py]({CODE}/fixes/report_fixes.py))."
     " *best1* to *best5*: what the preset `best` adds"
-    f" to them ([best_fixes.py]({CODE}/fixes/best_fixes.py)).",
+    f" to them ([best_fixes.py]({CODE}/fixes/best_fixes.py)), and *stencil* a safeguard of the"
+    " reflection.",
     "- *fig17b*: figure 17, panel b; also the name of the view, as in `landscape render fig17b`.",
     "- *Billboard*: a textured rectangle that turns to face the viewer. *Crossed quads*: two"
     " textured rectangles that cross each other and do not turn. *Alpha*: the opacity of a texel"
@@ -130,7 +131,7 @@ PARTS = (
     ),
 )
 FIXED = "What the report suggests"
-ADDED = "What best adds"
+ADDED = "Beyond the report"
 FIXES_TEXT = {
     FIXED: "The left picture is drawn without the fix, the right one with it. Everything else is "
     "the same in both: the preset `2006`, with the settings in the commands. In the walk, N "
@@ -170,8 +171,8 @@ def introduction() -> list[str]:
         if part.first == part.last:
             figures = f"figure {part.first}"
         lines.append(f"- [{part.heading}](#{anchor(part.heading)}): {figures}")
-    for heading, start in ((FIXED, "R"), (ADDED, "best")):
-        names = [fix.name for fix in FIXES if fix.name.startswith(start)]
+    for heading in (FIXED, ADDED):
+        names = [fix.name for fix in FIXES if fix.name.startswith("R") == (heading == FIXED)]
         links = ", ".join(f"[{name}](#{anchor(name)})" for name in names)
         lines.append(f"- [{heading}](#{anchor(heading)}): {links}")
     return [*lines, ""]
