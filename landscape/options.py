@@ -157,7 +157,7 @@ def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW
     """Add the options that all drawing commands share; ``preset`` is the help of --preset."""
     add = parser.add_argument_group("common options").add_argument
     add("--backend", choices=("auto", "osmesa", "egl", "glfw"), default="auto")
-    add("--preset", default=None, help=preset)
+    add("--preset", metavar="best|2006", help=preset)
     add("--set", action="append", type=_pair, default=[], metavar="KEY=VALUE", dest="changes")
     add("--settings", type=Path, metavar="FILE.toml")
     add(
