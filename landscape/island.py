@@ -24,7 +24,6 @@ from landscape.elements.best.sea.ring import HorizonRing
 from landscape.elements.best.sea.sea import Sea, reflected
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
-from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.terrain import Terrain, ground_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import clipped
@@ -142,7 +141,7 @@ class Island:
         """Darken the ground's texture where sprites, castle and rabbit cast their shadows."""
 
         def shadows() -> tuple[np.ndarray]:
-            shadow_map = ShadowMap(ground.field, light, len(ground.large))
+            shadow_map = ground.shadow_map(light)
             for element in (self.sprites, self.castle, self.rabbit):
                 if element:
                     element.cast(shadow_map)

@@ -136,6 +136,21 @@ def test_settings_come_from_the_preset_then_the_file_then_the_command_line(shell
     assert any(line.split()[:2] == ["fog.density", "0.25"] for line in text.splitlines())
 
 
+@pytest.mark.parametrize("view", ["fig35f", "fig6a"])
+def test_render_and_trace_take_the_preset_that_views_says(shell: Shell, view: str) -> None:
+    entries = {entry["name"]: entry for entry in shell("views", "--json").json()}
+    preset = entries[view]["preset"]
+    assert (view, preset) in (("fig35f", "best"), ("fig6a", "2006"))
+    small = ("--only", "ground,fog", "--size", "32x24", "--samples", "0", "--quiet")
+    pictures = {}
+    for name, options in (("own", ()), ("best", ("--preset=best",)), ("2006", ("--preset=2006",))):
+        assert shell("render", view, *small, *options, "--out", f"{name}.png").status == 0
+        pictures[name] = (shell.cwd / f"{name}.png").read_bytes()
+    assert pictures["own"] == pictures[preset] and pictures["best"] != pictures["2006"]
+    trace = ("trace", view, "--only", "ground,fog", "--json")
+    assert shell(*trace).json() == shell(*trace, "--preset", preset).json()
+
+
 def check_call(call: dict[str, Any]) -> None:
     assert {"name", "args", "element", "source", "pass"} <= set(call)
     assert call["name"].startswith("gl")

@@ -51,7 +51,7 @@ def measure_grass(
         blades = Meadow if meadow.wanted(values) else Grass
         owned.append(grass := blades(values, assets, ground, seed))
         place = replace(POSE, x=POSE.x * wider, z=POSE.z * wider)
-        pose = placed(place, ground.field, values.walk.eye)
+        pose = placed(place, ground, values.walk.eye)
         frame = begin_frame(Moment(pose, size, KT), values.camera, values.sun, values.fog)
         grass.draw(frame)
         drawn = len(grass.select(frame).positions)
@@ -89,7 +89,7 @@ def measure_ways(
         path = assets.path("blade.png")
         owned.append(texture := Texture(read_image(path, "RGB"), repeat=False))
         blades = sow(ground.field, blade_count, seed, values.grass.radius, values.grass.scale)
-        pose = placed(POSE, ground.field, values.walk.eye)
+        pose = placed(POSE, ground, values.walk.eye)
         frame = begin_frame(Moment(pose, size, KT), values.camera, values.sun, values.fog)
         ways = [way(blades, texture) for way in WAYS]
         owned += ways

@@ -17,6 +17,7 @@ import numpy as np
 
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.terrain.materials import mix_units, rock_share, textured, turf_alpha
+from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.tiles import Tile, boxes, cut, every_second
 from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
 from landscape.files.assets import Assets
@@ -139,6 +140,10 @@ class Terrain(Ground):
             mix_units(textures)
 
         return before, lambda: gl.glPopAttrib()
+
+    def shadow_map(self, light: np.ndarray) -> ShadowMap:
+        """Return an empty shadow map, as large as the large texture; ``light`` (3,) is the sun."""
+        return ShadowMap(self.field, light, len(self.large))
 
     def shade(self, light: np.ndarray) -> None:
         """Multiply the large texture by a light map, uint8 (n, n, 3), 255 full light.
