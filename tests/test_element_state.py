@@ -35,7 +35,7 @@ from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl, recording
-from landscape.gl.state import attrib, client_arrays, flat_projection, matrix
+from landscape.gl.state import attrib, client_arrays, flat_projection, front_faces, matrix
 from landscape.island import Island
 from landscape.keys import with_settings
 from landscape.scene import Moment, begin_frame
@@ -178,15 +178,18 @@ def test_a_frame_would_notice_changed_state(stage: Stage, values: Settings) -> N
             np.zeros((3, 4), np.uint8),
             [np.zeros((3, 2), np.float32)] * 3,
         ),
+        front_faces,
     ],
-    ids=["attrib", "matrix", "ortho", "identity", "arrays"],
+    ids=["attrib", "matrix", "ortho", "identity", "arrays", "front faces"],
 )
 def test_scoped_state_comes_back_even_after_an_exception(stage: Stage, block) -> None:
     with stage.frame(Settings(), POSE):
+        before = snapshot()
         with pytest.raises(RuntimeError):
             with block():
                 gl.glLoadIdentity() if block is matrix else None
                 raise RuntimeError
+        assert not changes(before, snapshot())
         with block():
             pass
 

@@ -26,9 +26,11 @@ def front_faces(only: bool = True) -> Iterator[None]:
     """
     if only:
         gl.glEnable(gl.GL_CULL_FACE)
-    yield
-    if only:
-        gl.glDisable(gl.GL_CULL_FACE)
+    try:
+        yield
+    finally:
+        if only:
+            gl.glDisable(gl.GL_CULL_FACE)
 
 
 @contextmanager
