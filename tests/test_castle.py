@@ -11,14 +11,9 @@ from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write
 
 from landscape.elements.best.ornate.gate import CastleInOnePass
 from landscape.elements.best.ornate.ornate_castle import OrnateCastle, castle_class
-from landscape.elements.castle import (
-    FLAME_Z,
-    TORCHES,
-    Castle,
-    flame_across,
-    flame_frame,
-    light_shift,
-)
+from landscape.elements.castle import Castle
+from landscape.elements.castle_fire import FLAME_Z, TORCHES, flame_across, flame_frame
+from landscape.elements.castle_gate import light_shift
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField

@@ -9,6 +9,7 @@ from sprite_stage import looking
 from stage import Stage, small
 
 from landscape.elements.best.meadow import growth as growth_module
+from landscape.elements.best.meadow.facing import facing, facing_plain
 from landscape.elements.best.meadow.growth import Growth
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.meadow.refined_blades import (
@@ -18,8 +19,6 @@ from landscape.elements.best.meadow.refined_blades import (
     arched,
     blade_tints,
     count_at,
-    facing,
-    facing_plain,
     nearness,
 )
 from landscape.elements.grass import (

@@ -7,8 +7,7 @@ import pytest
 from castles import FLAT, PLACED
 from stage import Stage, pixel, project, small
 
-from landscape.elements.best.ornate.gate import GATE_CORNERS
-from landscape.elements.best.ornate.light_map import (
+from landscape.elements.best.ornate.baked_light import (
     SIDE,
     light,
     light_map,
@@ -17,6 +16,7 @@ from landscape.elements.best.ornate.light_map import (
     stopped,
     turned_sun,
 )
+from landscape.elements.best.ornate.gate import GATE_CORNERS
 from landscape.elements.best.ornate.loopholes import loopholes
 from landscape.elements.best.ornate.ornate_castle import OrnateCastle
 from landscape.elements.best.ornate.ornate_masonry import (

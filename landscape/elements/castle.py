@@ -1,9 +1,8 @@
 """The castle: walls, towers, a gate lit by torches (Castle, section 6).
 
-Techniques: a few meshes built once and drawn several times; a door texture with a transparent
-surround, blended over the bricks; a light texture multiplied over both by
-glBlendFunc(GL_ZERO, GL_SRC_COLOR), whose texture coordinates move at two edges, so that the light
-flickers; torches as a parametric cylinder and cone; fire as an animated 4x4 sprite sheet on a quad.
+Techniques: a few meshes built once and drawn several times from one display list; torches as a
+parametric cylinder and cone; door and light in layers over the gate wall (castle_gate.py); fire as
+an animated sprite sheet (castle_fire.py).
 The castle's own frame: the unit square x, z in 0..1, the gate wall at z = 0, y up from the ground.
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset, the depth mask.
 What is wrong with it: a flame is flat, and vanishes from the side (switch ``castle.flame_faces``,
@@ -17,6 +16,8 @@ import math
 import numpy as np
 
 from landscape.elements.best.terrain.shadows import ShadowMap, cast_outlines, shade_foot
+from landscape.elements.castle_fire import FLAME_Z, TORCHES, draw_fire
+from landscape.elements.castle_gate import draw_gate_in_layers
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -41,33 +42,8 @@ from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-TORCHES = (0.27, 0.75)  # section 6.1: 0.27, and 0.48 farther
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
-FLAME_Z = -0.07  # section 6.1
 FOOT_SHADE = 0.22  # chosen: units from the walls within which they block part of the sky
-
-
-def flame_frame(kt: float) -> tuple[int, int]:
-    """Return column and row of the sprite sheet's frame: int(kt * 0.5) mod 16 (section 6.1)."""
-    number = int(kt * 0.5)
-    return number % 4, (number // 4) % 4
-
-
-def flame_across(eye: tuple[float, float], x: float, faces: bool) -> tuple[float, float]:
-    """Return the unit vector (x, z), in the castle's frame, of the width of a flame at ``x``.
-
-    Along the wall; or perpendicular to the line to the ``eye`` (x, z), if the flame ``faces`` it.
-    """
-    away_x, away_z = x - eye[0], FLAME_Z - eye[1]
-    far = math.hypot(away_x, away_z)
-    if not faces or far < 1e-6:
-        return 1.0, 0.0
-    return away_z / far, -away_x / far
-
-
-def light_shift(kt: float) -> tuple[float, float]:
-    """Return how far the light's moving texture coordinates shift in s and t (section 6.1)."""
-    return 0.01 * np.sin(kt / 10.8) ** 2, 0.01 * np.cos(kt / 7.2) ** 2
 
 
 class Castle:
@@ -152,60 +128,10 @@ class Castle:
             self._draw_fire(frame)
 
     def _draw_gate(self, kt: float) -> None:
-        """Blend door and light over the bricks: three layers, each fogged (section 11.2.4)."""
-        gl.glEnable(gl.GL_TEXTURE_2D)
-        gl.glEnable(gl.GL_BLEND)
-        # From a distance the depth buffer cannot separate the layers from the wall.
-        gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
-        gl.glNormal3f(0.0, 0.0, -1.0)
-        gl.glPolygonOffset(-1.0, -2.0)
-        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-        self._door.bind()
-        self._gate_quad(-0.001, 0.0, 0.0)
-        gl.glDisable(gl.GL_LIGHTING)
-        gl.glPolygonOffset(-2.0, -4.0)
-        gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_COLOR)
-        self._light.bind()
-        self._gate_quad(-0.002, *light_shift(kt))
-        gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
-
-    def _gate_quad(self, z: float, shift_s: float, shift_t: float) -> None:
-        """Send a layer over the gate wall; s may shift at its far side, and t at its top."""
-        gl.glBegin(gl.GL_QUADS)
-        for s, t, x, y in (
-            (0.0, 1.0, 0.0, 0.0),
-            (0.0, -shift_t, 0.0, 1.0),
-            (1.0 - shift_s, -shift_t, 1.0, 1.0),
-            (1.0 - shift_s, 1.0, 1.0, 0.0),
-        ):
-            gl.glTexCoord2f(s, t)
-            gl.glVertex3f(x, y, z)
-        gl.glEnd()
+        draw_gate_in_layers(self._door, self._light, kt)
 
     def _draw_fire(self, frame: Frame) -> None:
-        """Blend two quads with the sprite sheet's current frame (section 6.1)."""
-        column, row = flame_frame(frame.kt)
-        s, t = 0.25 * column, 0.25 * row
-        eye, faces = self._inside(frame.eye), self._settings.castle.flame_faces
-        corners = []
-        for x in TORCHES:
-            across_x, across_z = flame_across(eye, x, faces)
-            for ds, dt, along, y in (
-                (0.0, 0.25, -0.03, 0.21),
-                (0.0, 0.0, -0.03, 0.31),
-                (0.25, 0.0, 0.03, 0.31),
-                (0.25, 0.25, 0.03, 0.21),
-            ):
-                place = (x + along * across_x, y, FLAME_Z + along * across_z)
-                corners.append((s + ds, t + dt, *place))
-        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-        gl.glDepthMask(gl.GL_FALSE)
-        self._fire.bind()
-        gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
-        gl.glInterleavedArrays(gl.GL_T2F_V3F, 0, np.array(corners, np.float32))
-        gl.glDrawArrays(gl.GL_QUADS, 0, len(corners))
-        gl.glPopClientAttrib()
-        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        draw_fire(self._fire, frame.kt, self._inside(frame.eye), self._settings.castle.flame_faces)
 
     def _inside(self, point: np.ndarray) -> tuple[float, float]:
         """Return x, z of a point (3,) in the castle's own frame: the inverse of draw's matrices."""

@@ -15,15 +15,9 @@ State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (Ope
 
 import numpy as np
 
+from landscape.elements.best.meadow.facing import facing
 from landscape.elements.best.meadow.growth import TUFT_RADIUS, Growth
-from landscape.elements.best.meadow.refined_blades import (
-    NOTHING,
-    Patch,
-    count_at,
-    facing,
-    in_range,
-    joined,
-)
+from landscape.elements.best.meadow.refined_blades import NOTHING, Patch, count_at, in_range, joined
 from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, WIND, blade_wind
 from landscape.elements.grass import built_from as grass_built_from
 from landscape.elements.grass_cells import (

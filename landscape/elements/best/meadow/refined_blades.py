@@ -1,10 +1,7 @@
-"""Blades of the meadow as arrays: bent further, turned to the viewer, thinned out and tinted.
+"""Blades of the meadow as arrays: bent further, thinned out and tinted.
 
-The blade of 2006 and its wind are in ``elements/grass.py``. With ``grass.facing`` a blade's wide
-side turns to the viewer (R7, section 11.2.2): its direction d on the map becomes (1 - f) d + f r,
-where r is perpendicular to the line from the eye to the blade, both of length 1. For f over 0.5
-that sum never points along the line of sight, whatever d is, and it changes smoothly as one walks:
-no blade is seen edge-on, and none flips over. No OpenGL here.
+The blade of 2006 and its wind are in ``elements/grass.py``; facing.py turns blades to the viewer.
+No OpenGL here.
 """
 
 from dataclasses import dataclass
@@ -20,7 +17,6 @@ SPARSE = 0.4  # chosen: with k times fewer blades, NEAR is multiplied by k**SPAR
 WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDENING times as wide
 FOOT = 0.75  # chosen: brightness of a tinted blade at its foot, times the ground's
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: change of the ground's colour for tall grass
-SIDES = np.array([-1.0, 1.0, -0.5, 0.5], np.float32)  # sideways, of a blade's feet and shoulders
 
 
 def arched(corners: np.ndarray, arch: float) -> np.ndarray:
@@ -57,48 +53,6 @@ def thinned_ranges(count: int, near: float, radius: float) -> np.ndarray:
 def count_at(count: int, near: float, distance: float) -> int:
     """Return how many of a cell's ``count`` blades are drawn at ``distance`` units."""
     return int(np.ceil(count * min(near / max(distance, 1e-6), 1.0) ** 2))
-
-
-def facing_plain(vertices: np.ndarray, away: np.ndarray, fraction: float) -> np.ndarray:
-    """Return blades (n, 5, 3) with their wide side turned to the viewer by ``fraction``.
-
-    ``away`` (n, 2) is x, z from the eye to each blade. Width and tip stay. :func:`facing` does the
-    same in a tenth of the time.
-    """
-    half = (vertices[:, 1, ::2] - vertices[:, 0, ::2]) / 2
-    width = np.linalg.norm(half, axis=1, keepdims=True)
-    sideways = np.stack([-away[:, 1], away[:, 0]], axis=1)  # perpendicular to the line of sight
-    sideways = sideways / np.linalg.norm(sideways, axis=1, keepdims=True)
-    turned = (1.0 - fraction) * half / width + fraction * sideways
-    turned *= width / np.linalg.norm(turned, axis=1, keepdims=True)
-    out = vertices.copy()
-    out[:, :4, ::2] += SIDES[:, None] * (turned - half)[:, None]
-    return out
-
-
-def facing(columns: np.ndarray, away: np.ndarray, fraction: float) -> None:
-    """Turn blades in place as :func:`facing_plain` does: a row of all blades at a time.
-
-    ``columns``, float32 (5, 3, n), holds each coordinate of each vertex in its own row;
-    ``away`` (2, n) is x, z from the eye to each blade.
-    """
-    # Directions on the map as complex numbers, x + i z: one operation for both coordinates.
-    half = complexes(*(columns[1, ::2] - columns[0, ::2]) / 2)
-    sight = complexes(*away)
-    width = np.abs(half)
-    across = sight * np.complex64(1j * fraction)
-    turned = half * np.float32(1.0 - fraction) + across * (width / np.maximum(np.abs(sight), 1e-6))
-    moved = turned * (width / np.maximum(np.abs(turned), 1e-9)) - half
-    for vertex, side in enumerate(SIDES):
-        columns[vertex, 0] += side * moved.real
-        columns[vertex, 2] += side * moved.imag
-
-
-def complexes(real: np.ndarray, imaginary: np.ndarray) -> np.ndarray:
-    """Return complex64 (n,) with these real and imaginary parts."""
-    out = np.empty(len(real), np.complex64)
-    out.real, out.imag = real, imaginary
-    return out
 
 
 def lushness(x: np.ndarray, z: np.ndarray) -> np.ndarray:

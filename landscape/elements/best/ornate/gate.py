@@ -11,7 +11,8 @@ ARB_texture_env_crossbar (OpenGL 1.4); the texture matrix of unit 2.
 
 import numpy as np
 
-from landscape.elements.castle import Castle, light_shift
+from landscape.elements.castle import Castle
+from landscape.elements.castle_gate import light_shift
 from landscape.files.assets import Assets
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.masonry import walls_mesh

@@ -1,6 +1,6 @@
 """The castle of the preset `best`: a keep, roofs, bands, loopholes, pennants and a light map.
 
-The bricks are multiplied by a light map in a second texture unit (light_map.py); the gate is
+The bricks are multiplied by a light map in a second texture unit (baked_light.py); the gate is
 drawn in one pass as in gate.py, with the light map in a fourth unit. Slates are the same bricks in
 another colour. In a mirror image that ripples, flames and pennants are left out: they are too small
 to be recognised there. Not in the report.
@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from landscape.elements.best.ornate.baked_light import light_map
 from landscape.elements.best.ornate.gate import TIMES, CastleInOnePass, Unit
-from landscape.elements.best.ornate.light_map import light_map
 from landscape.elements.best.ornate.loopholes import loopholes
 from landscape.elements.best.ornate.ornate_masonry import ornate_masonry
 from landscape.elements.best.ornate.pennants import draw_pennants

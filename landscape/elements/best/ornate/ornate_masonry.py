@@ -1,6 +1,6 @@
 """The ornate castle's masonry: walls on a plinth, bands, battlements, a keep. No OpenGL here.
 
-Strips describe how each surface is laid out in the light map, see light_map.py.
+Strips describe how each surface is laid out in the light map, see baked_light.py.
 In the castle's own frame, as in geometry/masonry.py.
 """
 
