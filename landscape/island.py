@@ -124,6 +124,12 @@ class Island:
         self.grass = own("grass", kind["grass"], *place)
         self.sword = own("sword", Sword, settings, assets)
         self.map = own("map", Map, settings, assets)
+        self.obstacles = self._obstacles()
+
+    def _obstacles(self) -> tuple[Obstacle, ...]:
+        """Return what the walker goes around: the rabbit, the dragon, the castle's walls."""
+        standing = (self.rabbit, self.dragon, self.castle)
+        return tuple(each for element in standing if element for each in element.obstacles())
 
     def _own(
         self, names: str | tuple[str, ...], kind: Callable[..., Any] | None, *given: Any
@@ -275,12 +281,6 @@ class Island:
     def height(self, x: float, z: float) -> float:
         """Return the height of what one stands on at x, z in units: the ground or the water."""
         return float(self.ground.height(x, z))
-
-    @property
-    def obstacles(self) -> tuple[Obstacle, ...]:
-        """What the walker goes around: the castle's walls, the rabbit, the dragon."""
-        standing = (self.rabbit, self.dragon, self.castle)
-        return tuple(each for element in standing if element for each in element.obstacles())
 
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""

@@ -6,6 +6,7 @@ State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL, GL_CULL_FACE.
 """
 
 import math
+from abc import ABC, abstractmethod
 
 import numpy as np
 
@@ -32,8 +33,8 @@ def read_animal(assets: Assets, name: str, key: str) -> Mesh:
     return Mesh(vertices, vertex_normals(vertices, triangles), triangles)
 
 
-class Animal:
-    """A lit, textured mesh at a fixed place."""
+class Animal(ABC):
+    """A lit, textured mesh at a fixed place; which settings it is built from, each animal says."""
 
     def __init__(
         self,
@@ -54,9 +55,9 @@ class Animal:
         self._lists = self._compile(mesh)
 
     @staticmethod
+    @abstractmethod
     def built_from(settings: Settings) -> tuple[object, ...]:
         """Return the settings that the list was made from."""
-        raise NotImplementedError
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the animal must be rebuilt."""
@@ -82,17 +83,17 @@ class Animal:
             gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             gl.glEnable(gl.GL_LIGHTING)
-            gl.glColor4f(*COLOR)
+            self._set_material()
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
-            self._set_material()
             # A mesh with a hole shows its inside: it keeps its back faces.
             with front_faces(self._closed and self._settings.camera.cull):
                 self._list(frame).call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def _set_material(self) -> None:
-        """Change more of the material than its colour; in 2006, nothing."""
+        """Set the material: in 2006 only its colour, by GL_COLOR_MATERIAL."""
+        gl.glColor4f(*COLOR)
 
     def cast(self, shadows: ShadowMap) -> None:
         """Cast the mesh's shadow, a point per vertex, and darken the ground under it."""

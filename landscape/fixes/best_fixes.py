@@ -140,8 +140,9 @@ BEST_FIXES: tuple[Fix, ...] = (
         {"reflection.rippled": False, "reflection.stencil": True},
         "The mirrored scene is drawn over the whole framebuffer. In fig6a nothing covers it where "
         "there is no water.",
-        "Look at the horizon, beyond the edge of the last water patch. Before, clouds and hills "
-        "hang upside down where there is no water; after, nothing is mirrored there.",
+        "Look beyond the straight edge of the last water patch. Before, clouds and hills are "
+        "mirrored in a sea that is not there; after, only the water mirrors. What is left beyond "
+        "it is empty: the flat colour of glClearColor.",
         "The water surface is first drawn into the stencil buffer only (glStencilOp, with "
         "glColorMask off). The mirrored scene then passes the stencil test only where the water "
         "is. The preset `best` renders its mirror image to a texture and needs no stencil.",

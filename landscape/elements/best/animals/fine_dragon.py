@@ -58,6 +58,7 @@ class FineDragon(FineAnimal):
 
     def _set_material(self) -> None:
         """Add the specular highlight; popping GL_LIGHTING_BIT restores all of this."""
+        super()._set_material()
         gloss = self._settings.dragon.gloss
         if not gloss:
             return
