@@ -1,0 +1,114 @@
+"""The window's texts, in each language, and the panel that shows them."""
+
+import numpy as np
+import pytest
+from PIL import ImageFont
+from stage import Stage, changes, snapshot
+
+from landscape.gl.calls import gl
+from landscape.window import words
+from landscape.window.bindings import BINDINGS, NAMED_KEYS, SETTINGS, SWITCHES
+from landscape.window.panel import Panel, font, keys_image, line_image, writable
+
+pytestmark = pytest.mark.window
+
+
+def test_every_text_that_is_shown_exists() -> None:
+    english = words.TEXTS["en"]
+    shown = (
+        {f"help.{binding.action}" for binding in BINDINGS}
+        | set(NAMED_KEYS.values())
+        | {"help.title", "hint"}
+    )
+    shown |= {f"{name}.{way}" for name in (*SETTINGS, "fly", "wireframe") for way in ("on", "off")}
+    assert shown <= set(english)
+    for table in words.TEXTS.values():
+        assert set(table) <= set(english)
+    for key, french in words.TEXTS["fr"].items():
+        assert french.count("{") == english[key].count("{")
+
+
+def test_every_switch_is_in_the_list_of_keys() -> None:
+    listed = {key for binding in BINDINGS for key in binding.keys}
+    assert set(SWITCHES) <= listed
+
+
+@pytest.mark.parametrize(
+    ("variables", "language"),
+    [
+        ({}, "en"),
+        ({"LANG": "fr_FR.UTF-8"}, "fr"),
+        ({"LANG": "fr"}, "fr"),
+        ({"LANG": "fr_FR.UTF-8", "LC_ALL": "C"}, "en"),
+        ({"LANG": "C", "LANGUAGE": "de:fr_CA:en"}, "fr"),
+        ({"LANG": "de_DE.UTF-8"}, "en"),
+        ({"LANG": "fr_FR.UTF-8", "LANGUAGE": "en"}, "en"),
+    ],
+)
+def test_the_environment_chooses_the_language(variables: dict[str, str], language: str) -> None:
+    assert words.language(variables) == language
+
+
+ROWS = [("W A S D", "walk (arrows up and down as well)"), ("Page up", "fly, and so on")] * 8
+
+
+@pytest.mark.parametrize("size", [(640, 480), (1920, 1080), (1600, 900), (320, 240)])
+def test_the_list_of_keys_fits_and_its_font_grows_with_the_window(size: tuple[int, int]) -> None:
+    image = keys_image("Keys", ROWS, size)
+    assert image.shape[1] <= size[0]
+    assert image.shape[0] <= size[1]
+    if size[1] >= 480:
+        assert image.shape[0] > 0.5 * size[1], "the letters are too small for the window"
+
+
+def test_long_texts_shrink_the_font_until_the_list_fits() -> None:
+    rows = [
+        ("Left Right", "a text as long as some other language may well need to say the same")
+    ] * 15
+    assert keys_image("Keys", rows, (640, 900)).shape[1] <= 640
+    assert (
+        line_image("as long as a message in some other language may be", (320, 900)).shape[1] <= 320
+    )
+
+
+def test_no_window_is_too_small_for_text() -> None:
+    for size in ((1, 1), (3, 200), (200, 3)):
+        assert keys_image("Keys", ROWS, size).size
+        assert line_image("screenshot-0001.png saved", size).size
+
+
+def test_characters_that_the_font_lacks_are_replaced() -> None:
+    own = ImageFont.load_default(16)
+    assert writable("Échap, à pied: \uffff", own) == "Echap, a pied: ?"
+    assert writable("Esc", font(16)) == "Esc"
+
+
+def test_the_panel_shows_its_texels_one_to_one(stage: Stage) -> None:
+    panel = Panel("Keys", [("A", "b")])
+    image = line_image("fog off", stage.size).astype(float)
+    height, width = image.shape[:2]
+    left, bottom = (stage.size[0] - width) // 2, stage.size[1] - stage.size[1] // 24
+    with stage.borrowed():
+        gl.glViewport(0, 0, *stage.size)
+        gl.glClearColor(1.0, 1.0, 1.0, 1.0)
+        gl.glEnable(gl.GL_DEPTH_TEST)
+        gl.glEnable(gl.GL_FOG)
+        # A fog that would swallow all words.
+        gl.glFogi(gl.GL_FOG_MODE, gl.GL_LINEAR)
+        gl.glFogf(gl.GL_FOG_START, -2.0)
+        gl.glFogf(gl.GL_FOG_END, -1.0)
+        before = snapshot()
+        for opacity in (1.0, 0.5):
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+            panel.draw(stage.size, message="fog off", opacity=opacity)
+            picture = stage.read()
+            alpha = image[..., 3:] / 255 * opacity
+            expected = image[..., :3] * alpha + 255 * (1 - alpha)
+            shown = picture[bottom - height : bottom, left : left + width]
+            assert np.abs(shown - expected).max() <= 2
+            assert (picture[: bottom - height] == 255).all()
+        panel.draw(stage.size, keys=True)
+        assert (stage.read()[stage.size[1] // 2, stage.size[0] // 2] < 255).any()
+        assert not changes(before, snapshot())
+    panel.release()
+    panel.release()
