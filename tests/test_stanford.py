@@ -1,8 +1,8 @@
 """Fetching the Stanford scans: served from 127.0.0.1, with a mesh of four vertices."""
 
 import errno
-import http.server
 import gzip
+import http.server
 import io
 import os
 import re
