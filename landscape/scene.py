@@ -77,6 +77,9 @@ class Fix(Protocol):
     def on(self) -> Mapping[str, Any]:
         """The settings that fix it."""
 
+    def pose(self, after: bool) -> Pose:
+        """Where to look at the flaw from, or at the fix; its y may be None."""
+
 
 class OpenScene(Terrain, Protocol):
     """A scene whose elements are built, in the OpenGL context that was current then."""

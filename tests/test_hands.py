@@ -3,6 +3,15 @@
 import glfw
 import pytest
 
+from landscape.window.bindings import (
+    BY_ACTION,
+    LETTERS,
+    UNDER_THE_HAND,
+    Namer,
+    labels,
+    layout,
+    us_name,
+)
 from landscape.window.hands import JUMP, Hands
 from landscape.window.walker import Intent
 
@@ -32,6 +41,75 @@ def test_keys_make_intents_by_their_positions() -> None:
         assert hands.take() == hands.take() == (intent, ())
         hands.key(key, RELEASE)
         assert hands.take() == (Intent(), ())
+
+
+def keyboard(us: str, printed: str) -> Namer:
+    """Return what a keyboard prints where a US one prints ``us``; elsewhere it is alike."""
+    changed = dict(zip(us, printed, strict=True))
+    return lambda key: changed.get(us_name(key), us_name(key))
+
+
+AZERTY = keyboard("QWAZM;,6-", "AZQW,M;-)")
+COLEMAK = keyboard("ERTYUIOP;SDFGJKLN", "FPGJLUY;ORSTDNEIK")
+DVORAK = keyboard("QWERTYUIOPASDFGHJKL;ZXCVBNM,./'-=[]", "',.PYFGCRLAOEUIDHTNS;QJKXBMWVZ-[]/=")
+GREEK = keyboard("QWERTYUIOPASDFGHJKLZXCVBNM", ";ΣΕΡΤΥΘΙΟΠΑΣΔΦΓΗΞΚΛΖΧΨΩΒΝΜ")
+
+
+def test_a_letter_that_stands_for_a_word_is_the_key_it_is_printed_on() -> None:
+    hands = Hands(AZERTY)
+    hands.key(glfw.KEY_M, PRESS)
+    assert hands.take() == (Intent(), ()), "this key prints a comma"
+    hands.key(glfw.KEY_SEMICOLON, PRESS)
+    assert hands.take() == (Intent(), ("map",))
+    assert labels(BY_ACTION["map"], "fr", AZERTY) == "M"
+    assert labels(BY_ACTION["walk"], "fr", AZERTY) == "Z Q S D"
+
+
+def test_a_key_under_the_walking_hand_walks_whatever_is_printed_on_it() -> None:
+    # Colemak prints R where a US keyboard prints S, and F where it prints E.
+    hands = Hands(COLEMAK)
+    hands.key(glfw.KEY_S, PRESS)
+    hands.key(glfw.KEY_E, PRESS)
+    assert hands.take() == (Intent(forward=-1, strike=True), ())
+    for letter, action in (("R", "reflection"), ("F", "fly")):
+        key = layout(COLEMAK)[letter]
+        assert key not in UNDER_THE_HAND and COLEMAK(key) not in LETTERS
+        assert labels(BY_ACTION[action], "en", COLEMAK) == COLEMAK(key)
+    hands.key(glfw.KEY_R, PRESS)
+    assert hands.take()[1] == ("reflection",)
+
+
+@pytest.mark.parametrize("name", [us_name, AZERTY, COLEMAK, DVORAK, GREEK, lambda key: ""])
+def test_every_letter_has_a_key_of_its_own_on_every_keyboard(name: Namer) -> None:
+    keys = layout(name)
+    assert keys.keys() == LETTERS.keys()
+    assert len(set(keys.values())) == len(keys)
+    assert UNDER_THE_HAND.isdisjoint(keys.values())
+    for key in keys.values():
+        assert labels(BY_ACTION["help"], "en", name) and (name(key) or us_name(key))
+
+
+def test_letters_that_no_key_prints_stay_where_a_us_keyboard_has_them() -> None:
+    assert layout(GREEK) == {letter: ord(letter) for letter in LETTERS}
+    assert labels(BY_ACTION["map"], "en", GREEK) == "Μ"
+
+
+def test_the_letters_follow_a_layout_that_changes_during_the_walk() -> None:
+    printed = [us_name]
+    hands = Hands(lambda key: printed[0](key))
+    hands.key(glfw.KEY_M, PRESS)
+    printed[0] = AZERTY
+    hands.key(glfw.KEY_M, PRESS)
+    hands.key(glfw.KEY_SEMICOLON, PRESS)
+    assert hands.take()[1] == ("map", "map")
+
+
+def test_shift_and_the_key_of_the_next_fix_choose_the_one_before() -> None:
+    hands = Hands()
+    hands.key(glfw.KEY_N, PRESS)
+    hands.key(glfw.KEY_N, PRESS, glfw.MOD_SHIFT)
+    hands.key(glfw.KEY_J, PRESS, glfw.MOD_SHIFT)
+    assert hands.take()[1] == ("next_fix", "previous_fix", "go_to_fix")
 
 
 def test_opposite_keys_cancel() -> None:

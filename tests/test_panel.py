@@ -7,7 +7,7 @@ from stage import Stage, changes, snapshot
 
 from landscape.gl.calls import gl
 from landscape.window import words
-from landscape.window.bindings import BINDINGS, NAMED_KEYS, SETTINGS, SWITCHES
+from landscape.window.bindings import BINDINGS, LETTERS, NAMED_KEYS, SETTINGS
 from landscape.window.panel import Panel, font, keys_image, line_image, writable
 
 pytestmark = pytest.mark.window
@@ -28,9 +28,10 @@ def test_every_text_that_is_shown_exists() -> None:
         assert french.count("{") == english[key].count("{")
 
 
-def test_every_switch_is_in_the_list_of_keys() -> None:
-    listed = {key for binding in BINDINGS for key in binding.keys}
-    assert set(SWITCHES) <= listed
+def test_no_two_actions_share_a_key() -> None:
+    positions = [key for binding in BINDINGS if binding.action != "up_down" for key in binding.keys]
+    assert len(set(positions)) == len(positions)
+    assert len(LETTERS) == sum(bool(binding.letter) for binding in BINDINGS)
 
 
 @pytest.mark.parametrize(

@@ -212,7 +212,7 @@ from landscape.frame import Pose
 from landscape.window.recording import Plan, Tick
 from landscape.settings import preset
 from landscape.keys import with_settings
-from landscape.window.walker import Intent
+from landscape.window.walker import Intent, start
 
 values = with_settings(preset("best"), json.loads(sys.argv[1]))
 plan = Plan("island", values, "", Pose(8.0, 1.0, 33.5, 25.0), (160, 120))
@@ -229,8 +229,15 @@ with Walk(plan, Assets(), "osmesa") as walk:
         on = frame(name), frame(seconds=3.0)
         off = frame(name), frame(seconds=3.0)
         seen[name] = [*on, *off]
-    while FIXES[walk._fix].name != "R16":
+    names = [fix.name for fix in FIXES]
+    frame("previous_fix")
+    frame("go_to_fix")
+    last = FIXES[-1].pose(False)
+    moved = [walk.walker.x, walk.walker.y, walk.walker.z, walk.walker.yaw, walk.walker.pitch]
+    assert moved == [last.x, last.y, last.z, last.yaw, last.pitch], moved
+    for _ in range(names.index("R16") + 1):
         frame("next_fix")
+    walk.walker = start(plan.pose, walk._scene, walk.settings)
     frame(seconds=3.0)
     seen["fix"] = frame("fix"), frame(seconds=3.0), frame("fix"), frame(seconds=3.0)
 print(json.dumps([hint, seen]))
@@ -390,6 +397,13 @@ def test_real_key_events_walk_turn_and_strike(screen: dict[str, str], tmp_path: 
         _wait_for(look, process, "the mouse")
         xdotool(screen, "key", "F12")
         _wait_for(lambda: "screenshot-0002.png" in _text(tmp_path), process, "the picture")
+        # A French keyboard prints M where a US one prints a semicolon.
+        subprocess.run(["setxkbmap", "fr"], env=screen, check=True)
+        try:
+            xdotool(screen, "key", "m")
+            _wait_for(lambda: '"do": ["map"]' in _text(tmp_path), process, "the letter M")
+        finally:
+            subprocess.run(["setxkbmap", "us"], env=screen, check=True)
         xdotool(screen, "windowsize", window, "300", "200")
         _wait_for(lambda: '"size": [300, 200]' in _text(tmp_path), process, "the new size")
         xdotool(screen, "key", "Escape")

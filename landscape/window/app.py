@@ -23,7 +23,7 @@ from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
 from landscape.scene import SEED, Moment, OpenScene, find_view, scene
 from landscape.window import words
-from landscape.window.bindings import SETTINGS, available, key_label
+from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name
 from landscape.window.hands import Hands
 from landscape.window.panel import Panel
 from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer, read
@@ -56,7 +56,7 @@ class Walk:
         self._fix, self._assets, self._seed = 0, assets, plan.seed
         self._windowed = (60, 60, *plan.size)
         self._size = (0, 0)
-        self.hands = Hands()
+        self.hands = Hands(system_name)
         self._scene: OpenScene | None = None
         self._panel: Panel | None = None
         self._context: GLFWContext | None = GLFWContext(
@@ -83,14 +83,11 @@ class Walk:
             plan.settings, assets, plan.seed, self._kind.only(plan.only or None)
         )
         self.walker = start(plan.pose, self._scene, plan.settings)
-        rows = [
-            (" ".join(map(self._label, binding.keys)), self._word(f"help.{binding.action}"))
-            for binding in available(plan.settings, bool(self._kind.fixes))
-        ]
-        self._panel = Panel(self._word("help.title"), rows)
-        self._say(self._word("hint", letter=self._label(glfw.KEY_H)))
+        self._panel = Panel(self._word("help.title"), self._key_rows())
+        letter = labels(BY_ACTION["help"], self._language, system_name)
+        self._say(self._word("hint", letter=letter))
         glfw.set_key_callback(
-            self.window, lambda _, key, __, action, ___: self.hands.key(key, action)
+            self.window, lambda _, key, __, action, mods: self.hands.key(key, action, mods)
         )
         glfw.set_mouse_button_callback(
             self.window, lambda _, button, action, __: self.hands.button(button, action)
@@ -100,8 +97,12 @@ class Walk:
         self._last = self._counted_from = glfw.get_time()
         self._counted = 0
 
-    def _label(self, key: int) -> str:
-        return key_label(key, self._language)
+    def _key_rows(self) -> list[tuple[str, str]]:
+        """Return the rows of the help, labelled as the keyboard is now."""
+        return [
+            (labels(binding, self._language, system_name), self._word(f"help.{binding.action}"))
+            for binding in available(self.settings, bool(self._kind.fixes))
+        ]
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)
@@ -215,7 +216,7 @@ class Walk:
         elif name == "wireframe":
             self._wireframe = not self._wireframe
             self._tell(name, self._wireframe)
-        elif name in ("fix", "next_fix"):
+        elif name in ("fix", "next_fix", "previous_fix", "go_to_fix"):
             if self._kind.fixes:
                 self._switch_fix(name)
         elif SETTINGS[name] in keys.fields(type(self.settings)):
@@ -235,10 +236,13 @@ class Walk:
             former.release()
 
     def _switch_fix(self, name: str) -> None:
-        """Choose the next fix, or turn the chosen one on or off; then show its name and state."""
-        if name == "next_fix":
-            self._fix = (self._fix + 1) % len(self._kind.fixes)
+        """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""
+        way = {"next_fix": 1, "previous_fix": -1}.get(name, 0)
+        self._fix = (self._fix + way) % len(self._kind.fixes)
         fix = self._kind.fixes[self._fix]
+        if name == "go_to_fix":
+            assert self._scene is not None
+            self.walker = start(fix.pose(False), self._scene, self.settings)
         on = keys.with_settings(self.settings, fix.on) == self.settings
         if name == "fix":
             self._apply(fix.off if on else fix.on)
@@ -257,6 +261,9 @@ class Walk:
         self._scene.draw(
             Moment(walker.pose, self._size, self.kt, walker.step, walker.stroke, self._wireframe)
         )
+        if self._help:
+            # The user may have changed the keyboard's layout.
+            self._panel.set_rows(self._key_rows())
         left = self._until - self.seconds
         message = self._message if left > 0 else ""
         self._panel.draw(self._size, self._help, message, min(max(left, 0.0) / FADE, 1.0))

@@ -1,9 +1,12 @@
 """The key bindings of the walk: one table of what each key does, its label and its help text.
 
-Keys are positions on the keyboard. GLFW names its key codes after the US layout: KEY_W is the key
-labelled Z on an AZERTY keyboard. The help text of a binding is ``help.ACTION`` in words.py.
+The keys under the walking hand are positions: GLFW names its key codes after the US layout, so
+KEY_W is the key labelled Z on an AZERTY keyboard. A key that stands for a word (M for map) is the
+one with that letter printed on it, wherever it is; :func:`layout` finds it. The help text of a
+binding is ``help.ACTION`` in words.py.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,13 +24,15 @@ class Binding:
 
     ``kind`` is "held" (acts while a key is down), "switch" (acts on the walk, so recordings keep
     it) or "order" (acts on the window). ``setting`` is the dotted key of the setting that a switch
-    toggles.
+    toggles. ``keys`` are positions, unless ``letter`` is set: then the key is the one that this
+    letter is printed on.
     """
 
     action: str
-    keys: tuple[int, ...]
+    keys: tuple[int, ...] = ()
     kind: str = SWITCH
     setting: str = ""
+    letter: str = ""
 
 
 FORWARD, BACKWARD = (glfw.KEY_W, glfw.KEY_UP), (glfw.KEY_S, glfw.KEY_DOWN)
@@ -41,24 +46,34 @@ BINDINGS = (
     Binding("turn", (*TURN_LEFT, *TURN_RIGHT), HELD),
     Binding("run", RUN, HELD),
     Binding("strike", (glfw.KEY_E,)),
-    Binding("fly", (glfw.KEY_F,)),
+    Binding("fly", letter="F"),
     Binding("up_down", (glfw.KEY_SPACE, glfw.KEY_C), HELD),
-    Binding("map", (glfw.KEY_M,), setting="overlay.map"),
-    Binding("fog", (glfw.KEY_G,), setting="fog.enabled"),
-    Binding("reflection", (glfw.KEY_R,), setting="reflection.enabled"),
-    Binding("sorting", (glfw.KEY_T,), setting="transparent.sorted"),
-    Binding("wireframe", (glfw.KEY_X,)),
-    Binding("next_fix", (glfw.KEY_N,)),
-    Binding("fix", (glfw.KEY_V,)),
+    Binding("map", letter="M", setting="overlay.map"),
+    Binding("fog", letter="G", setting="fog.enabled"),
+    Binding("reflection", letter="R", setting="reflection.enabled"),
+    Binding("sorting", letter="T", setting="transparent.sorted"),
+    Binding("wireframe", letter="X"),
+    Binding("next_fix", letter="N"),
+    Binding("fix", letter="V"),
+    Binding("go_to_fix", letter="J"),
     Binding("fullscreen", (glfw.KEY_F11,), ORDER),
     Binding("screenshot", (glfw.KEY_F12,), ORDER),
-    Binding("help", (glfw.KEY_H,)),
+    Binding("help", letter="H"),
     Binding("escape", (glfw.KEY_ESCAPE,), ORDER),
 )
 
-SWITCHES = {key: b.action for b in BINDINGS if b.kind == SWITCH for key in b.keys}
-ORDERS = {key: b.action for b in BINDINGS if b.kind == ORDER for key in b.keys}
+POSITIONS = {key: b.action for b in BINDINGS if b.kind != HELD for key in b.keys}
+LETTERS = {b.letter: b.action for b in BINDINGS if b.letter}
+BY_ACTION = {b.action: b for b in BINDINGS}
 SETTINGS = {b.action: b.setting for b in BINDINGS if b.setting}
+WITH_SHIFT = {"next_fix": "previous_fix"}  # what a switch does while Shift is held
+
+# Keys that print something: GLFW's codes are the ASCII codes of what a US keyboard prints.
+PRINTING = (*range(glfw.KEY_APOSTROPHE, glfw.KEY_GRAVE_ACCENT + 1), glfw.KEY_WORLD_1)
+UNDER_THE_HAND = frozenset(
+    (*FORWARD, *BACKWARD, *LEFTWARD, *RIGHTWARD, *UP, *DOWN, glfw.KEY_E, *RUN)
+)
+Namer = Callable[[int], str]  # from a key's code to what is printed on it
 
 NAMED_KEYS = {
     glfw.KEY_LEFT: "key.left",
@@ -71,6 +86,40 @@ NAMED_KEYS = {
 }
 
 
+def us_name(key: int) -> str:
+    """Return what a US keyboard prints on a key, "" if it prints nothing."""
+    return chr(key) if key in PRINTING and key < glfw.KEY_WORLD_1 else ""
+
+
+def system_name(key: int) -> str:
+    """Return what the user's keyboard prints on a key; GLFW must be running."""
+    printed = (glfw.get_key_name(key, 0) or us_name(key)).strip()
+    # The German sharp s has two capitals.
+    return printed.upper() if len(printed.upper()) == 1 else printed
+
+
+def layout(name: Namer) -> dict[str, int]:
+    """Return the key of each letter in LETTERS on a keyboard; ``name`` says what a key prints.
+
+    A key under the walking hand always walks. A letter that is printed there, or on no key (on a
+    Greek keyboard), takes the key at the letter's place on a US keyboard, or, if that key has
+    another duty, the first free one; so every letter has a key, and the help shows which.
+    """
+    free = {key: name(key) for key in PRINTING if key not in UNDER_THE_HAND}
+    found: dict[str, int] = {}
+    for letter in LETTERS:
+        key = next((key for key, printed in free.items() if printed == letter), None)
+        if key is not None:
+            found[letter] = key
+            del free[key]
+    for letter in LETTERS:
+        if letter not in found:
+            letters = (key for key in free if chr(key).isalpha())
+            found[letter] = ord(letter) if ord(letter) in free else next(letters)
+            del free[found[letter]]
+    return found
+
+
 def available(settings: Any, fixes: bool) -> tuple[Binding, ...]:
     """Return the bindings that work in a scene with these settings, with or without fixes."""
     known = keys.fields(type(settings))
@@ -78,14 +127,14 @@ def available(settings: Any, fixes: bool) -> tuple[Binding, ...]:
         binding
         for binding in BINDINGS
         if (not binding.setting or binding.setting in known)
-        and (fixes or binding.action not in ("fix", "next_fix"))
+        and (fixes or binding.action not in ("fix", "next_fix", "go_to_fix"))
     )
 
 
-def key_label(key: int, language: str) -> str:
-    """Return what the user's keyboard prints on a key; GLFW must be running."""
-    if key in NAMED_KEYS:
-        return words.text(language, NAMED_KEYS[key])
-    # GLFW's key codes of letters are their ASCII codes.
-    printed = (glfw.get_key_name(key, 0) or chr(key)).strip()
-    return printed.upper() if len(printed.upper()) == 1 else printed
+def labels(binding: Binding, language: str, name: Namer) -> str:
+    """Return what is printed on the keys of a binding, separated by spaces."""
+    keys = (layout(name)[binding.letter],) if binding.letter else binding.keys
+    return " ".join(
+        words.text(language, NAMED_KEYS[key]) if key in NAMED_KEYS else name(key) or us_name(key)
+        for key in keys
+    )

@@ -6,16 +6,22 @@ import glfw
 
 from landscape.window.bindings import (
     BACKWARD,
+    BY_ACTION,
     DOWN,
     FORWARD,
     LEFTWARD,
-    ORDERS,
+    LETTERS,
+    ORDER,
+    POSITIONS,
     RIGHTWARD,
     RUN,
-    SWITCHES,
     TURN_LEFT,
     TURN_RIGHT,
     UP,
+    WITH_SHIFT,
+    Namer,
+    layout,
+    us_name,
 )
 from landscape.window.walker import Intent
 
@@ -23,9 +29,14 @@ JUMP = 200.0  # chosen: pixels; a larger motion between two reports is a pointer
 
 
 class Hands:
-    """Collects what GLFW reports between two frames; needs no window."""
+    """Collects what GLFW reports between two frames; needs no window.
 
-    def __init__(self) -> None:
+    ``name`` says what the keyboard prints on a key. It is asked at each press, as the user may
+    change the layout during the walk.
+    """
+
+    def __init__(self, name: Namer = us_name) -> None:
+        self._name = name
         self.captured = False
         self.orders: list[str] = []
         self._held: set[int] = set()
@@ -34,20 +45,26 @@ class Hands:
         self._look = [0.0, 0.0]
         self._last: tuple[float, float] | None = None
 
-    def key(self, key: int, action: int) -> None:
-        """Note that a key went down or up; key repeats are ignored."""
+    def key(self, key: int, action: int, mods: int = 0) -> None:
+        """Note that a key went down or up, with GLFW's bits of Shift and so on; no repeats."""
         if action == glfw.RELEASE:
             self._held.discard(key)
         if action != glfw.PRESS:
             return
         self._held.add(key)
         self._tapped.add(key)
-        if key in SWITCHES:
-            self._switches.append(SWITCHES[key])
-        elif key == glfw.KEY_ESCAPE:
+        if key == glfw.KEY_ESCAPE:
             self.orders.append("release" if self.captured else "quit")
-        elif key in ORDERS:
-            self.orders.append(ORDERS[key])
+        elif name := self._action(key):
+            to = self.orders if BY_ACTION[name].kind == ORDER else self._switches
+            to.append(WITH_SHIFT.get(name, name) if mods & glfw.MOD_SHIFT else name)
+
+    def _action(self, key: int) -> str:
+        """Return the switch or order of a key, "" if it has none."""
+        if key in POSITIONS:
+            return POSITIONS[key]
+        letters = {place: letter for letter, place in layout(self._name).items()}
+        return LETTERS[letters[key]] if key in letters else ""
 
     def button(self, button: int, action: int) -> None:
         """Capture the mouse at the first click, strike at later ones."""

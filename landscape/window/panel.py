@@ -146,6 +146,12 @@ class Panel:
         self._line: Plate | None = None
         self._made_for: dict[str, Any] = {}
 
+    def set_rows(self, rows: Sequence[tuple[str, str]]) -> None:
+        """Change the list of keys; its texture is made again only if the list differs."""
+        if list(rows) != self._rows:
+            self._rows = list(rows)
+            self._made_for.pop("keys", None)
+
     @drawing("panel")
     def draw(
         self, size: tuple[int, int], keys: bool = False, message: str = "", opacity: float = 1.0

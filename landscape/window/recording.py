@@ -32,6 +32,8 @@ ACTIONS = (
     "sorting",
     "help",
     "next_fix",
+    "previous_fix",
+    "go_to_fix",
     "fix",
 )  # switches
 FORMER = {"next_cure": "next_fix", "cure": "fix"}  # names in older recordings
