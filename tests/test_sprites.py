@@ -167,6 +167,35 @@ def test_from_above_a_tree_is_a_crown_and_not_a_line(
         assert picture[int(row), int(column)] == fixed
 
 
+def crowns_share(stage: Stage, sprites: RefinedSprites, pose: Pose) -> float:
+    """Return the fraction of the picture that the pictures from above change."""
+    tops = {"trees__crown": True, "plants__rosette": True}
+    without = calm(stage, sprites, pose, transparent__upright=True)
+    difference = calm(stage, sprites, pose, transparent__upright=True, **tops) - without
+    return float((np.abs(difference).max(axis=2) > 0).mean())
+
+
+def test_no_crown_hangs_over_a_walker_and_all_show_from_above(
+    stage: Stage, sprites: RefinedSprites
+) -> None:
+    rng = np.random.default_rng(6)
+    for _ in range(12):
+        x, z = rng.uniform(19.0, 21.0, (2, 30))
+        put(sprites, np.stack([x, 0 * x + 3.0, z], 1), np.arange(30) % 2, (0.45, 0.5))
+        eye, yaw = rng.uniform(19.2, 20.8, 2), rng.uniform(0, 360)
+        for pitch in (0.0, 25.0, -25.0):
+            assert crowns_share(stage, sprites, Pose(eye[0], 3.1, eye[1], yaw, pitch)) == 0.0
+        assert crowns_share(stage, sprites, Pose(20.0, 6.0, 21.5, 0.0, -60.0)) > 0.02
+
+
+def test_no_rosette_shows_to_an_eye_lower_than_its_leaves(
+    stage: Stage, sprites: RefinedSprites
+) -> None:
+    put(sprites, [(20.0, 3.0, 19.75)], [PLANT], (0.6, 0.6))
+    assert crowns_share(stage, sprites, Pose(20.0, 3.15, 20.0, 0.0, 0.0)) == 0.0
+    assert crowns_share(stage, sprites, Pose(20.0, 3.90, 20.0, 0.0, -60.0)) > 0.02
+
+
 @pytest.mark.parametrize("fade", [0.0, 0.5])
 def test_sprites_fade_towards_the_radius(
     stage: Stage, sprites: RefinedSprites, fade: float

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from landscape.elements.atlas import cell_coordinates
+from landscape.elements.best.sprites.refined_atlas import FLOWERING
 from landscape.elements.best.sprites.refined_planting import TintedSprites
 from landscape.elements.best.sprites.refined_quads import half_places, still_quads, turned
 from landscape.elements.best.sprites.rules import has_top, is_deer, radii
@@ -31,6 +32,9 @@ from landscape.geometry.height_field import mirrored_height
 from landscape.settings import Settings
 
 FOOT = 0.07  # chosen: half a trunk's width, times the tree's width
+# Chosen: how high the picture from above lies, times the height of a plant, of a herb that flowers,
+# and of a tree.
+ROSETTE_HEIGHT, BLOOM_HEIGHT, CROWN_HEIGHT = 0.30, 0.65, 0.62
 
 
 def rooted(sprites: TintedSprites) -> np.ndarray:
@@ -44,6 +48,13 @@ def rooted(sprites: TintedSprites) -> np.ndarray:
     places = sprites.positions.copy()
     places[:, 1] -= np.where(is_deer(sprites.cells), 0.0, sunk)
     return places
+
+
+def top_heights(cells: np.ndarray, heights: np.ndarray) -> np.ndarray:
+    """Return how high above their feet pictures from above lie (n,), for sprites' ``heights``."""
+    plant = cells >= PLANT
+    looks = [plant & np.isin(cells, FLOWERING), plant]
+    return np.asarray(heights * np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT))
 
 
 class LaidOut:
@@ -63,6 +74,7 @@ class LaidOut:
         }
         self.sizes = np.ascontiguousarray(sprites.sizes, np.float32)
         self.cells, self.flipped, self.slopes = sprites.cells, sprites.flipped, sprites.slopes
+        self.tops = top_heights(sprites.cells, self.sizes[:, 1]).astype(np.float32)
         self.leaning = leaning(sprites.slopes).astype(np.float32)
         self.tints = sprites.tints.astype(np.uint8)
         self.st = cell_coordinates(sprites.cells, sprites.flipped, QUAD_S, QUAD_T, rows)
@@ -88,16 +100,17 @@ class Crossed:
 class Choice:
     """Sprites that may be visible, in order of their indices ``which`` (n,) on the island.
 
-    For each, the position (n, 3), size (n, 2), atlas cell and radius; which are deer, and which
-    have a picture from above; for their billboards, the texture coordinates ``st`` (n, 4, 2), the
-    tint's opacity (n,) in 0..255, colours (n, 4, 4), whose alpha each frame writes, and triangles
-    (n, 6); and the boxes of what is opaque in their pictures (n, 8, 2), on the quad and in the
-    atlas.
+    For each, the position (n, 3), size (n, 2), height of its picture from above, atlas cell and
+    radius; which are deer, and which have a picture from above; for their billboards, the texture
+    coordinates ``st`` (n, 4, 2), the tint's opacity (n,) in 0..255, colours (n, 4, 4), whose alpha
+    each frame writes, and triangles (n, 6); and the boxes of what is opaque in their pictures
+    (n, 8, 2), on the quad and in the atlas.
     """
 
     which: np.ndarray
     positions: np.ndarray
     sizes: np.ndarray
+    tops: np.ndarray
     cells: np.ndarray
     radius: np.ndarray
     deer: np.ndarray
@@ -128,6 +141,7 @@ def choose(
         which=which,
         positions=places[which],
         sizes=laid_out.sizes[which],
+        tops=laid_out.tops[which],
         cells=cells,
         radius=radius[which],
         deer=np.flatnonzero(is_deer(cells)),

@@ -27,12 +27,11 @@ from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
 from landscape.geometry.wind import sway
 from landscape.settings import Settings
 
-# Sines of the viewing angle below the horizontal, all chosen: between the first two a picture from
-# above fades in, between the others the upright picture fades out.
+# Sines of the angle at which the eye looks down on a picture from above, all chosen: between the
+# first two it fades in, between the others the upright picture fades out.
 COMES, GOES = (0.35, 0.70), (0.80, 0.97)
-ROSETTE_HEIGHT, ROSETTE_WIDTH = 0.30, 1.25  # chosen: times the plant's height and width
-BLOOM_HEIGHT, BLOOM_WIDTH = 0.65, 0.90  # chosen: the same of the herbs that flower
-CROWN_HEIGHT, CROWN_WIDTH = 0.62, 0.95  # chosen: times the tree's height and width
+# Chosen: the picture's width, times that of a plant, of a herb that flowers, and of a tree.
+ROSETTE_WIDTH, BLOOM_WIDTH, CROWN_WIDTH = 1.25, 0.90, 0.95
 TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay off
 
 TWO_BOXES = np.concatenate([QUAD, QUAD + 4])  # what is opaque in a picture, see atlas.outlines
@@ -43,7 +42,8 @@ class Seen:
     """How the eye sees each sprite of a choice, (n,) each.
 
     ``away`` is the horizontal distance in units, ``below`` the sine of the angle at which the eye
-    looks down on it, ``depth`` the eye-space z, ``alpha`` 0..1.
+    looks down on its picture from above: negative for an eye below that, as a walker's is under a
+    tree. ``depth`` is the eye-space z, ``alpha`` 0..1.
     """
 
     away: np.ndarray
@@ -113,7 +113,8 @@ class SpritesInView:
         x, y, z = line.T
         flat = x * x + z * z
         away = np.sqrt(flat)
-        below = -y / np.sqrt(np.maximum(flat + y * y, 1e-12))
+        to_top = y + choice.tops
+        below = -to_top / np.sqrt(np.maximum(flat + to_top * to_top, 1e-12))
         alpha = clearness(settings, choice.radius, choice.sizes[:, 0], away)
         return Seen(away, below, frame.depth(choice.positions), alpha)
 
@@ -206,8 +207,7 @@ class SpritesInView:
             cells, sizes, middles = every.cells, every.sizes, every.places[rooted].copy()
             plant = cells >= PLANT
             looks = [plant & np.isin(cells, FLOWERING), plant]
-            rise = np.select(looks, [BLOOM_HEIGHT, ROSETTE_HEIGHT], CROWN_HEIGHT)
-            middles[:, 1] += sizes[:, 1] * rise
+            middles[:, 1] += every.tops
             widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
             quads = lying(middles, widths, every.slopes * plant[:, None], own_turn(middles))
             st = top_coordinates(cells, every.rows)
