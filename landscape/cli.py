@@ -202,11 +202,12 @@ def _assets_check(options: argparse.Namespace) -> int:
 
 
 def _assets_sheet(options: argparse.Namespace) -> int:
-    from landscape.files.output import save_png
+    from landscape.files.output import output_paths, save_png
     from landscape.gallery.sheet import contact_sheet
 
-    save_png(contact_sheet(options.assets), options.out)
-    print(options.out)
+    (path,) = output_paths(options.out, ["sheet"])
+    save_png(contact_sheet(options.assets), path)
+    print(path)
     return 0
 
 
@@ -219,9 +220,12 @@ def _assets_fetch(options: argparse.Namespace) -> int:
 
 
 def _bench(options: argparse.Namespace) -> int:
-    from landscape.files.output import write_whole
+    from landscape.files.output import check_writable, write_whole
     from landscape.files.progress import Progress
     from landscape.tools import bench
+
+    if options.json is not None:
+        check_writable(options.json, "--json ")
 
     kinds = _scenes(options.views)
     asked = bench.Options(

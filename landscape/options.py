@@ -123,7 +123,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         help="one contact sheet of all assets",
         epilog="example: landscape assets sheet --out sheet.png",
     )
-    sheet.add_argument("--out", type=Path, default=Path("sheet.png"), metavar="FILE.png")
+    sheet.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: sheet.png")
     sheet.add_argument("--assets", type=Path, metavar="DIR")
     sheet.set_defaults(run=run["assets sheet"])
     fetch = actions.add_parser(

@@ -594,10 +594,12 @@ def test_a_wrong_argument_of_another_command_is_refused(
         ("file/a/b/c", 2, "file"),
         ("file", 1, "file"),
         ("both.png", 2, "expected a folder for 2 views"),
-        ("picture.jpg", 1, "FILE.png"),
+        ("picture.jpg", 1, "ends in .png"),
+        ("picture.pdf", 1, "ends in .png"),
+        ("pictures.zip", 2, "ends in .png"),
         ("/proc/nowhere", 1, "/proc/nowhere"),
         ("/proc/nowhere/x.png", 1, "/proc/nowhere"),
-        ("/dev/null", 1, "/dev/null"),
+        ("/dev/null", 2, "/dev/null"),
         ("x" * 300 + ".png", 1, "xxx"),
         ("x" * 300, 1, "xxx"),
     ],
@@ -610,6 +612,22 @@ def test_an_output_that_cannot_be_written_is_refused(
     refused(shell(*SMALL, *names, *shell.small, "--only=ground", "--out", out), word)
     assert [p.name for p in shell.cwd.iterdir()] == ["file"]
     assert (shell.cwd / "file").read_text() == "kept"
+
+
+def test_a_picture_can_be_written_into_a_device(shell: Shell) -> None:
+    drawn = (*SMALL, *POSE, *shell.small, "--only=ground")
+    done = shell(*drawn, "--out", "/dev/null")
+    assert (done.status, done.err) == (0, "") and Path("/dev/null").is_char_device()
+    refused(shell(*drawn, "--out", "/dev/full"), "/dev/full", "No space left on device")
+
+
+def test_a_file_of_another_format_is_no_folder_of_figures(shell: Shell) -> None:
+    for out in ("q.pdf", "q.png"):
+        refused(shell("figures", "fig35a", "--out", out), out, "a folder")
+        refused(shell("figures", "fig35a", "--check", "--out", out), out, "a folder")
+        refused(shell("assets", "fetch-stanford", "--out", out), out, "a folder")
+    refused(shell("bench", "fig35a", "--json", "."), "--json .", "found a folder")
+    assert files(shell.cwd) == {}
 
 
 def test_a_failed_run_keeps_the_earlier_file_and_leaves_no_folder(shell: Shell) -> None:
@@ -626,7 +644,7 @@ def test_the_contact_sheet_of_broken_assets_is_not_written(shell: Shell) -> None
     (shell.cwd / "mine").mkdir()
     (shell.cwd / "mine" / "water.png").write_bytes(b"")
     refused(shell("assets", "sheet", "--assets", "mine", "--out", "sheet.png"), "water.png")
-    refused(shell("assets", "sheet", "--out", "mine"), "mine")
+    refused(shell("assets", "sheet", "--out", "sheet.jpg"), "sheet.jpg", "ends in .png")
     assert list(files(shell.cwd)) == ["water.png"]
 
 

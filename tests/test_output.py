@@ -14,7 +14,15 @@ from PIL import Image
 
 from landscape.errors import InputError
 from landscape.files import output
-from landscape.files.output import output_paths, save_png, write_all, write_whole
+from landscape.files.output import (
+    Output,
+    check_output_folder,
+    check_writable,
+    output_paths,
+    save_png,
+    write_all,
+    write_whole,
+)
 
 
 def full_disk(*_: object, **__: object) -> None:
@@ -126,6 +134,74 @@ def test_a_symbolic_link_is_followed_and_not_replaced(tmp_path: Path) -> None:
     assert len(list((tmp_path / "real").iterdir())) == 1
 
 
+def test_a_link_to_nothing_makes_what_it_points_to(tmp_path: Path) -> None:
+    link = tmp_path / "link.bin"
+    link.symlink_to("deep/a.bin")
+    write_whole(link, b"new")
+    assert link.is_symlink() and (tmp_path / "deep" / "a.bin").read_bytes() == b"new"
+
+
+def test_a_link_that_leads_to_itself_is_refused_and_kept(tmp_path: Path) -> None:
+    link = tmp_path / "link.bin"
+    link.symlink_to(link)
+    with pytest.raises(InputError, match=r"link\.bin: cannot be written \(Too many levels"):
+        write_whole(link, b"new")
+    assert link.is_symlink()
+
+
+def test_a_pipe_is_written_into_and_not_replaced(tmp_path: Path) -> None:
+    path = tmp_path / "pipe.png"
+    os.mkfifo(path)
+    # Open for reading and writing: neither end waits for the other.
+    pipe = os.open(path, os.O_RDWR | os.O_NONBLOCK)
+    write_whole(path, [b"abc", b"def"])
+    assert os.read(pipe, 100) == b"abcdef"
+    os.close(pipe)
+    assert path.is_fifo() and list(tmp_path.iterdir()) == [path]
+
+
+def test_a_device_is_written_into_and_not_replaced() -> None:
+    # A terminal, because its place cannot be taken even by a program that tries to.
+    terminal, device = os.openpty()
+    path = Path(os.ttyname(device))
+    write_whole(path, b"abc")
+    assert os.read(terminal, 100) == b"abc" and path.is_char_device()
+    os.close(terminal)
+    os.close(device)
+
+
+def test_a_pipe_whose_reader_has_gone_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+    pipe = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+    output = Output(path)
+    os.close(pipe)
+    with pytest.raises(InputError, match=r"pipe: cannot be written \(Broken pipe\)"):
+        output.write(b"abc")
+
+
+def test_a_replaced_file_keeps_its_rights(tmp_path: Path) -> None:
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    path.chmod(0o640)
+    write_whole(path, b"new")
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+
+
+def test_a_file_that_may_not_be_written_is_refused_and_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    # Rights do not bind root: this is what the system answers to anybody else.
+    monkeypatch.setattr(output.os, "access", lambda *_: False)
+    with pytest.raises(InputError, match=r"a\.bin: cannot be written \(Permission denied\)"):
+        write_whole(path, b"new")
+    with pytest.raises(InputError, match=r"--json .*a\.bin: expected a folder that can be"):
+        check_writable(path, "--json ")
+    assert path.read_bytes() == b"old"
+
+
 def test_a_file_name_of_the_greatest_length_is_written(tmp_path: Path) -> None:
     path = tmp_path / ("x" * 251 + ".png")
     write_whole(path, b"abc")
@@ -162,10 +238,29 @@ def test_a_folder_that_has_the_name_of_a_picture_is_a_folder(tmp_path: Path) -> 
         assert output_paths(tmp_path / name, ["a"]) == [tmp_path / name / "a.png"]
 
 
-@pytest.mark.parametrize("name", ["a.jpg", "a.JPEG", "a.webp"])
-def test_a_picture_of_another_format_is_refused(name: str, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=rf"{name}: expected FILE\.png or a folder"):
-        output_paths(tmp_path / name, ["a"])
+@pytest.mark.parametrize("name", ["a.jpg", "a.JPEG", "a.pdf", "a.svg", "a.png.gz", "standing.txt"])
+def test_a_file_of_another_format_is_refused(name: str, tmp_path: Path) -> None:
+    (tmp_path / "standing.txt").write_text("kept")
+    for names in (["a"], ["a", "b"]):
+        with pytest.raises(InputError, match=r"expected a name that ends in \.png, or a folder"):
+            output_paths(tmp_path / name, names)
+    with pytest.raises(InputError, match=rf"--out .*{name}: expected a folder"):
+        check_output_folder(tmp_path / name)
+    assert [p.name for p in tmp_path.iterdir()] == ["standing.txt"]
+
+
+def test_a_folder_to_be_made_may_have_a_number_after_a_dot(tmp_path: Path) -> None:
+    assert output_paths(tmp_path / "run-1.5", ["a"]) == [tmp_path / "run-1.5" / "a.png"]
+    check_output_folder(tmp_path / "run-1.5")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_one_picture_may_go_into_a_pipe_or_a_device_of_any_name(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    assert output_paths(tmp_path / "pipe", ["a"]) == [tmp_path / "pipe"]
+    assert output_paths(Path("/dev/null"), ["a"]) == [Path("/dev/null")]
+    with pytest.raises(InputError, match="expected a folder for 2 views"):
+        output_paths(tmp_path / "pipe", ["a", "b"])
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")

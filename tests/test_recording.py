@@ -1,7 +1,9 @@
 """Recorded walks: written, read back, and refused where they are damaged."""
 
 import dataclasses
+import errno
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -65,10 +67,46 @@ def test_an_empty_or_unfinished_recording_does_not_replace_an_earlier_file(tmp_p
     assert path.read_text() == "earlier"
 
 
-@pytest.mark.parametrize("name", ["missing/a.jsonl", "."])
+@pytest.mark.parametrize("name", ["file/a.jsonl", "."])
 def test_a_path_that_cannot_be_written_is_bad_input(tmp_path: Path, name: str) -> None:
+    (tmp_path / "file").write_text("kept")
     with pytest.raises(InputError, match="--record"):
         Writer(tmp_path / name, plan())
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_recording_goes_through_links_and_pipes_and_replaces_neither(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "deep" / "real.jsonl")
+    write(tmp_path / "link", plan(), TICKS)
+    assert (tmp_path / "link").is_symlink()
+    assert recording.read(tmp_path / "deep" / "real.jsonl") == (plan(), TICKS)
+
+    os.mkfifo(tmp_path / "pipe")
+    # Open for reading and writing: neither end waits for the other.
+    pipe = os.open(tmp_path / "pipe", os.O_RDWR | os.O_NONBLOCK)
+    write(tmp_path / "pipe", plan(), TICKS)
+    (tmp_path / "copy").write_bytes(os.read(pipe, 1 << 20))
+    os.close(pipe)
+    assert (tmp_path / "pipe").is_fifo()
+    assert recording.read(tmp_path / "copy") == (plan(), TICKS)
+
+
+def test_a_recording_on_a_full_disk_leaves_what_was_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.jsonl"
+    path.write_text("earlier")
+    writer = Writer(path, plan())
+    writer.add(TICKS[0])
+
+    def full_disk(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "replace", full_disk)
+    with pytest.raises(InputError, match=r"--record .*a\.jsonl: .*No space left"):
+        writer.finish()
+    assert path.read_text() == "earlier" and not writer.finish()
+    assert [p.name for p in tmp_path.iterdir()] == ["a.jsonl"]
 
 
 def _with(line: int, **changes: Any):

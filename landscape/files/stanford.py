@@ -26,7 +26,7 @@ import numpy as np
 
 from landscape.errors import InputError
 from landscape.files.meshes import parse_ply
-from landscape.files.output import check_folder, write_all
+from landscape.files.output import check_output_folder, check_writable, write_all
 from landscape.files.progress import Progress
 
 BASE_URL = "https://graphics.stanford.edu/pub/3Dscanrep"
@@ -79,11 +79,10 @@ def fetch(destination: Path, base_url: str = BASE_URL, quiet: bool = False) -> l
     destination = Path(destination)
     if urllib.parse.urlsplit(base_url).scheme not in ("http", "https"):
         raise InputError(f"{base_url}: expected an address that begins with http:// or https://")
-    check_folder(destination)
+    check_output_folder(destination)
     paths = [destination / scan.file for scan in SCANS]
     for path in paths:
-        if path.is_dir():
-            raise InputError(f"{path}: is a folder, expected a file or nothing")
+        check_writable(path)
     write_all(
         {
             path: download(scan, f"{base_url.rstrip('/')}/{scan.archive}", quiet)

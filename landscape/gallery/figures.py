@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from landscape.files.images import read_image
-from landscape.files.output import save_png, write_whole
+from landscape.files.output import check_output_folder, save_png, write_whole
 from landscape.files.progress import Progress
 from landscape.gallery.compare import agree, amplified
 from landscape.gallery.page import page
@@ -18,6 +18,7 @@ RENDERER = "renderer.txt"  # names the OpenGL that drew the committed pictures
 
 def make(names: list[str], out: Path, options: Mapping[str, Any], quiet: bool) -> list[Path]:
     """Draw panels into a folder; return the files."""
+    check_output_folder(out)
     paths = []
     for panel, picture, _ in drawn(named_panels(names), options, quiet):
         paths.append(out / f"{panel.name}.png")
@@ -45,6 +46,7 @@ def check(
     For each panel that differs, the expected picture, the new one and their difference are written
     to ``out``.
     """
+    check_output_folder(out)
     kept = folder / RENDERER
     expected_renderer = kept.read_text(encoding="utf-8").strip() if kept.exists() else ""
     wanted = named_panels(names)

@@ -7,14 +7,14 @@ precision. Assets are not stored: replaying a walk on your own island needs the 
 """
 
 import json
-import os
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from landscape.errors import InputError
+from landscape.files.output import Output
+from landscape.files.processes import interrupts_held
 from landscape.frame import Pose
 from landscape.keys import fields as keys_of
 from landscape.keys import get, with_settings
@@ -105,61 +105,36 @@ def tick_line(tick: Tick, size: tuple[int, int]) -> dict[str, Any]:
 
 
 class Writer:
-    """Writes a recording to a temporary file, which gets its name when the walk ends."""
+    """Writes a recording, which appears in its place when the walk ends (files/output.py)."""
 
     def __init__(self, path: Path, plan: Plan) -> None:
-        """Create the file; InputError if it cannot be written."""
-        self._path, self._size, self._count = path, plan.size, 0
-        self._part = path.with_name(f".{path.name}.{os.getpid()}.part")
-        if path.is_dir():
-            raise InputError(f"--record {path}: expected a file, found a folder")
-        self._file: IO[str] | None = None
-        try:
-            # Line buffered: a walk that is killed still leaves its frames in the temporary file.
-            self._file = open(self._part, "w", buffering=1, encoding="utf-8")  # noqa: SIM115
-        except OSError as error:
-            raise InputError(f"--record {path}: cannot be written ({error.strerror})") from None
+        """Begin the file; InputError if it cannot be written."""
+        self._size, self._count = plan.size, 0
+        self._output = Output(path, f"--record {path}")
         self._write(plan_line(plan))
 
     def _write(self, line: Mapping[str, Any]) -> None:
-        assert self._file is not None
-        try:
-            self._file.write(json.dumps(line, allow_nan=False) + "\n")
-        except OSError as error:
-            self.discard()
-            raise InputError(f"--record {self._path}: {error.strerror}") from None
+        self._output.write((json.dumps(line, allow_nan=False) + "\n").encode())
 
     def add(self, tick: Tick) -> None:
-        """Write one frame."""
-        self._write(tick_line(tick, self._size))
-        self._size = tick.size
-        self._count += 1
+        """Write one frame; InputError where the disk is full, and then the recording is gone."""
+        with interrupts_held():  # or the count of the frames could be wrong
+            self._write(tick_line(tick, self._size))
+            self._size = tick.size
+            self._count += 1
 
     def finish(self) -> bool:
-        """Close the file and give it its name; return False if no frame was recorded."""
-        if self._file is None or not self._count:
+        """Complete the recording; return False if no frame was recorded, or it is gone."""
+        if not self._count or self._output.closed:
             self.discard()
             return False
         self._write({"frames": self._count})
-        try:
-            self._file.flush()
-            os.fsync(self._file.fileno())
-            self._file.close()
-            os.replace(self._part, self._path)
-        except OSError as error:
-            self.discard()
-            raise InputError(f"--record {self._path}: {error.strerror}") from None
-        self._file = None
+        self._output.finish()
         return True
 
     def discard(self) -> None:
-        """Delete the temporary file."""
-        if self._file is not None:
-            file, self._file = self._file, None
-            # Closing fails on a full disk, but the file is being discarded anyway.
-            with suppress(OSError):
-                file.close()
-            self._part.unlink(missing_ok=True)
+        """Leave what stood there before."""
+        self._output.discard()
 
 
 def read(path: Path) -> tuple[Plan, list[Tick]]:
