@@ -17,7 +17,7 @@ from landscape import keys
 from landscape.errors import InputError, NoOpenGLError
 from landscape.frame import Pose
 from landscape.options import parse
-from landscape.scene import SCENES, Scene, check_options, find_view, listed_views, scene
+from landscape.scene import SCENES, Scene, find_view, listed_views, scene
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -244,29 +244,11 @@ def _bench(options: argparse.Namespace) -> int:
     return 0
 
 
-def _setting_rows(options: argparse.Namespace) -> list[dict[str, Any]]:
-    """Return the settings of every scene; a change goes to the scenes that have its key."""
-    kinds = [scene(name) for name in SCENES]
-    changes = _changes(options, *kinds)
-    check_options(options.preset, changes, None)
-    rows = []
-    for kind in kinds:
-        preset = options.preset if options.preset in kind.presets else None
-        current, _ = keys.current_names(kind.settings, changes)
-        own = {key: v for key, v in current.items() if key in keys.fields(type(kind.settings))}
-        rows += [{**row, "scene": kind.name} for row in keys.table(kind.values(preset, own))]
-    return rows
-
-
 def _settings(options: argparse.Namespace) -> int:
-    rows = _setting_rows(options)
-    if options.json:
-        print(json.dumps(rows, indent=1))
-    else:
-        for row in rows:
-            value = row["value"]
-            shown = ",".join(f"{v:g}" for v in value) if isinstance(value, tuple) else value
-            print(f"{row['key']:28} {shown!s:20} {row['unit']} [{row['source']}]")
+    from landscape.tools.settings_list import as_text, rows
+
+    found = rows(options.preset, _changes(options, *map(scene, SCENES)), options.word)
+    print(json.dumps(found, indent=1) if options.json else "\n".join(as_text(found)))
     return 0
 
 

@@ -33,14 +33,20 @@ class Renamed:
 def setting(
     default: Any,
     source: str,
-    unit: str = "",
+    does: str,
     low: float | None = None,
     high: float | None = None,
     choices: tuple[str, ...] = (),
+    unit: str = "",
+    needs: tuple[str, ...] = (),
 ) -> Any:
-    """Declare one setting: its default, the source of the default, its unit and its limits."""
-    meta = {"source": source, "unit": unit, "low": low, "high": high, "choices": choices}
-    return field(default=default, metadata=meta)
+    """Declare one setting: its default, the source of the default, what it does, and its limits.
+
+    ``unit`` may be left out where the values have none. ``needs`` are the conditions under which
+    the setting has an effect, see :mod:`landscape.conditions`.
+    """
+    meta = {"source": source, "does": does, "low": low, "high": high, "choices": choices}
+    return field(default=default, metadata={**meta, "unit": unit, "needs": needs})
 
 
 _FIELDS: dict[type, dict[str, Field]] = {}
@@ -200,16 +206,28 @@ def expected(item: Field) -> str:
     return f"{'a whole number' if isinstance(default, int) else 'a number'} {limits}"
 
 
+def unit(item: Field) -> str:
+    """Return the unit of a setting's values, or what kind of value it takes."""
+    default = item.default
+    if item.metadata["unit"]:
+        return str(item.metadata["unit"])
+    if isinstance(default, bool):
+        return "on or off"
+    return ("name" if item.metadata["choices"] else "file") if isinstance(default, str) else ""
+
+
 def table(settings: Any) -> list[dict[str, Any]]:
-    """Return every key with its value, default, unit, source and the values it accepts."""
+    """Return every key with its value, default, unit, source, what it does and what it accepts."""
     return [
         {
             "key": key,
             "value": get(settings, key),
             "default": item.default,
-            "unit": item.metadata["unit"],
+            "unit": unit(item),
             "source": item.metadata["source"],
+            "does": item.metadata["does"],
             "expected": expected(item),
+            **{name: item.metadata[name] for name in ("low", "high", "choices")},
         }
         for key, item in fields(type(settings)).items()
     ]

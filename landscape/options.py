@@ -144,7 +144,14 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     bench.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
     _common(bench, samples=0)
 
-    values = command("settings", "list every setting", "--preset best --json")
+    values = command("settings", "list the settings: all, or some", "fog --preset 2006")
+    values.add_argument(
+        "word",
+        nargs="?",
+        default="",
+        metavar="GROUP|WORD",
+        help="a group such as fog, part of a key, or a word of what a setting does; default: all",
+    )
     values.add_argument("--json", action="store_true")
     _common(values, samples=0, preset="best or 2006; default: best")
 

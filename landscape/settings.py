@@ -1,7 +1,8 @@
-"""The island's constants as settings: key, value, unit, source; and its two presets.
+"""The island's constants as settings: key, value, what it does, unit, source; and its two presets.
 
 The defaults are the preset ``2006``: the report's numbers where it gives them, "chosen" where it
-does not. The preset ``best`` is a table of differences. See :mod:`landscape.keys`.
+does not. The preset ``best`` is a table of differences. See :mod:`landscape.keys`, and
+:mod:`landscape.conditions` for ``needs`` and ``NEEDS``.
 """
 
 from dataclasses import dataclass
@@ -10,60 +11,149 @@ from typing import ClassVar
 from landscape import keys
 from landscape.keys import Renamed, Value, setting
 
+WALKING = ("walk",)
+
+MESH_FILE = "PLY, OBJ, STL, OFF or GLB file"
+DEGREES, UNITS, PER_SECOND = "degrees", "units", "units per second"
+REPEATS = "repeats over the map"
+# What reads the colours of the ground's large texture, apart from the ground itself.
+COLOURS_READ = "grass.tinted or trees.grouped or plants.species>1"
+
 
 @dataclass(frozen=True)
 class Camera:
     """The perspective of the walker's eye."""
 
-    fov: float = setting(60.0, "chosen", "degrees, vertical", 1, 170)
-    near: float = setting(0.02, "chosen", "units", 1e-4, 10)
+    fov: float = setting(60.0, "chosen", "vertical field of view", 1, 170, unit=DEGREES)
+    near: float = setting(0.02, "chosen", "distance of the near plane", 1e-4, 10, unit=UNITS)
     cull: bool = setting(False, "chosen", "skip what is outside the view frustum, and back faces")
     lod_pixels: float = setting(
         0.0,
         "chosen",
-        "pixels of error allowed in a mesh simplified by vertex clustering; 0 is full detail",
+        "error allowed in a mesh simplified by vertex clustering; 0 is full detail",
         0,
         100,
+        unit="pixels",
+        needs=("rabbit or dragon",),
     )
-    far: float = setting(120.0, "chosen", "units", 1, 1e5)
+    far: float = setting(120.0, "chosen", "distance of the far plane", 1, 1e5, unit=UNITS)
 
 
 @dataclass(frozen=True)
 class Clock:
     """kt, the counter all animation reads; in 2006 it grew by one per displayed frame."""
 
-    kt_per_second: float = setting(30.0, "chosen", "kt per second", 0, 1000)
+    NEEDS: ClassVar[tuple[str, ...]] = WALKING
+
+    kt_per_second: float = setting(
+        30.0, "chosen", "how fast animation runs", 0, 1000, unit="kt per second"
+    )
 
 
 @dataclass(frozen=True)
 class Walk:
     """How the walker moves (Position in 2006)."""
 
-    speed: float = setting(0.9, "chosen", "units per second", 0, 100)
-    run: float = setting(3.0, "chosen", "times the walking speed", 1, 100)
-    turn: float = setting(75.0, "chosen", "degrees per second, by the arrows", 0, 1000)
-    mouse: float = setting(0.12, "chosen", "degrees per pixel", 0, 10)
+    speed: float = setting(0.9, "chosen", "walking speed", 0, 100, unit=PER_SECOND, needs=WALKING)
+    run: float = setting(
+        3.0, "chosen", "running speed", 1, 100, unit="times the walking speed", needs=WALKING
+    )
+    turn: float = setting(
+        75.0,
+        "chosen",
+        "how fast the arrow keys turn the view",
+        0,
+        1000,
+        unit="degrees per second",
+        needs=WALKING,
+    )
+    mouse: float = setting(
+        0.12,
+        "chosen",
+        "how far the mouse turns the view",
+        0,
+        10,
+        unit="degrees per pixel",
+        needs=WALKING,
+    )
     mouse_relative: bool = setting(
         False,
         "R13, section 11.2.6",
         "mouse motion turns the view; otherwise the pointer's position sets it",
+        needs=WALKING,
     )
-    eye: float = setting(0.1, "section 8.2", "units above the ground", 0.001, 10)
-    bob: float = setting(0.006, "section 8.2", "units, amplitude of the head's bob", 0, 1)
-    stroke_kt: float = setting(4.0, "chosen", "kt per frame of the sword's stroke", 0.01, 1000)
-    steps_per_unit: float = setting(30.0, "chosen", "steps (k_step) per unit walked", 0, 1000)
+    eye: float = setting(
+        0.1, "section 8.2", "height of the eye above the ground", 0.001, 10, unit=UNITS
+    )
+    bob: float = setting(
+        0.006,
+        "section 8.2",
+        "amplitude of the head's bob at each step",
+        0,
+        1,
+        unit=UNITS,
+        needs=WALKING,
+    )
+    stroke_kt: float = setting(
+        4.0,
+        "chosen",
+        "how long each picture of the sword's stroke is shown",
+        0.01,
+        1000,
+        unit="kt",
+        needs=(*WALKING, "sword"),
+    )
+    steps_per_unit: float = setting(
+        30.0,
+        "chosen",
+        "how fast the steps (k_step) follow each other, for the bob of head and sword",
+        0,
+        1000,
+        unit="steps per unit walked",
+        needs=WALKING,
+    )
 
 
 @dataclass(frozen=True)
 class Sun:
     """The one light, GL_LIGHT0, at infinity."""
 
-    azimuth: float = setting(130.0, "chosen", "degrees, 0 north, 90 east", -360, 360)
-    elevation: float = setting(38.0, "chosen", "degrees above the horizon", 0, 90)
-    diffuse: tuple[float, ...] = setting((1.0, 0.95, 0.85), "chosen", "RGB", 0, 10)
-    ambient: tuple[float, ...] = setting((0.50, 0.53, 0.60), "chosen", "RGB", 0, 10)
+    NEEDS: ClassVar[tuple[str, ...]] = (
+        "water or castle or rabbit or dragon or ground.shadows or ground.height_image!=height.png",
+    )
+
+    azimuth: float = setting(
+        130.0, "chosen", "direction of the sun: 0 north, 90 east", -360, 360, unit=DEGREES
+    )
+    elevation: float = setting(
+        38.0, "chosen", "height of the sun above the horizon", 0, 90, unit=DEGREES
+    )
+    diffuse: tuple[float, ...] = setting(
+        (1.0, 0.95, 0.85),
+        "chosen",
+        "colour of the light on water, castle, rabbit and dragon",
+        0,
+        10,
+        unit="RGB",
+        needs=("water or castle or rabbit or dragon",),
+    )
+    ambient: tuple[float, ...] = setting(
+        (0.50, 0.53, 0.60),
+        "chosen",
+        "colour of the ambient light on water, castle, rabbit and dragon",
+        0,
+        10,
+        unit="RGB",
+        needs=("water or castle or rabbit or dragon",),
+    )
     fill: float = setting(
-        0.0, "chosen", "times the ambient colour, a second light opposite the sun", 0, 10
+        0.0,
+        "chosen",
+        "strength of a second light, opposite the sun",
+        0,
+        10,
+        unit="times the ambient colour",
+        needs=("water or castle or rabbit or dragon",),
     )
 
 
@@ -71,23 +161,58 @@ class Sun:
 class Ground:
     """The height field (section 2)."""
 
-    height_image: str = setting("height.png", "figure 1", "image file; the red channel is height")
-    resolution: int = setting(50, "section 2.1.1", "vertices per side", 2, 1024)
-    size: float = setting(40.0, "section 9.2", "units per side", 1, 200)
-    scale_y: float = setting(6.0, "chosen", "units, height of red = 256", 0.001, 1000)
-    clip: bool = setting(True, "section 2.1.2", "clip at the water level with GL_CLIP_PLANE0")
-    large_texture: str = setting("ground_large.png", "figure 3", "image file, texture unit 0")
-    detail_texture: str = setting("ground_detail.png", "figure 3", "image file, texture unit 1")
-    detail_repeat: float = setting(160.0, "chosen", "repeats over the map", 0.1, 10000)
+    height_image: str = setting(
+        "height.png", "figure 1", "the heights: the image's red channel", unit="image file"
+    )
+    resolution: int = setting(
+        50, "section 2.1.1", "vertices per side of the height field", 2, 1024, unit="vertices"
+    )
+    size: float = setting(40.0, "section 9.2", "side of the map", 1, 200, unit=UNITS)
+    scale_y: float = setting(6.0, "chosen", "height where red is 256", 0.001, 1000, unit=UNITS)
+    clip: bool = setting(
+        True,
+        "section 2.1.2",
+        "clip ground, rabbit and dragon at the water level with GL_CLIP_PLANE0",
+        # The plane that closes shallow water hides all that is below it.
+        needs=(
+            "not water or not water.shallow or reflection.enabled",
+            "not water or not water.shallow or not reflection.rippled",
+        ),
+    )
+    large_texture: str = setting(
+        "ground_large.png",
+        "figure 3",
+        "the colours of the whole map, in texture unit 0",
+        unit="image file",
+        needs=(f"ground.units=both or ground.units=large or {COLOURS_READ}",),
+    )
+    detail_texture: str = setting(
+        "ground_detail.png",
+        "figure 3",
+        "the detail that is repeated over the map, in texture unit 1",
+        unit="image file",
+        needs=("ground.units=both or ground.units=detail",),
+    )
+    detail_repeat: float = setting(
+        160.0,
+        "chosen",
+        "how often the detail texture is repeated",
+        0.1,
+        10000,
+        unit=REPEATS,
+        needs=("ground.units=both or ground.units=detail",),
+    )
     units: str = setting(
         "both", "figure 4", "texture units in use", choices=("both", "large", "detail", "none")
     )
     mid_repeat: float = setting(
         0.0,
         "chosen",
-        "repeats over the map of the detail baked in with ground.materials; 0 is off",
+        "how often the detail baked in with ground.materials is repeated; 0 is off",
         0,
         1000,
+        unit=REPEATS,
+        needs=("ground.materials", "ground.units=both"),
     )
     smooth: str = setting(
         "none",
@@ -95,23 +220,64 @@ class Ground:
         "spline of the bicubic patches between vertices",
         choices=("none", "catmull_rom", "b_spline"),
     )
-    subdivide: int = setting(3, "R14", "subdivisions of a cell's side, for ground.smooth", 1, 8)
+    subdivide: int = setting(
+        3,
+        "R14",
+        "subdivisions of a cell's side on a smooth ground",
+        1,
+        8,
+        unit="subdivisions",
+        needs=("ground.smooth!=none",),
+    )
     exact_height: bool = setting(
         False, "R15, section 11.2.6", "heights on the drawn triangles, not on a bilinear surface"
     )
     materials: bool = setting(
-        False, "chosen", "turf, sand and rock have their own detail textures, mixed in four units"
+        False,
+        "chosen",
+        "turf, sand and rock have their own detail textures, mixed in four units",
+        needs=("ground.units=both",),
     )
     sand_texture: str = setting(
-        "ground_sand.png", "chosen", "image file, detail texture of bare ground"
+        "ground_sand.png",
+        "chosen",
+        "detail texture of bare ground",
+        unit="image file",
+        needs=("ground.materials", "ground.units=both"),
     )
     rock_texture: str = setting(
-        "ground_rock.png", "chosen", "image file, detail texture of steep ground"
+        "ground_rock.png",
+        "chosen",
+        "detail texture of steep ground",
+        unit="image file",
+        needs=("ground.materials", "ground.units=both"),
     )
-    sand_repeat: float = setting(110.0, "chosen", "repeats over the map", 0.1, 10000)
-    rock_repeat: float = setting(36.0, "chosen", "repeats over the map", 0.1, 10000)
+    sand_repeat: float = setting(
+        110.0,
+        "chosen",
+        "how often the sand is repeated",
+        0.1,
+        10000,
+        unit=REPEATS,
+        needs=("ground.materials", "ground.units=both"),
+    )
+    rock_repeat: float = setting(
+        36.0,
+        "chosen",
+        "how often the rock is repeated",
+        0.1,
+        10000,
+        unit=REPEATS,
+        needs=("ground.materials", "ground.units=both"),
+    )
     texture_size: int = setting(
-        4096, "R19, introduction", "texels per side at most; larger images are reduced", 1, 16384
+        4096,
+        "R19, introduction",
+        "the largest side of a texture; larger images are reduced",
+        1,
+        16384,
+        unit="texels",
+        needs=(f"ground.units!=none or {COLOURS_READ}",),
     )
     tiles: int = setting(
         1,
@@ -119,27 +285,58 @@ class Ground:
         "tiles per side, a display list each; tiles outside the frustum are skipped",
         1,
         64,
+        unit="tiles",
     )
     low_stretch: bool = setting(
-        False, "chosen", "low-stretch UVs: detail textures keep their scale on slopes"
+        False,
+        "chosen",
+        "low-stretch UVs: detail textures keep their scale on slopes",
+        needs=("ground.units=both or ground.units=detail",),
     )
-    shadows: bool = setting(False, "chosen", "bake shadows into the ground's large texture")
+    shadows: bool = setting(
+        False,
+        "chosen",
+        "bake shadows into the ground's large texture",
+        needs=("ground.units=both or ground.units=large or plants.shaded or grass.tinted",),
+    )
 
 
 @dataclass(frozen=True)
 class Reflection:
     """The scene drawn a second time, mirrored at the water plane (section 3)."""
 
-    enabled: bool = setting(True, "section 3.1", "draw the mirrored scene")
+    enabled: bool = setting(True, "section 3.1", "draw the mirrored scene", needs=("reflection",))
     stencil: bool = setting(
-        False, "glskel effects", "limit the reflection to the water by the stencil buffer"
+        False,
+        "glskel effects",
+        "limit the reflection to the water by the stencil buffer",
+        needs=("reflection", "water", "reflection.enabled", "not reflection.rippled"),
     )
-    castle: bool = setting(False, "chosen", "the castle is mirrored too")
+    castle: bool = setting(
+        False,
+        "chosen",
+        "the castle is mirrored too",
+        needs=("reflection", "castle", "reflection.enabled"),
+    )
     rippled: bool = setting(
-        False, "R16, section 12", "render the mirror image to a texture and distort it by the waves"
+        False,
+        "R16, section 12",
+        "render the mirror image to a texture and distort it by the waves",
+        # Without a mirror image it only chooses a sea without patches, as each of these does.
+        needs=(
+            *("water", "reflection.enabled or not water.relief"),
+            *("reflection.enabled or not water.shallow", "reflection.enabled or not water.fresnel"),
+            "reflection.enabled or not water.glitter",
+        ),
     )
     lod_scale: float = setting(
-        1.0, "chosen", "times camera.lod_pixels, for meshes in the mirror image", 1, 100
+        1.0,
+        "chosen",
+        "meshes in the mirror image may err by more pixels, and the ground's tiles are coarser",
+        1,
+        100,
+        unit="times camera.lod_pixels",
+        needs=("reflection", "reflection.enabled", "camera.lod_pixels or ground.tiles>1"),
     )
 
 
@@ -147,28 +344,106 @@ class Reflection:
 class Water:
     """The water surface (section 3)."""
 
-    level: float = setting(0.6, "chosen", "units, WATER_LEVEL", 0, 1000)
-    color: tuple[float, ...] = setting((0.2, 0.2, 0.4, 0.7), "section 3.2", "RGBA", 0, 1)
-    patch: float = setting(10.0, "section 3.2", "units per side of a patch", 0.1, 1000)
-    points: int = setting(40, "section 3.2", "vertices per side of a patch", 2, 400)
-    repeat: float = setting(4.0, "chosen", "LAMBDA_WATER, textures per patch", 0, 1000)
+    level: float = setting(0.6, "chosen", "height of the water, WATER_LEVEL", 0, 1000, unit=UNITS)
+    color: tuple[float, ...] = setting(
+        (0.2, 0.2, 0.4, 0.7),
+        "section 3.2",
+        "colour of the water; alpha is its opacity",
+        0,
+        1,
+        unit="RGBA",
+        needs=("water",),
+    )
+    patch: float = setting(
+        10.0, "section 3.2", "side of a patch", 0.1, 1000, unit=UNITS, needs=("water",)
+    )
+    points: int = setting(
+        40,
+        "section 3.2",
+        "vertices per side of a patch",
+        2,
+        400,
+        unit="vertices",
+        # Any of these has a sea without patches.
+        needs=(
+            "water",
+            *("not reflection.rippled", "not water.relief", "not water.shallow"),
+            *("not water.fresnel", "not water.glitter"),
+        ),
+    )
+    repeat: float = setting(
+        4.0,
+        "chosen",
+        "how often the texture is repeated, LAMBDA_WATER",
+        0,
+        1000,
+        unit="textures per patch",
+        needs=("water", "water.textured"),
+    )
     lod_bias: float = setting(
-        0.0, "chosen", "mip levels added to OpenGL's choice; below 0 is sharper", -4, 4
+        0.0,
+        "chosen",
+        "added to the mip level that OpenGL chooses; below 0 is sharper",
+        -4,
+        4,
+        unit="mip levels",
+        needs=("water", "water.textured"),
     )
-    trilinear: bool = setting(True, "chosen", "trilinear filtering; off, the nearest mip level")
-    textured: bool = setting(True, "figure 9", "texture the surface")
-    animated: bool = setting(True, "section 3.2", "move normals and texture coordinates")
-    time_step: float = setting(0.02, "chosen", "t per kt", 0, 10)
+    trilinear: bool = setting(
+        True,
+        "chosen",
+        "trilinear filtering; off, the nearest mip level",
+        needs=("water", "water.textured"),
+    )
+    textured: bool = setting(True, "figure 9", "texture the surface", needs=("water",))
+    animated: bool = setting(
+        True, "section 3.2", "move normals and texture coordinates", needs=("water",)
+    )
+    time_step: float = setting(
+        0.02,
+        "chosen",
+        "how fast the waves move",
+        0,
+        10,
+        unit="t per kt",
+        needs=("water", "water.animated"),
+    )
     fresnel: bool = setting(
-        False, "chosen", "opacity by the angle of view: the mirror image is strongest far away"
+        False,
+        "chosen",
+        "opacity by the angle of view: the mirror image is strongest far away",
+        needs=("water",),
     )
-    horizon: float = setting(0.0, "chosen", "units, reach of the sea beyond the patches", 0, 10000)
-    glitter: float = setting(0.0, "chosen", "strength of the sun's glints on the waves", 0, 1)
-    relief: bool = setting(False, "R17, section 3.2", "waves displace the vertices")
-    shallow: bool = setting(False, "chosen", "shallow water is clear and turquoise")
-    foam: bool = setting(False, "chosen", "breakers along the beaches")
+    horizon: float = setting(
+        0.0,
+        "chosen",
+        "how far the sea reaches beyond the patches",
+        0,
+        10000,
+        unit=UNITS,
+        needs=("water",),
+    )
+    glitter: float = setting(
+        0.0,
+        "chosen",
+        "strength of the sun's glints on the waves",
+        0,
+        1,
+        unit="of 1",
+        needs=("water",),
+    )
+    relief: bool = setting(
+        False, "R17, section 3.2", "waves displace the vertices", needs=("water",)
+    )
+    shallow: bool = setting(
+        False, "chosen", "shallow water is clear and turquoise", needs=("water",)
+    )
+    foam: bool = setting(False, "chosen", "breakers along the beaches", needs=("water",))
     query: bool = setting(
-        False, "chosen", "skip sea and mirror image while an occlusion query finds the sea hidden"
+        False,
+        "chosen",
+        "skip sea and mirror image while an occlusion query finds the sea hidden",
+        needs=("water", "reflection.rippled"),
     )
 
 
@@ -176,9 +451,13 @@ class Water:
 class Sky:
     """The sky box (section 4)."""
 
+    NEEDS: ClassVar[tuple[str, ...]] = ("sky",)
+
     set: str = setting("day", "chosen", "set of sky pictures", choices=("day", "sunset"))
-    half_width: float = setting(8.0, "chosen", "units, D", 0.5, 10000)
-    height: float = setting(5.0, "chosen", "units, H", 0.1, 10000)
+    half_width: float = setting(
+        8.0, "chosen", "distance of the walls from the centre, D", 0.5, 10000, unit=UNITS
+    )
+    height: float = setting(5.0, "chosen", "height of the box, H", 0.1, 10000, unit=UNITS)
     anchored: bool = setting(
         False, "figure 13", "stays at the centre of the map instead of following the viewer"
     )
@@ -188,7 +467,10 @@ class Sky:
         False, "R9, section 11.2.3", "drawn at the greatest depth, so it hides no terrain"
     )
     unfogged: bool = setting(
-        False, "R10, section 11.2.3", "drawn without fog; its pictures contain haze"
+        False,
+        "R10, section 11.2.3",
+        "drawn without fog; its pictures contain haze",
+        needs=("fog.enabled", "fog"),
     )
 
 
@@ -196,37 +478,70 @@ class Sky:
 class Transparent:
     """What trees, deer and plants share (section 5.1)."""
 
+    NEEDS: ClassVar[tuple[str, ...]] = ("trees or deer or plants",)
+
     radius: float = setting(
         8.0,
         "chosen",
-        "units, sprites farther away are not drawn (square root of PERIMETER_VISU_TRANSPARENT)",
+        "sprites farther away are not drawn (square root of PERIMETER_VISU_TRANSPARENT)",
         0,
         1000,
+        unit=UNITS,
     )
-    sorted: bool = setting(True, "section 5.1.2", "draw from far to near")
+    sorted: bool = setting(
+        True, "section 5.1.2", "draw from far to near", needs=("transparent.textured",)
+    )
     textured: bool = setting(True, "figure 16", "texture the quads")
     upright: bool = setting(False, "R4, section 11.2.1", "billboards turn about the y axis only")
-    split: bool = setting(False, "R3, section 5.1.2", "sort each half of a crossed quad separately")
-    fade: float = setting(0.0, "chosen", "fraction of the radius over which sprites fade in", 0, 1)
+    split: bool = setting(
+        False,
+        "R3, section 5.1.2",
+        "sort each half of a crossed quad separately",
+        needs=("plants", "transparent.sorted", "transparent.textured"),
+    )
+    fade: float = setting(
+        0.0,
+        "chosen",
+        "how far from the edge of the radius sprites fade in",
+        0,
+        1,
+        unit="of the radius",
+        needs=("transparent.textured",),
+    )
     clear_near: bool = setting(False, "chosen", "sprites fade out close to the eye")
-    rooted: bool = setting(False, "chosen", "feet are sunk slightly into slopes")
+    rooted: bool = setting(
+        False, "chosen", "feet are sunk slightly into slopes", needs=("trees or plants",)
+    )
     trimmed: bool = setting(
         False,
         "chosen",
         "quads fit the opaque part of the picture; those outside the frustum are not sent",
     )
-    min_pixels: float = setting(0.0, "chosen", "pixels; smaller sprites fade out", 0, 100)
-    trilinear: bool = setting(True, "chosen", "trilinear filtering; off, the nearest mip level")
+    min_pixels: float = setting(
+        0.0, "chosen", "sprites lower than this fade out", 0, 100, unit="pixels"
+    )
+    trilinear: bool = setting(
+        True,
+        "chosen",
+        "trilinear filtering; off, the nearest mip level",
+        needs=("transparent.textured",),
+    )
 
 
 @dataclass(frozen=True)
 class Trees:
     """Billboards (section 5.1)."""
 
-    count: int = setting(900, "chosen", "trees", 0, 200_000)
-    species: int = setting(2, "figure 15", "kinds of tree", 1, 4)
-    size_min: float = setting(0.325, "section 5.1.2", "units, width and height", 0.001, 100)
-    size_max: float = setting(0.65, "section 5.1.2", "units, width and height", 0.001, 100)
+    NEEDS: ClassVar[tuple[str, ...]] = ("trees", "trees.count")
+
+    count: int = setting(900, "chosen", "how many trees there are", 0, 200_000, unit="trees")
+    species: int = setting(2, "figure 15", "how many kinds of tree there are", 1, 4, unit="kinds")
+    size_min: float = setting(
+        0.325, "section 5.1.2", "least width and height", 0.001, 100, unit=UNITS
+    )
+    size_max: float = setting(
+        0.65, "section 5.1.2", "greatest width and height", 0.001, 100, unit=UNITS
+    )
     grouped: bool = setting(
         False, "chosen", "woods and clearings instead of a uniform distribution"
     )
@@ -239,9 +554,11 @@ class Trees:
 class Deer:
     """Billboards (section 5.1)."""
 
-    count: int = setting(70, "chosen", "deer", 0, 200_000)
-    size_min: float = setting(0.10, "chosen", "units, width and height", 0.001, 100)
-    size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
+    NEEDS: ClassVar[tuple[str, ...]] = ("deer", "deer.count")
+
+    count: int = setting(70, "chosen", "how many deer there are", 0, 200_000, unit="deer")
+    size_min: float = setting(0.10, "chosen", "least width and height", 0.001, 100, unit=UNITS)
+    size_max: float = setting(0.14, "chosen", "greatest width and height", 0.001, 100, unit=UNITS)
     follow_slope: bool = setting(
         False, "R5, section 11.2.6", "stand perpendicular to the slope, feet on the ground"
     )
@@ -251,27 +568,49 @@ class Deer:
 class Plants:
     """Crossed quads (section 5.2)."""
 
-    count: int = setting(1500, "chosen", "plants", 0, 200_000)
-    size_min: float = setting(0.06, "chosen", "units, width and height", 0.001, 100)
-    size_max: float = setting(0.14, "chosen", "units, width and height", 0.001, 100)
-    sway: float = setting(1.0, "section 5.2.2", "times the report's sway", 0, 100)
+    NEEDS: ClassVar[tuple[str, ...]] = ("plants", "plants.count")
+
+    count: int = setting(1500, "chosen", "how many plants there are", 0, 200_000, unit="plants")
+    size_min: float = setting(0.06, "chosen", "least width and height", 0.001, 100, unit=UNITS)
+    size_max: float = setting(0.14, "chosen", "greatest width and height", 0.001, 100, unit=UNITS)
+    sway: float = setting(
+        1.0, "section 5.2.2", "how far the wind moves them", 0, 100, unit="times the report's sway"
+    )
     species: int = setting(
-        1, "chosen", "kinds: the report's one, or fern, ox-eye, willow-herb, marram, heather", 1, 5
+        1,
+        "chosen",
+        "the report's one kind, or fern, ox-eye, willow-herb, marram and heather, in this order",
+        1,
+        5,
+        unit="kinds",
     )
     radius: float = setting(
-        0.0, "chosen", "units, plants farther away are not drawn; 0 is transparent.radius", 0, 1000
+        0.0,
+        "chosen",
+        "plants farther away are not drawn; 0 is transparent.radius",
+        0,
+        1000,
+        unit=UNITS,
     )
-    shaded: bool = setting(False, "chosen", "plants are darker in the ground's shadows")
+    shaded: bool = setting(
+        False,
+        "chosen",
+        "plants are darker in the ground's shadows",
+        needs=("ground.shadows", "transparent.textured"),
+    )
     quads: int = setting(
         2,
         "R6, section 11.2.2",
         "quads per plant: two at right angles, or three at 60 degrees",
         2,
         3,
+        unit="quads",
     )
-    fade_edge_on: bool = setting(False, "R6, section 11.2.2", "quads seen edge-on fade out")
+    fade_edge_on: bool = setting(
+        False, "R6, section 11.2.2", "quads seen edge-on fade out", needs=("transparent.textured",)
+    )
     crossed_within: float = setting(
-        0.0, "chosen", "units, plants farther away are single billboards; 0 is never", 0, 1000
+        0.0, "chosen", "plants farther away are single billboards; 0 is never", 0, 1000, unit=UNITS
     )
     rosette: bool = setting(False, "R6, section 11.2.2", "a horizontal rosette, visible from above")
 
@@ -280,12 +619,23 @@ class Plants:
 class Grass:
     """Blades (section 5.3)."""
 
-    count: int = setting(200_000, "section 5.3.1", "blades on the map", 0, 40_000_000)
-    scale: tuple[float, ...] = setting(
-        (1.0, 1.0), "section 5.3.2", "factors (sx, sy) on a blade's size", 0.01, 100
+    NEEDS: ClassVar[tuple[str, ...]] = ("grass", "grass.count")
+
+    count: int = setting(
+        200_000, "section 5.3.1", "how many blades the map has", 0, 40_000_000, unit="blades"
     )
-    arch: float = setting(1.0, "section 5.3.2", "factor on the tip's bend", 0, 20)
-    radius: float = setting(4.0, "chosen", "units, blades farther away are not drawn", 0, 1000)
+    scale: tuple[float, ...] = setting(
+        (1.0, 1.0),
+        "section 5.3.2",
+        "width and height of a blade (sx, sy)",
+        0.01,
+        100,
+        unit="times the report's blade",
+    )
+    arch: float = setting(
+        1.0, "section 5.3.2", "how far the tip bends", 0, 20, unit="times the report's bend"
+    )
+    radius: float = setting(4.0, "chosen", "blades farther away are not drawn", 0, 1000, unit=UNITS)
     tinted: bool = setting(False, "chosen", "blades take the colour of the ground below them")
     fade: bool = setting(
         False, "chosen", "blades shrink towards the radius instead of ending abruptly there"
@@ -293,95 +643,203 @@ class Grass:
     facing: float = setting(
         0.0,
         "R7, section 11.2.2",
-        "fraction by which blades turn to the viewer; above 0.5 none is edge-on",
+        "how far blades turn to the viewer; above 0.5 none is edge-on",
         0,
         1,
+        unit="of 1",
     )
     method: str = setting(
         "cells",
         "R18, section 5.3",
         "submit blades in one call, or one by one as in 2006",
         choices=("cells", "loop"),
+        # Any of these has a meadow, which is always drawn in one call.
+        needs=(
+            *("not grass.tinted", "not grass.fade", "not grass.facing", "not grass.tufts"),
+            *("not grass.variety", "grass.arch=1"),
+        ),
     )
-    tufts: int = setting(0, "chosen", "blades per tuft, leaning apart; 0 is off", 0, 100)
-    variety: float = setting(0.0, "chosen", "variation of tufts in height and colour", 0, 1)
+    tufts: int = setting(
+        0, "chosen", "blades per tuft, leaning apart; 0 is off", 0, 100, unit="blades"
+    )
+    variety: float = setting(
+        0.0,
+        "chosen",
+        "variation of tufts in height and colour",
+        0,
+        1,
+        unit="of 1",
+        needs=("grass.fade or grass.tinted",),
+    )
 
 
 @dataclass(frozen=True)
 class Castle:
     """Walls, towers, gate and torches (section 6)."""
 
-    x: float = setting(27.3, "chosen", "units, centre", -1e4, 1e4)
-    z: float = setting(16.9, "chosen", "units, centre", -1e4, 1e4)
-    yaw: float = setting(-160.0, "chosen", "degrees about y; 0 faces the gate north", -360, 360)
-    brick_repeat: float = setting(4.0, "chosen", "textures per wall", 0.1, 100)
-    flame_faces: bool = setting(False, "R2, section 6.1", "flames turn about y to face the viewer")
-    multitexture: bool = setting(
-        False, "R11, section 11.2.4", "bricks, door and light in one pass with three texture units"
+    x: float = setting(27.3, "chosen", "place of the centre, eastwards", -1e4, 1e4, unit=UNITS)
+    z: float = setting(16.9, "chosen", "place of the centre, southwards", -1e4, 1e4, unit=UNITS)
+    yaw: float = setting(
+        -160.0,
+        "chosen",
+        "turn about y; at 0 the gate faces north",
+        -360,
+        360,
+        unit=DEGREES,
+        needs=("castle",),
     )
-    ornate: bool = setting(False, "chosen", "a keep, roofs, bands, loopholes and pennants")
+    brick_repeat: float = setting(
+        4.0,
+        "chosen",
+        "how often the bricks are repeated",
+        0.1,
+        100,
+        unit="textures per wall",
+        needs=("castle",),
+    )
+    flame_faces: bool = setting(
+        False, "R2, section 6.1", "flames turn about y to face the viewer", needs=("castle",)
+    )
+    multitexture: bool = setting(
+        False,
+        "R11, section 11.2.4",
+        "bricks, door and light in one pass with three texture units",
+        needs=("castle", "not castle.ornate"),
+    )
+    ornate: bool = setting(
+        False, "chosen", "a keep, roofs, bands, loopholes and pennants", needs=("castle",)
+    )
 
 
 @dataclass(frozen=True)
 class Rabbit:
     """A mesh on land, cylindrical mapping (section 7)."""
 
-    mesh: str = setting("rabbit.ply", "figure 27", "mesh file: PLY, OBJ, STL, OFF, GLB")
-    x: float = setting(20.5, "chosen", "units", -1e4, 1e4)
-    z: float = setting(24.0, "chosen", "units", -1e4, 1e4)
-    yaw: float = setting(-112.0, "chosen", "degrees about y", -360, 360)
-    scale: float = setting(0.12, "chosen", "units, half the mesh's largest side", 0.001, 100)
-    l1: float = setting(8.0, "chosen", "L1, repeats around the axis", 0, 1000)
-    l2: float = setting(4.0, "chosen", "L2, repeats along the axis", 0, 1000)
+    mesh: str = setting(
+        "rabbit.ply", "figure 27", "the rabbit's mesh", unit=MESH_FILE, needs=("rabbit",)
+    )
+    x: float = setting(20.5, "chosen", "place, eastwards", -1e4, 1e4, unit=UNITS)
+    z: float = setting(24.0, "chosen", "place, southwards", -1e4, 1e4, unit=UNITS)
+    yaw: float = setting(
+        -112.0, "chosen", "turn about y", -360, 360, unit=DEGREES, needs=("rabbit",)
+    )
+    scale: float = setting(0.12, "chosen", "half the mesh's largest side", 0.001, 100, unit=UNITS)
+    l1: float = setting(
+        8.0,
+        "chosen",
+        "how often the texture is repeated around the axis, L1",
+        0,
+        1000,
+        unit="repeats",
+        needs=("rabbit", "rabbit.mapping=cylindrical"),
+    )
+    l2: float = setting(
+        4.0,
+        "chosen",
+        "how often the texture is repeated along the axis, L2",
+        0,
+        1000,
+        unit="repeats",
+        needs=("rabbit",),
+    )
     mapping: str = setting(
         "cylindrical",
         "R12, section 11.2.5",
         "cylindrical, or projected along the axis each face is most normal to",
         choices=("cylindrical", "axis"),
+        needs=("rabbit",),
     )
-    painted: bool = setting(False, "chosen", "vertex colours from the mesh file")
+    painted: bool = setting(
+        False, "chosen", "vertex colours from the mesh file, if it has any", needs=("rabbit",)
+    )
 
 
 @dataclass(frozen=True)
 class Dragon:
     """A mesh half in the water, mapped by (x, z) (section 7)."""
 
-    mesh: str = setting("dragon.ply", "figure 27", "mesh file: PLY, OBJ, STL, OFF, GLB")
-    x: float = setting(11.0, "chosen", "units", -1e4, 1e4)
-    z: float = setting(29.0, "chosen", "units", -1e4, 1e4)
-    yaw: float = setting(-30.0, "chosen", "degrees about y", -360, 360)
-    scale: float = setting(0.9, "chosen", "units, half the mesh's largest side", 0.001, 100)
+    NEEDS: ClassVar[tuple[str, ...]] = ("dragon",)
+
+    mesh: str = setting("dragon.ply", "figure 27", "the dragon's mesh", unit=MESH_FILE)
+    x: float = setting(11.0, "chosen", "place, eastwards", -1e4, 1e4, unit=UNITS)
+    z: float = setting(29.0, "chosen", "place, southwards", -1e4, 1e4, unit=UNITS)
+    yaw: float = setting(-30.0, "chosen", "turn about y", -360, 360, unit=DEGREES)
+    scale: float = setting(0.9, "chosen", "half the mesh's largest side", 0.001, 100, unit=UNITS)
     mapping: str = setting(
         "planar",
         "R12, section 7.2",
         "by (x, z), or projected along the axis each face is most normal to",
         choices=("planar", "axis"),
     )
-    repeat: float = setting(6.0, "chosen", "repeats, for dragon.mapping=axis", 0, 1000)
-    painted: bool = setting(False, "chosen", "vertex colours from the mesh file")
-    gloss: float = setting(0.0, "chosen", "strength of the specular highlight", 0, 1)
-    sink: float = setting(-0.15, "chosen", "height of the water line on the mesh of -1..1", -2, 2)
+    repeat: float = setting(
+        6.0,
+        "chosen",
+        "how often the texture is repeated along an axis",
+        0,
+        1000,
+        unit="repeats",
+        needs=("dragon.mapping=axis",),
+    )
+    painted: bool = setting(False, "chosen", "vertex colours from the mesh file, if it has any")
+    gloss: float = setting(0.0, "chosen", "strength of the specular highlight", 0, 1, unit="of 1")
+    sink: float = setting(
+        -0.15, "chosen", "height of the water line on the mesh", -2, 2, unit="of the mesh's -1 to 1"
+    )
 
 
 @dataclass(frozen=True)
 class Overlay:
     """The sword (section 8) and the map (section 9)."""
 
-    sword: bool = setting(True, "section 8", "show the sword")
-    map: bool = setting(True, "section 9", "show the map")
-    map_alpha: float = setting(0.75, "chosen", "opacity of the map", 0, 1)
+    sword: bool = setting(True, "section 8", "show the sword", needs=("sword",))
+    map: bool = setting(True, "section 9", "show the map", needs=("map",))
+    map_alpha: float = setting(
+        0.75, "chosen", "opacity of the map", 0, 1, unit="of 1", needs=("map", "overlay.map")
+    )
 
 
 @dataclass(frozen=True)
 class Fog:
     """GL_FOG (section 10)."""
 
-    enabled: bool = setting(True, "section 10.2", "on or off")
-    mode: str = setting("exp2", "section 10.2", "fog mode", choices=("exp2", "exp", "linear"))
-    density: float = setting(0.12, "section 10.2", "per unit", 0, 1000)
-    color: tuple[float, ...] = setting((0.4, 0.6, 0.7), "section 10.2", "RGB", 0, 1)
-    start: float = setting(1.0, "chosen", "units, linear mode", 0, 1e5)
-    end: float = setting(20.0, "chosen", "units, linear mode", 0, 1e5)
+    enabled: bool = setting(True, "section 10.2", "fog on or off", needs=("fog",))
+    mode: str = setting(
+        "exp2",
+        "section 10.2",
+        "how it thickens with distance",
+        choices=("exp2", "exp", "linear"),
+        needs=("fog", "fog.enabled"),
+    )
+    density: float = setting(
+        0.12,
+        "section 10.2",
+        "how dense it is in the modes exp2 and exp",
+        0,
+        1000,
+        unit="per unit",
+        needs=("fog", "fog.enabled", "fog.mode!=linear"),
+    )
+    color: tuple[float, ...] = setting(
+        (0.4, 0.6, 0.7), "section 10.2", "colour of the fog and of the background", 0, 1, unit="RGB"
+    )
+    start: float = setting(
+        1.0,
+        "chosen",
+        "where it begins in the mode linear",
+        0,
+        1e5,
+        unit=UNITS,
+        needs=("fog", "fog.enabled", "fog.mode=linear"),
+    )
+    end: float = setting(
+        20.0,
+        "chosen",
+        "where it hides everything in the mode linear",
+        0,
+        1e5,
+        unit=UNITS,
+        needs=("fog", "fog.enabled", "fog.mode=linear"),
+    )
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pty
+import re
 import signal
 import subprocess
 import sys
@@ -124,6 +125,48 @@ def test_settings_json_lists_key_value_default_unit_and_source(shell: Shell) -> 
         assert {"key", "value", "default", "unit", "source"} <= set(row)
     density = next(row for row in rows if row["key"] == "fog.density")
     assert (density["value"], density["default"], density["source"]) == (0.05, 0.12, "section 10.2")
+
+
+def test_settings_prints_every_key_in_eighty_columns(shell: Shell) -> None:
+    lines = shell("settings").out.splitlines()
+    assert max(map(len, lines)) <= 80
+    heads = [line.split()[0] for line in lines if re.match(r"  \S", line)]
+    assert heads == list(keys.fields(settings.Settings))
+
+
+def test_settings_says_value_range_presets_unit_source_and_what_a_key_does(shell: Shell) -> None:
+    head, *rest = shell("settings", "fog.density").out.splitlines()[1:]
+    assert re.fullmatch(r"  fog\.density +0\.042 per unit +\[section 10\.2\]", head)
+    assert [line.strip() for line in rest] == [
+        "how dense it is in the modes exp2 and exp",
+        "0 to 1000; 2006: 0.12, best: 0.042",
+        "needs fog.enabled on; fog.mode not linear",
+    ]
+    text = shell("settings", "grass.method").out
+    assert "cells | loop; 2006: cells, best: cells" in text
+    assert "now ignored while grass.tinted is on" in text
+    assert "now ignored" not in shell("settings", "grass.method", "--preset", "2006").out
+
+
+@pytest.mark.parametrize(
+    ("word", "wanted"),
+    [
+        ("fog", ["fog.enabled", "fog.mode", "fog.density", "fog.color", "fog.start", "fog.end"]),
+        ("densit", ["fog.density"]),
+        ("Breakers", ["water.foam"]),
+        ("", list(keys.fields(settings.Settings))),
+    ],
+)
+def test_settings_takes_a_group_part_of_a_key_or_a_word(
+    word: str, wanted: list[str], shell: Shell
+) -> None:
+    assert [row["key"] for row in shell("settings", word, "--json").json()] == wanted
+
+
+def test_settings_refuses_an_unknown_word_with_the_groups(shell: Shell) -> None:
+    done = shell("settings", "treacle")
+    assert (done.status, done.out) == (2, "") and done.err.count("\n") == 1
+    assert done.err.startswith("landscape: settings 'treacle'") and "transparent" in done.err
 
 
 def test_settings_come_from_the_preset_then_the_file_then_the_command_line(shell: Shell) -> None:

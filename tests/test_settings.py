@@ -28,9 +28,10 @@ def test_every_default_is_within_its_own_limits_and_survives_being_written(key: 
 
 
 @pytest.mark.parametrize("key", KEYS)
-def test_every_key_says_its_unit_and_its_source(key: str) -> None:
+def test_every_key_says_what_it_does_its_unit_and_its_source(key: str) -> None:
     meta = KEYS[key].metadata
-    assert meta["unit"]
+    assert len(meta["does"].split()) > 1 and keys.unit(KEYS[key])
+    assert meta["does"] != keys.unit(KEYS[key])
     # A place in the report, one of its wishes (R1 to R19), a neighbour of it, or "chosen".
     known = r"(section|figure) \d+(\.\d+)*|introduction|R\d+|glskel effects|chosen"
     assert re.fullmatch(rf"({known})(, ({known}))*", meta["source"])
@@ -141,3 +142,4 @@ def test_the_table_lists_every_key_with_value_and_default() -> None:
     row = rows["fog.density"]
     assert row["default"] == 0.12 and row["value"] == settings.BEST["fog.density"]
     assert row["unit"] == "per unit" and row["source"] == "section 10.2"
+    assert (row["low"], row["high"], row["choices"]) == (0, 1000, ())

@@ -1,0 +1,97 @@
+"""The list of settings: all of them or some, as data and as text (`landscape settings`)."""
+
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from landscape import keys
+from landscape.conditions import WALK, conditions, ignored, in_words, terms, value_text
+from landscape.errors import InputError
+from landscape.scene import SCENES, Scene, check_options, scene
+
+WIDTH = 80  # columns of the narrowest terminal
+Row = dict[str, Any]
+
+
+def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list[Row]:
+    """Return the settings of every scene; a change goes to the scenes that have its key.
+
+    ``word`` is a group, part of a key, or a word of what a setting does; "" means all. Raises
+    InputError if it is none of these, and for a change that no scene accepts.
+    """
+    check_options(preset, changes, None)
+    found = [row for name in SCENES for row in _rows_of(scene(name), preset, changes)]
+    groups = list(dict.fromkeys(row["key"].split(".")[0] for row in found))
+    if word in groups:
+        return [row for row in found if row["key"].startswith(f"{word}.")]
+    sought = word.lower()
+    kept = [row for row in found if sought in row["key"] or sought in row["does"].lower()]
+    if not kept:
+        raise InputError(
+            f"settings {word!r}: expected part of a key, a word of a description, or a group: "
+            f"{', '.join(groups)}"
+        )
+    return kept
+
+
+def _rows_of(kind: Scene, preset: str | None, changes: Mapping[str, Any]) -> Iterator[Row]:
+    current, _ = keys.current_names(kind.settings, changes)
+    own = {key: v for key, v in current.items() if key in keys.fields(type(kind.settings))}
+    values = kind.values(preset if preset in kind.presets else None, own)
+    presets = {name: kind.values(name) for name in kind.presets}
+    for row in keys.table(values):
+        key = row["key"]
+        needs = [in_words(type(values), each) for each in conditions(type(values), key)]
+        yield {
+            **row,
+            "presets": {name: keys.get(each, key) for name, each in presets.items()},
+            "needs": [words for words in needs if words],
+            "ignored": ignored(values, key, (*kind.elements, WALK), kind.elements),
+            "scene": kind.name,
+        }
+
+
+def as_text(found: Sequence[Row]) -> Iterator[str]:
+    """Yield the lines that print these settings, group by group, at most WIDTH columns each."""
+    group = ""
+    for row in found:
+        kind = type(scene(row["scene"]).settings)
+        name = row["key"].split(".")[0]
+        if f"{row['scene']}.{name}" != group:
+            yield from ([""] if group else [])
+            group = f"{row['scene']}.{name}"
+            about = kind.__dataclass_fields__[name].default.__doc__ or ""
+            yield from textwrap.wrap(f"{name}: {about.splitlines()[0]}", WIDTH)
+        yield from _lines(row, kind)
+
+
+def _lines(row: Row, kind: type) -> Iterator[str]:
+    value = row["value"]
+    unit = row["unit"] if isinstance(value, int | float | tuple) else ""
+    shown = value_text(value) + (f" {unit}" if unit and not isinstance(value, bool) else "")
+    head, source = f"  {row['key']:28} {shown}", f"[{row['source']}]"
+    room = WIDTH - len(head) - len(source)
+    yield head + (" " * room + source if room > 0 else "")
+    presets = ", ".join(f"{name}: {value_text(each)}" for name, each in row["presets"].items())
+    lines = [row["does"], f"{_accepted(row)}; {presets}"]
+    # What is shown is plain from the group's name.
+    needs = keys.fields(kind)[row["key"]].metadata["needs"]
+    told = [in_words(kind, each) for each in needs if any(t.is_setting for t in terms(each))]
+    if any(told):
+        lines.append("needs " + "; ".join(filter(None, told)))
+    if row["ignored"]:
+        lines.append(f"now {row['ignored']}")
+    if room <= 0:
+        lines.append(source)
+    for line in lines:
+        yield from textwrap.wrap(line, WIDTH, initial_indent=" " * 6, subsequent_indent=" " * 8)
+
+
+def _accepted(row: Row) -> str:
+    """Return what values a setting takes, in few words."""
+    if isinstance(row["default"], bool):
+        return "on or off"
+    if isinstance(row["default"], str):
+        return " | ".join(row["choices"]) or row["unit"]
+    count = f"{len(row['default'])} numbers, " if isinstance(row["default"], tuple) else ""
+    return f"{count}{value_text(row['low'])} to {value_text(row['high'])}"
