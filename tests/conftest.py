@@ -21,7 +21,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from stage import Stage, changes, snapshot, write_plain
+from gl_state import changes, snapshot
+from stage import Stage, write_plain
 
 from landscape.errors import NoOpenGLError
 from landscape.files.assets import Assets

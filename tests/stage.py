@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from gl_state import changes, snapshot
 from PIL import Image
 
 from landscape.frame import Frame, Pose
@@ -35,68 +36,6 @@ SMALL: dict[str, Any] = {
 
 WHITE_LIGHT: dict[str, Any] = {"sun.ambient": (1.0, 1.0, 1.0), "sun.diffuse": (0.0, 0.0, 0.0)}
 """Lighting under which lit surfaces show their own colour whatever their normals."""
-
-CAPS = (
-    *("DEPTH_TEST", "BLEND", "FOG", "LIGHTING", "LIGHT0", "CLIP_PLANE0", "ALPHA_TEST"),
-    *("STENCIL_TEST", "CULL_FACE", "COLOR_MATERIAL", "NORMALIZE", "POLYGON_OFFSET_FILL"),
-)
-CLIENT_ARRAYS = ("VERTEX_ARRAY", "NORMAL_ARRAY", "COLOR_ARRAY")
-VALUES = (
-    *("MATRIX_MODE", "MODELVIEW_STACK_DEPTH", "PROJECTION_STACK_DEPTH", "ATTRIB_STACK_DEPTH"),
-    *("CLIENT_ATTRIB_STACK_DEPTH", "MODELVIEW_MATRIX", "PROJECTION_MATRIX", "DEPTH_WRITEMASK"),
-    *("COLOR_WRITEMASK", "BLEND_SRC", "BLEND_DST", "CURRENT_COLOR", "ACTIVE_TEXTURE", "VIEWPORT"),
-    *("CLIENT_ACTIVE_TEXTURE", "FRONT_FACE", "POLYGON_MODE", "LIST_MODE", "LIST_INDEX"),
-    *("POINT_SIZE", "DEPTH_FUNC", "STENCIL_FUNC", "STENCIL_REF", "FOG_DENSITY", "SHADE_MODEL"),
-    *(
-        "DEPTH_RANGE",
-        "TEXTURE_MATRIX",
-        "LIGHT_MODEL_LOCAL_VIEWER",
-        "LIGHT_MODEL_COLOR_CONTROL",
-        "POLYGON_OFFSET_FACTOR",
-    ),
-    "FRAMEBUFFER_BINDING",
-)
-UNITS = range(3)
-
-
-def _plain(value: Any) -> tuple[float, ...]:
-    return tuple(np.asarray(value, np.float64).ravel().tolist())
-
-
-def snapshot() -> dict[str, Any]:
-    """Return the state that elements share, by name."""
-    state: dict[str, Any] = {"error": int(gl.glGetError())}
-    for name in VALUES:
-        state[name] = _plain(gl.glGetFloatv(getattr(gl, f"GL_{name}")))
-    for name in (*CAPS, *CLIENT_ARRAYS):
-        state[name] = bool(gl.glIsEnabled(getattr(gl, f"GL_{name}")))
-    # Ambient and diffuse are left out: with GL_COLOR_MATERIAL they follow the current colour, and
-    # every lit element sets its own.
-    for name in ("SPECULAR", "EMISSION", "SHININESS"):
-        material = gl.glGetMaterialfv(gl.GL_FRONT, getattr(gl, f"GL_{name}"))
-        state[f"material {name}"] = _plain(material)
-    state["LIGHT0 position"] = _plain(gl.glGetLightfv(gl.GL_LIGHT0, gl.GL_POSITION))
-    active = int(gl.glGetIntegerv(gl.GL_ACTIVE_TEXTURE))
-    client = int(gl.glGetIntegerv(gl.GL_CLIENT_ACTIVE_TEXTURE))
-    for unit in UNITS:
-        gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
-        gl.glClientActiveTexture(gl.GL_TEXTURE0 + unit)
-        env = gl.GL_TEXTURE_ENV
-        state[f"unit {unit}"] = {
-            "TEXTURE_2D": bool(gl.glIsEnabled(gl.GL_TEXTURE_2D)),
-            "bound": int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D)),
-            "mode": int(_plain(gl.glGetTexEnviv(env, gl.GL_TEXTURE_ENV_MODE))[0]),
-            "scale": _plain(gl.glGetTexEnvfv(env, gl.GL_RGB_SCALE)),
-            "array": bool(gl.glIsEnabled(gl.GL_TEXTURE_COORD_ARRAY)),
-        }
-    gl.glActiveTexture(active)
-    gl.glClientActiveTexture(client)
-    return state
-
-
-def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, tuple[Any, Any]]:
-    """Return the differences between two snapshots: name to (before, after)."""
-    return {name: (before[name], after[name]) for name in before if before[name] != after[name]}
 
 
 class Stage:
@@ -194,9 +133,9 @@ def close(got: np.ndarray, wanted: Any, levels: float = 1.0) -> bool:
     return bool((np.abs(np.asarray(got, float) - np.asarray(wanted, float)) <= levels).all())
 
 
-def small(changes: Mapping[str, Any] | None = None) -> Settings:
+def small(changed: Mapping[str, Any] | None = None) -> Settings:
     """Return the settings of 2006 with few objects and the given changes."""
-    return with_settings(Settings(), {**SMALL, **(changes or {})})
+    return with_settings(Settings(), {**SMALL, **(changed or {})})
 
 
 def quad(corners: np.ndarray) -> None:

@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from stage import SIZE, SMALL, Stage, changes, live_names, snapshot, write_plain, write_ply
+from gl_state import changes, snapshot
+from stage import SIZE, SMALL, Stage, live_names, write_plain, write_ply
 
 from landscape.elements import sun
 from landscape.elements.atlas import CELLS
@@ -142,6 +143,19 @@ def test_a_frame_would_notice_changed_state(stage: Stage, values: Settings) -> N
     def unbalanced() -> None:
         gl.glPushMatrix()
 
+    def change_material() -> None:
+        gl.glMaterialfv(gl.GL_FRONT, gl.GL_DIFFUSE, np.full(4, 0.5, np.float32))
+
+    def change_sources() -> None:
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_SRC0_RGB, gl.GL_PREVIOUS)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+
+    def turn_texture() -> None:
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        gl.glRotatef(5.0, 0.0, 0.0, 1.0)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+
     mischief = {
         "BLEND": lambda: gl.glEnable(gl.GL_BLEND),
         "unit 1": lambda: (gl.glActiveTexture(gl.GL_TEXTURE1), gl.glEnable(gl.GL_TEXTURE_2D)),
@@ -152,6 +166,13 @@ def test_a_frame_would_notice_changed_state(stage: Stage, values: Settings) -> N
         "MODELVIEW_STACK_DEPTH": unbalanced,
         "CLIENT_ACTIVE_TEXTURE": lambda: gl.glClientActiveTexture(gl.GL_TEXTURE1),
         "FRONT_FACE": lambda: gl.glFrontFace(gl.GL_CW),
+        "material FRONT DIFFUSE": change_material,
+        "unit 1 SRC0_RGB": change_sources,
+        "unit 0 matrix": turn_texture,
+        "LIGHT1 AMBIENT": lambda: gl.glLightfv(
+            gl.GL_LIGHT1, gl.GL_AMBIENT, np.full(4, 0.5, np.float32)
+        ),
+        "BLEND_EQUATION_RGB": lambda: gl.glBlendEquation(gl.GL_FUNC_SUBTRACT),
     }
     for name, do in mischief.items():
         depth = int(gl.glGetIntegerv(gl.GL_MODELVIEW_STACK_DEPTH))
@@ -163,6 +184,9 @@ def test_a_frame_would_notice_changed_state(stage: Stage, values: Settings) -> N
         gl.glMatrixMode(gl.GL_MODELVIEW)
         while int(gl.glGetIntegerv(gl.GL_MODELVIEW_STACK_DEPTH)) > depth:
             gl.glPopMatrix()
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        gl.glLoadIdentity()
+        gl.glMatrixMode(gl.GL_MODELVIEW)
 
 
 @pytest.mark.parametrize(

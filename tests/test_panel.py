@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from gl_state import changes, snapshot
 from PIL import ImageFont
-from stage import Stage, changes, snapshot
+from stage import Stage
 
 from landscape.gl.calls import gl
 from landscape.window import words

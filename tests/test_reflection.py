@@ -5,6 +5,7 @@ import pytest
 from stage import Stage, close, pixel, project, quad, small
 
 from landscape.elements.reflection import MIRROR, inside_water, mirrored
+from landscape.elements.sun import lit
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose
@@ -91,17 +92,17 @@ def test_the_mirror_image_is_lit_as_the_object_is(stage: Stage) -> None:
     place = (0.4, 1.2, -3.0)
     normal = np.array([0.0, 0.8, 0.6])
 
-    def lit() -> None:
+    def draw_board() -> None:
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
-            gl.glEnable(gl.GL_LIGHTING)
+            lit()
             gl.glNormal3f(*normal.tolist())
             gl.glColor4f(0.8, 0.8, 0.8, 1.0)
             quad(board(*place))
 
     with stage.frame(settings, POSE):
-        lit()
+        draw_board()
         with mirrored(settings):
-            lit()
+            draw_board()
         picture = stage.read()
     itself = pixel(picture, project(POSE, place))
     image = pixel(picture, project(POSE, (0.4, 2 * LEVEL - 1.2, -3.0)))

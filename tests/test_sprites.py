@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from gl_state import snapshot
 from sprite_stage import (
     BACKGROUND,
     BLUE,
@@ -24,7 +25,7 @@ from sprite_stage import (
     put,
     seen,
 )
-from stage import Stage, close, pixel, project, snapshot
+from stage import Stage, close, pixel, project
 
 from landscape.elements.best.sprites.refined_planting import slopes_under
 from landscape.elements.best.sprites.refined_quads import edge_on, half_places, turned

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from stage import Stage, close, quad, small
 
-from landscape.elements.sun import direction
+from landscape.elements.sun import direction, lit
 from landscape.frame import Pose
 from landscape.gl.calls import gl
 from landscape.settings import Sun
@@ -44,7 +44,7 @@ def test_a_lit_floor_shows_ambient_plus_diffuse_times_the_cosine(
     corners = np.array([(-2.0, 0, 2), (2, 0, 2), (2, 0, -2), (-2, 0, -2)])
     with stage.frame(settings, Pose(0.0, 2.0, 0.0, yaw, -90.0)):
         gl.glPushAttrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT)
-        gl.glEnable(gl.GL_LIGHTING)
+        lit()
         gl.glColor4f(0.9, 0.8, 0.7, 1.0)
         gl.glNormal3f(0.0, 1.0, 0.0)
         quad(corners)
@@ -64,7 +64,7 @@ def test_a_wall_facing_away_from_the_sun_gets_ambient_and_fill_light(
     settings = small({"sun.azimuth": 180.0, "sun.elevation": 0.0, "sun.fill": fill,
                       "sun.ambient": ambient, "sun.diffuse": (0.5, 0.5, 0.5)})  # fmt: skip
     with stage.frame(settings, Pose(20.0, 1.0, 17.0, 180.0, 0.0)), stage.borrowed():
-        gl.glEnable(gl.GL_LIGHTING)
+        lit()
         gl.glNormal3f(0.0, 0.0, -1.0)
         gl.glColor3f(1.0, 1.0, 1.0)
         quad(np.array([(22.0, 0.0, 20.0), (18.0, 0.0, 20.0), (18.0, 2.0, 20.0), (22.0, 2.0, 20.0)]))

@@ -11,6 +11,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 
 from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points
+from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.files.meshes import read_mesh
@@ -77,12 +78,10 @@ class Animal(ABC):
 
     def draw(self, frame: Frame) -> None:
         """Draw the mesh at its place; with ``camera.cull``, without its back faces."""
-        # GL_LIGHTING_BIT saves the material that glColor sets. Without it Mesa would keep the
-        # animal's grey for whatever is lit next: the popped colour does not reach the material.
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
             gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
-            gl.glEnable(gl.GL_LIGHTING)
+            lit()
             self._set_material()
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()

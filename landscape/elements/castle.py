@@ -18,6 +18,7 @@ import numpy as np
 from landscape.elements.best.terrain.shadows import ShadowMap, cast_outlines, shade_foot
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, draw_fire
 from landscape.elements.castle_gate import draw_gate_in_layers
+from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -122,7 +123,7 @@ class Castle:
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             gl.glTranslatef(-0.5, 0.0, -0.5)
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
-            gl.glEnable(gl.GL_LIGHTING)
+            lit()
             self._masonry.call()
             self._draw_gate(frame.kt)
             self._draw_fire(frame)

@@ -4,7 +4,8 @@ Not a class in the 2006 report, whose water and animals are lit nevertheless. A 
 transformed by the modelview matrix that is current when it is set, so it is set again under the
 mirror matrix; otherwise the reflection would be lit from below (see reflection.py).
 With ``sun.fill`` a second, weak light of the sky's colour comes from the opposite side.
-State used: GL_LIGHT0, GL_LIGHT1, GL_COLOR_MATERIAL; an element that is lit enables GL_LIGHTING.
+State used: GL_LIGHT0, GL_LIGHT1; an element that is lit calls :func:`lit`, which enables
+GL_LIGHTING and GL_COLOR_MATERIAL.
 """
 
 import math
@@ -27,7 +28,7 @@ def direction(sun: Sun) -> np.ndarray:
 
 
 def shine(sun: Sun) -> None:
-    """Give the lights their colours and place them; glColor then sets the lit material."""
+    """Give the lights their colours and place them."""
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, np.array([*sun.diffuse, 1.0], np.float32))
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, np.array([*sun.ambient, 1.0], np.float32))
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([*SPECULAR, 1.0], np.float32))
@@ -40,8 +41,19 @@ def shine(sun: Sun) -> None:
     else:
         gl.glDisable(gl.GL_LIGHT1)
     gl.glColorMaterial(gl.GL_FRONT_AND_BACK, gl.GL_AMBIENT_AND_DIFFUSE)
-    gl.glEnable(gl.GL_COLOR_MATERIAL)
     place(sun)
+
+
+def lit() -> None:
+    """Light what the rest of the block draws; its material is the current colour.
+
+    Only inside attrib(GL_ENABLE_BIT | GL_CURRENT_BIT | GL_LIGHTING_BIT). Where nothing is lit,
+    GL_COLOR_MATERIAL is off, so that the colour of an unlit element never becomes the material of
+    a lit one: glPopAttrib does not bring the material back everywhere, and setting a colour again
+    that is current already need not set the material.
+    """
+    gl.glEnable(gl.GL_LIGHTING)
+    gl.glEnable(gl.GL_COLOR_MATERIAL)
 
 
 @drawing("frame")

@@ -13,6 +13,7 @@ third.
 
 import numpy as np
 
+from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -111,7 +112,7 @@ class WaterSurface:
             gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            gl.glEnable(gl.GL_LIGHTING)
+            lit()
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)

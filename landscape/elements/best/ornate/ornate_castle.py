@@ -27,7 +27,7 @@ from landscape.geometry.masonry import quads_mesh
 from landscape.geometry.mesh import revolve
 from landscape.gl.calls import gl
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import combine, matrix
+from landscape.gl.state import attrib, combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
@@ -72,18 +72,14 @@ class OrnateCastle(CastleInOnePass):
 
     def _send_bricks(self) -> None:
         """Send bricks without the gate wall, slates, masts and dark openings."""
-        gl.glActiveTexture(gl.GL_TEXTURE1)
-        self._light_map.bind()
-        gl.glEnable(gl.GL_TEXTURE_2D)
-        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
-        # The first two triangles are the gate wall.
-        draw_mesh(replace(self._bricks, triangles=self._bricks.triangles[2:]))
-        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
-        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
-        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
-        gl.glDisable(gl.GL_TEXTURE_2D)
-        gl.glActiveTexture(gl.GL_TEXTURE0)
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
+            gl.glActiveTexture(gl.GL_TEXTURE1)
+            self._light_map.bind()
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+            # The first two triangles are the gate wall.
+            draw_mesh(replace(self._bricks, triangles=self._bricks.triangles[2:]))
         gl.glColor3f(*SLATE)
         draw_mesh(roofs(self._repeat))
         self._stone.bind()

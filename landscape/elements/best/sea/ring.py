@@ -8,6 +8,7 @@ State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 
 import numpy as np
 
+from landscape.elements.sun import lit
 from landscape.elements.water_surface import PATCHES, water_texture
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -78,7 +79,7 @@ class HorizonRing:
             gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            gl.glEnable(gl.GL_LIGHTING)
+            lit()
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()

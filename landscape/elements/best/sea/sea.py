@@ -25,6 +25,7 @@ from landscape.elements.best.sea.mirror_image import MirrorImage, mirror_unit
 from landscape.elements.best.sea.shallows import TEXELS, Shallows, cut_level, sea_depths
 from landscape.elements.best.sea.waves import facing, mirror_places, opacity, surface_normals, waves
 from landscape.elements.reflection import inside_water
+from landscape.elements.sun import lit
 from landscape.elements.water_surface import (
     WaterSurface,
     water_square,
@@ -125,11 +126,11 @@ class Sea:
         with attrib(groups):
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            gl.glEnable(gl.GL_LIGHTING)
-            gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             floor = cut_level(self._settings)
             if self._shallows is not None and floor < water.level:
                 self._shallows.draw_floor(floor)
+            lit()
+            gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             with (
                 self._texture_units(),
                 client_arrays(vertices, normals, colors, layers),
