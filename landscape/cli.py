@@ -10,6 +10,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import astuple, replace
 from pathlib import Path
 from typing import Any
 
@@ -92,12 +93,21 @@ def _offscreen_options(options: argparse.Namespace) -> dict[str, Any]:
 def _walk(options: argparse.Namespace) -> int:
     from landscape.files.assets import Assets
     from landscape.window.app import walk
+    from landscape.window.recording import MAX_NUMBER
 
-    kind = find_view(options.view)[0] if options.view else scene()
+    kind, named = find_view(options.view or scene().start)
+    begin = kind.as_walked(named, options.preset)
+    if options.pose is not None:
+        if any(number and abs(number) > MAX_NUMBER for number in astuple(options.pose)):
+            raise InputError(f"--pose: expected numbers up to {MAX_NUMBER:g}")
+        begin = replace(begin, pose=options.pose)
+    if options.kt is not None:
+        begin = replace(begin, kt=options.kt)
     return walk(
-        settings=kind.values(options.preset, _changes(options, kind)),
+        kind,
+        begin,
+        settings=kind.values(kind.preset_of(begin), begin.settings, _changes(options, kind)),
         assets=Assets(options.assets),
-        view=options.view,
         size=options.size,
         fullscreen=options.fullscreen,
         record=options.record,

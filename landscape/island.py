@@ -306,4 +306,5 @@ SCENE = Scene(
     open=Island,
     terrain=terrain,
     fixes=FIXES,
+    overlay=("sword", "map"),
 )

@@ -18,6 +18,12 @@ BY_VIEW = (
     "the view shows one technique or flaw of the report"
 )
 
+BEGIN = (
+    "where the walk begins: a view, a fix such as R12, or a scene; default: fig35e. A view of one "
+    "technique, flaw or fix is walked as it is drawn, with its preset, settings, elements and "
+    "wireframe"
+)
+
 
 def parse(argv: Sequence[str] | None, commands: Commands) -> argparse.Namespace:
     """Parse the command line; views may come before, between and after the options.
@@ -62,16 +68,25 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         return sub
 
     walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
-    walk.add_argument("view", nargs="?", default="", metavar="VIEW", help="a view or a scene")
+    walk.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
+    walk.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
+    walk.add_argument("--kt", type=_number, metavar="N", help="animation time at the beginning")
     walk.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
     walk.add_argument("--fullscreen", action="store_true")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help="replay a recorded walk")
     walk.add_argument("--frames", type=_count, metavar="N", help="end after N frames")
-    _common(walk, samples=0, preset="best or 2006; default: best")
+    _common(
+        walk,
+        samples=0,
+        preset="best or 2006; default: the view's own. With another one, the walk takes only the "
+        "place from the view",
+    )
 
     render = command("render", "render views to PNG files", "fig35e --out castle.png")
-    render.add_argument("views", nargs="*", metavar="VIEW", help="see `landscape views`")
+    render.add_argument(
+        "views", nargs="*", metavar="VIEW", help="views or fixes; see `landscape views`"
+    )
     render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
     render.add_argument("--kt", type=_number, metavar="N", help="animation time")

@@ -24,6 +24,7 @@ from landscape.keys import Value
 from landscape.settings import Camera, Fog, Sun
 
 SEED = 2006  # chosen: the year of the report
+CLOSE = 4  # chosen: how many names like a wrong one an error lists
 
 # Name to module. A module is imported when one of its views is first asked for; the first scene is
 # the default.
@@ -76,6 +77,9 @@ class Fix(Protocol):
     @property
     def on(self) -> Mapping[str, Any]:
         """The settings that fix it."""
+
+    def as_view(self) -> "View":
+        """Return the view that shows it fixed, under the fix's name."""
 
     def pose(self, after: bool) -> Pose:
         """Where to look at the flaw from, or at the fix; its y may be None."""
@@ -138,6 +142,7 @@ class Scene:
     map a name to differences from it, ``preset`` is the default one. ``start`` names the view where
     a walk begins, ``main`` the views that are measured when none is named. ``open`` builds the
     elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without OpenGL.
+    ``overlay`` names elements that a walk shows even if it begins in a view without them.
     """
 
     name: str
@@ -151,6 +156,7 @@ class Scene:
     open: Callable[[Any, Assets, int, tuple[str, ...]], OpenScene]
     terrain: Callable[[Any, Assets], Terrain]
     fixes: Sequence[Fix] = ()
+    overlay: tuple[str, ...] = ()
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
         """Return the settings of a preset (None: the default) with changes; later ones override."""
@@ -162,6 +168,27 @@ class Scene:
     def preset_of(self, view: View) -> str:
         """Return the preset a view is drawn with unless another is asked for."""
         return view.preset or self.preset
+
+    def named(self, name: str) -> View | None:
+        """Return the view of this name, be it a fix's; None if there is none."""
+        fixed = (fix.as_view() for fix in self.fixes if fix.name == name)
+        return self.views.get(name) or next(fixed, None)
+
+    def as_walked(self, view: View, preset: str | None) -> View:
+        """Return a view as a walk begins in it; ``preset`` is the one asked for, if any.
+
+        With the view's own preset the walk begins with all that the view is drawn with. Only where
+        that is the scene's default do all elements stand around it: other views show one technique
+        or a fix, which the rest of the scene would hide. With another preset only the place and the
+        settings of a fix are taken.
+        """
+        own = self.preset_of(view)
+        if preset not in (None, own):
+            on = next((fix.on for fix in self.fixes if fix.name == view.name), {})
+            return replace(view, preset=preset, settings=on, shown=(), wireframe=False)
+        if own == self.preset or not view.shown:
+            return replace(view, shown=())
+        return replace(view, shown=self.only((*view.shown, *self.overlay)))
 
     def only(self, names: Iterable[str] | None) -> tuple[str, ...]:
         """Return the elements in ``names`` in the scene's order, all for None.
@@ -208,17 +235,21 @@ def check_options(
 
 
 def find_view(name: str) -> tuple[Scene, View]:
-    """Return a view and its scene; a scene's name means the view where its walk begins.
+    """Return a view and its scene; InputError if there is none of this name.
 
-    InputError if there is neither.
+    A fix's name means the view that shows it fixed, a scene's name the one where its walk begins.
     """
     if name in SCENES:
         found = scene(name)
         return found, found.views[found.start]
-    for found in map(scene, SCENES):
-        if name in found.views:
-            return found, found.views[name]
-    raise InputError(f"view {name!r}: no such view; `landscape views` lists them all")
+    kinds = [scene(each) for each in SCENES]
+    for kind in kinds:
+        if view := kind.named(name):
+            return kind, view
+    names = [each for kind in kinds for each in (*kind.views, *(fix.name for fix in kind.fixes))]
+    close = [each for each in names if name and each.lower().startswith(name.lower())][:CLOSE]
+    meant = f", but {' and '.join(close)}" if close else ""
+    raise InputError(f"view {name!r}: no such view{meant}; `landscape views` lists them all")
 
 
 def placed(pose: Pose, terrain: Terrain, eye: float) -> Pose:
@@ -229,11 +260,14 @@ def placed(pose: Pose, terrain: Terrain, eye: float) -> Pose:
 
 
 def listed_views() -> list[dict[str, Any]]:
-    """Return every view of every scene as `landscape views --json` prints it, heights filled in."""
+    """Return every view of every scene as `landscape views --json` prints it, heights filled in.
+
+    The views of a scene come first, then its fixes.
+    """
     entries = []
     for found in map(scene, SCENES):
         terrains: dict[str, Terrain] = {}
-        for view in found.views.values():
+        for view in (*found.views.values(), *(fix.as_view() for fix in found.fixes)):
             preset = found.preset_of(view)
             values = found.values(preset)
             if preset not in terrains:

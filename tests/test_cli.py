@@ -19,6 +19,7 @@ from commands import SECONDS, Shell, environment, landscape, python
 from PIL import Image
 
 from landscape import cli, keys, settings
+from landscape.fixes import FIXES
 from landscape.island import ELEMENTS
 from landscape.options import build_parser, parse
 from landscape.views import VIEWS
@@ -115,7 +116,7 @@ def test_views_json_lists_names_figures_poses_kt_and_presets(shell: Shell) -> No
 
 def test_views_prints_one_line_per_view(shell: Shell) -> None:
     lines = shell("views").out.splitlines()
-    assert [line.split()[0] for line in lines] == list(VIEWS)
+    assert [line.split()[0] for line in lines] == [*VIEWS, *(fix.name for fix in FIXES)]
 
 
 def test_settings_json_lists_key_value_default_unit_and_source(shell: Shell) -> None:

@@ -14,7 +14,9 @@ from commands import TESTS, Done, environment, python
 from PIL import Image
 
 from landscape.errors import InputError
+from landscape.fixes import FIXES
 from landscape.frame import Pose
+from landscape.render import Offscreen
 from landscape.scene import SCENES, check_options, find_view, listed_views, placed, scene
 
 COMMAND = """
@@ -123,6 +125,58 @@ def test_a_view_knows_its_scene_and_a_scenes_name_means_its_start(plugged: None)
     assert [find_view(name)[0].name for name in ("fig35a", "board")] == ["island", "chessboard"]
     assert find_view("chessboard")[1].name == "board"
     assert find_view("island")[1].name == scene("island").start == scene().start
+
+
+def test_a_fix_is_a_view_that_shows_it_fixed() -> None:
+    for fix in FIXES:
+        kind, view = find_view(fix.name)
+        assert (kind.name, view.name, kind.preset_of(view)) == ("island", fix.name, "2006")
+        values = kind.values("2006", view.settings)
+        assert values == kind.values("2006", fix.common, fix.on)
+        assert view.pose == fix.pose(True) and view.shown == fix.only
+
+
+def test_a_fix_is_drawn_by_its_name_as_in_its_second_picture() -> None:
+    fix = next(fix for fix in FIXES if fix.name == "R14")
+    pictures = []
+    for view, settings in (("R14", {}), (fix.pose(True), fix.settings(True)),
+                           (fix.pose(False), fix.settings(False))):  # fmt: skip
+        preset = "2006" if settings else None
+        with Offscreen((80, 60), preset, settings, only=fix.only, samples=0) as offscreen:
+            offscreen.look(view, fix.kt)
+            pictures.append(offscreen.draw())
+    by_name, after, before = pictures
+    assert (by_name == after).all() and (by_name != before).any()
+
+
+@pytest.mark.parametrize(("wrong", "meant"), [("R6", "R6a and R6b"), ("FIG8", "fig8a"), ("", "")])
+def test_a_wrong_name_is_refused_with_those_that_begin_like_it(wrong: str, meant: str) -> None:
+    with pytest.raises(InputError, match=f"view '{wrong}': no such view.*{meant}"):
+        find_view(wrong)
+
+
+def test_a_walk_begins_in_a_technique_s_view_as_it_is_drawn() -> None:
+    island = scene("island")
+    for preset in (None, "2006"):
+        begin = island.as_walked(island.views["fig2a"], preset)
+        assert begin.wireframe and begin.settings == island.views["fig2a"].settings
+        assert begin.shown == ("ground", "sword", "map") and island.preset_of(begin) == "2006"
+
+
+def test_a_walk_begins_in_a_place_with_all_elements_and_the_place_s_settings() -> None:
+    island = scene("island")
+    begin = island.as_walked(island.views["fig25b"], None)
+    assert (begin.shown, island.preset_of(begin)) == ((), "best")
+    assert begin.settings == {"deer.count": 600}
+
+
+def test_a_walk_with_another_preset_takes_the_place_and_the_fix() -> None:
+    island = scene("island")
+    begin = island.as_walked(island.views["fig2a"], "best")
+    assert not begin.wireframe and (begin.settings, begin.shown) == ({}, ())
+    assert begin.pose == island.views["fig2a"].pose and island.preset_of(begin) == "best"
+    _, fixed = find_view("R12")
+    assert island.as_walked(fixed, "best").settings == {"rabbit.mapping": "axis"}
 
 
 def test_view_names_are_unique_and_presets_and_elements_are_those_of_the_scene() -> None:

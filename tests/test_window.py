@@ -25,7 +25,6 @@ from PIL import Image
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights
 from landscape.geometry.height_field import height_field
-from landscape.island import ELEMENTS
 from landscape.window import recording
 from landscape.window.recording import Plan, Tick
 from landscape.window.walker import Walker, advance, start
@@ -296,13 +295,62 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
     assert (process.returncode, err) == (130, "landscape: interrupted\n")
     plan, ticks = recording.read(path)
     assert len(ticks) > 10
-    assert plan.only == ELEMENTS, "a view is where a walk starts, its switches are for stills"
+    assert plan.only == ("ground", "sword", "map"), "a walk from a figure shows what it shows"
     assert [p.name for p in tmp_path.iterdir()] == ["a.jsonl"]
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        (["fig2a"], ((20.0, 29.5, 43.5, 0.0, -51.0), 0.0, True, "none")),
+        (["fig2a", "--preset", "best"], ((20.0, 29.5, 43.5, 0.0, -51.0), 0.0, False, "both")),
+        (["fig4a", "--kt", "7"], ((13.4, 1.75, 27.6, 345.0, -14.0), 7.0, False, "large")),
+        (
+            ["fig4a", "--pose=-1,ground,20,90,5"],
+            ((-1.0, None, 20.0, 90.0, 5.0), 0.0, False, "large"),
+        ),
+    ],
+)
+def test_a_walk_begins_where_and_as_the_command_line_says(
+    words: list[str], wanted: tuple[Any, ...], tmp_path: Path
+) -> None:
+    path = tmp_path / "a.jsonl"
+    window = ("--backend", "osmesa", "--size", "64x48", "--frames", "1", "--only", "ground")
+    done = landscape("walk", *words, *window, "--record", path)
+    assert (done.status, done.err) == (0, "")
+    plan, _ = recording.read(path)
+    pose = plan.pose.x, plan.pose.y, plan.pose.z, plan.pose.yaw, plan.pose.pitch
+    assert (pose, plan.kt, plan.wireframe, plan.settings.ground.units) == wanted
+
+
+FIXED = """
+from landscape.files.assets import Assets
+from landscape.scene import find_view
+from landscape.window.app import Walk
+from landscape.window.recording import Plan, Tick
+from landscape.window.walker import Intent
+
+kind, view = find_view("R14")
+values = kind.values("2006", view.settings)
+with Walk(Plan("island", values, "R14", view.pose, (64, 48), only=("ground",)), Assets(),
+          "osmesa") as walk:
+    said = [walk.settings.ground.smooth]
+    for _ in range(2):
+        walk.advance(Tick(0.1, Intent(), ("fix",), (64, 48)))
+        said.append(walk.settings.ground.smooth)
+print(*said)
+"""
+
+
+def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
+    done = python(FIXED, env=environment())
+    assert (done.status, done.out.split()) == (0, ["catmull_rom", "none", "catmull_rom"]), done.err
 
 
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
+        (["--pose=2e6,1,1,0,0", "--backend", "osmesa", "--frames", "1"], "--pose"),
         (["--backend", "egl", "--frames", "1"], "--backend egl"),
         (["--backend", "osmesa"], "--frames"),
         (["--backend", "osmesa", "--replay", "none.jsonl"], "none.jsonl"),

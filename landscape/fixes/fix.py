@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from landscape.frame import Pose
+from landscape.scene import View
 from landscape.views import OUTDOORS, VIEWS
 
 GROUND = None  # as a pose's y: eye height above the ground
@@ -44,3 +45,15 @@ class Fix:
         if after and self.after_pose is not None:
             return self.after_pose
         return VIEWS[self.view].pose if isinstance(self.view, str) else self.view
+
+    def as_view(self) -> View:
+        """Return the view that the picture after the fix shows, under the fix's name."""
+        return View(
+            self.name,
+            self.title,
+            self.pose(True),
+            self.kt,
+            preset="2006",
+            shown=self.only,
+            settings=self.settings(True),
+        )

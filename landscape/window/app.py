@@ -21,7 +21,7 @@ from landscape.files.output import next_free, save_png
 from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
-from landscape.scene import SEED, Moment, OpenScene, find_view, scene
+from landscape.scene import SEED, Moment, OpenScene, Scene, View, scene
 from landscape.window import words
 from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name
 from landscape.window.hands import Hands
@@ -53,7 +53,9 @@ class Walk:
         self._wireframe, self._help, self._message, self._until = plan.wireframe, False, "", 0.0
         self._note, self._shoot = "", False
         self._kind = scene(plan.scene)
-        self._fix, self._assets, self._seed = 0, assets, plan.seed
+        self._assets, self._seed = assets, plan.seed
+        names = [fix.name for fix in self._kind.fixes]
+        self._fix = names.index(plan.view) if plan.view in names else 0
         self._windowed = (60, 60, *plan.size)
         self._size = (0, 0)
         self.hands = Hands(system_name)
@@ -342,9 +344,10 @@ def run(
 
 
 def walk(
+    kind: Scene,
+    begin: View,
     settings: Any,
     assets: Assets,
-    view: str = "",
     size: tuple[int, int] = SIZE,
     fullscreen: bool = False,
     record: Path | None = None,
@@ -358,8 +361,9 @@ def walk(
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
-    Only the scene, the pose and kt are taken from ``view``; the rest of it is for stills. A replay
-    takes everything except ``assets``, ``backend``, ``fullscreen`` and ``frames`` from its file.
+    From the view ``begin`` come the pose, kt, the wireframe and, without ``only``, the elements.
+    :meth:`Scene.as_walked` makes one of a named view. A replay takes everything except ``assets``,
+    ``backend``, ``fullscreen`` and ``frames`` from its file.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
@@ -371,17 +375,16 @@ def walk(
         plan, recorded = read(replay)
         ticks = iter(recorded)
     else:
-        kind, named = find_view(view or scene().start)
         plan = Plan(
             scene=kind.name,
             settings=settings,
-            view=named.name,
-            pose=named.pose,
+            view=begin.name,
+            pose=begin.pose,
             size=size,
-            kt=named.kt,
+            kt=begin.kt,
             seed=seed,
-            only=kind.only(only),
-            wireframe=wireframe,
+            only=kind.shown(begin, only) if only is None else kind.only(only),
+            wireframe=wireframe or begin.wireframe,
             language=words.language(os.environ),
         )
     writer = Writer(record, plan) if record is not None else None

@@ -24,6 +24,7 @@ from landscape.window.walker import Intent
 VERSION = 1
 MAX_SECONDS = 1.0  # chosen: a longer frame (after the machine was suspended) counts as this
 MAX_SIDE = 16384  # pixels, as on the command line
+MAX_NUMBER = 1e6  # of a pose, in units or degrees
 ACTIONS = (
     "map",
     "wireframe",
@@ -208,8 +209,8 @@ def _names(value: Any, name: str) -> tuple[str, ...]:
 
 def _plan(line: Mapping[str, Any]) -> Plan:
     x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
-    x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -1e6, 1e6)
-    y = None if y is None else _number(y, "pose", -1e6, 1e6)
+    x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -MAX_NUMBER, MAX_NUMBER)
+    y = None if y is None else _number(y, "pose", -MAX_NUMBER, MAX_NUMBER)
     # Older recordings name no scene: they are of the first one.
     kind = scene(_kind(line.get("scene", ""), "scene", str))
     only = kind.only(_names(line["only"], "only"))
