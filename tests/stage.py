@@ -76,6 +76,8 @@ class Stage:
     @contextmanager
     def borrowed(self) -> Iterator[None]:
         """Restore all state after the block, so that tests do not affect each other."""
+        # glPopAttrib in Mesa does not restore a colour that nothing was drawn with.
+        color = gl.glGetFloatv(gl.GL_CURRENT_COLOR)
         gl.glPushAttrib(gl.GL_ALL_ATTRIB_BITS)
         for mode in (gl.GL_PROJECTION, gl.GL_MODELVIEW):
             gl.glMatrixMode(mode)
@@ -87,6 +89,7 @@ class Stage:
                 gl.glMatrixMode(mode)
                 gl.glPopMatrix()
             gl.glPopAttrib()
+            gl.glColor4f(*color.tolist())
 
     def read(self) -> np.ndarray:
         """Return the rendered image, int64 (h, w, 3), top row first."""
