@@ -172,7 +172,7 @@ def flip_header(data: bytes) -> bytes:
 
 
 DAMAGES: list[Callable[[bytes], bytes]] = [
-    cut, flip, flip_header, lambda data: b"", lambda data: b"landscape cache 0\n" + data[18:],
+    cut, flip, flip_header, lambda data: b"", lambda data: b"landscape cache 1\n" + data[18:],
     lambda data: data + b"x",
 ]  # fmt: skip
 
@@ -187,6 +187,31 @@ def test_a_damaged_file_is_replaced(folder: Path, damage: Callable[[bytes], byte
     path.write_bytes(damage(whole))
     assert same(cache.recall(["x"], maker), ARRAYS) and maker.times == 2
     assert path.read_bytes() == whole
+
+
+def test_every_single_bit_of_a_file_that_flips_is_noticed(folder: Path) -> None:
+    maker = Maker(np.arange(12, dtype=np.uint8).reshape(3, 4), np.zeros(0, np.float32))
+    cache.recall(["x"], maker)
+    (path,) = folder.iterdir()
+    whole = path.read_bytes()
+    bits = 8 * len(whole)
+    for bit in range(bits):
+        damaged = bytearray(whole)
+        damaged[bit // 8] ^= 1 << bit % 8
+        path.write_bytes(damaged)
+        assert same(cache.recall(["x"], maker), maker.arrays), bit
+    assert maker.times == 1 + bits
+
+
+def test_a_file_that_has_taken_another_s_name_is_replaced(folder: Path) -> None:
+    makers = {name: Maker(np.full((2, 2), ord(name), np.uint8)) for name in "ab"}
+    for name, maker in makers.items():
+        cache.recall([name], maker)
+    one, other = folder.iterdir()
+    one.write_bytes(other.read_bytes())
+    for name, maker in makers.items():
+        assert same(cache.recall([name], maker), maker.arrays)
+    assert sum(maker.times for maker in makers.values()) == 3
 
 
 def crowd(folder: str, gate: "multiprocessing.synchronize.Barrier", number: int) -> None:

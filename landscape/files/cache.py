@@ -1,8 +1,9 @@
 """A cache of arrays that are slow to make, such as decoded images. Losing it costs only time.
 
 The name of a file is a hash of everything its arrays were made from, code included, so a file is
-never out of date. It holds a checksum: a damaged file is noticed, and its arrays are made again. It
-appears complete or not at all, so processes that start together do not disturb each other. The
+never out of date. The file holds its own name and a checksum of all its bytes: one that is damaged,
+or has taken another's name, is noticed, and its arrays are made again. It appears complete or not
+at all, so processes that start together do not disturb each other. The
 folder is ``LANDSCAPE_CACHE``, or the system's folder for caches; an empty LANDSCAPE_CACHE turns the
 cache off. The files used longest ago are deleted when all together exceed MOST_BYTES.
 """
@@ -23,7 +24,11 @@ import numpy as np
 from landscape.errors import InputError
 from landscape.files.output import write_whole
 
-MAGIC = b"landscape cache 1\n"
+MAGIC = b"landscape cache 2\n"
+NAME_BYTES = 20  # of the hash that names a file
+# A file: MAGIC, its name, the length of the table that follows and the checksum of all the rest,
+# both 4 bytes; the table of types and shapes as JSON; the arrays.
+HEAD_BYTES = len(MAGIC) + NAME_BYTES + 8
 MOST_BYTES = 400 << 20  # chosen: about five times what the shipped island takes
 ALIGNED = 16  # bytes
 PACKAGE = Path(__file__).resolve().parents[1]
@@ -50,7 +55,7 @@ def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
     place, theirs = folder(), code_outside(make)
     if place is None or theirs is None:
         return make()
-    digest = hashlib.blake2b(code() + theirs, digest_size=20)
+    digest = hashlib.blake2b(code() + theirs, digest_size=NAME_BYTES)
     for part in parts:
         data = part.encode() if isinstance(part, str) else part
         digest.update(len(data).to_bytes(8, "little") + data)
@@ -109,38 +114,47 @@ def _content(path: str, changed: int, size: int) -> bytes:
 
 
 def _read(path: Path) -> Arrays | None:
-    """Return the arrays in a file; None if there is none or it is damaged."""
+    """Return the arrays in a file; None if there is none, or it is damaged or another's."""
     try:
         data = np.fromfile(path, np.uint8)
         os.utime(path)  # the time of its last use: older files are deleted first
     except OSError:
         return None
+    begin = _begin(path)
+    head, body = data[:HEAD_BYTES].tobytes(), data[HEAD_BYTES:]
+    if len(head) < HEAD_BYTES or not head.startswith(begin):
+        return None
+    length, checksum = np.frombuffer(head[len(begin) :], "<u4").tolist()
+    if _checksum([head[:-4], body.data]) != checksum:
+        return None
     try:
-        start = len(MAGIC) + 8
-        head = data[:start].tobytes()
-        if not head.startswith(MAGIC):
-            return None
-        length, checksum = np.frombuffer(head[len(MAGIC) :], "<u4").tolist()
-        if zlib.crc32(data[start:].data) != checksum:
-            return None
-        arrays, at = [], start + length
-        for kind, shape in json.loads(data[start:at].tobytes()):
+        arrays, at = [], length
+        for kind, shape in json.loads(body[:length].tobytes()):
             size = np.dtype(kind).itemsize * int(np.prod(shape))
-            arrays.append(data[at : at + size].view(kind).reshape(shape))
+            arrays.append(body[at : at + size].view(kind).reshape(shape))
             at += size + -size % ALIGNED
     except (ValueError, TypeError):
         return None
     return tuple(arrays)
 
 
+def _begin(path: Path) -> bytes:
+    """Return the bytes a file of this name begins with."""
+    return MAGIC + bytes.fromhex(path.stem)
+
+
+def _checksum(parts: Iterable[bytes | memoryview]) -> int:
+    return functools.reduce(lambda total, part: zlib.crc32(part, total), parts, 0)
+
+
 def _write(path: Path, arrays: Arrays) -> None:
     """Write arrays to a file, and delete old files if there are too many."""
-    header = json.dumps([(array.dtype.str, array.shape) for array in arrays]).encode()
+    table = json.dumps([(array.dtype.str, array.shape) for array in arrays]).encode()
     # Each array begins at an aligned offset, so that it can be used in place, without a copy.
-    body = [header + b" " * (-(len(MAGIC) + 8 + len(header)) % ALIGNED)]
-    body += [part.tobytes() + bytes(-part.nbytes % ALIGNED) for part in arrays]
-    checksum = functools.reduce(lambda total, part: zlib.crc32(part, total), body, 0)
-    write_whole(path, [MAGIC + np.array([len(body[0]), checksum], "<u4").tobytes(), *body])
+    table += b" " * (-(HEAD_BYTES + len(table)) % ALIGNED)
+    body = [table, *(part.tobytes() + bytes(-part.nbytes % ALIGNED) for part in arrays)]
+    begin = _begin(path) + len(table).to_bytes(4, "little")
+    write_whole(path, [begin + _checksum([begin, *body]).to_bytes(4, "little"), *body])
     _shrink(path.parent)
 
 
