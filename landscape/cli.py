@@ -16,6 +16,7 @@ from typing import Any
 
 from landscape import keys
 from landscape.errors import InputError, NoOpenGLError
+from landscape.files.processes import end_tidily
 from landscape.frame import Pose
 from landscape.options import parse
 from landscape.scene import SCENES, Scene, find_view, listed_views, scene
@@ -23,6 +24,7 @@ from landscape.scene import SCENES, Scene, find_view, listed_views, scene
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
+    end_tidily()
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A file name may have characters that the terminal's encoding lacks.
         sys.stdout.reconfigure(errors="backslashreplace")

@@ -3,8 +3,6 @@
 import io
 import multiprocessing
 import os
-import signal
-import threading
 from collections.abc import Callable, Generator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
@@ -19,7 +17,7 @@ from PIL import Image
 from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.files.output import write_whole
-from landscape.files.processes import interrupts_held
+from landscape.files.processes import begin_worker, interrupts_held
 from landscape.files.progress import Progress
 
 # The height field comes first: the ground textures and the map are derived from it.
@@ -93,7 +91,7 @@ def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
         return
     # Spawned, not forked: forking a process that has threads can deadlock.
     spawn = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(count, spawn, initializer=_start)
+    pool = ProcessPoolExecutor(count, spawn, initializer=begin_worker)
     try:
         with interrupts_held():
             jobs = {pool.submit(make, name): name for name in names}
@@ -108,19 +106,6 @@ def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
         raise
     finally:
         pool.shutdown(cancel_futures=True)
-
-
-def _start() -> None:
-    """Initialise a worker process: it ignores Ctrl-C and exits when its parent does."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    parent = multiprocessing.parent_process()
-
-    def exit_with_parent() -> None:
-        if parent is not None:
-            parent.join()
-            os._exit(1)
-
-    threading.Thread(target=exit_with_parent, daemon=True).start()
 
 
 def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> int:

@@ -6,7 +6,6 @@ the process that draws it.
 
 import multiprocessing
 import os
-import signal
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
@@ -15,7 +14,7 @@ from typing import Any
 
 from landscape.errors import InputError
 from landscape.files.output import save_png
-from landscape.files.processes import interrupts_held
+from landscape.files.processes import begin_worker, interrupts_held
 from landscape.frame import Pose
 from landscape.render import Offscreen
 from landscape.scene import SCENES
@@ -66,9 +65,9 @@ def render_all(
 
 
 def _prepare(scenes: Mapping[str, str]) -> None:
-    """Copy the list of scenes, and leave Ctrl-C to the process that waits for the pictures."""
+    """Begin a worker process, with its parent's list of scenes."""
+    begin_worker()
     SCENES.update(scenes)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _draw(
