@@ -282,6 +282,10 @@ class Island:
         """Return the height of what one stands on at x, z in units: the ground or the water."""
         return float(self.ground.height(x, z))
 
+    def depth(self, x: float, z: float) -> float:
+        """Return the water's depth at x, z in units, 0 on land."""
+        return float(self.ground.field.depth(x, z))
+
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""
         while self._owned:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import import_module
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -57,6 +57,14 @@ class Terrain(Protocol):
 
     def height(self, x: float, z: float) -> Any:
         """Return the height in units of what one stands on at x, z: ground or water."""
+
+
+@runtime_checkable
+class Watery(Protocol):
+    """A terrain with water that one can wade and swim in; a scene's terrain need not be one."""
+
+    def depth(self, x: float, z: float) -> Any:
+        """Return the water's depth in units at x, z, 0 on land."""
 
 
 class Fix(Protocol):

@@ -112,6 +112,12 @@ class Walk:
         unit="steps per unit walked",
         needs=WALKING,
     )
+    swim: bool = setting(
+        False,
+        "section 2.1.3",
+        "the walker wades and swims; otherwise he walks on the water's surface, as in 2006",
+        needs=WALKING,
+    )
 
 
 @dataclass(frozen=True)
@@ -881,6 +887,7 @@ BEST: dict[str, Value] = {
     "camera.cull": True,
     "camera.lod_pixels": 0.25,
     "walk.mouse_relative": True,
+    "walk.swim": True,
     "sun.fill": 0.45,
     "ground.resolution": 160,
     "ground.height_image": "height16.png",

@@ -57,6 +57,19 @@ def test_an_eye_among_the_waves_always_sees_them(stage: Stage) -> None:
     query.release()
 
 
+@pytest.mark.parametrize("above", [0.001, 0.01, 0.02, 0.03, 0.05])
+def test_a_swimmer_who_looks_down_sees_the_sea(stage: Stage, above: float) -> None:
+    query = SeaQuery(SETTINGS)
+    for pitch in (-90.0, -48.0):
+        pose = Pose(20.0, 0.6 + ABOVE + above, 20.0, 30.0, pitch)
+        for _ in range(2):
+            with stage.frame(SETTINGS, pose) as frame:
+                query.expected(frame)
+                query.ask(frame)
+                assert query.shows()
+    query.release()
+
+
 def test_while_a_list_is_compiled_the_last_answer_is_kept(stage: Stage) -> None:
     query, answers = SeaQuery(SETTINGS), []
     for _ in range(2):

@@ -17,11 +17,13 @@ from landscape.geometry.obstacles import Obstacle, courtyard
 from landscape.keys import with_settings
 from landscape.settings import Castle, Dragon, Rabbit, Settings
 from landscape.window.walker import (
+    AFLOAT,
     FALL,
     FLOOR,
     FLY,
     MARGIN,
     RADIUS,
+    RIPPLE,
     Intent,
     Walker,
     advance,
@@ -384,3 +386,82 @@ def test_an_absolute_mouse_without_sensitivity_turns_nothing() -> None:
     walker = Walker(20.0, 1.0, 20.0)
     assert aimed(walker, (10, 10), (400, 200), 0.0) == (0.0, 0.0)
     assert aimed(walker, (10, 10), (0, 0), 0.12) == (0.0, 0.0)
+
+
+def beach(slope: float = 0.1) -> HeightField:
+    """A beach that runs into the sea to the north; the water's edge is at z = 20."""
+    z = np.linspace(0.0, 40.0, 81)
+    heights = np.repeat((0.6 + slope * (z - 20.0))[:, None], 81, axis=1)
+    return HeightField(heights.astype(np.float32), 40.0, 0.6)
+
+
+SWIMMER = with_settings(SETTINGS, {"walk.swim": True, "walk.bob": 0.0})
+
+
+def into_the_sea(frames: int = 300) -> list[Walker]:
+    """Return a swimmer's walkers, frame by frame, on a way of ten seconds north from the beach."""
+    walker, way = start(Pose(20.0, None, 20.5), beach(), SWIMMER), []
+    for _ in range(frames):
+        walker = advance(walker, FORWARD, 10.0 / frames, beach(), (), SWIMMER)
+        way.append(walker)
+    return way
+
+
+def test_a_walker_wades_until_he_swims_with_his_eye_just_above_the_water():
+    for walker in into_the_sea():
+        depth = float(beach().depth(walker.x, walker.z))
+        floor = float(beach().terrain_height(walker.x, walker.z))
+        assert walker.y == pytest.approx(max(floor + 0.1, 0.6 + AFLOAT), abs=RIPPLE + 1e-6)
+        assert walker.y > 0.6 + 0.03, "waves would cover the eye"
+        if not 0.02 < depth < 0.06:
+            assert walker.swimming == (depth > 0.04)
+    assert walker.swimming
+
+
+def test_an_eye_in_the_water_never_jumps():
+    heights = np.array([walker.y for walker in into_the_sea(600)])
+    assert np.abs(np.diff(heights)).max() < 0.003
+    resting = into_the_sea(60)[-1]
+    rise = []
+    for _ in range(90):
+        resting = advance(resting, Intent(), 1 / 30, beach(), (), SWIMMER)
+        rise.append(resting.y)
+    assert max(rise) - min(rise) == pytest.approx(2 * RIPPLE, rel=0.02), "a swimmer bobs"
+
+
+def test_a_swimmer_is_half_as_fast_at_any_frame_rate():
+    far, swum = into_the_sea()[-1], []
+    for frames in (2, 30, 240):
+        walker = go(far, FORWARD, 2.0, beach(), frames=frames, settings=SWIMMER)
+        swum.append(far.z - walker.z)
+    assert swum == pytest.approx([0.5 * 2.0 * WALK.speed] * 3, rel=1e-3)
+    ends = [into_the_sea(frames)[-1].z for frames in (10, 100, 1000)]
+    assert ends == pytest.approx([ends[-1]] * 3, abs=0.01)
+
+
+def test_on_the_shore_swimming_begins_and_ends_once_each():
+    walker, states = start(Pose(20.0, None, 20.0, 0.0), beach(), SWIMMER), []
+    for _ in range(80):
+        walker = advance(walker, FORWARD, 1 / 30, beach(), (), SWIMMER)
+        states.append(walker.swimming)
+    for k in range(400):
+        step = Intent(forward=-1.0 if k % 3 else 0.5)
+        walker = advance(walker, step, 1 / 30, beach(), (), SWIMMER)
+        states.append(walker.swimming)
+    assert not states[0] and not states[-1]
+    assert np.abs(np.diff(np.array(states, int))).sum() == 2
+
+
+def test_without_the_setting_one_walks_on_the_water_as_in_2006():
+    walker = go(start(Pose(20.0, None, 20.5), beach(), SETTINGS), FORWARD, 5.0, beach(), frames=50)
+    assert float(beach().depth(walker.x, walker.z)) > 0.3
+    assert walker.y == pytest.approx(0.6 + 0.1 + 0.006 * math.cos(walker.step / 3))
+    assert not walker.swimming
+
+
+def test_a_walker_knows_that_he_is_at_the_edge_of_the_map():
+    for yaw in (0.0, 90.0, 180.0, 270.0):
+        for flying in (False, True):
+            walker = replace(at(20.0, 20.0, yaw), flying=flying)
+            assert not go(walker, FORWARD, 10.0).at_edge
+            assert go(walker, FORWARD, 60.0, frames=60).at_edge

@@ -257,6 +257,45 @@ def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
             assert said_back not in (back, said), f"{name} says nothing when taken back"
 
 
+HEARD = """
+import json
+from landscape.window.app import Walk
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.window.recording import Plan, Tick
+from landscape.settings import Settings
+from landscape.keys import with_settings
+from landscape.window.walker import Intent
+
+said = []
+class Heard(Walk):
+    def _say(self, message):
+        said.append(message)
+        super()._say(message)
+
+values = with_settings(Settings(), {"walk.swim": True, "walk.run": 30.0})
+for language in ("en", "fr"):
+    plan = Plan("island", values, "", Pose(24.0, None, 31.0, 180.0), (40, 30), only=("ground",),
+                language=language)
+    with Heard(plan, Assets(), "osmesa") as walk:
+        for _ in range(60):
+            walk.advance(Tick(0.02, Intent(forward=1.0, run=True), (), (40, 30)))
+        for _ in range(60):
+            walk.advance(Tick(0.02, Intent(forward=-1.0, run=True), (), (40, 30)))
+print(json.dumps(said))
+"""
+
+
+def test_deep_water_and_the_edge_of_the_map_are_said() -> None:
+    done = python(HEARD, env=environment())
+    assert done.status == 0, done.err
+    said = [text for text in json.loads(done.out) if "H" not in text]
+    assert said == [
+        *("deep water: swimming", "the edge of the map", "back on foot"),
+        *("eau profonde\u00a0: à la nage", "le bord de la carte", "de nouveau à pied"),
+    ]
+
+
 def test_a_replay_gives_the_same_pixels_and_poses_in_every_frame(scripted) -> None:
     assert len(set(frame["hash"] for frame in scripted["live"])) > 20
     assert scripted["again"] == scripted["live"]

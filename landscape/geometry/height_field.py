@@ -78,6 +78,10 @@ class HeightField:
         """Return the height to stand on, never below the water (get_height in 2006)."""
         return np.maximum(self.terrain_height(x, z), self.water_level)
 
+    def depth(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
+        """Return the water's depth at x, z in units, 0 on land."""
+        return np.maximum(self.water_level - self.terrain_height(x, z), 0.0)
+
     def slope(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
         """Return the steepness, rise over run, by central differences over half a cell."""
         d = self.size / (len(self.heights) - 1) / 2

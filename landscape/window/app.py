@@ -198,7 +198,7 @@ class Walk:
             self._switch(name)
         if tick.note:
             self._say(tick.note)
-        flying = self.walker.flying
+        before = self.walker
         self.walker = advance(
             self.walker,
             tick.intent,
@@ -207,8 +207,12 @@ class Walk:
             self._scene.obstacles,
             self.settings,
         )
-        if self.walker.flying != flying:
+        if self.walker.flying != before.flying:
             self._tell("fly", self.walker.flying)
+        elif self.walker.swimming != before.swimming:
+            self._tell("swim", self.walker.swimming)
+        if self.walker.at_edge and not before.at_edge:
+            self._say(self._word("edge"))
         self._size = tick.size
 
     def _switch(self, name: str) -> None:

@@ -3,8 +3,9 @@
 The report moves the walker a fixed dL per key event: x += dL sin(yaw), z -= dL cos(yaw) plus
 0.0005 cos(step/4), eye = height(x, z) + 0.006 cos(step/3) + 0.1. Here speeds are per second, so
 that the motion does not depend on the frame rate, and the walker stops at the map's border and at
-obstacles such as the castle. A :class:`Walker` is a plain value: :func:`advance` returns the next
-one from the user's input.
+obstacles such as the castle. In 2006 he walked on the water's surface, the least that height(x, z)
+returns; with ``walk.swim`` he wades, and swims where it is deep. A :class:`Walker` is a plain
+value: :func:`advance` returns the next one from the user's input.
 """
 
 import math
@@ -15,7 +16,7 @@ from typing import Any
 from landscape.elements.sword import STROKES
 from landscape.frame import Pose
 from landscape.geometry.obstacles import Obstacle
-from landscape.scene import Terrain
+from landscape.scene import Terrain, Watery
 
 RADIUS = 0.05  # chosen: units, half the walker's width; 2.5 times the near plane's distance
 MARGIN = 0.1  # chosen: units kept from the map's border
@@ -25,6 +26,12 @@ FLY = 2.0  # chosen: times the walking speed
 FLOOR = 0.05  # chosen: units a flying eye keeps above the ground, the water and obstacles
 FALL = 6.0  # chosen: units per second, falling after a flight
 SWEEP = 360.0  # chosen: degrees of yaw across the window's width
+AFLOAT = 0.055  # chosen: units, a swimming eye above the water; the waves rise 0.016
+SWIM = 0.5  # chosen: times the walking speed
+WADE = 0.1  # chosen: units, the longest step where there may be water; in it, STRIDE
+RIPPLE = 0.004  # chosen: units, amplitude of the water's rise and fall under a swimmer
+RIPPLE_SECONDS = 2.6  # chosen: one rise and fall
+DEEP, SHALLOW = 1.1, 0.8  # chosen: times the depth at which one floats: where swimming begins, ends
 MAX_PITCH = 89.0  # degrees; at 90 "forward" would have no direction on the map
 
 
@@ -53,6 +60,8 @@ class Walker:
 
     ``step`` is the report's k_step; ``drop`` is the height in units still to fall after a flight;
     ``stroke`` is 0 at rest and 1 to 4 during a stroke of the sword, which began ``struck`` kt ago.
+    ``afloat`` are the seconds spent in the water, which move the eye up and down; ``swimming`` says
+    that the water is deep, ``at_edge`` that the map ends here.
     """
 
     x: float
@@ -65,6 +74,9 @@ class Walker:
     drop: float = 0.0
     stroke: int = 0
     struck: float = 0.0
+    afloat: float = 0.0
+    swimming: bool = False
+    at_edge: bool = False
 
     @property
     def pose(self) -> Pose:
@@ -144,8 +156,29 @@ def advance(
         walker = _take_off_or_land(walker, ground, settings)
     reach = walk.speed * (walk.run if intent.run else 1.0) * seconds
     if walker.flying:
-        return _fly(walker, intent, heading, FLY * reach, ground, obstacles)
-    return _walk(walker, intent, heading, reach, ground, obstacles, settings)
+        walker = _fly(walker, intent, heading, FLY * reach, ground, obstacles)
+    else:
+        afloat = walker.afloat + seconds if _sunk(walker.x, walker.z, ground, settings) else 0.0
+        walker = replace(walker, afloat=afloat)
+        walker = _walk(walker, intent, heading, reach, ground, obstacles, settings)
+    return _placed(walker, ground, settings)
+
+
+def _placed(walker: Walker, ground: Terrain, settings: Any) -> Walker:
+    """Return the walker, knowing whether he swims, and whether he is at the map's edge."""
+    depth = 0.0 if walker.flying else _sunk(walker.x, walker.z, ground, settings)
+    # Two limits, so that a swimmer on the shore does not change his mind in every frame.
+    swimming = depth > (SHALLOW if walker.swimming else DEEP)
+    last = ground.size - MARGIN - 1e-6
+    at_edge = not all(ground.size - last < at < last for at in (walker.x, walker.z))
+    return replace(walker, swimming=swimming, at_edge=at_edge)
+
+
+def _sunk(x: float, z: float, ground: Terrain, settings: Any) -> float:
+    """Return the water's depth over that at which one floats: 0 on land, over 1 in deep water."""
+    if not settings.walk.swim or not isinstance(ground, Watery):
+        return 0.0
+    return float(ground.depth(x, z)) / max(settings.walk.eye - AFLOAT, 1e-3)
 
 
 def _strike(walker: Walker, intent: Intent, kt: float, settings: Any) -> Walker:
@@ -159,17 +192,29 @@ def _strike(walker: Walker, intent: Intent, kt: float, settings: Any) -> Walker:
     return replace(walker, stroke=stroke, struck=struck)
 
 
-def eye_height(x: float, z: float, step: float, ground: Terrain, settings: Any) -> float:
-    """Return the walking eye's y in units: ground or water, plus the bob, plus eye height."""
+def eye_height(
+    x: float, z: float, step: float, ground: Terrain, settings: Any, afloat: float = 0.0
+) -> float:
+    """Return the walking eye's y in units: ground or water, plus the bob, plus eye height.
+
+    In water it is lower, down to AFLOAT above the surface, and rises and falls with ``afloat``, the
+    seconds spent there.
+    """
     walk = settings.walk
-    return float(ground.height(x, z)) + walk.bob * math.cos(step / 3) + walk.eye
+    y = float(ground.height(x, z)) + walk.bob * math.cos(step / 3) + walk.eye
+    sunk = min(_sunk(x, z, ground, settings), 1.0)
+    if sunk == 0.0:
+        return y
+    ripple = RIPPLE * math.sin(2 * math.pi * afloat / RIPPLE_SECONDS)
+    return y - sunk * (max(walk.eye - AFLOAT, 0.0) - ripple)
 
 
 def _take_off_or_land(walker: Walker, ground: Terrain, settings: Any) -> Walker:
     """Start flying at the eye's position, or start falling from it."""
     if not walker.flying:
         return replace(walker, flying=True, drop=0.0)
-    height = walker.y - eye_height(walker.x, walker.z, walker.step, ground, settings)
+    eye = eye_height(walker.x, walker.z, walker.step, ground, settings, walker.afloat)
+    height = walker.y - eye
     return replace(walker, flying=False, drop=max(height, 0.0))
 
 
@@ -212,12 +257,19 @@ def _walk(
     c, s = math.cos(math.radians(heading)), math.sin(math.radians(heading))
     ux = (intent.forward * s + intent.right * c) / (long or 1.0)
     uz = (-intent.forward * c + intent.right * s) / (long or 1.0)
-    x, z, step = walker.x, walker.z, walker.step
-    solid = _solid(obstacles, eye_height(x, z, step, ground, settings) + walker.drop)
+    x, z, step, afloat = walker.x, walker.z, walker.step, walker.afloat
+    solid = _solid(obstacles, eye_height(x, z, step, ground, settings, afloat) + walker.drop)
     x, z = _reachable((x, z), (x, z), ground, solid)
     while left > 1e-12:
         # Far from obstacles the rest is one move; near them no move is longer than STRIDE.
         stride = min(left, max(_gap(x, z, obstacles)[0] - RADIUS, STRIDE))
+        effort = 1.0
+        if settings.walk.swim:
+            stride = min(stride, WADE)
+            sunk = _sunk(x, z, ground, settings)
+            if sunk or _sunk(x + stride * ux, z + stride * uz, ground, settings):
+                effort = 1.0 / (1.0 - (1.0 - SWIM) * min(sunk, 1.0))
+                stride = min(stride, STRIDE, left / effort)
         after = step + stride * settings.walk.steps_per_unit
         # The report's small drift term, summed over the steps of this move.
         drift = 4 * WANDER * (math.sin(after / 4) - math.sin(step / 4))
@@ -228,8 +280,8 @@ def _walk(
             break
         step += stride * min(moved, 1.0) * settings.walk.steps_per_unit
         x, z = there
-        left -= stride
-    y = eye_height(x, z, step, ground, settings) + walker.drop
+        left -= stride * effort
+    y = eye_height(x, z, step, ground, settings, afloat) + walker.drop
     return replace(walker, x=x, y=y, z=z, step=step)
 
 

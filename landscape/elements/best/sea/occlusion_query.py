@@ -12,6 +12,8 @@ another place. A picture never depends on what was seen before.
 State used: colour and depth masks, the query.
 """
 
+import math
+
 import numpy as np
 
 from landscape.elements.water_surface import water_square
@@ -40,7 +42,7 @@ class SeaQuery:
     def __init__(self, settings: Settings) -> None:
         """Make the query, and compile the square that the sea may reach."""
         self._built_from = built_from(settings)
-        self._height = settings.water.level + ABOVE
+        self._height, self._near = settings.water.level + ABOVE, settings.camera.near
         low, high = water_square(settings.water)
 
         def send() -> None:
@@ -58,7 +60,10 @@ class SeaQuery:
 
     def apply(self, settings: Settings) -> bool:
         """Return whether the query is also valid for new settings: for the same surface."""
-        return built_from(settings) == self._built_from
+        if built_from(settings) != self._built_from:
+            return False
+        self._near = settings.camera.near
+        return True
 
     def expected(self, frame: Frame) -> bool:
         """Return whether to draw the mirror image before it is known if any sea is visible."""
@@ -76,7 +81,8 @@ class SeaQuery:
         """Start the query: may any of the sea show in front of what is in the depth buffer?"""
         if compiling():
             return
-        self._asked = frame.eye_y > self._height
+        # The near plane would clip a square that is closer than its corners.
+        self._asked = frame.eye_y > self._height + self._near * corner(frame)
         if not self._asked:
             self._shows = True
             return
@@ -104,6 +110,12 @@ class SeaQuery:
             gl.glDeleteQueries(1, np.array([self._query], np.uint32))
             self._query = 0
         self._list.release()
+
+
+def corner(frame: Frame) -> float:
+    """Return the distance from the eye to the near plane's corners, times that of the plane."""
+    top = math.tan(math.radians(frame.fov) / 2)
+    return math.hypot(1.0, top, top * frame.size[0] / frame.size[1])
 
 
 def compiling() -> bool:
