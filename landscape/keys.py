@@ -6,13 +6,15 @@ or a tuple of floats. No setting is named here: each scene brings its own.
 """
 
 import dataclasses
+import os
 import tomllib
 from collections.abc import Mapping
 from dataclasses import field
+from numbers import Real
 from pathlib import Path
 from typing import Any, TypeVar
 
-from landscape.errors import InputError
+from landscape.errors import InputError, short
 
 Value = bool | int | float | str | tuple[float, ...]
 Settings = TypeVar("Settings")
@@ -71,10 +73,11 @@ def get(settings: Any, key: str) -> Value:
 
 
 def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
-    """Return settings with some keys changed; values may be strings, as on the command line.
+    """Return settings with some keys changed.
 
-    Old names of renamed keys are accepted as well. Raises InputError that names the key and what
-    was expected.
+    Values may be strings, as on the command line, or numpy's numbers and arrays; a file's name may
+    be a path. Old names of renamed keys are accepted as well. Raises InputError that names the key
+    and what was expected.
     """
     known = fields(type(settings))
     for key, value in current_names(settings, changes)[0].items():
@@ -89,9 +92,36 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
 
 def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name: str) -> Settings:
     """Return settings with a preset's differences; InputError if there is none of that name."""
-    if name not in presets:
-        raise InputError(f"preset {name!r}: expected one of {', '.join(presets)}")
+    if not isinstance(name, str) or name not in presets:
+        raise InputError(f"preset {short(name)}: expected one of {', '.join(presets)}")
     return with_settings(defaults, presets[name])
+
+
+def flattened(changes: Any) -> dict[str, Any]:
+    """Return changes by dotted keys: ``{"fog": {"density": 1}}`` as ``{"fog.density": 1}``.
+
+    InputError if they are no mapping, or a key is no string.
+    """
+    if not isinstance(changes, Mapping):
+        raise InputError(
+            f'settings {short(changes)}: expected a mapping such as {{"fog.density": 0.05}}'
+        )
+    flat: dict[str, Any] = {}
+    for key, value in changes.items():
+        group = value if isinstance(value, Mapping) else {}
+        for each in (key, *group):
+            if not isinstance(each, str):
+                raise InputError(
+                    f"settings: key {short(each)}: expected a string such as fog.density"
+                )
+        inner = {f"{key}.{name}": each for name, each in group.items()}
+        flat |= inner if isinstance(value, Mapping) else {key: value}
+    return flat
+
+
+def plain(value: Any) -> Any:
+    """Return numpy's numbers and arrays as Python's numbers and lists; anything else unchanged."""
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def current_names(settings: Any, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
@@ -117,8 +147,11 @@ def current_names(settings: Any, changes: Mapping[str, Any]) -> tuple[dict[str, 
 
 def _negated(value: Any) -> Any:
     """Return a number, or a string of one, with its sign changed; anything else unchanged."""
+    number = plain(value)
+    if isinstance(number, bool):
+        return value
     try:
-        return -float(value)
+        return -float(number)
     except (TypeError, ValueError, OverflowError):
         return value
 
@@ -140,10 +173,11 @@ def read_toml(path: Path) -> dict[str, Any]:
     return flat
 
 
-def _checked(key: str, item: Field, value: Any) -> Value:
-    """Convert a string or a TOML value to the type of the key's default, and check its limits."""
+def _checked(key: str, item: Field, given: Any) -> Value:
+    """Convert a value that was given to the type of the key's default, and check its limits."""
     meta, default = item.metadata, item.default
-    wrong = InputError(f"setting {key}: expected {expected(item)}, not {_short(value)}")
+    wrong = InputError(f"setting {key}: expected {expected(item)}, not {short(given)}")
+    value = plain(given)
     if isinstance(default, bool):
         if isinstance(value, str):
             words = {"true": True, "on": True, "1": True, "yes": True}
@@ -153,10 +187,10 @@ def _checked(key: str, item: Field, value: Any) -> Value:
             raise wrong
         return value
     if isinstance(default, str):
-        text = str(value)
-        if not isinstance(value, str) or (meta["choices"] and text not in meta["choices"]):
+        text = os.fspath(value) if isinstance(value, os.PathLike) else value
+        if not isinstance(text, str) or (meta["choices"] and text not in meta["choices"]):
             raise wrong
-        if not meta["choices"] and (not text or "\0" in text):
+        if not meta["choices"] and not _names_a_file(text):
             raise wrong
         return text
     if isinstance(default, tuple):
@@ -167,28 +201,28 @@ def _checked(key: str, item: Field, value: Any) -> Value:
     return _number(value, meta, wrong, type(default))
 
 
+def _names_a_file(text: str) -> bool:
+    """Return whether a text may be a file's name: not empty, and the system can encode it."""
+    try:
+        return b"\0" not in (os.fsencode(text) or b"\0")
+    except UnicodeEncodeError:
+        return False
+
+
 def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) -> Any:
-    if isinstance(value, bool):
+    value = plain(value)
+    if isinstance(value, bool) or not isinstance(value, (str, Real)):
         raise wrong
     try:
         number = kind(value.replace("_", "") if isinstance(value, str) else value)
     except (TypeError, ValueError, OverflowError):
         raise wrong from None
-    if isinstance(value, float) and number != value:
+    if kind is int and not isinstance(value, str) and number != value:
         raise wrong
     # Comparing is safe where converting is not: an int may be larger than any float.
     if not meta["low"] <= number <= meta["high"]:
         raise wrong
     return number
-
-
-def _short(value: Any) -> str:
-    """Format a value given for a setting, truncated if it is long."""
-    try:
-        text = repr(value)
-    except ValueError:
-        return "a number of thousands of digits"
-    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def expected(item: Field) -> str:

@@ -6,11 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from landscape import arguments
 from landscape.errors import InputError
-from landscape.frame import Pose
 from landscape.scene import SEED
 
-MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow less
 Commands = Mapping[str, Callable[[argparse.Namespace], int]]
 
 BY_VIEW = (
@@ -178,7 +177,8 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
 def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:
     """Add the options that all drawing commands share; ``preset`` is the help of --preset."""
     add = parser.add_argument_group("common options").add_argument
-    add("--backend", choices=("auto", "osmesa", "egl", "glfw"), default="auto")
+    backends = "|".join(arguments.BACKENDS)
+    add("--backend", type=_backend, default="auto", metavar=backends)
     add("--preset", metavar="best|2006", help=preset)
     add("--set", action="append", type=_pair, default=[], metavar="KEY=VALUE", dest="changes")
     add("--settings", type=Path, metavar="FILE.toml")
@@ -190,35 +190,54 @@ def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW
     )
     add("--only", type=_elements, default=None, metavar="ELEMENT,...")
     add("--wireframe", action="store_true")
-    add("--samples", type=int, choices=(0, 4), default=samples, help="antialiasing")
+    add("--samples", type=_samples, default=samples, metavar="0|4", help="antialiasing")
     add("--seed", type=_count, default=SEED, metavar="N")
     add("-q", "--quiet", action="store_true")
 
 
-def _size(text: str) -> tuple[int, int]:
-    width, _, height = text.lower().partition("x")
-    if not (width.isascii() and width.isdigit() and height.isascii() and height.isdigit()):
-        raise argparse.ArgumentTypeError(f"{text!r}: expected WxH such as 800x600")
-    size = int(width[:9]), int(height[:9])
-    if not all(0 < side <= MAX_SIDE for side in size):
-        raise argparse.ArgumentTypeError(f"{text!r}: expected from 1x1 to {MAX_SIDE}x{MAX_SIDE}")
-    return size
-
-
-def _count(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and len(text) < 19):
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number from 0")
-    return int(text)
-
-
-def _number(text: str) -> float:
+def _checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any:
+    """Check the value that a text stands for; argparse shows the text if it is wrong."""
     try:
-        number = float(text)
+        return check(value, *more, given=repr(text))
+    except InputError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def _digits(text: str) -> int | str:
+    """Return a text of ASCII digits as a number; it stays a text if there is anything else."""
+    # No number of 20 digits is allowed anywhere, and Python converts none of thousands.
+    return int(text.lstrip("0")[:20] or 0) if text.isascii() and text.isdigit() else text
+
+
+def _size(text: str) -> Any:
+    sides = [_digits(side) for side in text.lower().split("x")]
+    if len(sides) != 2 or not all(isinstance(side, int) for side in sides):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected WxH such as 800x600")
+    return _checked(arguments.size, text, sides)
+
+
+def _count(text: str) -> Any:
+    return _checked(arguments.whole, text, _digits(text), "")
+
+
+def _samples(text: str) -> Any:
+    return _checked(arguments.choice, text, _digits(text), "", arguments.SAMPLES)
+
+
+def _backend(text: str) -> Any:
+    return _checked(arguments.choice, text, text, "", arguments.BACKENDS)
+
+
+def _real(text: str) -> float | str:
+    """Return a text as a number; it stays a text if it is none."""
+    try:
+        return float(text)
     except ValueError:
-        number = float("nan")
-    if not abs(number) < 1e9:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a number")
-    return number
+        return text
+
+
+def _number(text: str) -> Any:
+    return _checked(arguments.number, text, _real(text), "")
 
 
 def _pair(text: str) -> tuple[str, str]:
@@ -229,14 +248,11 @@ def _pair(text: str) -> tuple[str, str]:
 
 
 def _elements(text: str) -> tuple[str, ...]:
-    return tuple(name.strip() for name in text.split(","))
+    return arguments.names(text, "only")
 
 
-def _pose(text: str) -> Pose:
-    parts = [part.strip() for part in text.split(",")]
+def _pose(text: str) -> Any:
+    parts = tuple(_real(part.strip()) for part in text.split(","))
     if len(parts) != 5:
         raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y,Z,YAW,PITCH")
-    if "ground" in (parts[0], *parts[2:]):
-        raise argparse.ArgumentTypeError(f"{text!r}: only Y may be `ground`")
-    x, z, yaw, pitch = (_number(part) for part in (parts[0], *parts[2:]))
-    return Pose(x, None if parts[1] == "ground" else _number(parts[1]), z, yaw, pitch)
+    return _checked(arguments.pose, text, parts)

@@ -1,21 +1,21 @@
 """Stills: a scene drawn without a screen."""
 
-import math
-from collections.abc import Iterable, Mapping
-from dataclasses import astuple, replace
-from numbers import Real
-from pathlib import Path
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from PIL import Image
 
-from landscape.errors import InputError
+from landscape import arguments, keys
+from landscape.errors import InputError, short
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
-from landscape.gl.context import Context, open_context
 from landscape.gl.framebuffer import Framebuffer
+from landscape.gl.ownership import OwnedContext
 from landscape.scene import (
     SEED,
     Moment,
@@ -29,16 +29,22 @@ from landscape.scene import (
 )
 
 SIZE = (800, 600)  # chosen
-Place = str | Pose | tuple[Any, ...]
+# A view's name, or x, y, z and perhaps yaw and pitch; y may be "ground" or None.
+Place = str | Pose | tuple[Any, ...] | list[Any] | np.ndarray
 
 
 class Offscreen:
     """A context, a target and scenes drawn into it; use as ``with Offscreen(...) as view``.
 
     ``size`` is in pixels; ``preset`` is "best", "2006" or None for each view's own; ``settings``
-    maps dotted keys to values; ``backend`` is "auto", "osmesa", "egl" or "glfw"; ``samples`` is 0
-    or 4; ``only`` names elements, None means all. ``scene`` is what is drawn, once there is one.
-    Raises InputError for bad input and NoOpenGLError where no backend works.
+    maps dotted keys to values, or groups to mappings; ``backend`` is "auto", "osmesa", "egl" or
+    "glfw"; ``samples`` is 0 or 4; ``only`` names elements, None means all; ``seed`` is a whole
+    number. ``scene`` is what is drawn, once there is one.
+
+    Several may be open at once, each used in the thread that opened it; one thread draws at a time.
+    The memory of one that is dropped without :meth:`close` is freed when the next is opened or used
+    there. Every method raises InputError for bad input, for use in another thread and after
+    :meth:`close`; opening raises NoOpenGLError where no backend works.
     """
 
     def __init__(
@@ -48,23 +54,28 @@ class Offscreen:
         settings: Mapping[str, Any] | None = None,
         backend: str = "auto",
         samples: int = 4,
-        assets: str | Path | None = None,
-        only: Iterable[str] | None = None,
+        assets: str | os.PathLike[str] | None = None,
+        only: str | Iterable[str] | None = None,
         seed: int = SEED,
     ) -> None:
-        self.size = size
-        self._preset, self._given = preset, dict(settings or {})
-        self._only = None if only is None else tuple(only)
-        check_options(preset, self._given, self._only)
-        self._seed = seed
-        self._assets = Assets(Path(assets) if assets is not None else None)
-        self._context: Context | None = open_context(backend)
+        self._owned: OwnedContext | None = None
         self._target: Framebuffer | None = None
         self.scene: OpenScene | None = None
         self._built_for: Any = None
-        self.moment = Moment(Pose(20.0, 1.0, 20.0), size)
+        self.size = arguments.size(size)
+        self._preset = preset
+        self._given = {} if settings is None else keys.flattened(settings)
+        self._only = None if only is None else arguments.names(only, "only")
+        check_options(preset, self._given, self._only)
+        self._seed = arguments.whole(seed, "seed")
+        samples = arguments.choice(samples, "samples", arguments.SAMPLES)
+        backend = arguments.choice(backend, "backend", arguments.BACKENDS)
+        self._assets = Assets(None if assets is None else arguments.folder(assets, "assets"))
+        self.moment = Moment(Pose(20.0, 1.0, 20.0), self.size)
+        self._owned = OwnedContext(self, backend)
         try:
-            self._target = Framebuffer(size, samples)
+            with self._current():
+                self._target = Framebuffer(self.size, samples)
         except BaseException:
             self.close()
             raise
@@ -72,28 +83,23 @@ class Offscreen:
     def look(self, view: Place, kt: float | None = None, wireframe: bool = False) -> None:
         """Move to a named view, with its switches, or to a pose (x, y, z, yaw, pitch).
 
-        A pose is in the first scene; its y may be None: eye height above the ground.
+        A pose is in the first scene; yaw and pitch may be left out, and its y may be "ground" or
+        None: eye height above the ground. ``kt`` is the view's own by default.
         """
-        if isinstance(view, str):
-            kind, named = find_view(view)
-        else:
-            kind, named = scene(), View("pose", "", checked_pose(view))
-        opened = self._open(kind, named)
-        self.moment = Moment(
-            placed(named.pose, opened, opened.settings.walk.eye),
-            self.size,
-            named.kt if kt is None else kt,
-            stroke=named.stroke,
-            wireframe=wireframe or named.wireframe,
-        )
+        kind, named = found(view)
+        kt = named.kt if kt is None else arguments.number(kt, "kt")
+        wireframe = arguments.flag(wireframe, "wireframe") or named.wireframe
+        with self._current():
+            opened = self._open(kind, named)
+            pose = placed(named.pose, opened, opened.settings.walk.eye)
+        self.moment = Moment(pose, self.size, kt, stroke=named.stroke, wireframe=wireframe)
 
     def _open(self, kind: Scene, view: View) -> OpenScene:
         """Open the scene as the view needs it, unless that one is already open."""
-        preset = self._preset or kind.preset_of(view)
+        preset = kind.preset_of(view) if self._preset is None else self._preset
         values = kind.values(preset, view.settings, self._given)
         wanted = (kind.name, values, kind.shown(view, self._only))
         if self.scene is None or self._built_for != wanted:
-            self._enter()
             if self.scene is not None:
                 self.scene.release()
             self.scene, self._built_for = None, None
@@ -103,66 +109,75 @@ class Offscreen:
 
     def draw(self, kt: float | None = None) -> np.ndarray:
         """Draw a frame at ``kt`` (the view's own by default): uint8 (h, w, 3), top row first."""
-        if self._target is None:
-            raise RuntimeError("this Offscreen is closed")
-        if self.scene is None:
-            self._open(scene(), View("pose", "", self.moment.pose))
-        self._enter()
-        self._target.bind()
-        self.submit(kt)
-        return self._target.read()
+        with self._current():
+            assert self._target is not None
+            self._target.bind()
+            self.submit(kt)
+            return self._target.read()
 
     def submit(self, kt: float | None = None) -> None:
         """Send the frame's calls to OpenGL, without reading the picture back."""
-        assert self.scene is not None
-        self.scene.draw(self.moment if kt is None else replace(self.moment, kt=kt))
+        moment = self.moment if kt is None else replace(self.moment, kt=arguments.number(kt, "kt"))
+        with self._current():
+            opened = self.scene or self._open(scene(), View("pose", "", moment.pose))
+            opened.draw(moment)
 
-    def _enter(self) -> None:
-        """Make the context current: another Offscreen may have been used meanwhile."""
-        assert self._context is not None
-        self._context.make_current()
+    @contextmanager
+    def _current(self) -> Iterator[None]:
+        """Make the context current for the block: another may have been used meanwhile."""
+        if self._owned is None:
+            raise InputError("this Offscreen is closed: open another one")
+        with self._owned.current():
+            yield
 
     @property
     def renderer(self) -> str:
         """The OpenGL that draws: renderer and version."""
-        names = (gl.GL_RENDERER, gl.GL_VERSION)
-        return " | ".join(gl.glGetString(name).decode() for name in names)
+        with self._current():
+            names = (gl.GL_RENDERER, gl.GL_VERSION)
+            return " | ".join(gl.glGetString(name).decode() for name in names)
 
     def close(self) -> None:
-        """Release the scene, the target and the context, in this order; may be called twice."""
-        if self._context is not None:
-            self._enter()
-        for owner in (self.scene, self._target, self._context):
-            if owner is not None:
-                owner.release()
-        self.scene = self._target = self._context = None
+        """Release the scene, the target and the context, in this order; may be called twice.
+
+        In another thread the context is only marked: it is destroyed later, in its own thread.
+        """
+        owned, parts = self._owned, (self.scene, self._target)
+        if owned is not None:
+            if owned.here:
+                with owned.current():
+                    for part in parts:
+                        if part is not None:
+                            part.release()
+            owned.release()
+        self.scene = self._target = self._owned = None
 
     def __enter__(self) -> "Offscreen":
-        return self
+        with self._current():
+            return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
 
 
-def checked_pose(pose: Pose | tuple[Any, ...]) -> Pose:
-    """Return a pose of finite numbers, its y perhaps None; InputError if it is not one."""
-    given = astuple(pose) if isinstance(pose, Pose) else tuple(pose)
-    numbers = [value for k, value in enumerate(given) if not (k == 1 and value is None)]
-    real = all(isinstance(value, Real) and math.isfinite(value) for value in numbers)
-    if not 3 <= len(given) <= 5 or not real:
-        raise InputError(
-            f"pose {given}: expected the numbers x, y, z, yaw and pitch; y may be None"
-        )
-    return Pose(*given)
+def found(view: Any) -> tuple[Scene, View]:
+    """Return a named view and its scene, or a pose as a view of the first scene; InputError."""
+    if isinstance(view, str):
+        return find_view(view)
+    if isinstance(view, (Pose, tuple, list, np.ndarray)):
+        return scene(), View("pose", "", arguments.pose(view))
+    raise InputError(f"view {short(view)}: expected a view's name or a pose (x, y, z, yaw, pitch)")
 
 
 def render(
     view: Place,
     size: tuple[int, int] = SIZE,
     kt: float | None = None,
+    wireframe: bool = False,
     **options: Any,
 ) -> Image.Image:
     """Draw one view, by name or pose, and return it as a PIL image; options as of Offscreen."""
+    found(view)  # a wrong one is refused before anything is opened
     with Offscreen(size, **options) as offscreen:
-        offscreen.look(view, kt)
+        offscreen.look(view, kt, wireframe)
         return Image.fromarray(offscreen.draw())

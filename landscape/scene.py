@@ -15,7 +15,7 @@ import numpy as np
 
 from landscape import keys
 from landscape.elements import fog, sun
-from landscape.errors import InputError
+from landscape.errors import InputError, short
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.obstacles import Obstacle
@@ -168,7 +168,8 @@ class Scene:
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
         """Return the settings of a preset (None: the default) with changes; later ones override."""
-        values = keys.preset(self.settings, self.presets, preset or self.preset)
+        name = self.preset if preset is None else preset
+        values = keys.preset(self.settings, self.presets, name)
         for each in changes:
             values = keys.with_settings(values, each)
         return values
@@ -206,7 +207,7 @@ class Scene:
         wanted = self.elements if names is None else tuple(names)
         for name in wanted:
             if name not in self.elements:
-                raise InputError(f"--only {name!r}: expected some of {', '.join(self.elements)}")
+                raise InputError(f"only {short(name)}: expected some of {', '.join(self.elements)}")
         return tuple(name for name in self.elements if name in wanted)
 
     def shown(self, view: View, only: Iterable[str] | None = None) -> tuple[str, ...]:
@@ -257,7 +258,7 @@ def find_view(name: str) -> tuple[Scene, View]:
     names = [each for kind in kinds for each in (*kind.views, *(fix.name for fix in kind.fixes))]
     close = [each for each in names if name and each.lower().startswith(name.lower())][:CLOSE]
     meant = f", but {' and '.join(close)}" if close else ""
-    raise InputError(f"view {name!r}: no such view{meant}; `landscape views` lists them all")
+    raise InputError(f"view {short(name)}: no such view{meant}; `landscape views` lists them all")
 
 
 def placed(pose: Pose, terrain: Terrain, eye: float) -> Pose:

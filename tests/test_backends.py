@@ -29,18 +29,19 @@ BACKENDS = ("osmesa", "egl", "glfw")
 DRAW = """
 import hashlib, json, sys
 import landscape
+from landscape.gl import ownership
 from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 
-if sys.argv[1] == "null":
-    # Through sys.modules, because landscape.render is the function of that name.
-    stills = sys.modules["landscape.render"]
-    stills.open_context = lambda _: GLFWContext(size=(40, 30), headless=True)
+backend = sys.argv[1]
+if backend == "null":
+    backend = "auto"
+    ownership.open_context = lambda _: GLFWContext(size=(40, 30), headless=True)
 only = ("ground", "water", "sky", "castle", "trees", "map", "fog", "reflection")
 found = {}
 for samples in (0, 4):
     options = {"preset": "2006", "only": only, "samples": samples, "settings": {"trees.count": 90}}
-    with landscape.Offscreen((96, 72), backend=sys.argv[1], **options) as view:
+    with landscape.Offscreen((96, 72), backend=backend, **options) as view:
         view.look("fig35a")
         pixels = view.draw()
         assert len({tuple(p) for p in pixels.reshape(-1, 3).tolist()}) > 500, "hardly a picture"

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import Done, Shell, python
+from commands import Done, Shell
 from PIL import Image
 
 from landscape import keys, settings
@@ -550,13 +550,6 @@ def test_a_wrong_argument_of_render_is_refused(
     (shell.cwd / "file").write_text("kept")
     refused(shell("render", *arguments), word)
     assert files(shell.cwd) == {"file": b"kept"}
-
-
-def test_a_size_beyond_this_opengl_is_refused() -> None:
-    # The command line has the limit of llvmpipe; the library checks that of the context.
-    code = "import landscape; landscape.Offscreen(size=(16385, 10))"
-    done = python(code)
-    assert done.status == 1 and "InputError: --size 16385x10: expected from 1x1 to" in done.err
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ PACKAGE = Path(__file__).resolve().parents[1] / "landscape"
 FLOORS = (
     ("errors", "frame"),
     ("files", "keys"),
-    ("conditions", "settings"),
+    ("arguments", "conditions", "settings"),
     ("geometry",),
     ("gl",),
     ("elements",),

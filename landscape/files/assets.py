@@ -21,7 +21,7 @@ class Assets:
     def __init__(self, folder: Path | None = None) -> None:
         """Look in ``folder`` before the shipped assets; InputError if it is not a folder."""
         if folder is not None and not os.path.isdir(folder):
-            raise InputError(f"--assets {folder}: expected a folder")
+            raise InputError(f"assets {folder}: expected a folder")
         self._folders = ([folder] if folder is not None else []) + [shipped()]
 
     def contents(self, *names: str) -> list[bytes]:

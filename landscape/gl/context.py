@@ -220,6 +220,7 @@ class GLFWContext:
     """
 
     backend = "glfw"
+    _windows = 0  # how many are open: terminating GLFW destroys them all
 
     def __init__(
         self,
@@ -264,8 +265,9 @@ class GLFWContext:
         self.window = glfw.create_window(*size, title, monitor, None)
         if not self.window:
             reason = self._reason()
-            glfw.terminate()
+            self._terminate()
             raise NoOpenGLError(f"GLFW opened no window ({reason}): install {PACKAGES['glfw']}")
+        GLFWContext._windows += 1
         self.make_current()
 
     def _reason(self) -> str:
@@ -278,10 +280,15 @@ class GLFWContext:
         use_lists(self.lists)
 
     def release(self) -> None:
-        """Close the window and GLFW."""
+        """Close the window, and GLFW if it was the last."""
         if self.window:
             self.glfw.destroy_window(self.window)
             self.window = None
+            GLFWContext._windows -= 1
+            self._terminate()
+
+    def _terminate(self) -> None:
+        if GLFWContext._windows == 0:
             self.glfw.terminate()
 
 

@@ -23,7 +23,7 @@ class Framebuffer:
         most = min(int(gl.glGetIntegerv(gl.GL_MAX_RENDERBUFFER_SIZE)), *(int(v) for v in limits))
         if not all(0 < side <= most for side in size):
             text = f"{size[0]}x{size[1]}"
-            raise InputError(f"--size {text}: expected from 1x1 to {most}x{most} on this OpenGL")
+            raise InputError(f"size {text}: expected from 1x1 to {most}x{most} on this OpenGL")
         self.size = size
         self.samples = min(samples, int(gl.glGetIntegerv(gl.GL_MAX_SAMPLES)))
         self._names: list[tuple[int, list[int]]] = [self._create(self.samples)]
@@ -48,7 +48,7 @@ class Framebuffer:
         gl.glBindRenderbuffer(gl.GL_RENDERBUFFER, 0)
         state = gl.glCheckFramebufferStatus(gl.GL_FRAMEBUFFER)
         if state != gl.GL_FRAMEBUFFER_COMPLETE:
-            raise InputError(f"--size {self.size[0]}x{self.size[1]}: no memory for the framebuffer")
+            raise InputError(f"size {self.size[0]}x{self.size[1]}: no memory for the framebuffer")
         return frame, buffers
 
     def bind(self) -> None:

@@ -80,7 +80,11 @@ class Options:
 
     def values(self, kind: Scene, view: View) -> Any:
         """Return the settings a view is drawn with."""
-        return kind.values(self.preset or kind.preset_of(view), view.settings, self.settings)
+        return kind.values(
+            kind.preset_of(view) if self.preset is None else self.preset,
+            view.settings,
+            self.settings,
+        )
 
     @property
     def grassy(self) -> bool:

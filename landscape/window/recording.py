@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from landscape.arguments import MAX_SIDE
 from landscape.errors import InputError
 from landscape.files.output import Output
 from landscape.files.processes import interrupts_held
@@ -23,7 +24,6 @@ from landscape.window.walker import Intent
 
 VERSION = 1
 MAX_SECONDS = 1.0  # chosen: a longer frame (after the machine was suspended) counts as this
-MAX_SIDE = 16384  # pixels, as on the command line
 MAX_NUMBER = 1e6  # of a pose, in units or degrees
 ACTIONS = (
     "map",

@@ -1,0 +1,130 @@
+"""Checks of arguments, the same for the command line and for Python.
+
+Each function takes a value of any type and returns it as the program uses it, or raises an
+InputError that names the argument and says what was expected. Numbers may be numpy's; a bool is not
+a number. ``given`` is how the error names the value: by default the argument's name and the value,
+on the command line the text that was typed.
+"""
+
+import math
+import operator
+import os
+from collections.abc import Iterable
+from numbers import Real
+from pathlib import Path
+from typing import Any
+
+from landscape.errors import InputError, short
+from landscape.frame import Pose
+from landscape.keys import plain
+
+BACKENDS = ("auto", "osmesa", "egl", "glfw")
+SAMPLES = (0, 4)
+MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow less
+FARTHEST = 1e9  # chosen: float32 has no fractions long before
+
+
+def size(value: Any, given: str = "") -> tuple[int, int]:
+    """Return a width and a height in pixels, each from 1 to MAX_SIDE."""
+    sides = plain(value)
+    if not isinstance(sides, (list, tuple)) or len(sides) != 2 or None in map(_whole, sides):
+        raise InputError(f"size {short(value)}: expected a width and a height in pixels")
+    width, height = map(operator.index, map(plain, sides))
+    if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE):
+        given = given or f"size {short(width)}x{short(height)}"
+        raise InputError(f"{given}: expected from 1x1 to {MAX_SIDE}x{MAX_SIDE}")
+    return width, height
+
+
+def whole(value: Any, name: str, given: str = "") -> int:
+    """Return a whole number from 0 to 10**18 - 1."""
+    number = _whole(value)
+    if number is None or not 0 <= number < 10**18:
+        raise InputError(f"{given or f'{name} {short(value)}'}: expected a whole number from 0")
+    return number
+
+
+def number(value: Any, name: str, given: str = "") -> float:
+    """Return a finite number below FARTHEST, positive or negative."""
+    found = _number(value)
+    if found is None:
+        raise InputError(f"{given or f'{name} {short(value)}'}: expected a number")
+    return found
+
+
+def pose(value: Any, given: str = "") -> Pose:
+    """Return a pose from x, y, z and perhaps yaw and pitch; a y of "ground" becomes None."""
+    numbers = value
+    if isinstance(value, Pose):
+        numbers = (value.x, value.y, value.z, value.yaw, value.pitch)
+    numbers = plain(numbers)
+    if isinstance(numbers, (list, tuple)) and 3 <= len(numbers) <= 5:
+        y = numbers[1]
+        grounded = y is None or (isinstance(y, str) and y == "ground")
+        # In place of a y on the ground, which need not be checked, any number will do.
+        checked = [_number(0.0 if grounded and k == 1 else v) for k, v in enumerate(numbers)]
+        found = [each for each in checked if each is not None]
+        if len(found) == len(numbers):
+            x, height, *others = found
+            return Pose(x, None if grounded else height, *others)
+    raise InputError(
+        f"{given or f'pose {short(value)}'}: expected the numbers x, y, z, yaw and pitch; "
+        "y may be `ground`"
+    )
+
+
+def choice(value: Any, name: str, choices: tuple[Any, ...], given: str = "") -> Any:
+    """Return the one of ``choices``, all strings or all whole numbers, that ``value`` equals."""
+    found = value if isinstance(choices[0], str) else _whole(value)
+    if not isinstance(found, type(choices[0])) or found not in choices:
+        listed = ", ".join(map(str, choices))
+        raise InputError(f"{given or f'{name} {short(value)}'}: expected one of {listed}")
+    return found
+
+
+def flag(value: Any, name: str) -> bool:
+    """Return True or False, which must be given as such."""
+    found = plain(value)
+    if not isinstance(found, bool):
+        raise InputError(f"{name} {short(value)}: expected True or False")
+    return found
+
+
+def names(value: Any, name: str) -> tuple[str, ...]:
+    """Return names given as a text with commas, or as a collection of strings."""
+    if isinstance(value, str):
+        return tuple(each.strip() for each in value.split(","))
+    found = tuple(value) if isinstance(value, Iterable) else (value,)
+    if not all(isinstance(each, str) for each in found):
+        raise InputError(f"{name} {short(value)}: expected names, such as ground,water")
+    return found
+
+
+def folder(value: Any, name: str) -> Path:
+    """Return a path given as text or as a path; whether it is a folder is not checked."""
+    if not isinstance(value, (str, os.PathLike)) or not isinstance(os.fspath(value), str):
+        raise InputError(f"{name} {short(value)}: expected a folder")
+    return Path(value)
+
+
+def _whole(value: Any) -> int | None:
+    """Return a whole number as an int; None for anything else."""
+    value = plain(value)
+    if isinstance(value, bool):
+        return None
+    try:
+        return operator.index(value)
+    except TypeError:
+        return None
+
+
+def _number(value: Any) -> float | None:
+    """Return a finite number below FARTHEST as a float; None for anything else."""
+    value = plain(value)
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return None
+    try:
+        found = float(value)
+    except (OverflowError, ValueError, TypeError):
+        return None
+    return found if math.isfinite(found) and abs(found) < FARTHEST else None
