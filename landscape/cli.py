@@ -94,7 +94,7 @@ def _offscreen_options(options: argparse.Namespace) -> dict[str, Any]:
 
 def _walk(options: argparse.Namespace) -> int:
     from landscape.files.assets import Assets
-    from landscape.window.app import walk
+    from landscape.window.command import walk
     from landscape.window.recording import MAX_NUMBER
 
     kind, named = find_view(options.view or scene().start)

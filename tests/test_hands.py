@@ -10,6 +10,7 @@ from landscape.window.bindings import (
     Namer,
     labels,
     layout,
+    pick,
     us_name,
 )
 from landscape.window.hands import JUMP, Hands
@@ -190,3 +191,61 @@ def test_losing_the_focus_releases_keys_and_mouse() -> None:
     hands.motion(7.0, 1.0)
     hands.focus(False)
     assert (hands.take(), hands.orders) == ((Intent(), ()), ["release"])
+
+
+def test_while_the_list_is_open_the_arrows_choose_and_letters_still_walk() -> None:
+    hands = Hands()
+    hands.key(glfw.KEY_L, PRESS)
+    for key in (glfw.KEY_UP, glfw.KEY_DOWN, glfw.KEY_SPACE, glfw.KEY_PAGE_UP, glfw.KEY_W):
+        hands.key(key, PRESS)
+    assert hands.take() == (Intent(forward=1), ())
+    assert hands.picks == ["list", "up", "down", "switch", "previous_group"]
+    hands.key(glfw.KEY_L, PRESS)
+    hands.key(glfw.KEY_RIGHT, PRESS)
+    assert hands.take()[0] == Intent(forward=1, turn=1)
+    assert hands.picks[-1] == "list"
+
+
+def test_a_key_held_in_the_list_repeats_only_where_that_makes_sense() -> None:
+    hands = Hands()
+    hands.key(glfw.KEY_L, PRESS)
+    for key in (glfw.KEY_KP_ADD, glfw.KEY_ENTER):
+        for action in (PRESS, REPEAT, REPEAT, RELEASE):
+            hands.key(key, action)
+    assert hands.picks == ["list", "more", "more", "more", "switch"]
+
+
+def test_an_arrow_held_when_the_list_opens_and_released_in_it_no_longer_walks() -> None:
+    hands = Hands()
+    hands.key(glfw.KEY_UP, PRESS)
+    hands.key(glfw.KEY_L, PRESS)
+    hands.take()
+    hands.key(glfw.KEY_UP, RELEASE)
+    assert hands.take()[0] == Intent()
+
+
+def test_escape_closes_the_list_first() -> None:
+    hands = Hands()
+    hands.key(glfw.KEY_L, PRESS)
+    hands.key(glfw.KEY_ESCAPE, PRESS)
+    assert (hands.picks, hands.orders) == (["list", "list"], [])
+    hands.key(glfw.KEY_ESCAPE, PRESS)
+    assert hands.orders == ["quit"]
+
+
+GERMAN = keyboard("-=]/ZY", "ß´+-YZ")
+
+
+@pytest.mark.parametrize(
+    ("name", "signs"),
+    [
+        (us_name, {"=": "more", "-": "less"}),
+        (AZERTY, {"=": "more", "6": "less"}),
+        (GERMAN, {"]": "more", "/": "less"}),
+        (lambda key: "", {"=": "more", "-": "less"}),
+    ],
+)
+def test_plus_and_minus_are_where_they_are_printed(name: Namer, signs: dict[str, str]) -> None:
+    found = {chr(key): pick(key, name) for key in range(33, 97) if pick(key, name)}
+    assert found == signs
+    assert pick(glfw.KEY_KP_ADD, name) == "more" and pick(glfw.KEY_KP_SUBTRACT, name) == "less"

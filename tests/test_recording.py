@@ -34,6 +34,10 @@ TICKS = [
     Tick(1 / 3, Intent(forward=1, look=(0.1, -2.5), run=True), ("fog", "map"), (320, 240)),
     Tick(0.1, Intent(strike=True, fly=True, turn=-1), (), (97, 61), "saved"),
     Tick(0.1, Intent(), ("help",), (97, 61)),
+    Tick(0.1, Intent(), (), (97, 61), row="fog.color.1"),
+    Tick(0.1, Intent(), (), (97, 61), "", "fog.color.1", {"fog.color": (0.1 + 0.2, 1.0, 0.0)}),
+    Tick(0.1, Intent(), ("map",), (97, 61), "", "castle.ornate", {"castle.ornate": True}),
+    Tick(0.1, Intent(), (), (97, 61), "", ""),
 ]
 
 
@@ -52,6 +56,15 @@ def test_a_recording_is_read_back_exactly(tmp_path: Path) -> None:
     got, _ = recording.read(write(tmp_path / "a.jsonl", plan(), TICKS))
     assert got.pose.y is None
     assert [path.name for path in tmp_path.iterdir()] == ["a.jsonl"]
+
+
+def test_a_recording_made_before_there_was_a_list_of_settings_is_still_read(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.jsonl", plan(), TICKS[:4])
+    first, *rest = path.read_text().splitlines()
+    head = {key: value for key, value in json.loads(first).items() if key != "preset"}
+    path.write_text("\n".join([json.dumps(head), *rest]))
+    got, ticks = recording.read(path)
+    assert got.preset == "" and ticks == TICKS[:4]
 
 
 def test_an_empty_or_unfinished_recording_does_not_replace_an_earlier_file(tmp_path: Path) -> None:
@@ -121,8 +134,8 @@ DAMAGES = {
     "empty": (1, lambda lines: []),
     "no recording": (1, lambda lines: ["{}"] + lines[1:]),
     "cut in a line": (3, lambda lines: lines[:2] + [lines[2][:9]]),
-    "cut between lines": (4, lambda lines: lines[:-2]),
-    "a line lost": (5, lambda lines: lines[:2] + lines[3:]),
+    "cut between lines": (8, lambda lines: lines[:-2]),
+    "a line lost": (9, lambda lines: lines[:2] + lines[3:]),
     "another version": (1, _with(0, **{"landscape walk": 99})),
     "no such setting": (1, _with(0, settings={"fog.colour": 1})),
     "setting of the wrong type": (1, _with(0, settings={"fog.density": "thick"})),
@@ -139,6 +152,12 @@ DAMAGES = {
     "no such switch": (2, _with(1, do=["sleep"])),
     "no such intent": (2, _with(1, swim=1)),
     "strike of a number": (2, _with(1, strike=1)),
+    "a setting changed that does not exist": (2, _with(1, set={"fog.colour": 1})),
+    "a setting changed to the wrong type": (2, _with(1, set={"fog.density": "thick"})),
+    "a list of changes": (2, _with(1, set=["fog.density"])),
+    "no such row": (2, _with(1, list="fog.colour")),
+    "a row that is a number": (2, _with(1, list=5)),
+    "no such preset": (1, _with(0, preset="worst")),
     "no object": (2, lambda lines: [lines[0], "[1]", *lines[2:]]),
 }
 

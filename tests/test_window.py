@@ -99,7 +99,8 @@ live.seen, live.script = [], {
     16: [lambda walk: glfw.iconify_window(walk.window)], 18: [size(0, 0)],
     19: [focus, press(glfw.KEY_W), capture], 20: [focus_lost],
     22: [press(glfw.KEY_F, glfw.KEY_SPACE)], 24: [press(glfw.KEY_F11)], 25: [press(glfw.KEY_F11)],
-    26: [press(glfw.KEY_F12)],
+    26: [press(glfw.KEY_F12)], 27: [press(glfw.KEY_L, glfw.KEY_KP_ADD)],
+    28: [press(glfw.KEY_DOWN, glfw.KEY_DOWN, glfw.KEY_ENTER)],
     29: [lambda walk: glfw.set_window_should_close(walk.window, True)],
 }
 writer = Writer(path, plan)
@@ -200,6 +201,14 @@ def test_every_switch_changes_the_picture(scripted) -> None:
     # The clock runs as well: what one switch alone does is seen in the test after this one.
     hashes = [frame["hash"] for frame in scripted["live"]]
     assert len(set(hashes[7:13])) == 6
+
+
+def test_settings_changed_in_the_list_are_recorded_by_their_values(scripted) -> None:
+    first, second = scripted["ticks"][27:29]
+    assert (first.row, first.changes) == ("camera.fov", {"camera.fov": 62.0})
+    assert (second.row, second.changes) == ("camera.cull", {"camera.cull": False})
+    hashes = [frame["hash"] for frame in scripted["live"]]
+    assert len(set(hashes[26:29])) == 3
 
 
 STILLS = """

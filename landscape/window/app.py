@@ -4,11 +4,9 @@ Every frame advances the walk by one :class:`Tick`, live or from a recording. No
 a replay reproduces a recorded walk to the pixel.
 """
 
-import os
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import glfw
@@ -21,15 +19,16 @@ from landscape.files.output import next_free, save_png
 from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
-from landscape.scene import SEED, Moment, OpenScene, Scene, View, scene
+from landscape.scene import Moment, OpenScene, scene
 from landscape.window import words
 from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name
 from landscape.window.hands import Hands
+from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
-from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer, read
+from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer
+from landscape.window.settings_list import Chooser, page
 from landscape.window.walker import advance, aimed, start
 
-SIZE = (1280, 720)  # chosen: window coordinates
 SHOWN = 2.0  # seconds for which a message is shown
 FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
 REST = 0.05  # chosen: seconds between checks of a window that is minimised or has no area
@@ -59,6 +58,8 @@ class Walk:
         self._windowed = (60, 60, *plan.size)
         self._size = (0, 0)
         self.hands = Hands(system_name)
+        self._chooser = Chooser(self._kind.values(plan.preset or None))
+        self._row, self._done = "", ""
         self._scene: OpenScene | None = None
         self._panel: Panel | None = None
         self._context: GLFWContext | None = GLFWContext(
@@ -143,7 +144,10 @@ class Walk:
         note, self._note = self._note, ""
         width, height = glfw.get_framebuffer_size(self.window)
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
-        return Tick(seconds, intent, switches, (width, height), note)
+        picks, self.hands.picks = self.hands.picks, []
+        changes = self._chooser.follow(picks, self.settings)
+        size = width, height
+        return Tick(seconds, intent, switches, size, note, self._chooser.row, changes)
 
     def follow(self, tick: Tick) -> Tick | None:
         """Prepare the window for a recorded frame; return None if the user leaves."""
@@ -196,6 +200,8 @@ class Walk:
         self.kt += tick.seconds * self.settings.clock.kt_per_second
         for name in tick.actions:
             self._switch(name)
+        if tick.row != self._row or tick.changes:
+            self._change(tick)
         if tick.note:
             self._say(tick.note)
         before = self.walker
@@ -241,6 +247,30 @@ class Walk:
             )
             former.release()
 
+    def _change(self, tick: Tick) -> None:
+        """Show the list with its chosen row, and make the changes that were asked for there."""
+        if tick.row != self._row:
+            self._row, self._done = tick.row, ""
+        if not tick.changes:
+            return
+        former, before = self.settings, self._scene
+        try:
+            self._apply(tick.changes)
+        except InputError as error:
+            # The scene could not be opened with the new value: the former one is still there.
+            self.settings = former
+            self._say(str(error))
+            return
+        self._done = self._word("list.taken" if self._scene is before else "list.rebuilt")
+
+    def _list(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
+        """Return what the picture of the list depends on, and how to make it; None if closed."""
+        if not self._row or self._scene is None:
+            return None
+        state = self.settings, self._chooser.defaults, self._row, self._done, self._language
+        shows = *state, frozenset(self._scene.shown), self._kind.elements
+        return shows, lambda: list_image(page(*shows), self._size)
+
     def _switch_fix(self, name: str) -> None:
         """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""
         way = {"next_fix": 1, "previous_fix": -1}.get(name, 0)
@@ -272,7 +302,8 @@ class Walk:
             self._panel.set_rows(self._key_rows())
         left = self._until - self.seconds
         message = self._message if left > 0 else ""
-        self._panel.draw(self._size, self._help, message, min(max(left, 0.0) / FADE, 1.0))
+        opacity = min(max(left, 0.0) / FADE, 1.0)
+        self._panel.draw(self._size, self._help, message, opacity, self._list())
 
     def pixels(self) -> np.ndarray:
         """Return the frame drawn but not yet presented, uint8 (h, w, 3), top row first."""
@@ -345,59 +376,3 @@ def run(
         walk.present()
         drawn += 1
     return drawn
-
-
-def walk(
-    kind: Scene,
-    begin: View,
-    settings: Any,
-    assets: Assets,
-    size: tuple[int, int] = SIZE,
-    fullscreen: bool = False,
-    record: Path | None = None,
-    replay: Path | None = None,
-    frames: int | None = None,
-    backend: str = "auto",
-    only: Iterable[str] | None = None,
-    seed: int = SEED,
-    wireframe: bool = False,
-    quiet: bool = False,
-) -> int:
-    """Walk a scene in a window until the user leaves; return the exit status.
-
-    From the view ``begin`` come the pose, kt, the wireframe and, without ``only``, the elements.
-    :meth:`Scene.as_walked` makes one of a named view. A replay takes everything except ``assets``,
-    ``backend``, ``fullscreen`` and ``frames`` from its file.
-    Raises InputError and NoOpenGLError.
-    """
-    if backend == "egl":
-        raise InputError("--backend egl: it opens no window; expected auto, glfw or osmesa")
-    if backend == "osmesa" and frames is None and replay is None:
-        raise InputError("--backend osmesa: no window to leave by; expected --frames as well")
-    ticks = None
-    if replay is not None:
-        plan, recorded = read(replay)
-        ticks = iter(recorded)
-    else:
-        plan = Plan(
-            scene=kind.name,
-            settings=settings,
-            view=begin.name,
-            pose=begin.pose,
-            size=size,
-            kt=begin.kt,
-            seed=seed,
-            only=kind.shown(begin, only) if only is None else kind.only(only),
-            wireframe=wireframe or begin.wireframe,
-            language=words.language(os.environ),
-        )
-    writer = Writer(record, plan) if record is not None else None
-    try:
-        with Walk(plan, assets, backend, fullscreen) as opened:
-            run(opened, ticks, writer, frames)
-    finally:
-        # After Ctrl-C or an error, the recording up to then shows what led to it.
-        kept = writer is not None and writer.finish()
-    if kept and not quiet:
-        print(record)
-    return 0

@@ -56,6 +56,7 @@ BINDINGS = (
     Binding("next_fix", letter="N"),
     Binding("fix", letter="V"),
     Binding("go_to_fix", letter="J"),
+    Binding("list", letter="L"),
     Binding("fullscreen", (glfw.KEY_F11,), ORDER),
     Binding("screenshot", (glfw.KEY_F12,), ORDER),
     Binding("help", letter="H"),
@@ -68,8 +69,29 @@ BY_ACTION = {b.action: b for b in BINDINGS}
 SETTINGS = {b.action: b.setting for b in BINDINGS if b.setting}
 WITH_SHIFT = {"next_fix": "previous_fix"}  # what a switch does while Shift is held
 
+# What keys do while the list of settings is open; those in REPEATED do it again while held.
+PICKS = {
+    glfw.KEY_UP: "up",
+    glfw.KEY_DOWN: "down",
+    glfw.KEY_LEFT: "previous_group",
+    glfw.KEY_RIGHT: "next_group",
+    glfw.KEY_PAGE_UP: "previous_group",
+    glfw.KEY_PAGE_DOWN: "next_group",
+    glfw.KEY_HOME: "first",
+    glfw.KEY_END: "last",
+    glfw.KEY_KP_ADD: "more",
+    glfw.KEY_KP_SUBTRACT: "less",
+    glfw.KEY_ENTER: "switch",
+    glfw.KEY_KP_ENTER: "switch",
+    glfw.KEY_SPACE: "switch",
+    glfw.KEY_BACKSPACE: "default",
+    glfw.KEY_ESCAPE: "list",
+}
+SIGNS = {"+": "more", "=": "more", "-": "less"}
+REPEATED = ("up", "down", "previous_group", "next_group", "more", "less")
+
 # Keys that print something: GLFW's codes are the ASCII codes of what a US keyboard prints.
-PRINTING = (*range(glfw.KEY_APOSTROPHE, glfw.KEY_GRAVE_ACCENT + 1), glfw.KEY_WORLD_1)
+PRINTING = (*map(ord, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789',-./;=[\\]`"), glfw.KEY_WORLD_1)
 UNDER_THE_HAND = frozenset(
     (*FORWARD, *BACKWARD, *LEFTWARD, *RIGHTWARD, *UP, *DOWN, glfw.KEY_E, *RUN)
 )
@@ -118,6 +140,22 @@ def layout(name: Namer) -> dict[str, int]:
             found[letter] = ord(letter) if ord(letter) in free else next(letters)
             del free[found[letter]]
     return found
+
+
+def pick(key: int, name: Namer) -> str:
+    """Return what a key does in the open list of settings, "" if nothing.
+
+    Signs are where they are printed: the plus key, or the one that prints = without Shift. On a
+    keyboard that prints neither, their places on a US keyboard stand for them.
+    """
+    if key in PICKS:
+        return PICKS[key]
+    printed = {name(each): each for each in PRINTING if each not in UNDER_THE_HAND}
+    signs = {place: SIGNS[sign] for sign, place in printed.items() if sign in SIGNS}
+    for sign in "=-":
+        if SIGNS[sign] not in signs.values():
+            signs.setdefault(ord(sign), SIGNS[sign])
+    return signs.get(key, "")
 
 
 def available(settings: Any, fixes: bool) -> tuple[Binding, ...]:

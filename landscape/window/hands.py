@@ -13,6 +13,7 @@ from landscape.window.bindings import (
     LETTERS,
     ORDER,
     POSITIONS,
+    REPEATED,
     RIGHTWARD,
     RUN,
     TURN_LEFT,
@@ -21,6 +22,7 @@ from landscape.window.bindings import (
     WITH_SHIFT,
     Namer,
     layout,
+    pick,
     us_name,
 )
 from landscape.window.walker import Intent
@@ -38,6 +40,8 @@ class Hands:
     def __init__(self, name: Namer = us_name) -> None:
         self._name = name
         self.captured = False
+        self.listing = False  # whether the list of settings is open
+        self.picks: list[str] = []  # what was asked of it, see PICKS
         self.orders: list[str] = []
         self._held: set[int] = set()
         self._tapped: set[int] = set()
@@ -46,9 +50,16 @@ class Hands:
         self._last: tuple[float, float] | None = None
 
     def key(self, key: int, action: int, mods: int = 0) -> None:
-        """Note that a key went down or up, with GLFW's bits of Shift and so on; no repeats."""
+        """Note that a key went down or up, with GLFW's bits of Shift and so on.
+
+        Key repeats count only in the list of settings.
+        """
         if action == glfw.RELEASE:
             self._held.discard(key)
+        elif self.listing and (picked := pick(key, self._name)):
+            if action == glfw.PRESS or picked in REPEATED:
+                self._pick(picked)
+            return
         if action != glfw.PRESS:
             return
         self._held.add(key)
@@ -56,8 +67,15 @@ class Hands:
         if key == glfw.KEY_ESCAPE:
             self.orders.append("release" if self.captured else "quit")
         elif name := self._action(key):
+            if name == "list":
+                return self._pick(name)
             to = self.orders if BY_ACTION[name].kind == ORDER else self._switches
             to.append(WITH_SHIFT.get(name, name) if mods & glfw.MOD_SHIFT else name)
+
+    def _pick(self, picked: str) -> None:
+        self.picks.append(picked)
+        if picked == "list":
+            self.listing = not self.listing
 
     def _action(self, key: int) -> str:
         """Return the switch or order of a key, "" if it has none."""

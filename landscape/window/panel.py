@@ -1,4 +1,5 @@
-"""The panel: text over the picture, namely a list of keys and a line for messages.
+"""The panel: text over the picture, namely a list of keys, a line for messages and a picture
+at the left edge (the list of settings).
 
 Not in the report. Technique: Pillow draws the text into an image, which becomes a texture with
 power-of-two sides. One blended quad shows it at one texel per pixel, under a glOrtho projection of
@@ -7,7 +8,7 @@ State used: both matrices, GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting
 """
 
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -137,27 +138,33 @@ class Plate:
 
 
 class Panel:
-    """The list of keys in the middle of the window, the message at its lower edge."""
+    """The list of keys in the middle of the window, the message at its lower edge, and a picture
+    at its left edge.
+    """
 
     def __init__(self, title: str, rows: Sequence[tuple[str, str]]) -> None:
-        """Keep the text; textures are made when first shown, and again when the size changes."""
-        self._title, self._rows = title, list(rows)
-        self._keys: Plate | None = None
-        self._line: Plate | None = None
-        self._made_for: dict[str, Any] = {}
+        """Keep the text; textures are made when first shown, and again when what they show does."""
+        self._title, self._rows = title, tuple(rows)
+        self._plates: dict[str, tuple[Hashable, Plate]] = {}
 
     def set_rows(self, rows: Sequence[tuple[str, str]]) -> None:
-        """Change the list of keys; its texture is made again only if the list differs."""
-        if list(rows) != self._rows:
-            self._rows = list(rows)
-            self._made_for.pop("keys", None)
+        """Change the list of keys."""
+        self._rows = tuple(rows)
 
     @drawing("panel")
     def draw(
-        self, size: tuple[int, int], keys: bool = False, message: str = "", opacity: float = 1.0
+        self,
+        size: tuple[int, int],
+        keys: bool = False,
+        message: str = "",
+        opacity: float = 1.0,
+        left: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
     ) -> None:
-        """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1."""
-        if not keys and not message:
+        """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1.
+
+        ``left`` is a picture at the left edge: what it depends on, and how to make it.
+        """
+        if not keys and not message and left is None:
             return
         begin_pass("overlay")
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
@@ -167,32 +174,26 @@ class Panel:
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            if left is not None:
+                plate = self._plate("left", (left[0], size), left[1])
+                plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
             if keys:
-                plate = self._keys_plate(size)
+                title, rows = self._title, self._rows
+                plate = self._plate("keys", (rows, size), lambda: keys_image(title, rows, size))
                 plate.draw((size[0] - plate.width) // 2, (size[1] - plate.height) // 2, 1.0)
             if message:
-                plate = self._line_plate(message, size)
+                plate = self._plate("line", (message, size), lambda: line_image(message, size))
                 plate.draw((size[0] - plate.width) // 2, size[1] // 24, opacity)
 
-    def _keys_plate(self, size: tuple[int, int]) -> Plate:
-        if self._keys is None or self._made_for.get("keys") != size:
-            if self._keys is not None:
-                self._keys.release()
-            self._keys = Plate(keys_image(self._title, self._rows, size))
-            self._made_for["keys"] = size
-        return self._keys
-
-    def _line_plate(self, message: str, size: tuple[int, int]) -> Plate:
-        if self._line is None or self._made_for.get("line") != (message, size):
-            if self._line is not None:
-                self._line.release()
-            self._line = Plate(line_image(message, size))
-            self._made_for["line"] = (message, size)
-        return self._line
+    def _plate(self, name: str, shows: Hashable, make: Callable[[], np.ndarray]) -> Plate:
+        """Return the plate of a name; it is made again if it is to show something else."""
+        if name not in self._plates or self._plates[name][0] != shows:
+            if name in self._plates:
+                self._plates.pop(name)[1].release()
+            self._plates[name] = shows, Plate(make())
+        return self._plates[name][1]
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
-        for plate in (self._keys, self._line):
-            if plate is not None:
-                plate.release()
-        self._keys = self._line = None
+        while self._plates:
+            self._plates.popitem()[1][1].release()

@@ -1,14 +1,15 @@
 """Recorded walks: a JSON Lines file from which a walk is replayed, pixel for pixel.
 
 The first line is the plan: format version, settings, seed, view, size and so on. Then comes one
-line per frame: its length in seconds, and whatever input differs from the default. The last line
+line per frame: its length in seconds, and whatever input differs from the default. A setting that
+was changed is recorded with its new value, not with the key that was pressed. The last line
 has the number of frames, so that a truncated file is detected. Floats are written with full
 precision. Assets are not stored: replaying a walk on your own island needs the same ``--assets``.
 """
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
@@ -17,9 +18,10 @@ from landscape.errors import InputError
 from landscape.files.output import Output
 from landscape.files.processes import interrupts_held
 from landscape.frame import Pose
+from landscape.keys import Value, current_names, get, with_settings
 from landscape.keys import fields as keys_of
-from landscape.keys import get, with_settings
-from landscape.scene import scene
+from landscape.scene import Scene, scene
+from landscape.window.settings_list import rows
 from landscape.window.walker import Intent
 
 VERSION = 1
@@ -44,7 +46,8 @@ FORMER = {"next_cure": "next_fix", "cure": "fix"}  # names in older recordings
 class Plan:
     """What a walk starts from; ``pose.y`` may be None: eye height above the ground.
 
-    ``only`` names the elements; empty means all.
+    ``only`` names the elements; empty means all. ``preset`` is what the list of settings goes back
+    to; empty means the scene's own.
     """
 
     scene: str
@@ -57,6 +60,7 @@ class Plan:
     only: tuple[str, ...] = ()
     wireframe: bool = False
     language: str = "en"
+    preset: str = ""
 
 
 @dataclass(frozen=True)
@@ -64,6 +68,8 @@ class Tick:
     """One frame of a walk: its length, what was asked for, and the window's size in pixels.
 
     ``actions`` are some of ACTIONS; ``note`` is a message that does not come from an action.
+    ``row`` is the one chosen in the list of settings, "" while it is closed; ``changes`` are the
+    settings changed there, by dotted key.
     """
 
     seconds: float
@@ -71,6 +77,8 @@ class Tick:
     actions: tuple[str, ...]
     size: tuple[int, int]
     note: str = ""
+    row: str = ""
+    changes: Mapping[str, Value] = field(default_factory=dict)
 
 
 def plan_line(plan: Plan) -> dict[str, Any]:
@@ -87,12 +95,13 @@ def plan_line(plan: Plan) -> dict[str, Any]:
         "only": list(plan.only),
         "wireframe": plan.wireframe,
         "language": plan.language,
+        "preset": plan.preset,
         "settings": {key: get(plan.settings, key) for key in keys_of(type(plan.settings))},
     }
 
 
-def tick_line(tick: Tick, size: tuple[int, int]) -> dict[str, Any]:
-    """Return a frame as JSON; its size is left out where it is still ``size``."""
+def tick_line(tick: Tick, size: tuple[int, int], row: str) -> dict[str, Any]:
+    """Return a frame as JSON; size and row are left out where they are still ``size``, ``row``."""
     default = asdict(Intent())
     line: dict[str, Any] = {"dt": tick.seconds}
     line |= {name: v for name, v in asdict(tick.intent).items() if v != default[name]}
@@ -102,6 +111,10 @@ def tick_line(tick: Tick, size: tuple[int, int]) -> dict[str, Any]:
         line["size"] = list(tick.size)
     if tick.note:
         line["note"] = tick.note
+    if tick.row != row:
+        line["list"] = tick.row
+    if tick.changes:
+        line["set"] = dict(tick.changes)
     return line
 
 
@@ -110,7 +123,7 @@ class Writer:
 
     def __init__(self, path: Path, plan: Plan) -> None:
         """Begin the file; InputError if it cannot be written."""
-        self._size, self._count = plan.size, 0
+        self._size, self._row, self._count = plan.size, "", 0
         self._output = Output(path, f"--record {path}")
         self._write(plan_line(plan))
 
@@ -120,8 +133,8 @@ class Writer:
     def add(self, tick: Tick) -> None:
         """Write one frame; InputError where the disk is full, and then the recording is gone."""
         with interrupts_held():  # or the count of the frames could be wrong
-            self._write(tick_line(tick, self._size))
-            self._size = tick.size
+            self._write(tick_line(tick, self._size, self._row))
+            self._size, self._row = tick.size, tick.row
             self._count += 1
 
     def finish(self) -> bool:
@@ -156,13 +169,13 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
         plan = _plan(parsed[0])
     except (InputError, ValueError, TypeError, KeyError) as error:
         raise InputError(f"{path}:1: {_reason(error)}") from None
-    ticks, size = [], plan.size
+    ticks, before = [], Tick(0.0, Intent(), (), plan.size)
     for number, line in enumerate(parsed[1:-1], 2):
         try:
-            ticks.append(_tick(line, size))
-        except (ValueError, TypeError, KeyError) as error:
+            before = _tick(line, before, plan.settings)
+        except (InputError, ValueError, TypeError, KeyError) as error:
             raise InputError(f"{path}:{number}: {_reason(error)}") from None
-        size = ticks[-1].size
+        ticks.append(before)
     return plan, ticks
 
 
@@ -207,6 +220,12 @@ def _names(value: Any, name: str) -> tuple[str, ...]:
     return tuple(_kind(item, name, str) for item in _kind(value, name, list))
 
 
+def _row(value: Any, kind: type) -> str:
+    if value and all(value != row.name for row in rows(kind)):
+        raise ValueError(f"list: expected the name of a row, not {value!r}")
+    return _kind(value, "list", str)  # type: ignore[no-any-return]
+
+
 def _plan(line: Mapping[str, Any]) -> Plan:
     x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
     x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -MAX_NUMBER, MAX_NUMBER)
@@ -228,10 +247,18 @@ def _plan(line: Mapping[str, Any]) -> Plan:
         only=only,
         wireframe=_kind(line["wireframe"], "wireframe", bool),
         language=_kind(line["language"], "language", str),
+        preset=_preset(kind, line.get("preset", "")),
     )
 
 
-def _tick(line: Mapping[str, Any], size: tuple[int, int]) -> Tick:
+def _preset(kind: Scene, value: Any) -> str:
+    name: str = _kind(value, "preset", str)
+    kind.values(name or None)
+    return name
+
+
+def _tick(line: Mapping[str, Any], before: Tick, settings: Any) -> Tick:
+    """Return a frame; what its line leaves out is as in the frame ``before``."""
     intent: dict[str, Any] = {}
     for item in fields(Intent):
         if item.name not in line:
@@ -243,16 +270,21 @@ def _tick(line: Mapping[str, Any], size: tuple[int, int]) -> Tick:
             intent[item.name] = _kind(value, item.name, bool)
         else:
             intent[item.name] = _number(value, item.name, -1, 1)
-    known = {item.name for item in fields(Intent)} | {"dt", "do", "size", "note"}
+    known = {item.name for item in fields(Intent)} | {"dt", "do", "size", "note", "list", "set"}
     if not set(line) <= known:
         raise ValueError(f"unknown: {', '.join(sorted(set(line) - known))}")
     actions = tuple(FORMER.get(name, name) for name in _names(line.get("do", []), "do"))
     if not set(actions) <= set(ACTIONS):
         raise ValueError(f"do: expected some of {', '.join(ACTIONS)}")
+    # Values are checked and converted as those on the command line.
+    changes = current_names(settings, _kind(line.get("set", {}), "set", dict))[0]
+    changed = with_settings(settings, changes)
     return Tick(
         seconds=_number(line["dt"], "dt", 0, MAX_SECONDS),
         intent=Intent(**intent),
         actions=actions,
-        size=_size(line["size"]) if "size" in line else size,
+        size=_size(line["size"]) if "size" in line else before.size,
         note=_kind(line.get("note", ""), "note", str),
+        row=_row(line.get("list", before.row), type(settings)),
+        changes={key: get(changed, key) for key in changes},
     )

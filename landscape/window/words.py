@@ -1,6 +1,13 @@
 """All texts of the window, by language. English is complete; others may leave texts out."""
 
+import re
 from collections.abc import Mapping
+
+
+def typeset(french: str) -> str:
+    """Return a French text with no-break spaces before its high punctuation and inside « »."""
+    return re.sub(r" (?=[;:!?»])|(?<=«) ", "\u00a0", french)
+
 
 TEXTS: dict[str, dict[str, str]] = {
     "en": {
@@ -23,6 +30,16 @@ TEXTS: dict[str, dict[str, str]] = {
         "help.fullscreen": "full screen",
         "help.screenshot": "save a screenshot",
         "help.help": "these keys",
+        "help.list": "list of settings, to change them",
+        "list.title": "Settings",
+        "list.choose": "Up, Down: choose. Left, Right: group",
+        "list.change": "+ -: change. Enter: on, off. Backspace: as in the preset",
+        "list.range": "{range} (preset: {default})",
+        "list.from_to": "from {low} to {high} {unit}",
+        "list.on": "on",
+        "list.off": "off",
+        "list.taken": "changed at once",
+        "list.rebuilt": "changed by building the scene again",
         "key.left": "Left",
         "key.right": "Right",
         "key.space": "Space",
@@ -72,12 +89,22 @@ TEXTS: dict[str, dict[str, str]] = {
         "help.fullscreen": "plein écran",
         "help.screenshot": "enregistrer une capture d'écran",
         "help.help": "afficher cette liste",
+        "help.list": "liste des réglages, pour les changer",
+        "list.title": "Réglages",
+        "list.choose": "Haut, Bas : choisir. Gauche, Droite : groupe",
+        "list.change": "+ - : changer. Entrée : oui, non. Retour arrière : comme le préréglage",
+        "list.range": "{range} (préréglage : {default})",
+        "list.from_to": "de {low} à {high} {unit}",
+        "list.on": "oui",
+        "list.off": "non",
+        "list.taken": "changé aussitôt",
+        "list.rebuilt": "changé en reconstruisant la scène",
         "key.left": "Gauche",
         "key.right": "Droite",
         "key.space": "Espace",
         "key.left_shift": "Maj",
         "key.escape": "Échap",
-        "hint": "{letter}\u00a0: touches",
+        "hint": "{letter} : touches",
         "fly.on": "en vol",
         "fly.off": "à pied",
         "swim.on": "eau profonde\u00a0: à la nage",
@@ -100,6 +127,9 @@ TEXTS: dict[str, dict[str, str]] = {
         "no_monitor": "plein écran indisponible ici",
     },
 }
+
+
+TEXTS["fr"] = {key: typeset(text) for key, text in TEXTS["fr"].items()}
 
 
 def language(environment: Mapping[str, str]) -> str:

@@ -1,0 +1,72 @@
+"""The command `landscape walk`: from its options to a plan, a recording and a window."""
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from landscape.errors import InputError
+from landscape.files.assets import Assets
+from landscape.scene import SEED, Scene, View
+from landscape.window import words
+from landscape.window.app import Walk, run
+from landscape.window.recording import Plan, Writer, read
+
+SIZE = (1280, 720)  # chosen: window coordinates
+
+
+def walk(
+    kind: Scene,
+    begin: View,
+    settings: Any,
+    assets: Assets,
+    size: tuple[int, int] = SIZE,
+    fullscreen: bool = False,
+    record: Path | None = None,
+    replay: Path | None = None,
+    frames: int | None = None,
+    backend: str = "auto",
+    only: Iterable[str] | None = None,
+    seed: int = SEED,
+    wireframe: bool = False,
+    quiet: bool = False,
+) -> int:
+    """Walk a scene in a window until the user leaves; return the exit status.
+
+    From the view ``begin`` come the pose, kt, the wireframe and, without ``only``, the elements.
+    :meth:`Scene.as_walked` makes one of a named view. A replay takes everything except ``assets``,
+    ``backend``, ``fullscreen`` and ``frames`` from its file.
+    Raises InputError and NoOpenGLError.
+    """
+    if backend == "egl":
+        raise InputError("--backend egl: it opens no window; expected auto, glfw or osmesa")
+    if backend == "osmesa" and frames is None and replay is None:
+        raise InputError("--backend osmesa: no window to leave by; expected --frames as well")
+    ticks = None
+    if replay is not None:
+        plan, recorded = read(replay)
+        ticks = iter(recorded)
+    else:
+        plan = Plan(
+            scene=kind.name,
+            settings=settings,
+            view=begin.name,
+            pose=begin.pose,
+            size=size,
+            kt=begin.kt,
+            seed=seed,
+            only=kind.shown(begin, only) if only is None else kind.only(only),
+            wireframe=wireframe or begin.wireframe,
+            language=words.language(os.environ),
+            preset=kind.preset_of(begin),
+        )
+    writer = Writer(record, plan) if record is not None else None
+    try:
+        with Walk(plan, assets, backend, fullscreen) as opened:
+            run(opened, ticks, writer, frames)
+    finally:
+        # After Ctrl-C or an error, the recording up to then shows what led to it.
+        kept = writer is not None and writer.finish()
+    if kept and not quiet:
+        print(record)
+    return 0
