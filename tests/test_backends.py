@@ -160,7 +160,7 @@ def test_the_glfw_backend_without_a_display_ends_with_status_3() -> None:
         ("osmesa", "OSMesa", "libosmesa6"),
         ("egl", "EGL", "libegl1"),
         ("glfw", "glfw", "glfw"),
-        ("auto", "OSMesa,EGL,GL,glfw", "libosmesa6"),
+        ("auto", "OSMesa,EGL,GL,glfw", "libegl1, libegl-mesa0"),
     ],
 )
 def test_a_missing_library_ends_with_status_3_and_names_the_package(

@@ -13,14 +13,19 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from landscape.errors import NoOpenGLError
+from landscape.gl import display
 from landscape.gl.calls import Lists, use_lists
 
 BACKENDS = ("osmesa", "egl", "glfw")
 
+# OSMesa left Mesa in 25.1. The drivers of libgl1-mesa-dri are moving into mesa-libgallium, on which
+# libegl-mesa0 and libglx-mesa0 depend where it exists.
 PACKAGES = {
-    "osmesa": "libosmesa6 (Debian, Ubuntu) or mesa-libOSMesa (Fedora)",
-    "egl": "libegl1 and libgl1-mesa-dri (Debian, Ubuntu) or mesa-libEGL (Fedora)",
-    "glfw": "libgl1 and libgl1-mesa-dri (Debian, Ubuntu), and a screen or Xvfb",
+    "osmesa": "libosmesa6 (Debian, Ubuntu) or mesa-libOSMesa (Fedora) where the system still has "
+    "it, or use --backend egl",
+    "egl": "libegl1, libegl-mesa0 and, where it exists, libgl1-mesa-dri (Debian, Ubuntu) or "
+    "mesa-libEGL (Fedora)",
+    "glfw": "libgl1 and libglx-mesa0 (Debian, Ubuntu), and a screen or Xvfb",
 }
 
 
@@ -230,11 +235,7 @@ class GLFWContext:
         fullscreen: bool = False,
         headless: bool = False,
     ) -> None:
-        try:
-            import glfw
-        except ImportError as error:
-            reason = f"GLFW cannot be loaded ({error})"
-            raise NoOpenGLError(f"{reason}: install the Python package glfw") from None
+        glfw = display.import_glfw()
         self.lists: Lists = {}
         self.glfw: Any = glfw
         self.window: Any = None
@@ -242,8 +243,10 @@ class GLFWContext:
         if headless:
             glfw.init_hint(glfw.PLATFORM, glfw.PLATFORM_NULL)
         if not glfw.init():
+            why = display.choose(os.environ)[1] or self._reason()
             raise NoOpenGLError(
-                f"GLFW found no screen ({self._reason()}): set DISPLAY, or install xvfb"
+                f"GLFW found no screen ({why}): set DISPLAY or WAYLAND_DISPLAY, or install xvfb "
+                "and use xvfb-run"
             )
         if headless:
             use_platform("osmesa")
@@ -304,10 +307,11 @@ def open_context(backend: str = "auto") -> Context:
     }
     if backend != "auto":
         return makers[backend]()
-    first: NoOpenGLError | None = None
+    failed: dict[str, NoOpenGLError] = {}
     for name in BACKENDS:
         try:
             return makers[name]()
         except NoOpenGLError as error:
-            first = first or error
-    raise first or NoOpenGLError("no backend")
+            failed[name] = error
+    # EGL is the one that every system has packages for.
+    raise failed["egl"]
