@@ -9,7 +9,7 @@ import io
 import json
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import astuple, replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ from landscape.errors import InputError, NoOpenGLError
 from landscape.files.processes import end_tidily
 from landscape.frame import Pose
 from landscape.options import parse
-from landscape.scene import SCENES, Scene, find_view, listed_views, scene
+from landscape.scene import SCENES, Scene, View, find_view, listed_views, scene, without_effect
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -70,15 +70,25 @@ def _changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, Any]:
     """
     changes = keys.read_toml(options.settings) if options.settings else {}
     changes |= dict(options.changes)
-    notices = [line for kind in kinds for line in keys.current_names(kind.settings, changes)[1]]
-    for line in dict.fromkeys(notices):
-        print(f"landscape: {line}", file=sys.stderr)
+    _notify(
+        options,
+        [line for kind in kinds for line in keys.current_names(kind.settings, changes)[1]],
+    )
     return changes
 
 
-def _scenes(views: Sequence[str]) -> list[Scene]:
-    """Return the scenes of views, or the first scene if there is no view; raises InputError."""
-    return list({k.name: k for k in (find_view(name)[0] for name in views)}.values()) or [scene()]
+def _notify(options: argparse.Namespace, lines: Sequence[str]) -> None:
+    """Print each line once on standard error, unless the user wants quiet."""
+    for line in dict.fromkeys(lines):
+        if not options.quiet and sys.stderr is not None:
+            print(f"landscape: {line}", file=sys.stderr)
+
+
+def _tell_of_no_effect(
+    options: argparse.Namespace, views: Sequence[tuple[Scene, View]], changes: Mapping[str, Any]
+) -> None:
+    """Print a notice for each setting given that changes nothing in any of these views."""
+    _notify(options, without_effect(views, options.preset, changes, options.only))
 
 
 def _offscreen_options(options: argparse.Namespace) -> dict[str, Any]:
@@ -105,10 +115,15 @@ def _walk(options: argparse.Namespace) -> int:
         begin = replace(begin, pose=options.pose)
     if options.kt is not None:
         begin = replace(begin, kt=options.kt)
+    changes = _changes(options, kind)
+    if options.replay is None:
+        only = kind.shown(begin) if options.only is None else options.only
+        told = kind.notices(replace(begin, shown=()), options.preset, changes, only, walking=True)
+        _notify(options, list(told.values()))
     return walk(
         kind,
         begin,
-        settings=kind.values(kind.preset_of(begin), begin.settings, _changes(options, kind)),
+        settings=kind.values(kind.preset_of(begin), begin.settings, changes),
         assets=Assets(options.assets),
         size=options.size,
         fullscreen=options.fullscreen,
@@ -128,20 +143,20 @@ def _render(options: argparse.Namespace) -> int:
     from landscape.files.progress import Progress
     from landscape.tools.render_many import render_all
 
-    kinds = _scenes(options.views)
     views: list[tuple[str, str | Pose]] = [(name, name) for name in options.views]
+    places = [find_view(name) for name in options.views]
     if options.pose is not None:
         views.append(("pose", options.pose))
+        places.append((scene(), View("pose", "", options.pose)))
     if not views:
         raise InputError("render: expected a VIEW or --pose; `landscape views` lists the views")
     paths = output_paths(options.out, [name for name, _ in views])
     jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
-    arguments = {
-        **{"size": options.size, "settings": _changes(options, *kinds)},
-        **_offscreen_options(options),
-    }
+    changes = _changes(options, *(kind for kind, _ in places))
+    arguments = {"size": options.size, "settings": changes, **_offscreen_options(options)}
     with Progress(len(jobs), options.quiet) as progress:
         render_all(jobs, arguments, options.kt, options.wireframe, progress.step)
+    _tell_of_no_effect(options, places, changes)
     if not options.quiet:
         for path in paths:
             print(path)
@@ -181,17 +196,19 @@ def _figures(options: argparse.Namespace) -> int:
 def _trace(options: argparse.Namespace) -> int:
     from landscape.tools.trace import as_text, trace_view
 
-    kind = find_view(options.view)[0]
+    kind, view = find_view(options.view)
     if options.element and options.element not in (*kind.elements, "frame"):
         raise InputError(
             f"--element {options.element!r}: expected one of {', '.join(kind.elements)}, frame"
         )
+    changes = _changes(options, kind)
     calls = trace_view(
         options.view,
-        settings=_changes(options, kind),
+        settings=changes,
         wireframe=options.wireframe,
         **_offscreen_options(options),
     )
+    _tell_of_no_effect(options, [(kind, view)], changes)
     if options.element:
         calls = [call for call in calls if options.element in call.shared_by]
     if options.json:
@@ -239,16 +256,19 @@ def _bench(options: argparse.Namespace) -> int:
     if options.json is not None:
         check_writable(options.json, "--json ")
 
-    kinds = _scenes(options.views)
+    names = options.views or scene().main
+    places = [find_view(name) for name in names]
+    changes = _changes(options, *(kind for kind, _ in places))
     asked = bench.Options(
-        views=options.views or kinds[0].main,
+        views=names,
         size=options.size,
-        settings=_changes(options, *kinds),
+        settings=changes,
         wireframe=options.wireframe,
         **_offscreen_options(options),
     )
     with Progress(bench.steps(asked), options.quiet) as progress:
         result = bench.measure(asked, progress.step)
+    _tell_of_no_effect(options, places, changes)
     if options.json is not None:
         write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())
     if not options.quiet:

@@ -1,5 +1,6 @@
 """Stills: a scene drawn without a screen."""
 
+import logging
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -39,7 +40,8 @@ class Offscreen:
     ``size`` is in pixels; ``preset`` is "best", "2006" or None for each view's own; ``settings``
     maps dotted keys to values, or groups to mappings; ``backend`` is "auto", "osmesa", "egl" or
     "glfw"; ``samples`` is 0 or 4; ``only`` names elements, None means all; ``seed`` is a whole
-    number. ``scene`` is what is drawn, once there is one.
+    number. ``scene`` is what is drawn, once there is one; ``notices`` has a line for each of the
+    ``settings`` that changes nothing there, or whose key has another name now.
 
     Several may be open at once, each used in the thread that opened it; one thread draws at a time.
     The memory of one that is dropped without :meth:`close` is freed when the next is opened or used
@@ -61,6 +63,7 @@ class Offscreen:
         self._owned: OwnedContext | None = None
         self._target: Framebuffer | None = None
         self.scene: OpenScene | None = None
+        self.notices: list[str] = []
         self._built_for: Any = None
         self.size = arguments.size(size)
         self._preset = preset
@@ -105,6 +108,8 @@ class Offscreen:
             self.scene, self._built_for = None, None
             self.scene = kind.open(values, self._assets, self._seed, wanted[2])
             self._built_for = wanted
+            vain = kind.notices(view, preset, self._given, self._only)
+            self.notices = [*keys.current_names(values, self._given)[1], *vain.values()]
         return self.scene
 
     def draw(self, kt: float | None = None) -> np.ndarray:
@@ -176,8 +181,13 @@ def render(
     wireframe: bool = False,
     **options: Any,
 ) -> Image.Image:
-    """Draw one view, by name or pose, and return it as a PIL image; options as of Offscreen."""
+    """Draw one view, by name or pose, and return it as a PIL image; options as of Offscreen.
+
+    The logger "landscape" gets the notices as warnings.
+    """
     found(view)  # a wrong one is refused before anything is opened
     with Offscreen(size, **options) as offscreen:
         offscreen.look(view, kt, wireframe)
+        for line in offscreen.notices:
+            logging.getLogger("landscape").warning(line)
         return Image.fromarray(offscreen.draw())

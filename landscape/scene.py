@@ -13,7 +13,7 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from landscape import keys
+from landscape import conditions, keys
 from landscape.elements import fog, sun
 from landscape.errors import InputError, short
 from landscape.files.assets import Assets
@@ -199,6 +199,19 @@ class Scene:
             return replace(view, shown=())
         return replace(view, shown=self.only((*view.shown, *self.overlay)))
 
+    def notices(
+        self,
+        view: View,
+        preset: str | None,
+        given: Mapping[str, Any],
+        only: Iterable[str] | None = None,
+        walking: bool = False,
+    ) -> dict[str, str]:
+        """Return a line for each given setting that changes nothing in a view, by key."""
+        values = self.values(preset or self.preset_of(view), view.settings, given)
+        shown = (*self.shown(view, only), *([conditions.WALK] if walking else []))
+        return conditions.notices(values, given, shown, self.elements)
+
     def only(self, names: Iterable[str] | None) -> tuple[str, ...]:
         """Return the elements in ``names`` in the scene's order, all for None.
 
@@ -259,6 +272,18 @@ def find_view(name: str) -> tuple[Scene, View]:
     close = [each for each in names if name and each.lower().startswith(name.lower())][:CLOSE]
     meant = f", but {' and '.join(close)}" if close else ""
     raise InputError(f"view {short(name)}: no such view{meant}; `landscape views` lists them all")
+
+
+def without_effect(
+    views: Iterable[tuple[Scene, View]],
+    preset: str | None,
+    given: Mapping[str, Any],
+    only: Iterable[str] | None = None,
+    walking: bool = False,
+) -> list[str]:
+    """Return a line for each given setting that changes nothing in any of these views."""
+    found = [kind.notices(view, preset, given, only, walking) for kind, view in views]
+    return [line for key, line in found[0].items() if all(key in each for each in found)]
 
 
 def placed(pose: Pose, terrain: Terrain, eye: float) -> Pose:
