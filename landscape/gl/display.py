@@ -7,6 +7,7 @@ displays themselves are asked, before glfw is imported, by connecting to them.
 """
 
 import ctypes
+import functools
 import os
 import socket
 import sys
@@ -114,11 +115,13 @@ def _loads(library: str) -> bool:
     return True
 
 
-def _x_answers(display: str) -> bool:
-    """Return whether the X server of a display accepts a connection."""
+@functools.cache
+def _x_answers(name: str) -> bool:
+    """Return whether the X server of a display accepts a connection.
+
+    The connection stays open: a server such as Xvfb resets itself when its last client leaves, and
+    for a moment takes no other.
+    """
     x11 = ctypes.CDLL("libX11.so.6")
     x11.XOpenDisplay.restype = ctypes.c_void_p
-    connection = x11.XOpenDisplay(os.fsencode(display))
-    if connection:
-        x11.XCloseDisplay(ctypes.c_void_p(connection))
-    return bool(connection)
+    return bool(x11.XOpenDisplay(os.fsencode(name)))
