@@ -130,6 +130,7 @@ def _walk(options: argparse.Namespace) -> int:
         record=options.record,
         replay=options.replay,
         frames=options.frames,
+        fps=options.fps,
         backend=options.backend,
         only=options.only,
         seed=options.seed,

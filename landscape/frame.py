@@ -32,6 +32,34 @@ class Pose:
 
 
 @dataclass(frozen=True)
+class Detail:
+    """How finely a frame is drawn; the default is all of it, as in every still.
+
+    A walk on a slow machine draws less, to hold its frame rate (see window/pace.py). ``scale`` is
+    how many pixels are drawn per pixel of the window, along each side; ``shift`` moves what is
+    drawn to the right and up, in pixels of the window. ``coarser`` is how many times larger an
+    error in pixels may be, where meshes and sprites are chosen by their size in pixels. ``grass``
+    is the fraction of the blades of a meadow. ``mirror`` is how many pixels of the mirror image are
+    drawn per pixel of the window, and ``mirror_frames`` how many frames it serves.
+    """
+
+    scale: float = 1.0
+    shift: tuple[float, float] = (0.0, 0.0)
+    coarser: float = 1.0
+    grass: float = 1.0
+    mirror: float = 0.5  # chosen: ripples blur the mirror image anyway
+    mirror_frames: int = 1
+
+
+FULL = Detail()
+
+
+def scaled(pixels: int, scale: float) -> int:
+    """Return how many pixels are drawn for ``pixels`` of the window: rounded up, at least 1."""
+    return max(math.ceil(pixels * scale - 1e-6), 1)
+
+
+@dataclass(frozen=True)
 class Frame:
     """One frame: pose, window size in pixels, kt, and the walker's state.
 
@@ -48,6 +76,13 @@ class Frame:
     step: float = 0.0
     stroke: int = 0
     mirrored: bool = False
+    detail: Detail = FULL
+
+    @property
+    def viewport(self) -> tuple[int, int]:
+        """The width and height in pixels to draw; smaller than ``size`` by ``detail.scale``."""
+        width, height = self.size
+        return scaled(width, self.detail.scale), scaled(height, self.detail.scale)
 
     @cached_property
     def eye_y(self) -> float:
@@ -97,8 +132,13 @@ class Frame:
 
     @property
     def pixels(self) -> float:
-        """The height in pixels of an object one unit high, one unit away."""
-        return self.size[1] / (2.0 * math.tan(math.radians(self.fov) / 2))
+        """The height in pixels of an object one unit high, one unit away.
+
+        It decides what is too small to be drawn, so it counts the pixels that matter: fewer than
+        the window has if the frame may be ``coarser``.
+        """
+        height = self.size[1] / self.detail.coarser
+        return height / (2.0 * math.tan(math.radians(self.fov) / 2))
 
     def depth(self, points: np.ndarray) -> np.ndarray:
         """Return the eye-space z of points (n, 3), negative in front of the camera (5.1.1)."""

@@ -21,7 +21,7 @@ from landscape.elements.best.sea import sea
 from landscape.elements.best.sea.foam import Foam
 from landscape.elements.best.sea.occlusion_query import SeaQuery
 from landscape.elements.best.sea.ring import HorizonRing
-from landscape.elements.best.sea.sea import Sea, reflected
+from landscape.elements.best.sea.sea import Sea, kept, reflected
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.terrain.terrain import Terrain, ground_class
@@ -231,9 +231,11 @@ class Island:
         draw, values = self._draw, self.settings
         if "reflection" not in self.shown or not values.reflection.enabled:
             return
+        water = self.water if "water" in self.shown else None
+        if kept(frame, values, water):
+            return
         begin_pass("reflection")
         frame = replace(frame, mirrored=True)
-        water = self.water if "water" in self.shown else None
         with reflected(frame, values, water) as frame, mirrored(values):
             draw("ground", self.ground, frame)
             draw("dragon", self.dragon, frame)

@@ -9,6 +9,7 @@ from typing import Any
 from landscape import arguments
 from landscape.errors import InputError
 from landscape.scene import SEED
+from landscape.window.pace import FPS
 
 Commands = Mapping[str, Callable[[argparse.Namespace], int]]
 
@@ -74,6 +75,14 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     walk.add_argument("--fullscreen", action="store_true")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help="replay a recorded walk")
+    walk.add_argument(
+        "--fps",
+        type=_rate,
+        default=FPS,
+        metavar="N",
+        help="frames per second to keep, by drawing less detail if need be; 0: draw all of it "
+        "(default: %(default)g)",
+    )
     walk.add_argument("--frames", type=_count, metavar="N", help="end after N frames")
     _common(
         walk,
@@ -218,6 +227,13 @@ def _size(text: str) -> Any:
 
 def _count(text: str) -> Any:
     return _checked(arguments.whole, text, _digits(text), "")
+
+
+def _rate(text: str) -> Any:
+    rate = _number(text)
+    if rate != 0 and not 1 <= rate <= 1000:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a number from 1 to 1000, or 0")
+    return rate
 
 
 def _samples(text: str) -> Any:

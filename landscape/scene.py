@@ -17,7 +17,7 @@ from landscape import conditions, keys
 from landscape.elements import fog, sun
 from landscape.errors import InputError, short
 from landscape.files.assets import Assets
-from landscape.frame import Frame, Pose
+from landscape.frame import FULL, Detail, Frame, Pose, scaled
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import gl
 from landscape.keys import Value
@@ -37,7 +37,7 @@ SCENES: dict[str, str] = {
 class Moment:
     """What a frame shows: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4).
 
-    The pose's ``y`` must be a number.
+    The pose's ``y`` must be a number. ``detail`` says how finely to draw it.
     """
 
     pose: Pose
@@ -46,6 +46,7 @@ class Moment:
     step: float = 0.0
     stroke: int = 0
     wireframe: bool = False
+    detail: Detail = FULL
 
 
 class Terrain(Protocol):
@@ -329,9 +330,9 @@ def begin_frame(
 
     ``far`` may move the far plane beyond ``camera.far``, in units.
     """
-    pose = moment.pose
+    pose, detail = moment.pose, moment.detail
     assert pose.y is not None
-    gl.glViewport(0, 0, *moment.size)
+    gl.glViewport(0, 0, *(scaled(side, detail.scale) for side in moment.size))
     gl.glClearColor(*haze.color, 1.0)
     gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
     gl.glEnable(gl.GL_DEPTH_TEST)
@@ -339,9 +340,8 @@ def begin_frame(
 
     gl.glMatrixMode(gl.GL_PROJECTION)
     gl.glLoadIdentity()
-    top = camera.near * math.tan(math.radians(camera.fov) / 2)
-    right = top * moment.size[0] / moment.size[1]
-    gl.glFrustum(-right, right, -top, top, camera.near, max(camera.far, 2 * camera.near, far))
+    far = max(camera.far, 2 * camera.near, far)
+    gl.glFrustum(*_near_plane(moment, camera), camera.near, far)
     gl.glMatrixMode(gl.GL_MODELVIEW)
     gl.glLoadIdentity()
     gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
@@ -354,4 +354,20 @@ def begin_frame(
     else:
         gl.glDisable(gl.GL_FOG)
     modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
-    return Frame(pose, moment.size, moment.kt, modelview, camera.fov, moment.step, moment.stroke)
+    walker = moment.step, moment.stroke
+    return Frame(pose, moment.size, moment.kt, modelview, camera.fov, *walker, detail=detail)
+
+
+def _near_plane(moment: Moment, camera: Camera) -> tuple[float, float, float, float]:
+    """Return left, right, bottom and top of what is seen of the near plane, in units.
+
+    At a scale below 1 the viewport may reach a little beyond the window, at its right and top.
+    """
+    pixel = 2 * camera.near * math.tan(math.radians(camera.fov) / 2) / moment.size[1]
+    edges: list[float] = []
+    for side, shift in zip(moment.size, moment.detail.shift, strict=True):
+        low = -pixel * (side / 2 + shift)
+        drawn = scaled(side, moment.detail.scale) / moment.detail.scale
+        edges += [low, pixel * (drawn - side / 2 - shift)]
+    left, right, bottom, top = edges
+    return left, right, bottom, top

@@ -262,7 +262,7 @@ def test_with_fade_far_cells_are_thinned_and_far_blades_shrink(sow) -> None:
     patch = meadow.select(frame)
     vertices, places = meadow.bend(frame, patch), patch.positions
     away = np.hypot(places[:, 0] - 20, places[:, 2] - 20)
-    ranges, still = 4.0 * patch.ranges, patch.vertices[:, 4, 1] - 3.0
+    ranges, still = np.minimum(patch.ranges, 4.0), patch.vertices[:, 4, 1] - 3.0
     left = (vertices[:, 4, 1] - 3.0) / still
     # Whole up to three quarters of its range, then down to nothing at its end.
     assert np.allclose(left, np.clip((ranges - away) / (ranges / 4), 0.0, 1.0), atol=1e-3)
@@ -295,7 +295,7 @@ def test_a_reused_selection_shows_what_a_new_one_would(sow, fade: bool) -> None:
             drawn = meadow.choice(frame)
             away = np.hypot(drawn.positions[:, 0] - pose.x, drawn.positions[:, 2] - pose.z)
             flat = np.ptp(meadow.bend(frame, drawn)[..., 1], axis=1) == 0
-            assert flat[away > 4.0 * drawn.ranges].all()
+            assert flat[away > np.minimum(drawn.ranges, 4.0)].all()
     assert meadow.choice(looking(Pose(20.3, 3.1, 20.0, 10.0, -5.0))) is not kept
 
 

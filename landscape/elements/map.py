@@ -53,16 +53,18 @@ class Map:
 
     def draw(self, frame: Frame) -> None:
         """Draw the map in its own viewport."""
-        width, height = frame.size
+        width, height = frame.viewport
         x, y = place_on_map(frame.pose.x, frame.pose.z, self._settings.ground.size)
         groups = gl.GL_ENABLE_BIT | gl.GL_VIEWPORT_BIT | gl.GL_CURRENT_BIT | gl.GL_POINT_BIT
         with attrib(groups | gl.GL_COLOR_BUFFER_BIT), flat_projection(-1, 1, -1, 1, 0.1, 2):
             gl.glViewport(0, 3 * height // 4, width // 4, height // 4)
             gl.glDisable(gl.GL_DEPTH_TEST)
             gl.glDisable(gl.GL_FOG)
+            right, up = frame.detail.shift
+            gl.glTranslatef(right / (frame.size[0] / 8), up / (frame.size[1] / 8), 0.0)
             self._list.call()
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
-            gl.glPointSize(5.0)
+            gl.glPointSize(max(5.0 * frame.detail.scale, 1.0))
             gl.glBegin(gl.GL_POINTS)
             gl.glVertex3f(x, y, -1.0)
             gl.glEnd()

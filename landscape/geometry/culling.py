@@ -17,9 +17,10 @@ def is_near(
 ) -> bool:
     """Return whether the eye has moved less than ``distance`` units since ``then``, or not at all.
 
-    It must also have turned less than ``angle`` radians about any axis, with the same window.
+    It must also have turned less than ``angle`` radians about any axis, with the same window, and
+    sizes in pixels must count the same.
     """
-    if (then.size, then.fov) != (now.size, now.fov):
+    if (then.size, then.fov, then.pixels) != (now.size, now.fov, now.pixels):
         return False
     if then.pose == now.pose:
         return True

@@ -47,18 +47,22 @@ class TextureTarget:
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
 
     @contextmanager
-    def drawing(self) -> Iterator[None]:
-        """Let the block draw into the cleared texture; then restore the previous framebuffer."""
+    def drawing(self, clear: bool = True) -> Iterator[None]:
+        """Let the block draw into the texture, by default cleared; then restore the framebuffer."""
         previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
-        gl.glPushAttrib(gl.GL_VIEWPORT_BIT)
+        # Not by glPushAttrib: in Mesa, what the block changes of other groups would then not be
+        # restored by a glPopAttrib around it.
+        viewport = gl.glGetIntegerv(gl.GL_VIEWPORT).tolist()
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)
         try:
             gl.glViewport(0, 0, *self.size)
-            gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
+            if clear:
+                buffers = gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT
+                gl.glClear(buffers)
             yield
         finally:
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
-            gl.glPopAttrib()
+            gl.glViewport(*viewport)
 
     def bind(self) -> None:
         """Make the colour the 2D texture of the active unit."""

@@ -27,6 +27,7 @@ from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
 from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer
 from landscape.window.settings_list import Chooser, page
+from landscape.window.steady import Steady
 from landscape.window.walker import advance, aimed, start
 
 SHOWN = 2.0  # seconds for which a message is shown
@@ -41,9 +42,17 @@ class Walk:
     """
 
     def __init__(
-        self, plan: Plan, assets: Assets, backend: str = "auto", fullscreen: bool = False
+        self,
+        plan: Plan,
+        assets: Assets,
+        backend: str = "auto",
+        fullscreen: bool = False,
+        fps: float = 0.0,
     ) -> None:
-        """Open the window and the scene; raises InputError and NoOpenGLError."""
+        """Open the window and the scene; raises InputError and NoOpenGLError.
+
+        Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
+        """
         self.headless = backend == "osmesa"
         self.settings = plan.settings
         self.kt = plan.kt
@@ -62,6 +71,7 @@ class Walk:
         self._row, self._done = "", ""
         self._scene: OpenScene | None = None
         self._panel: Panel | None = None
+        self.steady = Steady(fps)
         self._context: GLFWContext | None = GLFWContext(
             plan.size, "landscape", True, fullscreen, self.headless
         )
@@ -294,9 +304,11 @@ class Walk:
         # Making the context current gives OSMesa a buffer of the window's new size.
         self._context.make_current()
         walker = self.walker
-        self._scene.draw(
-            Moment(walker.pose, self._size, self.kt, walker.step, walker.stroke, self._wireframe)
+        moment = Moment(
+            walker.pose, self._size, self.kt, walker.step, walker.stroke, self._wireframe
         )
+        # A screenshot has all the detail.
+        self.steady.draw(moment, self._scene.draw, whole=self._shoot)
         if self._help:
             # The user may have changed the keyboard's layout.
             self._panel.set_rows(self._key_rows())
@@ -314,7 +326,7 @@ class Walk:
         if self._shoot:
             self._shoot = False
             self._note = self._save()
-        glfw.swap_buffers(self.window)
+        self.steady.show(self.window)
         self._counted += 1
         elapsed = glfw.get_time() - self._counted_from
         if elapsed >= 1.0:
@@ -337,7 +349,7 @@ class Walk:
 
     def close(self) -> None:
         """Release the panel, the scene and the window, in this order; may be called twice."""
-        for owner in (self._panel, self._scene, self._context):
+        for owner in (self._panel, self.steady, self._scene, self._context):
             if owner is not None:
                 owner.release()
         self._panel = self._scene = self._context = None

@@ -10,6 +10,7 @@ from landscape.files.assets import Assets
 from landscape.scene import SEED, Scene, View
 from landscape.window import words
 from landscape.window.app import Walk, run
+from landscape.window.pace import FPS
 from landscape.window.recording import Plan, Writer, read
 
 SIZE = (1280, 720)  # chosen: window coordinates
@@ -30,12 +31,14 @@ def walk(
     seed: int = SEED,
     wireframe: bool = False,
     quiet: bool = False,
+    fps: float = FPS,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
     From the view ``begin`` come the pose, kt, the wireframe and, without ``only``, the elements.
     :meth:`Scene.as_walked` makes one of a named view. A replay takes everything except ``assets``,
-    ``backend``, ``fullscreen`` and ``frames`` from its file.
+    ``backend``, ``fullscreen`` and ``frames`` from its file. A live walk draws less detail where
+    that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
@@ -62,7 +65,8 @@ def walk(
         )
     writer = Writer(record, plan) if record is not None else None
     try:
-        with Walk(plan, assets, backend, fullscreen) as opened:
+        kept_rate = fps if ticks is None else 0.0
+        with Walk(plan, assets, backend, fullscreen, kept_rate) as opened:
             run(opened, ticks, writer, frames)
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.

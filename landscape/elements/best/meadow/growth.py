@@ -78,7 +78,8 @@ class Growth:
     def forget(self, in_view: int) -> None:
         """Drop the least recently used cells while too many blades are kept.
 
-        The same blades grow again when they come into view. ``in_view`` blades are drawn now.
+        The same blades grow again when they come into view. ``in_view`` blades would be drawn now
+        with all their detail.
         """
         most = max(KEPT * in_view, LEAST)
         while self.grown > most:
@@ -105,12 +106,13 @@ class Growth:
             xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
         positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
         vertices = blade_vertices(positions, arched(blade_corners(angles), grass.arch), grass.scale)
-        ranges = np.ones(len(xz))
+        ranges = np.full(len(xz), grass.radius)
         if grass.fade:
-            ranges = thinned_ranges(int(self.counts[cell]), self.near, grass.radius)
+            ranges = thinned_ranges(int(self.counts[cell]), self.near)
             ranges = ranges[first : first + len(xz)]
             grown = np.empty((len(xz), 1, 3))
-            wider = np.maximum(ranges * grass.radius / self.near, 1.0) ** WIDENING
+            drawn = np.minimum(ranges, grass.radius)
+            wider = np.maximum(drawn / self.near, 1.0) ** WIDENING
             grown[..., 0] = grown[..., 2] = wider[:, None]
             grown[..., 1] = rng.uniform(0.6, 1.25, (len(xz), 1))
             grown[:, 0, 1] *= 1.0 + grass.variety * self._tallness(roots, rng)[tuft]

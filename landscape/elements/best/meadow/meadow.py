@@ -13,11 +13,21 @@ Techniques, on the blades of ``elements/grass.py``, still sent by one glDrawElem
 State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (OpenGL 1.3).
 """
 
+import math
+
 import numpy as np
 
 from landscape.elements.best.meadow.facing import facing
 from landscape.elements.best.meadow.growth import TUFT_RADIUS, Growth
-from landscape.elements.best.meadow.refined_blades import NOTHING, Patch, count_at, in_range, joined
+from landscape.elements.best.meadow.refined_blades import (
+    NOTHING,
+    Patch,
+    count_at,
+    in_range,
+    joined,
+    shortened,
+    widened,
+)
 from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, WIND, blade_wind
 from landscape.elements.grass import built_from as grass_built_from
 from landscape.elements.grass_cells import (
@@ -87,12 +97,15 @@ class Meadow:
         for number, distance in zip(numbers[seen].tolist(), nearest[seen].tolist(), strict=True):
             last = int(growth.counts[number])
             if grass.fade:
-                last = count_at(last, growth.near, distance)
+                near = growth.near * math.sqrt(frame.detail.grass)
+                last = count_at(last, near, distance)
             found.append(growth.patch(number, last).only(slice(last)))
         whole = joined(found) if found else NOTHING
         if grass.fade:
             whole = in_range(frame, whole, radius, margin)
-        self._in_view = len(whole.positions)
+            if frame.detail.grass < 1.0:
+                whole = widened(whole, frame.detail.grass)
+        self._in_view = round(len(whole.positions) / frame.detail.grass)
         return whole
 
     def choice(self, frame: Frame) -> Patch:
@@ -111,7 +124,8 @@ class Meadow:
     def _still_serves(self, frame: Frame, margin: float, angle: float) -> bool:
         """Return whether the last choice was made for an eye near this one."""
         assert self._chosen_for is not None
-        return is_near(self._chosen_for, frame, margin, angle)
+        same = self._chosen_for.detail.grass == frame.detail.grass
+        return same and is_near(self._chosen_for, frame, margin, angle)
 
     def bend(self, frame: Frame, patch: Patch) -> np.ndarray:
         """Return a patch's vertices, float32 (n, 5, 3), in the wind, turned, and sunk far away.
@@ -126,7 +140,7 @@ class Meadow:
         if grass.facing > 0:
             facing(columns, away, grass.facing)
         if grass.fade:
-            ranges = np.float32(grass.radius) * patch.ranges
+            ranges = shortened(patch.ranges, grass.radius, frame.detail.grass)
             far = np.sqrt(away[0] * away[0] + away[1] * away[1])
             left = np.clip(4.0 * (1.0 - far / ranges), 0.0, 1.0)
             columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left

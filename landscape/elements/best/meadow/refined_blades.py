@@ -4,7 +4,8 @@ The blade of 2006 and its wind are in ``elements/grass.py``; facing.py turns bla
 No OpenGL here.
 """
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -15,6 +16,9 @@ NEAR = 0.28  # chosen: units within which, with grass.fade, every blade of a den
 DENSE = 3_600.0  # chosen: blades per square unit; 1,500,000 on the island
 SPARSE = 0.4  # chosen: with k times fewer blades, NEAR is multiplied by k**SPARSE
 WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDENING times as wide
+THICKER = (
+    0.25  # chosen: if only a fraction of the blades is drawn, they are fraction**-THICKER wide
+)
 FOOT = 0.75  # chosen: brightness of a tinted blade at its foot, times the ground's
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: change of the ground's colour for tall grass
 
@@ -40,19 +44,35 @@ def nearness(density: float) -> float:
     return NEAR * max(DENSE / max(density, 1e-9), 1.0) ** SPARSE
 
 
-def thinned_ranges(count: int, near: float, radius: float) -> np.ndarray:
-    """Return how far away each of a cell's blades is drawn, (count,) in 0..1 times ``radius``.
+def thinned_ranges(count: int, near: float) -> np.ndarray:
+    """Return how far away each of a cell's blades would be drawn, (count,) in units.
 
     All up to ``near`` units; beyond, as many as keep the number per pixel the same: the fraction
-    left at distance d is (near / d) squared. The blades with the longest range come first.
+    left at distance d is (near / d) squared. The blades with the longest range come first. The
+    radius of the grass, which is not applied here, limits all of them.
     """
     fraction = (np.arange(count) + 1.0) / max(count, 1)
-    return np.asarray(np.minimum(near / np.sqrt(fraction) / radius, 1.0))
+    return np.asarray(near / np.sqrt(fraction))
 
 
 def count_at(count: int, near: float, distance: float) -> int:
     """Return how many of a cell's ``count`` blades are drawn at ``distance`` units."""
     return int(np.ceil(count * min(near / max(distance, 1e-6), 1.0) ** 2))
+
+
+def shortened(ranges: np.ndarray, radius: float, fraction: float) -> np.ndarray:
+    """Return how far away blades are drawn, float32 (n,) in units, if ``fraction`` of them are.
+
+    The ranges shrink by the root of the fraction, so at each distance that fraction is left.
+    """
+    return np.minimum(ranges * np.float32(math.sqrt(fraction)), np.float32(radius))
+
+
+def widened(patch: "Patch", fraction: float) -> "Patch":
+    """Return blades wide enough to cover more of the ground for those that are left out."""
+    grown = np.array([fraction**-THICKER, 1.0, fraction**-THICKER], np.float32)
+    feet = patch.positions[:, None]
+    return replace(patch, vertices=(patch.vertices - feet) * grown + feet)
 
 
 def lushness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -92,7 +112,8 @@ def blade_tints(
 class Patch:
     """Blades: places (n, 3), vertices without wind (n, 5, 3), tints (n, 5, 4), ranges (n,).
 
-    A blade is drawn up to its range times the radius; those of the longest range come first.
+    A blade is drawn up to its range in units, or the radius if that is less; those of the longest
+    range come first.
     """
 
     positions: np.ndarray
@@ -129,7 +150,7 @@ def in_range(frame: Frame, patch: Patch, radius: float, margin: float = 0.0) -> 
     behind the eye is kept, as its tip may be in view. ``margin`` is how far the eye may still move.
     """
     dx, dz = patch.positions[:, 0] - frame.pose.x, patch.positions[:, 2] - frame.pose.z
-    ranges = np.float32(radius) * patch.ranges + np.float32(margin)
+    ranges = shortened(patch.ranges, radius, frame.detail.grass) + np.float32(margin)
     behind = 0.1 + 1.5 * margin
     return patch.only(
         np.flatnonzero(

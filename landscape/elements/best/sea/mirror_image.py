@@ -1,11 +1,11 @@
 """The mirrored scene as a texture, for waves to distort (R16, section 12; ``reflection.rippled``).
 
 Technique: render to texture. The mirrored scene is drawn before the frame itself, into a
-framebuffer object of half the window's size, with a slightly wider projection: ripples look up
-places beyond the window's borders. The texture is then projected onto the water: the texture matrix
-is bias x projection x camera, so a vertex whose texture coordinate is its own position samples its
-own pixel, and one whose texture coordinate is moved by a ripple samples a place beside it. (In 2006
-this would have been glCopyTexSubImage2D.)
+framebuffer object of half the window's size (``Detail.mirror``), with a slightly wider projection:
+ripples look up places beyond the window's borders. The texture is then projected onto the water:
+the texture matrix is bias x projection x camera, so a vertex whose texture coordinate is its own
+position samples its own pixel, and one whose texture coordinate is moved by a ripple samples a
+place beside it. (In 2006 this would have been glCopyTexSubImage2D.)
 State used: a framebuffer object, viewport and projection; to draw with it, one texture unit with
 GL_COMBINE (OpenGL 1.3) and crossbar (1.4), its texture matrix.
 """
@@ -18,11 +18,11 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.frame import Frame
+from landscape.geometry.culling import is_near
 from landscape.gl.calls import gl
 from landscape.gl.state import combine, matrix
 from landscape.gl.texture_target import TextureTarget
 
-DETAIL = 0.5  # chosen: pixels of the mirror image per pixel of the window; ripples blur it anyway
 MARGIN = 1.15  # chosen: times the window's width and height that the mirror image covers
 # Clip coordinates -1..1 to texture coordinates 0..1.
 BIAS = np.array([(0.5, 0, 0, 0.5), (0, 0.5, 0, 0.5), (0, 0, 0.5, 0.5), (0, 0, 0, 1.0)])
@@ -72,17 +72,19 @@ def mirror_unit(mirror: Taken | None, unit: int) -> Iterator[None]:
 
 
 class MirrorImage:
-    """Owner of the texture; filled once per frame, and taken by the sea once."""
+    """Owner of the texture; filled or kept once per frame, and taken by the sea once."""
 
     def __init__(self) -> None:
         """Create nothing yet: the size of the window is not known."""
         self._target: TextureTarget | None = None
         self._matrix: np.ndarray | None = None
+        self._drawn: tuple[Frame, np.ndarray] | None = None
+        self._served = 0
 
     @contextmanager
     def drawing(self, frame: Frame) -> Iterator[Frame]:
         """Let the block draw the mirrored scene into the texture; yield the frame to draw it by."""
-        width, height = (max(1, round(side * DETAIL)) for side in frame.size)
+        width, height = (max(1, round(side * frame.detail.mirror)) for side in frame.size)
         if self._target is None or self._target.size != (width, height):
             self.release()
             self._target = TextureTarget((width, height))
@@ -96,11 +98,27 @@ class MirrorImage:
             gl.glMatrixMode(gl.GL_MODELVIEW)
             try:
                 with self._target.drawing():
-                    yield replace(frame, size=(width, height), fov=fov)
+                    small = replace(frame.detail, scale=1.0)
+                    yield replace(frame, size=(width, height), fov=fov, detail=small)
             finally:
                 gl.glMatrixMode(gl.GL_PROJECTION)
         gl.glMatrixMode(gl.GL_MODELVIEW)
         self._matrix = BIAS @ projection @ frame.modelview.reshape(4, 4).T
+        self._drawn, self._served = (frame, self._matrix), 1
+
+    def keep(self, frame: Frame) -> bool:
+        """Use the last image for this frame as well; return False if it must be drawn again.
+
+        It serves ``detail.mirror_frames`` frames while the eye stays near. It was projected from
+        the place of the eye at that time, so it stays where it was on the water.
+        """
+        if self._drawn is None or self._served >= frame.detail.mirror_frames:
+            return False
+        then, matrix = self._drawn
+        if then.detail.mirror != frame.detail.mirror or not is_near(then, frame):
+            return False
+        self._matrix, self._served = matrix, self._served + 1
+        return True
 
     def take(self) -> Taken | None:
         """Return texture and matrix; None if it was not redrawn since the last call."""
@@ -111,4 +129,4 @@ class MirrorImage:
         """Delete the texture; may be called twice."""
         if self._target is not None:
             self._target.release()
-            self._target = None
+            self._target = self._drawn = None

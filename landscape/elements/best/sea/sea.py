@@ -69,6 +69,11 @@ def reflected(
             yield frame
 
 
+def kept(frame: Frame, settings: Settings, water: "WaterSurface | Sea | None") -> bool:
+    """Return whether the last mirror image serves this frame too (``Detail.mirror_frames``)."""
+    return isinstance(water, Sea) and settings.reflection.rippled and water.mirror.keep(frame)
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     water = settings.water

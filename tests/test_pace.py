@@ -1,0 +1,100 @@
+"""The pace of a walk: what detail is drawn, given how long frames take. No OpenGL here."""
+
+import itertools
+from collections.abc import Callable
+
+import pytest
+
+from landscape.frame import FULL
+from landscape.window.pace import STANDING, WALKING, Pace
+
+BUDGET = 1 / 30
+
+
+def walked(
+    pace: Pace, seconds: float, full: Callable[[float], float], moved: bool = True
+) -> list[int]:
+    """Walk for some seconds where a full frame takes ``full(time)``; return the levels."""
+    levels, time = [], 0.0
+    while time < seconds:
+        ladder = STANDING if pace.still else WALKING
+        spent = full(time) * ladder[pace.level].cost
+        pace.frame(spent, spent, moved)
+        time += spent
+        levels.append(pace.level)
+    return levels
+
+
+def changes(levels: list[int]) -> int:
+    return sum(a != b for a, b in itertools.pairwise(levels))
+
+
+def test_each_level_draws_less_than_the_one_before() -> None:
+    for ladder in (WALKING, STANDING):
+        assert ladder[0].detail == FULL
+        for finer, coarser in itertools.pairwise(ladder):
+            assert coarser.cost < finer.cost
+            assert coarser.detail.scale <= finer.detail.scale
+            assert coarser.detail.grass < finer.detail.grass
+            assert coarser.detail.mirror_frames >= finer.detail.mirror_frames
+
+
+def test_a_fast_opengl_never_loses_detail() -> None:
+    pace = Pace(30)
+    # Every hundredth frame is late: a collection of garbage, or another program.
+    frames = itertools.cycle([0.008] * 99 + [0.2])
+    assert set(walked(pace, 60, lambda _: next(frames))) == {0}
+
+
+def test_a_slow_start_alone_loses_no_detail() -> None:
+    pace = Pace(30)
+    frames = itertools.chain([0.5, 0.3], itertools.repeat(0.01))
+    assert set(walked(pace, 5, lambda _: next(frames))) == {0}
+
+
+@pytest.mark.parametrize("full", [0.04, 0.06, 0.08])
+def test_a_slow_one_soon_keeps_the_rate_and_then_stays_where_it_is(full: float) -> None:
+    pace = Pace(30)
+    levels = walked(pace, 20, lambda _: full)
+    settled = levels[10:]
+    assert full * WALKING[settled[-1]].cost < BUDGET
+    assert changes(settled) <= 1
+
+
+def test_detail_comes_back_where_there_is_less_to_draw() -> None:
+    pace = Pace(30)
+    before = walked(pace, 5, lambda _: 0.08)[-1]
+    assert before > 2 and walked(pace, 30, lambda _: 0.02)[-1] == 0
+
+
+def test_where_a_finer_level_costs_more_than_expected_it_is_tried_less_and_less_often() -> None:
+    pace = Pace(30)
+
+    # The second level costs four times what the ladder says, so each rise to it is a mistake.
+    def spent() -> float:
+        return 0.05 if pace.level <= 1 else 0.015
+
+    levels = []
+    for _ in range(3600):
+        pace.frame(spent(), spent(), True)
+        levels.append(pace.level)
+    halves = changes(levels[:1800]), changes(levels[1800:])
+    assert halves[1] < halves[0] / 2
+
+
+def test_who_stands_still_is_shown_every_pixel_and_who_walks_on_is_not() -> None:
+    pace = Pace(30)
+    walked(pace, 5, lambda _: 0.08)
+    assert pace.detail.scale < 1 and not pace.interlaced
+    walked(pace, 2, lambda _: 0.06, moved=False)
+    assert pace.interlaced and pace.detail.scale == 0.5 and pace.detail.coarser == 1.0
+    pace.frame(0.02, 0.02, True)
+    assert not pace.interlaced and pace.detail.scale < 1
+
+
+def test_without_a_rate_everything_is_drawn_however_long_it_takes() -> None:
+    pace = Pace(0)
+    assert not pace.active
+    for _ in range(100):
+        pace.frame(2.0, 2.0, True)
+    assert pace.detail == FULL and not pace.interlaced

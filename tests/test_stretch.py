@@ -1,0 +1,131 @@
+"""Fewer pixels than the window has, stretched over it, and interlaced frames, which add up."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from stage import SIZE, SMALL, Stage
+
+from landscape.files.assets import Assets
+from landscape.frame import Detail, scaled
+from landscape.gl.calls import gl
+from landscape.island import Island
+from landscape.keys import with_settings
+from landscape.scene import Moment, find_view, placed
+from landscape.settings import preset
+from landscape.window.pace import STANDING, WALKING
+from landscape.window.stretch import PHASES, Stretch, phase_shift, stipple
+
+
+@pytest.fixture
+def stretch(stage: Stage) -> Iterator[Stretch]:
+    made = Stretch()
+    yield made
+    made.release()
+    made.release()
+
+
+@pytest.fixture(scope="module")
+def islands(the_stage: Stage, shipped: Assets) -> Iterator[dict[str, Island]]:
+    the_stage.enter()
+    opened = {
+        name: Island(with_settings(preset(name), SMALL), shipped) for name in ("2006", "best")
+    }
+    yield opened
+    for island in opened.values():
+        island.release()
+
+
+def moment(island: Island, view: str, size: tuple[int, int] = SIZE) -> Moment:
+    named = find_view(view)[1]
+    return Moment(placed(named.pose, island, island.settings.walk.eye), size, named.kt)
+
+
+def drawn(
+    stage: Stage, stretch: Stretch, island: Island, at: Moment, interlaced: bool = False
+) -> np.ndarray:
+    with stage.borrowed():
+        stretch.draw(at, island.draw, interlaced)
+        return stage.read()[-at.size[1] :, : at.size[0]]
+
+
+def test_each_pixel_of_two_by_two_is_drawn_by_one_phase() -> None:
+    bits = [np.unpackbits(stipple(phase)).reshape(32, 32) for phase in range(4)]
+    assert (np.sum(bits, axis=0) == 1).all()
+    for (x, y), pattern in zip(PHASES, bits, strict=True):
+        assert pattern[y, x] == 1 and pattern.sum() == 256
+
+
+def test_a_phase_moves_its_pixel_to_the_middle_of_the_block() -> None:
+    for phase, (x, y) in enumerate(PHASES):
+        right, up = phase_shift(phase)
+        # The middle of the block of two is at 1; that of pixel x is at x + 1/2.
+        assert (x + 0.5 + right, y + 0.5 + up) == (1.0, 1.0)
+
+
+@pytest.mark.parametrize("size", [SIZE, (97, 61)])
+def test_four_interlaced_frames_are_the_picture_of_full_size(
+    stage: Stage, stretch: Stretch, islands: dict[str, Island], size: tuple[int, int]
+) -> None:
+    island = islands["2006"]
+    at = moment(island, "fig35e", size)
+    whole = drawn(stage, stretch, island, at)
+    small = replace(at, detail=Detail(scale=0.5))
+    once = drawn(stage, stretch, island, small)
+    for _ in PHASES:
+        again = drawn(stage, stretch, island, small, interlaced=True)
+    far, near = (np.abs(picture - whole).mean() for picture in (once, again))
+    # Edges are not the same to the last bit; a picture that is only stretched is blurred.
+    assert near < 0.8 and far > 4 * near
+    assert (np.abs(again - whole).max(axis=2) > 16).mean() < 0.01
+
+
+@pytest.mark.parametrize("name", ["2006", "best"])
+@pytest.mark.parametrize("detail", [WALKING[-1].detail, Detail(scale=0.6), STANDING[3].detail])
+def test_a_stretched_picture_shows_the_same_place(
+    stage: Stage, stretch: Stretch, islands: dict[str, Island], name: str, detail: Detail
+) -> None:
+    at = moment(islands[name], "fig35e")
+    whole = drawn(stage, stretch, islands[name], at)
+    small = drawn(stage, stretch, islands[name], replace(at, detail=detail))
+
+    def blocks(picture: np.ndarray) -> np.ndarray:
+        return picture.reshape(6, 20, 8, 20, 3).mean(axis=(1, 3))
+
+    assert np.abs(blocks(whole) - blocks(small)).mean() < 3.0
+    assert (whole != small).any()
+
+
+def test_all_detail_is_drawn_into_the_window_itself(
+    stage: Stage, stretch: Stretch, islands: dict[str, Island]
+) -> None:
+    at = moment(islands["best"], "fig35g")
+    with stage.borrowed():
+        islands["best"].draw(at)
+        plain = stage.read()
+    assert (drawn(stage, stretch, islands["best"], at) == plain).all()
+
+
+def test_fewer_pixels_are_drawn(stage: Stage, stretch: Stretch, islands: dict[str, Island]) -> None:
+    viewports = []
+
+    def draw(at: Moment) -> None:
+        islands["2006"].draw(at)
+        viewports.append(gl.glGetIntegerv(gl.GL_VIEWPORT)[2:].tolist())
+
+    at = moment(islands["2006"], "fig35e")
+    with stage.borrowed():
+        for scale in (1.0, 0.5, 0.3):
+            stretch.draw(replace(at, detail=Detail(scale=scale)), draw, False)
+        after = gl.glGetIntegerv(gl.GL_VIEWPORT)[2:].tolist()
+    assert viewports == [[160, 120], [80, 60], [48, 36]] and after == [160, 120]
+
+
+def test_a_scaled_side_is_rounded_up_and_never_zero() -> None:
+    assert [scaled(n, s) for n, s in ((160, 0.5), (97, 0.5), (1, 0.31), (10, 0.7))] == [
+        80,
+        49,
+        1,
+        7,
+    ]
