@@ -77,8 +77,8 @@ def test_four_interlaced_frames_are_the_picture_of_full_size(
         again = drawn(stage, stretch, island, small, interlaced=True)
     far, near = (np.abs(picture - whole).mean() for picture in (once, again))
     # Edges are not the same to the last bit; a picture that is only stretched is blurred.
-    assert near < 0.8 and far > 4 * near
-    assert (np.abs(again - whole).max(axis=2) > 16).mean() < 0.01
+    assert near < 1.0 and far > 3 * near
+    assert (np.abs(again - whole).max(axis=2) > 16).mean() < 0.015
 
 
 @pytest.mark.parametrize("name", ["2006", "best"])
