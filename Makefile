@@ -20,8 +20,12 @@ demo:
 	    $(BIN)/landscape render $(VIEWS) --out $(OUT) -q $(ARGS) && ls -1 $(VIEWS:%=$(OUT)/%.png); \
 	fi
 
-test: lint
-	@$(BIN)/pytest -q -n auto --maxprocesses 4 --dist loadfile
+# The tests run even if the style or the types fail; the status is that of both.
+test:
+	@scripts/setup.sh test
+	@lint=0; $(MAKE) --no-print-directory lint || lint=$$?; \
+	$(BIN)/pytest -q -n auto --maxprocesses 4 --dist loadfile || exit $$?; \
+	[ $$lint -eq 0 ] || { echo "The tests passed; the style or the types did not: make lint"; exit 1; }
 
 lint:
 	@scripts/setup.sh test

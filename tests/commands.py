@@ -4,16 +4,20 @@ They run in a separate process because PyOpenGL binds to one platform per proces
 context opened there cannot disturb the context of the tests.
 """
 
+import contextlib
+import ctypes.util
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import pytest
 from PIL import Image
 
 from landscape.files.assets import shipped
@@ -50,7 +54,9 @@ for line in sys.stdin:
 def environment(**changes: str | None) -> dict[str, str]:
     """Return the environment of a shell without a display; a value of None removes a variable."""
     ours = ("PYOPENGL_PLATFORM", "LANDSCAPE_GL_CHECKS", "DISPLAY", "WAYLAND_DISPLAY")
-    kept = {name: value for name, value in os.environ.items() if name not in ours}
+    # By XDG_SESSION_TYPE GLFW decides which of two window systems it takes.
+    left_out = (*ours, "XDG_SESSION_TYPE")
+    kept = {name: value for name, value in os.environ.items() if name not in left_out}
     kept["PYTHONPATH"] = str(TESTS.parent)
     return kept | {name: value for name, value in changes.items() if value is not None}
 
@@ -125,6 +131,37 @@ def landscape(*args: str | Path, env: Mapping[str, str] | None = None, **options
         **options,
     )
     return Done(done.returncode, done.stdout, done.stderr)
+
+
+@contextlib.contextmanager
+def running(*words: str | Path, **options: Any) -> Iterator["subprocess.Popen[str]"]:
+    """Run `landscape WORDS` beside the block; at its end nothing of it is left, no pipe either.
+
+    It can be interrupted: a test run in the background ignores SIGINT, which a child inherits.
+    """
+    with subprocess.Popen(
+        [sys.executable, "-m", "landscape", *map(str, words)],
+        env=environment(),
+        text=True,
+        start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+        **options,
+    ) as process:
+        try:
+            yield process
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
+
+
+REMOVED = {"OSMesa": ": Mesa removed it in version 25.1"}
+
+
+def need_library(*names: str) -> None:
+    """Skip the test if a system library is not installed."""
+    for name in names:
+        if ctypes.util.find_library(name) is None:
+            pytest.skip(f"lib{name} is not installed{REMOVED.get(name, '')}")
 
 
 def python(code: str, *args: str, env: Mapping[str, str] | None = None) -> Done:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from commands import environment
+from commands import running
 from PIL import Image
 
 from landscape.cli import main
@@ -361,21 +361,14 @@ def test_an_interrupted_write_keeps_the_old_file(
 def test_a_build_interrupted_by_the_user_ends_at_once_and_leaves_nothing(
     studio: Any, tmp_path: Path
 ) -> None:
-    command = [sys.executable, "-m", "landscape", "assets", "build", "sky_north.png", "fire.png"]
-    process = subprocess.Popen(
-        [*command, "--assets", str(tmp_path / "made")],
-        env=environment(),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-    deadline = time.monotonic() + 60
-    while not (tmp_path / "made").exists() and time.monotonic() < deadline:
-        time.sleep(0.05)
-    time.sleep(1.0)  # the pool is starting or working
-    os.killpg(process.pid, signal.SIGINT)
-    _, error = process.communicate(timeout=30)
+    words = ["assets", "build", "sky_north.png", "fire.png", "--assets", tmp_path / "made"]
+    with running(*words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        deadline = time.monotonic() + 60
+        while not (tmp_path / "made").exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        time.sleep(1.0)  # the pool is starting or working
+        os.killpg(process.pid, signal.SIGINT)
+        _, error = process.communicate(timeout=30)
     assert process.returncode == 130
     assert error.splitlines() == ["landscape: interrupted"]
     assert list((tmp_path / "made").iterdir()) == []

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from commands import environment, landscape, python
+from commands import environment, landscape, need_library, python
 
 SCENE = (
     "fig35a",
@@ -65,12 +65,6 @@ sys.exit(main(sys.argv[2:]))
 
 def one_line(text: str) -> bool:
     return text.startswith("landscape: ") and text.count("\n") == 1
-
-
-def need_library(*names: str) -> None:
-    for name in names:
-        if ctypes.util.find_library(name) is None:
-            pytest.skip(f"lib{name} is not installed")
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import SECONDS, Shell, environment, landscape, python
+from commands import SECONDS, Shell, environment, landscape, python, running
 from PIL import Image
 
 from landscape import cli, keys, settings
@@ -297,23 +297,15 @@ def test_a_name_that_the_terminal_cannot_encode_is_escaped(tmp_path: Path) -> No
 
 
 def test_ctrl_c_while_rendering_many_views_leaves_only_complete_files(tmp_path: Path) -> None:
-    command = [*MODULE, "render", *NINE, "--preset", "2006", "--size", "640x480", "--out", "many"]
-    process = subprocess.Popen(
-        command,
-        cwd=tmp_path,
-        env=environment(),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        # A test run in the background ignores SIGINT, and the child would inherit that.
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
-    )
+    words = ["render", *NINE, "--preset", "2006", "--size", "640x480", "--out", "many"]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     first = tmp_path / "many" / "fig35a.png"
-    end = time.monotonic() + SECONDS
-    while not first.exists() and process.poll() is None and time.monotonic() < end:
-        time.sleep(0.005)
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=SECONDS)
+    with running(*words, cwd=tmp_path, **pipes) as process:
+        end = time.monotonic() + SECONDS
+        while not first.exists() and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.005)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=SECONDS)
     assert (process.returncode, out, err) == (130, "", "landscape: interrupted\n")
     names = pictures(first.parent)
     assert names and set(names) < {f"{name}.png" for name in NINE}

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from commands import environment
+from commands import environment, need_library
 
 pytestmark = pytest.mark.skipif(
     not Path("/proc/self/stat").exists(), reason="processes are looked up in /proc"
@@ -95,6 +95,7 @@ def test_workers_end_with_their_parent(
 
 
 def test_kill_ends_a_walk_with_its_recording_complete(mark: str, tmp_path: Path) -> None:
+    need_library("OSMesa")
     words = ["walk", "fig4a", "--backend", "osmesa", "--size", "64x48", "--frames", "100000"]
     words += ["--only", "map", "--preset", "2006", "--record", str(tmp_path / "a.jsonl")]
     walk = start(mark, "-m", "landscape", *words)

@@ -3,13 +3,12 @@
 import os
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import environment
+from commands import running
 from PIL import Image
 
 from landscape.errors import InputError
@@ -61,21 +60,13 @@ def test_few_pictures_are_drawn_without_further_processes(
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="sends SIGINT to a group of processes")
 def test_ctrl_c_while_drawing_many_pictures_leaves_only_complete_files(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "landscape", "render", *list(VIEWS)[:40]]
-    command += ["--size", "160x120", "--samples", "0", "--out", str(tmp_path)]
-    process = subprocess.Popen(
-        command,
-        stderr=subprocess.PIPE,
-        text=True,
-        env=environment(),
-        start_new_session=True,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
-    )
-    deadline = time.monotonic() + 60
-    while len(list(tmp_path.glob("*.png"))) < 3 and time.monotonic() < deadline:
-        time.sleep(0.02)
-    os.killpg(process.pid, signal.SIGINT)
-    error = process.communicate(timeout=60)[1]
+    words = ["render", *list(VIEWS)[:40], "--size", "160x120", "--samples", "0", "--out", tmp_path]
+    with running(*words, stderr=subprocess.PIPE) as process:
+        deadline = time.monotonic() + 60
+        while len(list(tmp_path.glob("*.png"))) < 3 and time.monotonic() < deadline:
+            time.sleep(0.02)
+        os.killpg(process.pid, signal.SIGINT)
+        error = process.communicate(timeout=60)[1]
     files = list(tmp_path.iterdir())
     assert process.returncode == 130 and "Traceback" not in error, error
     assert 3 <= len(files) < 40 and all(path.suffix == ".png" for path in files)

@@ -19,7 +19,7 @@ from typing import Any
 import glfw
 import numpy as np
 import pytest
-from commands import environment, landscape, python
+from commands import environment, landscape, need_library, python, running
 from PIL import Image
 
 from landscape.files.assets import Assets
@@ -123,6 +123,7 @@ print(json.dumps({"live": live.seen, "again": again.seen, "drawn": drawn, "reste
 @pytest.fixture(scope="module")
 def scripted(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """Two walks on the null platform: a scripted one, and its replay."""
+    need_library("OSMesa")
     folder = tmp_path_factory.mktemp("scripted")
     code = f"import os; os.chdir({str(folder)!r})\n{SCRIPTED}"
     done = python(code, str(folder / "a.jsonl"), json.dumps(SMALL), env=environment(LANG="C"))
@@ -253,6 +254,7 @@ print(json.dumps([hint, seen]))
 
 
 def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
+    need_library("OSMesa")
     done = python(STILLS, json.dumps(SMALL | {"trees.count": 3000}), env=environment())
     assert done.status == 0, done.err
     hint, seen = json.loads(done.out)
@@ -319,16 +321,11 @@ def test_a_replay_from_the_command_line_records_itself_again(scripted, tmp_path:
 
 
 def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path) -> None:
+    need_library("OSMesa")
     path = tmp_path / "a.jsonl"
     path.write_text("earlier")
     words = ["walk", "fig4a", "--backend", "osmesa", "--size", "64x48", "--frames", "100000"]
-    process = subprocess.Popen(
-        [sys.executable, "-m", "landscape", *words, "--record", str(path), *SET],
-        env=environment(),
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    try:
+    with running(*words, "--record", path, *SET, stderr=subprocess.PIPE) as process:
         deadline = time.monotonic() + 60
         while not any(p.stat().st_size > 10_000 for p in tmp_path.glob(".*.part")):
             assert process.poll() is None, process.stderr and process.stderr.read()
@@ -337,9 +334,6 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
         assert path.read_text() == "earlier"
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
-    finally:
-        process.kill()
-        process.wait()
     assert (process.returncode, err) == (130, "landscape: interrupted\n")
     plan, ticks = recording.read(path)
     assert len(ticks) > 10
@@ -362,6 +356,7 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
 def test_a_walk_begins_where_and_as_the_command_line_says(
     words: list[str], wanted: tuple[Any, ...], tmp_path: Path
 ) -> None:
+    need_library("OSMesa")
     path = tmp_path / "a.jsonl"
     window = ("--backend", "osmesa", "--size", "64x48", "--frames", "1", "--only", "ground")
     done = landscape("walk", *words, *window, "--record", path)
@@ -391,6 +386,7 @@ print(*said)
 
 
 def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
+    need_library("OSMesa")
     done = python(FIXED, env=environment())
     assert (done.status, done.out.split()) == (0, ["catmull_rom", "none", "catmull_rom"]), done.err
 
@@ -407,6 +403,8 @@ def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
     ],
 )
 def test_bad_input_ends_in_one_line(words: list[str], reason: str, tmp_path: Path) -> None:
+    if {"osmesa", "--frames"} <= set(words):
+        need_library("OSMesa")
     done = landscape("walk", *words, cwd=tmp_path)
     assert done.status == 2
     assert done.err.startswith("landscape: ")

@@ -143,11 +143,10 @@ class Paint:
 
 def rock_cracks(size: int) -> np.ndarray:
     """Return blocky noise (size, size), mean 0: sharp low clefts between rounded high blocks."""
-    folds = sum(
-        weight * np.abs(spectral_noise(size, 1.5, seed, low))
-        for weight, seed, low in ((1.0, 35, 24.0), (0.5, 36, 70.0), (0.25, 37, 160.0))
-    )
-    return (folds - folds.mean()) / folds.std()
+    folds = np.zeros((size, size))
+    for weight, seed, low in ((1.0, 35, 24.0), (0.5, 36, 70.0), (0.25, 37, 160.0)):
+        folds += weight * np.abs(spectral_noise(size, 1.5, seed, low))
+    return np.asarray((folds - folds.mean()) / folds.std())
 
 
 def albedo(
