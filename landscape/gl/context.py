@@ -235,7 +235,8 @@ class GLFWContext:
         fullscreen: bool = False,
         headless: bool = False,
     ) -> None:
-        glfw = display.import_glfw()
+        from landscape.gl.glfw_library import glfw
+
         self.lists: Lists = {}
         self.glfw: Any = glfw
         self.window: Any = None

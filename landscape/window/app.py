@@ -9,7 +9,6 @@ from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-import glfw
 import numpy as np
 
 from landscape import keys
@@ -19,6 +18,7 @@ from landscape.files.output import next_free, save_png
 from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
+from landscape.gl.glfw_library import glfw
 from landscape.scene import Moment, OpenScene, scene
 from landscape.window import words
 from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name

@@ -10,9 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import glfw
-
 from landscape import keys
+from landscape.gl.glfw_library import glfw
 from landscape.window import words
 
 HELD, SWITCH, ORDER = "held", "switch", "order"

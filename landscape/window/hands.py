@@ -2,8 +2,7 @@
 
 from collections.abc import Iterable
 
-import glfw
-
+from landscape.gl.glfw_library import glfw
 from landscape.window.bindings import (
     BACKWARD,
     BY_ACTION,
