@@ -1,10 +1,19 @@
-"""Comparing pictures: how far two renderings may differ, and where they do."""
+"""Comparing pictures: how far two renderings may differ, and where they do.
+
+On the renderer that drew the expected picture nothing may differ, except some roundings. Another
+one may filter textures with fewer or more bits, and choose another mipmap level between two: both
+change many pixels a little, all in the same direction. Measured between llvmpipe's two ways to
+sample textures: no picture by more than 3 levels on average, 0.005 % of the pixels by more than
+12. A wrong blend or a lost element changes more of them by more.
+"""
 
 import numpy as np
 
 SAME_RENDERER = 1  # levels, on the renderer that drew the expected picture
-OTHER_RENDERER = 4  # levels; llvmpipe generates code for the processor it runs on
-OTHER_FRACTION = 0.001  # of the pixels may differ by more than that on another renderer
+SAME_FRACTION = 0.01  # chosen: of the pixels may differ at all on that one
+OTHER_RENDERER = 12  # levels, on another renderer
+OTHER_FRACTION = 0.001  # of the pixels may differ by more than that on another one
+OTHER_MEAN = 4.0  # levels, of all pixels on average on another one
 AMPLIFICATION = 16  # chosen: makes a difference of one level visible
 
 
@@ -20,8 +29,10 @@ def agree(expected: np.ndarray, actual: np.ndarray, same_renderer: bool) -> bool
         return False
     levels = difference(expected, actual)
     if same_renderer:
-        return bool(levels.max(initial=0) <= SAME_RENDERER)
-    return bool((levels > OTHER_RENDERER).mean() <= OTHER_FRACTION)
+        few = (levels > 0).mean() <= SAME_FRACTION
+        return bool(few and levels.max(initial=0) <= SAME_RENDERER)
+    few = (levels > OTHER_RENDERER).mean() <= OTHER_FRACTION
+    return bool(few and levels.mean() <= OTHER_MEAN)
 
 
 def amplified(expected: np.ndarray, actual: np.ndarray) -> np.ndarray:
