@@ -1,6 +1,7 @@
 # make demo    walk the island, or render its main views if there is no display
 # make test    check style and types, then run the tests
-# Both install what they need on the first run.
+# make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
+# They install what they need on the first run.
 
 SHELL := /bin/bash
 BIN := .venv/bin
@@ -9,7 +10,7 @@ VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
 # Further options for the program, for example: make demo ARGS="--preset 2006"
 ARGS ?=
 
-.PHONY: demo test lint bench assets clean
+.PHONY: demo test lint fuzz bench assets clean
 
 demo:
 	@scripts/setup.sh demo
@@ -32,6 +33,10 @@ lint:
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
 	@$(BIN)/mypy landscape
+
+fuzz:
+	@scripts/setup.sh test
+	@$(BIN)/python scripts/fuzz $(ARGS)
 
 bench:
 	@scripts/setup.sh demo

@@ -86,3 +86,9 @@ def test_the_water_is_more_opaque_from_above_than_at_a_grazing_angle() -> None:
     assert alpha[1] == pytest.approx(0.8 * (1 - 0.67 * (1 - math.sqrt(0.5)) ** 3))
     assert alpha[3] == pytest.approx(0.8 * 0.33)
     assert (np.diff(alpha) < 0).all()
+
+
+def test_rows_of_the_sea_that_are_very_far_apart_have_no_waves_and_overflow_nothing() -> None:
+    # From an eye 10^8 units high; pytest turns a warning of overflow into an error.
+    slopes = waves.damped_slopes(np.array([0.01, 1e9, 1e30], np.float32))
+    assert np.isfinite(slopes).all() and slopes[..., 0].any() and not slopes[..., 1:].any()

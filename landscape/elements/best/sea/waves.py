@@ -46,7 +46,9 @@ def damped_slopes(cell: np.ndarray) -> np.ndarray:
     ``cell`` (rows,) is the distance to the next row: a wave too short for it is damped, as it would
     alias. This is why the far sea is calm.
     """
-    slopes = STEEP / (1.0 + np.square(np.square(2.0 / LENGTHS * cell)))
+    # Within float32 from an eye of any height; a wave is left out long before.
+    ratio = np.minimum(2.0 / LENGTHS * cell, 1e6)
+    slopes = STEEP / (1.0 + np.square(np.square(ratio)))
     slopes[slopes < DAMPED * STEEP] = 0.0
     return slopes
 

@@ -1,0 +1,64 @@
+"""The fuzz tool finds what it is to find; `make fuzz` itself is not part of the tests."""
+
+from pathlib import Path
+
+from commands import TESTS, python
+
+FUZZ = str(TESTS.parent / "scripts" / "fuzz")
+
+OUTCOMES = """
+import sys
+from pathlib import Path
+sys.path.insert(0, sys.argv[1])
+import worker
+from case import Case
+
+cases = {
+    "refused": Case(expression="landscape.render('fig99z')"),
+    "untyped": Case(expression="1 / 0"),
+    "noisy": Case(expression="np.float32(3e38) * np.float32(10)"),
+    "small": Case(expression="np.zeros((3, 4, 3), np.uint8)", size=(40, 30)),
+    "changed": Case(expression="Path('kept').write_bytes(b'')"),
+    "left": Case(expression="Path('.landscape.x').write_bytes(b'')"),
+    "half": Case(expression="Path('x.png').write_bytes(b'half a picture')"),
+    "usage": Case(args=["settings", "--no-such-option"]),
+}
+for name, case in cases.items():
+    case.add("kept", b"kept")
+    folder = Path(sys.argv[2]) / name
+    case.prepare(folder)
+    status, wrong = worker.run(case, folder)
+    print(name, status, "; ".join(wrong)[:40])
+"""
+
+EXPECTED = """\
+refused 2
+untyped 0 untyped error: ZeroDivisionError
+noisy 0 printed:
+small 0 a picture (3, 4, 3)
+changed 0 kept: changed
+left 0 .landscape.x: left behind
+half 0 x.png: half-written
+usage 2"""
+
+
+def test_every_kind_of_fault_is_found_and_a_clear_error_is_none(tmp_path: Path) -> None:
+    done = python(OUTCOMES, FUZZ, str(tmp_path))
+    assert (done.status, done.err) == (0, "")
+    lines = done.out.splitlines()
+    for line, expected in zip(lines, EXPECTED.splitlines(), strict=True):
+        assert line.startswith(expected), done.out
+    assert {lines[0], lines[-1]} == {"refused 2 ", "usage 2 "}
+
+
+def test_an_input_can_be_made_again_from_the_seed_and_its_name() -> None:
+    code = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import inputs
+for kind in inputs.KINDS:
+    one, same, other = (inputs.make(f"{kind}-{n}", 7).as_json() for n in (3, 3, 4))
+    assert one == same and one != other, kind
+"""
+    done = python(code, FUZZ)
+    assert (done.status, done.err) == (0, "")
