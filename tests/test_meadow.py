@@ -72,7 +72,7 @@ def test_arch_multiplies_the_bend_of_the_tip_and_moves_the_shoulders_a_third_as_
 
 
 def test_a_blade_is_darker_at_its_foot() -> None:
-    tints = blade_tints(np.array([(0.2, 0.4, 0.1)]), np.random.default_rng(0))[0].astype(float)
+    tints = blade_tints(np.array([(0.2, 0.4, 0.1)]), np.ones(1))[0].astype(float)
     assert (tints[:2] < 0.9 * tints[4]).all()
     assert (tints[0] == tints[1]).all() and (tints[2] == tints[4]).all()
     assert tints[4, 1] / tints[4, 0] == pytest.approx(2.0, abs=0.05)
@@ -181,7 +181,7 @@ def test_a_cell_grows_the_same_blades_far_away_as_close_up() -> None:
 def test_a_cell_with_few_places_to_grow_uses_the_places_found(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(growth_module, "places_in", lambda *a: np.full((3, 2), 20.1))
+    monkeypatch.setattr(growth_module, "places_in_cells", lambda *a: [np.full((3, 2), 20.1)])
     grown = growth(**LUSH)
     assert len(grown.patch(3240).vertices) == grown.counts[3240] == 21
 
@@ -215,8 +215,10 @@ def test_cells_long_unused_are_dropped_and_regrow_identically(
 def test_a_dropped_cell_with_fewer_blades_than_its_share_regrows_identically(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    places_in = growth_module.places_in
-    monkeypatch.setattr(growth_module, "places_in", lambda *a: places_in(*a)[:30])
+    places_in_cells = growth_module.places_in_cells
+    monkeypatch.setattr(
+        growth_module, "places_in_cells", lambda *a: [p[:30] for p in places_in_cells(*a)]
+    )
     monkeypatch.setattr(growth_module, "LEAST", 0)
     grown = growth(fade=True, count=500_000)
     share = grown.counts[3240]
@@ -225,6 +227,19 @@ def test_a_dropped_cell_with_fewer_blades_than_its_share_regrows_identically(
     grown.forget(in_view=0)
     again = grown.patch(3240)
     assert again is not first and (again.ranges == first.ranges).all()
+
+
+@pytest.mark.parametrize("fade", [True, False])
+def test_cells_that_grow_together_grow_as_they_do_one_by_one(fade: bool) -> None:
+    together, alone = (growth(**{**LUSH, "fade": fade, "count": 2_000_000}) for _ in range(2))
+    cells = [3210, 3211, 3290, 3291]
+    for wanted in ([40, 300, 0, 130], [40, 5000, 70, 200]):
+        for cell, least, patch in zip(cells, wanted, together.patches(cells, wanted), strict=True):
+            one = alone.patch(cell, least)
+            assert len(patch.positions) >= min(least, together.counts[cell])
+            for name in ("positions", "vertices", "tints", "ranges"):
+                assert (getattr(patch, name) == getattr(one, name)).all()
+    assert together.grown == alone.grown and (together.counts == alone.counts).all()
 
 
 # ---- what is drawn

@@ -6,7 +6,7 @@ is random but seeded. No OpenGL here.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -52,20 +52,39 @@ def places_in(
     cell: int, across: int, count: int, rng: np.random.Generator, suits: Suits
 ) -> np.ndarray:
     """Return ``count`` random places x, z (count, 2) in a cell, fewer if few are suitable."""
-    row, column = divmod(cell, across)
-    kept: list[np.ndarray] = []
-    missing = count
+    return places_in_cells([cell], across, [count], [rng], suits)[0]
+
+
+def places_in_cells(
+    cells: Sequence[int],
+    across: int,
+    counts: Sequence[int],
+    rngs: Sequence[np.random.Generator],
+    suits: Suits,
+) -> list[np.ndarray]:
+    """Return what :func:`places_in` does for each of several cells, in less time."""
+    kept: list[list[np.ndarray]] = [[np.empty((0, 2))] for _ in cells]
+    missing = list(counts)
     for _ in range(TRIES):
-        xz = (rng.random((4 * count + 8, 2)) + (column, row)) * CELL
-        luck = rng.random(len(xz))
-        # Mostly the first places are suitable, so the rest need not be looked up.
-        for part in np.array_split(np.arange(len(xz)), 4):
-            suitable = luck[part] < suits(*xz[part].T)
-            kept.append(xz[part][suitable])
-            missing -= len(kept[-1])
-            if missing <= 0:
-                return np.concatenate(kept)[:count]
-    return np.concatenate(kept)[:count]
+        wanted = [n for n, left in enumerate(missing) if left > 0]
+        places, lucks = [], []
+        for n in wanted:
+            corner = divmod(cells[n], across)[::-1]
+            places.append((rngs[n].random((4 * counts[n] + 8, 2)) + corner) * CELL)
+            lucks.append(rngs[n].random(len(places[-1])))
+        # Mostly the first half are enough, so the others need not be looked up.
+        for part in range(2):
+            again = [k for k, n in enumerate(wanted) if missing[n] > 0]
+            if not again:
+                break
+            halves = [np.array_split(places[k], 2)[part] for k in again]
+            chance = suits(*np.concatenate(halves).T)
+            ends = np.cumsum([len(half) for half in halves])[:-1]
+            for k, half, likely in zip(again, halves, np.split(chance, ends), strict=True):
+                luck = np.array_split(lucks[k], 2)[part]
+                kept[wanted[k]].append(half[luck < likely])
+                missing[wanted[k]] -= len(kept[wanted[k]][-1])
+    return [np.concatenate(parts)[:count] for parts, count in zip(kept, counts, strict=True)]
 
 
 def cells_around(x: float, z: float, radius: float, across: int) -> np.ndarray:

@@ -5,12 +5,15 @@ walker came. With ``grass.fade`` they come in layers, each as large as all befor
 has only the first ones. No OpenGL here.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from landscape.elements.best.meadow.refined_blades import (
     LUSH,
     NEAR,
     WIDENING,
+    Dice,
     Patch,
     arched,
     blade_tints,
@@ -21,7 +24,13 @@ from landscape.elements.best.meadow.refined_blades import (
     thinned_ranges,
 )
 from landscape.elements.grass import blade_corners, blade_vertices
-from landscape.elements.grass_cells import CELL, bears_grass, cover, places_in, shared_out
+from landscape.elements.grass_cells import (
+    CELL,
+    bears_grass,
+    cover,
+    places_in_cells,
+    shared_out,
+)
 from landscape.elements.ground import Ground
 from landscape.geometry.height_field import greenness
 from landscape.settings import Settings
@@ -60,20 +69,39 @@ class Growth:
 
     def patch(self, cell: int, wanted: int | None = None) -> Patch:
         """Return at least the first ``wanted`` blades of a cell, or all."""
-        total = int(self.counts[cell])
-        wanted = total if wanted is None else wanted
-        patch = self._patches.pop(cell, None)
-        while patch is None or len(patch.positions) < min(wanted, total):
-            have = 0 if patch is None else len(patch.positions)
-            end = self._layer(total, have)
-            more = self._grow(cell, have, end)
-            patch = more if patch is None else joined([patch, more])
+        return self.patches([cell], [int(self.counts[cell]) if wanted is None else wanted])[0]
+
+    def patches(self, cells: Sequence[int], wanted: Sequence[int]) -> list[Patch]:
+        """Return of each cell at least the first so many blades, or all that it has.
+
+        The layers that are missing are all made together, which takes much less time.
+        """
+        missing = []
+        for cell, least in zip(cells, wanted, strict=True):
+            total, have = int(self.counts[cell]), 0
+            if cell in self._patches:
+                have = len(self._patches[cell].positions)
+            while have < min(least, total) or (have == 0 and cell not in self._patches):
+                end = self._layer(total, have)
+                missing.append((cell, have, end))
+                have = end
+                if total == 0:
+                    break
+        made = self._grow(missing) if missing else []
+        for (cell, first, end), more in zip(missing, made, strict=True):
+            patch = self._patches.get(cell)
+            if patch is not None and len(patch.positions) < first:
+                continue
+            self._patches[cell] = more if patch is None else joined([patch, more])
             self.grown += len(more.positions)
-            if len(patch.positions) < end:
+            if len(more.positions) < end - first:
                 # Few places here are suitable: the cell keeps the blades that have one.
-                self.counts[cell] = total = len(patch.positions)
-        self._patches[cell] = patch
-        return patch
+                self.counts[cell] = first + len(more.positions)
+        found = []
+        for cell in cells:
+            found.append(self._patches.pop(cell))
+            self._patches[cell] = found[-1]
+        return found
 
     def forget(self, in_view: int) -> None:
         """Drop the least recently used cells while too many blades are kept.
@@ -91,43 +119,72 @@ class Growth:
         """Return the end of the layer that begins at blade ``have``; each doubles the blades."""
         return min(max(LAYER, 2 * have), total) if self._settings.grass.fade else total
 
-    def _grow(self, cell: int, first: int, last: int) -> Patch:
-        """Return the blades ``first`` to ``last`` of a cell."""
-        grass = self._settings.grass
-        rng = np.random.default_rng([self._seed, 7, cell, *([first] if first else [])])
-        each = max(grass.tufts, 1)
-        roots = places_in(cell, self.across, -(-(last - first) // each), rng, self.suits)
-        tuft = np.repeat(np.arange(len(roots)), each)[: last - first]
-        angles = rng.random(len(tuft)) * 2 * np.pi
+    def _grow(self, layers: Sequence[tuple[int, int, int]]) -> list[Patch]:
+        """Return the blades of several layers, each given by cell, first blade and last."""
+        grass, seed = self._settings.grass, self._seed
+        rngs = [
+            np.random.default_rng([seed, 7, cell, *([first] if first else [])])
+            for cell, first, _ in layers
+        ]
+        dice, each = Dice(rngs), max(grass.tufts, 1)
+        found = places_in_cells(
+            [cell for cell, _, _ in layers],
+            self.across,
+            [-(-(last - first) // each) for _, first, last in layers],
+            rngs,
+            self.suits,
+        )
+        tufts = [len(roots) for roots in found]
+        blades = [
+            min(each * count, last - first)
+            for count, (_, first, last) in zip(tufts, layers, strict=True)
+        ]
+        roots = np.concatenate(found)
+        # The blades of a tuft follow each other; the last tuft of a layer may have fewer.
+        starts = np.cumsum([0, *tufts[:-1]])
+        tuft = np.concatenate(
+            [start + np.arange(n) // each for start, n in zip(starts, blades, strict=True)]
+        )
+        angles = dice.uniform(0.0, 1.0, blades) * 2 * np.pi
         xz = roots[tuft]
         if grass.tufts:
             # Outwards, the way a blade leans: its tip bends to (sin, cos) of its angle.
-            away = TUFT_RADIUS * np.sqrt(rng.random(len(tuft)))
+            away = TUFT_RADIUS * np.sqrt(dice.uniform(0.0, 1.0, blades))
             xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
         positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
         vertices = blade_vertices(positions, arched(blade_corners(angles), grass.arch), grass.scale)
         ranges = np.full(len(xz), grass.radius)
         if grass.fade:
-            ranges = thinned_ranges(int(self.counts[cell]), self.near)
-            ranges = ranges[first : first + len(xz)]
+            ranges = np.concatenate(
+                [
+                    thinned_ranges(int(self.counts[cell]), self.near, first, first + count)
+                    for (cell, first, _), count in zip(layers, blades, strict=True)
+                ]
+            )
             grown = np.empty((len(xz), 1, 3))
             drawn = np.minimum(ranges, grass.radius)
             wider = np.maximum(drawn / self.near, 1.0) ** WIDENING
             grown[..., 0] = grown[..., 2] = wider[:, None]
-            grown[..., 1] = rng.uniform(0.6, 1.25, (len(xz), 1))
-            grown[:, 0, 1] *= 1.0 + grass.variety * self._tallness(roots, rng)[tuft]
+            grown[..., 1] = dice.uniform(0.6, 1.25, blades)[:, None]
+            grown[:, 0, 1] *= 1.0 + grass.variety * tallness(roots, tufts, dice)[tuft]
             feet = positions[:, None]
             vertices = ((vertices - feet) * grown + feet).astype(np.float32)
         tints = np.full((len(xz), 5, 4), 255, np.uint8)
         if grass.tinted:
             colour = self._ground.colour(roots[:, 0], roots[:, 1])
-            colour *= 1.0 + grass.variety * (hues(len(roots), rng) - 1.0)
+            colour *= 1.0 + grass.variety * (hues(tufts, dice) - 1.0)
             colour *= 1.0 + grass.variety * lushness(roots[:, 0], roots[:, 1])[:, None] * LUSH
             colour *= self._ground.light(roots[:, 0], roots[:, 1])[:, None]
-            tints[..., :3] = blade_tints(colour[tuft], rng, *self._ends)
-        return Patch(positions.astype(np.float32), vertices, tints, ranges.astype(np.float32))
+            brightness = dice.uniform(0.92, 1.28, blades)
+            tints[..., :3] = blade_tints(colour[tuft], brightness, *self._ends)
+        whole = Patch(positions.astype(np.float32), vertices, tints, ranges.astype(np.float32))
+        ends = np.cumsum(blades)
+        return [
+            whole.only(np.arange(end - count, end)) for end, count in zip(ends, blades, strict=True)
+        ]
 
-    def _tallness(self, roots: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-        """Return how much taller than the mean tufts at roots (n, 2) are: fractions above -1."""
-        own = rng.uniform(-0.35, 0.45, len(roots))
-        return np.asarray(own + 0.45 * lushness(roots[:, 0], roots[:, 1]))
+
+def tallness(roots: np.ndarray, tufts: Sequence[int], dice: Dice) -> np.ndarray:
+    """Return how much taller than the mean tufts at roots (n, 2) are: fractions above -1."""
+    own = dice.uniform(-0.35, 0.45, tufts)
+    return np.asarray(own + 0.45 * lushness(roots[:, 0], roots[:, 1]))

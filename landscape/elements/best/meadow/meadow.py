@@ -13,8 +13,6 @@ Techniques, on the blades of ``elements/grass.py``, still sent by one glDrawElem
 State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (OpenGL 1.3).
 """
 
-import math
-
 import numpy as np
 
 from landscape.elements.best.meadow.facing import facing
@@ -93,13 +91,13 @@ class Meadow:
         seen = visible_cells(frame, centres, radius, margin, angle) & (growth.counts[numbers] > 0)
         nearest = np.hypot(centres[:, 0] - frame.pose.x, centres[:, 2] - frame.pose.z)
         nearest -= HALF_DIAGONAL + TUFT_RADIUS + margin
-        found = []
-        for number, distance in zip(numbers[seen].tolist(), nearest[seen].tolist(), strict=True):
-            last = int(growth.counts[number])
-            if grass.fade:
-                near = growth.near * math.sqrt(frame.detail.grass)
-                last = count_at(last, near, distance)
-            found.append(growth.patch(number, last).only(slice(last)))
+        numbers, nearest = numbers[seen], nearest[seen]
+        counts = growth.counts[numbers]
+        if grass.fade:
+            counts = count_at(counts, growth.near, nearest, frame.detail.grass)
+        wanted = counts.tolist()
+        patches = growth.patches(numbers.tolist(), wanted)
+        found = [patch.only(slice(n)) for patch, n in zip(patches, wanted, strict=True)]
         whole = joined(found) if found else NOTHING
         if grass.fade:
             whole = in_range(frame, whole, radius, margin)

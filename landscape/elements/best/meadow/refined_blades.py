@@ -5,6 +5,7 @@ No OpenGL here.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -44,20 +45,28 @@ def nearness(density: float) -> float:
     return NEAR * max(DENSE / max(density, 1e-9), 1.0) ** SPARSE
 
 
-def thinned_ranges(count: int, near: float) -> np.ndarray:
-    """Return how far away each of a cell's blades would be drawn, (count,) in units.
+def thinned_ranges(count: int, near: float, first: int, last: int) -> np.ndarray:
+    """Return how far away the blades ``first`` to ``last`` of a cell's ``count`` would be drawn.
+
+    In units, (last - first,).
 
     All up to ``near`` units; beyond, as many as keep the number per pixel the same: the fraction
     left at distance d is (near / d) squared. The blades with the longest range come first. The
     radius of the grass, which is not applied here, limits all of them.
     """
-    fraction = (np.arange(count) + 1.0) / max(count, 1)
+    fraction = (np.arange(first, last) + 1.0) / max(count, 1)
     return np.asarray(near / np.sqrt(fraction))
 
 
-def count_at(count: int, near: float, distance: float) -> int:
-    """Return how many of a cell's ``count`` blades are drawn at ``distance`` units."""
-    return int(np.ceil(count * min(near / max(distance, 1e-6), 1.0) ** 2))
+def count_at(
+    count: np.ndarray, near: float, distance: np.ndarray, fraction: float = 1.0
+) -> np.ndarray:
+    """Return how many of the cells' ``count`` (n,) blades are drawn at ``distance`` (n,) units.
+
+    Of these only the ``fraction`` with the longest ranges.
+    """
+    left = np.minimum(near / np.maximum(distance, 1e-6), 1.0) ** 2
+    return np.ceil(count * (left * fraction)).astype(int)
 
 
 def shortened(ranges: np.ndarray, radius: float, fraction: float) -> np.ndarray:
@@ -83,26 +92,44 @@ def lushness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     )
 
 
-def hues(count: int, rng: np.random.Generator) -> np.ndarray:
-    """Return factors on the ground's colour (count, 3): most tufts greener, one in eight straw."""
-    green = np.array([0.90, 1.03, 0.84]) * rng.uniform(0.78, 1.12, (count, 1))
-    straw = np.array([1.22, 1.10, 1.00]) * rng.uniform(0.80, 1.10, (count, 1))
-    return np.where(rng.random((count, 1)) < 1 / 8, straw, green)
+class Dice:
+    """Random numbers for several layers of blades at once, each layer's from its own generator.
+
+    So a layer's numbers do not depend on which others are made with it.
+    """
+
+    def __init__(self, rngs: Sequence[np.random.Generator]) -> None:
+        self._rngs = rngs
+
+    def uniform(self, low: float, high: float, counts: Sequence[int]) -> np.ndarray:
+        """Return numbers from ``low`` to ``high``: counts[0] for the first layer, and so on."""
+        drawn = [rng.uniform(low, high, n) for rng, n in zip(self._rngs, counts, strict=True)]
+        return np.concatenate(drawn)
+
+
+def hues(counts: Sequence[int], dice: Dice) -> np.ndarray:
+    """Return factors on the ground's colour (n, 3): most tufts greener, one in eight straw.
+
+    ``counts`` are the tufts of each layer, n is their sum.
+    """
+    green = np.array([0.90, 1.03, 0.84]) * dice.uniform(0.78, 1.12, counts)[:, None]
+    straw = np.array([1.22, 1.10, 1.00]) * dice.uniform(0.80, 1.10, counts)[:, None]
+    return np.where(dice.uniform(0.0, 1.0, counts)[:, None] < 1 / 8, straw, green)
 
 
 def blade_tints(
     colour: np.ndarray,
-    rng: np.random.Generator,
+    brightness: np.ndarray,
     upper: np.ndarray | float = 0.4,
     foot: np.ndarray | float = 0.4,
 ) -> np.ndarray:
     """Return tints, uint8 (n, 5, 3), for blades on ground of colours (n, 3), darker at the foot.
 
     ``upper`` and ``foot`` (3,) are the texture's mean colours there. Drawn at twice texture times
-    tint, the upper part of a blade has the ground's own colour, a little lighter or darker at
-    random. Its foot is FOOT times as bright, so that no blade looks pasted on.
+    tint, the upper part of a blade has the ground's own colour times its ``brightness`` (n,). Its
+    foot is FOOT times as bright, so that no blade looks pasted on.
     """
-    light = colour * rng.uniform(0.92, 1.28, (len(colour), 1)) / (2.0 * np.asarray(upper))
+    light = colour * brightness[:, None] / (2.0 * np.asarray(upper))
     tints = np.repeat(light[:, None, :], 5, axis=1)
     tints[:, :2] *= FOOT * np.asarray(upper) / np.asarray(foot)
     return (np.clip(tints, 0, 1) * 255).astype(np.uint8)
