@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from landscape.elements.best.terrain import shadows as module
 from landscape.elements.best.terrain.shadows import (
     LIGHT_LEFT,
     ShadowMap,
@@ -135,3 +136,64 @@ def test_a_sprites_samples_land_where_each_would_by_itself(flipped: bool) -> Non
     # Together they cover the board's shadow: its width times the length of its offset.
     covered = shadows.amount.sum() * TEXEL**2
     assert covered == pytest.approx(size.prod() * np.hypot(*offset), rel=1e-4)
+
+
+def forest(count: int, width: float) -> Sprites:
+    """Sprites at random places."""
+    rng = np.random.default_rng(2)
+    places = np.insert(rng.uniform(0, 40, (count, 2)), 1, 2.0, axis=1)
+    sizes = rng.uniform(0.5, 1.0, (count, 2)) * width
+    return Sprites(places, sizes, np.zeros(count, int), rng.random(count) < 0.5)
+
+
+def test_shadows_cast_a_few_at_a_time_are_those_cast_all_at_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    maps = []
+    for at_once in (module.AT_ONCE, 5000):
+        monkeypatch.setattr(module, "AT_ONCE", at_once)
+        maps.append(shadow_map())
+        cast_sprites(maps[-1], forest(60, 1.0), [np.full((20, 20), 255, np.uint8)])
+        maps[-1].hide_sky(forest(60, 1.0).positions, np.full(60, 1.5), 0.3)
+    assert (maps[0].light() == maps[1].light()).all() and (maps[0].light() < 255).any()
+
+
+def test_a_shade_much_wider_than_a_texel_looks_the_same_on_its_coarser_map(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    lights = []
+    for most in (1000, module.MOST_REACH):
+        monkeypatch.setattr(module, "MOST_REACH", most)
+        shadows = shadow_map()
+        shadows.hide_sky(np.array([(20.0, 2.0, 20.0)]), np.array([18.0]), 0.4)
+        lights.append(light_of(shadows))
+    assert np.abs(lights[0] - lights[1]).max() < 0.03 and lights[0].min() < 0.65
+
+
+def test_very_many_or_very_large_sprites_are_cast_within_little_memory() -> None:
+    import tracemalloc
+
+    small = HeightField(np.zeros((4, 4), np.float32), 1.0, -1.0)
+    tracemalloc.start()
+    for field, sprites in ((FLAT, forest(3000, 100.0)), (small, forest(3000, 1.0))):
+        shadows = ShadowMap(field, SOUTH, 512)
+        cast_sprites(shadows, sprites, [np.full((9, 9), 255, np.uint8)])
+        shadows.hide_sky(sprites.positions, sprites.sizes[:, 0], 0.3)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 300e6
+
+
+def test_the_light_of_a_small_map_has_the_size_of_its_picture() -> None:
+    shadows = ShadowMap(HeightField(np.zeros((4, 4), np.float32), 1.0, -1.0), SOUTH, 512)
+    assert shadows.side < 512 and shadows.light().shape == (512, 512, 3)
+    shadows.darken(*np.full((2, 1), 0.5), np.ones(1))
+    rows, columns = np.nonzero(shadows.light()[..., 0] < 250)
+    assert abs(rows.mean() - 256) < 3 and abs(columns.mean() - 256) < 3
+
+
+def test_a_foot_without_width_hides_no_sky_and_gives_no_warning() -> None:
+    shadows = shadow_map()
+    with np.errstate(all="raise"):
+        shadows.hide_sky(np.array([(20.1, 2.0, 20.1)]), np.zeros(1), 0.4)
+    assert (shadows.light() == 255).all()

@@ -74,7 +74,8 @@ def shortened(ranges: np.ndarray, radius: float, fraction: float) -> np.ndarray:
 
     The ranges shrink by the root of the fraction, so at each distance that fraction is left.
     """
-    return np.minimum(ranges * np.float32(math.sqrt(fraction)), np.float32(radius))
+    shorter = np.minimum(ranges * np.float32(math.sqrt(fraction)), np.float32(radius))
+    return np.maximum(shorter, np.float32(1e-6))  # a range is divided by
 
 
 def widened(patch: "Patch", fraction: float) -> "Patch":

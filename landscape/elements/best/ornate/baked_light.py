@@ -185,7 +185,9 @@ def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.n
     seen = (up * sky + (1.0 - up) * BOUNCE * ground) / (up + (1.0 - up) * BOUNCE)
     sunny = open_to(places, normals, around(towards, SUN_RAYS, PENUMBRA))[:, None]
     left = EXPOSURE * ((ambient + fill) * seen + direct * sunny)
-    return np.asarray(left / np.minimum(ambient + fill + direct, 1.0) * weather(places))
+    # Where no light comes from anywhere, there is none to block.
+    lit = np.clip(ambient + fill + direct, 1e-6, 1.0)
+    return np.asarray(left / lit * weather(places))
 
 
 def shelves(sizes: list[tuple[int, int]]) -> list[tuple[int, int]]:

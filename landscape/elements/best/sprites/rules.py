@@ -11,6 +11,7 @@ from landscape.settings import Settings
 
 CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see crossing
 CLEARS = (0.2, 0.5)  # chosen: times its width: where a sprite is invisible, and where opaque
+LEAST = 1e-6  # units: a shorter distance is none, and nothing is divided by it
 HAZE = 512.0  # where the fog leaves less than 1/512 of a colour, no 8-bit value changes
 
 
@@ -36,7 +37,7 @@ def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Fra
     far, least = farthest(settings), settings.transparent.min_pixels
     plants = np.float32(min(far, settings.plants.radius or far))
     out = np.where(cells >= PLANT, plants, np.float32(far))
-    return np.minimum(out, heights * np.float32(frame.pixels / least)) if least else out
+    return np.minimum(out, heights * np.float32(min(frame.pixels / least, 1e30))) if least else out
 
 
 def clearness(
@@ -49,7 +50,7 @@ def clearness(
     """
     shared, out = settings.transparent, np.ones_like(away)
     if shared.fade:
-        out *= np.clip((radius - away) / (np.float32(shared.fade) * radius), 0.0, 1.0)
+        out *= np.clip((radius - away) / np.maximum(shared.fade * radius, LEAST), 0.0, 1.0)
     if shared.clear_near:
         gone, whole = CLEARS
         near = np.flatnonzero(away < whole * widths)
@@ -63,7 +64,7 @@ def crossing(settings: Settings, away: np.ndarray) -> tuple[np.ndarray, np.ndarr
     One fades in before the other fades out, so that a walker does not see the change.
     """
     far = settings.plants.crossed_within
-    if not far:
+    if far < LEAST:
         return np.zeros_like(away), np.ones_like(away)
     start, both, end = (far * fraction for fraction in CROSSFADE)
     return smoothstep(start, both, away), 1.0 - smoothstep(both, end, away)

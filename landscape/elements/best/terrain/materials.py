@@ -31,8 +31,11 @@ def textured(
     This does once what another texture unit would do in each frame. It is for the ground a few
     units away, where the fine detail has averaged to grey; near the eye it is too coarse.
     """
-    size = max(round(len(colours) / repeat), 1)
-    tile = np.asarray(Image.fromarray(detail).resize((size, size), Image.Resampling.BOX))
+    # Of a detail larger than the ground only the part that is seen is enlarged.
+    part = min(repeat, 1.0)
+    box = (0.0, 0.0, max(part * detail.shape[1], 1.0), max(part * detail.shape[0], 1.0))
+    size = max(round(len(colours) / max(repeat, 1.0)), 1)
+    tile = np.asarray(Image.fromarray(detail).resize((size, size), Image.Resampling.BOX, box))
     times = -(-len(colours) // size)
     contrast = MID * (tile.astype(np.float32) / np.float32(127.5) - 1)
     contrast = np.tile(contrast, (times, times, 1))[: len(colours), : colours.shape[1]]
