@@ -1,0 +1,268 @@
+"""Each setting has a view in which it shows: changed there, it changes the picture.
+
+A few settings save work and must not change the picture: they change the OpenGL calls. Those of the
+walker change the walk.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+import pytest
+from flat_land import flat
+from stage import SIZE, Stage, small
+from test_apply import FEW, another
+
+from landscape.conditions import WALK, conditions, ignored
+from landscape.files.assets import Assets
+from landscape.fixes import FIXES
+from landscape.frame import Pose
+from landscape.gl.calls import Call, recording
+from landscape.island import ELEMENTS, Island
+from landscape.keys import fields, get, with_settings
+from landscape.scene import Moment, placed
+from landscape.settings import BEST, PRESETS, Settings
+from landscape.window.walker import Intent, advance, start
+
+KEYS = fields(Settings)
+WALKING = [key for key in KEYS if WALK in conditions(Settings, key)]
+FLAT = flat().field
+LEAST = 3  # levels of 255: less may be the rounding of colours
+
+BAY = Pose(13.4, 1.75, 27.6, 345.0, -14.0)
+SEA = Pose(12.0, 1.1, 30.5, 330.0, -4.0)
+GATE = Pose(28.3, 2.6, 18.9, 336.0, 2.0)
+RABBIT = Pose(20.2, 1.4, 24.5, 40.0, -15.0)
+WOOD = Pose(19.5, 1.45, 26.0, 320.0, -3.0)
+LAWN = Pose(20.0, None, 28.0, 180.0, -20.0)
+SPRITES = ("trees", "deer", "plants")
+AS_IN_2006 = {f"{kind}.count": get(Settings(), f"{kind}.count") for kind in SPRITES}
+
+
+@dataclass(frozen=True)
+class Shot:
+    """Where a setting shows: the pose, the elements, settings beside it, and its other value.
+
+    Without a ``value`` it is the preset's that is not ``preset``, or else any other.
+    """
+
+    pose: Pose
+    only: tuple[str, ...]
+    settings: dict[str, Any] = field(default_factory=dict)
+    value: Any = None
+    preset: str = "2006"
+    kt: float = 40.0
+    stroke: int = 0
+
+
+def of_fix(name: str, **more: Any) -> Shot:
+    """Return the view of a fix's first picture, the flaw."""
+    fix = next(fix for fix in FIXES if fix.name == name)
+    settings = {**AS_IN_2006, **fix.settings(False)}
+    return replace(Shot(fix.pose(False), fix.only, settings, kt=fix.kt), **more)
+
+
+GROUPS = {
+    "camera": Shot(RABBIT, ("ground", "rabbit")),
+    "walk": Shot(LAWN, ("ground",)),
+    "sun": Shot(RABBIT, ("rabbit",)),
+    "ground": Shot(BAY, ("ground",), {"ground.detail_repeat": 40.0}),
+    "reflection": Shot(SEA, ("ground", "water", "reflection")),
+    "water": Shot(SEA, ("ground", "water")),
+    "sky": Shot(replace(RABBIT, y=2.5), ("sky", "fog")),
+    "transparent": Shot(WOOD, SPRITES, {"trees.count": 900, "plants.count": 900}),
+    "trees": Shot(WOOD, ("trees",), {"trees.count": 900}),
+    "deer": Shot(WOOD, ("deer",), {"deer.count": 900}),
+    "plants": Shot(WOOD, ("plants",), {"plants.count": 4000}),
+    "grass": Shot(LAWN, ("grass",)),
+    "castle": Shot(GATE, ("castle",)),
+    "rabbit": Shot(RABBIT, ("rabbit",)),
+    "dragon": Shot(SEA, ("dragon",)),
+    "overlay": Shot(SEA, ("sword", "map"), stroke=2),
+    "fog": Shot(BAY, ("ground", "fog")),
+}
+MATERIALS: dict[str, Any] = {"ground.materials": True, "ground.detail_repeat": 40.0}
+STONY = of_fix("best4")
+GLINTING = of_fix("best3", settings={**of_fix("best3").settings, "water.glitter": 0.35})
+HUGE: dict[str, Any] = {"trees.count": 900, "trees.size_min": 3.0, "trees.size_max": 3.0}
+SHOTS = {
+    "camera.near": replace(GROUPS["camera"], value=2.0),
+    "camera.far": replace(GROUPS["camera"], value=3.0),
+    "camera.lod_pixels": replace(GROUPS["camera"], value=20.0),
+    # The far side of a mesh is seen between the lines of the near side.
+    "camera.cull": replace(GROUPS["camera"], only=("rabbit",)),
+    "ground.height_image": replace(GROUPS["ground"], value="height16.png"),
+    "ground.clip": replace(GROUPS["ground"], pose=SEA),
+    "ground.texture_size": replace(GROUPS["ground"], value=16),
+    "ground.mid_repeat": replace(GROUPS["ground"], settings=MATERIALS, value=13.0),
+    "ground.subdivide": of_fix("R14", settings=of_fix("R14").settings | {
+        "ground.smooth": "catmull_rom"}, value=1),
+    "ground.exact_height": of_fix("R15"),
+    "ground.materials": STONY,
+    "ground.sand_texture": replace(GROUPS["ground"], settings=MATERIALS),
+    "ground.sand_repeat": replace(GROUPS["ground"], settings=MATERIALS, value=9.0),
+    "ground.rock_texture": replace(STONY, settings=STONY.settings | MATERIALS),
+    "ground.rock_repeat": replace(STONY, settings=STONY.settings | MATERIALS, value=9.0),
+    "ground.low_stretch": replace(STONY, settings={"ground.detail_repeat": 40.0}),
+    "ground.shadows": replace(GROUPS["ground"], only=("ground", "castle"), pose=GATE),
+    "reflection.stencil": of_fix("stencil"),
+    "reflection.castle": Shot(replace(GATE, pitch=-30.0), ("castle", "reflection")),
+    "reflection.lod_scale": Shot(SEA, ("dragon", "reflection"), {"camera.lod_pixels": 2.0}, 50.0),
+    "water.points": replace(GROUPS["water"], value=6),
+    "water.horizon": of_fix("stencil", value=400.0),
+    "water.glitter": replace(GLINTING, value=0.1),
+    "water.relief": of_fix("R17"),
+    "water.shallow": of_fix("best1"),
+    "water.foam": of_fix("best2"),
+    "sky.moving": of_fix("R1"),
+    "sky.background": of_fix("R9"),
+    "transparent.split": of_fix("R3"),
+    "transparent.upright": of_fix("R4", only=("trees",)),
+    "transparent.fade": replace(GROUPS["transparent"], value=0.6),
+    "transparent.clear_near": replace(GROUPS["trees"], settings=HUGE),
+    "transparent.min_pixels": replace(GROUPS["transparent"], value=20.0),
+    "trees.crown": of_fix("R4", only=("trees",)),
+    "deer.count": replace(GROUPS["deer"], value=10),
+    "deer.follow_slope": of_fix("R5", only=("deer",)),
+    "plants.sway": replace(GROUPS["plants"], value=4.0),
+    "plants.radius": replace(GROUPS["plants"], value=2.0),
+    "plants.quads": of_fix("R6a"),
+    "plants.fade_edge_on": of_fix("R6a"),
+    "plants.rosette": of_fix("R6b"),
+    "plants.crossed_within": replace(GROUPS["plants"], value=0.5),
+    "plants.shaded": Shot(
+        LAWN, ("ground", "trees", "plants"),
+        {"plants.count": 4000, "trees.count": 4000, "ground.shadows": True},
+    ),
+    "grass.count": replace(GROUPS["grass"], value=10_000),
+    "grass.tinted": replace(GROUPS["grass"], only=("ground", "grass")),
+    "grass.facing": of_fix("R7", value=0.6),
+    "grass.variety": replace(GROUPS["grass"], settings={"grass.fade": True}, value=1.0),
+    "castle.flame_faces": of_fix("R2", only=("castle",)),
+    "dragon.repeat": replace(GROUPS["dragon"], settings={"dragon.mapping": "axis"}),
+    "dragon.sink": replace(GROUPS["dragon"], value=0.5),
+    "fog.start": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=3.0),
+    "fog.end": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=10.0),
+}  # fmt: skip
+WIREFRAME = ("camera.cull",)
+# These save time; the picture must stay as it is, and the calls differ.
+ONLY_CALLS = {
+    "ground.tiles": GROUPS["ground"],
+    "grass.method": GROUPS["grass"],
+    "water.query": replace(GROUPS["reflection"], settings={"reflection.rippled": True}),
+}
+# In the preset best these have an effect of their own beside the others.
+IN_BEST = ("sun.fill", "reflection.enabled", "water.color", "sky.unfogged", "trees.species",
+           "fog.density", "dragon.gloss", "rabbit.mapping", "grass.arch",
+           "transparent.radius", "ground.materials")  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def islands(the_stage: Stage) -> Iterator[dict[Any, Island]]:
+    """The last island opened, by what it was opened for: neighbours in the list share it."""
+    kept: dict[Any, Island] = {}
+    yield kept
+    the_stage.enter()
+    for island in kept.values():
+        island.release()
+
+
+def opened(islands: dict[Any, Island], settings: Settings, only: tuple[str, ...]) -> Island:
+    wanted = settings, only
+    if wanted not in islands:
+        while islands:
+            islands.popitem()[1].release()
+        islands[wanted] = Island(settings, Assets(), only=only)
+    return islands[wanted]
+
+
+def drawn(stage: Stage, island: Island, shot: Shot, lines: bool) -> tuple[np.ndarray, list[str]]:
+    """Return the second of two pictures, as an occlusion query answers a frame later; its calls."""
+    pose = placed(shot.pose, island, island.settings.walk.eye)
+    moment = Moment(pose, SIZE, shot.kt, 3.0, shot.stroke, lines)
+    with stage.borrowed():
+        island.draw(moment)
+        with recording() as recorder:
+            island.draw(moment)
+        return stage.read(), list(names(recorder.calls))
+
+
+def names(calls: Iterable[Call]) -> Iterator[str]:
+    """Yield the names of calls, and of those in the display lists that they call."""
+    for call in calls:
+        yield call.name
+        yield from names(call.listed)
+
+
+def compared(stage: Stage, islands: dict[Any, Island], key: str, shot: Shot) -> tuple[int, bool]:
+    """Return by how many levels a key changes the picture at most, and whether the calls differ."""
+    beside = {k: v for k, v in shot.settings.items() if k != key or shot.value is not None}
+    base = small({**PRESETS[shot.preset], **FEW, **beside})
+    shown = tuple(name for name in ELEMENTS if name in shot.only)
+    reason = ignored(base, key, shown, ELEMENTS)
+    assert not reason, f"{key}: {reason} in the view that should show it"
+    value = shot.value
+    if value is None:
+        value = BEST.get(key) if shot.preset == "2006" else KEYS[key].default
+    if value is None or value == get(base, key):
+        value = another(key, KEYS[key], get(base, key))
+    changed = with_settings(base, {key: value})
+    assert changed != base, f"{key}: not changed"
+    island, lines = opened(islands, base, shown), key in WIREFRAME
+    before, calls = drawn(stage, island, shot, lines)
+    if island.apply(changed):
+        after, others = drawn(stage, island, shot, lines)
+        assert island.apply(base)
+    else:
+        other = Island(changed, Assets(), only=shown)
+        after, others = drawn(stage, other, shot, lines)
+        other.release()
+    return int(np.abs(before - after).max()), calls != others
+
+
+@pytest.mark.parametrize("key", [k for k in KEYS if k not in (*WALKING, *ONLY_CALLS)])
+def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
+    stage: Stage, islands: dict[Any, Island], key: str
+) -> None:
+    shot = SHOTS.get(key, GROUPS[key.split(".")[0]])
+    difference, _ = compared(stage, islands, key, shot)
+    assert difference >= LEAST, f"{key} changes nothing in its view"
+
+
+@pytest.mark.parametrize("key", IN_BEST)
+def test_a_setting_of_best_shows_beside_the_others_of_best(
+    stage: Stage, islands: dict[Any, Island], key: str
+) -> None:
+    shot = replace(SHOTS.get(key, GROUPS[key.split(".")[0]]), preset="best", value=None)
+    difference, _ = compared(stage, islands, key, replace(shot, settings={}))
+    assert difference >= LEAST, f"{key} changes nothing in best"
+
+
+@pytest.mark.parametrize("key", ONLY_CALLS)
+def test_a_setting_that_saves_work_changes_the_calls_and_not_the_picture(
+    stage: Stage, islands: dict[Any, Island], key: str
+) -> None:
+    difference, calls_differ = compared(stage, islands, key, ONLY_CALLS[key])
+    assert calls_differ and difference < LEAST
+
+
+BY_THE_WINDOW = {
+    "walk.mouse_relative": "decides what the window makes of the mouse",
+    "walk.swim": "is seen where there is deep water",
+}
+
+
+@pytest.mark.parametrize("key", [key for key in WALKING if key not in BY_THE_WINDOW])
+def test_a_setting_of_the_walker_changes_the_walk(key: str) -> None:
+    moves = [Intent(forward=1.0, turn=0.5), Intent(forward=1.0, run=True, look=(9.0, 4.0))]
+    moves += [Intent(strike=True), *[Intent(forward=1.0)] * 9]
+    value = another(key, KEYS[key], get(Settings(), key))
+    ends = []
+    for settings in (Settings(), with_settings(Settings(), {key: value})):
+        walker, path = start(Pose(5.0, None, 5.0), FLAT, settings), []
+        for move in moves:
+            walker = advance(walker, move, 0.02, FLAT, (), settings)
+            path.append(walker)
+        ends.append(path)
+    assert ends[0] != ends[1], f"{key} changes nothing in a walk"
