@@ -96,7 +96,8 @@ def complaints(status: int, errors: str, case: Case) -> list[str]:
     wrong = [] if status in (0, 1, 2, 3) else [f"exit status {status}"]
     lines = errors.splitlines()
     if case.expression:
-        return wrong + [f"printed: {line}" for line in lines[:5]]
+        # The logger's notices of settings that change nothing are meant to be seen.
+        return wrong + [f"printed: {line}" for line in lines[:5] if not line.startswith("setting ")]
     if status in (2, 3) and len(lines) != 1:
         wrong.append(f"status {status} with {len(lines)} lines on standard error")
     wrong += [f"printed: {line}" for line in lines if not line.startswith("landscape: ")][:8]
