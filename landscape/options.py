@@ -71,7 +71,13 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     walk.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
     walk.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
     walk.add_argument("--kt", type=_number, metavar="N", help="animation time at the beginning")
-    walk.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
+    walk.add_argument(
+        "--size",
+        type=_size,
+        metavar="WxH",
+        help="default: 1280x720, larger on a display of high resolution; in a replay the recorded "
+        "sizes",
+    )
     walk.add_argument("--fullscreen", action="store_true")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help="replay a recorded walk")

@@ -9,7 +9,7 @@ from stage import Stage
 from landscape.gl.calls import gl
 from landscape.window import words
 from landscape.window.bindings import BINDINGS, LETTERS, NAMED_KEYS, SETTINGS
-from landscape.window.panel import Panel, font, keys_image, line_image, writable
+from landscape.window.panel import Panel, font, keys_image, line_image, text_size, writable
 
 pytestmark = pytest.mark.window
 
@@ -61,6 +61,19 @@ def test_the_list_of_keys_fits_and_its_font_grows_with_the_window(size: tuple[in
     assert image.shape[0] <= size[1]
     if size[1] >= 480:
         assert image.shape[0] > 0.5 * size[1], "the letters are too small for the window"
+
+
+@pytest.mark.parametrize("size", [(640, 480), (1280, 720), (1920, 1080)])
+def test_text_is_larger_on_a_display_of_high_resolution_and_still_fits(
+    size: tuple[int, int],
+) -> None:
+    for dpi in (1.5, 2.0, 3.0):
+        assert text_size(size, dpi) >= min(14 * dpi, size[0] // 40)
+        message = line_image("fog off", size, dpi)
+        assert message.shape[0] >= line_image("fog off", size).shape[0]
+        image = keys_image("Keys", ROWS, size, dpi)
+        assert image.shape[1] <= size[0] and image.shape[0] <= size[1]
+    assert text_size((1280, 720), 2.0) == 28
 
 
 def test_long_texts_shrink_the_font_until_the_list_fits() -> None:

@@ -24,10 +24,13 @@ from PIL import Image
 
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights
+from landscape.frame import Pose
 from landscape.geometry.height_field import height_field
+from landscape.keys import with_settings
+from landscape.settings import preset
 from landscape.window import recording
 from landscape.window.recording import Plan, Tick
-from landscape.window.walker import Walker, advance, start
+from landscape.window.walker import Intent, Walker, advance, start
 
 pytestmark = pytest.mark.window
 
@@ -320,6 +323,16 @@ def test_a_replay_from_the_command_line_records_itself_again(scripted, tmp_path:
     assert second.read_bytes() == first.read_bytes()
 
 
+def test_a_replay_keeps_to_the_size_that_is_asked_for(scripted, tmp_path: Path) -> None:
+    first, second = scripted["folder"] / "a.jsonl", tmp_path / "b.jsonl"
+    words = ["walk", "--backend", "osmesa", "--replay", first, "--size", "64x48", "--frames", "12"]
+    done = landscape(*words, "--record", second)
+    assert (done.status, done.err) == (0, "")
+    plan, ticks = recording.read(second)
+    assert {plan.size, *(tick.size for tick in ticks)} == {(64, 48)}
+    assert [tick.intent for tick in ticks] == [tick.intent for tick in scripted["ticks"][:12]]
+
+
 def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path) -> None:
     need_library("OSMesa")
     path = tmp_path / "a.jsonl"
@@ -436,6 +449,24 @@ def screen() -> Iterator[dict[str, str]]:
         server.wait()
 
 
+def test_a_full_screen_replay_is_drawn_at_the_size_of_the_screen(
+    screen: dict[str, str], tmp_path: Path
+) -> None:
+    path = tmp_path / "a.jsonl"
+    ticks = [Tick(0.2, Intent(), (), (320, 240))] * 12
+    settings = with_settings(preset("2006"), SMALL)
+    plan = Plan("island", settings, "", Pose(20.0, None, 30.0, 190.0), (320, 240), only=("sky",))
+    writer = recording.Writer(path, plan)
+    for tick in ticks:
+        writer.add(tick)
+    writer.finish()
+    again = tmp_path / "b.jsonl"
+    words = ["walk", "--replay", path, "--record", again, "--fullscreen", "--quiet"]
+    done = landscape(*words, env=screen)
+    assert (done.status, done.err) == (0, "")
+    assert {tick.size for tick in recording.read(again)[1]} == {(800, 600)}
+
+
 def xdotool(screen: dict[str, str], *words: str) -> str:
     """Run xdotool; return what it prints."""
     done = subprocess.run(
@@ -454,6 +485,28 @@ def walked(plan: Plan, ticks: list[Tick]) -> list[Walker]:
         args = (tick.intent, tick.seconds, field, (), plan.settings)
         walkers.append(advance(walkers[-1], *args))
     return walkers
+
+
+def test_f11_in_a_walk_that_began_full_screen_comes_back_to_its_size(
+    screen: dict[str, str], tmp_path: Path
+) -> None:
+    path = tmp_path / "walk.jsonl"
+    words = ["walk", "fig35b", "--size", "320x240", "--fullscreen", "--record", str(path)]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "landscape", *words, *SET, "--only", "sky"], env=screen
+    )
+    try:
+        window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^landscape")
+        xdotool(screen, "windowfocus", "--sync", window)
+        _wait_for(lambda: '"size": [800, 600]' in _text(tmp_path), process, "the full screen")
+        xdotool(screen, "key", "F11")
+        size = '"size": [320, 240]'
+        _wait_for(lambda: _text(tmp_path).count(size) == 2, process, "the size asked for")
+        xdotool(screen, "key", "Escape")
+        assert process.wait(30) == 0
+    finally:
+        process.kill()
+        process.wait()
 
 
 def test_real_key_events_walk_turn_and_strike(screen: dict[str, str], tmp_path: Path) -> None:
@@ -526,7 +579,7 @@ def test_real_key_events_walk_turn_and_strike(screen: dict[str, str], tmp_path: 
 
 def _text(folder: Path) -> str:
     """Return what the recorder has written so far."""
-    return "".join(path.read_text() for path in folder.glob(".*.part"))
+    return "".join(path.read_text(errors="replace") for path in folder.glob(".*.part"))
 
 
 def _recorded(folder: Path) -> int:

@@ -234,7 +234,12 @@ class GLFWContext:
         visible: bool = False,
         fullscreen: bool = False,
         headless: bool = False,
+        enlarged: bool = False,
     ) -> None:
+        """Open the window; with ``enlarged`` it is as many times larger as the display is finer.
+
+        ``self.size`` is its size when it is not full-screen.
+        """
         from landscape.gl.glfw_library import glfw
 
         self.lists: Lists = {}
@@ -262,6 +267,8 @@ class GLFWContext:
         glfw.window_hint(glfw.STENCIL_BITS, 8)
         glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 1)
         glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 5)
+        self.size = self._enlarged(size) if enlarged else size
+        size = self.size
         monitor = glfw.get_primary_monitor() if fullscreen else None
         if monitor is not None:
             mode = glfw.get_video_mode(monitor)
@@ -273,6 +280,20 @@ class GLFWContext:
             raise NoOpenGLError(f"GLFW opened no window ({reason}): install {PACKAGES['glfw']}")
         GLFWContext._windows += 1
         self.make_current()
+
+    def _enlarged(self, size: tuple[int, int]) -> tuple[int, int]:
+        """Return a size in the window system's coordinates, times the display's content scale.
+
+        Where those coordinates are finer than its pixels already (Wayland, macOS) it stays.
+        """
+        glfw = self.glfw
+        monitor = glfw.get_primary_monitor()
+        if not monitor or glfw.get_platform() in (glfw.PLATFORM_WAYLAND, glfw.PLATFORM_COCOA):
+            return size
+        scale = max(glfw.get_monitor_content_scale(monitor))
+        room = glfw.get_monitor_workarea(monitor)[2:]
+        scale = max(1.0, min(scale, *(a / b for a, b in zip(room, size, strict=True))))
+        return round(size[0] * scale), round(size[1] * scale)
 
     def _reason(self) -> str:
         code, text = self.glfw.get_error()

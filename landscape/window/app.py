@@ -27,6 +27,7 @@ from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
 from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer
 from landscape.window.settings_list import Chooser, page
+from landscape.window.sizes import Resizer
 from landscape.window.steady import Steady
 from landscape.window.walker import advance, aimed, start
 
@@ -48,6 +49,7 @@ class Walk:
         backend: str = "auto",
         fullscreen: bool = False,
         fps: float = 0.0,
+        enlarged: bool = False,
     ) -> None:
         """Open the window and the scene; raises InputError and NoOpenGLError.
 
@@ -64,7 +66,7 @@ class Walk:
         self._assets, self._seed = assets, plan.seed
         names = [fix.name for fix in self._kind.fixes]
         self._fix = names.index(plan.view) if plan.view in names else 0
-        self._windowed = (60, 60, *plan.size)
+        self.resizer = Resizer()
         self._size = (0, 0)
         self.hands = Hands(system_name)
         self._chooser = Chooser(self._kind.values(plan.preset or None))
@@ -73,8 +75,9 @@ class Walk:
         self._panel: Panel | None = None
         self.steady = Steady(fps)
         self._context: GLFWContext | None = GLFWContext(
-            plan.size, "landscape", True, fullscreen, self.headless
+            plan.size, "landscape", True, fullscreen, self.headless, enlarged
         )
+        self._windowed = (60, 60, *self._context.size)
         try:
             self._open(plan, assets)
         except BaseException:
@@ -96,7 +99,8 @@ class Walk:
             plan.settings, assets, plan.seed, self._kind.only(plan.only or None)
         )
         self.walker = start(plan.pose, self._scene, plan.settings)
-        self._panel = Panel(self._word("help.title"), self._key_rows())
+        dpi = max(glfw.get_window_content_scale(self.window))
+        self._panel = Panel(self._word("help.title"), self._key_rows(), dpi)
         letter = labels(BY_ACTION["help"], self._language, system_name)
         self._say(self._word("hint", letter=letter))
         glfw.set_key_callback(
@@ -164,8 +168,7 @@ class Walk:
         live = self.listen()
         if live is None:
             return None
-        if live.size != tick.size:
-            glfw.set_window_size(self.window, *tick.size)
+        tick = self.resizer.follow(self.window, tick, live.size)
         if not self.headless:
             # A replay is no faster than the walk was.
             time.sleep(max(tick.seconds - live.seconds, 0.0))
@@ -279,7 +282,9 @@ class Walk:
             return None
         state = self.settings, self._chooser.defaults, self._row, self._done, self._language
         shows = *state, frozenset(self._scene.shown), self._kind.elements
-        return shows, lambda: list_image(page(*shows), self._size)
+        assert self._panel is not None
+        dpi = self._panel.dpi
+        return shows, lambda: list_image(page(*shows), self._size, dpi)
 
     def _switch_fix(self, name: str) -> None:
         """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""

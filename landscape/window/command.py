@@ -1,7 +1,9 @@
 """The command `landscape walk`: from its options to a plan, a recording and a window."""
 
 import os
+import sys
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +23,7 @@ def walk(
     begin: View,
     settings: Any,
     assets: Assets,
-    size: tuple[int, int] = SIZE,
+    size: tuple[int, int] | None = None,
     fullscreen: bool = False,
     record: Path | None = None,
     replay: Path | None = None,
@@ -37,8 +39,9 @@ def walk(
 
     From the view ``begin`` come the pose, kt, the wireframe and, without ``only``, the elements.
     :meth:`Scene.as_walked` makes one of a named view. A replay takes everything except ``assets``,
-    ``backend``, ``fullscreen`` and ``frames`` from its file. A live walk draws less detail where
-    that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
+    ``backend``, ``fullscreen`` and ``frames`` from its file, and its sizes too unless ``size`` is
+    given. Without ``size`` a live walk has SIZE, enlarged on a display of high resolution. It draws
+    less detail where that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
@@ -48,6 +51,9 @@ def walk(
     ticks = None
     if replay is not None:
         plan, recorded = read(replay)
+        if size is not None:
+            plan = replace(plan, size=size)
+            recorded = [replace(tick, size=size) for tick in recorded]
         ticks = iter(recorded)
     else:
         plan = Plan(
@@ -55,7 +61,7 @@ def walk(
             settings=settings,
             view=begin.name,
             pose=begin.pose,
-            size=size,
+            size=size or SIZE,
             kt=begin.kt,
             seed=seed,
             only=kind.shown(begin, only) if only is None else kind.only(only),
@@ -66,11 +72,24 @@ def walk(
     writer = Writer(record, plan) if record is not None else None
     try:
         kept_rate = fps if ticks is None else 0.0
-        with Walk(plan, assets, backend, fullscreen, kept_rate) as opened:
+        enlarged = size is None and replay is None
+        with Walk(plan, assets, backend, fullscreen, kept_rate, enlarged) as opened:
             run(opened, ticks, writer, frames)
+        if opened.resizer.refused and not quiet:
+            _tell_size(*opened.resizer.refused)
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.
         kept = writer is not None and writer.finish()
     if kept and not quiet:
         print(record)
     return 0
+
+
+def _tell_size(wanted: tuple[int, int], given: tuple[int, int]) -> None:
+    """Say why a replay was not drawn at its size."""
+    sizes = "{}x{}".format(*wanted), "{}x{}".format(*given)
+    print(
+        f"landscape: size {sizes[0]}: the window system gave {sizes[1]}, so the replay was drawn "
+        "at that size",
+        file=sys.stderr,
+    )

@@ -53,12 +53,12 @@ def _columns(rows: tuple[tuple[str, str], ...], pixels: int) -> tuple[float, flo
     return max(map(face.getlength, names)), max(map(face.getlength, values))
 
 
-def list_image(page: Page, size: tuple[int, int]) -> np.ndarray:
+def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
     """Render the list on a plate for a window of ``size`` pixels, uint8 (h, w, 4).
 
     It is as high as the window allows; the rows scroll so that the chosen one can be seen.
     """
-    largest = text_size(size)
+    largest = text_size(size, dpi)
     for pixels in range(max(round(SIZE * largest), min(LEAST, largest)), SMALLEST - 1, -1):
         face = font(pixels)
         known = tuple(

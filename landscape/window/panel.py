@@ -21,6 +21,7 @@ from landscape.gl.texture import Texture
 
 FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
 SMALLEST = 8  # chosen: font size in pixels; smaller text is unreadable
+READABLE = 14  # chosen: font size in pixels, times the scale of a display of high resolution
 LINES = 34  # chosen: lines of text that fill the window's height
 PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white text over white clouds
 WORDS, KEYS, TITLE = (240, 240, 235), (255, 214, 120), (255, 255, 255)  # chosen: RGB
@@ -50,17 +51,23 @@ def writable(text: str, face: Any) -> str:
     return "".join(known(character) for character in text)
 
 
-def text_size(size: tuple[int, int]) -> int:
-    """Return the font size in pixels for a window of ``size``."""
-    return max(SMALLEST, min(size[1] // LINES, size[0] // 40))
+def text_size(size: tuple[int, int], dpi: float = 1.0) -> int:
+    """Return the font size in pixels for a window of ``size``.
+
+    ``dpi`` is the display's resolution in relation to the usual one, 96 dots per inch.
+    """
+    readable = round(READABLE * dpi) if dpi > 1.0 else 0
+    return max(SMALLEST, min(max(size[1] // LINES, readable), size[0] // 40))
 
 
-def keys_image(title: str, rows: Sequence[tuple[str, str]], size: tuple[int, int]) -> np.ndarray:
+def keys_image(
+    title: str, rows: Sequence[tuple[str, str]], size: tuple[int, int], dpi: float = 1.0
+) -> np.ndarray:
     """Render a title and rows of (keys, what they do) on a plate, uint8 (h, w, 4).
 
     The font suits a window of ``size`` pixels; it shrinks until the plate fits.
     """
-    for pixels in range(text_size(size), SMALLEST - 1, -1):
+    for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
         face = font(pixels)
         title, rows = (
             writable(title, face),
@@ -84,9 +91,9 @@ def keys_image(title: str, rows: Sequence[tuple[str, str]], size: tuple[int, int
     return np.asarray(image)
 
 
-def line_image(text: str, size: tuple[int, int]) -> np.ndarray:
+def line_image(text: str, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
     """Render one line of text on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
-    for pixels in range(text_size(size), SMALLEST - 1, -1):
+    for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
         face = font(pixels)
         text = writable(text, face)
         width = int(face.getlength(text) + 1.6 * pixels)
@@ -142,8 +149,12 @@ class Panel:
     at its left edge.
     """
 
-    def __init__(self, title: str, rows: Sequence[tuple[str, str]]) -> None:
-        """Keep the text; textures are made when first shown, and again when what they show does."""
+    def __init__(self, title: str, rows: Sequence[tuple[str, str]], dpi: float = 1.0) -> None:
+        """Keep the text; textures are made when first shown, and again when they must change.
+
+        ``dpi`` is as in :func:`text_size`.
+        """
+        self.dpi = dpi
         self._title, self._rows = title, tuple(rows)
         self._plates: dict[str, tuple[Hashable, Plate]] = {}
 
@@ -178,11 +189,13 @@ class Panel:
                 plate = self._plate("left", (left[0], size), left[1])
                 plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
             if keys:
-                title, rows = self._title, self._rows
-                plate = self._plate("keys", (rows, size), lambda: keys_image(title, rows, size))
+                shown = self._title, self._rows, size, self.dpi
+                plate = self._plate("keys", shown, lambda: keys_image(*shown))
                 plate.draw((size[0] - plate.width) // 2, (size[1] - plate.height) // 2, 1.0)
             if message:
-                plate = self._plate("line", (message, size), lambda: line_image(message, size))
+                plate = self._plate(
+                    "line", (message, size), lambda: line_image(message, size, self.dpi)
+                )
                 plate.draw((size[0] - plate.width) // 2, size[1] // 24, opacity)
 
     def _plate(self, name: str, shows: Hashable, make: Callable[[], np.ndarray]) -> Plate:

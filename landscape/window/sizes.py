@@ -1,0 +1,44 @@
+"""The window's sizes: how large it opens, and how a replay keeps to the recorded ones.
+
+Sizes of pictures are in pixels, those of windows in the window system's coordinates, which are
+larger than a pixel on some displays of high resolution (Wayland, macOS).
+"""
+
+from dataclasses import dataclass, replace
+
+from landscape.gl.glfw_library import glfw
+from landscape.window.recording import Tick
+
+PATIENCE = 1.0  # chosen: seconds that the window system has for a new size
+
+
+@dataclass
+class Resizer:
+    """Gives the window the size that a replay asks for, as far as the window system lets it.
+
+    ``refused`` is the first size that it did not give, and what it gave instead.
+    """
+
+    asked: tuple[int, int] = (0, 0)
+    since: float = 0.0
+    refused: tuple[tuple[int, int], tuple[int, int]] | None = None
+
+    def follow(self, window: object, tick: Tick, actual: tuple[int, int]) -> Tick:
+        """Return the recorded frame at the size to draw; ``actual`` is the window's, in pixels.
+
+        A full-screen window keeps its size, and so does one that has not changed in PATIENCE.
+        """
+        if tick.size == actual:
+            return tick
+        if glfw.get_window_monitor(window):
+            return replace(tick, size=actual)
+        if tick.size != self.asked:
+            self.asked, self.since = tick.size, glfw.get_time()
+            across = glfw.get_window_size(window)[0]
+            # Zero while the window has no area: then pixels are taken for coordinates.
+            scale = actual[0] / across if across and actual[0] else 1.0
+            glfw.set_window_size(window, *(round(side / scale) for side in tick.size))
+        elif glfw.get_time() - self.since > PATIENCE:
+            self.refused = self.refused or (tick.size, actual)
+            return replace(tick, size=actual)
+        return tick
