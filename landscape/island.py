@@ -28,6 +28,7 @@ from landscape.elements.best.terrain.terrain import Terrain, ground_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import clipped
 from landscape.elements.map import Map
+from landscape.elements.planting import trunks
 from landscape.elements.reflection import mirrored
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.sword import Sword
@@ -39,7 +40,8 @@ from landscape.files.images import read_heights
 from landscape.fixes import FIXES
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField, height_field
-from landscape.geometry.obstacles import Obstacle
+from landscape.geometry.obstacle_grid import ObstacleGrid, Obstacles
+from landscape.geometry.pockets import without_pockets
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib
 from landscape.scene import SEED, Moment, Scene, begin_frame
@@ -126,10 +128,16 @@ class Island:
         self.map = own("map", Map, settings, assets)
         self.obstacles = self._obstacles()
 
-    def _obstacles(self) -> tuple[Obstacle, ...]:
-        """Return what the walker goes around: the rabbit, the dragon, the castle's walls."""
+    def _obstacles(self) -> Obstacles:
+        """Return what the walker goes around: rabbit, dragon and castle; perhaps trees and deer."""
         standing = (self.rabbit, self.dragon, self.castle)
-        return tuple(each for element in standing if element for each in element.obstacles())
+        few = tuple(each for element in standing if element for each in element.obstacles())
+        if not self.settings.walk.solid or self.sprites is None:
+            return few
+        towers = trunks(self.sprites.sprites)
+        what = "solid trunks", repr((few, self.size)), towers.tobytes()
+        (passed,) = recall(what, lambda: (without_pockets(towers, self.size, few),))
+        return ObstacleGrid(few, towers[passed])
 
     def _own(
         self, names: str | tuple[str, ...], kind: Callable[..., Any] | None, *given: Any
@@ -170,7 +178,10 @@ class Island:
                     each.apply(self.settings)
                 return False
             taken.append(element)
+        changed = settings.walk.solid != self.settings.walk.solid
         self.settings = settings
+        if changed:
+            self.obstacles = self._obstacles()
         return True
 
     def draw(self, moment: Moment) -> None:

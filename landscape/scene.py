@@ -18,7 +18,7 @@ from landscape.elements import fog, sun
 from landscape.errors import InputError, short
 from landscape.files.assets import Assets
 from landscape.frame import FULL, Detail, Frame, Pose, scaled
-from landscape.geometry.obstacles import Obstacle
+from landscape.geometry.obstacle_grid import Obstacles
 from landscape.gl.calls import gl
 from landscape.keys import Value
 from landscape.settings import Camera, Fog, Sun
@@ -101,8 +101,8 @@ class OpenScene(Terrain, Protocol):
     shown: set[str]  # names of elements to draw; may be changed between frames
 
     @property
-    def obstacles(self) -> Sequence[Obstacle]:
-        """What the walker goes around."""
+    def obstacles(self) -> Obstacles:
+        """What the walker goes around: a plain sequence, or a grid if there are many."""
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""

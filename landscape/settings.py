@@ -118,6 +118,12 @@ class Walk:
         "the walker wades and swims; otherwise he walks on the water's surface, as in 2006",
         needs=WALKING,
     )
+    solid: bool = setting(
+        False,
+        "chosen",
+        "trees, deer and the castle's keep stop the walker, as its walls and the animals do",
+        needs=WALKING,
+    )
 
 
 @dataclass(frozen=True)
@@ -888,6 +894,7 @@ BEST: dict[str, Value] = {
     "camera.lod_pixels": 0.25,
     "walk.mouse_relative": True,
     "walk.swim": True,
+    "walk.solid": True,
     "sun.fill": 0.45,
     "ground.resolution": 160,
     "ground.height_image": "height16.png",

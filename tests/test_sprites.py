@@ -32,10 +32,11 @@ from landscape.elements.best.sprites.refined_quads import edge_on, half_places, 
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.sprites.rules import clearness, farthest, radii
 from landscape.elements.best.sprites.slope_billboards import leaning, slope_axes
-from landscape.elements.planting import PLANT
+from landscape.elements.planting import PLANT, THICK
 from landscape.elements.transparent_elements import TransparentElements, crossed_quads
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
+from landscape.geometry.obstacles import RADIUS
 from landscape.keys import with_settings
 from landscape.settings import Settings
 
@@ -233,10 +234,15 @@ def test_sprites_lower_than_min_pixels_are_not_drawn() -> None:
 def test_a_sprite_fades_before_the_eye_passes_through_it() -> None:
     keys = {"transparent.clear_near": True, "transparent.fade": 0.0}
     radius, widths, away = np.full(4, 8.0), np.ones(4), np.array([0.2, 0.35, 0.5, 5.0])
-    clear = clearness(with_settings(Settings(), keys), radius, widths, away)
+    plants, trees = np.full(4, PLANT), np.zeros(4, int)
+    clear = clearness(with_settings(Settings(), keys), plants, radius, widths, away)
+    assert clear == pytest.approx([0.0, 0.5, 1.0, 1.0])
+    # A walker cannot get nearer to a trunk than where it is still opaque.
+    near = np.array([0.05, 0.085, THICK[0] + RADIUS / 0.65, 0.2])
+    clear = clearness(with_settings(Settings(), keys), trees, radius, widths, near)
     assert clear == pytest.approx([0.0, 0.5, 1.0, 1.0])
     settings = with_settings(Settings(), {**keys, "transparent.clear_near": False})
-    assert (clearness(settings, radius, widths, away) == 1.0).all()
+    assert (clearness(settings, plants, radius, widths, away) == 1.0).all()
 
 
 def test_switching_everything_on_and_off_again_changes_nothing(

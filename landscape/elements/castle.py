@@ -44,6 +44,7 @@ from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
+DOOR = 0.1, 0.36  # of the door's picture: half its width, and its height
 FOOT_SHADE = 0.22  # chosen: units from the walls within which they block part of the sky
 
 
@@ -159,9 +160,14 @@ class Castle:
         shade_foot(shadows, self._outside(on_edges(CORNERS, FOOT_SHADE / 2)), FOOT_SHADE)
 
     def obstacles(self) -> tuple[Obstacle, ...]:
-        """Return what the walker cannot pass: walls and towers."""
+        """Return what the walker cannot pass: walls and towers.
+
+        The door is shut. With ``walk.solid`` it opens to a walker in the yard, who came by flying.
+        """
         x, y, z = self.base
-        return courtyard(x, z, self._yaw, WALL, y + 1 + MERLON, (TOWER_RADIUS, y + TOWER_TOP))
+        towers = TOWER_RADIUS, y + TOWER_TOP
+        door = (DOOR[0], y + DOOR[1]) if self._settings.walk.solid else None
+        return courtyard(x, z, self._yaw, WALL, y + 1 + MERLON, towers, door)
 
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""

@@ -15,6 +15,9 @@ from landscape.settings import Deer, Plants, Settings, Trees
 
 KINDS = ("trees", "deer", "plants")
 DEER, PLANT = 4, 6  # the first atlas cell of each kind; trees start at 0
+# Chosen: radius of what stops a walker, times the picture's width, by atlas cell: trunks, the dense
+# lower branches of conifers, and the bodies of deer.
+THICK = (0.05, 0.12, 0.05, 0.09, 0.25, 0.25)
 SHORE = 0.02  # chosen: units above the water where the first sprite may stand
 CASTLE = 1.1  # chosen: units from the castle's centre to its farthest corner
 COURT = 2.2  # chosen: radius in units around the castle's centre kept free of trees
@@ -40,6 +43,14 @@ class Sprites:
     def only(self, which: np.ndarray) -> "Sprites":
         """Return some of them, selected by a mask (n,) or by indices."""
         return Sprites(*(values[which] for values in vars(self).values()))
+
+
+def trunks(sprites: Sprites) -> np.ndarray:
+    """Return what a walker goes around of trees and deer: x, z, radius and top (n, 4) in units."""
+    some = sprites.cells < PLANT
+    x, y, z = sprites.positions[some].T
+    widths, heights = sprites.sizes[some].T
+    return np.stack([x, z, np.array(THICK)[sprites.cells[some]] * widths, y + heights], axis=1)
 
 
 def scatter(field: HeightField, count: int, rng: np.random.Generator, suits: Chance) -> np.ndarray:

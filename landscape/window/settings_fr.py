@@ -81,6 +81,8 @@ FRENCH = {
     "walk.bob": "amplitude du balancement de la tête à chaque pas",
     "walk.stroke_kt": "durée de chaque image du coup d'épée",
     "walk.steps_per_unit": "cadence des pas (k_step), pour le balancement de la tête et de l'épée",
+    "walk.swim": "patauger et nager ; sinon marcher sur l'eau, comme en 2006",
+    "walk.solid": "arbres, cerfs et donjon arrêtent le promeneur, comme les murs et les animaux",
     "sun.azimuth": "direction du soleil : 0 au nord, 90 à l'est",
     "sun.elevation": "hauteur du soleil au-dessus de l'horizon",
     "sun.diffuse": "couleur de la lumière sur l'eau, le château, le lapin et le dragon",

@@ -9,21 +9,26 @@ value: :func:`advance` returns the next one from the user's input.
 """
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from landscape.elements.sword import STROKES
 from landscape.frame import Pose
-from landscape.geometry.obstacles import Obstacle
+from landscape.geometry.obstacle_grid import Obstacles
+from landscape.geometry.obstacles import MARGIN, RADIUS
 from landscape.scene import Terrain, Watery
+from landscape.window.collisions import (
+    FLOOR,
+    Surroundings,
+    freed,
+    gap_to,
+    reachable,
+    solid,
+)
 
-RADIUS = 0.05  # chosen: units, half the walker's width; 2.5 times the near plane's distance
-MARGIN = 0.1  # chosen: units kept from the map's border
 STRIDE = 0.02  # chosen: units, the longest step near a wall; far less than a wall's thickness
 WANDER = 0.0005  # section 8.2: units of drift to the north per step, times cos(step / 4)
 FLY = 2.0  # chosen: times the walking speed
-FLOOR = 0.05  # chosen: units a flying eye keeps above the ground, the water and obstacles
 FALL = 6.0  # chosen: units per second, falling after a flight
 SWEEP = 360.0  # chosen: degrees of yaw across the window's width
 AFLOAT = 0.055  # chosen: units, a swimming eye above the water; the waves rise 0.016
@@ -84,24 +89,6 @@ class Walker:
         return Pose(self.x, self.y, self.z, self.yaw, self.pitch)
 
 
-def _gap(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, float, float]:
-    """Return the distance to the nearest obstacle and the direction away; infinity if none."""
-    return min((o.gap(x, z) for o in obstacles), default=(math.inf, 1.0, 0.0))
-
-
-def push_out(x: float, z: float, obstacles: Sequence[Obstacle]) -> tuple[float, float]:
-    """Return the point nearest to x, z, in units, where the walker touches no obstacle.
-
-    Where a wall meets a tower, a push out of one may lead into the other; eight are enough.
-    """
-    for _ in range(8):
-        gap, nx, nz = _gap(x, z, obstacles)
-        if gap >= RADIUS:
-            break
-        x, z = x + (RADIUS - gap) * nx, z + (RADIUS - gap) * nz
-    return x, z
-
-
 def aimed(
     walker: Walker, cursor: tuple[float, float], size: tuple[int, int], mouse: float
 ) -> tuple[float, float]:
@@ -136,7 +123,7 @@ def advance(
     intent: Intent,
     seconds: float,
     ground: Terrain,
-    obstacles: Sequence[Obstacle],
+    obstacles: Obstacles,
     settings: Any,
 ) -> Walker:
     """Return the walker ``seconds`` later; a long frame never takes it through a wall."""
@@ -218,36 +205,13 @@ def _take_off_or_land(walker: Walker, ground: Terrain, settings: Any) -> Walker:
     return replace(walker, flying=False, drop=max(height, 0.0))
 
 
-def _solid(obstacles: Sequence[Obstacle], y: float) -> list[Obstacle]:
-    """Return the obstacles too high for an eye at ``y`` to pass over."""
-    return [o for o in obstacles if y < o.top + FLOOR]
-
-
-def _inside(x: float, z: float, ground: Terrain) -> tuple[float, float]:
-    """Return x, z clamped to the map."""
-    last = ground.size - MARGIN
-    return min(max(x, MARGIN), last), min(max(z, MARGIN), last)
-
-
-def _reachable(
-    start: tuple[float, float],
-    to: tuple[float, float],
-    ground: Terrain,
-    solid: Sequence[Obstacle],
-) -> tuple[float, float]:
-    """Return where a short move ends: it slides along walls, and stops in a corner."""
-    x, z = _inside(*push_out(*_inside(*to, ground), solid), ground)
-    free = _gap(x, z, solid)[0] >= RADIUS - 1e-6
-    return (x, z) if free or start == to else start
-
-
 def _walk(
     walker: Walker,
     intent: Intent,
     heading: float,
     reach: float,
     ground: Terrain,
-    obstacles: Sequence[Obstacle],
+    obstacles: Obstacles,
     settings: Any,
 ) -> Walker:
     """Walk up to ``reach`` units towards ``heading`` in degrees, on the ground or in the water."""
@@ -258,11 +222,13 @@ def _walk(
     ux = (intent.forward * s + intent.right * c) / (long or 1.0)
     uz = (-intent.forward * c + intent.right * s) / (long or 1.0)
     x, z, step, afloat = walker.x, walker.z, walker.step, walker.afloat
-    solid = _solid(obstacles, eye_height(x, z, step, ground, settings, afloat) + walker.drop)
-    x, z = _reachable((x, z), (x, z), ground, solid)
+    around = Surroundings(obstacles)
+    y = eye_height(x, z, step, ground, settings, afloat) + walker.drop
+    x, z = freed((x, z), y, ground, around)
     while left > 1e-12:
         # Far from obstacles the rest is one move; near them no move is longer than STRIDE.
-        stride = min(left, max(_gap(x, z, obstacles)[0] - RADIUS, STRIDE))
+        near = around.at(x, z)
+        stride = min(left, around.step, max(gap_to(x, z, near)[0] - RADIUS, STRIDE))
         effort = 1.0
         if settings.walk.swim:
             stride = min(stride, WADE)
@@ -274,7 +240,7 @@ def _walk(
         # The report's small drift term, summed over the steps of this move.
         drift = 4 * WANDER * (math.sin(after / 4) - math.sin(step / 4))
         to = x + stride * ux, z + stride * uz - drift
-        there = _reachable((x, z), to, ground, solid)
+        there = reachable((x, z), to, ground, solid(near, y))
         moved = 1.0 if there == to else math.hypot(there[0] - x, there[1] - z) / stride
         if moved < 1e-6:
             break
@@ -291,7 +257,7 @@ def _fly(
     heading: float,
     reach: float,
     ground: Terrain,
-    obstacles: Sequence[Obstacle],
+    obstacles: Obstacles,
 ) -> Walker:
     """Fly up to ``reach`` units along the line of sight, sideways and up, above all obstacles."""
     fx, fy, fz = Pose(0.0, 0.0, 0.0, heading, walker.pitch).forward
@@ -301,13 +267,16 @@ def _fly(
     vz = intent.forward * fz + intent.right * s
     speed = max(math.sqrt(vx * vx + vy * vy + vz * vz), 1.0)
     x, y, z = walker.x, walker.y, walker.z
-    x, z = _reachable((x, z), (x, z), ground, _solid(obstacles, y))
+    around = Surroundings(obstacles)
+    x, z = freed((x, z), y, ground, around)
     left = min(reach, 3 * ground.size) if vx or vy or vz else 0.0
     while True:
-        stride = min(left, max(_gap(x, z, obstacles)[0] - RADIUS, STRIDE)) / speed
+        near = around.at(x, z)
+        gap = gap_to(x, z, near)[0] - RADIUS
+        stride = min(left, around.step, max(gap, STRIDE)) / speed
         to = x + stride * vx, z + stride * vz
-        x, z = _reachable((x, z), to, ground, _solid(obstacles, y))
-        under = [o.top for o in obstacles if o.gap(x, z)[0] < RADIUS - 1e-6 and y >= o.top + FLOOR]
+        x, z = reachable((x, z), to, ground, solid(near, y))
+        under = [o.top for o in near if o.gap(x, z)[0] < RADIUS - 1e-6 and y >= o.top + FLOOR]
         floor = max([float(ground.height(x, z)), *under]) + FLOOR
         # The ceiling is as high as the map is wide: from there all of it is in view.
         y = min(max(y + stride * vy, floor), max(ground.size, floor))

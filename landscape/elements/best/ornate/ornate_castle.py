@@ -7,6 +7,7 @@ to be recognised there. Not in the report.
 State used: as gate.py, with four texture units.
 """
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -14,7 +15,7 @@ import numpy as np
 from landscape.elements.best.ornate.baked_light import light_map
 from landscape.elements.best.ornate.gate import TIMES, CastleInOnePass, Unit
 from landscape.elements.best.ornate.loopholes import loopholes
-from landscape.elements.best.ornate.ornate_masonry import ornate_masonry
+from landscape.elements.best.ornate.ornate_masonry import KEEP, ornate_masonry
 from landscape.elements.best.ornate.pennants import draw_pennants
 from landscape.elements.best.ornate.roofs import MASTS, ornate_outlines, roofs
 from landscape.elements.castle import Castle
@@ -25,6 +26,7 @@ from landscape.geometry.culling import ball_in_view
 from landscape.geometry.height_field import HeightField, mirrored_height
 from landscape.geometry.masonry import quads_mesh
 from landscape.geometry.mesh import revolve
+from landscape.geometry.obstacles import Obstacle, Wall
 from landscape.gl.calls import gl
 from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, combine, matrix
@@ -102,6 +104,17 @@ class OrnateCastle(CastleInOnePass):
     def outlines(self, step: float) -> list[tuple[np.ndarray, float, float]]:
         """Return the outlines that cast the shadow, see :func:`ornate_outlines`."""
         return ornate_outlines(step)
+
+    def obstacles(self) -> tuple[Obstacle, ...]:
+        """Return what the walker cannot pass: with ``walk.solid`` the keep as well."""
+        walls = super().obstacles()
+        if not self._settings.walk.solid:
+            return walls
+        x0, z0, x1, z1, top = KEEP
+        middle = np.array([[(x0 + x1) / 2, (z0 + z1) / 2]])
+        x, z = self._outside(middle)[0].tolist()
+        sides, yaw = ((x1 - x0) / 2, (z1 - z0) / 2), math.radians(self._yaw)
+        return (*walls, Wall(x, z, *sides, yaw, self.base[1] + top))
 
     def visible(self, frame: Frame) -> bool:
         """Return whether the bounding sphere, mirrored if the frame is, meets the view frustum."""

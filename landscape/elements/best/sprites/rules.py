@@ -10,7 +10,9 @@ from landscape.frame import Frame
 from landscape.settings import Settings
 
 CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see crossing
-CLEARS = (0.2, 0.5)  # chosen: times its width: where a sprite is invisible, and where opaque
+# Chosen, times its width: how near the eye a plant is invisible, and how far away opaque; and the
+# same of trees and deer, for an eye in the trunk, and for one as near as a walker gets to it.
+PLANT_CLEARS, TRUNK_CLEARS = (0.2, 0.5), (0.05, 0.12)
 LEAST = 1e-6  # units: a shorter distance is none, and nothing is divided by it
 HAZE = 512.0  # where the fog leaves less than 1/512 of a colour, no 8-bit value changes
 
@@ -41,9 +43,13 @@ def radii(settings: Settings, cells: np.ndarray, heights: np.ndarray, frame: Fra
 
 
 def clearness(
-    settings: Settings, radius: np.ndarray, widths: np.ndarray, away: np.ndarray
+    settings: Settings,
+    cells: np.ndarray,
+    radius: np.ndarray,
+    widths: np.ndarray,
+    away: np.ndarray,
 ) -> np.ndarray:
-    """Return the opacity 0..1 (n,) of sprites of these widths, ``away`` (n,) units away.
+    """Return the opacity 0..1 (n,) of sprites of these cells and widths, ``away`` (n,) units away.
 
     They fade towards their ``radius`` (``transparent.fade``), and before the eye passes through
     them (``transparent.clear_near``).
@@ -52,8 +58,9 @@ def clearness(
     if shared.fade:
         out *= np.clip((radius - away) / np.maximum(shared.fade * radius, LEAST), 0.0, 1.0)
     if shared.clear_near:
-        gone, whole = CLEARS
-        near = np.flatnonzero(away < whole * widths)
+        near = np.flatnonzero(away < PLANT_CLEARS[1] * widths)
+        plant = (cells[near] >= PLANT)[:, None]
+        gone, whole = np.where(plant, PLANT_CLEARS, TRUNK_CLEARS).T
         out[near] *= np.clip((away[near] / widths[near] - gone) / (whole - gone), 0.0, 1.0)
     return out
 

@@ -115,7 +115,7 @@ class SpritesInView:
         away = np.sqrt(flat)
         to_top = y + choice.tops
         below = -to_top / np.sqrt(np.maximum(flat + to_top * to_top, 1e-12))
-        alpha = clearness(settings, choice.radius, choice.sizes[:, 0], away)
+        alpha = clearness(settings, choice.cells, choice.radius, choice.sizes[:, 0], away)
         return Seen(away, below, frame.depth(choice.positions), alpha)
 
     def _boards(
