@@ -338,7 +338,7 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
     path = tmp_path / "a.jsonl"
     path.write_text("earlier")
     words = ["walk", "fig4a", "--backend", "osmesa", "--size", "64x48", "--frames", "100000"]
-    with running(*words, "--record", path, *SET, stderr=subprocess.PIPE) as process:
+    with running(*words, "--record", path, stderr=subprocess.PIPE) as process:
         deadline = time.monotonic() + 60
         while not any(p.stat().st_size > 10_000 for p in tmp_path.glob(".*.part")):
             assert process.poll() is None, process.stderr and process.stderr.read()
