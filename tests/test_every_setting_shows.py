@@ -85,7 +85,7 @@ GROUPS = {
 MATERIALS: dict[str, Any] = {"ground.materials": True, "ground.detail_repeat": 40.0}
 STONY = of_fix("best4")
 GLINTING = of_fix("best3", settings={**of_fix("best3").settings, "water.glitter": 0.35})
-HUGE: dict[str, Any] = {"trees.count": 900, "trees.size_min": 3.0, "trees.size_max": 3.0}
+HUGE: dict[str, Any] = {"trees.count": 900, "trees.size_min": 15.0, "trees.size_max": 15.0}
 SHOTS = {
     "camera.near": replace(GROUPS["camera"], value=2.0),
     "camera.far": replace(GROUPS["camera"], value=3.0),
@@ -250,6 +250,7 @@ def test_a_setting_that_saves_work_changes_the_calls_and_not_the_picture(
 BY_THE_WINDOW = {
     "walk.mouse_relative": "decides what the window makes of the mouse",
     "walk.swim": "is seen where there is deep water",
+    "walk.solid": "is seen where there are trees: see test_island.py",
 }
 
 

@@ -8,11 +8,15 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage, close, project, small
 
+from landscape.elements.planting import PLANT
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
+from landscape.geometry.obstacle_grid import ObstacleGrid
+from landscape.geometry.obstacles import RADIUS
 from landscape.gl.calls import gl, recording
 from landscape.island import ELEMENTS, Island
 from landscape.scene import Moment
+from landscape.window.walker import Intent, advance, start
 
 POSE = Pose(21.0, 2.0, 24.0, 25.0, -5.0)
 MOMENT = Moment(POSE, SIZE, 20.0, 5.0)
@@ -200,3 +204,27 @@ def test_settings_read_at_each_frame_may_change_between_frames(
     fog = np.array([0.4, 0.6, 0.7]) * 255
     assert np.abs(thick - fog).mean() < np.abs(clear - fog).mean()
     assert (picture(stage, island, "ground", "fog") == clear).all()
+
+
+@pytest.mark.parametrize("ornate", [False, True])
+def test_with_walk_solid_trunks_deer_and_keep_stop_a_walker(stage: Stage, ornate: bool) -> None:
+    stage.enter()
+    values = {"castle.ornate": ornate, "grass.count": 0, "trees.count": 300}
+    kinds = ("ground", "trees", "deer", "plants", "castle")
+    island = Island(small(values), Assets(), 5, kinds)
+    before = island.obstacles
+    assert island.apply(small({**values, "walk.solid": True}))
+    grid = island.obstacles
+    assert isinstance(before, tuple) and isinstance(grid, ObstacleGrid)
+    sprites = island.sprites.sprites
+    standing = int((sprites.cells < PLANT).sum())
+    assert 0.95 * standing < len(grid.towers) <= standing
+    keep = [each for each in grid.few if each.top > before[0].top + 0.3]
+    assert len(keep) == ornate
+    x, _, z = sprites.positions[0]
+    walker = start(Pose(x, None, z), island, island.settings)
+    walker = advance(walker, Intent(), 0.0, island, grid, island.settings)
+    assert min(each.gap(walker.x, walker.z)[0] for each in grid.near(x, z, 0.3)) > RADIUS - 1e-5
+    assert island.apply(small(values))
+    assert island.obstacles == before
+    island.release()

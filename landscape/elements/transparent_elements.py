@@ -110,6 +110,7 @@ class TransparentElements:
 
     def stand(self, sprites: Sprites) -> None:
         """Place these sprites on the island, and no others."""
+        self.sprites = sprites
         places, sizes = sprites.positions.astype(np.float32), sprites.sizes.astype(np.float32)
         sprites, crossed = replace(sprites, positions=places, sizes=sizes), sprites.cells >= PLANT
         self._boards, self._plants = sprites.only(~crossed), sprites.only(crossed)
