@@ -7,7 +7,7 @@ that covers it. The rest of the order is for speed.
 import functools
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from landscape.elements.best.sea.ring import HorizonRing
 from landscape.elements.best.sea.sea import Sea, kept, reflected
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.terrain.shadows import cast_from
 from landscape.elements.best.terrain.terrain import Terrain, ground_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import clipped
@@ -72,16 +73,34 @@ def classes(settings: Settings) -> dict[str, type | None]:
     }
 
 
-def shadows_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings on which the shadows baked into the ground depend."""
-    land = settings.ground, settings.water, settings.sun
-    if not settings.ground.shadows:
-        return ()
-    return *land, settings.castle, settings.rabbit, settings.trees, settings.deer, settings.plants
+class Part(NamedTuple):
+    """How an element is built: its attribute of the island, the names it is shown by, and so on.
+
+    ``kind`` is its class, None if it is not wanted, and ``given`` are the arguments of that.
+    """
+
+    attribute: str
+    names: tuple[str, ...]
+    kind: Callable[..., Any] | None
+    given: tuple[Any, ...]
 
 
 class Island:
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
+
+    # The elements; None where one is not wanted.
+    water: Any
+    ring: Any
+    foam: Any
+    query: Any
+    sky: Any
+    castle: Any
+    rabbit: Any
+    dragon: Any
+    sprites: Any
+    grass: Any
+    sword: Any
+    map: Any
 
     def __init__(
         self,
@@ -93,40 +112,58 @@ class Island:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
         self.settings = settings
         self.shown = set(only)
+        self._only, self._assets, self._seed = frozenset(only), assets, seed
+        self._kinds = tuple(name for name in SPRITES if name in only)
         self._owned: list[Any] = []
         try:
-            self._build(settings, assets, seed)
+            self._build(settings)
         except BaseException:
             self.release()
             raise
 
-    def _build(self, settings: Settings, assets: Assets, seed: int) -> None:
+    def _build(self, settings: Settings) -> None:
         begin_pass("setup")
-        own, kind = self._own, classes(settings)
         light = sun.direction(settings.sun)
         # The ground is always built: everything stands on it.
         with drawing("ground"):
-            self.ground = ground_class(settings)(settings, assets, light)
+            self.ground = ground_class(settings)(settings, self._assets, light)
             self._owned.append(self.ground)
-        field = self.ground.field
-        depths = [field] if kind["water"] is Sea else []
-        self.water = own("water", kind["water"], settings, assets, *depths)
-        self.ring = own("water", kind["ring"], settings, assets)
-        self.foam = own("water", kind["foam"], field)
-        self.query = own("water", kind["query"], settings)
-        self.sky = own("sky", SkyBox, settings, assets)
-        self.castle = own("castle", kind["castle"], settings, assets, field)
-        self.rabbit = own("rabbit", kind["rabbit"], settings, assets, field)
-        self.dragon = own("dragon", kind["dragon"], settings, assets)
-        self._kinds = tuple(name for name in SPRITES if name in self.shown)
-        place = settings, assets, self.ground, seed
-        self.sprites = own(self._kinds, kind["sprites"], *place, set(self._kinds))
-        if settings.ground.shadows and isinstance(self.ground, Terrain):
-            self._bake_shadows(self.ground, light, assets, seed)
-        self.grass = own("grass", kind["grass"], *place)
-        self.sword = own("sword", Sword, settings, assets)
-        self.map = own("map", Map, settings, assets)
+        for part in self._parts(settings):
+            element = self._make(part)
+            setattr(self, part.attribute, element)
+            if element is not None:
+                self._owned.append(element)
+            # Shadows are cast by what has been built so far, and darken the grass as well.
+            if part.attribute == "sprites" and settings.ground.shadows:
+                self._bake_shadows(self.ground, light)
         self.obstacles = self._obstacles()
+
+    def _parts(self, settings: Settings) -> list[Part]:
+        """Return all elements but the ground, in the order in which they are built."""
+        kind, own, field = classes(settings), (settings, self._assets), self.ground.field
+        depths = [field] if kind["water"] is Sea else []
+        place = *own, self.ground, self._seed
+        return [
+            Part("water", ("water",), kind["water"], (*own, *depths)),
+            Part("ring", ("water",), kind["ring"], own),
+            Part("foam", ("water",), kind["foam"], (field,)),
+            Part("query", ("water",), kind["query"], (settings,)),
+            Part("sky", ("sky",), SkyBox, own),
+            Part("castle", ("castle",), kind["castle"], (*own, field)),
+            Part("rabbit", ("rabbit",), kind["rabbit"], (*own, field)),
+            Part("dragon", ("dragon",), kind["dragon"], own),
+            Part("sprites", self._kinds, kind["sprites"], (*place, set(self._kinds))),
+            Part("grass", ("grass",), kind["grass"], place),
+            Part("sword", ("sword",), Sword, own),
+            Part("map", ("map",), Map, own),
+        ]
+
+    def _make(self, part: Part) -> Any:
+        """Build an element if any of its names may be shown; otherwise return None."""
+        if part.kind is None or self._only.isdisjoint(part.names):
+            return None
+        with drawing(*part.names):
+            return part.kind(*part.given)
 
     def _obstacles(self) -> Obstacles:
         """Return what the walker goes around: rabbit, dragon and castle; perhaps trees and deer."""
@@ -139,20 +176,11 @@ class Island:
         (passed,) = recall(what, lambda: (without_pockets(towers, self.size, few),))
         return ObstacleGrid(few, towers[passed])
 
-    def _own(
-        self, names: str | tuple[str, ...], kind: Callable[..., Any] | None, *given: Any
-    ) -> Any:
-        """Build an element if any of its names is to be shown; otherwise return None."""
-        names = (names,) if isinstance(names, str) else names
-        if kind is None or self.shown.isdisjoint(names):
-            return None
-        with drawing(*names):
-            self._owned.append(kind(*given))
-        return self._owned[-1]
-
     @drawing("ground")
-    def _bake_shadows(self, ground: Terrain, light: np.ndarray, assets: Assets, seed: int) -> None:
+    def _bake_shadows(self, ground: Any, light: np.ndarray) -> None:
         """Darken the ground's texture where sprites, castle and rabbit cast their shadows."""
+        if not isinstance(ground, Terrain):
+            return
 
         def shadows() -> tuple[np.ndarray]:
             shadow_map = ground.shadow_map(light)
@@ -162,25 +190,48 @@ class Island:
             return (shadow_map.light(),)
 
         values = self.settings
-        what = repr((shadows_from(values), seed, sorted(self.shown)))
+        what = repr((cast_from(values), self._seed, sorted(self._only)))
         files = values.ground.height_image, values.rabbit.mesh
-        ground.shade(*recall((what, *assets.contents(*files)), shadows))
+        ground.shade(*recall((what, *self._assets.contents(*files)), shadows))
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings read at each draw; return False, changing nothing, if one was built in."""
-        for choice in (classes, shadows_from):
-            if choice(settings) != choice(self.settings):
-                return False
-        taken: list[Any] = []
-        for element in self._owned:
-            if not element.apply(settings):
-                for each in taken:
-                    each.apply(self.settings)
-                return False
-            taken.append(element)
-        changed = settings.walk.solid != self.settings.walk.solid
+        """Apply settings, building again only the elements that cannot take them.
+
+        Return False, changing nothing, if the ground must be built again, on which all of them
+        stand. InputError as when the island is opened.
+        """
+        same_ground = ground_class(settings) is type(self.ground)
+        if not same_ground or cast_from(settings) != cast_from(self.settings):
+            return False
+        if not self.ground.apply(settings):
+            return False
+        taken, built = [self.ground], {}
+        begin_pass("setup")
+        try:
+            for part in self._parts(settings):
+                element = getattr(self, part.attribute)
+                if type(element) is part.kind and element.apply(settings):
+                    taken.append(element)
+                else:
+                    built[part.attribute] = self._make(part)
+        except BaseException:
+            for element in built.values():
+                if element is not None:
+                    element.release()
+            for element in taken:
+                element.apply(self.settings)
+            raise
+        for attribute, element in built.items():
+            former = getattr(self, attribute)
+            setattr(self, attribute, element)
+            if former is not None:
+                self._owned.remove(former)
+                former.release()
+            if element is not None:
+                self._owned.append(element)
+        solid = settings.walk.solid != self.settings.walk.solid
         self.settings = settings
-        if changed:
+        if solid or not built.keys().isdisjoint(("castle", "rabbit", "dragon", "sprites")):
             self.obstacles = self._obstacles()
         return True
 

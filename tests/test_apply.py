@@ -1,7 +1,8 @@
 """Settings changed in an open island: taken, and drawn as if it had been built so, or refused.
 
 Each key in turn gets another value. Where ``apply`` says that it was taken, the picture must be
-that of an island built with the value; where it says no, nothing may have changed.
+that of an island built with the value; where it says no, nothing may have changed. Elements that
+cannot take a value are built again, alone; only the ground takes the whole island with it.
 """
 
 from collections.abc import Iterator
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage, small
 
+from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.island import ELEMENTS, Island
@@ -125,8 +127,33 @@ def test_an_element_that_refuses_leaves_the_others_as_they_were(
     stage: Stage, base: Settings, opened: Island
 ) -> None:
     before = pictures(stage, opened)
-    # The fog could be taken; the sky's box is compiled.
-    assert not opened.apply(with_settings(base, {"fog.density": 0.4, "sky.half_width": 6.5}))
+    # The fog could be taken; the ground is compiled, and all else stands on it.
+    assert not opened.apply(with_settings(base, {"fog.density": 0.4, "ground.resolution": 41}))
+    assert opened.settings == base
+    after = pictures(stage, opened)
+    assert all((a == b).all() for a, b in zip(before, after, strict=True))
+
+
+STANDING = ("water", "castle", "rabbit", "dragon", "sprites", "grass", "sword", "map", "ground")
+
+
+def test_only_the_element_that_cannot_take_a_setting_is_built_again(
+    base: Settings, opened: Island, stage: Stage
+) -> None:
+    before = {name: getattr(opened, name) for name in (*STANDING, "sky")}
+    assert opened.apply(with_settings(base, {"sky.half_width": 6.5}))
+    assert opened.sky is not before["sky"]
+    assert all(getattr(opened, name) is before[name] for name in STANDING)
+    assert opened.apply(base)
+
+
+def test_an_element_that_cannot_be_built_again_leaves_the_island_as_it_was(
+    stage: Stage, base: Settings, opened: Island
+) -> None:
+    before = pictures(stage, opened)
+    changes = {"fog.density": 0.4, "sky.half_width": 6.5, "dragon.mesh": "none.ply"}
+    with pytest.raises(InputError, match=r"none\.ply"):
+        opened.apply(with_settings(base, changes))
     assert opened.settings == base
     after = pictures(stage, opened)
     assert all((a == b).all() for a, b in zip(before, after, strict=True))

@@ -26,6 +26,7 @@ from landscape.elements.best.meadow.refined_blades import (
     shortened,
     widened,
 )
+from landscape.elements.best.terrain.shadows import cast_from
 from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, WIND, blade_wind
 from landscape.elements.grass import built_from as grass_built_from
 from landscape.elements.grass_cells import (
@@ -51,10 +52,7 @@ def built_from(settings: Settings) -> tuple[object, ...]:
     used = [*grass_built_from(settings), grass.tufts, grass.arch, grass.variety, grass.fade]
     used += [grass.tinted, grass.radius if grass.fade else None]
     if grass.tinted:
-        used += [ground.large_texture, ground.texture_size, ground.shadows]
-    if grass.tinted and ground.shadows:
-        used += [settings.sun, settings.castle, settings.rabbit]
-        used += [settings.trees, settings.deer, settings.plants]
+        used += [ground.large_texture, ground.texture_size, *cast_from(settings)]
     return tuple(used)
 
 

@@ -27,6 +27,7 @@ from landscape.elements.planting import (
     Sprites,
     clear_land,
     random_sprites,
+    site,
 )
 from landscape.geometry.height_field import HeightField, greenness
 from landscape.settings import Settings
@@ -40,6 +41,15 @@ class TintedSprites(Sprites):
 
     tints: np.ndarray
     slopes: np.ndarray
+
+
+def planted_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the sprites' places, sizes, kinds and tints depend on."""
+    groups = settings.trees, settings.deer, settings.plants
+    sizes = [(group.count, group.size_min, group.size_max) for group in groups]
+    species = settings.trees.species, settings.trees.grouped, settings.plants.species
+    colours = settings.ground.large_texture, settings.ground.texture_size
+    return (*sizes, *species, *colours, *site(settings))
 
 
 def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]) -> TintedSprites:

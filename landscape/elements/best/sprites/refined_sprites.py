@@ -30,11 +30,20 @@ from landscape.elements.best.sprites.refined_atlas import (
     tops_place,
     with_herbs,
 )
-from landscape.elements.best.sprites.refined_planting import TintedSprites, plant_refined
+from landscape.elements.best.sprites.refined_planting import (
+    TintedSprites,
+    plant_refined,
+    planted_from,
+)
 from landscape.elements.best.sprites.sprites_in_view import SpritesInView
-from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_sprites
+from landscape.elements.best.terrain.shadows import (
+    SKY_HIDDEN,
+    ShadowMap,
+    cast_from,
+    cast_sprites,
+)
 from landscape.elements.ground import Ground
-from landscape.elements.planting import DEER, PLANT, site
+from landscape.elements.planting import DEER, PLANT
 from landscape.elements.sun import direction
 from landscape.elements.transparent_elements import CLEAR
 from landscape.files.assets import Assets
@@ -50,20 +59,9 @@ SHADE = 0.5  # chosen: exponent on the ground's light; a plant rises into more l
 SUNWARD = 0.8  # chosen: times a plant's height, how far towards the sun its light is looked up
 
 
-def planted_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the sprites' places, sizes, kinds and tints depend on."""
-    groups = settings.trees, settings.deer, settings.plants
-    sizes = [(group.count, group.size_min, group.size_max) for group in groups]
-    species = settings.trees.species, settings.trees.grouped, settings.plants.species
-    colours = settings.ground.large_texture, settings.ground.texture_size
-    return (*sizes, *species, *colours, *site(settings))
-
-
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return all settings that a :class:`RefinedSprites` reads when it is built."""
-    shadows: tuple[object, ...] = ()
-    if settings.plants.shaded:
-        shadows = settings.ground.shadows, settings.sun, settings.castle, settings.rabbit
+    shadows = cast_from(settings) if settings.plants.shaded else ()
     return (*planted_from(settings), settings.transparent.trilinear, shadows)
 
 

@@ -13,8 +13,10 @@ from collections.abc import Iterator
 import numpy as np
 from PIL import Image, ImageFilter
 
+from landscape.elements.best.sprites.refined_planting import planted_from
 from landscape.elements.planting import Sprites
 from landscape.geometry.height_field import HeightField
+from landscape.settings import Settings
 
 # All chosen.
 LIGHT_LEFT = np.array([0.50, 0.53, 0.58], np.float32)  # fraction of the colour in full shadow
@@ -30,6 +32,15 @@ FINEST = (
 MOST_REACH = 12  # texels of the blocked sky around a foot; a larger shade has a coarser map
 AT_ONCE = 1 << 21  # points of shadow in memory at a time
 FLATTEST = 0.35  # least rise over run of the sunlight along the ground; limits long shadows
+
+
+def cast_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the shadows depend on: the land, the sun, and what stands there."""
+    castle, rabbit = settings.castle, settings.rabbit
+    if not settings.ground.shadows:
+        return ()
+    stands = castle.yaw, castle.brick_repeat, castle.ornate, rabbit.mesh, rabbit.yaw
+    return settings.sun, *stands, *planted_from(settings)
 
 
 class ShadowMap:
