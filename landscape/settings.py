@@ -170,6 +170,20 @@ class Sun:
 
 
 @dataclass(frozen=True)
+class Shading:
+    """How OpenGL shades what the sun lights: to show what lighting does, and what it is made of."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("water or castle or rabbit or dragon",)
+
+    lighting: bool = setting(
+        True, "chosen", "light water, castle, rabbit and dragon; off, they have their plain colour"
+    )
+    smooth: bool = setting(
+        True, "chosen", "blend the light of the vertices over a triangle; off, flat shading"
+    )
+
+
+@dataclass(frozen=True)
 class Ground:
     """The height field (section 2)."""
 
@@ -873,6 +887,7 @@ class Settings:
     clock: Clock = Clock()
     walk: Walk = Walk()
     sun: Sun = Sun()
+    shading: Shading = Shading()
     ground: Ground = Ground()
     reflection: Reflection = Reflection()
     water: Water = Water()

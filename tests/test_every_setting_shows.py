@@ -67,6 +67,7 @@ GROUPS = {
     "camera": Shot(RABBIT, ("ground", "rabbit")),
     "walk": Shot(LAWN, ("ground",)),
     "sun": Shot(RABBIT, ("rabbit",)),
+    "shading": Shot(RABBIT, ("rabbit",)),
     "ground": Shot(BAY, ("ground",), {"ground.detail_repeat": 40.0}),
     "reflection": Shot(SEA, ("ground", "water", "reflection")),
     "water": Shot(SEA, ("ground", "water")),

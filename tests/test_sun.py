@@ -9,7 +9,7 @@ from stage import Stage, close, quad, small
 from landscape.elements.sun import direction, lit
 from landscape.frame import Pose
 from landscape.gl.calls import gl
-from landscape.settings import Sun
+from landscape.settings import Shading, Sun
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_a_lit_floor_shows_ambient_plus_diffuse_times_the_cosine(
     corners = np.array([(-2.0, 0, 2), (2, 0, 2), (2, 0, -2), (-2, 0, -2)])
     with stage.frame(settings, Pose(0.0, 2.0, 0.0, yaw, -90.0)):
         gl.glPushAttrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT)
-        lit()
+        lit(Shading())
         gl.glColor4f(0.9, 0.8, 0.7, 1.0)
         gl.glNormal3f(0.0, 1.0, 0.0)
         quad(corners)
@@ -64,7 +64,7 @@ def test_a_wall_facing_away_from_the_sun_gets_ambient_and_fill_light(
     settings = small({"sun.azimuth": 180.0, "sun.elevation": 0.0, "sun.fill": fill,
                       "sun.ambient": ambient, "sun.diffuse": (0.5, 0.5, 0.5)})  # fmt: skip
     with stage.frame(settings, Pose(20.0, 1.0, 17.0, 180.0, 0.0)), stage.borrowed():
-        lit()
+        lit(Shading())
         gl.glNormal3f(0.0, 0.0, -1.0)
         gl.glColor3f(1.0, 1.0, 1.0)
         quad(np.array([(22.0, 0.0, 20.0), (18.0, 0.0, 20.0), (18.0, 2.0, 20.0), (22.0, 2.0, 20.0)]))
@@ -72,3 +72,35 @@ def test_a_wall_facing_away_from_the_sun_gets_ambient_and_fill_light(
     # The fill comes from the north, half as high as far.
     cosine = 1.0 / math.hypot(1.0, 0.5)
     assert close(got, np.array(ambient) * (1.0 + fill * cosine) * 255, 2)
+
+
+FLOOR = np.array([(-2.0, 0, 2), (2, 0, 2), (2, 0, -2), (-2, 0, -2)])
+
+
+def floor(stage: Stage, normals: list[tuple[float, float, float]], **shading: bool) -> np.ndarray:
+    """Draw a grey floor as two lit triangles, seen from above; return its picture."""
+    settings = small({"sun.elevation": 90.0, "sun.ambient": (0, 0, 0), "sun.diffuse": (1, 1, 1)})
+    with stage.frame(settings, Pose(0.0, 2.0, 0.0, 0.0, -90.0)):
+        gl.glPushAttrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT)
+        lit(Shading(**shading))
+        gl.glColor4f(0.8, 0.8, 0.8, 1.0)
+        gl.glBegin(gl.GL_TRIANGLES)
+        for corner in (0, 1, 2, 0, 2, 3):
+            gl.glNormal3f(*normals[corner])
+            gl.glVertex3f(*FLOOR[corner].tolist())
+        gl.glEnd()
+        gl.glPopAttrib()
+        return stage.read()[40:80, 60:100]
+
+
+TILTED = [(0.0, 1.0, 0.0), (0.6, 0.8, 0.0), (0.96, 0.28, 0.0), (0.8, 0.6, 0.0)]
+
+
+def test_without_lighting_a_lit_element_has_its_plain_colour(stage: Stage) -> None:
+    assert close(floor(stage, TILTED, lighting=False), np.array([0.8] * 3) * 255, 1)
+
+
+def test_flat_shading_gives_each_triangle_the_light_of_its_last_vertex(stage: Stage) -> None:
+    shades = {int(v) for v in np.unique(floor(stage, TILTED, smooth=False)[..., 0])}
+    assert {round(v / 255, 2) for v in shades} == {round(0.8 * 0.28, 2), round(0.8 * 0.6, 2)}
+    assert len(np.unique(floor(stage, TILTED)[..., 0])) > 10

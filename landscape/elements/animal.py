@@ -81,7 +81,7 @@ class Animal(ABC):
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
             gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
-            lit()
+            lit(self._settings.shading)
             self._set_material()
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()

@@ -124,7 +124,7 @@ class Castle:
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             gl.glTranslatef(-0.5, 0.0, -0.5)
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
-            lit()
+            lit(self._settings.shading)
             self._masonry.call()
             self._draw_gate(frame.kt)
             self._draw_fire(frame)

@@ -5,7 +5,8 @@ transformed by the modelview matrix that is current when it is set, so it is set
 mirror matrix; otherwise the reflection would be lit from below (see reflection.py).
 With ``sun.fill`` a second, weak light of the sky's colour comes from the opposite side.
 State used: GL_LIGHT0, GL_LIGHT1; an element that is lit calls :func:`lit`, which enables
-GL_LIGHTING and GL_COLOR_MATERIAL.
+GL_LIGHTING and GL_COLOR_MATERIAL. The switches ``shading.lighting`` and ``shading.smooth`` show a
+frame without lighting, or with flat shading (glShadeModel).
 """
 
 import math
@@ -13,7 +14,7 @@ import math
 import numpy as np
 
 from landscape.gl.calls import drawing, gl
-from landscape.settings import Sun
+from landscape.settings import Shading, Sun
 
 SPECULAR = (1.0, 0.95, 0.85)  # chosen: RGB of the sun's highlights
 
@@ -44,16 +45,22 @@ def shine(sun: Sun) -> None:
     place(sun)
 
 
-def lit() -> None:
+def lit(shading: Shading) -> None:
     """Light what the rest of the block draws; its material is the current colour.
+
+    With ``shading.lighting`` off it has just this colour; with ``shading.smooth`` off each triangle
+    has the light of its last vertex.
 
     Only inside attrib(GL_ENABLE_BIT | GL_CURRENT_BIT | GL_LIGHTING_BIT). Where nothing is lit,
     GL_COLOR_MATERIAL is off, so that the colour of an unlit element never becomes the material of
     a lit one: glPopAttrib does not bring the material back everywhere, and setting a colour again
     that is current already need not set the material.
     """
-    gl.glEnable(gl.GL_LIGHTING)
-    gl.glEnable(gl.GL_COLOR_MATERIAL)
+    if shading.lighting:
+        gl.glEnable(gl.GL_LIGHTING)
+        gl.glEnable(gl.GL_COLOR_MATERIAL)
+    if not shading.smooth:
+        gl.glShadeModel(gl.GL_FLAT)
 
 
 @drawing("frame")

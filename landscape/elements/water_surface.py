@@ -112,7 +112,7 @@ class WaterSurface:
             gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            lit()
+            lit(self._settings.shading)
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)

@@ -79,7 +79,7 @@ class HorizonRing:
             gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            lit()
+            lit(self._settings.shading)
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()

@@ -134,7 +134,7 @@ class Sea:
             floor = cut_level(self._settings)
             if self._shallows is not None and floor < water.level:
                 self._shallows.draw_floor(floor)
-            lit()
+            lit(self._settings.shading)
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             with (
                 self._texture_units(),
