@@ -187,6 +187,11 @@ def _figures(options: argparse.Namespace) -> int:
         figures.update(options.names, kept, drawing, options.quiet)
         return 0
     if options.check:
+        if not kept.is_dir():
+            raise InputError(
+                "figures --check: the committed pictures are not installed with the program: "
+                "expected a checkout, or its folder screenshots in the current folder"
+            )
         return figures.check(options.names, kept, options.out, drawing, options.quiet)
     for path in figures.make(options.names, options.out, drawing, options.quiet):
         if not options.quiet:

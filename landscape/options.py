@@ -6,12 +6,17 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from landscape import arguments
+from landscape import __version__, arguments
 from landscape.errors import InputError
-from landscape.scene import SEED
+from landscape.scene import SEED, scene
 from landscape.window.pace import FPS
 
 Commands = Mapping[str, Callable[[argparse.Namespace], int]]
+
+POSE = "where the eye is; angles in degrees; Y may be `ground`: eye height above the ground"
+JSON = "print JSON"
+OWN_FILES = "a folder of your own images and meshes, used first; default: only the shipped ones"
+QUIET = "print neither progress, notices nor file names"
 
 BY_VIEW = (
     "best or 2006; default: the view's own (see `landscape views`), which is best, or 2006 where "
@@ -23,6 +28,8 @@ BEGIN = (
     "technique, flaw or fix is walked as it is drawn, with its preset, settings, elements and "
     "wireframe"
 )
+
+REPLAY = "replay a recorded walk; `tour` is the one that comes with the program"
 
 
 def parse(argv: Sequence[str] | None, commands: Commands) -> argparse.Namespace:
@@ -51,26 +58,43 @@ class _Parser(argparse.ArgumentParser):
         raise InputError(f"{message} (see `{self.prog} --help`)")
 
 
+class _Elements:
+    """The names of the first scene's elements in a help text; read only when that is printed."""
+
+    def __str__(self) -> str:
+        return ", ".join(scene().elements)
+
+
 def build_parser(run: Commands) -> argparse.ArgumentParser:
-    """Return the parser of all commands."""
+    """Return the parser of all commands; without a command it prints the help."""
     parser = _Parser(
         prog="landscape",
         description="The landscape of the 2006 report, in fixed-function OpenGL.",
         epilog="example: landscape render fig35e --size 1600x900",
     )
-    commands = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=_Parser)
+    parser.add_argument("--version", action="version", version=f"landscape {__version__}")
+    parser.set_defaults(run=_print_help(parser))
+    commands = parser.add_subparsers(metavar="COMMAND", parser_class=_Parser)
 
-    def command(name: str, help_: str, example: str) -> Any:
-        sub = commands.add_parser(
-            name, help=help_, description=help_, epilog=f"example: landscape {name} {example}"
+    def command(name: str, help_: str, example: str, below: Any = commands) -> Any:
+        sub = below.add_parser(
+            name.split()[-1],
+            help=help_,
+            description=help_,
+            epilog=f"example: landscape {name} {example}".rstrip(),
         )
         sub.set_defaults(run=run[name])
         return sub
 
     walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
     walk.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
-    walk.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
-    walk.add_argument("--kt", type=_number, metavar="N", help="animation time at the beginning")
+    walk.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
+    walk.add_argument(
+        "--kt",
+        type=_number,
+        metavar="N",
+        help="animation time at the beginning; default: the view's own",
+    )
     walk.add_argument(
         "--size",
         type=_size,
@@ -78,18 +102,23 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         help="default: 1280x720, larger on a display of high resolution; in a replay the recorded "
         "sizes",
     )
-    walk.add_argument("--fullscreen", action="store_true")
+    walk.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
-    walk.add_argument("--replay", type=Path, metavar="FILE", help="replay a recorded walk")
+    walk.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
     walk.add_argument(
         "--fps",
         type=_rate,
         default=FPS,
         metavar="N",
-        help="frames per second to keep, by drawing less detail if need be; 0: draw all of it "
-        "(default: %(default)g)",
+        help="frames per second to keep, by drawing less detail if need be; 0: draw all of it; "
+        "default: %(default)g",
     )
-    walk.add_argument("--frames", type=_count, metavar="N", help="end after N frames")
+    walk.add_argument(
+        "--frames",
+        type=_count,
+        metavar="N",
+        help="end after N frames; default: when the window is closed",
+    )
     _common(
         walk,
         samples=0,
@@ -101,26 +130,35 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     render.add_argument(
         "views", nargs="*", metavar="VIEW", help="views or fixes; see `landscape views`"
     )
-    render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help="Y may be `ground`")
+    render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
-    render.add_argument("--kt", type=_number, metavar="N", help="animation time")
-    render.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
+    render.add_argument(
+        "--kt", type=_number, metavar="N", help="animation time; default: the view's own"
+    )
+    _size_option(render, (800, 600), "size of the pictures")
     _common(render, samples=4)
 
-    views = command("views", "list the named views", "--json")
-    views.add_argument("--json", action="store_true")
+    views = command("views", "list the named views and the fixes", "--json")
+    views.add_argument("--json", action="store_true", help=JSON)
 
     figures = command("figures", "draw the report's figures", "35 --out figures")
     figures.add_argument("names", nargs="*", metavar="FIG", help="35, fig35a or R6; default: all")
-    figures.add_argument("--out", type=Path, default=Path("figures"), metavar="DIR")
+    figures.add_argument(
+        "--out", type=Path, default=Path("figures"), metavar="DIR", help="default: %(default)s"
+    )
     figures.add_argument("--check", action="store_true", help="compare with the committed pictures")
     figures.add_argument("--update", action="store_true", help="replace the committed pictures")
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
     trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
-    trace.add_argument("view", metavar="VIEW")
-    trace.add_argument("--element", metavar="NAME", help="only the calls of one element")
-    trace.add_argument("--json", action="store_true")
+    trace.add_argument("view", metavar="VIEW", help="a view or a fix; see `landscape views`")
+    element = trace.add_argument(
+        "--element",
+        metavar="NAME",
+        help="only the calls of one element: %(elements)s or frame; default: all",
+    )
+    element.elements = _Elements()
+    trace.add_argument("--json", action="store_true", help=JSON)
     _common(trace, samples=0)
 
     assets = commands.add_parser(
@@ -129,48 +167,49 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         description="make, show or fetch assets",
         epilog="example: landscape assets fetch-stanford",
     )
-    actions = assets.add_subparsers(metavar="ACTION", required=True, parser_class=_Parser)
-    build = actions.add_parser(
-        "build",
-        help="make assets from code (needs the extra `studio`)",
-        epilog="example: landscape assets build water.png --assets mine",
+    assets.set_defaults(run=_print_help(assets))
+    actions = assets.add_subparsers(metavar="ACTION", parser_class=_Parser)
+    build = command(
+        "assets build",
+        "make assets from code (needs the extra `studio`)",
+        "water.png --assets mine",
+        actions,
     )
     build.add_argument("names", nargs="*", metavar="NAME", help="file names; default: all")
-    build.add_argument("--assets", type=Path, metavar="DIR", help="default: in place")
-    build.add_argument("-q", "--quiet", action="store_true")
-    build.set_defaults(run=run["assets build"])
-    check = actions.add_parser(
-        "check",
-        help="check every asset: seams, edges, sizes, meshes",
-        epilog="example: landscape assets check --assets mine",
+    build.add_argument(
+        "--assets", type=Path, metavar="DIR", help="where to write them; default: in place"
     )
-    check.add_argument("--assets", type=Path, metavar="DIR", help="your own files, used first")
-    check.add_argument("--json", action="store_true")
-    check.set_defaults(run=run["assets check"])
-    sheet = actions.add_parser(
-        "sheet",
-        help="one contact sheet of all assets",
-        epilog="example: landscape assets sheet --out sheet.png",
+    build.add_argument("-q", "--quiet", action="store_true", help=QUIET)
+    check = command(
+        "assets check", "check every asset: seams, edges, sizes, meshes", "--assets mine", actions
     )
+    check.add_argument("--assets", type=Path, metavar="DIR", help=OWN_FILES)
+    check.add_argument("--json", action="store_true", help=JSON)
+    sheet = command("assets sheet", "one contact sheet of all assets", "--out sheet.png", actions)
     sheet.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: sheet.png")
-    sheet.add_argument("--assets", type=Path, metavar="DIR")
-    sheet.set_defaults(run=run["assets sheet"])
-    fetch = actions.add_parser(
-        "fetch-stanford",
-        help="download the Stanford bunny and dragon",
-        description="Download the Stanford bunny and dragon, check them, and say how to use them. "
-        "Terms: acknowledge the Stanford Computer Graphics Laboratory; no commercial use without "
-        "permission.",
-        epilog="example: landscape assets fetch-stanford --out stanford",
+    sheet.add_argument("--assets", type=Path, metavar="DIR", help=OWN_FILES)
+    fetch = command(
+        "assets fetch-stanford",
+        "download the Stanford bunny and dragon",
+        "--out stanford",
+        actions,
     )
-    fetch.add_argument("--out", type=Path, default=Path("stanford"), metavar="DIR")
-    fetch.add_argument("-q", "--quiet", action="store_true")
-    fetch.set_defaults(run=run["assets fetch-stanford"])
+    fetch.description = (
+        "Download the Stanford bunny and dragon, check them, and say how to use them. Terms: "
+        "acknowledge the Stanford Computer Graphics Laboratory; no commercial use without "
+        "permission."
+    )
+    fetch.add_argument(
+        "--out", type=Path, default=Path("stanford"), metavar="DIR", help="default: %(default)s"
+    )
+    fetch.add_argument("-q", "--quiet", action="store_true", help=QUIET)
 
     bench = command("bench", "measure frames, grass and startup", "fig35a --json out.json")
-    bench.add_argument("views", nargs="*", metavar="VIEW", help="default: the nine of figure 35")
+    bench.add_argument(
+        "views", nargs="*", metavar="VIEW", help="views or fixes; default: the nine of figure 35"
+    )
     bench.add_argument("--json", type=Path, metavar="FILE", help="write the results as JSON")
-    bench.add_argument("--size", type=_size, default=(800, 600), metavar="WxH")
+    _size_option(bench, (800, 600), "size of the frames")
     _common(bench, samples=0)
 
     values = command("settings", "list the settings: all, or some", "fog --preset 2006")
@@ -181,33 +220,86 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         metavar="GROUP|WORD",
         help="a group such as fog, part of a key, or a word of what a setting does; default: all",
     )
-    values.add_argument("--json", action="store_true")
+    values.add_argument("--json", action="store_true", help=JSON)
     _common(values, samples=0, preset="best or 2006; default: best")
 
     doctor = command("doctor", "report which OpenGL backends work here", "--json")
-    doctor.add_argument("--json", action="store_true")
+    doctor.add_argument("--json", action="store_true", help=JSON)
     return parser
+
+
+def _print_help(parser: argparse.ArgumentParser) -> Callable[[argparse.Namespace], int]:
+    """Return what a command does that is given without its own command: print the help."""
+
+    def show(_: argparse.Namespace) -> int:
+        parser.print_help()
+        return 0
+
+    return show
+
+
+def _size_option(parser: argparse.ArgumentParser, size: tuple[int, int], what: str) -> None:
+    width, height = size
+    parser.add_argument(
+        "--size",
+        type=_size,
+        default=size,
+        metavar="WxH",
+        help=f"{what} in pixels; default: {width}x{height}",
+    )
 
 
 def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:
     """Add the options that all drawing commands share; ``preset`` is the help of --preset."""
     add = parser.add_argument_group("common options").add_argument
-    backends = "|".join(arguments.BACKENDS)
-    add("--backend", type=_backend, default="auto", metavar=backends)
-    add("--preset", metavar="best|2006", help=preset)
-    add("--set", action="append", type=_pair, default=[], metavar="KEY=VALUE", dest="changes")
-    add("--settings", type=Path, metavar="FILE.toml")
     add(
-        "--assets",
-        type=Path,
-        metavar="DIR",
-        help="your own files, used first",
+        "--backend",
+        type=_backend,
+        default="auto",
+        metavar="|".join(arguments.BACKENDS),
+        help="how OpenGL is opened; default: %(default)s, the first that works",
     )
-    add("--only", type=_elements, default=None, metavar="ELEMENT,...")
-    add("--wireframe", action="store_true")
-    add("--samples", type=_samples, default=samples, metavar="0|4", help="antialiasing")
-    add("--seed", type=_count, default=SEED, metavar="N")
-    add("-q", "--quiet", action="store_true")
+    add("--preset", metavar="best|2006", help=preset)
+    add(
+        "--set",
+        action="append",
+        type=_pair,
+        default=[],
+        metavar="KEY=VALUE",
+        dest="changes",
+        help="change a setting, as in fog.density=0.05; may be repeated; `landscape settings` "
+        "lists the keys and their values",
+    )
+    add(
+        "--settings",
+        type=Path,
+        metavar="FILE.toml",
+        help="a file of settings, as in [fog] density = 0.05; --set overrides it",
+    )
+    add("--assets", type=Path, metavar="DIR", help=OWN_FILES)
+    only = add(
+        "--only",
+        type=_elements,
+        metavar="ELEMENT,...",
+        help="draw only some elements of %(elements)s; default: those of the view",
+    )
+    only.elements = _Elements()  # type: ignore[attr-defined]
+    add("--wireframe", action="store_true", help="draw lines instead of faces")
+    add(
+        "--samples",
+        type=_samples,
+        default=samples,
+        metavar="0|4",
+        help="samples per pixel against aliasing; default: %(default)s",
+    )
+    add(
+        "--seed",
+        type=_count,
+        default=SEED,
+        metavar="N",
+        help="seed of everything random; default: %(default)s",
+    )
+    add("-q", "--quiet", action="store_true", help=QUIET)
 
 
 def _checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any:

@@ -562,8 +562,6 @@ def test_a_wrong_argument_of_render_is_refused(
         (["figures", "fig99z"], "fig99z"),
         (["assets", "check", "--assets", "nowhere"], "nowhere"),
         (["dance"], "dance"),
-        ([], "COMMAND"),
-        (["assets"], "ACTION"),
         (["assets", "sheet", "--assets", "nowhere"], "nowhere"),
         (["assets", "build", "nothing.png"], "nothing.png"),
         (["assets", "build", "nothing.png", "more"], "nothing.png"),

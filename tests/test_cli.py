@@ -10,15 +10,17 @@ import signal
 import subprocess
 import sys
 import time
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import SECONDS, Shell, environment, landscape, python, running
+from commands import SECONDS, TESTS, Shell, environment, landscape, python, running
 from PIL import Image
 
-from landscape import cli, keys, settings
+from landscape import __version__, cli, keys, settings
+from landscape.files.assets import recording
 from landscape.fixes import FIXES
 from landscape.island import ELEMENTS
 from landscape.options import build_parser, parse
@@ -71,6 +73,69 @@ def test_every_command_has_help_with_an_example(command: tuple[str, ...], shell:
     assert done.out.startswith("usage: landscape")
     if command != ("assets",):
         assert "example: landscape " + " ".join(command) in " ".join(done.out.split())
+
+
+@pytest.mark.parametrize("words", [(), ("assets",)], ids=["landscape", "assets"])
+def test_without_a_command_the_help_is_printed(words: tuple[str, ...], shell: Shell) -> None:
+    done = shell(*words)
+    assert (done.status, done.err) == (0, "") and done.out == shell(*words, "--help").out
+
+
+def test_the_version_is_that_of_the_package(shell: Shell) -> None:
+    assert shell("--version").out == f"landscape {__version__}\n"
+
+
+@pytest.mark.parametrize("command", ALL, ids=" ".join)
+def test_every_option_has_help_that_names_its_default(command: tuple[str, ...]) -> None:
+    parser: Any = build_parser(cli.COMMANDS)
+    for word in command:
+        parser = parser._subparsers._group_actions[0].choices[word]
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            continue
+        assert action.help, f"{command}: {action.dest}"
+        default = action.default
+        if isinstance(default, tuple):
+            default = "x".join(map(str, default))
+        if default not in (None, False, [], "", argparse.SUPPRESS):
+            assert re.search(r"default: %\(default\)|default: " + str(default), action.help), action
+
+
+def test_the_help_names_the_elements(shell: Shell) -> None:
+    for command, start in (("walk", "draw only some elements of"), ("trace", "one element:")):
+        text = " ".join(shell(command, "--help").out.split())
+        assert f"{start} {', '.join(ELEMENTS)}" in text
+
+
+def test_the_tour_is_replayed_by_its_name_from_any_folder(shell: Shell) -> None:
+    words = ("walk", "--backend", "osmesa", "--frames", "1", "--replay")
+    (shell.cwd / "elsewhere").write_text("no recording")
+    done = shell(*words, "elsewhere")
+    assert done.status == 2 and "elsewhere:1" in done.err
+    (shell.cwd / "tour").write_text("mine")
+    done = shell(*words, "tour")
+    assert done.status == 2 and done.err.startswith("landscape: tour:1"), "a file comes first"
+    (shell.cwd / "tour").unlink()
+    assert recording(Path("tour")).is_file() and recording(Path("x/tour")) == Path("x/tour")
+
+
+def test_the_wheel_contains_the_tour_where_it_is_looked_for() -> None:
+    build = tomllib.loads((TESTS.parent / "pyproject.toml").read_text())["tool"]["hatch"]["build"]
+    wheel = build["targets"]["wheel"]
+    assert "screenshots/tour.jsonl" in wheel["only-include"]
+    assert wheel["sources"]["screenshots"] == "landscape/recordings"
+    assert (TESTS.parent / "screenshots" / "tour.jsonl").is_file()
+
+
+def test_the_gallery_s_check_without_its_pictures_says_so(
+    shell: Shell, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(shell.cwd)
+    monkeypatch.setattr(cli, "__file__", str(shell.cwd / "landscape" / "cli.py"))
+    assert cli.main(["figures", "fig4a", "--check"]) == 2
+    told = capsys.readouterr().err
+    assert told.startswith("landscape: figures --check: ") and told.count("\n") == 1
+    assert not list(shell.cwd.iterdir())
 
 
 def test_the_documented_commands_exist() -> None:

@@ -23,7 +23,8 @@ FLOORS = (
     ("island",),
     ("render",),
     ("window", "tools", "gallery", "studio"),
-    ("__init__", "options"),
+    ("__init__",),
+    ("options",),
     ("cli",),
     ("__main__",),
 )
@@ -37,7 +38,7 @@ def modules() -> list[Path]:
 def room(module: str) -> str:
     """Return the room of a dotted name such as landscape.gl.calls, or its own name at the top."""
     parts = module.split(".")[1:]
-    return parts[0] if parts else "__init__"
+    return parts[0] if parts and parts[0] != "__version__" else "__init__"
 
 
 def own_name(path: Path) -> str:

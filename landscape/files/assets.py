@@ -15,6 +15,15 @@ def shipped() -> Path:
     return inside if inside.is_dir() else PACKAGE.parent / "assets"
 
 
+def recording(path: Path) -> Path:
+    """Return the path of a recording: a file, or else the shipped one of that name, as `tour`."""
+    name = f"{path}.jsonl"
+    shipped_ones = (PACKAGE / "recordings" / name, PACKAGE.parent / "screenshots" / name)
+    if path.name == str(path) and not os.path.exists(path):
+        return next((each for each in shipped_ones if each.is_file()), path)
+    return path
+
+
 class Assets:
     """File names to paths."""
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape.errors import InputError
-from landscape.files.assets import Assets
+from landscape.files.assets import Assets, recording
 from landscape.scene import SEED, Scene, View
 from landscape.window import words
 from landscape.window.app import Walk, run
@@ -50,7 +50,7 @@ def walk(
         raise InputError("--backend osmesa: no window to leave by; expected --frames as well")
     ticks = None
     if replay is not None:
-        plan, recorded = read(replay)
+        plan, recorded = read(recording(replay))
         if size is not None:
             plan = replace(plan, size=size)
             recorded = [replace(tick, size=size) for tick in recorded]
