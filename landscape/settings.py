@@ -828,13 +828,16 @@ class Overlay:
 class Fog:
     """GL_FOG (section 10)."""
 
-    enabled: bool = setting(True, "section 10.2", "fog on or off", needs=("fog",))
+    # The sun's glints and the sprites that fade out read it even where nothing is drawn in fog.
+    READ: ClassVar[str] = "fog or water.glitter or transparent.fade"
+
+    enabled: bool = setting(True, "section 10.2", "fog on or off", needs=(READ,))
     mode: str = setting(
         "exp2",
         "section 10.2",
         "how it thickens with distance",
         choices=("exp2", "exp", "linear"),
-        needs=("fog", "fog.enabled"),
+        needs=(READ, "fog.enabled"),
     )
     density: float = setting(
         0.12,
@@ -843,7 +846,7 @@ class Fog:
         0,
         1000,
         unit="per unit",
-        needs=("fog", "fog.enabled", "fog.mode!=linear"),
+        needs=(READ, "fog.enabled", "fog.mode!=linear"),
     )
     color: tuple[float, ...] = setting(
         (0.4, 0.6, 0.7), "section 10.2", "colour of the fog and of the background", 0, 1, unit="RGB"

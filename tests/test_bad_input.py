@@ -18,7 +18,7 @@ from PIL import Image
 from landscape import keys, settings
 
 GREY = np.random.default_rng(1).integers(0, 255, (48, 48), dtype=np.uint8)
-SMALL = ("render", "--preset", "2006", "--size", "40x30", "--samples", "0", "--set", "fog.mode=exp")
+SMALL = ("render", "--preset", "2006", "--size", "40x30", "--samples", "0")
 POSE = ("--pose", "20,3,24,0,-20")
 
 

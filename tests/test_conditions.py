@@ -147,8 +147,8 @@ def test_an_offscreen_lists_what_changes_nothing_in_its_view() -> None:
         told.append("setting camera.lod_pixels: ignored while rabbit and dragon are not shown")
         assert view.notices == told
         view.look("fig4a")
-        why = "ignored while fog.enabled is off and fog is not shown"
-        assert view.notices[1] == f"setting fog.density: {why}"
+        assert view.notices[1].startswith("setting fog.density: ignored while ")
+        assert "fog.enabled is off" in view.notices[1]
 
 
 def test_render_logs_it(caplog: pytest.LogCaptureFixture) -> None:
