@@ -160,9 +160,9 @@ def test_a_setting_without_effect_is_marked_and_says_why() -> None:
     assert start.idle
     assert page(BEST, BEST, "fog.start", "", "en").below[3] == "ignored while fog.mode is exp2"
     assert page(BEST, BEST, "fog.start", "", "fr").below[3] == "sans effet\u00a0: fog.mode = exp2"
-    density = page(BEST, BEST, "fog.density", "", "fr", hidden=("fog",))
-    assert density.below[3] == "sans effet\u00a0: fog n'est pas affiché"
-    assert page(BEST, BEST, "fog.density", "", "en").below[3] == ""
+    arch = page(BEST, BEST, "grass.arch", "", "fr", hidden=("grass",))
+    assert arch.below[3] == "sans effet\u00a0: grass n'est pas affiché"
+    assert page(BEST, BEST, "grass.arch", "", "en").below[3] == ""
 
 
 def test_the_french_page_has_its_own_words_for_groups_descriptions_and_values() -> None:
