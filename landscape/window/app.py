@@ -27,12 +27,13 @@ from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
 from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer
 from landscape.window.settings_list import Chooser, page
-from landscape.window.sizes import Resizer
+from landscape.window.sizes import Resizer, check_viewport
 from landscape.window.steady import Steady
 from landscape.window.walker import advance, aimed, start
 
 SHOWN = 2.0  # seconds for which a message is shown
 FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
+EMPTY = (0.16, 0.22, 0.28)  # chosen: RGB of a window whose scene is not open yet
 REST = 0.05  # chosen: seconds between checks of a window that is minimised or has no area
 
 
@@ -86,33 +87,36 @@ class Walk:
 
     def _open(self, plan: Plan, assets: Assets) -> None:
         assert self._context is not None
-        limits = gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)
-        if any(side > limit for side, limit in zip(plan.size, limits, strict=True)):
-            raise InputError(
-                f"--size {plan.size[0]}x{plan.size[1]}: expected at most "
-                f"{limits[0]}x{limits[1]} on this OpenGL"
-            )
+        check_viewport(plan.size)
         self.window = self._context.window
         if not self.headless:
             glfw.swap_interval(1)
+        self.hands.listen(self.window)
+        dpi = max(glfw.get_window_content_scale(self.window))
+        self._panel = Panel(self._word("help.title"), self._key_rows(), dpi)
+        self._wait("loading")
         self._scene = self._kind.open(
             plan.settings, assets, plan.seed, self._kind.only(plan.only or None)
         )
         self.walker = start(plan.pose, self._scene, plan.settings)
-        dpi = max(glfw.get_window_content_scale(self.window))
-        self._panel = Panel(self._word("help.title"), self._key_rows(), dpi)
         letter = labels(BY_ACTION["help"], self._language, system_name)
         self._say(self._word("hint", letter=letter))
-        glfw.set_key_callback(
-            self.window, lambda _, key, __, action, mods: self.hands.key(key, action, mods)
-        )
-        glfw.set_mouse_button_callback(
-            self.window, lambda _, button, action, __: self.hands.button(button, action)
-        )
-        glfw.set_cursor_pos_callback(self.window, lambda _, x, y: self.hands.motion(x, y))
-        glfw.set_window_focus_callback(self.window, lambda _, on: self.hands.focus(bool(on)))
         self._last = self._counted_from = glfw.get_time()
         self._counted = 0
+
+    def _wait(self, text: str) -> None:
+        """Say that what follows takes a moment, over the last picture if there is one."""
+        assert self._panel is not None
+        if 0 in (size := glfw.get_framebuffer_size(self.window)):
+            return
+        if self._scene is None:
+            gl.glClearColor(*EMPTY, 1.0)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        elif size == self._size:
+            self.draw()
+        self._panel.draw(size, message=self._word(text))
+        glfw.swap_buffers(self.window)
+        glfw.poll_events()
 
     def _key_rows(self) -> list[tuple[str, str]]:
         """Return the rows of the help, labelled as the keyboard is now."""
@@ -255,6 +259,7 @@ class Walk:
         self.settings = keys.with_settings(self.settings, changes)
         if not self._scene.apply(self.settings):
             former = self._scene
+            self._wait("rebuilding")
             self._scene = self._kind.open(
                 self.settings, self._assets, self._seed, self._kind.only(former.shown)
             )

@@ -1,6 +1,7 @@
 """Collect keyboard and mouse input between two frames and turn it into the walker's intent."""
 
 from collections.abc import Iterable
+from typing import Any
 
 from landscape.gl.glfw_library import glfw
 from landscape.window.bindings import (
@@ -47,6 +48,15 @@ class Hands:
         self._switches: list[str] = []
         self._look = [0.0, 0.0]
         self._last: tuple[float, float] | None = None
+
+    def listen(self, window: Any) -> None:
+        """Note what happens in a GLFW window."""
+        glfw.set_key_callback(window, lambda _, key, __, action, mods: self.key(key, action, mods))
+        glfw.set_mouse_button_callback(
+            window, lambda _, button, action, __: self.button(button, action)
+        )
+        glfw.set_cursor_pos_callback(window, lambda _, x, y: self.motion(x, y))
+        glfw.set_window_focus_callback(window, lambda _, on: self.focus(bool(on)))
 
     def key(self, key: int, action: int, mods: int = 0) -> None:
         """Note that a key went down or up, with GLFW's bits of Shift and so on.

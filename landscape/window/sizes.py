@@ -6,10 +6,20 @@ larger than a pixel on some displays of high resolution (Wayland, macOS).
 
 from dataclasses import dataclass, replace
 
+from landscape.errors import InputError
+from landscape.gl.calls import gl
 from landscape.gl.glfw_library import glfw
 from landscape.window.recording import Tick
 
 PATIENCE = 1.0  # chosen: seconds that the window system has for a new size
+
+
+def check_viewport(size: tuple[int, int]) -> None:
+    """Raise InputError if the current OpenGL draws no picture of ``size``."""
+    limits = gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)
+    if any(side > limit for side, limit in zip(size, limits, strict=True)):
+        most = "x".join(map(str, limits))
+        raise InputError(f"--size {size[0]}x{size[1]}: expected at most {most} on this OpenGL")
 
 
 @dataclass
