@@ -192,6 +192,25 @@ def test_auto_uses_the_next_backend_if_the_first_is_missing(tmp_path: Path) -> N
     assert (tmp_path / "first.png").read_bytes() == (tmp_path / "next.png").read_bytes()
 
 
+def test_a_missing_backend_keeps_nothing_alive() -> None:
+    need_library("EGL")
+    code = """
+import ctypes.util, gc, weakref
+import landscape
+
+find = ctypes.util.find_library
+ctypes.util.find_library = lambda name: None if name == "OSMesa" else find(name)
+landscape.Offscreen((64, 48)).close()  # the first one imports OpenGL, whose import keeps frames
+gc.disable()
+view = landscape.Offscreen((64, 48))
+dropped = weakref.ref(view)
+del view
+print(dropped())
+"""
+    done = python(code)
+    assert (done.status, done.out, done.err) == (0, "None\n", "")
+
+
 def test_a_second_platform_in_one_process_is_refused_with_an_explanation() -> None:
     need_library("OSMesa", "EGL")
     code = """

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import TESTS, Done, environment, need_library, python
+from commands import TESTS, Done, environment, python
 from PIL import Image
 
 from landscape.errors import InputError
@@ -64,7 +64,6 @@ def test_many_views_of_the_scene_are_rendered_by_several_processes(tmp_path: Pat
 
 
 def test_the_scene_is_walked_on_the_null_platform(tmp_path: Path) -> None:
-    need_library("OSMesa")
     record = tmp_path / "walk.jsonl"
     arguments = ("walk", "chessboard", "--backend", "osmesa", "--size", "64x48", "--frames", "3")
     done = landscape(*arguments, "--record", record)

@@ -126,7 +126,6 @@ print(json.dumps({"live": live.seen, "again": again.seen, "drawn": drawn, "reste
 @pytest.fixture(scope="module")
 def scripted(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """Two walks on the null platform: a scripted one, and its replay."""
-    need_library("OSMesa")
     folder = tmp_path_factory.mktemp("scripted")
     code = f"import os; os.chdir({str(folder)!r})\n{SCRIPTED}"
     done = python(code, str(folder / "a.jsonl"), json.dumps(SMALL), env=environment(LANG="C"))
@@ -257,7 +256,6 @@ print(json.dumps([hint, seen]))
 
 
 def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
-    need_library("OSMesa")
     done = python(STILLS, json.dumps(SMALL | {"trees.count": 3000}), env=environment())
     assert done.status == 0, done.err
     hint, seen = json.loads(done.out)
@@ -369,7 +367,6 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
 def test_a_walk_begins_where_and_as_the_command_line_says(
     words: list[str], wanted: tuple[Any, ...], tmp_path: Path
 ) -> None:
-    need_library("OSMesa")
     path = tmp_path / "a.jsonl"
     window = ("--backend", "osmesa", "--size", "64x48", "--frames", "1", "--only", "ground")
     done = landscape("walk", *words, *window, "--record", path)
@@ -399,7 +396,6 @@ print(*said)
 
 
 def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
-    need_library("OSMesa")
     done = python(FIXED, env=environment())
     assert (done.status, done.out.split()) == (0, ["catmull_rom", "none", "catmull_rom"]), done.err
 
@@ -416,8 +412,6 @@ def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
     ],
 )
 def test_bad_input_ends_in_one_line(words: list[str], reason: str, tmp_path: Path) -> None:
-    if {"osmesa", "--frames"} <= set(words):
-        need_library("OSMesa")
     done = landscape("walk", *words, cwd=tmp_path)
     assert done.status == 2
     assert done.err.startswith("landscape: ")

@@ -329,11 +329,12 @@ def open_context(backend: str = "auto") -> Context:
     }
     if backend != "auto":
         return makers[backend]()
-    failed: dict[str, NoOpenGLError] = {}
+    # Not the errors: they hold the callers' frames, and what is in them, until the next collection.
+    reasons: dict[str, str] = {}
     for name in BACKENDS:
         try:
             return makers[name]()
         except NoOpenGLError as error:
-            failed[name] = error
+            reasons[name] = str(error)
     # EGL is the one that every system has packages for.
-    raise failed["egl"]
+    raise NoOpenGLError(reasons["egl"])
