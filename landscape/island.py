@@ -155,7 +155,7 @@ class Island:
             Part("sprites", self._kinds, kind["sprites"], (*place, set(self._kinds))),
             Part("grass", ("grass",), kind["grass"], place),
             Part("sword", ("sword",), Sword, own),
-            Part("map", ("map",), Map, own),
+            Part("map", ("map",), Map, (*own, field)),
         ]
 
     def _make(self, part: Part) -> Any:

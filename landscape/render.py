@@ -26,6 +26,7 @@ from landscape.scene import (
     check_options,
     find_view,
     placed,
+    raised,
     scene,
 )
 
@@ -95,6 +96,8 @@ class Offscreen:
         with self._current():
             opened = self._open(kind, named)
             pose = placed(named.pose, opened, opened.settings.walk.eye)
+            if isinstance(view, str):
+                pose = raised(pose, opened, opened.settings.walk.eye)
         self.moment = Moment(pose, self.size, kt, stroke=named.stroke, wireframe=wireframe)
 
     def _open(self, kind: Scene, view: View) -> OpenScene:

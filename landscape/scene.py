@@ -294,6 +294,12 @@ def placed(pose: Pose, terrain: Terrain, eye: float) -> Pose:
     return replace(pose, y=float(terrain.height(pose.x, pose.z)) + eye)
 
 
+def raised(pose: Pose, terrain: Terrain, eye: float) -> Pose:
+    """Return a view's pose, ``eye`` units above the ground if it lies below: on another island."""
+    ground = float(terrain.height(pose.x, pose.z))
+    return pose if pose.y is None or pose.y > ground else replace(pose, y=ground + eye)
+
+
 def listed_views() -> list[dict[str, Any]]:
     """Return every view of every scene as `landscape views --json` prints it, heights filled in.
 

@@ -71,7 +71,7 @@ ELEMENTS: dict[str, Build] = {
     ),
     "dragon": lambda settings, assets, ground: dragon_class(settings)(settings, assets),
     "sword": lambda settings, assets, ground: Sword(settings, assets),
-    "map": lambda settings, assets, ground: Map(settings, assets),
+    "map": lambda settings, assets, ground: Map(settings, assets, ground.field),
 }
 
 

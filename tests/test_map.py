@@ -1,18 +1,23 @@
 """The map: its own viewport, and the walker's point where the report puts it."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PIL import Image
 from stage import Stage, close, small
 
-from landscape.elements.map import Map, place_on_map
+from landscape.elements.map import Map, map_picture, place_on_map
 from landscape.files.assets import Assets
+from landscape.files.images import read_heights, read_image
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField, height_field
 from landscape.gl.calls import gl
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
 GREEN = np.array([0, 255, 0])
 ALPHA = 0.75
+FLAT = HeightField(np.ones((4, 4), np.float32), 40.0, 0.6)
 
 
 def test_a_place_is_minus_1_plus_x_over_20_and_1_minus_z_over_20() -> None:
@@ -26,7 +31,7 @@ def drawn(
     stage: Stage, assets: Assets, pose: Pose, fog: bool = False, alpha: float = ALPHA
 ) -> np.ndarray:
     settings = small({"overlay.map_alpha": alpha})
-    map_ = Map(settings, assets)
+    map_ = Map(settings, assets, FLAT)
     with stage.frame(settings, pose, fog=fog) as frame:
         map_.draw(frame)
         picture = stage.read()
@@ -72,7 +77,7 @@ def test_the_picture_is_the_right_way_up(stage: Stage, plain_folder) -> None:
 
 def test_the_map_lies_over_everything_whatever_the_depth(stage: Stage, plain: Assets) -> None:
     settings = small({"overlay.map_alpha": 1.0})
-    map_ = Map(settings, plain)
+    map_ = Map(settings, plain, FLAT)
     with stage.frame(settings, Pose(3.0, 1.0, 3.0)) as frame:
         gl.glClearDepth(0.0)
         gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
@@ -86,7 +91,7 @@ def test_the_map_lies_over_everything_whatever_the_depth(stage: Stage, plain: As
 def test_the_map_accepts_a_new_island_size_and_refuses_a_new_opacity(
     stage: Stage, plain: Assets
 ) -> None:
-    map_ = Map(small(), plain)
+    map_ = Map(small(), plain, FLAT)
     assert not map_.apply(small({"overlay.map_alpha": 0.5, "ground.size": 80.0}))
     pictures = []
     for size in (40.0, 80.0):
@@ -99,3 +104,35 @@ def test_the_map_accepts_a_new_island_size_and_refuses_a_new_opacity(
     rows, columns = zip(*(np.nonzero(point) for point in pictures), strict=True)
     assert [r.mean() + 0.5 for r in rows] == pytest.approx([15.0, 7.5], abs=0.6)
     assert [c.mean() + 0.5 for c in columns] == pytest.approx([20.0, 10.0], abs=0.6)
+
+
+def sloping_west(tmp_path: Path) -> Path:
+    """Write a height image whose west is deep sea and whose east is high land."""
+    path = tmp_path / "west.png"
+    Image.fromarray(np.tile(np.arange(256, dtype=np.uint8), (64, 1))).save(path)
+    return path
+
+
+def picture_of(path: str, assets: Assets) -> np.ndarray:
+    settings = small({"ground.height_image": path})
+    heights = read_heights(assets.path(path))
+    field = height_field(heights, settings.ground, settings.water.level)
+    return map_picture(settings, assets, field)
+
+
+def test_the_map_of_other_heights_is_drawn_from_them(tmp_path: Path) -> None:
+    shipped_map = read_image(Assets().path("map.png"))
+    for ours in ("height.png", "height16.png"):
+        assert np.array_equal(picture_of(ours, Assets()), shipped_map)
+    other = picture_of(str(sloping_west(tmp_path)), Assets()).astype(int)
+    blue = other[..., 2] > other[..., 0] + 20
+    coast = 256 * 0.6 / 6.0  # the red value at the water's level
+    columns = (np.arange(256) + 0.5) / 256 * 256
+    assert blue[:, columns < coast - 6].all()
+    assert not blue[:, columns > coast + 6].any()
+
+
+def test_a_map_in_the_user_s_folder_is_kept(tmp_path: Path) -> None:
+    heights = sloping_west(tmp_path)
+    Image.new("RGB", (8, 8), (1, 2, 3)).save(tmp_path / "map.png")
+    assert (picture_of(str(heights), Assets(tmp_path))[..., :3] == (1, 2, 3)).all()

@@ -14,10 +14,11 @@ from commands import TESTS, Done, environment, python
 from PIL import Image
 
 from landscape.errors import InputError
+from landscape.files.assets import Assets
 from landscape.fixes import FIXES
 from landscape.frame import Pose
 from landscape.render import Offscreen
-from landscape.scene import SCENES, check_options, find_view, listed_views, placed, scene
+from landscape.scene import SCENES, check_options, find_view, listed_views, placed, raised, scene
 
 COMMAND = """
 import sys
@@ -213,3 +214,23 @@ def test_no_generic_module_names_the_island() -> None:
         code = path.read_text()
         assert not re.search(r"import.*\bisland\b|\bIsland\b|landscape\.views", code), path
         assert path.name == "scene.py" or "landscape.island" not in code, path
+
+
+def test_a_view_below_the_ground_of_another_island_is_raised_above_it() -> None:
+    class Hill:
+        size = 40.0
+
+        def height(self, x: float, z: float) -> float:
+            return 3.0
+
+    assert raised(Pose(1.0, 2.0, 3.0, 4.0, 5.0), Hill(), 0.1) == Pose(1.0, 3.1, 3.0, 4.0, 5.0)
+    for pose in (Pose(1.0, 3.05, 3.0), Pose(1.0, 9.0, 3.0)):
+        assert raised(pose, Hill(), 0.1) == pose
+
+
+def test_no_named_view_of_ours_is_below_the_ground() -> None:
+    kind = scene("island")
+    for view in kind.views.values():
+        ground = kind.terrain(kind.values(kind.preset_of(view), view.settings), Assets())
+        pose = placed(view.pose, ground, 0.1)
+        assert raised(pose, ground, 0.1) == pose, view.name

@@ -47,11 +47,13 @@ def clipped(level: float, enabled: bool = True) -> Iterator[None]:
             yield
 
 
+SHIPPED_HEIGHTS = (GroundSettings().height_image, "height16.png")  # the same island, 8 and 16 bits
+
+
 def has_no_colours(ground: GroundSettings) -> bool:
     """Return whether the height image is a user's own and comes without a large texture."""
-    default = GroundSettings()
-    own_island = ground.height_image not in (default.height_image, "height16.png")
-    return own_island and ground.large_texture == default.large_texture
+    own_island = ground.height_image not in SHIPPED_HEIGHTS
+    return own_island and ground.large_texture == GroundSettings().large_texture
 
 
 def large_texture(

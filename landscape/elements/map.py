@@ -6,9 +6,15 @@ GL_POINTS of size 5 where the walker is.
 State used: viewport, both matrices, GL_BLEND, GL_TEXTURE_2D; depth test and fog off.
 """
 
-from landscape.files.assets import Assets
+import numpy as np
+
+from landscape.elements.ground import SHIPPED_HEIGHTS
+from landscape.elements.sun import direction
+from landscape.files.assets import Assets, shipped
 from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.height_colours import chart
+from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import picture_quad
@@ -22,13 +28,27 @@ def place_on_map(x: float, z: float, size: float) -> tuple[float, float]:
     return -1.0 + x / (size / 2), 1.0 - z / (size / 2)
 
 
+def map_picture(settings: Settings, assets: Assets, field: HeightField) -> np.ndarray:
+    """Return the map's picture, uint8 (h, w, 3 or 4): map.png, or a chart of another island.
+
+    The shipped map.png shows the shipped heights; with other heights the map is drawn from them,
+    unless the user's own folder has a map.png.
+    """
+    path = assets.path("map.png")
+    heights = assets.path(settings.ground.height_image, "ground.height_image")
+    ours = heights.parent == shipped() and heights.name in SHIPPED_HEIGHTS
+    if ours or path.parent != shipped():
+        return read_image(path)
+    return chart(field, direction(settings.sun))
+
+
 class Map:
     """The map and the walker's point."""
 
-    def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Load the picture and compile its quad."""
+    def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
+        """Load or draw the picture and compile its quad."""
         self._settings = settings
-        self._texture = Texture(read_image(assets.path("map.png")), repeat=False)
+        self._texture = Texture(map_picture(settings, assets, field), repeat=False)
         alpha = settings.overlay.map_alpha
 
         def send() -> None:
