@@ -106,6 +106,11 @@ class Frame:
         return self.modelview[[1, 5, 9]]
 
     @cached_property
+    def back(self) -> np.ndarray:
+        """The direction from what is seen to the camera, the third row of the 3x3 block."""
+        return self.modelview[[2, 6, 10]]
+
+    @cached_property
     def axes(self) -> np.ndarray:
         """The modelview's 3x3 block, (9,), which turns the world's axes to the camera's."""
         return self.modelview[[0, 1, 2, 4, 5, 6, 8, 9, 10]]
@@ -117,7 +122,7 @@ class Frame:
         The last is the view direction, of length 1. The normals of the frustum's four sides are not
         unit vectors: a sphere's radius, or a box's half sides, must be multiplied by their length.
         """
-        ahead = -self.modelview[[2, 6, 10]]
+        ahead = -self.back
         top = math.tan(math.radians(self.fov) / 2)
         side = top * self.size[0] / self.size[1]
         across, rise = self.right, self.up

@@ -14,7 +14,7 @@ import numpy as np
 from landscape.elements import sun
 from landscape.elements.best import meadow, sprites
 from landscape.elements.best.animals.fine_dragon import dragon_class
-from landscape.elements.best.animals.fine_rabbit import rabbit_class
+from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.ornate.ornate_castle import castle_class
 from landscape.elements.best.sea import sea
@@ -24,7 +24,7 @@ from landscape.elements.best.sea.ring import HorizonRing
 from landscape.elements.best.sea.sea import Sea, kept, reflected
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
-from landscape.elements.best.terrain.shadows import cast_from
+from landscape.elements.best.terrain.shadows import cast_from, light_is_baked
 from landscape.elements.best.terrain.terrain import Terrain, ground_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import clipped
@@ -134,9 +134,15 @@ class Island:
             if element is not None:
                 self._owned.append(element)
             # Shadows are cast by what has been built so far, and darken the grass as well.
-            if part.attribute == "sprites" and settings.ground.shadows:
-                self._bake_shadows(self.ground, light)
+            if part.attribute == "sprites" and light_is_baked(settings):
+                self._bake_light(self.ground, light)
         self.obstacles = self._obstacles()
+        self._dim_rabbit()
+
+    def _dim_rabbit(self) -> None:
+        """Let the rabbit take the light of the ground it stands on."""
+        if isinstance(self.rabbit, FineRabbit):
+            self.rabbit.stand_in(self.ground)
 
     def _parts(self, settings: Settings) -> list[Part]:
         """Return all elements but the ground, in the order in which they are built."""
@@ -146,7 +152,7 @@ class Island:
         return [
             Part("water", ("water",), kind["water"], (*own, *depths)),
             Part("ring", ("water",), kind["ring"], own),
-            Part("foam", ("water",), kind["foam"], (field,)),
+            Part("foam", ("water",), kind["foam"], (settings, field)),
             Part("query", ("water",), kind["query"], (settings,)),
             Part("sky", ("sky",), SkyBox, own),
             Part("castle", ("castle",), kind["castle"], (*own, field)),
@@ -177,19 +183,23 @@ class Island:
         return ObstacleGrid(few, towers[passed])
 
     @drawing("ground")
-    def _bake_shadows(self, ground: Any, light: np.ndarray) -> None:
-        """Darken the ground's texture where sprites, castle and rabbit cast their shadows."""
+    def _bake_light(self, ground: Any, light: np.ndarray) -> None:
+        """Multiply the ground's texture by the sunlight and the shadows of what stands on it."""
         if not isinstance(ground, Terrain):
             return
+        values = self.settings
 
         def shadows() -> tuple[np.ndarray]:
             shadow_map = ground.shadow_map(light)
             for element in (self.sprites, self.castle, self.rabbit):
-                if element:
+                if element and values.ground.shadows:
                     element.cast(shadow_map)
-            return (shadow_map.light(),)
+            return (
+                shadow_map.light(
+                    ground.open_light(shadow_map.side), np.array(values.sun.shade, np.float32)
+                ),
+            )
 
-        values = self.settings
         what = repr((cast_from(values), self._seed, sorted(self._only)))
         files = values.ground.height_image, values.rabbit.mesh
         ground.shade(*recall((what, *self._assets.contents(*files)), shadows))
@@ -233,6 +243,7 @@ class Island:
         self.settings = settings
         if solid or not built.keys().isdisjoint(("castle", "rabbit", "dragon", "sprites")):
             self.obstacles = self._obstacles()
+        self._dim_rabbit()
         return True
 
     def draw(self, moment: Moment) -> None:

@@ -2,7 +2,8 @@
 
 A scene's settings are a frozen dataclass of groups, each a frozen dataclass of values declared by
 :func:`setting`. The key of a value is ``group.name``. A value is a bool, an int, a float, a string
-or a tuple of floats. No setting is named here: each scene brings its own.
+or a tuple of floats. Beside the groups there may be words, declared by :func:`word`: one stands for
+a table of values. No setting is named here: each scene brings its own.
 """
 
 import dataclasses
@@ -51,42 +52,74 @@ def setting(
     return field(default=default, metadata={**meta, "unit": unit, "needs": needs})
 
 
+def word(default: str, tables: Mapping[str, Mapping[str, Value]], source: str, does: str) -> Any:
+    """Declare a word, whose key has no dot: each of its values stands for a table of settings."""
+    made = setting(default, source, does, choices=tuple(tables))
+    return field(default=default, metadata={**made.metadata, "tables": tables})
+
+
 _FIELDS: dict[type, dict[str, Field]] = {}
 
 
 def fields(kind: type) -> dict[str, Field]:
-    """Return the fields of a settings class by dotted key, in order."""
+    """Return the words of a settings class by key, and then its fields by dotted key, in order."""
     if kind not in _FIELDS:
-        _FIELDS[kind] = {
+        top = dataclasses.fields(kind)
+        words = {item.name: item for item in top if "tables" in item.metadata}
+        _FIELDS[kind] = words | {
             f"{group.name}.{item.name}": item
-            for group in dataclasses.fields(kind)
+            for group in top
+            if group.name not in words
             for item in dataclasses.fields(group.default)  # type: ignore[arg-type]
         }
     return _FIELDS[kind]
 
 
+def words(kind: type) -> dict[str, Mapping[str, Mapping[str, Value]]]:
+    """Return the tables of a settings class's words, by the word's key and by its value."""
+    known = fields(kind).items()
+    return {key: item.metadata["tables"] for key, item in known if "tables" in item.metadata}
+
+
 def get(settings: Any, key: str) -> Value:
-    """Return the value of a dotted key."""
-    group, name = key.split(".")
-    value: Value = getattr(getattr(settings, group), name)
-    return value
+    """Return the value of a key."""
+    value: Any = settings
+    for name in key.split("."):
+        value = getattr(value, name)
+    found: Value = value
+    return found
+
+
+def next_value(settings: Any, key: str) -> Value:
+    """Return the other value of a bool, or the next of a key's choices, all round."""
+    value, choices = get(settings, key), fields(type(settings))[key].metadata["choices"]
+    if isinstance(value, bool):
+        return not value
+    following: Value = choices[(choices.index(value) + 1) % len(choices)]
+    return following
 
 
 def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     """Return settings with some keys changed.
 
     Values may be strings, as on the command line, or numpy's numbers and arrays; a file's name may
-    be a path. Old names of renamed keys are accepted as well. Raises InputError that names the key
-    and what was expected.
+    be a path. Old names of renamed keys are accepted as well. The table of a word is laid over the
+    settings first, wherever the word is among the changes: all others override it. Raises
+    InputError that names the key and what was expected.
     """
     known = fields(type(settings))
-    for key, value in current_names(settings, changes)[0].items():
+    wanted = current_names(settings, changes)[0]
+    laid: dict[str, Any] = {}
+    for key in wanted.keys() & words(type(settings)).keys():
+        laid |= known[key].metadata["tables"][_checked(key, known[key], wanted[key])]
+    for key, value in (laid | wanted).items():
         if key not in known:
             raise InputError(f"setting {key!r}: no such key; `landscape settings` lists them all")
-        group, name = key.split(".")
         checked = _checked(key, known[key], value)
-        part = dataclasses.replace(getattr(settings, group), **{name: checked})
-        settings = dataclasses.replace(settings, **{group: part})  # type: ignore[type-var]
+        group, _, name = key.partition(".")
+        if name:
+            checked = dataclasses.replace(getattr(settings, group), **{name: checked})
+        settings = dataclasses.replace(settings, **{group: checked})  # type: ignore[type-var]
     return settings
 
 
@@ -167,9 +200,12 @@ def read_toml(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
     flat: dict[str, Any] = {}
     for group, table in tables.items():
-        if not isinstance(table, dict):
+        if isinstance(table, str):
+            flat[group] = table
+        elif isinstance(table, dict):
+            flat |= {f"{group}.{name}": value for name, value in table.items()}
+        else:
             raise InputError(f"{path}: {group}: expected a table such as [fog] or [grass]")
-        flat |= {f"{group}.{name}": value for name, value in table.items()}
     return flat
 
 

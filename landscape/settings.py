@@ -1,15 +1,16 @@
-"""The island's constants as settings: key, value, what it does, unit, source; and its two presets.
+"""The island's constants as settings: key, value, what it does, unit, source; presets and times.
 
 The defaults are the preset ``2006``: the report's numbers where it gives them, "chosen" where it
-does not. The preset ``best`` is a table of differences. See :mod:`landscape.keys`, and
-:mod:`landscape.conditions` for ``needs`` and ``NEEDS``.
+does not. The preset ``best`` is a table of differences. A time of day is another, laid over either
+preset; noon is the preset as it is. See :mod:`landscape.keys`, and :mod:`landscape.conditions` for
+``needs`` and ``NEEDS``.
 """
 
 from dataclasses import dataclass
 from typing import ClassVar
 
 from landscape import keys
-from landscape.keys import Renamed, Value, setting
+from landscape.keys import Renamed, Value, setting, word
 
 WALKING = ("walk",)
 
@@ -18,6 +19,11 @@ DEGREES, UNITS, PER_SECOND = "degrees", "units", "units per second"
 REPEATS = "repeats over the map"
 # What reads the colours of the ground's large texture, apart from the ground itself.
 COLOURS_READ = "grass.tinted or trees.grouped or plants.species>1"
+# What depends on where the sun is.
+SUNLIT = (
+    "water or castle or rabbit or dragon or ground.shadows or ground.height_image!=height.png"
+    " or sun.relit",
+)
 
 
 @dataclass(frozen=True)
@@ -130,15 +136,17 @@ class Walk:
 class Sun:
     """The one light, GL_LIGHT0, at infinity."""
 
-    NEEDS: ClassVar[tuple[str, ...]] = (
-        "water or castle or rabbit or dragon or ground.shadows or ground.height_image!=height.png",
-    )
-
     azimuth: float = setting(
-        130.0, "chosen", "direction of the sun: 0 north, 90 east", -360, 360, unit=DEGREES
+        130.0,
+        "chosen",
+        "direction of the sun: 0 north, 90 east",
+        -360,
+        360,
+        unit=DEGREES,
+        needs=SUNLIT,
     )
     elevation: float = setting(
-        38.0, "chosen", "height of the sun above the horizon", 0, 90, unit=DEGREES
+        38.0, "chosen", "height of the sun above the horizon", 0, 90, unit=DEGREES, needs=SUNLIT
     )
     diffuse: tuple[float, ...] = setting(
         (1.0, 0.95, 0.85),
@@ -166,6 +174,28 @@ class Sun:
         10,
         unit="times the ambient colour",
         needs=("water or castle or rabbit or dragon",),
+    )
+    tint: tuple[float, ...] = setting(
+        (1.0, 1.0, 1.0),
+        "chosen",
+        "factor on what has its light painted in: ground, sprites, grass, foam, clouds, sword",
+        0,
+        1,
+        unit="RGB",
+    )
+    shade: tuple[float, ...] = setting(
+        (0.50, 0.53, 0.58),
+        "chosen",
+        "the same factor where the sun does not reach",
+        0,
+        1,
+        unit="RGB",
+        needs=("ground.shadows or sun.relit",),
+    )
+    relit: bool = setting(
+        False,
+        "chosen",
+        "sun.tint on the sunny side alone, sun.shade on the other; not in 2006's elements",
     )
 
 
@@ -458,6 +488,15 @@ class Water:
         unit="of 1",
         needs=("water",),
     )
+    roughness: float = setting(
+        0.15,
+        "chosen",
+        "slope of ripples too small to draw: how wide the path of glints is",
+        0.01,
+        1,
+        unit="standard deviation",
+        needs=("water", "water.glitter"),
+    )
     relief: bool = setting(
         False, "R17, section 3.2", "waves displace the vertices", needs=("water",)
     )
@@ -735,6 +774,15 @@ class Castle:
     ornate: bool = setting(
         False, "chosen", "a keep, roofs, bands, loopholes and pennants", needs=("castle",)
     )
+    torches: float = setting(
+        0.0,
+        "chosen",
+        "how much the torches light the walls: at 0 as by day, at 1 as in the dark",
+        0,
+        1,
+        unit="fraction",
+        needs=("castle", "castle.ornate"),
+    )
 
 
 @dataclass(frozen=True)
@@ -871,9 +919,28 @@ class Fog:
     )
 
 
+# Times of day: what differs from a preset, which shows noon. All values are chosen.
+TIMES: dict[str, dict[str, Value]] = {
+    "noon": {},
+    "sunset": {
+        "sky.set": "sunset",
+        "sun.azimuth": 250.0,  # where the sun is in the sunset's pictures (studio/air.py)
+        "sun.elevation": 4.0,
+        "sun.diffuse": (0.95, 0.62, 0.36),
+        "sun.ambient": (0.40, 0.38, 0.48),
+        "sun.tint": (1.0, 0.78, 0.52),
+        "sun.shade": (0.46, 0.44, 0.55),
+        "sun.relit": True,
+        "water.roughness": 0.33,
+        "castle.torches": 1.0,
+        "fog.color": (0.86, 0.62, 0.50),  # the pictures' horizon
+    },
+}
+
+
 @dataclass(frozen=True)
 class Settings:
-    """All groups; ``Settings()`` is the preset 2006."""
+    """All groups, and the time of day; ``Settings()`` is the preset 2006 at noon."""
 
     RENAMED: ClassVar[dict[str, Renamed]] = {
         "camera.detail": Renamed("camera.lod_pixels"),
@@ -886,6 +953,7 @@ class Settings:
         "water.sharp": Renamed("water.lod_bias", negated=True),
     }
 
+    time: str = word("noon", TIMES, "chosen", "time of day: sun, sky, fog and torches at once")
     camera: Camera = Camera()
     clock: Clock = Clock()
     walk: Walk = Walk()

@@ -180,4 +180,12 @@ VIEWS = _table(
          shown=BARE, settings={"fog.density": 0.2, "camera.fov": 34.0}),
     View("fig43a", "flaw: the mapping pinched at the axis", Pose(20.46, 1.42, 24.02, 30.0, -78.0),
          0, shown=OUTDOORS, settings={"camera.fov": 40.0}),
-)  # fmt: skip
+) | {
+    view.name: view
+    for view in (
+        View("dusk_bay", "the sun sets behind the dragon's bay", walking(13.2, 27.0, 245.0, -2.0),
+             40, shown=OUTDOORS, settings={"time": "sunset"}),
+        View("dusk_gate", "torches at the castle's gate, after its last sun",
+             walking(27.75, 18.85, 336.0, 14.0), 24, shown=OUTDOORS, settings={"time": "sunset"}),
+    )
+}  # fmt: skip

@@ -20,7 +20,8 @@ def flat(height: float = 3.0) -> Ground:
         return np.stack([np.full_like(green, 0.2), green, np.full_like(green, 0.2)], axis=1)
 
     def light(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        return np.where(np.asarray(z) < 20, 1.0, 0.5)  # shadow in the south
+        part = np.where(np.asarray(z) < 20, 1.0, 0.5)  # shadow in the south
+        return np.repeat(part[:, None], 3, axis=1)
 
     return cast(Ground, SimpleNamespace(field=field, colour=colour, light=light))
 

@@ -14,7 +14,7 @@ DOWN = Pose(20.0, 3.6, 20.5, 0.0, -89.9)
 def foamy(stage: Stage, kt: float) -> np.ndarray:
     """Return where foam whitens a black picture."""
     settings = small({"fog.color": (0.0, 0.0, 0.0)})
-    element = Foam(beach())
+    element = Foam(settings, beach())
     with stage.frame(settings, DOWN, kt) as frame:
         assert stage.read().max() == 0
         element.draw(frame)
@@ -38,7 +38,7 @@ def test_foam_is_built_at_once_for_one_water_level_and_leaves_nothing(
     stage: Stage,
 ) -> None:
     before = live_names()
-    element = Foam(beach())
+    element = Foam(small(), beach())
     made = live_names()
     assert element.apply(small({"fog.density": 0.3}))
     assert not element.apply(small({"water.level": LEVEL + 0.1}))

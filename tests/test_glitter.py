@@ -16,7 +16,7 @@ def test_the_glints_stand_where_the_sun_is_mirrored() -> None:
     low = np.radians(40.0)
     towards = np.array([0.0, np.sin(low), -np.cos(low)])
     flat = np.zeros(grid.x.shape, np.float32)
-    intensity = sun_intensity(grid, flat, flat, towards)
+    intensity = sun_intensity(grid, flat, flat, towards, 0.15)
     row, column = np.unravel_index(int(intensity.argmax()), intensity.shape)
     assert intensity.max() == pytest.approx(1.0, abs=0.01)
     assert grid.x[row, column] == pytest.approx(20.0, abs=0.03)

@@ -26,7 +26,7 @@ from landscape.gl.framebuffer import Framebuffer
 from landscape.island import Island
 from landscape.keys import with_settings
 from landscape.scene import Moment
-from landscape.settings import Settings
+from landscape.settings import TIMES, Settings
 
 pytestmark = pytest.mark.golden
 
@@ -187,6 +187,18 @@ def test_a_whole_scene_matches_its_golden_picture(
     pictures.check(name, picture, request.config.getoption("--update-golden"))
 
 
+@pytest.mark.parametrize("preset", ["2006", "best"])
+def test_a_sunset_matches_its_golden_picture(
+    stage: Stage, request: pytest.FixtureRequest, preset: str
+) -> None:
+    chosen = CHOSEN if preset == "2006" else {**CHOSEN, **BETTER}
+    island = Island(with_settings(Settings(), {**chosen, **TIMES["sunset"]}), Assets(), SEED)
+    picture = draw(stage, island, (13.2, 27.0, 245.0, -2.0), 40, ALL)
+    island.release()
+    name = f"dusk_{preset}"
+    pictures.check(name, picture, request.config.getoption("--update-golden"))
+
+
 @pytest.fixture
 def coast(stage: Stage, islands: dict[str, Island]) -> np.ndarray:
     """A picture to compare with wrong ones."""
@@ -324,6 +336,6 @@ def test_a_missing_golden_fails_and_a_difference_leaves_three_pictures(
 
 def test_every_golden_picture_belongs_to_a_test() -> None:
     wanted = {*ELEMENTS, *(f"sword_{k}" for k in range(1, 5))}
-    wanted |= {f"{scene}_{preset}" for scene in SCENES for preset in ("2006", "best")}
+    wanted |= {f"{scene}_{preset}" for scene in (*SCENES, "dusk") for preset in ("2006", "best")}
     assert {path.stem for path in pictures.GOLDEN.glob("*.png")} == wanted
     assert pictures.RENDERER.exists()

@@ -130,7 +130,7 @@ def test_the_ground_gives_its_height_and_is_lit_everywhere(stage: Stage, plain_f
     assert ground.size == 40.0
     assert np.allclose(ground.terrain_height(x, z), wanted, atol=1e-3)
     assert np.allclose(ground.height(x, z), np.maximum(wanted, 3.0), atol=1e-3)
-    assert ground.light(x, z).tolist() == [1.0, 1.0]
+    assert ground.light(x, z).tolist() == [[1.0] * 3] * 2
     ground.release()
 
 

@@ -131,7 +131,7 @@ def test_plants_but_not_trees_are_darkened_by_shadow_on_their_sunny_side(
     put(sprites, [(19.9, 3.0, 17.0), (20.1, 3.0, 12.0), (30.0, 3.0, 12.0)], [FERN, OXEYE, TREE])
 
     def light(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        return np.where(x < 20.0, 1.0, 0.25)
+        return np.repeat(np.where(x < 20.0, 1.0, 0.25)[:, None], 3, axis=1)
 
     sprites.shade(cast(Ground, SimpleNamespace(light=light)))
     tints = sprites.sprites.tints

@@ -102,7 +102,7 @@ live.seen, live.script = [], {
     16: [lambda walk: glfw.iconify_window(walk.window)], 18: [size(0, 0)],
     19: [focus, press(glfw.KEY_W), capture], 20: [focus_lost],
     22: [press(glfw.KEY_F, glfw.KEY_SPACE)], 24: [press(glfw.KEY_F11)], 25: [press(glfw.KEY_F11)],
-    26: [press(glfw.KEY_F12)], 27: [press(glfw.KEY_L, glfw.KEY_KP_ADD)],
+    26: [press(glfw.KEY_F12)], 27: [press(glfw.KEY_L, glfw.KEY_DOWN, glfw.KEY_KP_ADD)],
     28: [press(glfw.KEY_DOWN, glfw.KEY_DOWN, glfw.KEY_ENTER)],
     29: [lambda walk: glfw.set_window_should_close(walk.window, True)],
 }
@@ -236,7 +236,7 @@ with Walk(plan, Assets(), "osmesa") as walk:
     hint = frame()
     walk.settings = with_settings(walk.settings, {"clock.kt_per_second": 0})
     seen["plain"] = frame(seconds=1.0), frame(seconds=1.5)
-    for name in ("fog", "reflection", "sorting", "map", "wireframe", "help"):
+    for name in ("fog", "reflection", "sorting", "map", "wireframe", "time", "help"):
         on = frame(name), frame(seconds=3.0)
         off = frame(name), frame(seconds=3.0)
         seen[name] = [*on, *off]

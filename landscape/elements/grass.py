@@ -186,7 +186,8 @@ class Grass:
             first = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
             self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
             self._coordinates = np.tile(COORDINATES, (2 * count, 1))
-        with attrib(gl.GL_ENABLE_BIT):
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
+            gl.glColor3f(*self._settings.sun.tint)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
             if grass.method == "loop":

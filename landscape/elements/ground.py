@@ -150,8 +150,10 @@ class Ground:
         return self._texture(read_image(path, largest=ground.texture_size))
 
     def draw(self, frame: Frame) -> None:
-        """Call the list."""
-        self._lists[0].call()
+        """Call the list, in the colour of the light."""
+        with attrib(gl.GL_CURRENT_BIT):
+            gl.glColor3f(*self._settings.sun.tint)
+            self._lists[0].call()
 
     @property
     def size(self) -> float:
@@ -171,8 +173,8 @@ class Ground:
         return lookup(self.large, np.asarray(x) / self.size, np.asarray(z) / self.size) / 255.0
 
     def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return the fraction of light that reaches x, z in units, (n,); in 2006, 1."""
-        return np.ones(np.shape(x))
+        """Return the light that reaches x, z in units, a factor (n, 3) on colours."""
+        return np.ones((*np.shape(x), 3)) * self._settings.sun.tint
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""

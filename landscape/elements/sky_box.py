@@ -61,7 +61,7 @@ def face_coordinates(width: int, height: int) -> np.ndarray:
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     sky = settings.sky
-    return sky.set, sky.half_width, sky.height, sky.moving
+    return sky.set, sky.half_width, sky.height, sky.moving, settings.sun if sky.moving else None
 
 
 class SkyBox:
@@ -92,7 +92,7 @@ class SkyBox:
             gl.glDisable(gl.GL_TEXTURE_2D)
 
         self._list = DisplayList(send)
-        self._clouds = Clouds(assets) if sky.moving else None
+        self._clouds = Clouds(settings, assets) if sky.moving else None
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the box would differ."""

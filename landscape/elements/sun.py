@@ -4,6 +4,8 @@ Not a class in the 2006 report, whose water and animals are lit nevertheless. A 
 transformed by the modelview matrix that is current when it is set, so it is set again under the
 mirror matrix; otherwise the reflection would be lit from below (see reflection.py).
 With ``sun.fill`` a second, weak light of the sky's colour comes from the opposite side.
+What has noon's light painted into its texture is not lit by OpenGL but multiplied by a colour,
+``sun.tint``; with ``sun.relit`` only on its sunny side, and by ``sun.shade`` elsewhere.
 State used: GL_LIGHT0, GL_LIGHT1; an element that is lit calls :func:`lit`, which enables
 GL_LIGHTING and GL_COLOR_MATERIAL. The switches ``shading.lighting`` and ``shading.smooth`` show a
 frame without lighting, or with flat shading (glShadeModel).
@@ -17,6 +19,9 @@ from landscape.gl.calls import drawing, gl
 from landscape.settings import Shading, Sun
 
 SPECULAR = (1.0, 0.95, 0.85)  # chosen: RGB of the sun's highlights
+# Chosen: how sunny a surface is that the sun grazes, and how much sunnier one that faces it. Leaves
+# and grass let light through, so the change is gradual.
+GRAZED, FACED = 0.62, 1.1
 
 
 def direction(sun: Sun) -> np.ndarray:
@@ -26,6 +31,16 @@ def direction(sun: Sun) -> np.ndarray:
     return np.array(
         [level * math.sin(azimuth), math.sin(elevation), -level * math.cos(azimuth)], np.float32
     )
+
+
+def painted(sun: Sun, facing: np.ndarray | float) -> np.ndarray:
+    """Return the colours (..., 3) that multiply what has its light painted in.
+
+    ``facing`` (...) is the cosine of the angle between a surface's normal and the sun.
+    """
+    tint, shade = np.array(sun.tint), np.array(sun.shade)
+    sunny = np.clip(GRAZED + FACED * np.asarray(facing)[..., None], 0.0, 1.0)
+    return shade + (tint - shade) * sunny if sun.relit else tint + 0.0 * sunny
 
 
 def shine(sun: Sun) -> None:

@@ -7,6 +7,7 @@ State used: GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 
 import math
 
+from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -30,13 +31,15 @@ class Sword:
     """The sword at rest and its stroke."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Load the five pictures and compile the quad; no setting affects them."""
+        """Load the five pictures and compile the quad."""
+        self._settings = settings
         names = ["sword_rest.png"] + [f"sword_{k}.png" for k in range(1, STROKES + 1)]
         self._textures = [Texture(read_image(assets.path(n)), repeat=False) for n in names]
         self._list = DisplayList(picture_quad)
 
     def apply(self, settings: Settings) -> bool:
-        """Return True: no setting changes the sword."""
+        """Apply new settings: the sun's colour is read at each draw."""
+        self._settings = settings
         return True
 
     def draw(self, frame: Frame) -> None:
@@ -44,19 +47,24 @@ class Sword:
         width, height = frame.size
         top = math.tan(math.radians(frame.fov / 2))
         right = top * width / height
-        with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT):
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
+        with matrix(), attrib(groups):
             gl.glLoadIdentity()
             gl.glTranslatef(right - ASPECT * top, bob(frame.step) - 0.01 * top, 0.0)
             gl.glScalef(ASPECT * top, top, 1.0)
             for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING):
                 gl.glDisable(off)
-            gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+            gl.glColor3f(*painted(self._settings.sun, self._facing(frame)))
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             self._textures[frame.stroke].bind()
             self._list.call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def _facing(self, frame: Frame) -> float:
+        """Return how far the visible side of the sword faces the sun, as a cosine."""
+        return float(direction(self._settings.sun) @ frame.back)
 
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""

@@ -157,7 +157,9 @@ class TransparentElements:
         vertices, coordinates, indices = prepared or self.prepare(frame)
         if not len(indices):
             return
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT):
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
+        with attrib(groups | gl.GL_CURRENT_BIT):
+            gl.glColor3f(*self._settings.sun.tint)
             if self._settings.transparent.textured:
                 gl.glDepthMask(gl.GL_FALSE)
                 gl.glEnable(gl.GL_BLEND)

@@ -73,9 +73,9 @@ BEST_FIXES: tuple[Fix, ...] = (
         common={
             "sky.set": "sunset",
             "sun.azimuth": 250.0,  # where the sun is in the sunset textures
-            "sun.elevation": 5.0,
+            "sun.elevation": 4.0,
             "sun.diffuse": (1.0, 0.8, 0.55),
-            "fog.color": (0.86, 0.72, 0.6),
+            "fog.color": (0.86, 0.62, 0.5),
             "water.fresnel": True,
             "water.horizon": 400.0,
             "fog.density": 0.03,

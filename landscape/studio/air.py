@@ -61,15 +61,15 @@ DAY = Scene(
 )
 SUNSET = Scene(
     azimuth_deg=250.0,
-    elevation_deg=5.0,
-    horizon_srgb=(0.84, 0.66, 0.54),  # chosen: the fog to use with this sky
-    haze_deg=2.6,
-    exposure=1.0,
-    glow=(0.20, 0.135, 0.30),
-    saturation=1.35,
-    sun=(6.2, 3.3, 1.5),
-    shade=(0.26, 0.23, 0.34),
-    bounce=(0.16, 0.11, 0.10),
+    elevation_deg=4.0,
+    horizon_srgb=(0.86, 0.62, 0.50),  # chosen: the fog to use with this sky
+    haze_deg=4.5,
+    exposure=0.85,
+    glow=(0.30, 0.10, 0.22),
+    saturation=2.0,
+    sun=(9.5, 2.9, 0.8),
+    shade=(0.24, 0.15, 0.32),
+    bounce=(0.20, 0.10, 0.08),
     far_air=(0.50, 0.44, 0.22),
     wall_width=1024,
 )

@@ -18,7 +18,7 @@ from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image
 from landscape.files.meshes import read_ply
 from landscape.geometry.mesh import vertex_normals
-from landscape.settings import preset
+from landscape.settings import TIMES, preset
 from landscape.tools.asset_measures import (
     MIP,
     SKY_FACES,
@@ -69,7 +69,6 @@ TILES = (
 MID_GREY = ("ground_detail.png", "ground_sand.png", "ground_rock.png")
 SHEETS = {"fire.png": 4}  # sprite sheets: frames per side
 MAX_BYTES = 15_000_000  # of all assets together
-SUNSET_HORIZON = (0.84, 0.66, 0.54)  # chosen: the fog to use with the sunset sky
 
 # Chosen: x, z and the limits of y of the places that the named views rely on.
 PLACES = {
@@ -145,7 +144,10 @@ def check_tiles(assets: Assets) -> Iterator[Finding]:
 
 def check_sky(assets: Assets) -> Iterator[Finding]:
     """Check that sky faces match along their edges and have the fog colour at the horizon."""
-    for prefix, horizon in (("sky_", preset("best").fog.color), ("sky_sunset_", SUNSET_HORIZON)):
+    for prefix, horizon in (
+        ("sky_", preset("best").fog.color),
+        ("sky_sunset_", TIMES["sunset"]["fog.color"]),
+    ):
         faces = {f: read_image(assets.path(f"{prefix}{f}.png"), "RGB") for f in SKY_FACES}
         edges = sky_edges(faces)
         text = "edges " + ", ".join(f"{name} {value:.1f}" for name, value in edges.items())

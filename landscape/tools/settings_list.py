@@ -23,7 +23,7 @@ def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list
     found = [row for name in SCENES for row in _rows_of(scene(name), preset, changes)]
     groups = list(dict.fromkeys(row["key"].split(".")[0] for row in found))
     if word in groups:
-        return [row for row in found if row["key"].startswith(f"{word}.")]
+        return [row for row in found if row["key"].split(".")[0] == word]
     sought = word.lower()
     kept = [row for row in found if sought in row["key"] or sought in row["does"].lower()]
     if not kept:
@@ -60,8 +60,9 @@ def as_text(found: Sequence[Row]) -> Iterator[str]:
         if f"{row['scene']}.{name}" != group:
             yield from ([""] if group else [])
             group = f"{row['scene']}.{name}"
-            about = kind.__dataclass_fields__[name].default.__doc__ or ""
-            yield from textwrap.wrap(f"{name}: {about.splitlines()[0]}", WIDTH)
+            if row["key"] not in keys.words(kind):
+                about = kind.__dataclass_fields__[name].default.__doc__ or ""
+                yield from textwrap.wrap(f"{name}: {about.splitlines()[0]}", WIDTH)
         yield from _lines(row, kind)
 
 

@@ -70,7 +70,8 @@ class Walk:
         self.resizer = Resizer()
         self._size = (0, 0)
         self.hands = Hands(system_name)
-        self._chooser = Chooser(self._kind.values(plan.preset or None))
+        self._preset = plan.preset or None
+        self._chooser = Chooser(self._kind.values(self._preset))
         self._row, self._done = "", ""
         self._scene: OpenScene | None = None
         self._panel: Panel | None = None
@@ -249,13 +250,14 @@ class Walk:
             if self._kind.fixes:
                 self._switch_fix(name)
         elif SETTINGS[name] in keys.fields(type(self.settings)):
-            on = not keys.get(self.settings, SETTINGS[name])
-            self._apply({SETTINGS[name]: on})
-            self._tell(name, on)
+            value = keys.next_value(self.settings, SETTINGS[name])
+            self._apply({SETTINGS[name]: value})
+            self._tell(name, value)
 
     def _apply(self, changes: Mapping[str, Any]) -> None:
         """Change settings; open the scene again if it cannot take them as it is."""
         assert self._scene is not None
+        changes = self._kind.passing(self.settings, self._preset, changes)
         self.settings = keys.with_settings(self.settings, changes)
         if not self._scene.apply(self.settings):
             former = self._scene
@@ -305,8 +307,9 @@ class Walk:
             on = not on
         self._say(f"{fix.name}  {fix.title}: {self._word('fix.on' if on else 'fix.off')}")
 
-    def _tell(self, name: str, on: bool) -> None:
-        self._say(self._word(f"{name}.{'on' if on else 'off'}"))
+    def _tell(self, name: str, value: keys.Value) -> None:
+        state = ("on" if value else "off") if isinstance(value, bool) else value
+        self._say(self._word(f"{name}.{state}"))
 
     def draw(self) -> None:
         """Draw the frame and the panel into the window's back buffer."""

@@ -22,9 +22,9 @@ class Binding:
     """Keys and what they do.
 
     ``kind`` is "held" (acts while a key is down), "switch" (acts on the walk, so recordings keep
-    it) or "order" (acts on the window). ``setting`` is the dotted key of the setting that a switch
-    toggles. ``keys`` are positions, unless ``letter`` is set: then the key is the one that this
-    letter is printed on.
+    it) or "order" (acts on the window). ``setting`` is the key of the setting that a switch
+    toggles, or whose next value it takes. ``keys`` are positions, unless ``letter`` is set: then
+    the key is the one that this letter is printed on.
     """
 
     action: str
@@ -51,6 +51,7 @@ BINDINGS = (
     Binding("fog", letter="G", setting="fog.enabled"),
     Binding("reflection", letter="R", setting="reflection.enabled"),
     Binding("sorting", letter="T", setting="transparent.sorted"),
+    Binding("time", letter="P", setting="time"),
     Binding("wireframe", letter="X"),
     Binding("next_fix", letter="N"),
     Binding("fix", letter="V"),

@@ -33,6 +33,7 @@ ACTIONS = (
     "fog",
     "reflection",
     "sorting",
+    "time",
     "help",
     "next_fix",
     "previous_fix",

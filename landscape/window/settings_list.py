@@ -40,7 +40,7 @@ class Row:
     @property
     def label(self) -> str:
         """The name within the group, as ``color R``."""
-        label = self.key.split(".")[1]
+        label = self.key.split(".")[-1]
         if self.part < 0:
             return label
         colour = self.item.metadata["unit"].startswith("RGB")

@@ -2,15 +2,22 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
+from landscape.elements.ground import Ground
 from landscape.elements.rabbit import Rabbit, cylindrical, rabbit_obstacles, standing
+from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.cache import content
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
+from landscape.gl.calls import gl
 from landscape.settings import Settings
+
+SHADED = 0.3  # chosen: fraction of the sun that is left to what rises out of a shadow
 
 
 def rabbit_class(settings: Settings) -> type[Rabbit] | type["FineRabbit"]:
@@ -22,6 +29,8 @@ def rabbit_class(settings: Settings) -> type[Rabbit] | type["FineRabbit"]:
 
 class FineRabbit(FineAnimal):
     """The rabbit, on the ground."""
+
+    _sunny = 1.0
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the mesh and its colours, make its levels and place it on the ground."""
@@ -42,6 +51,22 @@ class FineRabbit(FineAnimal):
     def built_from(settings: Settings) -> tuple[object, ...]:
         """Return the settings that the lists were made from."""
         return settings.rabbit, settings.camera.lod_pixels > 0.0
+
+    def stand_in(self, ground: Ground) -> None:
+        """Take the light of the ground: in a shadow that is painted there, the sun is dimmed."""
+        sun, (x, _, z) = self._settings.sun, self._place
+        found = ground.light(np.array([x]), np.array([z]))[0]
+        shade, full = np.array(sun.shade), painted(sun, float(direction(sun)[1]))
+        if sun.relit:
+            self._sunny = float(np.clip(((found - shade) / (full - shade)).min(), 0.0, 1.0))
+
+    def _set_material(self) -> None:
+        """Dim the sun as well, where the rabbit is in a shadow; GL_LIGHTING_BIT restores it."""
+        super()._set_material()
+        if self._sunny < 1.0:
+            left = SHADED + (1.0 - SHADED) * self._sunny
+            colour = np.append(left * np.array(self._settings.sun.diffuse), 1.0)
+            gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, colour.astype(np.float32))
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass."""

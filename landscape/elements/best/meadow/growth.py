@@ -174,7 +174,7 @@ class Growth:
             colour = self._ground.colour(roots[:, 0], roots[:, 1])
             colour *= 1.0 + grass.variety * (hues(tufts, dice) - 1.0)
             colour *= 1.0 + grass.variety * lushness(roots[:, 0], roots[:, 1])[:, None] * LUSH
-            colour *= self._ground.light(roots[:, 0], roots[:, 1])[:, None]
+            colour *= self._ground.light(roots[:, 0], roots[:, 1])
             brightness = dice.uniform(0.92, 1.28, blades)
             tints[..., :3] = blade_tints(colour[tuft], brightness, *self._ends)
         whole = Patch(positions.astype(np.float32), vertices, tints, ranges.astype(np.float32))

@@ -52,7 +52,8 @@ def built_from(settings: Settings) -> tuple[object, ...]:
     used = [*grass_built_from(settings), grass.tufts, grass.arch, grass.variety, grass.fade]
     used += [grass.tinted, grass.radius if grass.fade else None]
     if grass.tinted:
-        used += [ground.large_texture, ground.texture_size, *cast_from(settings)]
+        used += [ground.large_texture, ground.texture_size, settings.sun.tint]
+        used += cast_from(settings)
     return tuple(used)
 
 
@@ -159,7 +160,9 @@ class Meadow:
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
-            if tinted is not None:
+            if tinted is None:
+                gl.glColor3f(*self._settings.sun.tint)
+            else:
                 # Twice texture times tint: a tint can make a blade lighter than its texture.
                 gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
                 gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)

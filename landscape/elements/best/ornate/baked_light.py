@@ -15,6 +15,7 @@ import numpy as np
 
 from landscape.elements.best.ornate.ornate_masonry import BAND, KEEP, ROOFED
 from landscape.elements.best.ornate.roofs import CONE, KEEP_ROOF
+from landscape.elements.castle_fire import FLAME_Z, TORCHES
 from landscape.elements.sun import direction
 from landscape.geometry.masonry import CORNERS, FOOT, TOWER_RADIUS, TOWER_TOP, WALL, wall_boxes
 from landscape.geometry.mesh import Mesh
@@ -32,6 +33,9 @@ BOUNCE = np.array([0.30, 0.29, 0.22])  # fraction of the sky's light the ground 
 CONTACT = 0.10  # units over which the ground darkens the foot of a wall
 LATTICE = 32  # lattice points per side of the noise, which then repeats
 RUNS = 0.24  # length in units of the streaks that rain leaves under a ledge
+FLAME_Y = 0.26  # height of the flames' middle
+FLAME = np.array([1.10, 0.55, 0.20])  # their light, RGB
+NEAR = 0.24  # units from a flame at which its light is half as strong
 EXPOSURE = 1.08  # times the light, as the weathering darkens the stones
 
 
@@ -168,11 +172,26 @@ def weather(places: np.ndarray) -> np.ndarray:
     return np.asarray(np.clip(grey[:, None] * (1.0 + warm - green), 0.0, 1.0))
 
 
-def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.ndarray:
+def torchlight(places: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    """Return the light (n, 3) that the two flames cast on places with normals (n, 3)."""
+    total = np.zeros((len(places), 1))
+    for x in TORCHES:
+        line = np.array([x, FLAME_Y, FLAME_Z]) - places
+        far = np.linalg.norm(line, axis=1)
+        facing = np.maximum((normals * line).sum(axis=1) / np.maximum(far, 1e-6), 0.0)
+        total[:, 0] += (0.25 + 0.75 * facing) * (normals[:, 2] < 0.5) / (1.0 + (far / NEAR) ** 2)
+    before = np.clip(1.0 - places[:, 2:] / 0.1, 0.0, 1.0)  # the walls hide what is behind them
+    return np.asarray(total * before * FLAME)
+
+
+def light(
+    places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float, torches: float = 0.0
+) -> np.ndarray:
     """Return the colours (n, 3) that multiply OpenGL's light at places with normals (n, 3).
 
     They combine the unblocked light of sun and sky with the weathering. OpenGL clamps its lighting
-    at 1, where the sun adds little to the sky's light, so these may exceed 1. ``yaw`` in degrees.
+    at 1, where the sun adds little to the sky's light, so these may exceed 1. ``yaw`` in degrees;
+    ``torches`` (0..1) is the strength of the flames' light.
     """
     towards = turned_sun(sun, yaw)
     across = np.array([-towards[0], 0.5, -towards[2]]) / math.hypot(towards[0], towards[2], 0.5)
@@ -185,6 +204,7 @@ def light(places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float) -> np.n
     seen = (up * sky + (1.0 - up) * BOUNCE * ground) / (up + (1.0 - up) * BOUNCE)
     sunny = open_to(places, normals, around(towards, SUN_RAYS, PENUMBRA))[:, None]
     left = EXPOSURE * ((ambient + fill) * seen + direct * sunny)
+    left += torches * torchlight(places, normals)
     # Where no light comes from anywhere, there is none to block.
     lit = np.clip(ambient + fill + direct, 1e-6, 1.0)
     return np.asarray(left / lit * weather(places))
@@ -219,7 +239,7 @@ def spread(rows: np.ndarray, wide: int, high: int) -> np.ndarray:
 
 
 def light_map(
-    mesh: Mesh, strips: Sequence[np.ndarray], sun: Sun, yaw: float
+    mesh: Mesh, strips: Sequence[np.ndarray], sun: Sun, yaw: float, torches: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the light map, uint8 (SIDE, SIDE, 3), and texture coordinates in it, float32 (n, 2).
 
@@ -246,7 +266,7 @@ def light_map(
         boxes.append((slice(y, y + high), slice(x, x + wide)))
     facing = np.concatenate(normals)
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-9)
-    shades = np.minimum(light(np.concatenate(places), facing, sun, yaw) / 2.0, 1.0)
+    shades = np.minimum(light(np.concatenate(places), facing, sun, yaw, torches) / 2.0, 1.0)
     colours = np.asarray(shades * 255 + 0.5, np.uint8)
     first = 0
     for box, points in zip(boxes, places, strict=True):

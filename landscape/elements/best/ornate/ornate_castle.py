@@ -19,6 +19,7 @@ from landscape.elements.best.ornate.ornate_masonry import KEEP, ornate_masonry
 from landscape.elements.best.ornate.pennants import draw_pennants
 from landscape.elements.best.ornate.roofs import MASTS, ornate_outlines, roofs
 from landscape.elements.castle import Castle
+from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.frame import Frame
@@ -35,8 +36,8 @@ from landscape.settings import Settings
 
 REACH = 1.8  # chosen: radius of the castle's bounding sphere, centred in the walls
 SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
+BY_DAY = 0.5  # chosen: fraction of the flickering glow that is visible; torches add to it
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
-BY_DAY = 0.5  # chosen: fraction of the torches' glow that is visible in sunlight
 
 
 def castle_class(settings: Settings) -> type[Castle]:
@@ -54,8 +55,8 @@ class OrnateCastle(CastleInOnePass):
         castle, sun = settings.castle, settings.sun
         bricks, strips = ornate_masonry(castle.brick_repeat)
         picture, lit = recall(
-            ["castle's light", repr((castle.brick_repeat, castle.yaw, sun))],
-            lambda: light_map(bricks, strips, sun, castle.yaw),
+            ["castle's light", repr((castle.brick_repeat, castle.yaw, castle.torches, sun))],
+            lambda: light_map(bricks, strips, sun, castle.yaw, castle.torches),
         )
         self._bricks = replace(bricks, coordinates=(*bricks.coordinates, lit))
         self._light_map = Texture(picture, repeat=False, mipmaps=False)
@@ -66,7 +67,7 @@ class OrnateCastle(CastleInOnePass):
         """Return the settings that the lists and the light map were made from."""
         castle = settings.castle
         place = castle.x, castle.z, castle.yaw, castle.brick_repeat
-        return *place, castle.ornate, settings.sun
+        return *place, castle.ornate, castle.torches, settings.sun
 
     def _light_image(self, image: np.ndarray) -> np.ndarray:
         glow = super()._light_image(image)
@@ -134,7 +135,8 @@ class OrnateCastle(CastleInOnePass):
             return
         super()._draw_fire(frame)
         gl.glDisable(gl.GL_TEXTURE_2D)
-        draw_pennants(frame.kt)
+        sun = self._settings.sun
+        draw_pennants(frame.kt, painted(sun, direction(sun)[1]))
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""

@@ -34,14 +34,17 @@ def pennant(kt: np.ndarray | float, length: np.ndarray | float) -> np.ndarray:
     return out.reshape(*length.shape[:-1], 12, 3)
 
 
-def pennant_vertices(kt: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return all pennants as quads: colours uint8 (n, 4), places float32 (n, 3)."""
+def pennant_vertices(kt: float, light: np.ndarray | float = 1.0) -> tuple[np.ndarray, np.ndarray]:
+    """Return all pennants as quads: colours uint8 (n, 4), places float32 (n, 3).
+
+    ``light`` (3,) multiplies their colour.
+    """
     strips = pennant(kt + PHASE, LENGTH)
     wave = strips[:, ::2, 2]
     lean = (wave[:, AFTER] - wave[:, BEFORE]) / SPAN
     shades = np.clip(0.85 + 4.0 * lean, 0.5, 1.0)[:, QUADS // 2]
     colours = np.full((*shades.shape, 4), 255, np.uint8)
-    colours[..., :3] = shades[..., None] * (255.0 * np.array(PENNANT))
+    colours[..., :3] = shades[..., None] * (255.0 * np.array(PENNANT) * light)
     places = strips[:, QUADS]
     places += TOP[:, None]
     return colours.reshape(-1, 4), places.reshape(-1, 3)
@@ -65,9 +68,9 @@ def packed_by_hand(colours: np.ndarray, places: np.ndarray) -> bytes:
     )
 
 
-def draw_pennants(kt: float) -> None:
-    """Draw the pennants on their masts; both sides are visible."""
-    colours, places = pennant_vertices(kt)
+def draw_pennants(kt: float, light: np.ndarray | float = 1.0) -> None:
+    """Draw the pennants on their masts in a light (3,); both sides are visible."""
+    colours, places = pennant_vertices(kt, light)
     gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
     gl.glInterleavedArrays(gl.GL_C4UB_V3F, 0, interleaved(colours, places))
     gl.glDrawArrays(gl.GL_QUADS, 0, len(places))

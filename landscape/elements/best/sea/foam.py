@@ -1,4 +1,4 @@
-"""Foam: small breakers that run out on the beaches, white along the water's edge (``water.foam``).
+"""Foam: small breakers that run out on the beaches, pale along the water's edge (``water.foam``).
 
 Technique: the triangles of the ground's grid along the coast, lifted to the water's level, in a
 display list: no vertex is sent again. Unit 0 holds a picture of the breakers, time along s and
@@ -10,6 +10,7 @@ State used: two texture units, texture matrices, GL_BLEND, polygon offset, no de
 
 import numpy as np
 
+from landscape.elements.sun import painted
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import grid_triangles
@@ -27,6 +28,7 @@ PROFILE = (256, 128)  # chosen: texels of the breakers' texture, times and depth
 LACE = 256  # chosen: texels per side of the lace
 LACE_REPEAT = 0.9  # chosen: tiles of lace per unit
 COLOUR = (0.95, 0.97, 0.97)  # chosen: RGB
+FACING = 0.2  # chosen: cosine of the angle at which the sun shines on it, whatever its height
 
 
 def breakers(times: int, depths: int) -> np.ndarray:
@@ -102,9 +104,10 @@ def alpha_only(alpha: np.ndarray) -> np.ndarray:
 class Foam:
     """The foam along all coasts."""
 
-    def __init__(self, field: HeightField) -> None:
+    def __init__(self, settings: Settings, field: HeightField) -> None:
         """Make the textures and compile the list."""
         self._level = field.water_level
+        self.apply(settings)
         self._profile = Texture(alpha_only(breakers(*PROFILE)))
         self._profile.bind()
         gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_WRAP_T, gl.GL_CLAMP_TO_EDGE)
@@ -120,20 +123,25 @@ class Foam:
         self._list = DisplayList(send)
 
     def apply(self, settings: Settings) -> bool:
-        """Return whether the foam is also right for new settings: at the same water level."""
-        return settings.water.level == self._level
+        """Apply new settings; return False, changing nothing, at another water level."""
+        if settings.water.level != self._level:
+            return False
+        # Spray is as bright from all sides, as it scatters light.
+        self._light = painted(settings.sun, FACING)
+        return True
 
     def draw(self, frame: Frame) -> None:
         """Blend the foam of the frame's kt over the water."""
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
-        with attrib(groups | gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT):
+        groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT
+        with attrib(groups):
             gl.glDisable(gl.GL_LIGHTING)
             gl.glDepthMask(gl.GL_FALSE)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-1.0, -2.0)
-            gl.glColor4f(*COLOUR, 1.0)
+            gl.glColor3f(*(self._light * COLOUR))
             gl.glMatrixMode(gl.GL_TEXTURE)
             with matrix():
                 # Reduced to one period: float32 has too few digits for a large kt.

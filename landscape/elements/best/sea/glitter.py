@@ -19,7 +19,7 @@ from landscape.gl.state import attrib, client_arrays, combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-SPREAD = 0.15  # chosen: standard deviation of the slopes of ripples too small for the grid
+LONG = 3.0  # chosen: a strip of the grid is too long if its far side is so many times farther
 FAINT = 0.22  # chosen: intensity of the sun below which even the strongest sparks stay dark
 PEAK = 0.42  # chosen: alpha in the middle of the path
 TILES = (2.6, 3.7)  # chosen: tiles of sparks per unit, by layer
@@ -40,11 +40,16 @@ def sparks(size: int = SIZE, seed: int = 2006) -> np.ndarray:
 
 
 def sun_intensity(
-    grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray, towards: np.ndarray
+    grid: EyeGrid,
+    slope_x: np.ndarray,
+    slope_z: np.ndarray,
+    towards: np.ndarray,
+    spread: float,
 ) -> np.ndarray:
     """Return 0..1, (rows, columns): how strongly each place mirrors the sun to the eye.
 
-    ``towards`` (3,) is the direction of the sun. The normal that mirrors it is half-way between the
+    ``towards`` (3,) is the direction of the sun, ``spread`` the standard deviation of the slopes
+    of ripples too small for the grid. The normal that mirrors it is half-way between the
     sun and the line of sight; the intensity is a Gaussian of the difference between the slope and
     that normal's slope.
     """
@@ -52,7 +57,7 @@ def sun_intensity(
     half_z = towards[2] - grid.ring[:, None] / grid.sight * grid.south
     half_y = towards[1] + grid.height / grid.sight
     off = np.square(slope_x + half_x / half_y) + np.square(slope_z + half_z / half_y)
-    return np.exp(off * np.float32(-0.5 / SPREAD**2))
+    return np.exp(off * np.float32(-0.5 / spread**2))
 
 
 def bright_triangles(triangles: np.ndarray, intensity: np.ndarray) -> np.ndarray:
@@ -87,10 +92,14 @@ class Glitter:
         ``slopes`` are its slopes along x and z, (rows, columns) each.
         """
         vertices, places = surface
-        intensity = sun_intensity(grid, *slopes, sun.direction(settings.sun))
+        towards, spread = sun.direction(settings.sun), settings.water.roughness
+        intensity = sun_intensity(grid, *slopes, towards, spread)
         if settings.fog.enabled and settings.fog.mode == "exp2":
             intensity *= visibility(grid.sight, settings.fog.density).astype(np.float32)
-        triangles = bright_triangles(grid.triangles, intensity)
+        # The strip up to the horizon is so long that its texture coordinates are inexact.
+        first = int(grid.ring[0] > LONG * grid.ring[1])
+        strip = 2 * (intensity.shape[1] - 1)
+        triangles = bright_triangles(grid.triangles[first * strip :], intensity[first:])
         if not len(triangles):
             return
         colors = np.empty((len(vertices), 4), np.float32)

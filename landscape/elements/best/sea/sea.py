@@ -133,7 +133,7 @@ class Sea:
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             floor = cut_level(self._settings)
             if self._shallows is not None and floor < water.level:
-                self._shallows.draw_floor(floor)
+                self._shallows.draw_floor(floor, self._settings.sun)
             lit(self._settings.shading)
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             with (

@@ -9,12 +9,13 @@ State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 
 import numpy as np
 
+from landscape.elements.sun import direction, painted
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import gl
 from landscape.gl.draw import level_square
 from landscape.gl.state import attrib, combine
 from landscape.gl.texture import Texture
-from landscape.settings import Settings
+from landscape.settings import Settings, Sun
 
 SEEN = 0.45  # chosen: units of depth below which no bottom shows through the water
 CLEAR = 0.085  # chosen: units of depth that hide two thirds of the bottom
@@ -65,15 +66,16 @@ class Shallows:
         """Return texture coordinates (n, 2) of places x, z (n, 2) in units."""
         return places / np.float32(self._size)
 
-    def draw_floor(self, level: float) -> None:
+    def draw_floor(self, level: float, sun: Sun) -> None:
         """Draw the plane that closes the sea at ``level``, where the ground is cut.
 
         Without fog: that is computed at the vertices, and the square's corners are far away.
         """
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT):
+        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
+        with attrib(groups):
             for cap in (gl.GL_BLEND, gl.GL_LIGHTING, gl.GL_TEXTURE_2D, gl.GL_FOG):
                 gl.glDisable(cap)
-            gl.glColor3f(*FLOOR)
+            gl.glColor3f(*(painted(sun, direction(sun)[1]) * FLOOR))
             level_square(0.0, self._size, level)
 
     def set_unit(self) -> None:

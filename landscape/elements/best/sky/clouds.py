@@ -8,6 +8,7 @@ State used: GL_TEXTURE_2D, GL_BLEND, no depth writes, texture matrix. SkyBox res
 
 import numpy as np
 
+from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -16,11 +17,13 @@ from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.state import client_arrays, matrix
 from landscape.gl.texture import Texture
+from landscape.settings import Settings, Sun
 
 RINGS = (0.0, 0.5, 1.2, 2.2, 3.8, 6.0)  # chosen: radii of the disc, its height being 1
 SIDES = 24  # chosen: sectors of the disc
 ALPHA = 0.75  # chosen: opacity overhead
 REPEAT = 0.3  # chosen: textures per unit of the disc
+PINK = np.array([0.95, 0.86, 1.18])  # chosen: times a low sun's colour, as redder light gets there
 DRIFT = (0.00013, -0.00005)  # chosen: textures per kt, east and south
 
 
@@ -41,13 +44,21 @@ def cloud_disc() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     return vertices, colors, coordinates, grid_triangles(SIDES + 1, len(RINGS))
 
 
+def cloud_light(vertices: np.ndarray, sun: Sun) -> np.ndarray:
+    """Return the colours (n, 3) of a disc's vertices (n, 3): warm in the direction of the sun."""
+    out = vertices[:, [0, 2]] / np.maximum(np.hypot(vertices[:, 0], vertices[:, 2]), 1.0)[:, None]
+    light = painted(sun, out @ direction(sun)[[0, 2]])
+    return light * PINK if sun.relit else light
+
+
 class Clouds:
     """The cloud layer; SkyBox draws it around the eye, and restores the state."""
 
-    def __init__(self, assets: Assets) -> None:
-        """Load the picture and compile the disc."""
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Load the picture and compile the disc in the light of the settings."""
         self._texture = Texture(read_image(assets.path("clouds.png")), trilinear=False)
         vertices, colors, coordinates, triangles = cloud_disc()
+        colors[:, :3] = cloud_light(vertices, settings.sun)
 
         def send() -> None:
             gl.glEnable(gl.GL_TEXTURE_2D)

@@ -6,7 +6,7 @@ is sorted, so each half of a crossed quad can have its own place in the order. T
 in ``elements/transparent_elements.py``. No OpenGL here.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -49,6 +49,12 @@ class Quads:
             (bases + pattern).reshape(-1, 6),
             depth.ravel() if depth.ndim == 2 else np.repeat(depth, len(pattern)),
         )
+
+    def lit(self, light: np.ndarray) -> "Quads":
+        """Return these quads in one light (3,), which multiplies their colours."""
+        colours = self.colours.copy()
+        colours[:, :3] = colours[:, :3] * light
+        return replace(self, colours=colours)
 
     @staticmethod
     def join(parts: "list[Quads]") -> "Quads":

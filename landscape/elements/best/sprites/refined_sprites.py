@@ -122,7 +122,8 @@ class RefinedSprites:
         sunward = direction(self._settings.sun)[[0, 2]]
         step = SUNWARD * self.sprites.sizes[plants, 1:] * sunward
         x, z = (self.sprites.positions[plants][:, [0, 2]] + step).T
-        self.sprites.tints[plants, :3] *= ground.light(x, z)[:, None] ** SHADE
+        shadow = ground.light(x, z) / self._settings.sun.tint
+        self.sprites.tints[plants, :3] *= np.minimum(shadow, 1.0) ** SHADE
         self._view = None
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:

@@ -18,9 +18,11 @@ from landscape.elements.best.sprites.refined_quads import (
     points_of,
     smoothstep,
 )
+from landscape.elements.best.sprites.relighting import changes, corner_light, light_at, lit
 from landscape.elements.best.sprites.rules import clearness, crossing
 from landscape.elements.best.sprites.slope_billboards import slope_axes, upright_axes
 from landscape.elements.planting import PLANT
+from landscape.elements.sun import direction, painted
 from landscape.elements.transparent_elements import HALVES, QUAD, billboards
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
@@ -70,14 +72,19 @@ class SpritesInView:
         single, crossed = crossing(settings, seen.away[plants])
         alpha = seen.alpha.copy()
         alpha[plants] *= single
-        parts = self._boards(frame, settings, choice, seen, alpha)
+        light = corner_light(settings.sun, frame) if changes(settings.sun) else None
+        parts = self._boards(frame, settings, choice, seen, alpha, light)
         crossed *= seen.alpha[plants]
         near = np.flatnonzero(crossed)
         if len(near):
-            parts.append(self._crossed(frame, settings, choice, seen, near, crossed[near]))
+            crosses = self._crossed(frame, settings, choice, seen, near, crossed[near])
+            # Their quads stand at all angles: each has the mean light.
+            parts.append(crosses if light is None else crosses.lit(light.mean(axis=0)))
         top = np.flatnonzero(choice.topped & (seen.below > COMES[0]))
         if len(top):
-            parts.append(self._from_above(frame, settings, choice, seen, top))
+            crowns = self._from_above(frame, settings, choice, seen, top)
+            overhead = painted(settings.sun, float(direction(settings.sun)[1]))
+            parts.append(crowns if light is None else crowns.lit(overhead))
         quads = Quads.join(parts) if len(parts) > 1 else parts[0]
         return (
             np.ascontiguousarray(quads.vertices, np.float32),
@@ -119,11 +126,18 @@ class SpritesInView:
         return Seen(away, below, frame.depth(choice.positions), alpha)
 
     def _boards(
-        self, frame: Frame, settings: Settings, choice: Choice, seen: Seen, alpha: np.ndarray
+        self,
+        frame: Frame,
+        settings: Settings,
+        choice: Choice,
+        seen: Seen,
+        alpha: np.ndarray,
+        light: np.ndarray | None,
     ) -> list[Quads]:
         """Return the billboards of ``alpha`` (n,) over 0: trees, deer, and plants far away.
 
-        Corners and colours are computed for all sprites, which costs less than selecting some.
+        ``light`` (4, 3) is the light at their corners, None the one that is painted in. Corners and
+        colours are computed for all sprites, which costs less than selecting some.
         """
         right, up = (
             upright_axes(frame.right) if settings.transparent.upright else (frame.right, frame.up)
@@ -147,7 +161,7 @@ class SpritesInView:
             Quads(
                 quads.reshape(-1, 3),
                 choice.st.reshape(-1, 2),
-                colours.reshape(-1, 4),
+                (colours if light is None else lit(colours, light)).reshape(-1, 4),
                 choice.triangles[far],
                 seen.depth[far],
             )
@@ -155,7 +169,10 @@ class SpritesInView:
         if len(near):
             corners, st = (box[near] for box in choice.boxes)
             boxes = points_of(quads[near], corners)
-            parts.append(Quads.of(boxes, st, colours[near, 0], TWO_BOXES, seen.depth[near]))
+            own = colours[near, 0]
+            if light is not None:
+                own = lit(own[:, None], light_at(light, corners))
+            parts.append(Quads.of(boxes, st, own, TWO_BOXES, seen.depth[near]))
         return parts
 
     def _crossed(

@@ -14,12 +14,13 @@ import numpy as np
 from PIL import Image, ImageFilter
 
 from landscape.elements.best.sprites.refined_planting import planted_from
+from landscape.elements.best.terrain import wanted
 from landscape.elements.planting import Sprites
 from landscape.geometry.height_field import HeightField
-from landscape.settings import Settings
+from landscape.settings import Settings, Sun
 
+LIGHT_LEFT = np.array(Sun().shade, np.float32)  # fraction of the colour in full shadow, at noon
 # All chosen.
-LIGHT_LEFT = np.array([0.50, 0.53, 0.58], np.float32)  # fraction of the colour in full shadow
 SKY_HIDDEN = 0.38  # fraction of the light lost right at the foot of an object
 SKY_TEXELS = 4  # shadow texels per texel of the shade from the blocked sky, which is soft
 SAMPLES_PER_TEXEL = 1.3  # along each side, so that there are no gaps between points
@@ -32,13 +33,21 @@ FINEST = (
 MOST_REACH = 12  # texels of the blocked sky around a foot; a larger shade has a coarser map
 AT_ONCE = 1 << 21  # points of shadow in memory at a time
 FLATTEST = 0.35  # least rise over run of the sunlight along the ground; limits long shadows
+LOWEST = 0.22  # the same for a sun that is lower than that
+
+
+def light_is_baked(settings: Settings) -> bool:
+    """Return whether the large texture is multiplied by a light map; the plain ground's never."""
+    sun = settings.sun
+    relit = (sun.relit or sun.tint != Sun().tint) and wanted(settings)
+    return settings.ground.shadows or relit
 
 
 def cast_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the shadows depend on: the land, the sun, and what stands there."""
+    """Return the settings that the light map depends on: land, sun, and what casts shadows."""
     castle, rabbit = settings.castle, settings.rabbit
     if not settings.ground.shadows:
-        return ()
+        return (settings.sun,) if light_is_baked(settings) else ()
     stands = castle.yaw, castle.brick_repeat, castle.ornate, rabbit.mesh, rabbit.yaw
     return settings.sun, *stands, *planted_from(settings)
 
@@ -57,6 +66,9 @@ class ShadowMap:
         self.field, self._picture = field, side
         self.side = max(min(side, int(field.size / FINEST)), 1)
         self._sun = np.asarray(sun, np.float64)
+        rise = self._sun[1] / max(float(np.hypot(self._sun[0], self._sun[2])), 1e-6)
+        self._flattest = min(FLATTEST, max(float(rise), LOWEST))
+        self.longer = FLATTEST / self._flattest  # shadows, than the longest at noon
         self._shadow = np.zeros((self.side, self.side))
         self._sky = np.zeros((max(self.side // SKY_TEXELS, 1),) * 2)
 
@@ -77,7 +89,7 @@ class ShadowMap:
         x, z, step = feet[:, 0], feet[:, 2], 2.0 * self.texel
         ahead = self.field.terrain_height(x + step * away[0], z + step * away[1])
         behind = self.field.terrain_height(x - step * away[0], z - step * away[1])
-        steep = np.maximum(self._sun[1] / level + (ahead - behind) / (2 * step), FLATTEST)
+        steep = np.maximum(self._sun[1] / level + (ahead - behind) / (2 * step), self._flattest)
         return np.asarray(away / steep[:, None])
 
     def darken(self, x: np.ndarray, z: np.ndarray, amount: np.ndarray) -> None:
@@ -123,14 +135,18 @@ class ShadowMap:
         else:  # the same sums, several times as fast for many points
             image += np.bincount(at, amount[inside], image.size).reshape(side, side)
 
-    def light(self) -> np.ndarray:
-        """Return the factor for the picture's colours, uint8 (n, n, 3), 255 in full light."""
+    def light(self, lit: np.ndarray | float = 1.0, left: np.ndarray = LIGHT_LEFT) -> np.ndarray:
+        """Return the factor for the picture's colours, uint8 (n, n, 3), 255 in full light.
+
+        ``lit`` is its value in the sun, (side, side, 3) or less, and ``left`` (3,) in full shadow.
+        """
         covered = Image.fromarray((np.clip(self._shadow, 0, 1) * 255).astype(np.uint8))
         soft = np.asarray(covered.filter(ImageFilter.GaussianBlur(SOFTNESS)), np.float32) / 255
         sky = Image.fromarray(np.exp(-self._sky).astype(np.float32))
         sky = sky.resize((self.side, self.side), Image.Resampling.BILINEAR)
-        light = soft[..., None] * (LIGHT_LEFT - 1)
-        light += 1
+        lit = np.asarray(lit, np.float32)
+        light = soft[..., None] * (left - lit)
+        light += lit
         light *= np.asarray(sky)[..., None] * np.float32(255)
         light += 0.5
         found = light.astype(np.uint8)
@@ -160,7 +176,9 @@ def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray
         offset = shadows.offset(feet).astype(np.float32)
         across = offset[:, ::-1] * (1, -1) / np.maximum(np.hypot(*offset.T), 1e-6)[:, None]
         wanted = sizes.max(axis=0) / shadows.texel * (SAMPLES_PER_TEXEL, 1.6 * SAMPLES_PER_TEXEL)
-        most = min(MOST_SAMPLES, max((MOST_POINTS / len(mine)) ** 0.5, 2))
+        wanted[1] *= shadows.longer
+        most = np.array([1.0, shadows.longer])
+        most *= min(MOST_SAMPLES, max((MOST_POINTS / len(mine)) ** 0.5, 2))
         columns, rows = np.clip(np.ceil(wanted), 2, most).astype(int)
         small = Image.fromarray(picture).resize((columns, rows), Image.Resampling.BOX)
         alpha = np.asarray(small, np.float32) / 255

@@ -16,7 +16,9 @@ from functools import partial
 import numpy as np
 
 from landscape.elements.best.sea.shallows import cut_level
+from landscape.elements.best.terrain import wanted
 from landscape.elements.best.terrain.materials import mix_units, rock_share, textured, turf_alpha
+from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.tiles import Tile, boxes, cut, every_second
 from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
@@ -39,9 +41,7 @@ from landscape.settings import Settings
 
 def ground_class(settings: Settings) -> type[Ground]:
     """Return the class whose ground these settings describe."""
-    ground = settings.ground
-    wanted = ground.materials or ground.tiles > 1 or ground.low_stretch or ground.shadows
-    return Terrain if wanted else Ground
+    return Terrain if wanted(settings) else Ground
 
 
 def shaded(painted: np.ndarray, light: np.ndarray) -> np.ndarray:
@@ -145,12 +145,17 @@ class Terrain(Ground):
         """Return an empty shadow map, as large as the large texture; ``light`` (3,) is the sun."""
         return ShadowMap(self.field, light, len(self.large))
 
+    def open_light(self, side: int) -> np.ndarray:
+        """Return the light's colour where nothing casts a shadow, (side, side, 3) or (3,)."""
+        return relief_light(self.field, self._settings.sun, side)
+
     def shade(self, light: np.ndarray) -> None:
         """Multiply the large texture by a light map, uint8 (n, n, 3), 255 full light.
 
         ``n`` is the large texture's side. :meth:`colour` still returns the unshaded colour.
         """
-        self._light = light[..., 1]
+        # By day, shadows change only the brightness of what grows in them.
+        self._light = light if self._settings.sun.relit else light[..., [1, 1, 1]]
         painted = shaded(self._painted, light)
         self._splat.bind()
         height, width, channels = painted.shape
@@ -161,7 +166,7 @@ class Terrain(Ground):
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return the fraction of light that the shadows leave at x, z in units, (n,) in 0..1."""
+        """Return the light at x, z in units, shadows included: a factor (n, 3) on colours."""
         if self._light is None:
             return super().light(x, z)
         return lookup(self._light, np.asarray(x) / self.size, np.asarray(z) / self.size) / 255.0
