@@ -39,7 +39,9 @@ def run(case: Case, folder: Path) -> tuple[int, list[str]]:
     os.dup2(text.fileno(), 2)
     out = io.StringIO()
     try:
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(os.fdopen(os.dup(2), "w")):
+        # As Python's own: a name that the encoding lacks is no error.
+        shown = os.fdopen(os.dup(2), "w", encoding="utf-8", errors="backslashreplace")
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(shown):
             if case.expression:
                 status, value, wrong = evaluate(case.expression)
             else:
