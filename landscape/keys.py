@@ -123,6 +123,24 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     return settings
 
 
+def passing(settings: Settings, defaults: Settings, changes: Mapping[str, Any]) -> Settings:
+    """Return settings with changes; a word among them takes back the table of the former one.
+
+    ``defaults`` are the settings of the preset. What has the value that the former word gives it
+    there gets the value of the new word; the user's values stay.
+    """
+    given: dict[str, Any] = {}
+    for key in changes.keys() & words(type(settings)).keys():
+        tables = words(type(settings))[key].values()
+        then, now = (
+            with_settings(defaults, {key: value}) for value in (get(settings, key), changes[key])
+        )
+        for name in {name for table in tables for name in table}:
+            own = get(settings, name)
+            given[name] = get(now, name) if own == get(then, name) else own
+    return with_settings(settings, given | dict(changes))
+
+
 def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name: str) -> Settings:
     """Return settings with a preset's differences; InputError if there is none of that name."""
     if not isinstance(name, str) or name not in presets:

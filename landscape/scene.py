@@ -179,24 +179,6 @@ class Scene:
             merged |= keys.current_names(self.settings, each)[0]
         return keys.with_settings(values, merged)
 
-    def passing(
-        self, settings: Any, preset: str | None, changes: Mapping[str, Any]
-    ) -> Mapping[str, Any]:
-        """Return changes of settings of a preset, completed if the time of day is one of them.
-
-        Only what has the value of the preset at its own time of day changes with it: the user's
-        values stay. ``preset`` may be None, the default.
-        """
-        if "time" not in changes:
-            return changes
-        tables = keys.words(type(settings))["time"]
-        then, now = (self.values(preset, {"time": t}) for t in (settings.time, changes["time"]))
-        passed: dict[str, Any] = {}
-        for key in sorted({key for table in tables.values() for key in table}):
-            own = keys.get(settings, key)
-            passed[key] = keys.get(now, key) if own == keys.get(then, key) else own
-        return passed | dict(changes)
-
     def preset_of(self, view: View) -> str:
         """Return the preset a view is drawn with unless another is asked for."""
         return view.preset or self.preset

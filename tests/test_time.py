@@ -16,7 +16,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import HeightField
 from landscape.island import SCENE, Island
-from landscape.keys import get, read_toml, with_settings
+from landscape.keys import get, passing, read_toml, with_settings
 from landscape.render import Offscreen
 from landscape.scene import Moment
 from landscape.settings import PRESETS, TIMES, Settings, preset
@@ -76,9 +76,9 @@ def test_an_unknown_time_of_day_is_refused_in_one_line(tmp_path: Path) -> None:
 
 def test_another_time_changes_what_the_user_has_not_set() -> None:
     own = SCENE.values("best", {"sun.elevation": 20.0, "time": "sunset"})
-    back = with_settings(own, SCENE.passing(own, "best", {"time": "noon"}))
+    back = passing(own, preset("best"), {"time": "noon"})
     assert back == with_settings(preset("best"), {"sun.elevation": 20.0})
-    assert with_settings(back, SCENE.passing(back, "best", {"time": "sunset"})) == own
+    assert passing(back, preset("best"), {"time": "sunset"}) == own
 
 
 # The light, as arrays

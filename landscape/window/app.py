@@ -70,8 +70,7 @@ class Walk:
         self.resizer = Resizer()
         self._size = (0, 0)
         self.hands = Hands(system_name)
-        self._preset = plan.preset or None
-        self._chooser = Chooser(self._kind.values(self._preset))
+        self._chooser = Chooser(self._kind.values(plan.preset or None))
         self._row, self._done = "", ""
         self._scene: OpenScene | None = None
         self._panel: Panel | None = None
@@ -257,8 +256,7 @@ class Walk:
     def _apply(self, changes: Mapping[str, Any]) -> None:
         """Change settings; open the scene again if it cannot take them as it is."""
         assert self._scene is not None
-        changes = self._kind.passing(self.settings, self._preset, changes)
-        self.settings = keys.with_settings(self.settings, changes)
+        self.settings = keys.passing(self.settings, self._chooser.defaults, changes)
         if not self._scene.apply(self.settings):
             former = self._scene
             self._wait("rebuilding")
@@ -308,8 +306,7 @@ class Walk:
         self._say(f"{fix.name}  {fix.title}: {self._word('fix.on' if on else 'fix.off')}")
 
     def _tell(self, name: str, value: keys.Value) -> None:
-        state = ("on" if value else "off") if isinstance(value, bool) else value
-        self._say(self._word(f"{name}.{state}"))
+        self._say(words.state(self._language, name, value))
 
     def draw(self) -> None:
         """Draw the frame and the panel into the window's back buffer."""

@@ -3,6 +3,8 @@
 import re
 from collections.abc import Mapping
 
+from landscape.keys import Value
+
 
 def typeset(french: str) -> str:
     """Return a French text with no-break spaces before its high punctuation and inside « »."""
@@ -162,3 +164,9 @@ def text(language: str, key: str, **words: str) -> str:
     """Return a text in a language, else in English; ``words`` fill its {placeholders}."""
     table = TEXTS.get(language, {})
     return table.get(key, TEXTS["en"][key]).format(**words)
+
+
+def state(language: str, name: str, value: Value) -> str:
+    """Return the message that a switch is on or off, or what it is set to."""
+    found = ("on" if value else "off") if isinstance(value, bool) else value
+    return text(language, f"{name}.{found}")
