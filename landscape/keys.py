@@ -16,7 +16,10 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from landscape.errors import InputError, short
+from landscape.files.input import read_bounded
 
+MOST_TOML = 128 << 10  # bytes, chosen: all settings with a long comment each take a third of it
+LONGEST_LINE = 1000  # characters, chosen
 Value = bool | int | float | str | tuple[float, ...]
 Settings = TypeVar("Settings")
 Field = dataclasses.Field[Any]
@@ -209,11 +212,14 @@ def _negated(value: Any) -> Any:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Read a TOML file of settings into a flat table of dotted keys."""
+    data = read_bounded(path, MOST_TOML)
     try:
         # "utf-8-sig": some Windows editors begin a file with a byte order mark.
-        tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from error
+        text = data.decode("utf-8-sig").replace("\r\n", "\n")
+        # The parser's memory grows with the square of the number of dots in a key.
+        if max(map(len, text.split("\n"))) > LONGEST_LINE:
+            raise ValueError(f"a line of more than {LONGEST_LINE} characters")
+        tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # TOMLDecodeError and UnicodeDecodeError as well
         raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
     flat: dict[str, Any] = {}

@@ -8,6 +8,7 @@ import contextlib
 import ctypes.util
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -73,6 +74,15 @@ class Done:
         """Return the command's standard output, parsed as JSON."""
         assert self.status == 0, self.err
         return json.loads(self.out)
+
+
+def refused(done: Done, *words: str) -> None:
+    """Assert that a command ended with one error line that contains the words."""
+    assert done.status == 2, done
+    assert done.out == ""
+    assert re.fullmatch(r"landscape: [^\n]+\n", done.err), done.err
+    for word in words:
+        assert word in done.err
 
 
 def small_textures(folder: Path) -> None:

@@ -5,14 +5,13 @@ error that begins with "landscape: " and names the file or the key. No files are
 """
 
 import json
-import re
 import struct
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import Done, Shell
+from commands import Done, Shell, refused
 from PIL import Image
 
 from landscape import keys, settings
@@ -33,15 +32,6 @@ def process() -> Iterator[Shell]:
 def shell(process: Shell, tmp_path: Path) -> Shell:
     process.cwd = tmp_path
     return process
-
-
-def refused(done: Done, *words: str) -> None:
-    """Assert that a command ended with one error line that contains the words."""
-    assert done.status == 2, done
-    assert done.out == ""
-    assert re.fullmatch(r"landscape: [^\n]+\n", done.err), done.err
-    for word in words:
-        assert word in done.err
 
 
 def succeeded(done: Done, path: Path) -> np.ndarray:

@@ -12,7 +12,8 @@ PACKAGE = Path(__file__).resolve().parents[1] / "landscape"
 # but for a room's own modules.
 FLOORS = (
     ("errors", "frame"),
-    ("files", "keys"),
+    ("files",),
+    ("keys",),
     ("arguments", "conditions", "settings"),
     ("geometry",),
     ("gl",),

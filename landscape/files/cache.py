@@ -14,6 +14,7 @@ import hashlib
 import inspect
 import json
 import os
+import stat
 import zlib
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -30,6 +31,7 @@ NAME_BYTES = 20  # of the hash that names a file
 # both 4 bytes; the table of types and shapes as JSON; the arrays.
 HEAD_BYTES = len(MAGIC) + NAME_BYTES + 8
 MOST_BYTES = 400 << 20  # chosen: about five times what the shipped island takes
+MOST_HASHED = 1 << 30  # bytes of a file, chosen: what reads it accepts no larger one
 ALIGNED = 16  # bytes
 PACKAGE = Path(__file__).resolve().parents[1]
 Arrays = tuple[np.ndarray, ...]
@@ -100,17 +102,24 @@ def code_outside(make: Callable[..., Any]) -> bytes | None:
 
 
 def content(path: Path) -> bytes:
-    """Return a hash of a file's bytes; nothing if it cannot be read, which its reader reports."""
+    """Return a hash of a file's bytes; nothing if it cannot be read, which its reader reports.
+
+    Nothing, too, for a pipe or a device, which would be consumed, or never end.
+    """
     try:
-        stat = path.stat()
-        return _content(str(path), stat.st_mtime_ns, stat.st_size)
+        found = path.stat()
+        if not stat.S_ISREG(found.st_mode) or found.st_size > MOST_HASHED:
+            return b""
+        return _content(str(path), found.st_mtime_ns, found.st_size)
     except OSError:
         return b""
 
 
 @functools.lru_cache(maxsize=256)
 def _content(path: str, changed: int, size: int) -> bytes:
-    return hashlib.blake2b(Path(path).read_bytes(), digest_size=20).digest()
+    with open(path, "rb") as file:
+        hashed = hashlib.file_digest(file, lambda: hashlib.blake2b(digest_size=20))
+    return hashed.digest()
 
 
 def _read(path: Path) -> Arrays | None:
@@ -163,8 +172,8 @@ def _shrink(place: Path) -> None:
     files = []
     for path in place.glob("*.arrays"):
         with contextlib.suppress(OSError):
-            stat = path.stat()
-            files.append((stat.st_mtime_ns, stat.st_size, path))
+            found = path.stat()
+            files.append((found.st_mtime_ns, found.st_size, path))
     total = sum(size for _, size, _ in files)
     for _, size, path in sorted(files):
         if total <= MOST_BYTES:

@@ -8,7 +8,12 @@ from PIL import Image
 
 from landscape.errors import InputError
 from landscape.files.cache import content, recall
+from landscape.files.input import check_plain
 
+# Those whose pictures are drawn from nothing but their own bytes, by decoders in wide use.
+FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "TGA")
+MOST_PIXELS = 100_000_000  # chosen: 400 MB while it is decoded
+MOST_BYTES = 1 << 30  # chosen: more than MOST_PIXELS take uncompressed, at 16 bits a channel
 MAX_SIZE = 4096  # chosen: more texels than the largest window has pixels are of no use
 
 
@@ -23,21 +28,24 @@ def read_image(path: Path, mode: str = "RGBA", largest: int = MAX_SIZE) -> np.nd
 
 def _decoded(path: Path, mode: str, largest: int) -> np.ndarray:
     image = open_image(path)
-    if image.mode.startswith(("I", "F")):
-        image = Image.fromarray(_grey8(np.asarray(image)))
     if image.width > largest or image.height > largest:
         image.thumbnail((largest, largest), Image.Resampling.BOX)
+    if image.mode.startswith(("I", "F")):
+        image = Image.fromarray(_grey8(np.asarray(image)))
     return np.ascontiguousarray(image.convert(mode))
 
 
 def open_image(path: Path) -> Image.Image:
     """Open and decode an image; InputError where that fails."""
     try:
+        check_plain(path, MOST_BYTES)
         with warnings.catch_warnings(), path.open("rb") as file:
             # Pillow warns about large images, which are allowed, and about damage that it could
             # repair.
             warnings.simplefilter("ignore")
-            image: Image.Image = Image.open(file)
+            image: Image.Image = Image.open(file, formats=FORMATS)
+            if image.width * image.height > MOST_PIXELS:
+                raise Image.DecompressionBombError
             image.load()
             if image.mode == "P":
                 image = image.convert("RGBA" if "transparency" in image.info else "RGB")
@@ -45,8 +53,13 @@ def open_image(path: Path) -> Image.Image:
         raise InputError(f"{path}: no such image file") from None
     except IsADirectoryError:
         raise InputError(f"{path}: expected an image file, found a folder") from None
+    except PermissionError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    except InputError:
+        raise
     except Image.DecompressionBombError:
-        raise InputError(f"{path}: the image is too large; expected under 178 megapixels") from None
+        most = f"{MOST_PIXELS // 10**6} megapixels"
+        raise InputError(f"{path}: the image is too large; expected at most {most}") from None
     except Exception as error:
         # A decoder may raise any kind of exception: all of them mean a damaged file.
         reason = str(error).split(" <_io")[0].split(f" {str(path)!r}")[0] or type(error).__name__
@@ -56,8 +69,9 @@ def open_image(path: Path) -> Image.Image:
 
 def _grey8(values: np.ndarray) -> np.ndarray:
     """Scale the 16 bits (or floats in 0..1) of a grey image to bytes."""
-    scale = 255.0 if values.dtype.kind == "f" else 255.0 / 65535.0
-    return (np.clip(np.nan_to_num(values) * scale, 0, 255) + 0.5).astype(np.uint8)
+    brightest = 1.0 if values.dtype.kind == "f" else 65535.0
+    bounded = np.clip(np.nan_to_num(values), 0, brightest)
+    return (bounded * (255.0 / brightest) + 0.5).astype(np.uint8)
 
 
 def read_heights(path: Path) -> np.ndarray:

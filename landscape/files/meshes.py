@@ -5,6 +5,7 @@ truncated ASCII files, refuses some files that Blender writes, and takes longer 
 """
 
 import re
+from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,9 @@ from typing import Any
 import numpy as np
 
 from landscape.errors import InputError
+from landscape.files.cache import content, recall
+from landscape.files.input import check_plain, read_bounded
+from landscape.files.other_meshes import MOST_TRIANGLES, MOST_VERTICES, read_by_trimesh
 
 PLY_TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4",
@@ -20,6 +24,8 @@ PLY_TYPES = {
 }  # fmt: skip
 BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 COLOURS = ("red", "green", "blue")
+MOST_BYTES = 128 << 20  # chosen: three times the largest dragon of Stanford, as text
+LONGEST_HEADER = 1 << 16  # bytes, chosen
 OTHER_FORMATS = (".obj", ".stl", ".off", ".glb")
 
 
@@ -30,17 +36,19 @@ def read_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """
     if path.suffix.lower() not in OTHER_FORMATS:
         return read_ply(path)
-    import trimesh
-
-    try:
-        loaded: Any = trimesh.load(path, force="mesh", process=False)
-        vertices = np.ascontiguousarray(loaded.vertices, np.float32)
-        triangles = np.asarray(loaded.faces, np.int64)
-    except Exception as error:
-        # The parsers of trimesh raise any kind of exception: all of them mean a damaged file.
-        reason = (str(error).strip().splitlines() or [type(error).__name__])[0][:100]
-        raise InputError(f"{path}: expected a whole mesh ({reason})") from None
+    _check_file(path)
+    # From the cache, because trimesh takes a second to start.
+    ending = path.suffix.lower()
+    vertices, triangles = recall(("mesh", content(path), ending), lambda: read_by_trimesh(path))
     return checked(path, vertices, triangles)
+
+
+def _check_file(path: Path) -> None:
+    """Raise InputError for what is no plain file, or too large."""
+    try:
+        check_plain(path, MOST_BYTES)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
 
 
 def checked(
@@ -77,10 +85,8 @@ def read_colours(path: Path) -> np.ndarray | None:
 
 def _read_ply(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     """Return vertices, triangles and colours; InputError where the file is not a complete PLY."""
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    _check_file(path)
+    data = read_bounded(path, MOST_BYTES)
     try:
         return parse_ply(data)
     except ValueError as error:
@@ -114,14 +120,14 @@ def parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
 
 
 def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
-    end = re.search(rb"[\r\n]end_header[ \t]*(\r\n|\n|\r|$)", data)
+    end = re.search(rb"[\r\n]end_header[ \t]*(\r\n|\n|\r|$)", data[:LONGEST_HEADER])
     if end is None:
         raise ValueError("its header does not end")
     header = [line.split() for line in data[: end.start()].decode("latin-1").splitlines()]
-    body = data[end.end() :]
+    body = memoryview(data)[end.end() :]
     if ["format", "ascii", "1.0"] in header:
         # ASCII numbers become doubles, which are then read like those of a binary file.
-        body = np.fromiter(map(float, body.split()), np.float64).tobytes()
+        body = _doubles(data, end.end()).view(np.uint8).data
     vertices, triangles = np.empty((0, 3)), np.empty((0, 3))
     colours = None
     at = 0
@@ -142,6 +148,21 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
             triangles = _fans(columns[(known or lists)[0]])
     places = np.ascontiguousarray(vertices, np.float32)
     return places, triangles.astype(np.int64), colours
+
+
+def _doubles(text: bytes, at: int) -> np.ndarray:
+    """Return the numbers in a text from an offset on, float64 (n,), a megabyte of text at a time.
+
+    As Python's objects all at once they would take several times the memory.
+    """
+    parts = [np.empty(0)]
+    space = re.compile(rb"\s|$")
+    while at < len(text):
+        end = space.search(text, at + (1 << 20))
+        last = end.start() if end else len(text)
+        parts.append(np.fromiter(map(float, text[at:last].split()), np.float64))
+        at = last + 1
+    return np.concatenate(parts)
 
 
 def _elements(header: list[list[str]]) -> list[_Element]:
@@ -165,7 +186,7 @@ def _elements(header: list[list[str]]) -> list[_Element]:
     return elements
 
 
-def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], int]:
+def _columns(body: memoryview, at: int, element: _Element) -> tuple[dict[str, Any], int]:
     """Return an element's properties, arrays (rows,) or (rows, k), and the offset of its end.
 
     A list property whose rows differ in length gives a list of arrays.
@@ -180,6 +201,10 @@ def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], i
             raise ValueError(f"a list of {count} numbers among the rows of {element.name}")
         return count
 
+    if element.rows > len(body):
+        raise cut
+    if element.rows > MOST_VERTICES:
+        raise ValueError(f"{element.rows} rows of {element.name}, expected at most {MOST_VERTICES}")
     if element.rows == 0:
         return {name: np.empty((0,)) for name, _, _ in element.properties}, at
     # In most files all rows have the length of the first one.
@@ -201,6 +226,8 @@ def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], i
             return {name: rows[name] for name, _, _ in element.properties}, end
     if not counted:
         raise cut
+    if element.rows * len(element.properties) > 4 * MOST_VERTICES:
+        raise ValueError(f"more than {4 * MOST_VERTICES} numbers and lists of {element.name}")
     columns: dict[str, Any] = {name: [] for name, _, _ in element.properties}
     for _ in range(element.rows):
         for name, kind, counter in element.properties:
@@ -218,15 +245,25 @@ def _columns(body: bytes, at: int, element: _Element) -> tuple[dict[str, Any], i
 
 
 def _fans(polygons: np.ndarray | list[np.ndarray]) -> np.ndarray:
-    """Cut polygons, (m, k) or m arrays of different lengths, into triangles (n, 3)."""
-    groups = [polygons]
+    """Cut polygons, (m, k) or m arrays of different lengths, into triangles (n, 3).
+
+    ValueError if they are more than MOST_TRIANGLES.
+    """
     if isinstance(polygons, list):
-        lengths = sorted({len(polygon) for polygon in polygons})
-        groups = [np.stack([p for p in polygons if len(p) == n]) for n in lengths]
+        alike = defaultdict(list)
+        for polygon in polygons:
+            alike[len(polygon)].append(polygon)
+        groups = [np.stack(alike[length]) for length in sorted(alike)]
+    else:
+        groups = [polygons] if polygons.ndim == 2 else []
+    total = sum(len(group) * max(group.shape[1] - 2, 0) for group in groups)
+    if total > MOST_TRIANGLES:
+        raise ValueError(f"its faces make {total} triangles, expected at most {MOST_TRIANGLES}")
+    # The first triangle of every polygon of a group, then the second of every one, and so on.
     fans = [
-        group[:, [0, k, k + 1]]
+        np.stack(np.broadcast_arrays(group[:, :1], group[:, 1:-1], group[:, 2:]), axis=2)
         for group in groups
-        if isinstance(group, np.ndarray) and group.ndim == 2
-        for k in range(1, group.shape[1] - 1)
+        if group.shape[1] > 2
     ]
-    return np.concatenate(fans) if fans else np.empty((0, 3))
+    rows = [fan.transpose(1, 0, 2).reshape(-1, 3) for fan in fans]
+    return np.concatenate(rows) if rows else np.empty((0, 3))

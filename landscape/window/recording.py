@@ -15,6 +15,7 @@ from typing import Any
 
 from landscape.arguments import MAX_SIDE
 from landscape.errors import InputError
+from landscape.files.input import read_bounded
 from landscape.files.output import Output
 from landscape.files.processes import interrupts_held
 from landscape.frame import Pose
@@ -25,6 +26,9 @@ from landscape.window.settings_list import rows
 from landscape.window.walker import Intent
 
 VERSION = 1
+MOST_BYTES = 64 << 20  # chosen: what MOST_FRAMES take at most
+MOST_FRAMES = 500_000  # chosen: over two hours at 60 frames per second
+LONGEST_LINE = 1 << 16  # chosen: bytes; the plan with all settings takes a tenth of it
 MAX_SECONDS = 1.0  # chosen: a longer frame (after the machine was suspended) counts as this
 MAX_NUMBER = 1e6  # of a pose, in units or degrees
 ACTIONS = (
@@ -154,35 +158,34 @@ class Writer:
 
 def read(path: Path) -> tuple[Plan, list[Tick]]:
     """Read a recording; InputError names the file and the first bad line."""
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except OSError as error:
-        raise InputError(f"--replay {path}: cannot be read ({error.strerror})") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}:1: expected a recorded walk, found no text") from None
-    parsed = [_object(path, number, line) for number, line in enumerate(lines, 1)]
-    if not parsed or parsed[0].get("landscape walk") != VERSION:
+    data = read_bounded(path, MOST_BYTES, f"--replay {path}")
+    if data.count(b"\n") > MOST_FRAMES + 2:
+        raise InputError(f"{path}: too long, expected at most {MOST_FRAMES} frames")
+    lines = data.splitlines()
+    first = _object(path, 1, lines[0]) if lines else {}
+    if first.get("landscape walk") != VERSION:
         raise InputError(f'{path}:1: expected a line with "landscape walk": {VERSION}')
-    last = len(parsed)
-    if last < 2 or parsed[-1] != {"frames": last - 2}:
+    last = len(lines)
+    if last < 2 or _object(path, last, lines[-1]) != {"frames": last - 2}:
         raise InputError(f"{path}:{last}: truncated: expected a last line that counts the frames")
     try:
-        plan = _plan(parsed[0])
+        plan = _plan(first)
     except (InputError, ValueError, TypeError, KeyError) as error:
         raise InputError(f"{path}:1: {_reason(error)}") from None
     ticks, before = [], Tick(0.0, Intent(), (), plan.size)
-    for number, line in enumerate(parsed[1:-1], 2):
+    for number, line in enumerate(lines[1:-1], 2):
+        frame = _object(path, number, line)
         try:
-            before = _tick(line, before, plan.settings)
+            before = _tick(frame, before, plan.settings)
         except (InputError, ValueError, TypeError, KeyError) as error:
             raise InputError(f"{path}:{number}: {_reason(error)}") from None
         ticks.append(before)
     return plan, ticks
 
 
-def _object(path: Path, number: int, line: str) -> dict[str, Any]:
+def _object(path: Path, number: int, line: bytes) -> dict[str, Any]:
     try:
-        value = json.loads(line)
+        value = json.loads(line) if len(line) <= LONGEST_LINE else None
     except (ValueError, RecursionError):
         value = None
     if not isinstance(value, dict):
