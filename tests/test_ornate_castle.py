@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from castles import FLAT, PLACED
-from stage import Stage, pixel, project, small
+from castles import FLAT, PLACED, at, drawn
+from stage import Stage, pixel, project, small, write_plain
 
 from landscape.elements.best.ornate.baked_light import (
     SIDE,
@@ -40,7 +40,7 @@ from landscape.elements.castle import Castle
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP, outlines, quads_mesh
+from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP, WALL, outlines, quads_mesh
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl, recording
 from landscape.settings import Sun
@@ -291,3 +291,14 @@ def test_every_vertex_looks_up_the_light_at_its_own_position() -> None:
     assert np.allclose(texels[some], np.stack([column, row], axis=1), atol=1e-3)
     own = light(mesh.vertices[some].astype(float), mesh.normals[some].astype(float), sun, -160.0)
     assert np.abs(picture[row, column] / 127.5 - np.minimum(own, 2.0)).max() < 0.01
+
+
+def test_the_door_is_seen_from_the_yard_where_it_opens(stage: Stage, plain_folder) -> None:
+    within = Pose(20.0, 2.2, 19.9, 0.0, 0.0)
+    pictures = []
+    for colour in ((250, 0, 0, 255), (0, 0, 250, 255)):
+        assets = Assets(write_plain(plain_folder, {"castle_door.png": colour}))
+        picture = drawn(stage, assets, within, castle__ornate=True, camera__cull=True)
+        pictures.append(pixel(picture, project(within, at(0.5, 0.2, WALL))))
+    red, blue = pictures
+    assert red[0] > red[2] + 30 and blue[2] > blue[0] + 30

@@ -25,7 +25,7 @@ from landscape.files.cache import recall
 from landscape.frame import Frame
 from landscape.geometry.culling import ball_in_view
 from landscape.geometry.height_field import HeightField, mirrored_height
-from landscape.geometry.masonry import quads_mesh
+from landscape.geometry.masonry import WALL, quads_mesh
 from landscape.geometry.mesh import revolve
 from landscape.geometry.obstacles import Obstacle, Wall
 from landscape.gl.calls import gl
@@ -37,6 +37,7 @@ from landscape.settings import Settings
 REACH = 1.8  # chosen: radius of the castle's bounding sphere, centred in the walls
 SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
 BY_DAY = 0.5  # chosen: fraction of the flickering glow that is visible; torches add to it
+SHADE = (0.3, 0.3, 0.33)  # chosen: of the door within; the yard is in the shadow of its walls
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
 
 
@@ -95,7 +96,22 @@ class OrnateCastle(CastleInOnePass):
         gl.glColor3f(*DARK)
         draw_mesh(quads_mesh(loopholes(), 1.0))
         gl.glEnable(gl.GL_TEXTURE_2D)
+        self._send_door_within()
         gl.glColor3f(1.0, 1.0, 1.0)
+
+    def _send_door_within(self) -> None:
+        """Send the door as seen from the yard, where a walker can leave by it."""
+        gl.glEnable(gl.GL_BLEND)
+        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+        self._door.bind()
+        gl.glColor3f(*SHADE)
+        gl.glNormal3f(0.0, 0.0, 1.0)
+        gl.glBegin(gl.GL_QUADS)
+        for x, y in ((0.3, 0.0), (0.7, 0.0), (0.7, 0.45), (0.3, 0.45)):
+            gl.glTexCoord2f(x, 1.0 - y)
+            gl.glVertex3f(x, y, WALL + 0.001)
+        gl.glEnd()
+        gl.glDisable(gl.GL_BLEND)
 
     def _units(self) -> list[Unit]:
         coordinates = self._bricks.coordinates[1][:4]
