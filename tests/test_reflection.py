@@ -94,7 +94,7 @@ def test_the_mirror_image_is_lit_as_the_object_is(stage: Stage) -> None:
 
     def draw_board() -> None:
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
-            lit()
+            lit(settings.shading)
             gl.glNormal3f(*normal.tolist())
             gl.glColor4f(0.8, 0.8, 0.8, 1.0)
             quad(board(*place))

@@ -111,7 +111,8 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
     there = seen(stage, sprites)
     for change in (
         {"trees.count": 61}, {"trees.grouped": True}, {"plants.species": 5}, {"rabbit.x": 3.0},
-        {"ground.resolution": 41}, {"transparent.trilinear": False}, {"plants.shaded": True},
+        {"ground.resolution": 41}, {"transparent.trilinear": False},
+        {"plants.shaded": True, "ground.shadows": True},
         {"ground.large_texture": "map.png"},
     ):  # fmt: skip
         assert not sprites.apply(small({**WIDE, "transparent.radius": 1.0, **change})), change
