@@ -189,7 +189,10 @@ def test_a_damaged_file_is_replaced(folder: Path, damage: Callable[[bytes], byte
     assert path.read_bytes() == whole
 
 
-def test_every_single_bit_of_a_file_that_flips_is_noticed(folder: Path) -> None:
+def test_every_single_bit_of_a_file_that_flips_is_noticed(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "fsync", lambda _: None)  # a thousand times would take long
     maker = Maker(np.arange(12, dtype=np.uint8).reshape(3, 4), np.zeros(0, np.float32))
     cache.recall(["x"], maker)
     (path,) = folder.iterdir()
@@ -305,10 +308,25 @@ def test_an_image_is_decoded_once_and_again_when_it_changes(folder: Path, tmp_pa
     assert read_image(path, "RGB", largest=2).shape[1] == 2
 
 
-def test_the_hash_of_the_assets_changes_with_any_of_them(tmp_path: Path) -> None:
-    (tmp_path / "a.png").write_bytes(b"one")
+def test_the_hash_of_the_assets_changes_with_any_that_may_be_used(tmp_path: Path) -> None:
+    (tmp_path / "height.png").write_bytes(b"one")
     assets = Assets(tmp_path)
-    before = assets.contents()
-    assert before == assets.contents("a.png does not lie here")[:-1]
-    (tmp_path / "a.png").write_bytes(b"other")
-    assert assets.contents() != before
+    found = [assets.contents("mine.png")]
+    assert assets.contents("mine.png") == found[0]
+    (tmp_path / "another.png").write_bytes(b"one")
+    assert assets.contents("mine.png") == found[0], "it is never used"
+    for name in ("height.png", "mine.png"):
+        (tmp_path / name).write_bytes(b"other")
+        found.append(assets.contents("mine.png"))
+    assert found[0] != found[1] != found[2]
+
+
+def test_what_is_wrong_with_the_folder_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").write_text("in the way")
+    for place, reason in (("file", "File exists"), ("file/deep", "Not a directory"), ("new", "")):
+        monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path / place))
+        assert reason in cache.trouble() and bool(reason) == bool(cache.trouble())
+    monkeypatch.setenv("LANDSCAPE_CACHE", "")
+    assert cache.trouble() == ""

@@ -28,19 +28,22 @@ class Assets:
     """File names to paths."""
 
     def __init__(self, folder: Path | None = None) -> None:
-        """Look in ``folder`` before the shipped assets; InputError if it is not a folder."""
+        """Look in ``folder`` before the shipped assets; InputError if that is impossible."""
         if folder is not None and not os.path.isdir(folder):
             raise InputError(f"assets {folder}: expected a folder")
+        if folder is not None and not os.access(folder, os.R_OK | os.X_OK):
+            raise InputError(f"assets {folder}: expected a folder that can be read")
         self._folders = ([folder] if folder is not None else []) + [shipped()]
 
     def contents(self, *names: str) -> list[bytes]:
         """Return a hash of the bytes of every file an island may be made of, and of ``names``.
 
-        A file that is missing or cannot be read counts as empty.
+        A file that is missing or cannot be read counts as empty. What else is in the user's folder
+        is not read: there may be much of it.
         """
-        paths = [path for folder in self._folders for path in sorted(folder.iterdir())]
-        paths += [Path(os.path.expanduser(name)) for name in names]
-        return [content(path) for path in paths]
+        given = [os.path.expanduser(name) for name in names]
+        known = [*sorted(path.name for path in shipped().iterdir()), *given]
+        return [content(folder / name) for folder in (*self._folders, Path()) for name in known]
 
     def path(self, name: str, key: str = "") -> Path:
         """Return the path of a file; a name without a folder is looked up in the asset folders.
@@ -51,8 +54,13 @@ class Assets:
         candidates = [given]
         if given.name == name:
             candidates = [folder / name for folder in self._folders] + [given]
-        for path in candidates:
-            if os.path.exists(path):
-                return path
         where = f"setting {key}: " if key else ""
+        for path in candidates:
+            try:
+                os.stat(path)
+                return path
+            except PermissionError:
+                raise InputError(f"{where}{name}: cannot be read (Permission denied)") from None
+            except (OSError, ValueError):
+                continue
         raise InputError(f"{where}{name}: no such file")

@@ -48,6 +48,26 @@ def folder() -> Path | None:
     return found if found.is_absolute() else None
 
 
+def trouble() -> str:
+    """Return why nothing is cached; "" if the cache can be used. A cache that is off is no trouble.
+
+    The folder is made where it is missing.
+    """
+    if os.environ.get("LANDSCAPE_CACHE") == "":
+        return ""
+    place = folder()
+    if place is None:
+        return "there is no home folder to put it in; LANDSCAPE_CACHE may name another"
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        if os.access(place, os.R_OK | os.W_OK | os.X_OK):
+            return ""
+        reason = "Permission denied"
+    except OSError as error:
+        reason = str(error.strerror)
+    return f"{place} cannot be used ({reason}); LANDSCAPE_CACHE may name another folder"
+
+
 def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
     """Return what ``make`` returns, from the cache if it was made before.
 

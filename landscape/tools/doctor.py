@@ -7,6 +7,7 @@ import sys
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
+from landscape.files import cache
 from landscape.gl.context import BACKENDS
 
 PACKAGES = (
@@ -45,6 +46,7 @@ def examine() -> dict[str, Any]:
         "chosen": chosen,
         "python": platform.python_version(),
         "packages": packages,
+        "cache": {"folder": str(cache.folder() or ""), "reason": cache.trouble()},
     }
 
 
@@ -71,6 +73,10 @@ def report(found: dict[str, Any]) -> str:
         else:
             lines.append(f"{name:8} no   {state['reason']}")
     lines.append(f"`auto` takes {found['chosen'] or 'none: install one of the packages above'}")
+    if found["cache"]["reason"]:
+        lines.append(f"nothing is cached, so each start is slow: {found['cache']['reason']}")
+    else:
+        lines.append(f"cache: {found['cache']['folder'] or 'off'}")
     lines.append(f"Python {found['python']}")
     lines += [f"{name} {number}" for name, number in found["packages"].items()]
     return "\n".join(lines)
