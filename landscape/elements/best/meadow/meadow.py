@@ -45,6 +45,8 @@ from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
+RARELY = 1.5  # chosen: times the margin that is kept where blades are left out
+
 
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the blades' number, places, shapes and tints depend on."""
@@ -114,6 +116,10 @@ class Meadow:
         """
         fade = self._settings.grass.fade
         margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if fade else (0.0, 0.0)
+        if frame.detail.grass < 1.0:
+            # Blades too many cost less than choosing again, the more so in other frames than
+            # those in which the sprites are chosen.
+            margin, angle = RARELY * margin, RARELY * angle
         if self._chosen is None or not self._still_serves(frame, margin, angle):
             self._chosen, self._chosen_for = self.select(frame, margin, angle), frame
         return self._chosen

@@ -24,6 +24,8 @@ from landscape.gl.state import combine, matrix
 from landscape.gl.texture_target import TextureTarget
 
 MARGIN = 1.15  # chosen: times the window's width and height that the mirror image covers
+# Chosen: units and radians by which the eye may move and turn until a kept image is drawn again.
+KEPT_DISTANCE, KEPT_ANGLE = 0.12, math.radians(6.0)
 # Clip coordinates -1..1 to texture coordinates 0..1.
 BIAS = np.array([(0.5, 0, 0, 0.5), (0, 0.5, 0, 0.5), (0, 0, 0.5, 0.5), (0, 0, 0, 1.0)])
 
@@ -115,7 +117,8 @@ class MirrorImage:
         if self._drawn is None or self._served >= frame.detail.mirror_frames:
             return False
         then, matrix = self._drawn
-        if then.detail.mirror != frame.detail.mirror or not is_near(then, frame):
+        near = is_near(then, frame, KEPT_DISTANCE, KEPT_ANGLE)
+        if then.detail.mirror != frame.detail.mirror or not near:
             return False
         self._matrix, self._served = matrix, self._served + 1
         return True
