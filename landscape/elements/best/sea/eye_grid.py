@@ -77,9 +77,11 @@ def eye_grid(frame: Frame, level: float, reach: float) -> "EyeGrid | None":
     horizon = np.arctan(height / reach)
     if angles is None or angles[3] <= horizon:
         return None
-    azimuth = grid_lines(angles[0], angles[1], AZIMUTH_STEP)
+    # A picture with half the pixels does with every second line.
+    every = 2 if frame.detail.coarser >= 2.0 else 1
+    azimuth = grid_lines(angles[0], angles[1], every * AZIMUTH_STEP)
     lowest = min(1.15 * angles[3] + BELOW_WINDOW, np.pi / 2)
-    depression = grid_lines(angles[2], lowest, DEPRESSION_STEP)
+    depression = grid_lines(angles[2], lowest, every * DEPRESSION_STEP)
     step = float(depression[1] - depression[0])
     depression = np.clip(depression, horizon, np.pi / 2 - 1e-3)
     return EyeGrid(frame, height, azimuth, depression, step)
