@@ -21,11 +21,12 @@ from landscape.keys import plain
 BACKENDS = ("auto", "osmesa", "egl", "glfw")
 SAMPLES = (0, 4)
 MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow less
+MAX_PIXELS = 1 << 26  # chosen: they take 1.3 GB while a picture is drawn and written
 FARTHEST = 1e9  # chosen: float32 has no fractions long before
 
 
 def size(value: Any, given: str = "") -> tuple[int, int]:
-    """Return a width and a height in pixels, each from 1 to MAX_SIDE."""
+    """Return a width and a height in pixels, each from 1 to MAX_SIDE, MAX_PIXELS in all."""
     sides = plain(value)
     if not isinstance(sides, (list, tuple)) or len(sides) != 2 or None in map(_whole, sides):
         raise InputError(f"size {short(value)}: expected a width and a height in pixels")
@@ -33,6 +34,9 @@ def size(value: Any, given: str = "") -> tuple[int, int]:
     if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE):
         given = given or f"size {short(width)}x{short(height)}"
         raise InputError(f"{given}: expected from 1x1 to {MAX_SIDE}x{MAX_SIDE}")
+    if width * height > MAX_PIXELS:
+        given = given or f"size {width}x{height}"
+        raise InputError(f"{given}: expected at most {MAX_PIXELS / 1e6:.0f} megapixels")
     return width, height
 
 

@@ -331,7 +331,7 @@ class Ground:
         "R19, introduction",
         "the largest side of a texture; larger images are reduced",
         1,
-        16384,
+        4096,
         unit="texels",
         needs=(f"ground.units!=none or {COLOURS_READ}",),
     )

@@ -505,6 +505,8 @@ def test_every_number_has_a_largest_and_a_smallest_value() -> None:
         (["fig35a", "--size", "²x²"], "WxH"),
         (["fig35a", "--size", "99999x99999"], "16384x16384"),
         (["fig35a", "--size", "10x16385"], "16384x16384"),
+        (["fig35a", "--size", "16384x16384"], "67 megapixels"),
+        (["fig35a", "--size", "8000x8000", "--samples", "4"], "34 megapixels with antialiasing"),
         (["fig35a", "--size", "9" * 40 + "x1"], "16384x16384"),
         (["--pose", "1,2,3"], "X,Y,Z,YAW,PITCH"),
         (["--pose", "1,2,3,4,5,6"], "X,Y,Z,YAW,PITCH"),

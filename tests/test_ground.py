@@ -5,6 +5,7 @@ import pytest
 from PIL import Image
 from stage import Stage, close, pixel, project, small
 
+from landscape.elements.best.terrain.terrain import ground_class
 from landscape.elements.ground import Ground, clipped
 from landscape.files.assets import Assets
 from landscape.frame import Pose
@@ -115,6 +116,19 @@ def test_no_texture_is_larger_than_asked_for(stage: Stage, plain_folder) -> None
         sizes.append(ground.large.shape)
         ground.release()
     assert sizes == [(64, 64, 3), (16, 16, 3)]
+
+
+@pytest.mark.parametrize("changes", [{}, {"ground.materials": True, "ground.mid_repeat": 13.0}])
+def test_colours_that_are_not_square_are_stretched_over_the_map(
+    changes: dict[str, object], stage: Stage, plain_folder
+) -> None:
+    colours = np.zeros((20, 64, 3), np.uint8)
+    colours[:10] = 200
+    Image.fromarray(colours).save(plain_folder / "ground_large.png")
+    ground = ground_class(small(changes))(small(changes), Assets(plain_folder), SUN)
+    assert ground.large.shape == (64, 64, 3)
+    assert ground.large[:28].min() > 190 and ground.large[-28:].max() < 10
+    ground.release()
 
 
 # The ground's answers

@@ -140,6 +140,7 @@ DAMAGES = {
     "no such setting": (1, _with(0, settings={"fog.colour": 1})),
     "setting of the wrong type": (1, _with(0, settings={"fog.density": "thick"})),
     "size of nothing": (1, _with(0, size=[0, 5])),
+    "size of a wall": (1, _with(0, size=[16384, 16384])),
     "pose of four": (1, _with(0, pose=[1, 2, 3, 4])),
     "seed below 0": (1, _with(0, seed=-1)),
     "no such element": (1, _with(0, only=["moon"])),

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import numpy as np
+from PIL import Image
 
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights, read_image
@@ -63,7 +64,13 @@ def large_texture(
     if has_no_colours(settings.ground):
         return colour_by_height(field, sun)
     path = assets.path(settings.ground.large_texture, "ground.large_texture")
-    return read_image(path, "RGB", settings.ground.texture_size)
+    image = read_image(path, "RGB", settings.ground.texture_size)
+    # It is stretched over the whole map, which is square, as the maps made from it are.
+    height, width = image.shape[:2]
+    if height == width:
+        return image
+    side = (max(height, width),) * 2
+    return np.array(Image.fromarray(image).resize(side, Image.Resampling.BILINEAR))
 
 
 def lay_units(layers: list[Texture]) -> None:

@@ -10,6 +10,8 @@ import numpy as np
 from landscape.errors import InputError
 from landscape.gl.calls import gl
 
+MOST_SMOOTH = 1 << 25  # pixels, chosen: a picture of 7680x4320 takes 1.8 GB with four samples
+
 
 class Framebuffer:
     """Owner of a colour and a depth-stencil renderbuffer, 0 or 4 samples."""
@@ -17,13 +19,19 @@ class Framebuffer:
     def __init__(self, size: tuple[int, int], samples: int = 0) -> None:
         """Create and bind a target of ``size`` = (width, height) pixels.
 
-        InputError where the size exceeds GL_MAX_VIEWPORT_DIMS.
+        InputError where the size exceeds GL_MAX_VIEWPORT_DIMS or, with samples, MOST_SMOOTH.
         """
         limits = gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)
         most = min(int(gl.glGetIntegerv(gl.GL_MAX_RENDERBUFFER_SIZE)), *(int(v) for v in limits))
         if not all(0 < side <= most for side in size):
             text = f"{size[0]}x{size[1]}"
             raise InputError(f"size {text}: expected from 1x1 to {most}x{most} on this OpenGL")
+        if samples and size[0] * size[1] > MOST_SMOOTH:
+            text = f"{size[0]}x{size[1]}"
+            raise InputError(
+                f"size {text}: expected at most {MOST_SMOOTH / 1e6:.0f} megapixels with "
+                f"antialiasing, or samples 0"
+            )
         self.size = size
         self.samples = min(samples, int(gl.glGetIntegerv(gl.GL_MAX_SAMPLES)))
         self._names: list[tuple[int, list[int]]] = [self._create(self.samples)]

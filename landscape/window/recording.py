@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from landscape.arguments import MAX_SIDE
+from landscape.arguments import MAX_PIXELS, MAX_SIDE
 from landscape.errors import InputError
 from landscape.files.input import read_bounded
 from landscape.files.output import Output
@@ -210,8 +210,10 @@ def _numbers(value: Any, name: str, count: int, low: float, high: float) -> tupl
 
 
 def _size(value: Any) -> tuple[int, int]:
-    width, height = _numbers(value, "size", 2, 1, MAX_SIDE)
-    return int(width), int(height)
+    width, height = map(int, _numbers(value, "size", 2, 1, MAX_SIDE))
+    if width * height > MAX_PIXELS:
+        raise ValueError(f"size: expected at most {MAX_PIXELS} pixels, not {value!r}")
+    return width, height
 
 
 def _kind(value: Any, name: str, kind: type) -> Any:
