@@ -129,6 +129,7 @@ def _walk(options: argparse.Namespace) -> int:
         fullscreen=options.fullscreen,
         record=options.record,
         replay=options.replay,
+        language=options.lang,
         frames=options.frames,
         fps=options.fps,
         backend=options.backend,

@@ -103,6 +103,12 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         "sizes",
     )
     walk.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
+    walk.add_argument(
+        "--lang",
+        choices=("en", "fr"),
+        default="",
+        help="language of the window; default: by LANGUAGE, LC_ALL, LC_MESSAGES or LANG",
+    )
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
     walk.add_argument(

@@ -76,7 +76,7 @@ def test_a_key_under_the_walking_hand_walks_whatever_is_printed_on_it() -> None:
         key = layout(COLEMAK)[letter]
         assert key not in UNDER_THE_HAND and COLEMAK(key) not in LETTERS
         assert labels(BY_ACTION[action], "en", COLEMAK) == COLEMAK(key)
-    hands.key(glfw.KEY_R, PRESS)
+    hands.key(layout(COLEMAK)["R"], PRESS)
     assert hands.take()[1] == ("reflection",)
 
 

@@ -6,9 +6,11 @@ from gl_state import changes, snapshot
 from PIL import ImageFont
 from stage import Stage
 
+from landscape.fixes import FIXES
 from landscape.gl.calls import gl
 from landscape.window import words
 from landscape.window.bindings import BINDINGS, LETTERS, NAMED_KEYS, SETTINGS
+from landscape.window.fix_titles import TITLES, said
 from landscape.window.panel import Panel, font, keys_image, line_image, text_size, writable
 
 pytestmark = pytest.mark.window
@@ -21,7 +23,9 @@ def test_every_text_that_is_shown_exists() -> None:
         | set(NAMED_KEYS.values())
         | {"help.title", "hint"}
     )
-    shown |= {f"{name}.{way}" for name in (*SETTINGS, "fly", "wireframe") for way in ("on", "off")}
+    shown |= {"time.noon", "time.sunset"}
+    two = (*(name for name in SETTINGS if name != "time"), "fly", "wireframe")
+    shown |= {f"{name}.{way}" for name in two for way in ("on", "off")}
     assert shown <= set(english)
     for table in words.TEXTS.values():
         assert set(table) <= set(english)
@@ -49,6 +53,13 @@ def test_no_two_actions_share_a_key() -> None:
 )
 def test_the_environment_chooses_the_language(variables: dict[str, str], language: str) -> None:
     assert words.language(variables) == language
+
+
+def test_every_fix_has_a_french_title() -> None:
+    assert TITLES.keys() == {fix.name for fix in FIXES}
+    french = "R1  «\u00a0Des nuages qui bougent\u00a0»\u00a0: correction activée"
+    assert said(FIXES[0], True, "fr") == french
+    assert said(FIXES[0], False, "en") == "R1  Clouds that move: off"
 
 
 ROWS = [("W A S D", "walk (arrows up and down as well)"), ("Page up", "fly, and so on")] * 8

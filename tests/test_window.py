@@ -331,6 +331,16 @@ def test_a_replay_keeps_to_the_size_that_is_asked_for(scripted, tmp_path: Path) 
     assert [tick.intent for tick in ticks] == [tick.intent for tick in scripted["ticks"][:12]]
 
 
+def test_the_language_of_the_window_can_be_asked_for(scripted, tmp_path: Path) -> None:
+    path = tmp_path / "b.jsonl"
+    first = ["walk", "fig35a", "--frames", "1", "--only", "sky"]
+    for begin in (first, ["walk", "--replay", scripted["folder"] / "a.jsonl", "--frames", "1"]):
+        words = ["--backend", "osmesa", "--size", "64x48", "--record", path, "--lang", "fr"]
+        done = landscape(*begin, *words, env=environment(LANG="C"))
+        assert (done.status, done.err) == (0, "")
+        assert recording.read(path)[0].language == "fr"
+
+
 def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path) -> None:
     need_library("OSMesa")
     path = tmp_path / "a.jsonl"

@@ -22,6 +22,7 @@ from landscape.gl.glfw_library import glfw
 from landscape.scene import Moment, OpenScene, scene
 from landscape.window import words
 from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name
+from landscape.window.fix_titles import said
 from landscape.window.hands import Hands
 from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
@@ -283,11 +284,10 @@ class Walk:
 
     def _list(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
         """Return what the picture of the list depends on, and how to make it; None if closed."""
-        if not self._row or self._scene is None:
+        if not self._row or self._scene is None or self._panel is None:
             return None
         state = self.settings, self._chooser.defaults, self._row, self._done, self._language
         shows = *state, frozenset(self._scene.shown), self._kind.elements
-        assert self._panel is not None
         dpi = self._panel.dpi
         return shows, lambda: list_image(page(*shows), self._size, dpi)
 
@@ -303,7 +303,7 @@ class Walk:
         if name == "fix":
             self._apply(fix.off if on else fix.on)
             on = not on
-        self._say(f"{fix.name}  {fix.title}: {self._word('fix.on' if on else 'fix.off')}")
+        self._say(said(fix, on, self._language))
 
     def _tell(self, name: str, value: keys.Value) -> None:
         self._say(words.state(self._language, name, value))

@@ -33,6 +33,7 @@ def walk(
     seed: int = SEED,
     wireframe: bool = False,
     quiet: bool = False,
+    language: str = "",
     fps: float = FPS,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
@@ -42,6 +43,7 @@ def walk(
     ``backend``, ``fullscreen`` and ``frames`` from its file, and its sizes too unless ``size`` is
     given. Without ``size`` a live walk has SIZE, enlarged on a display of high resolution. It draws
     less detail where that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
+    ``language`` is "en" or "fr"; without it the environment chooses, or a replay its file.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
@@ -51,6 +53,7 @@ def walk(
     ticks = None
     if replay is not None:
         plan, recorded = read(recording(replay))
+        plan = replace(plan, language=language or plan.language)
         if size is not None:
             plan = replace(plan, size=size)
             recorded = [replace(tick, size=size) for tick in recorded]
@@ -66,7 +69,7 @@ def walk(
             seed=seed,
             only=kind.shown(begin, only) if only is None else kind.only(only),
             wireframe=wireframe or begin.wireframe,
-            language=words.language(os.environ),
+            language=language or words.language(os.environ),
             preset=kind.preset_of(begin),
         )
     writer = Writer(record, plan) if record is not None else None
@@ -76,20 +79,12 @@ def walk(
         with Walk(plan, assets, backend, fullscreen, kept_rate, enlarged) as opened:
             run(opened, ticks, writer, frames)
         if opened.resizer.refused and not quiet:
-            _tell_size(*opened.resizer.refused)
+            wanted, given = ("{}x{}".format(*size) for size in opened.resizer.refused)
+            told = words.text(plan.language, "resized", wanted=wanted, given=given)
+            print("landscape:", told, file=sys.stderr)
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.
         kept = writer is not None and writer.finish()
     if kept and not quiet:
         print(record)
     return 0
-
-
-def _tell_size(wanted: tuple[int, int], given: tuple[int, int]) -> None:
-    """Say why a replay was not drawn at its size."""
-    sizes = "{}x{}".format(*wanted), "{}x{}".format(*given)
-    print(
-        f"landscape: size {sizes[0]}: the window system gave {sizes[1]}, so the replay was drawn "
-        "at that size",
-        file=sys.stderr,
-    )
