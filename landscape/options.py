@@ -65,6 +65,14 @@ class _Elements:
         return ", ".join(scene().elements)
 
 
+def _explain(option: Any, text: str) -> None:
+    """Give an option a help text in which %(elements)s stands for the names of the elements.
+
+    Afterwards, because from Python 3.14 on argparse expands the text with which an option is added.
+    """
+    option.elements, option.help = _Elements(), text
+
+
 def build_parser(run: Commands) -> argparse.ArgumentParser:
     """Return the parser of all commands; without a command it prints the help."""
     parser = _Parser(
@@ -158,12 +166,8 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
 
     trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
     trace.add_argument("view", metavar="VIEW", help="a view or a fix; see `landscape views`")
-    element = trace.add_argument(
-        "--element",
-        metavar="NAME",
-        help="only the calls of one element: %(elements)s or frame; default: all",
-    )
-    element.elements = _Elements()
+    element = trace.add_argument("--element", metavar="NAME")
+    _explain(element, "only the calls of one element: %(elements)s or frame; default: all")
     trace.add_argument("--json", action="store_true", help=JSON)
     _common(trace, samples=0)
 
@@ -283,13 +287,8 @@ def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW
         help="a file of settings, as in [fog] density = 0.05; --set overrides it",
     )
     add("--assets", type=Path, metavar="DIR", help=OWN_FILES)
-    only = add(
-        "--only",
-        type=_elements,
-        metavar="ELEMENT,...",
-        help="draw only some elements of %(elements)s; default: those of the view",
-    )
-    only.elements = _Elements()  # type: ignore[attr-defined]
+    only = add("--only", type=_elements, metavar="ELEMENT,...")
+    _explain(only, "draw only some elements of %(elements)s; default: those of the view")
     add("--wireframe", action="store_true", help="draw lines instead of faces")
     add(
         "--samples",

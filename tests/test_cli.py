@@ -101,6 +101,22 @@ def test_every_option_has_help_that_names_its_default(command: tuple[str, ...]) 
             assert re.search(r"default: %\(default\)|default: " + str(default), action.help), action
 
 
+def test_a_help_text_can_be_expanded_as_soon_as_its_option_is_added(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Python 3.14 does so in add_argument, and raises ValueError if it cannot."""
+    add = argparse._ActionsContainer.add_argument
+
+    def checked(self: Any, *args: Any, **options: Any) -> argparse.Action:
+        action = add(self, *args, **options)
+        if action.help:
+            argparse.HelpFormatter("landscape")._expand_help(action)
+        return action
+
+    monkeypatch.setattr(argparse._ActionsContainer, "add_argument", checked)
+    build_parser(cli.COMMANDS)
+
+
 def test_the_help_names_the_elements(shell: Shell) -> None:
     for command, start in (("walk", "draw only some elements of"), ("trace", "one element:")):
         text = " ".join(shell(command, "--help").out.split())
