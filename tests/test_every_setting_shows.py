@@ -88,6 +88,14 @@ STONY = of_fix("best4")
 GLINTING = of_fix("best3", settings={**of_fix("best3").settings, "water.glitter": 0.35})
 HUGE: dict[str, Any] = {"trees.count": 900, "trees.size_min": 15.0, "trees.size_max": 15.0}
 SHOTS = {
+    "time": Shot(BAY, ("ground", "fog", "sky")),
+    "sun.tint": replace(GROUPS["ground"], value=(0.6, 0.5, 0.4)),
+    "sun.relit": replace(GROUPS["ground"], settings=MATERIALS | {"sun.tint": (1.0, 0.5, 0.4)}),
+    "sun.shade": replace(
+        GROUPS["ground"], settings=MATERIALS | {"sun.relit": True}, value=(0.1, 0.1, 0.1)
+    ),
+    "water.roughness": replace(GLINTING, value=0.6),
+    "castle.torches": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "camera.near": replace(GROUPS["camera"], value=2.0),
     "camera.far": replace(GROUPS["camera"], value=3.0),
     "camera.lod_pixels": replace(GROUPS["camera"], value=20.0),
@@ -226,7 +234,7 @@ def compared(stage: Stage, islands: dict[Any, Island], key: str, shot: Shot) -> 
 def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
     stage: Stage, islands: dict[Any, Island], key: str
 ) -> None:
-    shot = SHOTS.get(key, GROUPS[key.split(".")[0]])
+    shot = SHOTS.get(key) or GROUPS[key.split(".")[0]]
     difference, _ = compared(stage, islands, key, shot)
     assert difference >= LEAST, f"{key} changes nothing in its view"
 
@@ -235,7 +243,7 @@ def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
 def test_a_setting_of_best_shows_beside_the_others_of_best(
     stage: Stage, islands: dict[Any, Island], key: str
 ) -> None:
-    shot = replace(SHOTS.get(key, GROUPS[key.split(".")[0]]), preset="best", value=None)
+    shot = replace(SHOTS.get(key) or GROUPS[key.split(".")[0]], preset="best", value=None)
     difference, _ = compared(stage, islands, key, replace(shot, settings={}))
     assert difference >= LEAST, f"{key} changes nothing in best"
 
@@ -246,6 +254,29 @@ def test_a_setting_that_saves_work_changes_the_calls_and_not_the_picture(
 ) -> None:
     difference, calls_differ = compared(stage, islands, key, ONLY_CALLS[key])
     assert calls_differ and difference < LEAST
+
+
+def vain(preset: str) -> list[tuple[str, str]]:
+    """Return the keys that have no effect beside the others of a preset, and the preset."""
+    settings = small({**PRESETS[preset], **FEW})
+    found = [key for key in KEYS if ignored(settings, key, (*ELEMENTS, WALK), ELEMENTS)]
+    assert len(found) > 5
+    return [(key, preset) for key in found]
+
+
+@pytest.mark.parametrize(("key", "preset"), [*vain("2006"), *vain("best")])
+def test_what_is_said_to_change_nothing_changes_nothing(
+    stage: Stage, key: str, preset: str
+) -> None:
+    shot = GROUPS[key.split(".")[0]]
+    shown = tuple(name for name in ELEMENTS if name in {*shot.only, "water"})
+    base = small({**PRESETS[preset], **FEW})
+    pictures = []
+    for value in (get(base, key), another(key, KEYS[key], get(base, key))):
+        island = Island(with_settings(base, {key: value}), Assets(), only=shown)
+        pictures.append(drawn(stage, island, shot, False)[0])
+        island.release()
+    assert (pictures[0] == pictures[1]).all()
 
 
 BY_THE_WINDOW = {
