@@ -22,11 +22,13 @@ from landscape.elements.grass import (
     blade_corners,
     blade_vertices,
     blade_wind,
+    check_loop,
     send_one_by_one,
 )
-from landscape.elements.grass_cells import CELL, cells_around, visible_cells
+from landscape.elements.grass_cells import CELL, cells_around, shared_out, visible_cells
 from landscape.elements.ground import Ground
 from landscape.elements.transparent_elements import visible
+from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField, greenness
@@ -282,7 +284,7 @@ def test_a_blade_is_drawn_where_projection_and_wind_put_it(
     place = (20.0, 3.0, 19.94)
     position = np.array([place], np.float32)
     blade = Blades(position, blade_vertices(position, blade_corners(np.zeros(1))))
-    monkeypatch.setattr(grass, "select", lambda frame: blade)
+    monkeypatch.setattr(grass, "_blades", lambda cells: blade)
     pose = Pose(20.0, 3.01, 20.0)
     with stage.frame(settings, pose, kt) as frame:
         grass.draw(frame)
@@ -318,8 +320,8 @@ def test_while_the_eye_stands_still_the_selection_is_kept_and_the_wind_blows(
 ) -> None:
     settings, grass = field_of_grass
     selected = []
-    select = grass.select
-    monkeypatch.setattr(grass, "select", lambda frame: selected.append(frame) or select(frame))
+    select = grass._blades
+    monkeypatch.setattr(grass, "_blades", lambda group: selected.append(group) or select(group))
     pictures = []
     for pose, kt in ((NORTH, 0.0), (NORTH, 9.0), (Pose(20.0, 3.1, 20.001), 9.0)):
         with stage.frame(settings, pose, kt) as frame:
@@ -344,6 +346,38 @@ def test_r18_the_loop_over_blades_and_one_call_draw_the_same_picture(stage: Stag
     assert (np.abs(pictures[0] - np.array([102, 153, 178])) > 20).any(axis=2).sum() > 500
     assert calls[0].count("glDrawElements") == 1 and not calls[0].count("glBegin")
     assert calls[1].count("glBegin") == len(grass.select(frame).positions)
+
+
+def test_blades_drawn_in_groups_make_the_same_picture_with_few_of_them_in_memory(
+    stage: Stage, sow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(grass_module, "LEAST", 0)
+    settings = grass_settings()
+    grass, pictures, most = sow(), [], []
+    send = Grass._send
+    monkeypatch.setattr(
+        Grass, "_send", lambda self, blades: most.append(len(blades)) or send(self, blades)
+    )
+    for at_once in (1_000_000, 100):
+        monkeypatch.setattr(grass_module, "AT_ONCE", at_once)
+        monkeypatch.setattr(grass_module, "MOST_KEPT", 3 * at_once)
+        assert grass.apply(settings)
+        with stage.frame(settings, NORTH) as frame:
+            grass.draw(frame)
+            pictures.append(stage.read())
+    assert (pictures[0] == pictures[1]).all() and len(np.unique(pictures[0])) > 5
+    assert most[0] > 300 and max(most[1:]) <= 100 and sum(most[1:]) == most[0]
+    assert sum(len(blades.positions) for blades in grass._grown.values()) <= 300
+
+
+def test_a_loop_over_more_blades_than_one_would_wait_for_is_refused() -> None:
+    check_loop(1_000_000)
+    with pytest.raises(InputError, match=r"setting grass\.method: expected at most 1000000 blades"):
+        check_loop(1_000_001)
+
+
+def test_a_cell_of_a_tiny_map_has_no_more_blades_than_fit_into_memory() -> None:
+    assert shared_out(40_000_000, np.ones(4), 1).tolist() == [200_000] * 4
 
 
 def test_one_blade_takes_twelve_calls(stage: Stage) -> None:

@@ -28,6 +28,7 @@ from landscape.elements.grass_cells import (
     visible_cells,
 )
 from landscape.elements.ground import Ground
+from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -42,6 +43,9 @@ LEAST = 400  # chosen: the number of cells that are kept in any case
 COORDINATES = np.array([(0, 1), (1, 1), (0.2, 0.3), (0.8, 0.3), (0.5, 0)], np.float32)
 # A strip of five vertices is three triangles; the winding of the second is reversed, as in a strip.
 STRIP_TRIANGLES = np.array([0, 1, 2, 2, 1, 3, 2, 3, 4], np.uint32)
+MOST_KEPT = 3_000_000  # chosen: most blades kept in memory, 200 MB
+AT_ONCE = 1_000_000  # chosen: blades in memory at a time
+MOST_LOOPED = 1_000_000  # chosen: one by one they take ten seconds
 WIND = ((2, 0.5), (3, 0.5), (4, 1.0))  # section 5.3.2: vertex, and its fraction of the wind
 TALLEST = 0.02  # section 5.3.2: height of the tip in units, before scaling
 
@@ -110,6 +114,28 @@ def send_one_by_one(vertices: np.ndarray) -> None:
         gl.glEnd()
 
 
+def in_groups(cells: list[int], counts: np.ndarray) -> list[list[int]]:
+    """Return cells in groups of at most AT_ONCE blades, or of one cell; ``counts`` by cell."""
+    groups: list[list[int]] = []
+    total = 0
+    for cell in cells:
+        total += int(counts[cell])
+        if not groups or total > AT_ONCE:
+            groups.append([])
+            total = int(counts[cell])
+        groups[-1].append(cell)
+    return groups
+
+
+def check_loop(count: int) -> None:
+    """Raise InputError if sending ``count`` blades one by one would take too long."""
+    if count > MOST_LOOPED:
+        raise InputError(
+            f"setting grass.method: expected at most {MOST_LOOPED} blades in view to be sent one "
+            f"by one, not {count}; grass.count or grass.radius may be smaller"
+        )
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the blades' number, places and shapes depend on."""
     ground, grass, castle = settings.ground, settings.grass, settings.castle
@@ -131,6 +157,8 @@ class Grass:
         self._across = int(np.ceil(ground.field.size / CELL))
         self._counts = shared_out(settings.grass.count, cover(self._suits, self._across), seed)
         self._grown: dict[int, Blades] = {}  # by cell, the most recently used last
+        self._held = 0  # their blades
+        self._cells: list[list[int]] = []  # those in view, in groups that are drawn together
         self._selected: Blades | None = None
         self._selected_for: tuple[object, ...] = ()
         self._texture = Texture(read_image(assets.path("blade.png"), "RGB"), repeat=False)
@@ -152,6 +180,7 @@ class Grass:
             corners = blade_corners(rng.random(len(xz)) * 2 * np.pi)
             vertices = blade_vertices(places, corners, self._settings.grass.scale)
             blades = Blades(places.astype(np.float32), vertices)
+            self._held += len(xz)
         self._grown[number] = blades
         return blades
 
@@ -160,13 +189,22 @@ class Grass:
 
         That function, which selects the sprites, is the plain form: it would test every blade.
         """
+        return self._blades(self._in_view(frame))
+
+    def _in_view(self, frame: Frame) -> list[int]:
+        """Return the numbers of the visible cells that have blades."""
         radius = self._settings.grass.radius
         cells = cells_around(frame.pose.x, frame.pose.z, radius, self._across)
         seen = visible_cells(frame, cell_centres(cells, self._field), radius)
         numbers = cells[:, 1] * self._across + cells[:, 0]
-        found = [self.cell(n) for n in numbers[seen & (self._counts[numbers] > 0)].tolist()]
-        while len(self._grown) > max(KEPT * len(found), LEAST):
-            del self._grown[next(iter(self._grown))]
+        return list[int](numbers[seen & (self._counts[numbers] > 0)].tolist())
+
+    def _blades(self, numbers: list[int]) -> Blades:
+        """Return the blades of some cells."""
+        found = [self.cell(number) for number in numbers]
+        most = max(KEPT * len(found), LEAST)
+        while len(self._grown) > most or (self._held > MOST_KEPT and len(self._grown) > 1):
+            self._held -= len(self._grown.pop(next(iter(self._grown))).positions)
         if not found:
             return Blades(np.empty((0, 3), np.float32), np.empty((0, 5, 3), np.float32))
         return Blades(*(np.concatenate(arrays) for arrays in zip(*found, strict=True)))
@@ -174,11 +212,20 @@ class Grass:
     def draw(self, frame: Frame) -> None:
         """Select, bend and send the visible blades."""
         view = frame.pose, frame.size, frame.fov
-        if self._selected is None or self._selected_for != view:
-            # While the eye does not move, the selection is reused: only the wind changes.
-            self._selected, self._selected_for = self.select(frame), view
-        grass = self._settings.grass
-        vertices = bent(self._selected, frame.kt, grass.scale[0])
+        if not self._cells or self._selected_for != view:
+            self._cells = in_groups(self._in_view(frame), self._counts)
+            self._selected, self._selected_for = None, view
+        if self._settings.grass.method == "loop":
+            check_loop(sum(int(self._counts[group].sum()) for group in self._cells))
+        for group in self._cells:
+            # While the eye does not move, the selection is reused: only the wind changes. More
+            # blades than fit into memory together are selected again in each frame.
+            blades = self._blades(group) if self._selected is None else self._selected
+            self._selected = blades if len(self._cells) == 1 else None
+            self._send(bent(blades, frame.kt, self._settings.grass.scale[0]))
+
+    def _send(self, vertices: np.ndarray) -> None:
+        """Send blades (n, 5, 3)."""
         count = len(vertices)
         if not count:
             return
@@ -190,7 +237,7 @@ class Grass:
             gl.glColor3f(*self._settings.sun.tint)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
-            if grass.method == "loop":
+            if self._settings.grass.method == "loop":
                 send_one_by_one(vertices)
             else:
                 with client_arrays(vertices.reshape(-1, 3), coordinates=[self._coordinates]):
@@ -201,7 +248,7 @@ class Grass:
         """Apply new settings; return False, changing nothing, if the blades must be regrown."""
         if wanted(settings) or built_from(settings) != self._built_from:
             return False
-        self._settings, self._selected = settings, None
+        self._settings, self._selected, self._cells = settings, None, []
         return True
 
     def release(self) -> None:

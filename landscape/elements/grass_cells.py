@@ -19,6 +19,7 @@ HALF_DIAGONAL = CELL * 0.7072
 PROBES = 4  # chosen: places per side of a cell where it is tested whether grass grows
 SHORE = 0.004  # chosen: units above the water where grass begins
 CASTLE = 0.75  # chosen: radius in units around the castle's centre where no grass grows
+MOST = 200_000  # chosen: blades of a cell
 TRIES = 12  # chosen: most rounds of random places tried to place the blades of a cell
 
 Suits = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -42,10 +43,14 @@ def cover(suits: Suits, across: int) -> np.ndarray:
 
 
 def shared_out(count: int, share: np.ndarray, seed: int) -> np.ndarray:
-    """Return how many of ``count`` blades each cell gets, at random by its ``share`` (cells,)."""
+    """Return how many of ``count`` blades each cell gets, at random by its ``share`` (cells,).
+
+    No more than MOST, which cover the ground many times over: on a tiny map there are fewer.
+    """
     if not share.any():
         return np.zeros(len(share), int)
-    return np.random.default_rng([seed, 7]).multinomial(count, share / share.sum())
+    counts = np.random.default_rng([seed, 7]).multinomial(count, share / share.sum())
+    return np.minimum(counts, MOST)
 
 
 def places_in(
