@@ -248,7 +248,6 @@ class Island:
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
-        begin_pass("main")
         frame, draw, values = self._begin(moment), self._draw, self.settings
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)

@@ -19,7 +19,7 @@ from landscape.errors import InputError, short
 from landscape.files.assets import Assets
 from landscape.frame import FULL, Detail, Frame, Pose, scaled
 from landscape.geometry.obstacle_grid import Obstacles
-from landscape.gl.calls import gl
+from landscape.gl.calls import frame_begins, gl
 from landscape.keys import Value
 from landscape.settings import Camera, Fog, Sun
 
@@ -342,6 +342,7 @@ def begin_frame(
     """
     pose, detail = moment.pose, moment.detail
     assert pose.y is not None
+    frame_begins()
     gl.glViewport(0, 0, *(scaled(side, detail.scale) for side in moment.size))
     gl.glClearColor(*haze.color, 1.0)
     gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)

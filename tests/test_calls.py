@@ -18,7 +18,7 @@ from landscape.elements.sky_box import SkyBox
 from landscape.elements.water_surface import WaterSurface
 from landscape.frame import Pose
 from landscape.gl import calls
-from landscape.gl.calls import Call, begin_pass, drawing, gl, recording
+from landscape.gl.calls import Call, Site, begin_pass, drawing, edited, gl, recording
 from landscape.gl.context import open_context
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.notes import plain
@@ -264,18 +264,30 @@ def test_an_array_shows_the_values_it_had_at_the_call(stage: Stage) -> None:
     assert shown == [[1.0, 0.0, 0.0, 1.0], [0.5, 0.5, 0.5, 0.5]]
 
 
-def test_an_override_changes_the_calls_that_a_list_compiles(stage: Stage) -> None:
-    def larger(name: str, args: tuple[Any, ...]) -> tuple[Any, ...]:
-        return (7.0,) if name == "glPointSize" else args
+class Replaced:
+    """An edit of the simplest kind: every call of a name gets other arguments, or is left out."""
 
-    with recording(larger):
+    def __init__(self, name: str, args: tuple[Any, ...] | None) -> None:
+        self._name, self._args = name, args
+
+    def begin(self, list_site: Site | None = None) -> None: ...
+
+    def end(self) -> None: ...
+
+    def change(self, name: str, args: tuple[Any, ...], *_: Any) -> tuple[Any, ...] | None:
+        return self._args if name == self._name else args
+
+
+def test_an_edit_changes_the_calls_that_a_list_compiles(stage: Stage) -> None:
+    with edited(Replaced("glPointSize", (7.0,))):
         owner = DisplayList(lambda: gl.glPointSize(2.0))
     with stage.borrowed(), recording() as recorder:
         owner.call()
         size = gl.glGetFloatv(gl.GL_POINT_SIZE)
     owner.release()
     assert float(np.ravel(size)[0]) == 7.0
-    assert recorder.calls[0].listed[0].shown == [7.0]
+    inside = recorder.calls[0].listed[0]
+    assert (inside.shown, inside.given) == ([7.0], (2.0,))
 
 
 def test_a_nested_recording_hands_the_pass_back(stage: Stage) -> None:
@@ -328,18 +340,48 @@ def test_a_replay_is_split_where_the_framebuffer_changes_and_restores_the_seam(
     assert gl.glBindFramebuffer is original.glBindFramebuffer
 
 
-def test_an_override_changes_what_opengl_gets(stage: Stage) -> None:
-    def green(name: str, args: tuple[Any, ...]) -> tuple[Any, ...]:
-        return (0.0, 1.0, 0.0, 1.0) if name == "glClearColor" else args
-
-    with recording(green) as recorder:
+def test_an_edit_changes_what_opengl_gets(stage: Stage) -> None:
+    with edited(Replaced("glClearColor", (0.0, 1.0, 0.0, 1.0))), recording() as recorder:
         with stage.frame(small(), Pose(0.0, 0.0, 0.0)):
             picture = stage.read()
     assert close(picture, (0, 255, 0))
-    shown = next(call.shown for call in recorder.calls if call.name == "glClearColor")
-    assert shown == [0.0, 1.0, 0.0, 1.0]
+    call = next(call for call in recorder.calls if call.name == "glClearColor")
+    assert call.shown == [0.0, 1.0, 0.0, 1.0] and call.given is not None
     with stage.frame(small(), Pose(0.0, 0.0, 0.0)):
         assert close(stage.read(), np.array([0.4, 0.6, 0.7]) * 255)
+
+
+def test_an_edit_may_leave_a_call_out(stage: Stage) -> None:
+    with stage.borrowed():
+        gl.glPointSize(3.0)
+        with edited(Replaced("glPointSize", None)), recording() as recorder:
+            gl.glPointSize(9.0)
+        size = gl.glGetFloatv(gl.GL_POINT_SIZE)
+    assert float(np.ravel(size)[0]) == 3.0
+    assert [call.skipped for call in recorder.calls] == [True]
+    assert recorder.calls[0].as_json()["skipped"] is True
+
+
+def test_with_edits_that_change_nothing_arguments_reach_opengl_as_they_are(stage: Stage) -> None:
+    with edited(Replaced("glNoSuchCall", None)), recording() as recorder:
+        gl.glIsEnabled(gl.GL_FOG)
+    assert recorder.calls[0].given is None and not recorder.calls[0].skipped
+
+
+def test_a_complete_recording_copies_what_a_draw_call_reads(stage: Stage) -> None:
+    points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], np.float32)
+    with stage.borrowed(), recording(complete=True) as recorder:
+        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glVertexPointer(3, gl.GL_FLOAT, 0, points)
+        gl.glDrawArrays(gl.GL_POINTS, 0, 2)
+        points[1, 0] = 5.0
+        gl.glDrawArrays(gl.GL_POINTS, 0, 2)
+        gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glDrawArrays(gl.GL_POINTS, 0, 2)
+    draws = [call.arrays for call in recorder.calls if call.name == "glDrawArrays"]
+    assert [[(name, float(args[3][1, 0])) for name, args in arrays] for arrays in draws] == [
+        [("glVertexPointer", 1.0)], [("glVertexPointer", 5.0)], [],
+    ]  # fmt: skip
 
 
 def test_recording_changes_no_pixel(stage: Stage, plain: Any) -> None:
@@ -386,6 +428,13 @@ def test_the_suite_itself_runs_with_pyopengls_checks_on() -> None:
     assert OpenGL.ERROR_CHECKING and OpenGL.ERROR_ON_COPY
 
 
+def as_it_is(call: Call) -> dict[str, Any]:
+    """Return a call without its number, which depends on what was called before the frame."""
+    entry = call.as_json()
+    del entry["call"]
+    return entry
+
+
 def test_a_recording_of_running_islands_sees_inside_the_lists_of_each(
     stage: Stage, plain_folder: Path
 ) -> None:
@@ -402,10 +451,14 @@ def test_a_recording_of_running_islands_sees_inside_the_lists_of_each(
         for offscreen, trace in zip((first, second), wanted, strict=True):
             with recording() as recorder:
                 offscreen.draw()
-            inside = [call.as_json() for call in recorder.calls if call.name == "glCallList"]
-            traced = [call.as_json() for call in trace if call.name == "glCallList"]
-            assert [entry.pop("args") for entry in inside] and all("list" in e for e in inside)
-            assert [entry.pop("args") for entry in traced] and inside == traced
+            inside, traced = (
+                [call.listed for call in calls if call.name == "glCallList"]
+                for calls in (recorder.calls, trace)
+            )
+            assert inside and all(inside)
+            assert [list(map(as_it_is, calls)) for calls in inside] == [
+                list(map(as_it_is, calls)) for calls in traced
+            ]
     stage.enter()
 
 

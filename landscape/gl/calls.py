@@ -1,31 +1,47 @@
 """The seam: every OpenGL call of the program goes through the namespace :data:`gl`.
 
 Off, it costs nothing: once looked up, an attribute of ``gl`` is PyOpenGL's function itself. Inside
-:func:`noting` the attributes are functions that note a call and then make it. Two things need
+:func:`noting` the attributes are functions that note a call and then make it. Three things need
 that. A :func:`recording` collects the calls, with their arguments, the element that draws, the pass
-and the source line, and may change arguments. And a display list remembers the calls it was
-compiled from, recording or not, so that a recording of any later frame can look inside it.
+and the source line. Edits (:func:`edited`) change arguments or leave calls out. And a display list
+remembers the calls it was compiled from, recording or not, so that a recording of any later frame
+can look inside it.
 
 The element is the one that the code names: ``with drawing("water"): water.draw(frame)``.
 Tests, ``landscape trace`` and the lessons are built on this module. One thread draws at a time.
 """
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ContextDecorator, contextmanager
 from itertools import islice
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
-from landscape.gl.notes import Call, caller, shown
+from landscape.gl.client import ClientArrays, frozen
+from landscape.gl.notes import Call, Site, caller, shown
 
 __all__ = [
-    "Call", "Lists", "Override", "Recorder", "begin_pass", "drawing", "drawn_now", "gl", "noting",
-    "recording", "replacing", "use_lists",
+    "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "drawing", "drawn_now",
+    "edited", "frame_begins", "gl", "noting", "noting_function", "recording", "replacing",
+    "use_lists",
 ]  # fmt: skip
 
-Override = Callable[[str, tuple[Any, ...]], tuple[Any, ...]]
+
+class Edits(Protocol):
+    """What changes calls as they are made (see capture/edits.py)."""
+
+    def begin(self, list_site: Site | None = None) -> None:
+        """A frame or the setup begins or, with the line that does so, the compiling of a list."""
+
+    def end(self) -> None:
+        """The compiling of a list ends."""
+
+    def change(
+        self, name: str, args: tuple[Any, ...], elements: tuple[str, ...], pass_: str, site: Site
+    ) -> tuple[Any, ...] | None:
+        """Return the arguments to use for a call, ``args`` itself for most; None leaves it out."""
 
 
 class Calls:
@@ -40,7 +56,7 @@ class Calls:
 
         value = getattr(OpenGL.GL, name)
         if self.__dict__ is _noted and callable(value) and name.startswith("gl"):
-            value = _noting(name, value)
+            value = noting_function(name, value)
         self.__dict__[name] = value
         return value
 
@@ -52,6 +68,9 @@ _noted: dict[str, Any] = {}
 _depth = 0  # how many noting() blocks are open
 
 
+FIELDS = 7  # of a Call, from ``shared_by`` on: what a note of it holds
+
+
 class Listing:
     """The calls that one display list was compiled from.
 
@@ -59,12 +78,13 @@ class Listing:
     for them: thousands of small objects would slow down the start, by garbage collections.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, site: Site | None = None) -> None:
+        self.site = site  # the line that began it
         self._notes: list[Any] = []
         self._calls: list[Call] | None = None
 
     def note(self, name: str, args: tuple[Any, ...], where: tuple[Any, ...]) -> None:
-        """Add a call; ``where`` holds the next five fields of a Call."""
+        """Add a call; ``where`` holds the next fields of a Call, as many as FIELDS."""
         self._notes += (name, len(args), *args, *where)
 
     def calls(self) -> list[Call]:
@@ -73,7 +93,7 @@ class Listing:
             self._calls, notes = [], iter(self._notes)
             for name in notes:
                 args = tuple(islice(notes, next(notes)))
-                call = Call(name, args, *islice(notes, 5))
+                call = Call(name, args, *islice(notes, FIELDS))
                 call.listed = _executed(call)
                 self._calls.append(call)
         return self._calls
@@ -84,11 +104,34 @@ Lists = dict[int, Listing]
 
 
 class Recorder:
-    """What a recording has collected; calls compiled into a list are listed under it."""
+    """What a recording has collected; calls compiled into a list are listed under it.
 
-    def __init__(self, override: Override | None = None) -> None:
+    ``complete``: arrays are copied, so that the calls can be made again later (capture/tape.py).
+    ``before`` and ``after`` are told of each call that is recorded, when it is made.
+    """
+
+    def __init__(self, complete: bool = False) -> None:
         self.calls: list[Call] = []
-        self.override = override
+        self.complete = complete
+        self.client = ClientArrays()
+        self.before: Callable[[Call], None] | None = None
+        self.after: Callable[[Call], None] | None = None
+
+    def add(self, call: Call) -> Call:
+        """Add a call that is about to be made."""
+        call.number = len(self.calls)
+        call.listed = _executed(call)
+        self.calls.append(call)
+        if self.before is not None:
+            self.before(call)
+        return call
+
+    def made(self, call: Call) -> None:
+        """Take note that a call has been made."""
+        if call.name == "glNewList":
+            call.compiled = _open
+        if self.after is not None:
+            self.after(call)
 
     @property
     def lists(self) -> dict[int, list[Call]]:
@@ -97,6 +140,7 @@ class Recorder:
 
 
 _recorder: Recorder | None = None
+_edits: Edits | None = None
 _lists: Lists = {}
 _open: Listing | None = None  # the display list that is being compiled
 _drawing: list[tuple[str, ...]] = [("frame",)]
@@ -104,20 +148,35 @@ current_pass = "setup"
 
 
 @contextmanager
-def recording(override: Override | None = None) -> Iterator[Recorder]:
-    """Record every call made inside the block; ``override(name, args)`` may change arguments.
+def recording(complete: bool = False) -> Iterator[Recorder]:
+    """Record every call made inside the block; ``complete`` copies arrays, to replay the calls.
 
     A recording inside another one collects its own calls; the outer one does not see them.
     """
     global _recorder, current_pass
     before = _recorder, current_pass
-    recorder = Recorder(override)
+    recorder = Recorder(complete)
     _recorder, current_pass = recorder, "setup"
     try:
         with noting():
             yield recorder
     finally:
         _recorder, current_pass = before
+
+
+@contextmanager
+def edited(edits: Edits | None) -> Iterator[None]:
+    """Let ``edits`` change the calls of the block; None changes nothing, and costs nothing."""
+    global _edits
+    before, _edits = _edits, edits
+    try:
+        if edits is None:
+            yield
+        else:
+            with noting():
+                yield
+    finally:
+        _edits = before
 
 
 @contextmanager
@@ -176,6 +235,15 @@ def begin_pass(name: str) -> None:
     """Say which pass of the frame begins: reflection, main or overlay; setup while building."""
     global current_pass
     current_pass = name
+    if name == "setup" and _edits is not None:
+        _edits.begin()
+
+
+def frame_begins() -> None:
+    """Say that a frame begins, with its main pass."""
+    begin_pass("main")
+    if _edits is not None:
+        _edits.begin()
 
 
 def use_lists(lists: Lists) -> None:
@@ -184,43 +252,59 @@ def use_lists(lists: Lists) -> None:
     _lists = lists
 
 
-def _noting(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return ``function`` with a note taken of each call."""
+def noting_function(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return OpenGL's ``function`` with a note taken of each call."""
     follow = _FOLLOW.get(name)
 
-    def noted(*args: Any) -> Any:
-        kept = None
+    def noted(*args: Any, **named: Any) -> Any:
+        elements, site, given = _drawing[-1], caller(sys._getframe(1)), None
+        skipped = False
+        if _edits is not None:
+            changed = _edits.change(name, args, elements, current_pass, site)
+            skipped = changed is None
+            if changed is not None and changed is not args:
+                given, args = args, changed
+        values, kept = (*args, *named.values()), None
+        arrays: Sequence[Any] = ()
         if _recorder is not None:
-            if _recorder.override is not None:
-                args = _recorder.override(name, args)
-            if any(isinstance(value, (np.ndarray, list)) for value in args):
-                kept = shown(name, args)  # now: the caller may overwrite an array later
-        where = (_drawing[-1], current_pass, *caller(sys._getframe(1)), kept)
+            if _recorder.complete:
+                arrays = _recorder.client.see(name, values)
+                values = frozen(values)
+            elif any(isinstance(value, (np.ndarray, list)) for value in values):
+                kept = shown(name, values)  # now: the caller may overwrite an array later
+        where = (elements, current_pass, site, kept, given, skipped, arrays)
+        call = None
         if _open is not None and name != "glEndList":
-            _open.note(name, args, where)
+            _open.note(name, values, where)
         elif _recorder is not None:
-            call = Call(name, args, *where)
-            call.listed = _executed(call)
-            _recorder.calls.append(call)
-        result = function(*args)
+            call = _recorder.add(Call(name, values, *where))
+        if skipped:
+            return None
+        result = function(*args, **named)
         if follow is not None:
-            follow(*args)
+            follow(site, *args)
+        if call is not None and _recorder is not None:
+            _recorder.made(call)
         return result
 
     return noted
 
 
-def _begin(name: int, mode: int) -> None:
+def _begin(site: Site, name: int, mode: int) -> None:
     global _open
-    _open = _lists[int(name)] = Listing()
+    _open = _lists[int(name)] = Listing(site)
+    if _edits is not None:
+        _edits.begin(site)
 
 
-def _end() -> None:
+def _end(_: Site) -> None:
     global _open
     _open = None
+    if _edits is not None:
+        _edits.end()
 
 
-def _forget(first: int, count: int) -> None:
+def _forget(_: Site, first: int, count: int) -> None:
     for name in range(int(first), int(first) + int(count)):
         _lists.pop(name, None)
 

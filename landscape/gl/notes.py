@@ -1,16 +1,19 @@
 """What is noted about an OpenGL call: its name, arguments, element, pass and source line."""
 
+import linecache
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from types import FrameType
-from typing import Any
+from types import CodeType, FrameType
+from typing import Any, Protocol
 
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__)) + os.sep
 PACKAGE = os.path.dirname(os.path.dirname(HERE)) + os.sep
 LIBRARIES = os.path.dirname(os.path.abspath(os.__file__)) + os.sep
+
+INSTALLED = ("site-packages", "dist-packages")
 
 MASKED = ("glClear", "glPushAttrib")
 BITS = (
@@ -20,22 +23,56 @@ BITS = (
 FIRST = 64  # chosen: values of an array that a trace shows
 
 
+@dataclass(frozen=True, slots=True)
+class Site:
+    """A line of code that calls OpenGL: the file as a trace names it, line, function and path.
+
+    ``function`` is the qualified name, as in "Water.draw"; ``path`` is where the file can be read.
+    """
+
+    file: str
+    line: int
+    function: str
+    path: str
+
+    @property
+    def text(self) -> str:
+        """The line's text without the space around it; empty where the source is not at hand."""
+        return linecache.getline(self.path, self.line).strip()
+
+
+class Compiled(Protocol):
+    """A display list, as a recording knows it."""
+
+    def calls(self) -> "list[Call]":
+        """Return the calls that it was compiled from."""
+
+
 @dataclass(slots=True)
 class Call:
     """One call.
 
-    ``args`` are the arguments as OpenGL received them. ``shared_by`` names the element that draws,
-    or several that share the call; ``listed`` holds the calls that a glCallList executes.
+    ``args`` are the arguments as OpenGL received them, ``given`` those of the program where an edit
+    changed them; a call that an edit left out is ``skipped``. ``shared_by`` names the element that
+    draws, or several that share the call; ``listed`` holds the calls that a glCallList executes.
+    ``number`` counts the calls of a recording from 0.
+
+    A complete recording copies arrays. In it ``arrays`` are the calls (name, arguments) that give a
+    draw call its client arrays, and ``compiled`` is the list that a glNewList began.
     """
 
     name: str
     args: tuple[Any, ...]
     shared_by: tuple[str, ...]
     pass_: str
-    file: str
-    line: int
+    site: Site
     kept: list[Any] | None = None  # ``shown``, where it had to be made at the time of the call
+    given: tuple[Any, ...] | None = None
+    skipped: bool = False
+    arrays: "Sequence[tuple[str, tuple[Any, ...]]]" = ()
     listed: "Sequence[Call]" = ()
+    compiled: "Compiled | None" = None
+    number: int = 0
 
     @property
     def element(self) -> str:
@@ -45,26 +82,37 @@ class Call:
     @property
     def source(self) -> str:
         """The line of code that made the call, as "file:line"."""
-        return f"{self.file}:{self.line}"
+        return f"{self.site.file}:{self.site.line}"
 
     @property
     def shown(self) -> list[Any]:
         """The arguments as JSON: enumerants by name, long arrays by their first values."""
         return shown(self.name, self.args) if self.kept is None else self.kept
 
-    def as_json(self) -> dict[str, Any]:
-        """Return the call in the form that `landscape trace --json` prints."""
+    def as_json(self, inside: str = "") -> dict[str, Any]:
+        """Return the call in the form that `landscape trace --json` prints.
+
+        ``inside`` is the place of a call that a display list executes, as in "12.3".
+        """
+        place = inside or str(self.number)
         entry: dict[str, Any] = {
+            "call": int(place.partition(".")[0]),
             "name": self.name,
             "args": self.shown,
             "element": self.element,
             "source": self.source,
             "pass": self.pass_,
         }
+        if inside:
+            entry["inside"] = inside
+        if self.skipped:
+            entry["skipped"] = True
         if len(self.shared_by) > 1:
             entry["shared_by"] = list(self.shared_by)
         if self.listed:
-            entry["list"] = [call.as_json() for call in self.listed]
+            entry["list"] = [
+                call.as_json(f"{place}.{index}") for index, call in enumerate(self.listed)
+            ]
         return entry
 
 
@@ -97,10 +145,11 @@ def plain(value: Any) -> Any:
 
 
 _files: dict[str, str] = {}  # source path to name in a trace, or ""
+_sites: dict[tuple[CodeType, int], Site] = {}
 
 
-def caller(frame: FrameType) -> tuple[str, int]:
-    """Return file and line of the nearest caller that is neither a gl module nor a library."""
+def caller(frame: FrameType) -> Site:
+    """Return the line of the nearest caller that is neither a gl module nor a library."""
     at: FrameType | None = frame
     while at is not None:
         path = at.f_code.co_filename
@@ -108,9 +157,18 @@ def caller(frame: FrameType) -> tuple[str, int]:
         if file is None:
             file = _files[path] = traced_file(path)
         if file:
-            return file, at.f_lineno
+            return _site(file, at)
         at = at.f_back
-    return os.path.basename(frame.f_code.co_filename), frame.f_lineno
+    return _site(os.path.basename(frame.f_code.co_filename), frame)
+
+
+def _site(file: str, frame: FrameType) -> Site:
+    code, line = frame.f_code, frame.f_lineno
+    site = _sites.get((code, line))
+    if site is None:
+        site = Site(file, line, code.co_qualname.replace("<locals>.", ""), code.co_filename)
+        _sites[code, line] = site
+    return site
 
 
 def traced_file(path: str) -> str:
@@ -118,8 +176,9 @@ def traced_file(path: str) -> str:
 
     "" for the modules of ``landscape/gl`` and for libraries, whose callers are shown instead.
     """
-    if path.startswith((HERE, LIBRARIES, "<frozen")):
-        return ""
-    if path.startswith(PACKAGE):
+    if path.startswith(PACKAGE) and not path.startswith(HERE):
         return "landscape/" + path[len(PACKAGE) :].replace(os.sep, "/")
+    installed = any(f"{os.sep}{name}{os.sep}" in path for name in INSTALLED)
+    if installed or path.startswith((HERE, LIBRARIES, "<frozen")):
+        return ""
     return os.path.basename(path)
