@@ -51,6 +51,19 @@ def test_every_kind_of_fault_is_found_and_a_clear_error_is_none(tmp_path: Path) 
     assert {lines[0], lines[-1]} == {"refused 2 ", "usage 2 "}
 
 
+def test_inputs_of_every_kind_can_be_made_whatever_they_draw_by_chance() -> None:
+    code = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import inputs
+for kind in inputs.KINDS:
+    for n in range(200):
+        inputs.make(f"{kind}-{n}", 7)
+"""
+    done = python(code, FUZZ)
+    assert (done.status, done.err) == (0, "")
+
+
 def test_an_input_can_be_made_again_from_the_seed_and_its_name() -> None:
     code = """
 import sys

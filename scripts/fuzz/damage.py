@@ -14,9 +14,11 @@ import numpy as np
 import trimesh
 from case import RENDER, Case
 from PIL import Image
+from values import FIELDS, value
 
 import landscape
 from landscape.tools.doctor import BACKENDS
+from landscape.window.recording import ACTIONS
 
 
 def damaged(rng: random.Random, data: bytes, times: int) -> bytes:
@@ -113,6 +115,20 @@ def mesh(rng: random.Random) -> Case:
     return case
 
 
+def frame(rng: random.Random) -> dict[str, Any]:
+    """Return a frame of a walk, perhaps with switches or with settings changed in the list."""
+    made: dict[str, Any] = {"dt": 0.03, "look": [0.0, 1.5], "run": True}
+    if rng.random() < 0.4:
+        made["do"] = rng.choices([*ACTIONS, "time", "go_to_fix"], k=rng.randint(1, 3))
+    if rng.random() < 0.3:
+        made["list"] = rng.choice([*FIELDS, ""])
+    if rng.random() < 0.3:
+        made["set"] = {key: value(rng, key) for key in rng.sample(list(FIELDS), rng.randint(1, 2))}
+    if rng.random() < 0.2:
+        made["size"] = rng.choice([[1, 1], [64, 20], [300, 200]])
+    return made
+
+
 def recording(rng: random.Random) -> Case:
     """Return an edited recording of a walk, to be replayed without a screen."""
     plan: dict[str, Any] = {
@@ -128,7 +144,7 @@ def recording(rng: random.Random) -> Case:
         "wireframe": False,
     }
     plan |= {"language": "en", "settings": {"ground.resolution": 20}}
-    frames: list[Any] = [{"dt": 0.03, "look": [0.0, 1.5], "run": True} for _ in range(3)]
+    frames: list[Any] = [frame(rng) for _ in range(rng.randint(2, 5))]
     lines = [plan, *frames, {"frames": len(frames)}]
     odd = [
         None,
@@ -149,7 +165,7 @@ def recording(rng: random.Random) -> Case:
     ]
     for _ in range(rng.randint(0, 3)):
         line = rng.choice(lines)
-        key = rng.choice([*line, "extra", "forward", "size", "actions", "pose", "strike"])
+        key = rng.choice([*line, "extra", "forward", "size", "do", "set", "list", "pose", "strike"])
         line[key] = rng.choice(odd)
     data = "\n".join(json.dumps(line) for line in lines).encode()
     if rng.random() < 0.3:

@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 from case import ELEMENTS, RENDER, Case
 from damage import cache, damaged, image, mesh, picture, recording
+from values import FIELDS, WORDS, number, setting, value
 
-from landscape import keys
 from landscape.scene import SCENES, scene
 
 
@@ -23,15 +23,8 @@ def make(name: str, seed: int) -> Case:
 
 # --- commands ----------------------------------------------------------------------------------
 
-WORDS = [
-    *["", " ", "-", "--", "-1", "0", "1", "7", "1e9", "nan", "inf", "-inf", "1e400", "9" * 400],
-    *["²", "fig35a", "fig2a", "fig99z", "R6", "35", "island", "best", "2006", "osmesa", "metal"],
-    *["é山", "ground", "ground,water", "cows", "a=b", "fog.density=0.1", "a\nb", "\x1b[31m"],
-    *["x" * 300],
-    *["in.toml", "in.png", "in.ply", "missing", ".", "..", "/", "/dev/null", "/proc/self/mem", "~"],
-    *["%s", "{}", "$HOME", "*", "'", '"', "\\", "\udcff", "\u202e", "640x480", "1,2,3,4,5"],
-]  # fmt: skip
-VIEWS = [*scene().views, "fig99z", *SCENES]
+FIXES = [fix.name for fix in scene().fixes]
+VIEWS = [*scene().views, *FIXES, "fig99z", "R99", *SCENES]
 SIZES = ["1x1", "2x1", "40x30", "64x48", "1x3000", "3000x1", "16384x1", "1x16384", "700x500"]
 BAD_SIZES = ["0x0", "-1x5", "16385x1", "16384x16384", "1e3x4", "x", "800", "nanxnan", "1x1x1"]
 OPTIONS: dict[str, Callable[[random.Random], str]] = {
@@ -49,7 +42,9 @@ OPTIONS: dict[str, Callable[[random.Random], str]] = {
     "--out": lambda rng: rng.choice(["out.png", "new/out.png", "new", ".", "in.png/x", "x.jpg"]),
     "--element": lambda rng: rng.choice([*ELEMENTS, "frame", "cows", ""]),
     "--frames": lambda rng: rng.choice(["0", "1", "2", "-1", "x"]),
-    "--replay": lambda rng: rng.choice(["in.toml", "missing.jsonl", "."]),
+    "--replay": lambda rng: rng.choice(["tour", "in.toml", "missing.jsonl", "."]),
+    "--fps": lambda rng: rng.choice(["0", "30", "1000", "0.5", "nan", "x"]),
+    "--lang": lambda rng: rng.choice(["en", "fr", "de", ""]),
     "--record": lambda rng: rng.choice(["walk.jsonl", "new/walk.jsonl", ".", "in.png/x"]),
 }
 FLAGS = ["--json", "--wireframe", "-q", "--quiet", "--help", "--check", "--no-such", "--fullscreen"]
@@ -57,13 +52,6 @@ FLAGS = ["--json", "--wireframe", "-q", "--quiet", "--help", "--check", "--no-su
 ENDLESS = {"bench": "fig99z", "figures": "fig99z", "assets build": "x.png", "assets check": "x"}
 COMMANDS = ["render", "render", "render", "trace", "walk", "views", "settings", "doctor", "dance"]
 COMMANDS += ["assets sheet", *ENDLESS]
-
-
-def number(rng: random.Random) -> str:
-    """Return a number as text, perhaps an odd one."""
-    odd = ["0", "-0", "nan", "inf", "1e9", "1e8", "-1e8", "1e-320", "ground", "", "x", "1_0", "٣"]
-    plain = [f"{rng.uniform(-50, 50):.3f}", str(rng.randint(-400, 400)), f"{rng.uniform(0, 40)}"]
-    return rng.choice(plain * 4 + odd)
 
 
 def command(rng: random.Random) -> Case:
@@ -86,6 +74,9 @@ def command(rng: random.Random) -> Case:
     elif name == "walk":
         args += ["--backend", rng.choice(["osmesa", "osmesa", "egl", "auto"]), "--frames", "2"]
         args += ["--size", "40x30", "--preset", "2006", "--assets", "../assets", "-q"]
+        args += ["--only", rng.choice(ELEMENTS), *rng.sample(VIEWS, rng.choice([0, 1]))]
+    elif name == "settings":
+        args += rng.sample(["fog", "light", "zzz", rng.choice(list(FIELDS))], rng.choice([0, 1]))
     for _ in range(rng.randint(0, 4)):
         match rng.random():
             case x if x < 0.6:
@@ -102,37 +93,6 @@ def command(rng: random.Random) -> Case:
 
 
 # --- settings ----------------------------------------------------------------------------------
-
-FIELDS = keys.fields(type(scene().settings))
-# Large values of these take long, as they should; what matters is tested below a bound.
-COSTLY = {"grass.count": 300_000, "trees.count": 5000, "plants.count": 5000, "deer.count": 5000}
-COSTLY |= {"ground.resolution": 300, "ground.texture_size": 1024, "grass.radius": 30}
-
-
-def setting(rng: random.Random) -> str:
-    """Return KEY=VALUE, within its limits or beyond."""
-    key = rng.choice(list(FIELDS))
-    return f"{key}={value(rng, key)}"
-
-
-def value(rng: random.Random, key: str) -> str:
-    """Return a value of a setting as text: usual, at a limit, beyond it, or none at all."""
-    item = FIELDS[key]
-    default, meta = item.default, item.metadata
-    if rng.random() < 0.05:
-        return rng.choice(WORDS)
-    if isinstance(default, bool):
-        return rng.choice(["true", "false"] * 4 + ["on", "0", "2", "maybe"])
-    if isinstance(default, str):
-        return rng.choice([*meta["choices"], default, default, "missing.png"])
-    count = len(default) if isinstance(default, tuple) else 1
-    low, high = meta["low"], min(meta["high"], COSTLY.get(key, meta["high"]))
-    values = []
-    for _ in range(count):
-        beyond = rng.choice([low - 1, meta["high"] * 2 + 1]) if rng.random() < 0.1 else low
-        number = rng.choice([beyond, high, *(rng.uniform(low, high) for _ in range(4))])
-        values.append(str(int(number)) if isinstance(default, int) else repr(float(number)))
-    return ",".join(values)
 
 
 def settings(rng: random.Random) -> Case:
@@ -151,13 +111,13 @@ def toml(rng: random.Random) -> Case:
     """Return a file of settings, right, wrong or damaged."""
     lines = []
     for key in rng.sample(list(FIELDS), rng.randint(1, 5)):
-        group, name = key.split(".")
+        group, _, name = key.rpartition(".")
         plain = value(rng, key)
         quoted, listed = f'"{plain}"', f"[{plain}]"
         right = {str: quoted, tuple: listed}.get(type(FIELDS[key].default), plain)
         text = rng.choice([plain, quoted, listed]) if rng.random() < 0.1 else right
         lines.append(f"{key} = {text}")
-        if rng.random() < 0.1:
+        if group and rng.random() < 0.1:
             lines += [f"[{group}]", f"{name} = {text}"]
     data = "\n".join(lines).encode(errors="surrogateescape")
     if rng.random() < 0.3:
@@ -229,7 +189,7 @@ PYTHON = [
     *["''", "b'x'", "[]", "()", "{}", "object()", "1j", "np.float32(nan)", "np.int64(4)"],
     *["np.zeros(5)", "np.zeros((2, 2))", "np.array([20.0, 3.0, 24.0, 0.0, 0.0])", "lambda: 0"],
     *["Pose(20, None, 24)", "Pose(nan, 1, 2)", "(20, 'ground', 24)", "[20, None, 24, 0, -10]"],
-    *["'fig35a'", "'island'"],
+    *["'fig35a'", "'island'", "'R12'", "{'time': 'dawn'}", "{'time': {}}", "{'fog': {'x': 1}}"],
     *["{'fog.density': 0.1}", "{'fog': {'density': np.float64(0.1)}}", "{'fog': 1}", "{1: 2}"],
     *["{'fog.color': np.ones(3)}", "'ground'", "['sky', 'ground']", "Path('.')", "'../assets'"],
     *["(40, 30)", "[1, 1]", "np.array([40, 30])", "(40.0, 30.0)", "(10**9, 1)", "np.bool_(True)"],
@@ -242,7 +202,11 @@ USUAL = {
     "kt": ["None", "40"],
     "wireframe": ["False", "True"],
     "preset": ["'2006'"],
-    "settings": ["{'trees.count': 40}", "{'ground': {'resolution': 20}}"],
+    "settings": [
+        "{'trees.count': 40}",
+        "{'ground': {'resolution': 20}}",
+        "{'time': 'sunset', 'ground': {'resolution': 20}}",
+    ],
     "backend": ["'auto'"],
     "samples": ["0"],
     "assets": ["'../assets'"],
