@@ -104,17 +104,33 @@ def test_every_option_has_help_that_names_its_default(command: tuple[str, ...]) 
 def test_a_help_text_can_be_expanded_as_soon_as_its_option_is_added(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Python 3.14 does so in add_argument, and raises ValueError if it cannot."""
-    add = argparse._ActionsContainer.add_argument
+    """From Python 3.14 on, argparse does so itself and raises ValueError if it cannot."""
 
-    def checked(self: Any, *args: Any, **options: Any) -> argparse.Action:
-        action = add(self, *args, **options)
+    def expanded(action: argparse.Action) -> argparse.Action:
         if action.help:
             argparse.HelpFormatter("landscape")._expand_help(action)
         return action
 
-    monkeypatch.setattr(argparse._ActionsContainer, "add_argument", checked)
+    add, command = argparse._ActionsContainer.add_argument, argparse._SubParsersAction.add_parser
+
+    def add_argument(self: Any, *args: Any, **options: Any) -> argparse.Action:
+        return expanded(add(self, *args, **options))
+
+    def add_parser(self: Any, *args: Any, **options: Any) -> argparse.ArgumentParser:
+        parser = command(self, *args, **options)
+        expanded(self._choices_actions[-1])
+        return parser
+
+    monkeypatch.setattr(argparse._ActionsContainer, "add_argument", add_argument)
+    monkeypatch.setattr(argparse._SubParsersAction, "add_parser", add_parser)
     build_parser(cli.COMMANDS)
+    # The check itself: a text that lacks its parameter, and a lone percent sign.
+    for text in ("some of %(elements)s", "50% of the elements"):
+        parser = argparse.ArgumentParser()
+        with pytest.raises((KeyError, TypeError, ValueError)):
+            parser.add_argument("--only", help=text)
+        with pytest.raises((KeyError, TypeError, ValueError)):
+            parser.add_subparsers().add_parser("draw", help=text)
 
 
 def test_the_help_names_the_elements(shell: Shell) -> None:
