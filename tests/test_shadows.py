@@ -9,6 +9,7 @@ from landscape.elements.best.terrain import shadows as module
 from landscape.elements.best.terrain.shadows import (
     LIGHT_LEFT,
     ShadowMap,
+    cast_outlines,
     cast_points,
     cast_sprites,
     on_board,
@@ -51,6 +52,20 @@ def test_a_shadow_points_away_from_the_sun_as_far_as_a_thing_is_high() -> None:
     x0, x1, z0, z1 = dark_box(light_of(shadows))
     assert x1 - x0 == pytest.approx(0.1, abs=0.21)  # the penumbra adds a texel to each side
     assert z0 == pytest.approx(17.05, abs=0.15) and z1 == pytest.approx(20.1, abs=0.15)
+
+
+@pytest.mark.parametrize("elevation", [48.0, 20.0, 4.0])
+def test_a_wall_s_shadow_has_no_gaps_however_low_the_sun(elevation: float) -> None:
+    high = np.radians(elevation)
+    shadows = shadow_map(sun=np.array([0.0, np.sin(high), np.cos(high)]))
+    step = 0.7 * TEXEL
+    places = np.stack([np.arange(15.0, 25.0, step), np.full(143, 30.0)], axis=1)
+    cast_outlines(shadows, places, 0.0, 3.0, step)
+    _, _, z0, z1 = dark_box(light_of(shadows))
+    assert z1 == pytest.approx(30.0, abs=0.3)
+    assert z1 - z0 == pytest.approx(min(3.0 / np.tan(high), 3.0 / module.LOWEST), abs=0.5)
+    inside = light_of(shadows)[int(z0 / TEXEL) + 3 : int(z1 / TEXEL) - 3, 155:245]
+    assert inside.max() < LIGHT_LEFT.max() + 0.01
 
 
 def test_up_a_slope_a_shadow_is_shorter_and_down_it_longer() -> None:

@@ -69,6 +69,7 @@ class ShadowMap:
         rise = self._sun[1] / max(float(np.hypot(self._sun[0], self._sun[2])), 1e-6)
         self._flattest = min(FLATTEST, max(float(rise), LOWEST))
         self.longer = FLATTEST / self._flattest  # shadows, than the longest at noon
+        self.stretch = 1.0 / max(float(rise), self._flattest)  # length over height, on level ground
         self._shadow = np.zeros((self.side, self.side))
         self._sky = np.zeros((max(self.side // SKY_TEXELS, 1),) * 2)
 
@@ -229,9 +230,10 @@ def cast_outlines(
 ) -> None:
     """Cast the shadow of an upright wall along places x, z (n, 2), from ``low`` to ``high``.
 
-    Heights in units above the ground at each place; samples ``step`` units apart.
+    Heights in units above the ground at each place; samples at most ``step`` units apart, in the
+    shadow as well.
     """
-    heights = np.arange(low, high, step)
+    heights = np.arange(low, high, step / max(shadows.stretch, 1.0))
     points = np.repeat(on_ground(shadows, places), len(heights), axis=0)
     points[:, 1] += np.tile(heights, len(places))
     cast_points(shadows, points)
