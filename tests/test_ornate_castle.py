@@ -9,6 +9,7 @@ from stage import Stage, pixel, project, small, write_plain
 
 from landscape.elements.best.ornate.baked_light import (
     SIDE,
+    in_yard,
     light,
     light_map,
     open_to,
@@ -43,7 +44,8 @@ from landscape.frame import Pose
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP, WALL, outlines, quads_mesh
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl, recording
-from landscape.settings import Sun
+from landscape.keys import with_settings
+from landscape.settings import TIMES, Sun, preset
 
 SETTINGS = {**PLACED, "sun.azimuth": 180.0, "sun.elevation": 45.0}
 
@@ -291,6 +293,19 @@ def test_every_vertex_looks_up_the_light_at_its_own_position() -> None:
     assert np.allclose(texels[some], np.stack([column, row], axis=1), atol=1e-3)
     own = light(mesh.vertices[some].astype(float), mesh.normals[some].astype(float), sun, -160.0)
     assert np.abs(picture[row, column] / 127.5 - np.minimum(own, 2.0)).max() < 0.01
+
+
+@pytest.mark.parametrize("time", TIMES)
+def test_the_walls_of_the_yard_light_each_other(time: str) -> None:
+    sun = with_settings(preset("best"), {"time": time, **TIMES[time]}).sun
+    within = np.array([(x, y, WALL) for x in (0.15, 0.5, 0.85) for y in (0.1, 0.3, 0.6)])
+    south = np.tile((0.0, 0.0, 1.0), (len(within), 1))
+    yaw = preset("best").castle.yaw
+    assert light(within, south, sun, yaw).mean(axis=1).min() > 0.33
+    without = within * (1.0, 1.0, 0.0)
+    assert in_yard(within).min() > 0.9 and in_yard(without).max() == 0.0
+    shaded = light(without, -south, replace(sun, diffuse=(0.0, 0.0, 0.0)), yaw).mean()
+    assert light(within, south, sun, yaw).mean() < shaded, "the yard is darker than a wall outside"
 
 
 def test_the_door_is_seen_from_the_yard_where_it_opens(stage: Stage, plain_folder) -> None:

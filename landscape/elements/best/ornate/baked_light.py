@@ -30,6 +30,7 @@ OFF = 0.004  # units: distance from the surface at which a ray starts
 PENUMBRA = 0.03  # radians that the rays to the sun spread over, so that its shadow has a soft edge
 SUN_RAYS, SKY_RAYS = 7, 28
 BOUNCE = np.array([0.30, 0.29, 0.22])  # fraction of the sky's light the ground reflects, RGB
+BETWEEN = 0.60  # fraction of the hidden sky's light that the yard's walls send to each other
 CONTACT = 0.10  # units over which the ground darkens the foot of a wall
 LATTICE = 32  # lattice points per side of the noise, which then repeats
 RUNS = 0.24  # length in units of the streaks that rain leaves under a ledge
@@ -184,6 +185,12 @@ def torchlight(places: np.ndarray, normals: np.ndarray) -> np.ndarray:
     return np.asarray(total * before * FLAME)
 
 
+def in_yard(places: np.ndarray) -> np.ndarray:
+    """Return 0..1 (n,), how deep places (n, 3) are in the yard: 0 outside and at the walls' top."""
+    inside = np.abs(places[:, [0, 2]] - 0.5).max(axis=1) < 0.5 - WALL + 2 * OFF
+    return np.asarray(inside * np.clip(3.0 * (1.0 - places[:, 1]), 0.0, 1.0))
+
+
 def light(
     places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float, torches: float = 0.0
 ) -> np.ndarray:
@@ -199,6 +206,7 @@ def light(
     direct = np.maximum(normals @ towards, 0.0)[:, None] * diffuse
     fill = sun.fill * np.maximum(normals @ across, 0.0)[:, None] * ambient
     sky = open_to(places, normals, sky_rays(SKY_RAYS))[:, None]
+    sky += BETWEEN * in_yard(places)[:, None] * (1.0 - sky)
     ground = 1.0 - 0.6 * np.exp(-np.maximum(places[:, 1:2], 0.0) / CONTACT)
     up = (1.0 + normals[:, 1:2]) / 2  # the fraction of a face's hemisphere that is sky
     seen = (up * sky + (1.0 - up) * BOUNCE * ground) / (up + (1.0 - up) * BOUNCE)

@@ -37,7 +37,7 @@ from landscape.settings import Settings
 REACH = 1.8  # chosen: radius of the castle's bounding sphere, centred in the walls
 SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
 BY_DAY = 0.5  # chosen: fraction of the flickering glow that is visible; torches add to it
-SHADE = (0.3, 0.3, 0.33)  # chosen: of the door within; the yard is in the shadow of its walls
+SHADE = (0.42, 0.42, 0.45)  # chosen: of the door within; the yard is in the shadow of its walls
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
 
 
