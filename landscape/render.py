@@ -14,7 +14,7 @@ from landscape import arguments, keys
 from landscape.errors import InputError, short
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl
+from landscape.gl.calls import Edits, edited, gl
 from landscape.gl.framebuffer import Framebuffer
 from landscape.gl.ownership import OwnedContext
 from landscape.scene import (
@@ -41,8 +41,9 @@ class Offscreen:
     ``size`` is in pixels; ``preset`` is "best", "2006" or None for each view's own; ``settings``
     maps dotted keys to values, or groups to mappings; ``backend`` is "auto", "osmesa", "egl" or
     "glfw"; ``samples`` is 0 or 4; ``only`` names elements, None means all; ``seed`` is a whole
-    number. ``scene`` is what is drawn, once there is one; ``notices`` has a line for each of the
-    ``settings`` that changes nothing there, or whose key has another name now.
+    number; ``edits`` change single OpenGL calls. ``scene`` is what is drawn, once there is one;
+    ``notices`` has a line for each of the ``settings`` that changes nothing there, or whose key has
+    another name now.
 
     Several may be open at once, each used in the thread that opened it; one thread draws at a time.
     The memory of one that is dropped without :meth:`close` is freed when the next is opened or used
@@ -60,6 +61,7 @@ class Offscreen:
         assets: str | os.PathLike[str] | None = None,
         only: str | Iterable[str] | None = None,
         seed: int = SEED,
+        edits: Edits | None = None,
     ) -> None:
         self._owned: OwnedContext | None = None
         self._target: Framebuffer | None = None
@@ -72,6 +74,7 @@ class Offscreen:
         self._only = None if only is None else arguments.names(only, "only")
         check_options(preset, self._given, self._only)
         self._seed = arguments.whole(seed, "seed")
+        self._edits = edits
         samples = arguments.choice(samples, "samples", arguments.SAMPLES)
         backend = arguments.choice(backend, "backend", arguments.BACKENDS)
         self._assets = Assets(None if assets is None else arguments.folder(assets, "assets"))
@@ -135,7 +138,7 @@ class Offscreen:
         """Make the context current for the block: another may have been used meanwhile."""
         if self._owned is None:
             raise InputError("this Offscreen is closed: open another one")
-        with self._owned.current():
+        with self._owned.current(), edited(self._edits):
             yield
 
     @property

@@ -18,7 +18,7 @@ from landscape.elements.sky_box import SkyBox
 from landscape.elements.water_surface import WaterSurface
 from landscape.frame import Pose
 from landscape.gl import calls
-from landscape.gl.calls import Call, Site, begin_pass, drawing, edited, gl, recording
+from landscape.gl.calls import Call, Listing, begin_pass, drawing, edited, gl, recording
 from landscape.gl.context import open_context
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.notes import plain
@@ -270,9 +270,11 @@ class Replaced:
     def __init__(self, name: str, args: tuple[Any, ...] | None) -> None:
         self._name, self._args = name, args
 
-    def begin(self, list_site: Site | None = None) -> None: ...
+    def begin(self) -> None: ...
 
-    def end(self) -> None: ...
+    def begin_list(self, listing: Listing) -> None: ...
+
+    def end_list(self) -> None: ...
 
     def change(self, name: str, args: tuple[Any, ...], *_: Any) -> tuple[Any, ...] | None:
         return self._args if name == self._name else args
@@ -379,9 +381,9 @@ def test_a_complete_recording_copies_what_a_draw_call_reads(stage: Stage) -> Non
         gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
         gl.glDrawArrays(gl.GL_POINTS, 0, 2)
     draws = [call.arrays for call in recorder.calls if call.name == "glDrawArrays"]
-    assert [[(name, float(args[3][1, 0])) for name, args in arrays] for arrays in draws] == [
-        [("glVertexPointer", 1.0)], [("glVertexPointer", 5.0)], [],
-    ]  # fmt: skip
+    names = ["glVertexPointer", "glEnableClientState"]
+    assert [[name for name, _ in arrays] for arrays in draws] == [names, names, []]
+    assert [float(arrays[0][1][3][1, 0]) for arrays in draws[:2]] == [1.0, 5.0]
 
 
 def test_recording_changes_no_pixel(stage: Stage, plain: Any) -> None:

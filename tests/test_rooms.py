@@ -17,6 +17,7 @@ FLOORS = (
     ("arguments", "conditions", "settings"),
     ("geometry",),
     ("gl",),
+    ("capture",),
     ("elements",),
     ("scene",),
     ("views",),

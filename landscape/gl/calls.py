@@ -12,6 +12,7 @@ Tests, ``landscape trace`` and the lessons are built on this module. One thread 
 """
 
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ContextDecorator, contextmanager
 from itertools import islice
@@ -25,18 +26,21 @@ from landscape.gl.notes import Call, Site, caller, shown
 __all__ = [
     "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "drawing", "drawn_now",
     "edited", "frame_begins", "gl", "noting", "noting_function", "recording", "replacing",
-    "use_lists",
+    "unnoted", "use_lists",
 ]  # fmt: skip
 
 
 class Edits(Protocol):
     """What changes calls as they are made (see capture/edits.py)."""
 
-    def begin(self, list_site: Site | None = None) -> None:
-        """A frame or the setup begins or, with the line that does so, the compiling of a list."""
+    def begin(self) -> None:
+        """A frame begins, or the setup."""
 
-    def end(self) -> None:
-        """The compiling of a list ends."""
+    def begin_list(self, listing: "Listing") -> None:
+        """The compiling of a display list begins."""
+
+    def end_list(self) -> None:
+        """The compiling of a display list ends."""
 
     def change(
         self, name: str, args: tuple[Any, ...], elements: tuple[str, ...], pass_: str, site: Site
@@ -74,12 +78,15 @@ FIELDS = 7  # of a Call, from ``shared_by`` on: what a note of it holds
 class Listing:
     """The calls that one display list was compiled from.
 
+    ``site`` is the line that began it, ``element`` what was drawn then. ``occurrence`` counts from
+    0 the lists that the same line began before it, in the same frame or setup.
+
     They are kept as one flat list of values, and become :class:`Call` objects when a recording asks
     for them: thousands of small objects would slow down the start, by garbage collections.
     """
 
-    def __init__(self, site: Site | None = None) -> None:
-        self.site = site  # the line that began it
+    def __init__(self, site: Site, element: str, occurrence: int) -> None:
+        self.site, self.element, self.occurrence = site, element, occurrence
         self._notes: list[Any] = []
         self._calls: list[Call] | None = None
 
@@ -94,7 +101,7 @@ class Listing:
             for name in notes:
                 args = tuple(islice(notes, next(notes)))
                 call = Call(name, args, *islice(notes, FIELDS))
-                call.listed = _executed(call)
+                call.executed = _executed(call)
                 self._calls.append(call)
         return self._calls
 
@@ -120,7 +127,7 @@ class Recorder:
     def add(self, call: Call) -> Call:
         """Add a call that is about to be made."""
         call.number = len(self.calls)
-        call.listed = _executed(call)
+        call.executed = _executed(call)
         self.calls.append(call)
         if self.before is not None:
             self.before(call)
@@ -143,6 +150,7 @@ _recorder: Recorder | None = None
 _edits: Edits | None = None
 _lists: Lists = {}
 _open: Listing | None = None  # the display list that is being compiled
+_begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
 _drawing: list[tuple[str, ...]] = [("frame",)]
 current_pass = "setup"
 
@@ -177,6 +185,20 @@ def edited(edits: Edits | None) -> Iterator[None]:
                 yield
     finally:
         _edits = before
+
+
+@contextmanager
+def unnoted() -> Iterator[None]:
+    """Make the block's calls without a note of them and without edits: a tool's own calls."""
+    global _recorder, _edits, _open, _lists
+    before = _recorder, _edits, _open, _lists
+    _recorder, _edits, _open, _lists = None, None, None, {}
+    namespace, gl.__dict__ = gl.__dict__, _plain
+    try:
+        yield
+    finally:
+        gl.__dict__ = namespace
+        _recorder, _edits, _open, _lists = before
 
 
 @contextmanager
@@ -235,13 +257,19 @@ def begin_pass(name: str) -> None:
     """Say which pass of the frame begins: reflection, main or overlay; setup while building."""
     global current_pass
     current_pass = name
-    if name == "setup" and _edits is not None:
-        _edits.begin()
+    if name == "setup":
+        _begin_counting()
 
 
 def frame_begins() -> None:
     """Say that a frame begins, with its main pass."""
     begin_pass("main")
+    _begin_counting()
+
+
+def _begin_counting() -> None:
+    """Count lists, and the calls that edits look for, from 0 again."""
+    _begun.clear()
     if _edits is not None:
         _edits.begin()
 
@@ -292,16 +320,18 @@ def noting_function(name: str, function: Callable[..., Any]) -> Callable[..., An
 
 def _begin(site: Site, name: int, mode: int) -> None:
     global _open
-    _open = _lists[int(name)] = Listing(site)
+    element = _drawing[-1][0]
+    _open = _lists[int(name)] = Listing(site, element, _begun[site, element])
+    _begun[site, element] += 1
     if _edits is not None:
-        _edits.begin(site)
+        _edits.begin_list(_open)
 
 
 def _end(_: Site) -> None:
     global _open
     _open = None
     if _edits is not None:
-        _edits.end()
+        _edits.end_list()
 
 
 def _forget(_: Site, first: int, count: int) -> None:
@@ -316,13 +346,12 @@ _FOLLOW: dict[str, Callable[..., None]] = {
 }
 
 
-def _executed(call: Call) -> list[Call]:
-    """Return the calls that a glCallList or glCallLists executes."""
+def _executed(call: Call) -> list[Listing]:
+    """Return the display lists that a glCallList or glCallLists executes."""
     if call.name == "glCallList":
         names = call.args
     elif call.name == "glCallLists":
-        names = call.args[2]
+        names = call.args[-1]
     else:
         return []
-    listings = [_lists[int(name)] for name in names if int(name) in _lists]
-    return [inner for listing in listings for inner in listing.calls()]
+    return [_lists[int(name)] for name in names if int(name) in _lists]

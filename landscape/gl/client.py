@@ -70,7 +70,7 @@ class ClientArrays:
     def __init__(self) -> None:
         self._unit = TEXTURE0
         self._pointers: dict[tuple[str, int], tuple[str, Arguments]] = {}
-        self._enabled: set[tuple[str, int]] = set()
+        self._enabled: dict[tuple[str, int], Any] = {}  # with the argument that names it
         self._stack: list[tuple[Any, ...]] = []
 
     def see(self, name: str, args: Arguments) -> Sequence[tuple[str, Arguments]]:
@@ -86,12 +86,13 @@ class ClientArrays:
             self._point(kind, name, args)
         elif name in ("glEnableClientState", "glDisableClientState"):
             key = self._key(getattr(args[0], "name", str(args[0])))
-            change = self._enabled.add if name == "glEnableClientState" else self._enabled.discard
-            change(key)
+            self._enabled.pop(key, None)
+            if name == "glEnableClientState":
+                self._enabled[key] = args[0]
         elif name == "glClientActiveTexture":
             self._unit = int(args[0])
         elif name == "glPushClientAttrib":
-            self._stack.append((self._unit, dict(self._pointers), set(self._enabled)))
+            self._stack.append((self._unit, dict(self._pointers), dict(self._enabled)))
         elif name == "glPopClientAttrib" and self._stack:
             self._unit, self._pointers, self._enabled = self._stack.pop()
 
@@ -102,11 +103,11 @@ class ClientArrays:
         if not kind:
             # glInterleavedArrays enables what its format holds and disables the rest.
             self._pointers.clear()
-            self._enabled = {("", 0)}
+            self._enabled = {("", 0): None}
         self._pointers[self._key(kind)] = name, args
 
     def _read(self) -> Sequence[tuple[str, Arguments]]:
-        """Return the calls that point to the enabled arrays, with copies of those.
+        """Return the calls that enable the arrays in use and point to copies of them.
 
         Arrays in buffer objects are not among them: a recording has the buffers' own calls.
         """
@@ -118,6 +119,8 @@ class ClientArrays:
             if other:
                 found.append(("glClientActiveTexture", (unit,)))
             found.append((name, frozen(args)))
+            if kind:
+                found.append(("glEnableClientState", (self._enabled[kind, unit],)))
             if other:
                 found.append(("glClientActiveTexture", (self._unit,)))
         return found

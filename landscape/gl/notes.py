@@ -54,7 +54,7 @@ class Call:
 
     ``args`` are the arguments as OpenGL received them, ``given`` those of the program where an edit
     changed them; a call that an edit left out is ``skipped``. ``shared_by`` names the element that
-    draws, or several that share the call; ``listed`` holds the calls that a glCallList executes.
+    draws, or several that share the call; ``executed`` are the lists that a glCallList executes.
     ``number`` counts the calls of a recording from 0.
 
     A complete recording copies arrays. In it ``arrays`` are the calls (name, arguments) that give a
@@ -70,9 +70,14 @@ class Call:
     given: tuple[Any, ...] | None = None
     skipped: bool = False
     arrays: "Sequence[tuple[str, tuple[Any, ...]]]" = ()
-    listed: "Sequence[Call]" = ()
+    executed: "Sequence[Compiled]" = ()
     compiled: "Compiled | None" = None
     number: int = 0
+
+    @property
+    def listed(self) -> "list[Call]":
+        """The calls of the display lists that this one executes."""
+        return [inner for each in self.executed for inner in each.calls()]
 
     @property
     def element(self) -> str:
@@ -109,10 +114,8 @@ class Call:
             entry["skipped"] = True
         if len(self.shared_by) > 1:
             entry["shared_by"] = list(self.shared_by)
-        if self.listed:
-            entry["list"] = [
-                call.as_json(f"{place}.{index}") for index, call in enumerate(self.listed)
-            ]
+        if listed := self.listed:
+            entry["list"] = [call.as_json(f"{place}.{index}") for index, call in enumerate(listed)]
         return entry
 
 

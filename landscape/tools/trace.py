@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from landscape.capture.edits import as_code
 from landscape.gl.calls import Call, recording
 from landscape.render import Offscreen
 
@@ -29,18 +30,6 @@ def trace_view(
 def as_text(calls: Sequence[Call], indent: str = "") -> Iterator[str]:
     """Yield a line per call: pass, element, source, and the call as code."""
     for call in calls:
-        arguments = ", ".join(_short(a) for a in call.shown)
         where = f"{call.pass_:10} {call.element:10} {call.source:44}"
-        yield f"{where} {indent}{call.name}({arguments})"
+        yield f"{where} {indent}{as_code(call)}"
         yield from as_text(call.listed, indent + "  ")
-
-
-def _short(value: Any) -> str:
-    if isinstance(value, dict) and "values" in value:
-        values = value["values"]
-        if len(values) <= 16:
-            return "[" + ", ".join(f"{v:g}" for v in values) + "]"
-        return f"{value['dtype']}{value['shape']}"
-    if isinstance(value, float):
-        return f"{value:g}"
-    return str(value)
