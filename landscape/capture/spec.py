@@ -1,0 +1,69 @@
+"""The specification of OpenGL 1.5 as questions: what is this argument, what may it be?
+
+A call is given by its name and its arguments as PyOpenGL received them; ``index`` counts them from
+0. The tables are in the modules ``spec_*`` beside this one: functions, enumerants, state variables,
+and the texts in English and French. Functions of later versions are unknown, but for framebuffer
+objects and a few more; the ARB and EXT names of known functions are understood.
+"""
+
+from landscape.capture.spec_arguments import (
+    enumerant,
+    function,
+    kind_of,
+    legal,
+    limits,
+    parameter,
+    value_of,
+)
+from landscape.capture.spec_functions import AT_ONCE, DRAWS, QUERIES
+from landscape.capture.spec_table import Function, Parameter, functions
+from landscape.capture.spec_values import parsed, written
+
+__all__ = [
+    "Function", "Parameter", "creates", "deletes", "draws", "enumerant", "function",
+    "functions", "in_list", "is_query", "kind_of", "legal", "limits", "parameter", "parsed",
+    "value_of", "written",
+]  # fmt: skip
+
+CREATED = (
+    *("glGenTextures", "glGenLists", "glGenBuffers", "glGenQueries", "glGenFramebuffers"),
+    *("glGenRenderbuffers", "gluNewQuadric", "gluNewTess", "gluNewNurbsRenderer"),
+)
+
+
+def draws(name: str) -> bool:
+    """Return whether a call writes into the framebuffer; glBegin, for its block up to glEnd.
+
+    False for glCallList and glCallLists, whose calls draw.
+    """
+    known = function(name)
+    return known is not None and (known.group == "draw" or known.base in DRAWS)
+
+
+def is_query(name: str) -> bool:
+    """Return whether a call only returns something, and changes no state."""
+    known = function(name)
+    return known is not None and (known.group == "get" or known.base in QUERIES)
+
+
+def creates(name: str) -> bool:
+    """Return whether a call makes names of objects, or a GLU object."""
+    known = function(name)
+    return known is not None and known.base in CREATED
+
+
+def deletes(name: str) -> bool:
+    """Return whether a call deletes objects."""
+    return function(name) is not None and name.startswith(("glDelete", "gluDelete"))
+
+
+def in_list(name: str) -> bool:
+    """Return whether a call made between glNewList and glEndList goes into the display list.
+
+    False for what OpenGL executes at once even there: queries, client arrays, pixel storage, and
+    whatever creates or deletes objects. A glTexImage call for a proxy is executed at once, too.
+    """
+    known = function(name)
+    if known is None or is_query(name):
+        return False
+    return known.group not in ("array", "buffer", "quadric") and known.base not in AT_ONCE
