@@ -15,13 +15,14 @@ import pictures
 import pytest
 from commands import TESTS, environment, python
 from PIL import Image
+from seam import Replaced
 from stage import Stage
 
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gallery.compare import AMPLIFICATION, agree
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import gl, recording
+from landscape.gl.calls import edited, gl
 from landscape.gl.framebuffer import Framebuffer
 from landscape.island import Island
 from landscape.keys import with_settings
@@ -223,16 +224,16 @@ def test_the_comparison_fails_when_one_element_is_missing(
     assert not agree(coast, without, same)
 
 
-def wrong_blend(name: str, args: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Replace the arguments of glBlendFunc; see recording()."""
-    return (gl.GL_ONE, gl.GL_ONE) if name == "glBlendFunc" else args
+def wrong_blend() -> Replaced:
+    """Return an edit of every glBlendFunc."""
+    return Replaced("glBlendFunc", (gl.GL_ONE, gl.GL_ONE))
 
 
 def test_the_comparison_fails_on_one_wrong_blend_function(
     stage: Stage, islands: dict[str, Island]
 ) -> None:
     expected = draw(stage, islands["2006"], *ELEMENTS["castle"])
-    with recording(wrong_blend):
+    with edited(wrong_blend()):
         spoilt = draw(stage, islands["2006"], *ELEMENTS["castle"])
     assert not agree(expected, spoilt, same_renderer=False)
 
@@ -243,11 +244,12 @@ import sys
 sys.path.insert(0, sys.argv[1])
 import numpy as np
 import pictures
+from seam import Replaced
 from stage import Stage
 from test_goldens import CHOSEN, ELEMENTS, SEED, draw, wrong_blend
 
 from landscape.files.assets import Assets
-from landscape.gl.calls import recording
+from landscape.gl.calls import edited
 from landscape.gl.context import open_context
 from landscape.island import Island
 from landscape.keys import with_settings
@@ -258,7 +260,7 @@ island = Island(with_settings(Settings(), CHOSEN), Assets(), SEED)
 found = {name: draw(stage, island, *ELEMENTS[name]) for name in sys.argv[3:]}
 place, kt, _ = ELEMENTS["castle"]
 found["no castle"] = draw(stage, island, place, kt, ("ground",))
-with recording(wrong_blend):
+with edited(wrong_blend()):
     found["wrong blend"] = draw(stage, island, *ELEMENTS["castle"])
 np.savez(sys.argv[2], **found)
 print(pictures.renderer(), end="")
