@@ -417,3 +417,115 @@ def test_opengl_takes_each_legal_value_and_refuses_another(undone, name, index, 
     number = (name, index) in NUMBERS or (name == "glTexEnvi" and args[1] in SCALES)
     if (name, index) not in UNCHECKED:
         assert error_of(name, given) == (INVALID_VALUE if number else INVALID_ENUM)
+
+
+@pytest.mark.parametrize(
+    ("name", "args", "names"),
+    [
+        ("glEnable", ("GL_FOG",), "GL_FOG"),
+        ("glEnable", ("GL_TEXTURE_2D",), "GL_TEXTURE1.GL_TEXTURE_2D"),
+        ("glDisableClientState", ("GL_TEXTURE_COORD_ARRAY",), "GL_TEXTURE2.GL_TEXTURE_COORD_ARRAY"),
+        ("glFogf", ("GL_FOG_DENSITY", 0.1), "GL_FOG_DENSITY"),
+        ("glLightfv", ("GL_LIGHT1", "GL_POSITION", (0, 0, 1, 0)), "GL_LIGHT1.GL_POSITION"),
+        ("glMaterialfv", ("GL_FRONT_AND_BACK", "GL_AMBIENT_AND_DIFFUSE", (0, 0, 0, 0)),
+         "GL_FRONT.GL_AMBIENT GL_FRONT.GL_DIFFUSE GL_BACK.GL_AMBIENT GL_BACK.GL_DIFFUSE"),
+        ("glTexEnvi", ("GL_TEXTURE_ENV", "GL_TEXTURE_ENV_MODE", "GL_MODULATE"),
+         "GL_TEXTURE1.GL_TEXTURE_ENV.GL_TEXTURE_ENV_MODE"),
+        ("glTexGeni", ("GL_S", "GL_TEXTURE_GEN_MODE", "GL_EYE_LINEAR"),
+         "GL_TEXTURE1.GL_S.GL_TEXTURE_GEN_MODE"),
+        ("glTexParameteri", ("GL_TEXTURE_2D", "GL_TEXTURE_MIN_FILTER", "GL_LINEAR"),
+         "GL_TEXTURE_2D.GL_TEXTURE_MIN_FILTER"),
+        ("glBindTexture", ("GL_TEXTURE_2D", 3), "GL_TEXTURE1.GL_TEXTURE_BINDING_2D"),
+        ("glBindBuffer", ("GL_ARRAY_BUFFER", 3), "GL_ARRAY_BUFFER_BINDING"),
+        ("glTranslatef", (1.0, 0.0, 0.0), "GL_PROJECTION_MATRIX"),
+        ("gluLookAt", (0.0,) * 9, "GL_PROJECTION_MATRIX"),
+        ("glClipPlane", ("GL_CLIP_PLANE0", (0, 0, 0, 0)), "GL_CLIP_PLANE0.equation"),
+        ("glMultiTexCoord2f", ("GL_TEXTURE3", 0.0, 0.0), "GL_TEXTURE3.GL_CURRENT_TEXTURE_COORDS"),
+        ("glColor3f", (0.0, 0.0, 0.0), "GL_CURRENT_COLOR GL_BACK.GL_DIFFUSE"),
+        ("glStencilOpSeparate", ("GL_BACK", "GL_KEEP", "GL_KEEP", "GL_KEEP"),
+         "GL_STENCIL_BACK_FAIL GL_STENCIL_BACK_PASS_DEPTH_FAIL GL_STENCIL_BACK_PASS_DEPTH_PASS"),
+        ("glDrawArrays", ("GL_TRIANGLES", 0, 3), ""),
+        ("glUseProgram", (0,), ""),
+    ],
+)  # fmt: skip
+def test_a_call_sets_these_variables(name, args, names) -> None:
+    known = {
+        "GL_ACTIVE_TEXTURE": "GL_TEXTURE1",
+        "GL_CLIENT_ACTIVE_TEXTURE": int(gl.GL_TEXTURE2),
+        "GL_MATRIX_MODE": "GL_PROJECTION",
+        "GL_COLOR_MATERIAL": True,
+        "GL_COLOR_MATERIAL_FACE": "GL_BACK",
+        "GL_COLOR_MATERIAL_PARAMETER": "GL_DIFFUSE",
+    }
+    given = [value(each) if isinstance(each, str) else each for each in args]
+    assert spec.sets(name, given, known) == tuple(names.split())
+
+
+def test_without_the_state_all_matrices_and_units_may_be_set() -> None:
+    names = spec.sets("glLoadIdentity", ())
+    assert names[:2] == ("GL_MODELVIEW_MATRIX", "GL_PROJECTION_MATRIX")
+    assert "GL_TEXTURE7.GL_TEXTURE_MATRIX" in names
+    assert len(spec.sets("glEnable", (gl.GL_TEXTURE_GEN_S,))) == 8
+
+
+def test_calls_are_told_apart_by_what_they_do() -> None:
+    def those(question, names):
+        return [name for name in names.split() if question(name)]
+
+    names = (
+        "glBegin glEnd glClear glDrawElementsui glRectf gluSphere glutSolidTeapot glCallList "
+        "glGetFloatv glIsEnabled glReadPixels glGetError gluProject glGenTextures glGenLists "
+        "glGenerateMipmap gluNewQuadric glDeleteTextures gluDeleteQuadric glFogf glUseProgram"
+    )
+    drawn = "glBegin glClear glDrawElementsui glRectf gluSphere glutSolidTeapot"
+    assert those(spec.draws, names) == drawn.split()
+    queries = "glGetFloatv glIsEnabled glReadPixels glGetError gluProject"
+    assert those(spec.is_query, names) == queries.split()
+    assert those(spec.creates, names) == ["glGenTextures", "glGenLists", "gluNewQuadric"]
+    assert those(spec.deletes, names) == ["glDeleteTextures", "gluDeleteQuadric"]
+
+
+LISTED = [
+    # Name, arguments, and the variable that tells whether the call has been executed.
+    ("glActiveTexture", ("GL_TEXTURE1",), "GL_ACTIVE_TEXTURE"),
+    ("glClientActiveTexture", ("GL_TEXTURE1",), "GL_CLIENT_ACTIVE_TEXTURE"),
+    ("glBindTexture", ("GL_TEXTURE_2D", 0), "GL_TEXTURE_BINDING_2D"),
+    ("glBindRenderbuffer", ("GL_RENDERBUFFER", "renderbuffer"), "GL_RENDERBUFFER_BINDING"),
+    ("glBindBuffer", ("GL_ARRAY_BUFFER", "buffer"), "GL_ARRAY_BUFFER_BINDING"),
+    ("glPixelStorei", ("GL_UNPACK_ROW_LENGTH", 3), "GL_UNPACK_ROW_LENGTH"),
+    ("glPixelTransferf", ("GL_RED_SCALE", 0.5), "GL_RED_SCALE"),
+    ("glListBase", (3,), "GL_LIST_BASE"),
+    ("glReadBuffer", ("GL_NONE",), "GL_READ_BUFFER"),
+    ("glWindowPos2f", (5.0, 5.0), "GL_CURRENT_RASTER_POSITION"),
+    ("glSampleCoverage", (0.5, 1), "GL_SAMPLE_COVERAGE_VALUE"),
+    ("glMapGrid1f", (5, 0.0, 1.0), "GL_MAP1_GRID_SEGMENTS"),
+    ("glVertexPointer", (2, "GL_FLOAT", 0, None), "GL_VERTEX_ARRAY_SIZE"),
+    ("glEnableClientState", ("GL_NORMAL_ARRAY",), "GL_NORMAL_ARRAY"),
+    ("glInterleavedArrays", ("GL_V3F", 0, bytes(48)), "GL_VERTEX_ARRAY"),
+    ("glHint", ("GL_FOG_HINT", "GL_NICEST"), "GL_FOG_HINT"),
+    ("glStencilMaskSeparate", ("GL_FRONT", 1), "GL_STENCIL_WRITEMASK"),
+]
+
+
+@pytest.mark.parametrize(("name", "args", "variable"), LISTED)
+def test_opengl_agrees_about_what_goes_into_a_display_list(undone, name, args, variable) -> None:
+    def state() -> list[float]:
+        values = np.zeros(16, np.float32)
+        gl.glGetFloatv(value(variable), values)
+        return values.tolist()
+
+    objects = {"buffer": gl.glGenBuffers, "renderbuffer": gl.glGenRenderbuffers}
+    given = [int(objects[each](1)) if each in objects else value(each) for each in args]
+    number, before = gl.glGenLists(1), state()
+    gl.glNewList(number, gl.GL_COMPILE)
+    getattr(gl, name)(*given)
+    at_once = state() != before
+    gl.glEndList()
+    gl.glCallList(number)
+    assert state() != before
+    assert spec.in_list(name) is not at_once
+    gl.glDeleteLists(number, 1)
+    if "renderbuffer" in args:
+        gl.glDeleteRenderbuffers(1, np.array(given[1:], np.uint32))
+    if "buffer" in args:
+        gl.glDeleteBuffers(1, np.array(given[1:], np.uint32))

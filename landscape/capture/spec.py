@@ -18,11 +18,12 @@ from landscape.capture.spec_arguments import (
 from landscape.capture.spec_functions import AT_ONCE, DRAWS, QUERIES
 from landscape.capture.spec_table import Function, Parameter, functions
 from landscape.capture.spec_values import parsed, written
+from landscape.capture.spec_variables import sets
 
 __all__ = [
     "Function", "Parameter", "creates", "deletes", "draws", "enumerant", "function",
     "functions", "in_list", "is_query", "kind_of", "legal", "limits", "parameter", "parsed",
-    "value_of", "written",
+    "sets", "value_of", "written",
 ]  # fmt: skip
 
 CREATED = (
@@ -60,10 +61,13 @@ def deletes(name: str) -> bool:
 def in_list(name: str) -> bool:
     """Return whether a call made between glNewList and glEndList goes into the display list.
 
-    False for what OpenGL executes at once even there: queries, client arrays, pixel storage, and
-    whatever creates or deletes objects. A glTexImage call for a proxy is executed at once, too.
+    False for what OpenGL executes at once even there: queries, client arrays, pixel storage, buffer
+    and framebuffer objects, and whatever creates or deletes objects. A glTexImage call for a proxy
+    is executed at once, too.
     """
     known = function(name)
     if known is None or is_query(name):
         return False
-    return known.group not in ("array", "buffer", "quadric") and known.base not in AT_ONCE
+    groups = ("array", "buffer", "quadric", "framebuffer")
+    compiled = known.group not in groups and known.base not in AT_ONCE
+    return compiled or known.base == "glBlitFramebuffer"
