@@ -17,7 +17,7 @@ else:
     os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -26,7 +26,7 @@ from stage import Stage, write_plain
 
 from landscape.errors import NoOpenGLError
 from landscape.files.assets import Assets
-from landscape.gl.context import open_context
+from landscape.gl.context import Context, open_context
 
 
 def pytest_sessionfinish() -> None:
@@ -63,6 +63,20 @@ def stage(the_stage: Stage) -> Iterator[Stage]:
     the_stage.enter()
     changed = changes(before, snapshot())
     assert not changed, f"the test left changed state: {changed}"
+
+
+@pytest.fixture
+def fresh(stage: Stage) -> Iterator[Callable[[], Context]]:
+    """Opens contexts, the last of which is current; the test's own are closed after it."""
+    opened: list[Context] = []
+
+    def another() -> Context:
+        opened.append(open_context(stage.context.backend))
+        return opened[-1]
+
+    yield another
+    for context in opened:
+        context.release()
 
 
 @pytest.fixture(scope="session")

@@ -12,8 +12,11 @@ from typing import Any
 import numpy as np
 
 from landscape.gl.calls import gl
+from landscape.gl.context import Context
 
 Expected = dict[str, Any]
+Fresh = Callable[[], Context]
+"""Opens a context and makes it current: the fixture ``fresh``."""
 Change = Callable[[np.random.Generator], Expected]
 CHANGES: list[Change] = []
 
@@ -680,3 +683,15 @@ def buffers(rng: np.random.Generator) -> Expected:
     base = expected["GL_LIST_BASE"] = int(rng.integers(99))
     gl.glListBase(base)
     return expected
+
+
+def scrambled(seed: int, count: int = 150) -> None:
+    """Change the state at random, within matrix stacks of random depth."""
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
+        CHANGES[int(rng.integers(len(CHANGES)))](rng)
+        if rng.random() < 0.1:
+            mode = rng.choice(["GL_MODELVIEW", "GL_PROJECTION", "GL_TEXTURE"])
+            gl.glMatrixMode(int(getattr(gl, str(mode))))
+            gl.glPushMatrix()
+            gl.glTranslatef(*rng.integers(-9, 9, 3).astype(float).tolist())

@@ -151,28 +151,35 @@ def test_a_frame_would_notice_changed_state(stage: Stage, values: Settings) -> N
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_SRC0_RGB, gl.GL_PREVIOUS)
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
+    def texture_second() -> None:
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+
     def turn_texture() -> None:
         gl.glMatrixMode(gl.GL_TEXTURE)
         gl.glRotatef(5.0, 0.0, 0.0, 1.0)
         gl.glMatrixMode(gl.GL_MODELVIEW)
 
     mischief = {
-        "BLEND": lambda: gl.glEnable(gl.GL_BLEND),
-        "unit 1": lambda: (gl.glActiveTexture(gl.GL_TEXTURE1), gl.glEnable(gl.GL_TEXTURE_2D)),
-        "ACTIVE_TEXTURE": lambda: gl.glActiveTexture(gl.GL_TEXTURE1),
-        "CURRENT_COLOR": lambda: gl.glColor4f(0.5, 0.5, 0.5, 1.0),
-        "DEPTH_WRITEMASK": lambda: gl.glDepthMask(gl.GL_FALSE),
-        "FOG_DENSITY": change_fog,
-        "MODELVIEW_STACK_DEPTH": unbalanced,
-        "CLIENT_ACTIVE_TEXTURE": lambda: gl.glClientActiveTexture(gl.GL_TEXTURE1),
-        "FRONT_FACE": lambda: gl.glFrontFace(gl.GL_CW),
-        "material FRONT DIFFUSE": change_material,
-        "unit 1 SRC0_RGB": change_sources,
-        "unit 0 matrix": turn_texture,
-        "LIGHT1 AMBIENT": lambda: gl.glLightfv(
+        "GL_BLEND": lambda: gl.glEnable(gl.GL_BLEND),
+        "GL_TEXTURE1.GL_TEXTURE_2D": lambda: (
+            gl.glActiveTexture(gl.GL_TEXTURE1),
+            gl.glEnable(gl.GL_TEXTURE_2D),
+        ),
+        "GL_ACTIVE_TEXTURE": lambda: gl.glActiveTexture(gl.GL_TEXTURE1),
+        "GL_CURRENT_COLOR": lambda: gl.glColor4f(0.5, 0.5, 0.5, 1.0),
+        "GL_DEPTH_WRITEMASK": lambda: gl.glDepthMask(gl.GL_FALSE),
+        "GL_FOG_DENSITY": change_fog,
+        "GL_MODELVIEW_STACK_DEPTH": unbalanced,
+        "GL_CLIENT_ACTIVE_TEXTURE": lambda: gl.glClientActiveTexture(gl.GL_TEXTURE1),
+        "GL_FRONT_FACE": lambda: gl.glFrontFace(gl.GL_CW),
+        "GL_FRONT.GL_DIFFUSE": change_material,
+        "GL_TEXTURE1.GL_TEXTURE_ENV.GL_SRC0_RGB": change_sources,
+        "GL_TEXTURE0.GL_TEXTURE_MATRIX": turn_texture,
+        "GL_LIGHT1.GL_AMBIENT": lambda: gl.glLightfv(
             gl.GL_LIGHT1, gl.GL_AMBIENT, np.full(4, 0.5, np.float32)
         ),
-        "BLEND_EQUATION_RGB": lambda: gl.glBlendEquation(gl.GL_FUNC_SUBTRACT),
+        "GL_BLEND_EQUATION_RGB": lambda: gl.glBlendEquation(gl.GL_FUNC_SUBTRACT),
     }
     for name, do in mischief.items():
         depth = int(gl.glGetIntegerv(gl.GL_MODELVIEW_STACK_DEPTH))

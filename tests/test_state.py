@@ -2,13 +2,12 @@
 
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from commands import need_library, python
-from stage import Stage
-from state_calls import CHANGES, Expected
+from state_calls import CHANGES, Expected, Fresh, scrambled
 from test_backends import screen  # noqa: F401
 
 from landscape.capture.state import (
@@ -20,11 +19,8 @@ from landscape.capture.state import (
     restore,
 )
 from landscape.gl.calls import gl, recording
-from landscape.gl.context import Context, open_context
 from landscape.gl.framebuffer import Framebuffer
 from landscape.gl.raw import raw
-
-Fresh = Callable[[], Context]
 
 # What depends on the window and on the OpenGL.
 WINDOW = {"GL_VIEWPORT", "GL_SCISSOR_BOX", "GL_DRAW_BUFFER", "GL_READ_BUFFER", "GL_POINT_SIZE_MAX"}
@@ -35,32 +31,6 @@ NOT_IN_CHANGES = re.compile(
     "|.*_STACK(_DEPTH)?|GL_(RENDER_MODE|(SELECTION|FEEDBACK)_BUFFER_(SIZE|TYPE|POINTER))"
     "|GL_SAMPLES_PASSED.GL_CURRENT_QUERY|GL_CURRENT_PROGRAM|GL_SECONDARY_COLOR_ARRAY_SIZE"
 )
-
-
-@pytest.fixture
-def fresh(stage: Stage) -> Iterator[Fresh]:
-    """Opens contexts, the last of which is current; the test's own are closed after it."""
-    opened: list[Context] = []
-
-    def another() -> Context:
-        opened.append(open_context(stage.context.backend))
-        return opened[-1]
-
-    yield another
-    for context in opened:
-        context.release()
-
-
-def scrambled(seed: int, count: int = 150) -> None:
-    """Change the state at random, within matrix stacks of random depth."""
-    rng = np.random.default_rng(seed)
-    for _ in range(count):
-        CHANGES[int(rng.integers(len(CHANGES)))](rng)
-        if rng.random() < 0.1:
-            mode = rng.choice(["GL_MODELVIEW", "GL_PROJECTION", "GL_TEXTURE"])
-            gl.glMatrixMode(int(getattr(gl, str(mode))))
-            gl.glPushMatrix()
-            gl.glTranslatef(*rng.integers(-9, 9, 3).astype(float).tolist())
 
 
 # Opens a backend, reads the state, and prints what differs from the initial state.

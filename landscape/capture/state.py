@@ -5,7 +5,8 @@ A state is a dictionary, name to value, with the names of variables.py: "GL_FOG_
 "GL_TEXTURE0.GL_TEXTURE_ENV.GL_TEXTURE_ENV_MODE". Enumerants stand in it by name, vectors as lists,
 matrices as 16 numbers in OpenGL's order, column by column. "GL_MODELVIEW_STACK" lists the matrices
 below the top, bottom first. A dictionary without some of the names is a state, too: :func:`restore`
-leaves alone what it does not name.
+leaves alone what it does not name. state_text.py writes a state as JSON, which can be restored,
+and as a listing.
 
 Not part of the state are the parameters and contents of objects: textures, buffers, display lists,
 framebuffers. They are bound by their names, and must exist where a state is restored.
@@ -26,6 +27,7 @@ framebuffers. They are bound by their names, and must exist where a state is res
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from landscape.capture.spec import parsed
 from landscape.capture.state_reading import State, StateError, plan, read_now, whole
 from landscape.capture.state_setting import apply
 from landscape.capture.state_variables import DEFAULTS
@@ -82,7 +84,10 @@ def _push_again(
 ) -> None:
     """Push levels that were popped; ``now`` is the state below them, ``target`` the one on top."""
     for level, state in zip(levels, _states_above(levels, target), strict=True):
-        getattr(raw, PUSH[stack])(level["mask"])
+        mask = level["mask"]
+        if isinstance(mask, str):
+            mask = parsed(PUSH[stack], 0, (0,), mask)
+        getattr(raw, PUSH[stack])(mask)
         apply(now, state)
 
 

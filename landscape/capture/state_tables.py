@@ -13,6 +13,8 @@ value, ``$NAME`` for the value of another variable. The first version is 1.5 whe
 
 from typing import Any
 
+from landscape.capture.spec_table import names
+
 FLAG, BOOL, INT, MASK, FLOAT, DOUBLE = "flag", "boolean", "integer", "mask", "float", "double"
 POINTER, LIST = "pointer", "list"
 
@@ -24,37 +26,19 @@ Kind = str | tuple[str, ...]
 Row = tuple[Any, ...]
 
 
-def enumerants(names: str) -> tuple[str, ...]:
-    """Return names with their GL_ in front."""
-    return tuple(f"GL_{name}" for name in names.split())
-
-
-COMPARISONS = enumerants("NEVER LESS EQUAL LEQUAL GREATER NOTEQUAL GEQUAL ALWAYS")
-FACTORS = enumerants(
-    "ZERO ONE SRC_COLOR ONE_MINUS_SRC_COLOR DST_COLOR ONE_MINUS_DST_COLOR SRC_ALPHA "
-    "ONE_MINUS_SRC_ALPHA DST_ALPHA ONE_MINUS_DST_ALPHA CONSTANT_COLOR ONE_MINUS_CONSTANT_COLOR "
-    "CONSTANT_ALPHA ONE_MINUS_CONSTANT_ALPHA SRC_ALPHA_SATURATE"
-)
-EQUATIONS = enumerants("FUNC_ADD FUNC_SUBTRACT FUNC_REVERSE_SUBTRACT MIN MAX")
-STENCIL_OPERATIONS = enumerants("KEEP ZERO REPLACE INCR DECR INVERT INCR_WRAP DECR_WRAP")
-LOGIC_OPERATIONS = enumerants(
-    "CLEAR AND AND_REVERSE COPY AND_INVERTED NOOP XOR OR NOR EQUIV INVERT OR_REVERSE "
-    "COPY_INVERTED OR_INVERTED NAND SET"
-)
-FACES = enumerants("FRONT BACK FRONT_AND_BACK")
-HINTS = enumerants("DONT_CARE FASTEST NICEST")
-BUFFERS = enumerants(
-    "NONE FRONT_LEFT FRONT_RIGHT BACK_LEFT BACK_RIGHT FRONT BACK LEFT RIGHT FRONT_AND_BACK "
-    "AUX0 AUX1 AUX2 AUX3"
-) + tuple(f"GL_COLOR_ATTACHMENT{k}" for k in range(16))
-TYPES = enumerants("BYTE UNSIGNED_BYTE SHORT UNSIGNED_SHORT INT UNSIGNED_INT FLOAT DOUBLE")
-MODES = enumerants("MODELVIEW PROJECTION TEXTURE COLOR")
-UNITS = tuple(f"GL_TEXTURE{k}" for k in range(32))
-SOURCES = enumerants("TEXTURE CONSTANT PRIMARY_COLOR PREVIOUS") + UNITS
-OPERANDS = FACTORS[2:4] + FACTORS[6:8]
+COMPARISONS = names("compare")
+FACTORS = names("source_factor")
+EQUATIONS = names("blend_equation")
+OPERATIONS = names("stencil_op")
+FACES = names("face")
+BUFFERS = names("draw_buffer")
+TYPES = names("color_type")
+UNITS = names("unit")
+OPERANDS = names("operand_rgb")
+SOURCES = names("combine_source")
 
 TRANSFORM: tuple[Row, ...] = (
-    ("GL_MATRIX_MODE", MODES, "GL_MODELVIEW", ""),
+    ("GL_MATRIX_MODE", names("matrix_mode"), "GL_MODELVIEW", ""),
     ("GL_MODELVIEW_STACK_DEPTH", INT, 1, ""),
     ("GL_MODELVIEW_MATRIX", FLOAT, IDENTITY, ""),
     ("GL_PROJECTION_STACK_DEPTH", INT, 1, ""),
@@ -79,17 +63,17 @@ CURRENT: tuple[Row, ...] = (
 )
 
 COLOURING: tuple[Row, ...] = (
-    ("GL_SHADE_MODEL", enumerants("FLAT SMOOTH"), "GL_SMOOTH", "glShadeModel $"),
+    ("GL_SHADE_MODEL", names("shade_model"), "GL_SMOOTH", "glShadeModel $"),
     ("GL_COLOR_SUM", FLAG, False),
     ("GL_FOG", FLAG, False),
-    ("GL_FOG_MODE", enumerants("LINEAR EXP EXP2"), "GL_EXP", "glFogi GL_FOG_MODE $"),
+    ("GL_FOG_MODE", names("fog_mode"), "GL_EXP", "glFogi GL_FOG_MODE $"),
     ("GL_FOG_DENSITY", FLOAT, 1.0, "glFogf GL_FOG_DENSITY $"),
     ("GL_FOG_START", FLOAT, 0.0, "glFogf GL_FOG_START $"),
     ("GL_FOG_END", FLOAT, 1.0, "glFogf GL_FOG_END $"),
     ("GL_FOG_COLOR", FLOAT, (0.0, 0.0, 0.0, 0.0), "glFogfv GL_FOG_COLOR &"),
     ("GL_FOG_INDEX", FLOAT, 0.0, "glFogf GL_FOG_INDEX $"),
     (
-        *("GL_FOG_COORD_SRC", enumerants("FRAGMENT_DEPTH FOG_COORD"), "GL_FRAGMENT_DEPTH"),
+        *("GL_FOG_COORD_SRC", names("fog_source"), "GL_FRAGMENT_DEPTH"),
         "glFogi GL_FOG_COORD_SRC $",
     ),
     ("GL_LIGHTING", FLAG, False),
@@ -100,7 +84,7 @@ COLOURING: tuple[Row, ...] = (
     ("GL_LIGHT_MODEL_LOCAL_VIEWER", BOOL, False, "glLightModeli GL_LIGHT_MODEL_LOCAL_VIEWER $"),
     ("GL_LIGHT_MODEL_TWO_SIDE", BOOL, False, "glLightModeli GL_LIGHT_MODEL_TWO_SIDE $"),
     (
-        *("GL_LIGHT_MODEL_COLOR_CONTROL", enumerants("SINGLE_COLOR SEPARATE_SPECULAR_COLOR")),
+        *("GL_LIGHT_MODEL_COLOR_CONTROL", names("color_control")),
         *("GL_SINGLE_COLOR", "glLightModeli GL_LIGHT_MODEL_COLOR_CONTROL $"),
     ),
     ("GL_COLOR_MATERIAL", FLAG, False, ""),
@@ -110,7 +94,7 @@ COLOURING: tuple[Row, ...] = (
     ),
     (
         "GL_COLOR_MATERIAL_PARAMETER",
-        enumerants("EMISSION AMBIENT DIFFUSE SPECULAR AMBIENT_AND_DIFFUSE"),
+        names("color_material"),
         *("GL_AMBIENT_AND_DIFFUSE", "glColorMaterial $GL_COLOR_MATERIAL_FACE $"),
     ),
 )
@@ -152,7 +136,7 @@ RASTERIZATION: tuple[Row, ...] = (
     ),
     ("GL_POINT_SPRITE", FLAG, False, "", "2.0"),
     (
-        *("GL_POINT_SPRITE_COORD_ORIGIN", enumerants("LOWER_LEFT UPPER_LEFT"), "GL_UPPER_LEFT"),
+        *("GL_POINT_SPRITE_COORD_ORIGIN", ("GL_LOWER_LEFT", "GL_UPPER_LEFT"), "GL_UPPER_LEFT"),
         *("glPointParameteri GL_POINT_SPRITE_COORD_ORIGIN $", "2.0"),
     ),
     ("GL_VERTEX_PROGRAM_POINT_SIZE", FLAG, False, "", "2.0"),
@@ -163,8 +147,8 @@ RASTERIZATION: tuple[Row, ...] = (
     ("GL_LINE_STIPPLE_REPEAT", INT, 1, "glLineStipple $ $GL_LINE_STIPPLE_PATTERN"),
     ("GL_CULL_FACE", FLAG, False),
     ("GL_CULL_FACE_MODE", FACES, "GL_BACK", "glCullFace $"),
-    ("GL_FRONT_FACE", enumerants("CW CCW"), "GL_CCW", "glFrontFace $"),
-    ("GL_POLYGON_MODE", enumerants("POINT LINE FILL"), ("GL_FILL", "GL_FILL"), ""),
+    ("GL_FRONT_FACE", names("front_face"), "GL_CCW", "glFrontFace $"),
+    ("GL_POLYGON_MODE", names("polygon_mode"), ("GL_FILL", "GL_FILL"), ""),
     ("GL_POLYGON_SMOOTH", FLAG, False),
     ("GL_POLYGON_OFFSET_FACTOR", FLOAT, 0.0, "glPolygonOffset $ $GL_POLYGON_OFFSET_UNITS"),
     ("GL_POLYGON_OFFSET_UNITS", FLOAT, 0.0, "glPolygonOffset $GL_POLYGON_OFFSET_FACTOR $"),
@@ -184,18 +168,18 @@ TEXTURE_TARGETS = ("1D", "2D", "3D", "CUBE_MAP", "RECTANGLE")
 ENVIRONMENT: tuple[Row, ...] = (
     (
         "GL_TEXTURE_ENV_MODE",
-        enumerants("MODULATE DECAL BLEND REPLACE ADD COMBINE"),
+        names("env_mode"),
         "GL_MODULATE",
     ),
     ("GL_TEXTURE_ENV_COLOR", FLOAT, (0.0, 0.0, 0.0, 0.0)),
     (
         "GL_COMBINE_RGB",
-        enumerants("REPLACE MODULATE ADD ADD_SIGNED INTERPOLATE SUBTRACT DOT3_RGB DOT3_RGBA"),
+        names("combine_rgb"),
         "GL_MODULATE",
     ),
     (
         "GL_COMBINE_ALPHA",
-        enumerants("REPLACE MODULATE ADD ADD_SIGNED INTERPOLATE SUBTRACT"),
+        names("combine_alpha"),
         "GL_MODULATE",
     ),
     ("GL_SRC0_RGB", SOURCES, "GL_TEXTURE"),
@@ -213,7 +197,7 @@ ENVIRONMENT: tuple[Row, ...] = (
     ("GL_RGB_SCALE", FLOAT, 1.0),
     ("GL_ALPHA_SCALE", FLOAT, 1.0),
 )
-GENERATION = enumerants("EYE_LINEAR OBJECT_LINEAR SPHERE_MAP NORMAL_MAP REFLECTION_MAP")
+GENERATION = names("gen_mode_st")
 PLANES = {"S": (1.0, 0.0, 0.0, 0.0), "T": (0.0, 1.0, 0.0, 0.0)}
 
 PIXEL_OPERATIONS: tuple[Row, ...] = (
@@ -226,15 +210,15 @@ PIXEL_OPERATIONS: tuple[Row, ...] = (
     ("GL_STENCIL_FUNC", COMPARISONS, "GL_ALWAYS", ""),
     ("GL_STENCIL_REF", INT, 0, ""),
     ("GL_STENCIL_VALUE_MASK", MASK, EVERY, ""),
-    ("GL_STENCIL_FAIL", STENCIL_OPERATIONS, "GL_KEEP", ""),
-    ("GL_STENCIL_PASS_DEPTH_FAIL", STENCIL_OPERATIONS, "GL_KEEP", ""),
-    ("GL_STENCIL_PASS_DEPTH_PASS", STENCIL_OPERATIONS, "GL_KEEP", ""),
+    ("GL_STENCIL_FAIL", OPERATIONS, "GL_KEEP", ""),
+    ("GL_STENCIL_PASS_DEPTH_FAIL", OPERATIONS, "GL_KEEP", ""),
+    ("GL_STENCIL_PASS_DEPTH_PASS", OPERATIONS, "GL_KEEP", ""),
     ("GL_STENCIL_BACK_FUNC", COMPARISONS, "GL_ALWAYS", "", "2.0"),
     ("GL_STENCIL_BACK_REF", INT, 0, "", "2.0"),
     ("GL_STENCIL_BACK_VALUE_MASK", MASK, EVERY, "", "2.0"),
-    ("GL_STENCIL_BACK_FAIL", STENCIL_OPERATIONS, "GL_KEEP", "", "2.0"),
-    ("GL_STENCIL_BACK_PASS_DEPTH_FAIL", STENCIL_OPERATIONS, "GL_KEEP", "", "2.0"),
-    ("GL_STENCIL_BACK_PASS_DEPTH_PASS", STENCIL_OPERATIONS, "GL_KEEP", "", "2.0"),
+    ("GL_STENCIL_BACK_FAIL", OPERATIONS, "GL_KEEP", "", "2.0"),
+    ("GL_STENCIL_BACK_PASS_DEPTH_FAIL", OPERATIONS, "GL_KEEP", "", "2.0"),
+    ("GL_STENCIL_BACK_PASS_DEPTH_PASS", OPERATIONS, "GL_KEEP", "", "2.0"),
     ("GL_DEPTH_TEST", FLAG, False),
     ("GL_DEPTH_FUNC", COMPARISONS, "GL_LESS", "glDepthFunc $"),
     ("GL_BLEND", FLAG, False),
@@ -248,7 +232,7 @@ PIXEL_OPERATIONS: tuple[Row, ...] = (
     ("GL_DITHER", FLAG, True),
     ("GL_INDEX_LOGIC_OP", FLAG, False),
     ("GL_COLOR_LOGIC_OP", FLAG, False),
-    ("GL_LOGIC_OP_MODE", LOGIC_OPERATIONS, "GL_COPY", "glLogicOp $"),
+    ("GL_LOGIC_OP_MODE", names("logic_op"), "GL_COPY", "glLogicOp $"),
 )
 
 FRAMEBUFFER: tuple[Row, ...] = (
@@ -296,10 +280,7 @@ PIXELS: tuple[Row, ...] = (
     ("GL_ZOOM_X", FLOAT, 1.0, "glPixelZoom $ $GL_ZOOM_Y"),
     ("GL_ZOOM_Y", FLOAT, 1.0, "glPixelZoom $GL_ZOOM_X $"),
 )
-PIXEL_MAPS = enumerants(
-    "PIXEL_MAP_I_TO_I PIXEL_MAP_S_TO_S PIXEL_MAP_I_TO_R PIXEL_MAP_I_TO_G PIXEL_MAP_I_TO_B "
-    "PIXEL_MAP_I_TO_A PIXEL_MAP_R_TO_R PIXEL_MAP_G_TO_G PIXEL_MAP_B_TO_B PIXEL_MAP_A_TO_A"
-)
+PIXEL_MAPS = names("pixel_map")
 
 # What an evaluator gives, and the control point that it starts with.
 EVALUATED: dict[str, tuple[float, ...]] = {
@@ -322,11 +303,7 @@ EVALUATORS: tuple[Row, ...] = (
 )
 
 HINT: tuple[Row, ...] = tuple(
-    (name, HINTS, "GL_DONT_CARE", f"glHint {name} $")
-    for name in enumerants(
-        "PERSPECTIVE_CORRECTION_HINT POINT_SMOOTH_HINT LINE_SMOOTH_HINT POLYGON_SMOOTH_HINT "
-        "FOG_HINT GENERATE_MIPMAP_HINT TEXTURE_COMPRESSION_HINT"
-    )
+    (name, names("hint_mode"), "GL_DONT_CARE", f"glHint {name} $") for name in names("hint_target")
 )
 
 ARRAYS: dict[str, tuple[str, int]] = {
@@ -354,13 +331,13 @@ STACKS: tuple[Row, ...] = (
     ("GL_ATTRIB_STACK_DEPTH", INT, 0, ""),
     ("GL_CLIENT_ATTRIB_STACK_DEPTH", INT, 0, ""),
     ("GL_LIST_BASE", INT, 0, "glListBase $"),
-    ("GL_RENDER_MODE", enumerants("RENDER SELECT FEEDBACK"), "GL_RENDER", ""),
+    ("GL_RENDER_MODE", names("render_mode"), "GL_RENDER", ""),
     ("GL_NAME_STACK_DEPTH", INT, 0, ""),
     ("GL_SELECTION_BUFFER_SIZE", INT, 0, ""),
     ("GL_FEEDBACK_BUFFER_SIZE", INT, 0, ""),
     (
         "GL_FEEDBACK_BUFFER_TYPE",
-        enumerants("2D 3D 3D_COLOR 3D_COLOR_TEXTURE 4D_COLOR_TEXTURE"),
+        names("feedback_type"),
         *("GL_2D", ""),
     ),
     ("GL_CURRENT_PROGRAM", INT, 0, "", "2.0"),
