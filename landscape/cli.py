@@ -11,6 +11,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import astuple, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -200,29 +201,30 @@ def _figures(options: argparse.Namespace) -> int:
     return 0
 
 
-def _trace(options: argparse.Namespace) -> int:
-    from landscape.tools.trace import as_text, trace_view
+def _frame(name: str) -> Callable[[argparse.Namespace], int]:
+    """Return the function of a command that looks into a frame."""
 
-    kind, view = find_view(options.view)
-    if options.element and options.element not in (*kind.elements, "frame"):
-        raise InputError(
-            f"--element {options.element!r}: expected one of {', '.join(kind.elements)}, frame"
+    def run(options: argparse.Namespace) -> int:
+        from landscape.tools import frame_commands
+        from landscape.tools.target import Target
+
+        kinds = [] if options.target.endswith(".py") else [find_view(options.target)[0]]
+        target = Target(
+            options.target,
+            size=options.size,
+            backend=options.backend,
+            preset=options.preset,
+            settings=_changes(options, *kinds),
+            only=options.only,
+            assets=options.assets,
+            seed=options.seed,
+            wireframe=options.wireframe,
+            edits=options.edits,
+            tell=partial(_notify, options),
         )
-    changes = _changes(options, kind)
-    calls = trace_view(
-        options.view,
-        settings=changes,
-        wireframe=options.wireframe,
-        **_offscreen_options(options),
-    )
-    _tell_of_no_effect(options, [(kind, view)], changes)
-    if options.element:
-        calls = [call for call in calls if options.element in call.shared_by]
-    if options.json:
-        print(json.dumps([call.as_json() for call in calls], indent=1))
-    else:
-        print("\n".join(as_text(calls)))
-    return 0
+        return frame_commands.RUN[name](target, options)
+
+    return run
 
 
 def _assets_build(options: argparse.Namespace) -> int:
@@ -304,7 +306,8 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "render": _render,
     "views": _views,
     "figures": _figures,
-    "trace": _trace,
+    "trace": _frame("trace"),
+    "pixel": _frame("pixel"),
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,

@@ -9,6 +9,7 @@ from typing import Any
 from landscape import __version__, arguments
 from landscape.errors import InputError
 from landscape.scene import SEED, scene
+from landscape.tools import frame_options
 from landscape.window.pace import FPS
 
 Commands = Mapping[str, Callable[[argparse.Namespace], int]]
@@ -117,6 +118,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         default="",
         help="language of the window; default: by LANGUAGE, LC_ALL, LC_MESSAGES or LANG",
     )
+    frame_options.edits_option(walk)
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
     walk.add_argument(
@@ -149,6 +151,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     render.add_argument(
         "--kt", type=_number, metavar="N", help="animation time; default: the view's own"
     )
+    frame_options.edits_option(render)
     _size_option(render, (800, 600), "size of the pictures")
     _common(render, samples=4)
 
@@ -164,12 +167,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     figures.add_argument("--update", action="store_true", help="replace the committed pictures")
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
-    trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
-    trace.add_argument("view", metavar="VIEW", help="a view or a fix; see `landscape views`")
-    element = trace.add_argument("--element", metavar="NAME")
-    _explain(element, "only the calls of one element: %(elements)s or frame; default: all")
-    trace.add_argument("--json", action="store_true", help=JSON)
-    _common(trace, samples=0)
+    frame_options.add(command, _of_a_frame, _one_element, _pair)
 
     assets = commands.add_parser(
         "assets",
@@ -257,6 +255,17 @@ def _size_option(parser: argparse.ArgumentParser, size: tuple[int, int], what: s
         metavar="WxH",
         help=f"{what} in pixels; default: {width}x{height}",
     )
+
+
+def _of_a_frame(parser: argparse.ArgumentParser) -> None:
+    """Add the options of a command that draws a frame to look into it."""
+    _size_option(parser, (800, 600), "size of the frame")
+    _common(parser, samples=0)
+
+
+def _one_element(parser: argparse.ArgumentParser) -> None:
+    element = parser.add_argument("--element", metavar="NAME")
+    _explain(element, "only the calls of one element: %(elements)s or frame; default: all")
 
 
 def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:

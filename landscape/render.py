@@ -11,10 +11,12 @@ import numpy as np
 from PIL import Image
 
 from landscape import arguments, keys
+from landscape.capture import state
+from landscape.capture.tape import Tape
 from landscape.errors import InputError, short
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import Edits, edited, gl
+from landscape.gl.calls import Edits, edited, gl, recording, unnoted
 from landscape.gl.framebuffer import Framebuffer
 from landscape.gl.ownership import OwnedContext
 from landscape.scene import (
@@ -132,6 +134,29 @@ class Offscreen:
         with self._current():
             opened = self.scene or self._open(scene(), View("pose", "", moment.pose))
             opened.draw(moment)
+
+    @contextmanager
+    def taped(
+        self, view: Place, kt: float | None = None, wireframe: bool = False
+    ) -> Iterator[Tape]:
+        """Record a frame of a view whole; in the block its picture and its context are at hand.
+
+        The scene is built anew, so that the recording has all its calls.
+        """
+        with self._current():
+            assert self._target is not None
+            if self.scene is not None:
+                self.scene.release()
+            self.scene, self._built_for = None, None
+            with recording(complete=True) as recorder:
+                self.look(view, kt, wireframe)
+                with unnoted():
+                    self._target.bind()
+                    start = state.read()
+                begin = len(recorder.calls)
+                self.submit()
+            with unnoted():
+                yield Tape(recorder.calls, begin, start, self.size, self.notices)
 
     @contextmanager
     def _current(self) -> Iterator[None]:

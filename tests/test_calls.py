@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import OpenGL
 import pytest
+from seam import Replaced
 from stage import SMALL, Stage, close, small
 
 from landscape.elements.best.sea.sea import reflected
@@ -18,7 +19,7 @@ from landscape.elements.sky_box import SkyBox
 from landscape.elements.water_surface import WaterSurface
 from landscape.frame import Pose
 from landscape.gl import calls
-from landscape.gl.calls import Call, Listing, begin_pass, drawing, edited, gl, recording
+from landscape.gl.calls import Call, begin_pass, drawing, edited, gl, recording
 from landscape.gl.context import open_context
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.notes import plain
@@ -27,7 +28,8 @@ from landscape.gl.state import attrib
 from landscape.gl.texture_target import TextureTarget
 from landscape.island import ELEMENTS
 from landscape.render import Offscreen
-from landscape.tools.trace import as_text, trace_view
+from landscape.tools.target import Target
+from landscape.tools.trace_text import as_text
 from landscape.views import VIEWS
 from landscape.window.panel import Panel
 
@@ -264,22 +266,6 @@ def test_an_array_shows_the_values_it_had_at_the_call(stage: Stage) -> None:
     assert shown == [[1.0, 0.0, 0.0, 1.0], [0.5, 0.5, 0.5, 0.5]]
 
 
-class Replaced:
-    """An edit of the simplest kind: every call of a name gets other arguments, or is left out."""
-
-    def __init__(self, name: str, args: tuple[Any, ...] | None) -> None:
-        self._name, self._args = name, args
-
-    def begin(self) -> None: ...
-
-    def begin_list(self, listing: Listing) -> None: ...
-
-    def end_list(self) -> None: ...
-
-    def change(self, name: str, args: tuple[Any, ...], *_: Any) -> tuple[Any, ...] | None:
-        return self._args if name == self._name else args
-
-
 def test_an_edit_changes_the_calls_that_a_list_compiles(stage: Stage) -> None:
     with edited(Replaced("glPointSize", (7.0,))):
         owner = DisplayList(lambda: gl.glPointSize(2.0))
@@ -428,6 +414,12 @@ def test_only_the_gl_rooms_import_opengl() -> None:
 
 def test_the_suite_itself_runs_with_pyopengls_checks_on() -> None:
     assert OpenGL.ERROR_CHECKING and OpenGL.ERROR_ON_COPY
+
+
+def trace_view(view: str, preset: str, settings: dict[str, Any], **options: Any) -> list[Call]:
+    """Return the calls of a view, small, those of the setup first."""
+    target = Target(view, (320, 240), preset=preset, settings=settings, **options)
+    return target.look(lambda tape: list(tape.calls))
 
 
 def as_it_is(call: Call) -> dict[str, Any]:

@@ -204,7 +204,7 @@ def test_a_pose_without_height_stands_at_eye_height() -> None:
 
 PACKAGE = TESTS.parent / "landscape"
 GENERIC = ("render.py", "cli.py", "options.py", "scene.py", "window/*.py", "tools/bench.py")
-GENERIC += ("tools/trace.py", "tools/render_many.py", "tools/timing.py", "../tests/stage.py")
+GENERIC += ("tools/target.py", "tools/render_many.py", "tools/timing.py", "../tests/stage.py")
 
 
 def test_no_generic_module_names_the_island() -> None:

@@ -8,14 +8,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from landscape.capture import spec
 from landscape.errors import InputError, short
 from landscape.gl.calls import Call, gl
 from landscape.gl.client import POINTERS
 
-# Only OpenGL's answers, not its state or its pixels, come of these.
-ASKING = ("glGet", "glIs", "glReadPixels", "glFinish", "glFlush", "glCheckFramebufferStatus")
-# Names (of textures, lists, buffers, ...) stay what they were, and what they name stays alive.
-NAMING = ("glGen", "glDelete")
 CLIENT = {*POINTERS, "glEnableClientState", "glDisableClientState", "glClientActiveTexture"}
 ARRAYS = (
     *("VERTEX", "NORMAL", "COLOR", "SECONDARY_COLOR", "TEXTURE_COORD", "FOG_COORD", "INDEX"),
@@ -25,10 +22,14 @@ ARRAYS = (
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A call and its place; ``place`` is empty for a call that the replay itself adds."""
+    """A call and its place; ``place`` is empty for a call that the replay itself adds.
+
+    ``top`` is the frame's own call: the same one, or the one that executes the display list.
+    """
 
     place: str
     call: Call
+    top: Call
 
     @property
     def number(self) -> int:
@@ -39,7 +40,7 @@ class Step:
 def steps(calls: Sequence[Call]) -> Iterator[Step]:
     """Yield the calls in the order in which they take effect: for a display list its own calls."""
     for call in calls:
-        yield from _expanded(Step(str(call.number), call))
+        yield from _expanded(Step(str(call.number), call, call))
 
 
 def _expanded(step: Step) -> Iterator[Step]:
@@ -51,7 +52,7 @@ def _expanded(step: Step) -> Iterator[Step]:
     inner = [
         each
         for index, listed in enumerate(call.listed)
-        for each in _expanded(Step(f"{step.place}.{index}", listed))
+        for each in _expanded(Step(f"{step.place}.{index}", listed, step.top))
     ]
     # A list has its arrays in itself. Its pointer calls were made when it was compiled, so making
     # them here must leave the client state alone.
@@ -66,14 +67,17 @@ def _expanded(step: Step) -> Iterator[Step]:
 
 
 def _added(call: Call, name: str, *args: Any) -> Step:
-    return Step("", replace(call, name=name, args=args, executed=(), arrays=(), kept=None))
+    made = replace(call, name=name, args=args, executed=(), arrays=(), kept=None)
+    return Step("", made, made)
 
 
 def repeatable(name: str) -> bool:
-    """Whether a replay makes calls of this name again."""
-    if name == "glGenerateMipmap":
-        return True
-    return not name.startswith((*ASKING, *NAMING))
+    """Whether a replay makes calls of this name again.
+
+    It asks nothing, and objects keep their names and stay alive.
+    """
+    asking = spec.is_query(name) or name in ("glFinish", "glFlush")
+    return not (asking or spec.creates(name) or spec.deletes(name))
 
 
 def issue(call: Call) -> None:
@@ -101,7 +105,7 @@ def find(calls: Sequence[Call], place: str) -> Step:
             last = f"expected 0 to {len(among) - 1}" if among else "and no call inside it"
             raise InputError(f"call {short(place)}: {where} {len(among)} calls, {last}")
         call = among[index]
-        step = Step(".".join(parts[: depth + 1]), call)
+        step = Step(".".join(parts[: depth + 1]), call, step.top if step else call)
         among = call.listed
     assert step is not None
     return step

@@ -1,0 +1,53 @@
+"""A frame as it was drawn: all calls with their arguments, and the state in which it began.
+
+It can be drawn again in its context, whole or in part, and in a new one from the tape alone.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from landscape.capture.state import restore
+from landscape.capture.steps import Step, issue, steps
+from landscape.gl.calls import Call
+
+
+@dataclass
+class Tape:
+    """The calls up to the end of a frame; the frame itself begins with ``calls[begin]``.
+
+    ``start`` is the state in which it began (capture/state.py), ``size`` the picture's in pixels.
+    ``notices`` are lines for the user.
+    """
+
+    calls: Sequence[Call]
+    begin: int
+    start: Mapping[str, Any]
+    size: tuple[int, int]
+    notices: list[str] = field(default_factory=list)
+
+    @property
+    def frame(self) -> Sequence[Call]:
+        """The calls of the frame, without those of the setup."""
+        return self.calls[self.begin :]
+
+    def steps(self) -> Iterator[Step]:
+        """Return the frame's calls one by one, with what display lists execute."""
+        return steps(self.frame)
+
+    def rewind(self) -> None:
+        """Set the state in which the frame began."""
+        restore(self.start)
+
+    def replay(self, before: Callable[[Call], object] | None = None) -> None:
+        """Draw the frame again, in its own context; ``before`` is told of each call in advance."""
+        self.rewind()
+        for call in self.frame:
+            if before is not None:
+                before(call)
+            issue(call)
+
+    def play(self) -> None:
+        """Make all calls, those of the setup too: in a new context, with a target of its own."""
+        for call in self.calls:
+            issue(call)

@@ -1,0 +1,55 @@
+"""The commands that look into a frame: what they print."""
+
+import argparse
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
+
+from landscape.capture.pixel import history
+from landscape.capture.tape import Tape
+from landscape.errors import InputError
+from landscape.gl.calls import Call
+from landscape.scene import find_view
+from landscape.tools import pixel_report, trace_diff, trace_text
+from landscape.tools.target import Target
+
+
+def trace(target: Target, options: argparse.Namespace) -> int:
+    """Print the calls of a frame, or how they differ from those of another one."""
+    if options.element and not target.is_program:
+        kind, _ = find_view(target.name)
+        if options.element not in (*kind.elements, "frame"):
+            raise InputError(
+                f"--element {options.element!r}: expected one of {', '.join(kind.elements)}, frame"
+            )
+
+    def calls(tape: Tape) -> list[Call]:
+        return trace_text.chosen(tape.calls, options.element, options.pass_)
+
+    first = target.look(calls)
+    if not (options.diff or options.diff_set or options.diff_preset or options.diff_edits):
+        return _print(options, [call.as_json() for call in first], trace_text.as_text(first))
+    second = replace(
+        target,
+        name=options.diff or target.name,
+        settings={**target.settings, **dict(options.diff_set)},
+        preset=options.diff_preset or target.preset,
+        edits=options.diff_edits or target.edits,
+    ).look(calls)
+    found = trace_diff.difference(first, second)
+    return _print(options, found.as_json(), trace_diff.as_text(found))
+
+
+def pixel(target: Target, options: argparse.Namespace) -> int:
+    """Print what happened to a pixel."""
+    rows = target.look(lambda tape: history(tape, *options.pixel))
+    return _print(options, [row.as_json() for row in rows], pixel_report.as_text(rows))
+
+
+def _print(options: argparse.Namespace, found: Any, lines: Iterable[str]) -> int:
+    print(json.dumps(found, indent=1) if options.json else "\n".join(lines))
+    return 0
+
+
+RUN: dict[str, Callable[[Target, argparse.Namespace], int]] = {"trace": trace, "pixel": pixel}

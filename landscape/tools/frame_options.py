@@ -1,0 +1,68 @@
+"""The options of the commands that look into a frame: trace, pixel."""
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+TARGET = "a view or a fix (see `landscape views`)"
+EDITS = "change single OpenGL calls as this file says"
+PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
+
+Add = Callable[[str, str, str], argparse.ArgumentParser]
+"""Adds a command to the command line, by name, help and example."""
+
+
+def add(
+    command: Add,
+    drawing: Callable[[argparse.ArgumentParser], None],
+    one_element: Callable[[argparse.ArgumentParser], None],
+    pair: Callable[[str], tuple[str, str]],
+) -> None:
+    """Add the commands; ``drawing`` adds what all that draw share, ``one_element`` --element.
+
+    ``pair`` reads KEY=VALUE.
+    """
+    trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
+    _target(trace)
+    one_element(trace)
+    trace.add_argument("--pass", dest="pass_", metavar="NAME", help=PASSES)
+    trace.add_argument(
+        "--diff", metavar="TARGET2", help="print which calls come, go or change in another target"
+    )
+    trace.add_argument(
+        "--diff-set",
+        action="append",
+        type=pair,
+        default=[],
+        metavar="KEY=VALUE",
+        help="print which calls come, go or change with this setting; may be repeated",
+    )
+    trace.add_argument("--diff-preset", metavar="best|2006", help="the same for another preset")
+    trace.add_argument("--diff-edits", type=Path, metavar="FILE", help="the same for these edits")
+    pixel = command(
+        "pixel", "print what happened to a pixel: every draw that covered it", "fig35e 400,300"
+    )
+    _target(pixel)
+    pixel.add_argument(
+        "pixel", type=_pixel, metavar="X,Y", help="in pixels from the picture's top left"
+    )
+    for sub in (trace, pixel):
+        sub.add_argument("--json", action="store_true", help="print JSON")
+        drawing(sub)
+
+
+def edits_option(sub: argparse.ArgumentParser) -> None:
+    """Add --edits."""
+    sub.add_argument("--edits", type=Path, metavar="FILE", help=EDITS)
+
+
+def _target(sub: argparse.ArgumentParser) -> None:
+    sub.add_argument("target", metavar="TARGET", help=TARGET)
+    edits_option(sub)
+
+
+def _pixel(text: str) -> tuple[int, int]:
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y such as 400,300")
+    return int(parts[0][:9]), int(parts[1][:9])

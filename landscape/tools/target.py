@@ -1,0 +1,88 @@
+"""What the tools look into: a frame of a view, or of any PyOpenGL program."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, TypeVar
+
+from landscape.capture.edit_files import read
+from landscape.capture.edits import Edits
+from landscape.capture.tape import Tape
+from landscape.errors import InputError, short
+from landscape.render import SIZE, Offscreen
+from landscape.scene import SEED, find_view
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Target:
+    """A frame to look into: a view's name with what it is drawn with, or the path of a program.
+
+    ``settings`` to ``seed`` are as of :class:`landscape.render.Offscreen`, for views; ``frame``
+    and ``events`` are for programs (capture/program.py). ``edits`` is a file of edits. ``tell`` is
+    called with lines for the user: settings and edits that changed nothing.
+    """
+
+    name: str
+    size: tuple[int, int] = SIZE
+    backend: str = "auto"
+    preset: str | None = None
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    only: Iterable[str] | None = None
+    assets: Path | None = None
+    seed: int = SEED
+    wireframe: bool = False
+    edits: Path | None = None
+    frame: int = 0
+    events: Path | None = None
+    tell: Callable[[Sequence[str]], object] = lambda lines: None
+
+    @property
+    def is_program(self) -> bool:
+        """Whether the name is the path of a program."""
+        return self.name.endswith(".py")
+
+    def look(self, use: Callable[[Tape], T]) -> T:
+        """Draw the frame and return what ``use`` makes of its tape, in its context.
+
+        InputError and NoOpenGLError as when a view is rendered.
+        """
+        if self.is_program:
+            raise InputError(f"{self.name}: expected the name of a view")
+        find_view(self.name)
+        if self.frame or self.events:
+            what = "--frame" if self.frame else "--events"
+            raise InputError(f"{what}: it is for programs; {short(self.name)} is a view")
+        edits = Edits(read(self.edits)) if self.edits else None
+        options: dict[str, Any] = {
+            "preset": self.preset,
+            "settings": self.settings,
+            "backend": self.backend,
+            "assets": self.assets,
+            "only": self.only,
+            "seed": self.seed,
+        }
+        with Offscreen(self.size, samples=0, edits=edits, **options) as offscreen:
+            with offscreen.taped(self.name, wireframe=self.wireframe) as tape:
+                self.tell(tape.notices)
+                if edits is not None:
+                    self.tell([f"{self.edits}: {line}" for line in edits.missed()])
+                return use(tape)
+
+
+def place_of(tape: Tape, text: str) -> str:
+    """Return the place of a call that a user gave by its number, or by an element's name.
+
+    An element means the first of its calls in the frame. InputError if there is none.
+    """
+    if text[:1].isdigit():
+        return text
+    named = [call for call in tape.frame if text in call.shared_by]
+    if not named:
+        elements = dict.fromkeys(name for call in tape.frame for name in call.shared_by)
+        raise InputError(
+            f"{short(text)}: expected a call's number or an element of the frame: "
+            f"{', '.join(elements)}"
+        )
+    return str(named[0].number)

@@ -1,0 +1,146 @@
+"""Pixel history: every draw that covered a pixel, and the arithmetic of what it did."""
+
+import re
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from commands import landscape
+from stage import Stage
+
+from landscape.capture import state
+from landscape.capture.pixel import Row, history
+from landscape.capture.tape import Tape
+from landscape.errors import InputError
+from landscape.gl.calls import gl, recording, unnoted
+from landscape.gl.framebuffer import read_pixels
+from landscape.render import Offscreen
+
+SIZE = (160, 120)
+VIEWS = {"2006": ("fig35a", "fig35e", "fig35f", "fig35g"), "best": ("fig35e",)}
+
+
+def result_of(row: Row) -> np.ndarray:
+    """Return the colour that a row's arithmetic ends with, 0 to 255."""
+    numbers = re.findall(r"= \(([^)]*)\)", row.arithmetic)[-1].split(",")
+    return np.array([float(number) for number in numbers]) * 255
+
+
+@pytest.mark.parametrize("preset", ["2006", "best"])
+def test_the_history_ends_with_the_frames_pixel_and_its_arithmetic_is_right(preset: str) -> None:
+    random = np.random.default_rng(35)
+    outcomes = set()
+    with Offscreen(SIZE, preset, samples=0) as offscreen:
+        for view in VIEWS[preset]:
+            with offscreen.taped(view) as tape:
+                frame = read_pixels(SIZE)
+                for _ in range(8):
+                    x, y = int(random.integers(SIZE[0])), int(random.integers(SIZE[1]))
+                    rows = history(tape, x, y)
+                    assert rows[-1].pixel.color[:3] == tuple(frame[y, x]), (view, x, y)
+                    for row in rows:
+                        outcomes.add(row.outcome)
+                        if row.outcome == "drawn":
+                            off = np.abs(result_of(row) - row.pixel.color[:3]).max()
+                            assert off <= 1.0, (view, x, y, row)
+                        elif row.outcome in ("alpha", "stencil", "depth"):
+                            assert "fails" in row.arithmetic
+                # Asking has changed nothing.
+                tape.replay()
+                assert np.array_equal(read_pixels(SIZE), frame), view
+    assert {"drawn", "depth"} <= outcomes
+
+
+@pytest.fixture
+def tests_at_one_pixel(stage: Stage) -> Iterator[list[Row]]:
+    """The history of a pixel that six quads cover: five fail a test each, the last is blended."""
+
+    def quad(alpha: float, z: float = 0.0) -> None:
+        gl.glBegin(gl.GL_QUADS)
+        gl.glColor4f(1.0, 0.5, 0.25, alpha)
+        for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            gl.glVertex3f(x, y, z)
+        gl.glEnd()
+
+    with stage.borrowed():
+        size = stage.read().shape[1::-1]
+        start = state.read()
+        with recording(complete=True) as recorder:
+            gl.glViewport(0, 0, *size)
+            for matrix in (gl.GL_PROJECTION, gl.GL_MODELVIEW):
+                gl.glMatrixMode(matrix)
+                gl.glLoadIdentity()
+            gl.glClearColor(0.0, 0.0, 1.0, 1.0)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
+            gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.0, 0.0, 1.0, -2.0]))
+            gl.glEnable(gl.GL_CLIP_PLANE0)
+            quad(1.0)
+            gl.glDisable(gl.GL_CLIP_PLANE0)
+            gl.glEnable(gl.GL_SCISSOR_TEST)
+            gl.glScissor(0, 0, 1, 1)
+            quad(1.0)
+            gl.glDisable(gl.GL_SCISSOR_TEST)
+            gl.glEnable(gl.GL_ALPHA_TEST)
+            gl.glAlphaFunc(gl.GL_GREATER, 0.5)
+            quad(0.25)
+            gl.glDisable(gl.GL_ALPHA_TEST)
+            gl.glEnable(gl.GL_STENCIL_TEST)
+            gl.glStencilFunc(gl.GL_EQUAL, 1, 255)
+            quad(1.0)
+            gl.glDisable(gl.GL_STENCIL_TEST)
+            gl.glEnable(gl.GL_DEPTH_TEST)
+            gl.glDepthFunc(gl.GL_GREATER)
+            quad(1.0)
+            gl.glDepthFunc(gl.GL_LESS)
+            gl.glColorMask(False, False, False, False)
+            quad(1.0, 0.5)
+            gl.glColorMask(True, True, True, True)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            quad(0.25)
+        with unnoted():
+            rows = history(Tape(recorder.calls, 0, start, size), size[0] // 2, size[1] // 2)
+            state.restore(start)
+        yield rows
+
+
+def test_each_test_that_a_fragment_fails_is_named_with_its_numbers(
+    tests_at_one_pixel: list[Row],
+) -> None:
+    rows = tests_at_one_pixel
+    outcomes = [row.outcome for row in rows]
+    assert outcomes == ["drawn", "clip", "scissor", "alpha", "stencil", "depth", "masked", "drawn"]
+    texts = {row.outcome: row.arithmetic for row in rows}
+    assert texts["clip"] == "behind GL_CLIP_PLANE0"
+    assert texts["alpha"] == "alpha 0.250 GL_GREATER 0.500: fails"
+    assert texts["stencil"] == "reference 1 GL_EQUAL 0 in the stencil buffer: fails"
+    assert texts["depth"] == "depth 0.500000 GL_GREATER 1.000000: fails"
+    assert rows[-2].pixel.depth == pytest.approx(0.75), "masked, but its depth is written"
+
+
+def test_a_blended_fragment_shows_both_terms(tests_at_one_pixel: list[Row]) -> None:
+    last = tests_at_one_pixel[-1]
+    assert last.arithmetic == (
+        "0.251 x (1.000, 0.502, 0.251) + 0.749 x (0.000, 0.000, 1.000) = (0.2510, 0.1260, 0.8120)"
+    )
+    assert last.pixel.color[:3] == (64, 32, 207)
+
+
+def test_a_pixel_outside_is_refused_in_one_line() -> None:
+    with Offscreen(SIZE, "2006", samples=0, only=("sky",)) as offscreen:
+        with offscreen.taped("fig35a") as tape:
+            with pytest.raises(InputError, match=r"pixel 160,0: expected .* 0,0 to 159,119"):
+                history(tape, 160, 0)
+
+
+def test_the_command_prints_json_with_the_fields_of_the_contract() -> None:
+    import json
+
+    done = landscape("pixel", "fig35e", "80,60", "--preset", "2006", "--size", "160x120", "--json")
+    assert done.status == 0, done.err
+    rows = json.loads(done.out)
+    wanted = {"call", "name", "element", "source", "pass", "outcome", "arithmetic", "color"}
+    assert rows and all({*wanted, "depth", "stencil"} <= row.keys() for row in rows)
+    assert all(isinstance(row["call"], int) and len(row["color"]) == 4 for row in rows)
+    done = landscape("pixel", "fig35e", "80;60")
+    assert done.status == 2 and "expected X,Y such as 400,300" in done.err
