@@ -59,6 +59,7 @@ class Calls:
         import OpenGL.GL
 
         value = getattr(OpenGL.GL, name)
+        value = getattr(value, "__wrapped__", value)  # not what foreign.py has put in its place
         if self.__dict__ is _noted and callable(value) and name.startswith("gl"):
             value = noting_function(name, value)
         self.__dict__[name] = value

@@ -45,12 +45,13 @@ class Context(Protocol):
 _platform: str | None = None
 
 
-def use_platform(name: str) -> None:
+def use_platform(name: str, checked: bool | None = None) -> None:
     """Bind PyOpenGL to ``osmesa``, ``egl``, ``glx`` or ``wayland``, once for the process.
 
     Checking for errors after each call costs more than most calls do, so it is done only if the
     environment has LANDSCAPE_GL_CHECKS=1, as in the tests; then PyOpenGL also raises an error where
-    it would silently copy an array.
+    it would silently copy an array. A program that is not ours is given what it expects: with
+    ``checked``, errors raise exceptions and copies do not.
     """
     global _platform
     if _platform is not None:
@@ -63,8 +64,8 @@ def use_platform(name: str) -> None:
     import OpenGL
 
     checks = os.environ.get("LANDSCAPE_GL_CHECKS") == "1"
-    OpenGL.ERROR_CHECKING = checks
-    OpenGL.ERROR_ON_COPY = checks
+    OpenGL.ERROR_CHECKING = checks if checked is None else checked
+    OpenGL.ERROR_ON_COPY = checks and checked is None
     OpenGL.ERROR_LOGGING = False
     try:
         from OpenGL import platform
@@ -81,7 +82,7 @@ def use_platform(name: str) -> None:
     _platform = name
 
 
-def _require(library: str, backend: str) -> None:
+def require(library: str, backend: str) -> None:
     """Load a system library before PyOpenGL binds to it; NoOpenGLError if that fails."""
     path = ctypes.util.find_library(library)
     try:
@@ -100,7 +101,7 @@ class OSMesaContext:
     backend = "osmesa"
 
     def __init__(self) -> None:
-        _require("OSMesa", "osmesa")
+        require("OSMesa", "osmesa")
         use_platform("osmesa")
         import numpy as np
         from OpenGL import osmesa
@@ -135,8 +136,9 @@ class EGLContext:
     backend = "egl"
     SURFACELESS_MESA = 0x31DD
 
-    def __init__(self) -> None:
-        _require("EGL", "egl")
+    def __init__(self, size: tuple[int, int] = (16, 16)) -> None:
+        """Open the context; ``size`` in pixels is that of its default framebuffer."""
+        require("EGL", "egl")
         use_platform("egl")
         # With error checking off, PyOpenGL 3.1.10 never defines the name its EGL module imports.
         import OpenGL.raw.EGL._errors as errors_module
@@ -145,6 +147,7 @@ class EGLContext:
         from OpenGL import EGL
 
         self.lists: Lists = {}
+        self.size = size
         self._egl: Any = EGL
         self._context: Any = None
         errors = []
@@ -179,23 +182,44 @@ class EGLContext:
             egl.EGL_STENCIL_SIZE: 8,
         }
         flat = [int(v) for pair in wanted.items() for v in pair] + [int(egl.EGL_NONE)]
-        configs, count = (egl.EGLConfig * 1)(), egl.EGLint()
+        configs, count = (egl.EGLConfig * 64)(), egl.EGLint()
         egl.eglChooseConfig(
-            self._display, (egl.EGLint * len(flat))(*flat), configs, 1, ctypes.byref(count)
+            self._display, (egl.EGLint * len(flat))(*flat), configs, 64, ctypes.byref(count)
         )
         if not count.value:
             raise NoOpenGLError("EGL has no configuration with OpenGL and a 24-bit depth buffer")
-        size = [int(egl.EGL_WIDTH), 16, int(egl.EGL_HEIGHT), 16, int(egl.EGL_NONE)]
-        self._surface = egl.eglCreatePbufferSurface(
-            self._display, configs[0], (egl.EGLint * len(size))(*size)
-        )
+        # EGL puts configurations of 10 bits first, whose colours are not those of other backends.
+        self._config = max(configs[: count.value], key=self._like_others)
+        self._surface = self._buffer()
         self._context = egl.eglCreateContext(
-            self._display, configs[0], egl.EGL_NO_CONTEXT, (egl.EGLint * 1)(int(egl.EGL_NONE))
+            self._display, self._config, egl.EGL_NO_CONTEXT, (egl.EGLint * 1)(int(egl.EGL_NONE))
         )
         if not self._context:
             self._context = None
             raise NoOpenGLError("eglCreateContext failed")
         self.make_current()
+
+    def _like_others(self, config: Any) -> tuple[bool, bool]:
+        """Return whether a configuration has 8 bits of red, and of alpha."""
+        egl, bits = self._egl, self._egl.EGLint()
+        found = []
+        for channel in (egl.EGL_RED_SIZE, egl.EGL_ALPHA_SIZE):
+            egl.eglGetConfigAttrib(self._display, config, channel, ctypes.byref(bits))
+            found.append(bits.value == 8)
+        return found[0], found[1]
+
+    def _buffer(self) -> Any:
+        egl, (width, height) = self._egl, self.size
+        size = [int(egl.EGL_WIDTH), width, int(egl.EGL_HEIGHT), height, int(egl.EGL_NONE)]
+        wanted = (egl.EGLint * len(size))(*size)
+        return egl.eglCreatePbufferSurface(self._display, self._config, wanted)
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Give the default framebuffer another size, in pixels, and make the context current."""
+        self.size, before = size, self._surface
+        self._surface = self._buffer()
+        self.make_current()
+        self._egl.eglDestroySurface(self._display, before)
 
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
@@ -259,7 +283,7 @@ class GLFWContext:
             glfw.window_hint(glfw.CONTEXT_CREATION_API, glfw.OSMESA_CONTEXT_API)
         else:
             if sys.platform == "linux":
-                _require("GL", "glfw")
+                require("GL", "glfw")
             wayland = glfw.get_platform() == glfw.PLATFORM_WAYLAND
             use_platform("wayland" if wayland else "glx" if sys.platform == "linux" else "native")
         glfw.window_hint(glfw.VISIBLE, visible)

@@ -1,0 +1,354 @@
+"""Any PyOpenGL program, run unchanged to a chosen frame with its clock held still.
+
+``run("program.py", 5, observer=observer)`` executes the program as ``python program.py`` would: as
+``__main__``, with its arguments, its folder importable, in the user's folder. Its window is hidden.
+A frame ends where the program shows it: glfw.swap_buffers, glutSwapBuffers, pygame.display.flip;
+frame 0 begins when the context becomes current, so what is set up belongs to it. The observer is
+called inside the program, in its context. After the chosen frame the program is unwound by an
+exception that it cannot mistake for one of its own, and whatever was replaced is put back.
+
+Time, random numbers and events are the same in each run: see program_clock.py, program_events.py.
+"""
+
+import contextlib
+import gc
+import io
+import os
+import sys
+import threading
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType, TracebackType
+from typing import Any, Protocol
+
+from landscape.capture.program_clock import Clock
+from landscape.capture.program_events import Event, Queue, read_events
+from landscape.capture.program_source import ProgramError, Source, read_source
+from landscape.capture.watchdog import Watchdog
+from landscape.errors import InputError, NoOpenGLError
+from landscape.gl.calls import gl, use_lists
+from landscape.gl.foreign import patched
+
+SHADERS = {
+    *("glCreateProgram", "glCreateShader", "glUseProgram", "glCreateShaderProgramv"),
+    *("glCreateProgramObjectARB", "glCreateShaderObjectARB", "glUseProgramObjectARB"),
+    *("glBindProgramARB", "glProgramStringARB"),
+}
+LIMIT = 20.0  # seconds that a program may take to its frame, chosen
+
+
+@dataclass
+class Window:
+    """The program's window. ``size()`` is that of what it draws to, in pixels."""
+
+    toolkit: str  # glfw, glut or pygame
+    backend: str  # osmesa, egl or glfw: without a screen by the first two, on one by the last
+    size: Callable[[], tuple[int, int]]
+    double_buffered: bool = True
+    core_profile: bool = field(default=False, init=False)  # without fixed function
+
+
+class Observer(Protocol):
+    """Who watches a program. The methods are called inside it, with its context current."""
+
+    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return what takes the place of an OpenGL function (see landscape.gl.foreign)."""
+
+    def opened(self, window: Window) -> None:
+        """Note that the context has just become current, in its default state."""
+
+    def frame_began(self, number: int) -> None:
+        """Note that a frame begins."""
+
+    def frame_ended(self, number: int) -> Any:
+        """Note that a frame is complete and not yet shown: its picture is in the back buffer.
+
+        ``run`` returns what this returns for the last frame.
+        """
+
+    def notice(self, text: str) -> None:
+        """Take a sentence for the user: shaders, for instance, are not shown."""
+
+
+class Unwind(BaseException):
+    """Ends the program: it has reached its frame, or cannot go on."""
+
+
+class Run:
+    """A program while it runs; the toolkits' modules call its methods."""
+
+    def __init__(
+        self, source: Source, frame: int | None, events: list[Event], backend: str, observer: Any
+    ) -> None:
+        self.source = source
+        self.backend = backend
+        self.clock = Clock()
+        self.events = Queue(events)
+        self.frames = 0  # that were completed
+        self.window: Window | None = None
+        self.drawing = False  # whether the window is open
+        self.failure: BaseException | None = None  # what ended the program, if not its frame
+        self.result: Any = None
+        self.reason = ""  # why there is no window, if the toolkit said so
+        self.over = False
+        self.watchdog: Watchdog | None = None
+        self._frame = frame
+        self._observer = observer
+        self._noticed: set[str] = set()
+
+    def refuse(self, reason: str) -> Unwind:
+        """Return what to raise in the program because it cannot go on."""
+        return self.stop(ProgramError(f"{self.source.path}: {reason}"))
+
+    def stop(self, failure: BaseException) -> Unwind:
+        """Return what to raise in the program; ``run`` will raise ``failure``."""
+        if self.failure is None and not self.over:
+            self.failure = failure
+        self.over = True
+        return Unwind()
+
+    def check(self) -> None:
+        """End the program once more, if it went on after it had been ended."""
+        if self.over:
+            raise Unwind
+
+    def notice(self, text: str) -> None:
+        """Tell the user something, once."""
+        if text not in self._noticed:
+            self._noticed.add(text)
+            with self._watched():
+                self._observer.notice(f"{self.source.path}: {text}")
+
+    def open(self, window: Window) -> None:
+        """Begin frame 0: the window's context has become current for the first time."""
+        self.window = window
+        self.drawing = True
+        use_lists({})
+        if gl.glGetString(gl.GL_VERSION) is None:
+            raise self.refuse("its context has no OpenGL")
+        mask = _profile_mask()
+        window.core_profile = bool(mask & 1)
+        if window.core_profile:
+            self.notice(
+                "asks for a core profile, which has no fixed function; its calls are shown, but "
+                "not what shaders do"
+            )
+        with self._watched():
+            self._observer.opened(window)
+            self._observer.frame_began(0)
+
+    def second_window(self) -> Unwind:
+        """Return what to raise in a program that opens another window."""
+        return self.refuse("opens two windows; only programs with one can be run to a frame")
+
+    def end_frame(self) -> None:
+        """End a frame, in the program's call that shows it and before it does so."""
+        self.check()
+        with self._watched():
+            self.result = self._observer.frame_ended(self.frames)
+        self.frames += 1
+        if self._frame is not None and self.frames > self._frame:
+            self.over = True
+            raise Unwind
+
+    def begin_frame(self) -> None:
+        """Begin the next frame, after the last one was shown."""
+        self.clock.begin_frame(self.frames)
+        with self._watched():
+            self._observer.frame_began(self.frames)
+
+    @contextmanager
+    def _watched(self) -> Iterator[None]:
+        """Let the observer work: in true time, without limit; what it raises ends the program."""
+        try:
+            with self.clock.released(), self.watchdog.paused() if self.watchdog else ExitStack():
+                yield
+        except BaseException as error:
+            raise self.stop(error) from None
+
+    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return what takes the place of an OpenGL function."""
+        made = self._observer.make(name, function)
+        if name in SHADERS:
+
+            def telling(*args: Any) -> Any:
+                self.notice(
+                    "uses shaders; its calls are shown, but this tool explains fixed function"
+                )
+                return made(*args)
+
+            return telling
+        if name in ("glFlush", "glFinish"):
+
+            def showing(*args: Any) -> Any:
+                result = made(*args)
+                if self.drawing and self.window and not self.window.double_buffered:
+                    self.flushed()
+                return result
+
+            return showing
+        return made
+
+    def flushed(self) -> None:
+        """End a frame of a single-buffered window; GLUT replaces this."""
+        self.end_frame()
+        self.begin_frame()
+
+
+def _profile_mask() -> int:
+    """Return GL_CONTEXT_PROFILE_MASK; 0 before OpenGL 3.2, which does not know it."""
+    version = gl.glGetString(gl.GL_VERSION).split()[0].split(b".")
+    if [int(part) for part in version[:2]] < [3, 2]:
+        return 0
+    return int(gl.glGetIntegerv(gl.GL_CONTEXT_PROFILE_MASK))
+
+
+def run(
+    path: str | Path,
+    frame: int | None = 0,
+    events: Any = None,
+    arguments: Sequence[str] = (),
+    backend: str = "auto",
+    limit: float = LIMIT,
+    *,
+    observer: Observer,
+) -> Any:
+    """Run a program to the end of a frame and return what the observer made of it.
+
+    ``frame``: from 0; None runs the program until it ends. ``events``: a file or a list (see
+    program_events.py). ``backend``: auto, osmesa, egl or glfw, as for our own drawing; GLUT needs a
+    screen. ``limit``: seconds that the program itself may take. Raises ProgramError, an InputError
+    whose ``details`` hold the program's own traceback, and NoOpenGLError.
+    """
+    if frame is not None and (type(frame) is not int or frame < 0):
+        raise InputError(f"frame {frame}: expected a whole number from 0")
+    source = read_source(Path(path))
+    state = Run(source, frame, read_events(events), backend, observer)
+    toolkit = _toolkit(source)
+    with ExitStack() as stack:
+        stack.enter_context(_as_main(source, [str(path), *arguments]))
+        stack.enter_context(contextlib.redirect_stdout(sys.stderr))
+        stack.enter_context(toolkit(state))
+        stack.enter_context(patched(state.make))
+        module = ModuleType("__main__")
+        module.__dict__.update(__file__=str(path), __builtins__=__builtins__)
+        stack.callback(_forget, module)
+        sys.modules["__main__"] = module
+        stack.enter_context(state.clock.holding())
+        state.watchdog = Watchdog(limit, lambda: state.stop(_late(state, limit)))
+        with state.watchdog:
+            _execute(state, module)
+    if state.failure is not None:
+        raise state.failure
+    if not state.over and state.window is None:
+        reason = f" ({state.reason})" if state.reason else ""
+        raise ProgramError(f"{path}: ended without opening a window for OpenGL{reason}")
+    if not state.over and frame is not None:
+        raise ProgramError(f"{path}: ended after {_count(state.frames)}; frame {frame} was asked")
+    return state.result
+
+
+def _toolkit(source: Source) -> Callable[[Run], Any]:
+    """Return what prepares the toolkit of a program, for the time that it runs."""
+    if source.toolkit == "glfw":
+        from landscape.capture.program_glfw import glfw_program
+
+        return glfw_program
+    raise ProgramError(
+        f"{source.path}: imports neither glfw, pygame nor OpenGL.GLUT, so it opens no window that "
+        "could be shown"
+    )
+
+
+def _execute(state: Run, module: ModuleType) -> None:
+    """Run the program's code; what ends it goes into ``state``."""
+    try:
+        try:
+            exec(state.source.code, module.__dict__)
+        except SystemExit as end:
+            if isinstance(end.code, str):
+                print(end.code, file=sys.stderr)
+    except Unwind:
+        pass
+    except KeyboardInterrupt as error:
+        state.stop(error)
+    except NoOpenGLError as error:
+        state.stop(error)
+    except BaseException as error:
+        state.stop(_raised(state.source.path, error))
+        # The frames hold the program's objects, which must go while its context is there.
+        traceback.clear_frames(error.__traceback__)
+
+
+def _raised(path: Path, error: BaseException) -> ProgramError:
+    """Return the error to show for what a program raised, with its own part of the traceback."""
+    at: TracebackType | None = error.__traceback__
+    while at is not None and at.tb_frame.f_code.co_filename != str(path):
+        at = at.tb_next
+    details = "".join(traceback.format_exception(error.with_traceback(at)))
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        name = error.name.split(".")[0]
+        if name not in ("OpenGL", path.stem):
+            return ProgramError(f"{path}: needs the Python package {name}, not installed", details)
+    text = str(error).strip().splitlines()
+    reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
+    line = f", line {at.tb_lineno}" if at is not None else ""
+    return ProgramError(f"{path}{line}: the program raised {reason}", details)
+
+
+def _late(state: Run, limit: float) -> ProgramError:
+    path = state.source.path
+    if state.window is None:
+        return ProgramError(f"{path}: opened no window for OpenGL within {limit:g} s")
+    if state.frames == 0:
+        return ProgramError(f"{path}: completed no frame within {limit:g} s: it never shows one")
+    done = f"completed {_count(state.frames)} within {limit:g} s"
+    return ProgramError(f"{path}: {done}; frame {state._frame} was not reached")
+
+
+def _count(frames: int) -> str:
+    return "1 frame" if frames == 1 else f"{frames or 'no'} frames"
+
+
+@contextmanager
+def _as_main(source: Source, arguments: list[str]) -> Iterator[None]:
+    """Give the process what a program finds that is started by itself, and put all back."""
+    before = sys.argv, sys.path, os.getcwd(), dict(os.environ), sys.modules["__main__"]
+    modules = set(sys.modules)
+    folder = str(source.path.resolve().parent)
+    thread: Any = threading.current_thread()
+    end, stdin = os._exit, sys.stdin
+    try:
+        sys.stdin = io.StringIO()  # exit() closes it
+        sys.argv = arguments
+        sys.path = [folder, *sys.path]
+        os._exit = sys.exit  # type: ignore[assignment]
+        # Threads inherit this: one that the program leaves behind must not keep the process alive.
+        thread._daemonic = True
+        yield
+    finally:
+        thread._daemonic = False
+        os._exit = end
+        sys.stdin = stdin
+        sys.argv, sys.path = before[:2]
+        os.chdir(before[2])
+        os.environ.clear()
+        os.environ.update(before[3])
+        sys.modules["__main__"] = before[4]
+        for name in set(sys.modules) - modules:
+            file = getattr(sys.modules[name], "__file__", None) or ""
+            ours = (
+                name.split(".")[0] in ("landscape", "OpenGL")
+                or "site-packages" in file[len(folder) :]
+            )
+            if file.startswith(folder + os.sep) and not ours:
+                del sys.modules[name]
+
+
+def _forget(module: ModuleType) -> None:
+    """Drop the program's objects: some delete OpenGL's in the context, which still is current."""
+    module.__dict__.clear()
+    gc.collect()

@@ -1,0 +1,116 @@
+"""A program's source before it runs: is it Python, and which window library does it use?
+
+PyOpenGL is bound to a platform before it is first imported, so the library must be known earlier.
+"""
+
+import ast
+import importlib.util
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from types import CodeType
+
+from landscape.errors import InputError
+
+TOOLKITS = ("glfw", "pygame", "glut")  # in this order: GLUT may only draw its shapes and letters
+
+
+@dataclass(frozen=True)
+class Source:
+    """A compiled program. ``modules``: what it and the modules beside it import, by full names."""
+
+    path: Path
+    code: CodeType
+    modules: frozenset[str]
+    checked: bool  # whether PyOpenGL checks for errors: it does unless told otherwise
+
+    @property
+    def toolkit(self) -> str:
+        """The library that opens the window: glfw, pygame or glut; "" if it uses none of them."""
+        for toolkit in TOOLKITS:
+            if toolkit in self.modules:
+                return toolkit
+        return ""
+
+
+class ProgramError(InputError):
+    """A program that cannot be run to its frame; ``details`` is its own traceback, or ""."""
+
+    def __init__(self, message: str, details: str = "") -> None:
+        super().__init__(message)
+        self.details = details
+
+
+def read_source(path: Path) -> Source:
+    """Compile a program; ProgramError if it cannot be read or is not Python."""
+    try:
+        text = path.read_bytes()
+    except OSError as error:
+        raise ProgramError(f"{path}: cannot be read ({error.strerror})") from None
+    try:
+        tree = ast.parse(text, str(path))
+        code = compile(tree, str(path), "exec", dont_inherit=True)
+    except SyntaxError as error:
+        import traceback
+
+        line = f", line {error.lineno}" if error.lineno else ""
+        details = "".join(traceback.format_exception_only(error))
+        raise ProgramError(f"{path}{line}: is not Python 3 ({error.msg})", details) from None
+    except (ValueError, RecursionError, MemoryError) as error:
+        raise ProgramError(f"{path}: is not a Python program ({error})") from None
+    modules: set[str] = set()
+    checked = _read(path, tree, modules, set())
+    return Source(path, code, frozenset(modules), checked)
+
+
+def _read(path: Path, tree: ast.Module, modules: set[str], seen: set[Path]) -> bool:
+    """Add what a file imports, and what the files beside it do; return whether errors count."""
+    seen.add(path.resolve())
+    checked = "ERROR_CHECKING=False" not in ast.unparse(tree).replace(" ", "")
+    for name in _imported(tree):
+        parts = name.split(".")
+        if parts[0] in ("glfw", "pygame"):
+            modules.add(parts[0])
+        elif parts[0] == "OpenGL":
+            modules.add(name)
+            if parts[1:2] == ["GLUT"]:
+                modules.add("glut")
+        else:
+            modules.add(parts[0])
+            for file in _beside(path.parent, parts):
+                if file.resolve() not in seen:
+                    checked = _read_other(file, modules, seen) and checked
+    return checked
+
+
+def _read_other(path: Path, modules: set[str], seen: set[Path]) -> bool:
+    try:
+        return _read(path, ast.parse(path.read_bytes()), modules, seen)
+    except (OSError, ValueError, SyntaxError, RecursionError):
+        return True  # importing it will say so
+
+
+def _imported(tree: ast.Module) -> Iterator[str]:
+    """Yield the full names of what a file imports, of the names taken from modules too."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            module = node.module or ""
+            yield module
+            yield from (f"{module}.{alias.name}".lstrip(".") for alias in node.names)
+
+
+def _beside(folder: Path, parts: list[str]) -> list[Path]:
+    """Return the files of a module in a program's folder."""
+    found = []
+    for count in range(1, len(parts) + 1):
+        place = folder.joinpath(*parts[:count])
+        found += [place.with_suffix(".py"), place / "__init__.py"]
+    return [file for file in found if file.is_file()]
+
+
+def need_package(name: str, path: Path) -> None:
+    """Raise ProgramError if the Python package of a toolkit is not installed."""
+    if importlib.util.find_spec(name) is None:
+        raise ProgramError(f"{path}: needs the Python package {name}: pip install {name}")

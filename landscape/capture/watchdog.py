@@ -1,0 +1,83 @@
+"""A limit for the time that someone else's code may take; it ends even a loop that does nothing."""
+
+import ctypes
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import Any
+
+AGAIN = 0.25  # seconds until it raises once more, if the code swallowed what was raised; chosen
+_now = time.monotonic  # the true clock, whatever the module holds later
+
+
+class Watchdog:
+    """``with Watchdog(seconds, late):`` raises what ``late()`` returns, in the block's thread.
+
+    In the main thread a signal does it, which interrupts waiting too; elsewhere another thread.
+    """
+
+    def __init__(self, seconds: float, late: Callable[[], BaseException]) -> None:
+        self._left = seconds
+        self._late = late
+        main = threading.current_thread() is threading.main_thread()
+        self._by_signal = main and hasattr(signal, "setitimer")  # which Windows has not
+        self._thread = threading.get_ident()
+        self._timer: threading.Timer | None = None
+        self._watching = False
+        self._since = 0.0
+        self._before: Any = None
+
+    def __enter__(self) -> "Watchdog":
+        if self._by_signal:
+            self._before = signal.signal(signal.SIGALRM, self._alarm)
+        self._start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stop()
+        if self._by_signal:
+            signal.signal(signal.SIGALRM, self._before)
+
+    @contextmanager
+    def paused(self) -> Iterator[None]:
+        """Do not count the time of the block."""
+        if not self._watching:
+            yield
+            return
+        self._stop()
+        try:
+            yield
+        finally:
+            self._start()
+
+    def _start(self) -> None:
+        self._since, self._watching = _now(), True
+        left = max(self._left, 0.001)
+        if self._by_signal:
+            signal.setitimer(signal.ITIMER_REAL, left, AGAIN)
+        else:
+            self._timer = threading.Timer(left, self._from_outside)
+            self._timer.daemon = True
+            self._timer.start()
+
+    def _stop(self) -> None:
+        self._watching = False
+        self._left -= _now() - self._since
+        if self._by_signal:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+        elif self._timer is not None:
+            self._timer.cancel()
+
+    def _alarm(self, number: int, frame: FrameType | None) -> None:
+        if self._watching:
+            raise self._late()
+
+    def _from_outside(self) -> None:
+        while self._watching:
+            error = type(self._late())
+            set_error = ctypes.pythonapi.PyThreadState_SetAsyncExc
+            set_error(ctypes.c_ulong(self._thread), ctypes.py_object(error))
+            threading.Event().wait(AGAIN)

@@ -1,0 +1,152 @@
+"""Run programs to a frame, as `landscape trace FILE.py` does, in processes of their own.
+
+PyOpenGL binds to one platform per process, and a toolkit may crash. Programs of one toolkit share a
+process, which also shows that each leaves nothing behind for the next.
+"""
+
+import hashlib
+import json
+import subprocess
+import sys
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from commands import TESTS, environment
+
+PROGRAMS = TESTS / "programs"
+
+_CHILD = """
+import json, os, sys
+sys.path.insert(0, sys.argv[1])
+from watching import answer
+replies = os.fdopen(os.dup(1), "w")
+os.dup2(2, 1)
+for line in sys.stdin:
+    print(json.dumps(answer(json.loads(line))), file=replies, flush=True)
+"""
+
+
+class Watch:
+    """An observer that counts each frame's calls and keeps the last frame's picture."""
+
+    def __init__(self) -> None:
+        self.calls: list[list[Any]] = []
+        self.log: list[Any] = []
+        self.notices: list[str] = []
+        self._inside = False
+
+    def make(self, name: str, function: Any) -> Any:
+        def noted(*args: Any) -> Any:
+            if self._inside:
+                return function(*args)
+            plain = [value for value in args if isinstance(value, (int, float, str))]
+            self.calls.append([name, *(f"{value}" for value in plain)])
+            self._inside = True
+            try:
+                return function(*args)
+            finally:
+                self._inside = False
+
+        return noted
+
+    def opened(self, window: Any) -> None:
+        from landscape.gl.calls import gl
+
+        self.window = window
+        self.log.append(["opened", window.toolkit, window.backend, *window.size()])
+        depth = gl.glIsEnabled(gl.GL_DEPTH_TEST)
+        self.log.append(["default state", not depth and not self.calls])
+
+    def frame_began(self, number: int) -> None:
+        self.calls = []
+        self.log.append(["began", number])
+
+    def frame_ended(self, number: int) -> Any:
+        import numpy as np
+
+        from landscape.gl.calls import gl
+
+        self.log.append(["ended", number])
+        width, height = self.window.size()
+        gl.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
+        self.read = gl.glReadPixels(0, 0, width, height, gl.GL_RGB, gl.GL_UNSIGNED_BYTE)
+        picture = np.frombuffer(self.read, np.uint8).reshape(height, width, 3)[::-1]
+        colours = np.unique(picture.reshape(-1, 3), axis=0)
+        return {"picture": hashlib.sha256(picture.tobytes()).hexdigest(), "size": [width, height],
+                "colours": len(colours), "calls": self.calls,
+                "centre": picture[height // 2, width // 2].tolist()}  # fmt: skip
+
+    def notice(self, text: str) -> None:
+        self.notices.append(text)
+
+
+def answer(asked: dict[str, Any]) -> dict[str, Any]:
+    """Run one program, in the child process."""
+    import contextlib
+    import io
+
+    from landscape.capture.program import run
+    from landscape.errors import InputError, NoOpenGLError
+
+    observer = Watch()
+    out, err = io.StringIO(), io.StringIO()
+    reply: dict[str, Any] = {}
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            reply |= run(asked.pop("path"), **asked, observer=observer) or {}
+        except (InputError, NoOpenGLError) as error:
+            reply |= {"error": str(error), "details": getattr(error, "details", "")}
+    log = {"log": observer.log, "notices": observer.notices}
+    return reply | log | {"out": out.getvalue(), "err": err.getvalue()}
+
+
+@dataclass
+class Seen:
+    """What became of a program."""
+
+    reply: dict[str, Any]
+
+    def __getattr__(self, name: str) -> Any:
+        return self.reply[name]
+
+    @property
+    def error(self) -> str:
+        """The error, which must be one line; "" if there was none."""
+        error = self.reply.get("error", "")
+        assert "\n" not in error
+        return error
+
+    @property
+    def names(self) -> Counter[str]:
+        """How often each function was called in the frame."""
+        assert not self.error, self.error + self.reply["details"]
+        return Counter(call[0] for call in self.reply["calls"])
+
+
+class Watcher:
+    """A process that runs programs."""
+
+    def __init__(self, cwd: Path, *before: str, **changes: str | None) -> None:
+        command = [*before, sys.executable, "-c", _CHILD, str(TESTS)]
+        self._process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=cwd,
+            env=environment(**changes),
+        )  # fmt: skip
+
+    def __call__(self, path: Path | str, frame: int | None = 0, **more: Any) -> Seen:
+        """Run a program to a frame."""
+        assert self._process.stdin and self._process.stdout
+        asked = {"path": str(path), "frame": frame, **more}
+        self._process.stdin.write(json.dumps(asked) + "\n")
+        self._process.stdin.flush()
+        line = self._process.stdout.readline()
+        assert line, f"the process ended with status {self._process.wait()}"
+        return Seen(json.loads(line))
+
+    def close(self) -> None:
+        """End the process."""
+        with self._process:
+            assert self._process.stdin
+            self._process.stdin.close()
