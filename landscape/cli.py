@@ -308,6 +308,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "figures": _figures,
     "trace": _frame("trace"),
     "pixel": _frame("pixel"),
+    "state": _frame("state"),
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,

@@ -95,9 +95,11 @@ def _states_above(
     levels: Sequence[Mapping[str, Any]], target: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
     """Return for each push the state that is current until the next one."""
-    states = [dict(target)]
-    for level in reversed(levels[1:]):
-        states.insert(0, {**states[0], **level["saved"]})
+    states: list[dict[str, Any]] = []
+    state = dict(target)
+    for level in reversed(levels):
+        states.insert(0, state)
+        state = {**state, **level["saved"]}
     return states
 
 

@@ -11,7 +11,7 @@ from landscape.capture.tape import Tape
 from landscape.errors import InputError
 from landscape.gl.calls import Call
 from landscape.scene import find_view
-from landscape.tools import pixel_report, trace_diff, trace_text
+from landscape.tools import pixel_report, state_report, trace_diff, trace_text
 from landscape.tools.target import Target
 
 
@@ -47,9 +47,19 @@ def pixel(target: Target, options: argparse.Namespace) -> int:
     return _print(options, [row.as_json() for row in rows], pixel_report.as_text(rows))
 
 
+def state(target: Target, options: argparse.Namespace) -> int:
+    """Print the state at a call, what differs between two calls, or what an element leaks."""
+    found = target.look(lambda tape: state_report.report(tape, options.at, options.diff))
+    return _print(options, found.as_json(), found.as_text())
+
+
 def _print(options: argparse.Namespace, found: Any, lines: Iterable[str]) -> int:
     print(json.dumps(found, indent=1) if options.json else "\n".join(lines))
     return 0
 
 
-RUN: dict[str, Callable[[Target, argparse.Namespace], int]] = {"trace": trace, "pixel": pixel}
+RUN: dict[str, Callable[[Target, argparse.Namespace], int]] = {
+    "trace": trace,
+    "pixel": pixel,
+    "state": state,
+}

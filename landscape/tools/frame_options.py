@@ -1,4 +1,4 @@
-"""The options of the commands that look into a frame: trace, pixel."""
+"""The options of the commands that look into a frame: trace, pixel, state."""
 
 import argparse
 from collections.abc import Callable
@@ -7,6 +7,15 @@ from pathlib import Path
 TARGET = "a view or a fix (see `landscape views`)"
 EDITS = "change single OpenGL calls as this file says"
 PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
+AT = (
+    "the state in which this call is made: its number in the trace, such as 812, or 812.3 for a "
+    "call of a display list, or the name of an element for its first call; default: the state "
+    "after the frame"
+)
+DIFF = (
+    "print what differs from --at (default: from the frame's beginning) to this call; an element "
+    "without --at: what it leaves changed; initial: what --at differs in from a new context"
+)
 
 Add = Callable[[str, str, str], argparse.ArgumentParser]
 """Adds a command to the command line, by name, help and example."""
@@ -46,7 +55,13 @@ def add(
     pixel.add_argument(
         "pixel", type=_pixel, metavar="X,Y", help="in pixels from the picture's top left"
     )
-    for sub in (trace, pixel):
+    state = command(
+        "state", "print OpenGL's state at a call of a frame", "fig35e --at castle --diff initial"
+    )
+    _target(state)
+    state.add_argument("--at", default="", metavar="CALL|ELEMENT", help=AT)
+    state.add_argument("--diff", default="", metavar="CALL|ELEMENT|initial", help=DIFF)
+    for sub in (trace, pixel, state):
         sub.add_argument("--json", action="store_true", help="print JSON")
         drawing(sub)
 
