@@ -6,12 +6,17 @@ and the texts in English and French. Functions of later versions are unknown, bu
 objects and a few more; the ARB and EXT names of known functions are understood.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
+from landscape.capture import spec_english, spec_french
 from landscape.capture.spec_arguments import (
     enumerant,
     function,
     kind_of,
     legal,
     limits,
+    name_in,
     parameter,
     value_of,
 )
@@ -21,9 +26,9 @@ from landscape.capture.spec_values import parsed, written
 from landscape.capture.spec_variables import sets
 
 __all__ = [
-    "Function", "Parameter", "creates", "deletes", "draws", "enumerant", "function",
-    "functions", "in_list", "is_query", "kind_of", "legal", "limits", "parameter", "parsed",
-    "sets", "value_of", "written",
+    "Function", "Parameter", "creates", "deletes", "draws", "enumerant", "explain",
+    "explain_argument", "explain_enumerant", "function", "functions", "in_list", "is_query",
+    "kind_of", "legal", "limits", "parameter", "parsed", "sets", "value_of", "written",
 ]  # fmt: skip
 
 CREATED = (
@@ -71,3 +76,42 @@ def in_list(name: str) -> bool:
     groups = ("array", "buffer", "quadric", "framebuffer")
     compiled = known.group not in groups and known.base not in AT_ONCE
     return compiled or known.base == "glBlitFramebuffer"
+
+
+TEXTS = {"en": spec_english, "fr": spec_french}
+
+
+def explain(name: str, language: str) -> str:
+    """Return what a function does, in a line, in "en" or "fr"; "" if it is unknown."""
+    known = function(name)
+    return TEXTS[language].FUNCTIONS[known.base] if known else ""
+
+
+def explain_argument(name: str, index: int, args: Sequence[Any], language: str) -> str:
+    """Return what an argument means, in a line; "" if it is unknown.
+
+    The value of a property is explained as this property: GL_FOG_DENSITY in glFogf.
+    """
+    known = function(name)
+    form = known.form(len(args)) if known else ()
+    if known is None or not 0 <= index < len(form):
+        return ""
+    texts, found = TEXTS[language], form[index]
+    if found.kind == "by":
+        place = next(k for k, other in enumerate(form) if other.name == "pname")
+        pname = name_in(found.of, args[place]) if place < len(args) else ""
+        if pname:
+            return explain_enumerant(pname, language, found.of)
+    scopes = (f"{known.base}.", f"{known.group}.", "")
+    keys = (f"{scope}{found.name}" for scope in scopes)
+    return next(texts.ARGUMENTS[key] for key in keys if key in texts.ARGUMENTS)
+
+
+def explain_enumerant(name: str, language: str, of: str = "") -> str:
+    """Return what an enumerant means, in a line, or "" where its name says it all.
+
+    ``of`` is the group that it belongs to here, as :class:`Parameter` names it: GL_REPLACE has
+    other meanings as "stencil_op" and as "env_mode".
+    """
+    texts = TEXTS[language].ENUMERANTS
+    return texts.get(f"{of}.{name}") or texts.get(name, "")
