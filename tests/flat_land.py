@@ -23,7 +23,9 @@ def flat(height: float = 3.0) -> Ground:
         part = np.where(np.asarray(z) < 20, 1.0, 0.5)  # shadow in the south
         return np.repeat(part[:, None], 3, axis=1)
 
-    return cast(Ground, SimpleNamespace(field=field, colour=colour, light=light))
+    return cast(
+        Ground, SimpleNamespace(field=field, colour=colour, drawn_colour=colour, light=light)
+    )
 
 
 def grass_settings(**changes: Any) -> Settings:

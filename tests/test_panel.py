@@ -1,5 +1,7 @@
 """The window's texts, in each language, and the panel that shows them."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from gl_state import changes, snapshot
@@ -8,8 +10,16 @@ from stage import Stage
 
 from landscape.fixes import FIXES
 from landscape.gl.calls import gl
+from landscape.gl.framebuffer import Framebuffer
 from landscape.window import words
-from landscape.window.bindings import BINDINGS, LETTERS, NAMED_KEYS, SETTINGS
+from landscape.window.bindings import (
+    BINDINGS,
+    LETTERS,
+    NAMED_KEYS,
+    SETTINGS,
+    labels,
+    us_name,
+)
 from landscape.window.fix_titles import TITLES, said
 from landscape.window.panel import Panel, font, keys_image, line_image, text_size, writable
 
@@ -85,6 +95,54 @@ def test_text_is_larger_on_a_display_of_high_resolution_and_still_fits(
         image = keys_image("Keys", ROWS, size, dpi)
         assert image.shape[1] <= size[0] and image.shape[0] <= size[1]
     assert text_size((1280, 720), 2.0) == 28
+
+
+def key_rows(language: str) -> list[tuple[str, str]]:
+    """Return the rows of the help as a US keyboard has them."""
+    return [
+        (labels(binding, language, us_name), words.text(language, f"help.{binding.action}"))
+        for binding in BINDINGS
+    ]
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize("size", [(320, 200), (320, 240), (640, 480), (1280, 720)])
+def test_all_keys_fit_into_small_windows_too(size: tuple[int, int], language: str) -> None:
+    image = keys_image(words.text(language, "help.title"), key_rows(language), size)
+    assert image.shape[1] <= size[0] and image.shape[0] <= size[1]
+
+
+def shown_rows(stage: Stage, size: tuple[int, int], **what: Any) -> np.ndarray:
+    """Return whether the panel covers each pixel, (h, w), of a white window of ``size``."""
+    target = Framebuffer(size, 0)
+    target.bind()
+    panel = Panel(words.text("fr", "help.title"), key_rows("fr"))
+    with stage.borrowed():
+        gl.glViewport(0, 0, *size)
+        gl.glClearColor(1.0, 1.0, 1.0, 1.0)
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        panel.draw(size, **what)
+    covered = target.read().min(axis=2) < 255
+    panel.release()
+    target.release()
+    stage.enter()
+    return np.asarray(covered)
+
+
+@pytest.mark.parametrize("size", [(320, 240), (640, 360), (1280, 720)])
+def test_a_message_is_below_the_keys_and_beside_the_list(
+    stage: Stage, size: tuple[int, int]
+) -> None:
+    message = "R2  Flames that face the viewer: on"[: size[0] // 20]
+    line = shown_rows(stage, size, message=message)
+    keys = shown_rows(stage, size, keys=True)
+    assert line.any() and keys.any() and not (line & keys).any()
+    wide = int(0.48 * size[0])
+    left = "list", lambda: np.full((int(0.94 * size[1]), wide, 4), 200, np.uint8)
+    both, alone = (shown_rows(stage, size, left=left, message=m) for m in (message, ""))
+    beside = both & ~alone
+    assert beside.sum() == line.sum(), "the list hides a part of the message"
+    assert np.flatnonzero(beside.any(axis=0)).min() > np.flatnonzero(alone.any(axis=0)).max()
 
 
 def test_long_texts_shrink_the_font_until_the_list_fits() -> None:

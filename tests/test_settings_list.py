@@ -175,6 +175,15 @@ def test_the_french_page_has_its_own_words_for_groups_descriptions_and_values() 
     assert written(True, "fr") == "oui"
 
 
+ALIKE = {"", "fraction", "kt", "pixels", "subdivisions", "texels"}  # in both languages
+
+
+def test_every_row_of_the_list_is_described_in_french() -> None:
+    assert {row.key for row in ROWS.values()} <= FRENCH.keys()
+    units = {row.item.metadata["unit"] for row in ROWS.values()}
+    assert units <= UNITS.keys() | ALIKE
+
+
 def test_french_descriptions_are_of_settings_that_exist_and_are_typeset() -> None:
     assert FRENCH.keys() <= keys.fields(Settings).keys()
     assert UNITS.keys() <= {item.metadata["unit"] for item in keys.fields(Settings).values()}

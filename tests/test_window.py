@@ -241,6 +241,10 @@ with Walk(plan, Assets(), "osmesa") as walk:
         on = frame(name), frame(seconds=3.0)
         off = frame(name), frame(seconds=3.0)
         seen[name] = [*on, *off]
+    frame("map")
+    frame("map")
+    assert frame("help") == frame(seconds=3.0), "the keys are shown with an earlier message"
+    frame("help")
     names = [fix.name for fix in FIXES]
     frame("previous_fix")
     frame("go_to_fix")

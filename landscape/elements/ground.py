@@ -179,6 +179,10 @@ class Ground:
         """Return the large-scale colour at x, z in units, float (n, 3) in 0..1."""
         return lookup(self.large, np.asarray(x) / self.size, np.asarray(z) / self.size) / 255.0
 
+    def drawn_colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return the colour that is seen at x, z in units; of this ground the same, (n, 3)."""
+        return self.colour(x, z)
+
     def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return the light that reaches x, z in units, a factor (n, 3) on colours."""
         return np.ones((*np.shape(x), 3)) * self._settings.sun.tint

@@ -242,7 +242,7 @@ class Walk:
     def _switch(self, name: str) -> None:
         """Carry out a switch."""
         if name == "help":
-            self._help = not self._help
+            self._help, self._until = not self._help, 0.0  # the hint has been taken
         elif name == "wireframe":
             self._wireframe = not self._wireframe
             self._tell(name, self._wireframe)

@@ -23,6 +23,10 @@ FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf",
 SMALLEST = 8  # chosen: font size in pixels; smaller text is unreadable
 READABLE = 14  # chosen: font size in pixels, times the scale of a display of high resolution
 LINES = 34  # chosen: lines of text that fill the window's height
+TINY = 6  # chosen: font size in pixels; where all keys do not fit otherwise, small text is better
+SPACING, CLOSE = 1.45, 1.2  # chosen: line heights of the keys, in font sizes
+ROOMY = 30  # chosen: lines of SMALLEST in a window where the message has a place below the keys
+MARGIN = 24  # chosen: heights of the message's margin that fill the window's height
 PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white text over white clouds
 WORDS, KEYS, TITLE = (240, 240, 235), (255, 214, 120), (255, 255, 255)  # chosen: RGB
 
@@ -65,15 +69,17 @@ def keys_image(
 ) -> np.ndarray:
     """Render a title and rows of (keys, what they do) on a plate, uint8 (h, w, 4).
 
-    The font suits a window of ``size`` pixels; it shrinks until the plate fits.
+    The font suits a window of ``size`` pixels; it shrinks until the plate fits, and the lines of
+    the smallest come closer.
     """
-    for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
+    sizes = [(pixels, SPACING) for pixels in range(text_size(size, dpi), SMALLEST - 1, -1)]
+    for pixels, spacing in [*sizes, *((pixels, CLOSE) for pixels in range(SMALLEST, TINY - 1, -1))]:
         face = font(pixels)
         title, rows = (
             writable(title, face),
             [(writable(k, face), writable(v, face)) for k, v in rows],
         )
-        line, edge = round(1.45 * pixels), pixels
+        line, edge = round(spacing * pixels), pixels
         left = max(face.getlength(keys) for keys, _ in rows)
         right = max(face.getlength(what) for _, what in rows)
         width = int(left + right + 3.5 * edge)
@@ -102,6 +108,13 @@ def line_image(text: str, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray
     image = Image.new("RGBA", (width, round(1.8 * pixels)), PLATE)
     ImageDraw.Draw(image).text((width / 2, image.height / 2), text, WORDS, face, "mm")
     return np.asarray(image)
+
+
+def below_keys(size: tuple[int, int], dpi: float = 1.0) -> int:
+    """Return the height in pixels left free for the message below the keys; 0 in a small window."""
+    if size[1] < ROOMY * SMALLEST:
+        return 0
+    return size[1] // MARGIN + round(2.2 * text_size(size, dpi))
 
 
 def padded(image: np.ndarray) -> np.ndarray:
@@ -185,18 +198,25 @@ class Panel:
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            covered = 0
             if left is not None:
                 plate = self._plate("left", (left[0], size), left[1])
                 plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
+                covered = size[1] // 48 + plate.width
             if keys:
-                shown = self._title, self._rows, size, self.dpi
+                below = below_keys(size, self.dpi)
+                shown = self._title, self._rows, (size[0], size[1] - below), self.dpi
                 plate = self._plate("keys", shown, lambda: keys_image(*shown))
-                plate.draw((size[0] - plate.width) // 2, (size[1] - plate.height) // 2, 1.0)
+                lower = below + (size[1] - below - plate.height) // 2
+                plate.draw((size[0] - plate.width) // 2, lower, 1.0)
             if message:
                 plate = self._plate(
                     "line", (message, size), lambda: line_image(message, size, self.dpi)
                 )
-                plate.draw((size[0] - plate.width) // 2, size[1] // 24, opacity)
+                # In the middle of what the picture at the left leaves free, if it fits there.
+                middle = (size[0] + covered - plate.width) // 2
+                x = max(min(middle, size[0] - plate.width), 0)
+                plate.draw(x, size[1] // MARGIN, opacity)
 
     def _plate(self, name: str, shows: Hashable, make: Callable[[], np.ndarray]) -> Plate:
         """Return the plate of a name; it is made again if it is to show something else."""

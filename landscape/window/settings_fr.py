@@ -63,9 +63,11 @@ UNITS = {
     "repeats": "répétitions",
     "of the mesh's -1 to 1": "du maillage de -1 à 1",
     "per unit": "par unité",
+    "standard deviation": "écart type",
 }
 
 FRENCH = {
+    "time": "moment de la journée : soleil, ciel, brouillard et torches à la fois",
     "camera.fov": "champ de vision vertical",
     "camera.near": "distance du plan de coupe proche",
     "camera.cull": "ne pas dessiner ce qui est hors du champ, ni les faces arrière",

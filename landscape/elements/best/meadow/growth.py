@@ -5,7 +5,7 @@ walker came. With ``grass.fade`` they come in layers, each as large as all befor
 has only the first ones. No OpenGL here.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -53,7 +53,7 @@ class Growth:
         """
         self._settings, self._ground, self._seed, self._ends = settings, ground, seed, ends
         self.across = int(np.ceil(ground.field.size / CELL))
-        share, count = cover(self.suits, self.across), settings.grass.count
+        share, count = cover(self._painted, self.across), settings.grass.count
         self.near = nearness(count / (share.sum() * CELL**2)) if share.any() else NEAR
         self.counts = shared_out(count, share, seed)
         self._shared = self.counts.copy()
@@ -61,11 +61,18 @@ class Growth:
         self.grown = 0
 
     def suits(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return 0..1: on land, outside the castle and, if tinted, on green ground."""
+        """Return 0..1: on land, outside the castle and, if tinted, on ground that is seen green."""
+        return self._green(x, z, self._ground.drawn_colour)
+
+    def _painted(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return the same for the ground as painted, by which the blades are shared out."""
+        return self._green(x, z, self._ground.colour)
+
+    def _green(
+        self, x: np.ndarray, z: np.ndarray, colour: Callable[[np.ndarray, np.ndarray], np.ndarray]
+    ) -> np.ndarray:
         land = bears_grass(self._ground.field, self._settings.castle, x, z)
-        if self._settings.grass.tinted:
-            land *= greenness(self._ground.colour(x, z))
-        return land
+        return land * greenness(colour(x, z)) if self._settings.grass.tinted else land
 
     def patch(self, cell: int, wanted: int | None = None) -> Patch:
         """Return at least the first ``wanted`` blades of a cell, or all."""
@@ -171,7 +178,7 @@ class Growth:
             vertices = ((vertices - feet) * grown + feet).astype(np.float32)
         tints = np.full((len(xz), 5, 4), 255, np.uint8)
         if grass.tinted:
-            colour = self._ground.colour(roots[:, 0], roots[:, 1])
+            colour = self._ground.drawn_colour(roots[:, 0], roots[:, 1])
             colour *= 1.0 + grass.variety * (hues(tufts, dice) - 1.0)
             colour *= 1.0 + grass.variety * lushness(roots[:, 0], roots[:, 1])[:, None] * LUSH
             colour *= self._ground.light(roots[:, 0], roots[:, 1])

@@ -1,11 +1,11 @@
 """The ground of the preset `best`: three materials, tiles, shadows, low-stretch detail.
 
 With ``ground.materials`` turf, sand and rock each have their own detail texture, mixed in four
-texture units (materials.py). With ``ground.tiles`` above 1 the mesh is cut into square display
-lists (tiles.py); those outside the view frustum are not called, and the mirror image uses coarser
-ones. With ``ground.low_stretch`` details keep their scale on slopes; with ``ground.shadows`` the
-shadows of what stands on the ground are baked into the large texture (shadows.py). Not in the
-report.
+texture units (materials.py), and the shore has its colours where it is drawn (shore.py). With
+``ground.tiles`` above 1 the mesh is cut into square display lists (tiles.py); those outside the
+view frustum are not called, and the mirror image uses coarser ones. With ``ground.low_stretch``
+details keep their scale on slopes; with ``ground.shadows`` the shadows of what stands on the ground
+are baked into the large texture (shadows.py). Not in the report.
 State used: as the ground, with four texture units; GL_CULL_FACE; the current colour.
 """
 
@@ -20,11 +20,12 @@ from landscape.elements.best.terrain import wanted
 from landscape.elements.best.terrain.materials import mix_units, rock_share, textured, turf_alpha
 from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.best.terrain.shadows import ShadowMap
+from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.tiles import Tile, boxes, cut, every_second
 from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
-from landscape.files.images import read_image
+from landscape.files.images import read_heights, read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.height_field import ground_mesh, lookup
@@ -61,6 +62,7 @@ class Terrain(Ground):
         """Make the layers, build the mesh with their coordinates and compile its tiles."""
         self._light: np.ndarray | None = None
         self._mixed = ground.materials and ground.units == "both"
+        self._drawn = self._with_shore(ground, assets) if self._mixed else self.large
         self._painted = self._materials(ground, assets) if self._mixed else self.large
         self._splat = self._texture(self._painted, repeat=False)
         detail = partial(self._detail, assets)
@@ -77,13 +79,30 @@ class Terrain(Ground):
         if self._mixed:
             x, z = mesh.vertices[:, 0], mesh.vertices[:, 2]
             colors = np.full((len(mesh.vertices), 4), 255, np.uint8)
-            colors[:, 3] = rock_share(mesh.normals, self.colour(x, z)) * 255
+            colors[:, 3] = rock_share(mesh.normals, self.drawn_colour(x, z)) * 255
             mesh = replace(mesh, colors=colors)
         self._compile(mesh, [texture for texture, _ in layers], ground.tiles)
 
+    def _with_shore(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
+        """Return the large colours with those of the shore where it is drawn, see shore.py."""
+        if has_no_colours(ground):
+            return self.large  # made from the heights as they are drawn
+        field, files = self.field, (ground.large_texture, ground.height_image)
+        places = repr((ground.resolution, ground.scale_y, field.water_level, self.large.shape))
+
+        def make() -> tuple[np.ndarray, np.ndarray]:
+            painted = read_heights(assets.path(ground.height_image)) / 256.0 * ground.scale_y
+            return moved_shore(self.large, painted, field, ground.resolution)
+
+        what: list[bytes | str] = ["shore", places, field.heights.tobytes()]
+        texels, colours = recall([*what, *assets.contents(*files)], make)
+        drawn = self.large.copy()
+        drawn.reshape(-1, 3)[texels] = colours
+        return drawn
+
     def _materials(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
         """Return the large colours, and the fraction of turf as alpha, uint8 (n, n, 4)."""
-        large, repeat = self.large, ground.mid_repeat
+        large, repeat = self._drawn, ground.mid_repeat
         turf = turf_alpha(large)
         if repeat <= 0:
             return np.concatenate([large, turf], axis=2)
@@ -164,6 +183,10 @@ class Terrain(Ground):
             gl.GL_TEXTURE_2D, 0, 0, 0, width, height, layout, gl.GL_UNSIGNED_BYTE, painted
         )
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def drawn_colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return the large-scale colour as it is drawn at x, z in units, float (n, 3) in 0..1."""
+        return lookup(self._drawn, np.asarray(x) / self.size, np.asarray(z) / self.size) / 255.0
 
     def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return the light at x, z in units, shadows included: a factor (n, 3) on colours."""
