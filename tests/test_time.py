@@ -9,12 +9,17 @@ import pytest
 from commands import landscape
 from stage import SIZE, Stage, small
 
+from landscape.elements.best.ornate.baked_light import light
+from landscape.elements.best.sky.clouds import cloud_light
 from landscape.elements.best.sprites.relighting import corner_light
 from landscape.elements.best.terrain.relief import relief_light
+from landscape.elements.castle_fire import TORCHES
+from landscape.elements.sun import direction
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import HeightField
+from landscape.geometry.masonry import WALL
 from landscape.island import SCENE, Island
 from landscape.keys import get, passing, read_toml, with_settings
 from landscape.render import Offscreen
@@ -38,6 +43,13 @@ def test_a_time_of_day_changes_its_own_settings_of_a_preset_and_no_others(name: 
     assert sunset.time == "sunset"
     assert all(get(sunset, key) == value for key, value in SUNSET.items())
     assert with_settings(sunset, {"time": "noon", **{k: get(noon, k) for k in SUNSET}}) == noon
+
+
+def test_a_time_of_day_changes_light_sky_fog_and_torches_alone() -> None:
+    groups = {key.partition(".")[0] for table in TIMES.values() for key in table}
+    assert groups == {"sun", "sky", "fog", "water", "castle"}
+    others = {key for key in SUNSET if key.startswith(("water.", "castle."))}
+    assert others == {"water.roughness", "castle.torches"}
 
 
 def test_other_changes_override_the_time_of_day_in_any_order() -> None:
@@ -111,6 +123,31 @@ def test_slopes_that_face_the_sun_are_warm_and_the_land_behind_a_hill_is_in_shad
     assert np.allclose(behind, sun.shade, atol=0.02)
 
 
+def test_clouds_are_warm_towards_the_sun_and_dim_away_from_it() -> None:
+    sun = SCENE.values("best", {"time": "sunset"}).sun
+    towards, away = (
+        cloud_light(
+            np.array([(5.0 * way * direction(sun)[0], 1.0, 5.0 * way * direction(sun)[2])]), sun
+        )[0]
+        for way in (1, -1)
+    )
+    assert towards[0] > 1.2 * towards[2] and away[0] / away[2] < 0.9 * towards[0] / towards[2]
+    assert away.mean() < 0.8 * towards.mean()
+    noon = SCENE.values("best", {}).sun
+    assert (cloud_light(np.array([(5.0, 1.0, 0.0)]), noon) == 1.0).all()
+
+
+def test_torches_light_the_gate_wall_and_nothing_behind_it() -> None:
+    values = SCENE.values("best", {"time": "sunset"})
+    places = np.array([(TORCHES[0], 0.3, 0.0), (0.5, 0.9, 0.0), (0.5, 0.3, WALL)])
+    normals = np.array([(0.0, 0.0, -1.0), (0.0, 0.0, -1.0), (0.0, 0.0, 1.0)])
+    dark, lit = (light(places, normals, values.sun, values.castle.yaw, t) for t in (0.0, 1.0))
+    close, far, within = lit - dark
+    assert close.min() > 0.05 and close[0] > 3.0 * close[2]
+    assert far.mean() < 0.4 * close.mean()
+    assert (within == 0.0).all()
+
+
 # The pictures
 
 FEW = {
@@ -127,6 +164,7 @@ COAST = Pose(12.0, 1.1, 32.5, 10.0, -4.0)
 CASTLE = Pose(25.6, 2.8, 17.5, 80.0, 2.0)
 RABBIT = Pose(20.2, 1.4, 24.5, 40.0, -15.0)
 ISLANDS = Pose(19.0, 2.4, 27.0, 60.0, -12.0)
+BEACH = Pose(14.0, 0.9, 30.0, 200.0, -20.0)
 LIT = {
     "ground": (ISLANDS, ("ground",)),
     "trees": (ISLANDS, ("trees",)),
@@ -169,5 +207,24 @@ def test_every_element_is_warmer_at_sunset(
         there = picture[picture.sum(axis=2) > 0]
         assert len(there) > 60, "nothing to be seen"
         red, _, blue = there.mean(axis=0)
+        warmth.append(red / blue)
+    assert warmth[1] > 1.1 * warmth[0]
+
+
+@pytest.mark.parametrize("islands", ["best"], indirect=True)
+def test_foam_is_warmer_at_sunset(stage: Stage, islands: list[Island]) -> None:
+    warmth = []
+    for island in islands:
+        island.shown = {"water"}
+        pictures = []
+        for foam in (island.foam, None):
+            with stage.borrowed():
+                keep, island.foam = island.foam, foam
+                island.draw(Moment(BEACH, SIZE, 40.0))
+                island.foam = keep
+            pictures.append(stage.read())
+        foam = (pictures[0] - pictures[1])[(pictures[0] - pictures[1]).sum(axis=2) > 60]
+        assert len(foam) > 30, "no foam to be seen"
+        red, _, blue = foam.mean(axis=0)
         warmth.append(red / blue)
     assert warmth[1] > 1.1 * warmth[0]
