@@ -6,7 +6,8 @@ import subprocess
 import sys
 from functools import partial
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.gl.replay import Replay
 from landscape.gl.texture import Texture
-from landscape.scene import SEED, find_view
+from landscape.scene import SEED, Moment, OpenScene, find_view
 from landscape.settings import preset
 from landscape.tools import bench
 from landscape.tools.bench_grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
@@ -318,3 +319,10 @@ def test_names_of_gl_objects_are_all_released(stage: Stage) -> None:
         bench.draw_view(view, island, set(kind.elements), options)
         island.release()
     assert live_names() == before
+
+
+def test_a_view_below_the_ground_of_another_island_is_measured_above_it() -> None:
+    drawn: list[Moment] = []
+    hill = SimpleNamespace(settings=preset("2006"), height=lambda x, z: 9.0, draw=drawn.append)
+    bench.draw_view(find_view("fig35a")[1], cast(OpenScene, hill), set(), bench.Options())
+    assert drawn[0].pose.y == 9.0 + preset("2006").walk.eye

@@ -33,6 +33,7 @@ from landscape.scene import (
     View,
     find_view,
     placed,
+    raised,
     scene,
 )
 from landscape.tools import bench_blades
@@ -220,7 +221,8 @@ def draw_view(
     """Draw one frame of a view of an open scene; if ``arriving``, the frame one step before."""
     opened.shown = shown
     values = opened.settings
-    pose = placed(view.pose, opened, values.walk.eye)
+    eye = values.walk.eye
+    pose = raised(placed(view.pose, opened, eye), opened, eye)
     kt = view.kt
     if arriving:
         x, _, z = pose.forward
