@@ -548,7 +548,7 @@ def test_a_wrong_argument_of_render_is_refused(
     ("arguments", "word"),
     [
         (["trace", "fig99z"], "fig99z"),
-        (["trace"], "VIEW"),
+        (["trace"], "TARGET"),
         (["trace", "fig35a", "--element", "cows"], "cows"),
         (["bench", "fig99z"], "fig99z"),
         (["figures", "fig99z"], "fig99z"),

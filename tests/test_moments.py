@@ -178,6 +178,8 @@ def test_a_state_inside_a_primitive_and_inside_a_display_list_is_found(
     assert in_list[3]["GL_CURRENT_COLOR"] == [0.25, 0.5, 0.75, 1.0]
     assert in_list[2]["GL_CURRENT_COLOR"] != in_list[3]["GL_CURRENT_COLOR"]
     assert state_at(tape)["GL_LINE_WIDTH"] == 4.0
+    state_at(tape, f"{number}.3")
+    assert read()["GL_LINE_WIDTH"] == 4.0, "afterwards the context is as it was after the frame"
     gl.glLineWidth(1.0)
     kept[0].release()
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from commands import need_library, python
+from commands import environment, need_library, python
 from state_calls import CHANGES, Expected, Fresh, scrambled
 from test_backends import screen  # noqa: F401
 
@@ -70,6 +70,65 @@ def test_a_fresh_context_has_the_initial_values_of_the_specification(
     assert set(found) <= WINDOW, found
     assert found["GL_VIEWPORT"][1][2:] > [0, 0]
     assert error == 0
+
+
+RESTORED = """
+from landscape.capture.state import changed, difference, read, restore
+from landscape.gl.calls import gl
+from landscape.gl.context import open_context
+from landscape.gl.raw import raw
+
+context = open_context("auto")
+initial = read()
+assert changed(initial) == {}
+gl.glStencilFunc(gl.GL_LESS, 3, 15)
+gl.glStencilMask(3)
+gl.glStencilOp(gl.GL_KEEP, gl.GL_INCR, gl.GL_DECR)
+gl.glBlendEquation(gl.GL_MAX)
+other = read()
+assert len(difference(initial, other)) >= 7
+for state in (initial, other):
+    restore(state)
+    assert difference(state, read()) == {}
+assert raw.glGetError() == 0
+print(len(initial))
+"""
+
+
+def test_an_older_opengl_has_fewer_variables_and_is_read_and_restored() -> None:
+    """Mesa plays an older version by this variable; elsewhere it has no effect."""
+    counts = []
+    for version in ("1.5", "2.1", "4.5COMPAT"):
+        done = python(RESTORED, env=environment(MESA_GL_VERSION_OVERRIDE=version))
+        assert done.status == 0, done.err
+        counts.append(int(done.out))
+    assert counts == sorted(counts)
+
+
+CORE = """
+import glfw
+
+glfw.init()
+glfw.window_hint(glfw.VISIBLE, False)
+glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 3)
+glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 3)
+glfw.window_hint(glfw.OPENGL_PROFILE, glfw.OPENGL_CORE_PROFILE)
+window = glfw.create_window(16, 16, "", None, None)
+glfw.make_context_current(window)
+from landscape.capture.state import StateError, read
+from landscape.gl.raw import raw
+
+try:
+    read()
+except StateError as error:
+    print(error, raw.glGetError())
+"""
+
+
+@pytest.mark.window
+def test_a_core_profile_is_refused(screen: dict[str, str]) -> None:  # noqa: F811
+    done = python(CORE, env=screen)
+    assert done.out == "a core profile has no classic state 0\n", done.err
 
 
 @pytest.mark.parametrize("change", CHANGES, ids=lambda change: change.__name__)

@@ -3,6 +3,7 @@
 import json
 
 import numpy as np
+import pytest
 from state_calls import CHANGES, Fresh, scrambled
 
 from landscape.capture.state import difference, read, restore
@@ -14,16 +15,20 @@ def test_json_has_the_fewest_digits_and_restores_the_state(fresh: Fresh) -> None
     fresh()
     scrambled(1)
     gl.glFogf(gl.GL_FOG_DENSITY, 0.12)
-    gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.1, 0.2, 0.3, 1 / 3]))
     masks, client = [int(gl.GL_FOG_BIT | gl.GL_EVAL_BIT)], [int(gl.GL_CLIENT_VERTEX_ARRAY_BIT)]
     gl.glPushAttrib(masks[0])
     gl.glPushClientAttrib(client[0])
     scrambled(2, 40)
     gl.glFogf(gl.GL_FOG_DENSITY, 0.13)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glLoadIdentity()
+    gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.1, 0.2, 0.3, 1 / 3]))
     state = read(masks, client)
     written = json.dumps(as_json(state))
     found = json.loads(written)
     assert found["GL_FOG_DENSITY"] == 0.13
+    plane = "GL_CLIP_PLANE0.equation"  # in double precision: not shortened
+    assert found[plane] == state[plane] == pytest.approx([0.1, 0.2, 0.3, 1 / 3])
     assert found["GL_ATTRIB_STACK"][0]["mask"] == "GL_FOG_BIT | GL_EVAL_BIT"
     assert found["GL_ATTRIB_STACK"][0]["saved"]["GL_FOG_DENSITY"] == 0.12
     assert found["GL_CLIENT_ATTRIB_STACK"][0]["mask"] == "GL_CLIENT_VERTEX_ARRAY_BIT"
