@@ -226,6 +226,23 @@ except NoOpenGLError as error:
     assert "runs on osmesa in this process" in done.out, done.err
 
 
+@pytest.mark.parametrize("backend", ["osmesa", "null"])
+def test_a_context_may_be_closed_right_after_a_bitmap_was_drawn(backend: str) -> None:
+    need_library("OSMesa")
+    code = """
+import sys
+from landscape.gl.calls import gl
+from landscape.gl.context import GLFWContext, open_context
+null = sys.argv[1] == "null"
+context = GLFWContext(size=(40, 30), headless=True) if null else open_context("osmesa")
+gl.glRasterPos2f(0.0, 0.0)
+gl.glBitmap(8, 1, 0.0, 0.0, 9.0, 0.0, bytes(8))
+context.release()
+"""
+    done = python(code, backend)
+    assert (done.status, done.err) == (0, "")
+
+
 @pytest.mark.parametrize("backend", ["osmesa", "egl"])
 def test_contexts_can_be_opened_and_closed_repeatedly_in_one_process(backend: str) -> None:
     need_library({"osmesa": "OSMesa", "egl": "EGL"}[backend])

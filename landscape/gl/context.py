@@ -15,6 +15,7 @@ from typing import Any, Protocol
 from landscape.errors import NoOpenGLError
 from landscape.gl import display
 from landscape.gl.calls import Lists, use_lists
+from landscape.gl.raw import raw
 
 BACKENDS = ("osmesa", "egl", "glfw")
 
@@ -95,6 +96,16 @@ def require(library: str, backend: str) -> None:
     raise NoOpenGLError(f"no {library} library ({reason}): install {PACKAGES[backend]}")
 
 
+def finish_drawing(context: Any, current: Any) -> None:
+    """Draw what still waits in a context that is about to be destroyed, if it is current.
+
+    OSMesa crashes when it is destroyed between a glBitmap and the drawing of the bitmap.
+    """
+    addresses = [ctypes.cast(each, ctypes.c_void_p).value for each in (context, current)]
+    if addresses[0] == addresses[1]:
+        raw.glFlush()
+
+
 class OSMesaContext:
     """Software rendering into memory; needs no screen and no device."""
 
@@ -126,6 +137,7 @@ class OSMesaContext:
     def release(self) -> None:
         """Destroy the context; its buffer must outlive it."""
         if self._context:
+            finish_drawing(self._context, self._osmesa.OSMesaGetCurrentContext())
             self._osmesa.OSMesaDestroyContext(self._context)
             self._context = None
 
@@ -331,6 +343,7 @@ class GLFWContext:
     def release(self) -> None:
         """Close the window, and GLFW if it was the last."""
         if self.window:
+            finish_drawing(self.window, self.glfw.get_current_context())
             self.glfw.destroy_window(self.window)
             self.window = None
             GLFWContext._windows -= 1
