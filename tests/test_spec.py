@@ -5,10 +5,9 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from gl_state import MATERIAL
 from stage import Stage
 
-from landscape.capture import spec, spec_enumerants, spec_table
+from landscape.capture import spec, spec_enumerants, spec_table, state
 from landscape.capture.spec_functions import LEFT_OUT
 from landscape.errors import InputError
 from landscape.gl.calls import gl
@@ -387,22 +386,13 @@ def fitted(name: str, given: list, index: int) -> list:
 @pytest.fixture
 def undone(stage: Stage) -> Iterator[None]:
     """A texture of its own, and state that is restored after the test."""
-    faces = [(face, name) for face in (gl.GL_FRONT, gl.GL_BACK) for name in MATERIAL]
-    materials = [gl.glGetMaterialfv(face, getattr(gl, f"GL_{name}")) for face, name in faces]
-    with stage.borrowed():
-        gl.glPushClientAttrib(gl.GL_CLIENT_ALL_ATTRIB_BITS)
-        texture = int(gl.glGenTextures(1))
-        gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
-        gl.glTexImage2D(*map(value, IMAGE))
-        yield
-        gl.glDeleteTextures(1, np.array([texture], np.uint32))
-        gl.glPopClientAttrib()
-    # What glPopAttrib in Mesa does not restore.
-    gl.glDisable(gl.GL_COLOR_SUM)
-    gl.glFogi(gl.GL_FOG_COORD_SRC, gl.GL_FRAGMENT_DEPTH)
-    gl.glHint(gl.GL_GENERATE_MIPMAP_HINT, gl.GL_DONT_CARE)
-    for (face, name), old in zip(faces, materials, strict=True):
-        gl.glMaterialfv(face, getattr(gl, f"GL_{name}"), np.atleast_1d(old).astype(np.float32))
+    before = state.read()
+    texture = int(gl.glGenTextures(1))
+    gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
+    gl.glTexImage2D(*map(value, IMAGE))
+    yield
+    state.restore(before)
+    gl.glDeleteTextures(1, np.array([texture], np.uint32))
 
 
 @pytest.mark.parametrize(("name", "index", "args"), CALLS)
@@ -509,20 +499,20 @@ LISTED = [
 
 @pytest.mark.parametrize(("name", "args", "variable"), LISTED)
 def test_opengl_agrees_about_what_goes_into_a_display_list(undone, name, args, variable) -> None:
-    def state() -> list[float]:
+    def now() -> list[float]:
         values = np.zeros(16, np.float32)
         gl.glGetFloatv(value(variable), values)
         return values.tolist()
 
     objects = {"buffer": gl.glGenBuffers, "renderbuffer": gl.glGenRenderbuffers}
     given = [int(objects[each](1)) if each in objects else value(each) for each in args]
-    number, before = gl.glGenLists(1), state()
+    number, before = gl.glGenLists(1), now()
     gl.glNewList(number, gl.GL_COMPILE)
     getattr(gl, name)(*given)
-    at_once = state() != before
+    at_once = now() != before
     gl.glEndList()
     gl.glCallList(number)
-    assert state() != before
+    assert now() != before
     assert spec.in_list(name) is not at_once
     gl.glDeleteLists(number, 1)
     if "renderbuffer" in args:
