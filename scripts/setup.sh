@@ -173,6 +173,10 @@ have_window_library() {
     .venv/bin/python -c 'import ctypes; ctypes.CDLL("libGL.so.1")' 2>/dev/null
 }
 
+has_library() {
+    .venv/bin/python -c 'import ctypes.util, sys; sys.exit(not ctypes.util.find_library(sys.argv[1]))' "$1"
+}
+
 # Install missing system packages. OpenGL is required. The library for windows and Xvfb are optional:
 # one attempt is made to install them, and if that is not possible, one line says so.
 check_system() {
@@ -184,6 +188,7 @@ check_system() {
     fi
     if [ "$purpose" = test ]; then
         command -v Xvfb >/dev/null || optional+=(Xvfb)
+        has_library glut || optional+=(freeglut)
     fi
     if have_opengl && { [ ${#optional[@]} -eq 0 ] || [ -e "$tried" ]; }; then
         return

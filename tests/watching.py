@@ -6,13 +6,18 @@ process, which also shows that each leaves nothing behind for the next.
 
 import hashlib
 import json
+import os
+import shutil
 import subprocess
 import sys
 from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import pytest
 from commands import TESTS, environment
 
 PROGRAMS = TESTS / "programs"
@@ -150,3 +155,22 @@ class Watcher:
         with self._process:
             assert self._process.stdin
             self._process.stdin.close()
+
+
+@contextmanager
+def screen(size: str = "1024x768x24") -> Iterator[str]:
+    """Run Xvfb beside the block; give its name for DISPLAY. The test is skipped without it."""
+    if shutil.which("Xvfb") is None:
+        pytest.skip("Xvfb, a screen for tests, is not installed")
+    read, write = os.pipe()
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-noreset"]
+    command += ["-nolisten", "tcp"]
+    with subprocess.Popen(command, pass_fds=(write,), stderr=subprocess.DEVNULL) as process:
+        os.close(write)
+        try:
+            with os.fdopen(read) as pipe:
+                number = pipe.readline().strip()
+            assert number, "Xvfb did not start"
+            yield f":{number}"
+        finally:
+            process.terminate()

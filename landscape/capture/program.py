@@ -257,6 +257,14 @@ def _toolkit(source: Source) -> Callable[[Run], Any]:
         from landscape.capture.program_glfw import glfw_program
 
         return glfw_program
+    if source.toolkit == "pygame":
+        from landscape.capture.program_pygame import pygame_program
+
+        return pygame_program
+    if source.toolkit == "glut":
+        from landscape.capture.program_glut import glut_program
+
+        return glut_program
     raise ProgramError(
         f"{source.path}: imports neither glfw, pygame nor OpenGL.GLUT, so it opens no window that "
         "could be shown"

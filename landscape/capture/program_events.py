@@ -98,6 +98,7 @@ class Queue:
         self.buttons: set[str] = set()
         self.mods: frozenset[str] = frozenset()
         self.mouse = (0.0, 0.0)
+        self._waited = -1  # the last frame in which the program waited
 
     def due(self, frame: int) -> list[Event]:
         """Take the events that come before a frame."""
@@ -106,9 +107,14 @@ class Queue:
             found.append(self._coming.pop(0))
         return found
 
-    def next(self) -> list[Event]:
-        """Take the next events, for a program that waits for them; none if there are no more."""
-        return self.due(self._coming[0].frame) if self._coming else []
+    def awaited(self, frame: int) -> list[Event]:
+        """Take events for a program that waits in a frame; none if it is to redraw.
+
+        If it waits again without having drawn, it gets those of the next frame that has any.
+        """
+        again, self._waited = self._waited == frame, frame
+        later = again and self._coming
+        return self.due(max(frame, self._coming[0].frame) if later else frame)
 
     def note(self, event: Event) -> None:
         """Note what an event changes; call it just before the program is told of it."""

@@ -269,7 +269,7 @@ class _Glfw:
 
     def wait_events(self) -> None:
         self._run.check()
-        events = self._run.events.next()
+        events = self._run.events.awaited(self._run.frames)
         if events:
             self._deliver(events)
         else:

@@ -1,0 +1,331 @@
+"""GLUT for a program that is run to a frame: a real window, but a main loop in Python.
+
+freeglut opens the window, which needs a screen, and draws its shapes and letters. It is never given
+the program's callbacks: the main loop here calls them, by the held clock, so that an exception in
+one of them ends the program as it would end any other. A frame ends with glutSwapBuffers, or where
+the display callback returns without it. A program that waits for somebody is asked to redraw.
+"""
+
+import ctypes.util
+import os
+import re
+import types
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from landscape.capture.program import Run, Window
+from landscape.capture.program_clock import milliseconds
+from landscape.capture.program_events import CONTROL, Event
+from landscape.capture.program_source import ProgramError
+from landscape.errors import NoOpenGLError
+from landscape.gl import display
+from landscape.gl.context import use_platform
+from landscape.gl.foreign import library
+from landscape.gl.holders import replaced
+
+PACKAGE = "libglut3.12 or freeglut3 (Debian, Ubuntu), or freeglut (Fedora)"
+# What needs someone who looks at the window.
+WITHOUT_EFFECT = (
+    *("FullScreen", "FullScreenToggle", "LeaveFullScreen", "PositionWindow", "IconifyWindow"),
+    *("HideWindow", "ShowWindow", "PushWindow", "PopWindow", "SetCursor", "IgnoreKeyRepeat"),
+    *("SetKeyRepeat", "SetOption"),
+)
+FUNCTIONS = re.compile(r"glut\w+Func")
+OTHER_FUNCTIONS = {"glutInitErrorFunc", "glutInitWarningFunc"}
+SPECIAL = {
+    **{f"F{number}": number for number in range(1, 13)},
+    **{"LEFT": 100, "UP": 101, "RIGHT": 102, "DOWN": 103, "PAGE_UP": 104, "PAGE_DOWN": 105},
+    **{"HOME": 106, "END": 107, "INSERT": 108},
+    **{"LEFT_SHIFT": 112, "RIGHT_SHIFT": 113, "LEFT_CONTROL": 114, "RIGHT_CONTROL": 115},
+    **{"LEFT_ALT": 116, "RIGHT_ALT": 117},
+}
+BUTTON_CODES = {"left": 0, "middle": 1, "right": 2}
+MODIFIERS = {"shift": 1, "control": 2, "alt": 4}
+DOUBLE, STEREO, MULTISAMPLE = 2, 256, 128  # of glutInitDisplayMode
+WINDOW_WIDTH, WINDOW_HEIGHT, DISPLAY_POSSIBLE, ELAPSED_TIME = 102, 103, 400, 700  # of glutGet
+IDLE = 0.001  # seconds of the held clock that a turn of the loop takes if it draws nothing; chosen
+PATIENCE = 1000  # turns without a frame until the program is asked to redraw; chosen
+
+
+@contextmanager
+def glut_program(run: Run) -> Iterator[None]:
+    """Prepare GLUT and PyOpenGL for a program, and replace GLUT's functions inside the block."""
+    if ctypes.util.find_library("glut") is None:
+        raise ProgramError(f"{run.source.path}: needs GLUT: install {PACKAGE}")
+    reason = display.problem("x11", os.environ)
+    if reason or run.backend in ("osmesa", "egl"):
+        reason = reason or f"it cannot draw by {run.backend}"
+        raise NoOpenGLError(f"{run.source.path}: GLUT needs a screen ({reason}): use xvfb-run")
+    use_platform("glx", run.source.checked)
+    stand_in = _Glut(run, library("GLUT"))
+    functions = stand_in.functions()
+
+    def choose(module: str, name: str, value: Any) -> Any:
+        # PyOpenGL holds the functions of GLUT itself in a module under raw.
+        return functions.get(name) if module.startswith("OpenGL.GLUT") else None
+
+    with replaced(("OpenGL.GLUT",), choose):
+        try:
+            yield
+        finally:
+            stand_in.close()
+
+
+class _Glut:
+    """What a program's calls of GLUT do; the methods have the names of GLUT's functions."""
+
+    def __init__(self, run: Run, glut: types.ModuleType) -> None:
+        self._run = run
+        self._real: Any = types.SimpleNamespace(**vars(glut))
+        self._callbacks: dict[str, Callable[..., Any] | None] = {}
+        self._timers: list[tuple[float, int, Callable[..., Any], Any]] = []
+        self._ordered = 0  # timers so far: those due at once go in their order
+        self._window = 0
+        self._size = (300, 300)  # GLUT's default
+        self._double_buffered = False
+        self._posted = True  # whether a redraw is due
+        self._reshaped = True  # whether the program has yet to learn the window's size
+        self._shown = False  # whether it has learnt that the window is visible
+        self._leaving = False
+        self._ready = False
+        self._quiet = 0  # turns of the loop since the last frame
+
+    def functions(self) -> dict[str, Any]:
+        """Return the functions that take the place of GLUT's, by their names."""
+        known = vars(self._real)
+        own: dict[str, Any] = {
+            name: self._setter(name)
+            for name in known
+            if FUNCTIONS.fullmatch(name) and name not in OTHER_FUNCTIONS
+        }
+        own |= {f"glut{name}": (lambda *args: None) for name in WITHOUT_EFFECT}
+        own |= {name: getattr(self, name) for name in vars(type(self)) if name[0] != "_"}
+        return {name: new for name, new in own.items() if name in known}
+
+    def close(self) -> None:
+        """Destroy the window."""
+        if self._window:
+            self._run.drawing = False
+            # freeglut destroys a window that is current; what was drawn to it then ends in an error
+            # of the X server, which ends the process.
+            library("contextdata").cleanupContext()
+            glx = library("GLX")
+            glx.glXMakeCurrent(glx.glXGetCurrentDisplay(), 0, None)
+            library("raw.GLUT").glutDestroyWindow(self._window)
+            self._window = 0
+            self._real.glutMainLoopEvent()
+
+    def _setter(self, name: str) -> Callable[..., Any]:
+        def set_callback(function: Any = None, *args: Any) -> None:
+            # PyOpenGL takes None and 0 for no callback.
+            self._callbacks[name[4:-4]] = function if callable(function) else None
+
+        return set_callback
+
+    def _call(self, callback: str, *args: Any) -> bool:
+        """Call a callback of the program; return whether it has one."""
+        function = self._callbacks.get(callback)
+        if function is not None:
+            function(*args)
+        return function is not None
+
+    # Initialisation and the window.
+
+    def glutInit(self, *args: Any) -> Any:
+        self._run.check()
+        self._ready = True
+        result = self._real.glutInit(*args)
+        self._real.glutInitDisplayMode(0)  # what an earlier program in this process left
+        self._real.glutInitWindowSize(*self._size)
+        self._real.glutInitWindowPosition(-1, -1)
+        return result
+
+    def glutInitDisplayMode(self, mode: int) -> None:
+        self._double_buffered = bool(mode & DOUBLE)
+        self._real.glutInitDisplayMode(mode & ~MULTISAMPLE)
+
+    def glutInitDisplayString(self, words: Any) -> None:
+        text = words.decode() if isinstance(words, bytes) else str(words)
+        kept = [word for word in text.split() if not word.startswith("samples")]
+        self._double_buffered = "double" in kept
+        self._real.glutInitDisplayString(" ".join(kept).encode())
+
+    def glutInitWindowSize(self, width: int, height: int) -> None:
+        self._size = int(width), int(height)
+        self._real.glutInitWindowSize(width, height)
+
+    def glutCreateWindow(self, title: Any) -> int:
+        run, real = self._run, self._real
+        run.check()
+        # freeglut would end the whole process.
+        if not self._ready:
+            raise run.refuse("calls glutCreateWindow before glutInit")
+        if run.window is not None:
+            raise run.second_window()
+        if not real.glutGet(DISPLAY_POSSIBLE):
+            raise run.refuse("asks glutInitDisplayMode for what this screen cannot do")
+        self._window = real.glutCreateWindow(title)
+        real.glutDisplayFunc(_nothing)
+        real.glutReshapeFunc(_nothing)
+        size = lambda: self._size  # noqa: E731
+        run.open(Window("glut", "glx", size, self._double_buffered))
+        run.flushed = _nothing  # type: ignore[method-assign]
+        return self._window
+
+    def glutCreateSubWindow(self, *args: Any) -> int:
+        raise self._run.second_window()
+
+    def glutEnterGameMode(self) -> int:
+        return self.glutCreateWindow(b"")
+
+    def glutDestroyWindow(self, window: int) -> None:
+        self.close()
+        self._leaving = True
+
+    def glutReshapeWindow(self, width: int, height: int) -> None:
+        self._size = int(width), int(height)
+        self._real.glutReshapeWindow(width, height)
+        self._real.glutMainLoopEvent()  # freeglut only changes the size here
+        self._posted = self._reshaped = True
+
+    def glutSwapBuffers(self) -> None:
+        self._run.end_frame()
+        self._real.glutSwapBuffers()
+        self._run.begin_frame()
+
+    def glutPostRedisplay(self) -> None:
+        self._posted = True
+
+    def glutPostWindowRedisplay(self, window: int) -> None:
+        self._posted = True
+
+    def glutGet(self, what: int) -> int:
+        if what == ELAPSED_TIME:
+            return milliseconds(self._run.clock)
+        if what in (WINDOW_WIDTH, WINDOW_HEIGHT) and self._window:
+            return self._size[what - WINDOW_WIDTH]
+        return int(self._real.glutGet(what))
+
+    def glutGetModifiers(self) -> int:
+        return sum(MODIFIERS[mod] for mod in self._run.events.mods)
+
+    def glutWarpPointer(self, x: int, y: int) -> None:
+        self._run.events.mouse = float(x), float(y)
+
+    # The main loop.
+
+    def glutTimerFunc(self, wait: float, function: Callable[..., Any], value: Any) -> None:
+        self._ordered += 1
+        due = self._run.clock.now + max(0.0, wait) / 1000.0
+        self._timers.append((due, self._ordered, function, value))
+
+    def glutLeaveMainLoop(self) -> None:
+        self._leaving = True
+
+    def glutMainLoop(self) -> None:
+        if not self._window:
+            raise self._run.refuse("calls glutMainLoop without a window")
+        while not self._leaving:
+            self.glutMainLoopEvent()
+        if not self._window:
+            raise SystemExit(0)  # as freeglut does when the last window was closed
+
+    def glutMainLoopEvent(self) -> None:
+        run = self._run
+        run.check()
+        frames = run.frames
+        self._tell_size()
+        for event in run.events.due(frames):
+            self._deliver(event)
+        self._call_timers()
+        if self._posted and not self._leaving:
+            self._display()
+        if self._leaving or self._call("Idle"):
+            pass
+        elif not self._posted:
+            self._wait()
+        self._quiet = 0 if run.frames > frames else self._quiet + 1
+        if self._quiet:
+            run.clock.move(IDLE)
+        if self._quiet > PATIENCE:
+            self._posted = True
+
+    def _tell_size(self) -> None:
+        if self._reshaped:
+            self._reshaped = False
+            if not self._call("Reshape", *self._size) and self._shown:
+                library("GL").glViewport(0, 0, *self._size)  # so does freeglut
+        if not self._shown:
+            self._shown = True
+            self._call("Visibility", 1)
+            self._call("WindowStatus", 1)
+
+    def _call_timers(self) -> None:
+        due = sorted(timer for timer in self._timers if timer[0] <= self._run.clock.now + 1e-6)
+        for timer in due:
+            self._timers.remove(timer)
+            timer[2](timer[3])
+
+    def _display(self) -> None:
+        self._posted = False
+        frames = self._run.frames
+        if not self._call("Display"):
+            raise self._run.refuse("has no display callback: it never calls glutDisplayFunc")
+        if self._run.frames == frames:
+            self._run.end_frame()
+            self._run.begin_frame()
+
+    def _wait(self) -> None:
+        """Pass the time until a timer is due, or ask for a redraw."""
+        if self._timers:
+            self._run.clock.now = max(self._run.clock.now, min(self._timers)[0])
+        else:
+            self._posted = True
+
+    # Events.
+
+    def _deliver(self, event: Event) -> None:
+        self._run.events.note(event)
+        getattr(self, f"_{event.kind}")(event)
+
+    def _place(self) -> tuple[int, int]:
+        x, y = self._run.events.mouse
+        return int(x), int(y)
+
+    def _key(self, event: Event) -> None:
+        way = "" if event.pressed else "Up"
+        if event.name in SPECIAL:
+            self._call(f"Special{way}", SPECIAL[event.name], *self._place())
+            return
+        pressed = Event(event.frame, "key", event.name, mods=event.mods)
+        text = CONTROL.get(event.name) or pressed.text
+        if text and "control" in event.mods and text.isalpha():
+            text = chr(ord(text.upper()) - 64)
+        if text:
+            self._call(f"Keyboard{way}", text.encode("latin-1"), *self._place())
+
+    def _button(self, event: Event) -> None:
+        self._call("Mouse", BUTTON_CODES[event.name], int(not event.pressed), *self._place())
+
+    def _move(self, event: Event) -> None:
+        self._call("Motion" if self._run.events.buttons else "PassiveMotion", *self._place())
+
+    def _scroll(self, event: Event) -> None:
+        up = event.value[1]
+        if up and not self._call("MouseWheel", 0, 1 if up > 0 else -1, *self._place()):
+            for state in (0, 1):
+                self._call("Mouse", 3 if up > 0 else 4, state, *self._place())
+
+    def _resize(self, event: Event) -> None:
+        self.glutReshapeWindow(int(event.value[0]), int(event.value[1]))
+        self._tell_size()
+
+    def _close(self, event: Event) -> None:
+        if not self._call("Close"):
+            self._call("WMClose")
+        self.glutDestroyWindow(self._window)
+
+
+def _nothing(*args: Any) -> None:
+    """Take the place of a callback, in freeglut."""

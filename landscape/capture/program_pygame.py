@@ -1,0 +1,363 @@
+"""pygame for a program that is run to a frame: a hidden window, a held clock, events from a list.
+
+Without a screen, SDL's driver "offscreen" draws by EGL. The program sees the events of the list and
+those it posts itself; SDL's own are never read.
+"""
+
+import os
+import types
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from landscape.capture.program import Run, Window
+from landscape.capture.program_clock import Clock, milliseconds
+from landscape.capture.program_events import CONTROL, KEYS, Event
+from landscape.capture.program_source import need_package
+from landscape.errors import NoOpenGLError
+from landscape.gl import display
+from landscape.gl.context import use_platform
+from landscape.gl.holders import replaced
+
+MODULES = ("display", "event", "key", "mouse", "time")
+FALLBACK = (800, 600)  # pixels, the size of a window that is to fill the screen; chosen
+# Where pygame's name of a key is not GLFW's in small letters; letters and digits are alike.
+KEY_NAMES = {
+    **{"ENTER": "RETURN", "PAGE_UP": "PAGEUP", "PAGE_DOWN": "PAGEDOWN", "APOSTROPHE": "QUOTE"},
+    **{"EQUAL": "EQUALS", "LEFT_BRACKET": "LEFTBRACKET", "RIGHT_BRACKET": "RIGHTBRACKET"},
+    **{"GRAVE_ACCENT": "BACKQUOTE", "CAPS_LOCK": "CAPSLOCK", "NUM_LOCK": "NUMLOCK"},
+    **{"SCROLL_LOCK": "SCROLLLOCK", "PRINT_SCREEN": "PRINTSCREEN"},
+    **{"LEFT_SHIFT": "LSHIFT", "RIGHT_SHIFT": "RSHIFT", "LEFT_CONTROL": "LCTRL"},
+    **{"RIGHT_CONTROL": "RCTRL", "LEFT_ALT": "LALT", "RIGHT_ALT": "RALT"},
+    **{"LEFT_SUPER": "LSUPER", "RIGHT_SUPER": "RSUPER"},
+    **{f"KP_{digit}": f"KP{digit}" for digit in range(10)},
+    **{"KP_ADD": "KP_PLUS", "KP_SUBTRACT": "KP_MINUS", "KP_DECIMAL": "KP_PERIOD"},
+    **{"KP_EQUAL": "KP_EQUALS"},
+}
+BUTTON_CODES = {"left": 1, "middle": 2, "right": 3}
+
+
+@contextmanager
+def pygame_program(run: Run) -> Iterator[None]:
+    """Prepare pygame and PyOpenGL for a program; replace pygame's functions inside the block."""
+    os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
+    os.environ["SDL_AUDIODRIVER"] = "dummy"
+    need_package("pygame", run.source.path)
+    import pygame
+
+    stand_in = _Pygame(run, pygame, _choose(run, pygame))
+    functions = {id(old): new for old, new in stand_in.functions()}
+    with replaced(("pygame",), lambda module, name, value: functions.get(id(value))):
+        try:
+            yield
+        finally:
+            run.drawing = False
+            stand_in.quit()
+
+
+def _choose(run: Run, pygame: Any) -> str:
+    """Choose SDL's driver and bind PyOpenGL to the same; return the backend's name."""
+    if run.backend == "osmesa":
+        raise NoOpenGLError(f"{run.source.path}: pygame draws by EGL or on a screen, not by OSMesa")
+    screen, reason = display.choose(os.environ)
+    ways = {"egl": ("offscreen", "egl"), "glfw": (screen, {"x11": "glx"}.get(screen, screen))}
+    order = ["glfw", "egl"] if "glut" in run.source.modules else ["egl", "glfw"]
+    reasons = []
+    for backend in order if run.backend == "auto" else [run.backend]:
+        driver, platform = ways[backend]
+        if not driver:
+            reasons.append(reason)
+            continue
+        os.environ["SDL_VIDEODRIVER"] = driver
+        try:
+            pygame.display.quit()
+            pygame.display.init()
+            pygame.display.set_mode((16, 16), pygame.OPENGL | pygame.HIDDEN)
+            use_platform(platform, run.source.checked)
+            return backend
+        except (pygame.error, NoOpenGLError) as error:
+            reasons.append(f"{driver}: {error}")
+        finally:
+            pygame.display.quit()
+    why = "; ".join(reasons)
+    raise NoOpenGLError(f"{run.source.path}: pygame opens no window for OpenGL here ({why})")
+
+
+class _Pygame:
+    """What a program's calls of pygame do; the methods are named after module and function."""
+
+    def __init__(self, run: Run, pygame: Any, backend: str) -> None:
+        self._run = run
+        self._pygame = pygame
+        self._backend = backend
+        self._real = types.SimpleNamespace(
+            quit=pygame.quit,
+            **{name: types.SimpleNamespace(**vars(getattr(pygame, name))) for name in MODULES},
+        )
+        self._size = FALLBACK
+        self._events: list[Any] = []
+        self._timers: list[list[Any]] = []  # due, interval, event, how often still
+        self._moved = (0.0, 0.0)  # where the mouse was when get_rel was last asked
+        self._codes: dict[str, int] = {
+            name: int(
+                getattr(pygame, f"K_{KEY_NAMES.get(name, name)}", 0)
+                or getattr(pygame, f"K_{name.lower()}", 0)
+            )
+            for name in KEYS
+        }
+        self._mods = {"shift": pygame.KMOD_LSHIFT, "control": pygame.KMOD_LCTRL}
+        self._mods["alt"] = pygame.KMOD_LALT
+
+    def functions(self) -> Iterator[tuple[Any, Any]]:
+        """Yield each function of pygame that is replaced, and what takes its place."""
+        clock = self._run.clock
+        yield self._real.time.Clock, lambda: _HeldClock(clock)
+        for name in vars(type(self)):
+            module, _, function = name.partition("_")
+            held = getattr(self._real, module, None)
+            if hasattr(held, function):
+                yield getattr(held, function), getattr(self, name)
+
+    def quit(self) -> None:
+        """Close the window and end pygame."""
+        self._real.quit()
+
+    # The window.
+
+    def display_set_mode(
+        self, size: Any = (0, 0), flags: int = 0, depth: int = 0, display: int = 0, vsync: int = 0
+    ) -> Any:
+        pygame, run = self._pygame, self._run
+        run.check()
+        if not flags & pygame.OPENGL:
+            raise run.refuse("opens its pygame window without the flag pygame.OPENGL")
+        self._size = (int(size[0]), int(size[1])) if size and all(size) else FALLBACK
+        flags &= ~(pygame.FULLSCREEN | getattr(pygame, "SCALED", 0) | pygame.SHOWN)
+        for attribute in (pygame.GL_MULTISAMPLEBUFFERS, pygame.GL_MULTISAMPLESAMPLES):
+            self._real.display.gl_set_attribute(attribute, 0)
+        surface = self._real.display.set_mode(self._size, flags | pygame.HIDDEN)
+        if run.window is None:
+            run.open(Window("pygame", self._backend, lambda: self._size))
+        return surface
+
+    def display_flip(self) -> None:
+        self._run.end_frame()
+        self._real.display.flip()
+        self._run.begin_frame()
+
+    def display_update(self, *args: Any) -> None:
+        self.display_flip()
+
+    def display_toggle_fullscreen(self) -> int:
+        return 1
+
+    def display_get_active(self) -> bool:
+        return True
+
+    # Time.
+
+    def time_get_ticks(self) -> int:
+        return milliseconds(self._run.clock)
+
+    def time_wait(self, wait: int) -> int:
+        self._run.clock.move(wait / 1000.0)
+        return int(wait)
+
+    def time_delay(self, wait: int) -> int:
+        return self.time_wait(wait)
+
+    def time_set_timer(self, event: Any, millis: int, loops: int = 0) -> None:
+        kind = getattr(event, "type", event)
+        self._timers = [timer for timer in self._timers if timer[2].type != kind]
+        if millis > 0:
+            what = event if hasattr(event, "type") else self._pygame.event.Event(event)
+            due = self._run.clock.now + millis / 1000.0
+            self._timers.append([due, millis / 1000.0, what, loops or -1])
+
+    # Events.
+
+    def event_pump(self) -> None:
+        self._run.check()
+        for event in self._run.events.due(self._run.frames):
+            self._deliver(event)
+        for timer in self._timers:
+            while timer[3] and timer[0] <= self._run.clock.now:
+                self._events.append(timer[2])
+                timer[0] += timer[1]
+                timer[3] -= 1
+
+    def event_get(self, eventtype: Any = None, pump: Any = True, exclude: Any = None) -> list[Any]:
+        if pump:
+            self.event_pump()
+        taken = [event for event in self._events if _among(event, eventtype, exclude)]
+        self._events = [event for event in self._events if event not in taken]
+        return taken
+
+    def event_poll(self) -> Any:
+        self.event_pump()
+        return self._events.pop(0) if self._events else self._event("NOEVENT")
+
+    def event_wait(self, timeout: int = 0) -> Any:
+        self.event_pump()
+        if not self._events and timeout:
+            self._run.clock.move(timeout / 1000.0)
+            return self.event_poll()
+        if not self._events:
+            for event in self._run.events.awaited(self._run.frames):
+                self._deliver(event)
+        # A program that waits for somebody is asked to redraw.
+        return self._events.pop(0) if self._events else self._event("VIDEOEXPOSE")
+
+    def event_peek(self, eventtype: Any = None, pump: Any = True) -> Any:
+        if pump:
+            self.event_pump()
+        return any(_among(event, eventtype, None) for event in self._events)
+
+    def event_clear(self, eventtype: Any = None, pump: Any = True) -> None:
+        self.event_get(eventtype, pump)
+
+    def event_post(self, event: Any) -> bool:
+        self._events.append(event)
+        return True
+
+    def event_set_grab(self, grab: Any) -> None:
+        pass
+
+    def key_get_pressed(self) -> Any:
+        self._run.check()
+        return _Pressed({self._codes[name] for name in self._run.events.keys})
+
+    def key_get_mods(self) -> int:
+        return sum(self._mods[mod] for mod in self._run.events.mods)
+
+    def key_get_focused(self) -> bool:
+        return True
+
+    def mouse_get_pos(self) -> tuple[int, int]:
+        x, y = self._run.events.mouse
+        return int(x), int(y)
+
+    def mouse_get_rel(self) -> tuple[int, int]:
+        (x, y), (old_x, old_y) = self._run.events.mouse, self._moved
+        self._moved = self._run.events.mouse
+        return int(x - old_x), int(y - old_y)
+
+    def mouse_get_pressed(self, num_buttons: int = 3) -> tuple[bool, ...]:
+        down = self._run.events.buttons
+        return tuple(name in down for name in ("left", "middle", "right")) + (False,) * (
+            num_buttons - 3
+        )
+
+    def mouse_get_focused(self) -> bool:
+        return True
+
+    def mouse_set_pos(self, *at: Any) -> None:
+        x, y = at if len(at) == 2 else at[0]
+        self._run.events.mouse = float(x), float(y)
+
+    def mouse_set_visible(self, visible: Any) -> bool:
+        return True
+
+    def _event(self, kind: str, **values: Any) -> Any:
+        return self._pygame.event.Event(getattr(self._pygame, kind), **values)
+
+    def _deliver(self, event: Event) -> None:
+        before = self._run.events.mouse
+        self._run.events.note(event)
+        self._events += getattr(self, f"_{event.kind}")(event, before)
+
+    def _key(self, event: Event, before: Any) -> list[Any]:
+        written = event.text or CONTROL.get(event.name, "")
+        values = {"key": self._codes[event.name], "mod": self.key_get_mods(), "unicode": written}
+        found = [self._event("KEYDOWN" if event.pressed else "KEYUP", **values, scancode=0)]
+        return found + ([self._event("TEXTINPUT", text=event.text)] if event.text else [])
+
+    def _button(self, event: Event, before: Any) -> list[Any]:
+        kind = "MOUSEBUTTONDOWN" if event.pressed else "MOUSEBUTTONUP"
+        code = BUTTON_CODES[event.name]
+        return [self._event(kind, pos=self.mouse_get_pos(), button=code, touch=False)]
+
+    def _move(self, event: Event, before: Any) -> list[Any]:
+        rel = int(event.value[0] - before[0]), int(event.value[1] - before[1])
+        buttons = tuple(map(int, self.mouse_get_pressed()))
+        values = {"pos": self.mouse_get_pos(), "rel": rel, "buttons": buttons, "touch": False}
+        return [self._event("MOUSEMOTION", **values)]
+
+    def _scroll(self, event: Event, before: Any) -> list[Any]:
+        x, y = map(int, event.value)
+        found = [self._event("MOUSEWHEEL", x=x, y=y, flipped=False, touch=False)]
+        if y:
+            for kind in ("MOUSEBUTTONDOWN", "MOUSEBUTTONUP"):
+                values = {"pos": self.mouse_get_pos(), "button": 4 if y > 0 else 5, "touch": False}
+                found.append(self._event(kind, **values))
+        return found
+
+    def _resize(self, event: Event, before: Any) -> list[Any]:
+        from pygame._sdl2.video import Window as SDLWindow
+
+        width, height = map(int, event.value)
+        SDLWindow.from_display_module().size = self._size = (width, height)
+        return [self._event("VIDEORESIZE", size=self._size, w=width, h=height)]
+
+    def _close(self, event: Event, before: Any) -> list[Any]:
+        return [self._event("QUIT")]
+
+
+def _among(event: Any, kinds: Any, excluded: Any) -> bool:
+    """Return whether an event is of some types, given one or several, or None for all."""
+
+    def within(types: Any) -> bool:
+        return event.type in (types if isinstance(types, (list, tuple, set)) else (types,))
+
+    return (kinds is None or within(kinds)) and not (excluded is not None and within(excluded))
+
+
+class _Pressed:
+    """The state of the keyboard, asked for by a key's code."""
+
+    def __init__(self, codes: set[int]) -> None:
+        self._codes = codes
+
+    def __getitem__(self, code: int) -> bool:
+        return code in self._codes
+
+    def __len__(self) -> int:
+        return 512  # as pygame's
+
+    def __iter__(self) -> Iterator[bool]:
+        return (code in self._codes for code in range(len(self)))
+
+
+class _HeldClock:
+    """pygame.time.Clock on the held clock."""
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._last = clock.now
+        self._passed = self._spent = 0
+
+    def tick(self, framerate: float = 0) -> int:
+        """Wait until 1/framerate s after the last call; return how many ms after it this is."""
+        now = self._clock.read()
+        self._spent = int((now - self._last) * 1000.0 + 1e-6)
+        if framerate > 0:
+            # pygame waits whole milliseconds.
+            self._clock.move(self._last + int(1000.0 / framerate) / 1000.0 - now)
+        now = self._clock.now
+        self._passed = int((now - self._last) * 1000.0 + 1e-6)
+        self._last = now
+        return self._passed
+
+    tick_busy_loop = tick
+
+    def get_time(self) -> int:
+        """Return the milliseconds between the last two calls of tick."""
+        return self._passed
+
+    def get_rawtime(self) -> int:
+        """Return the same without waiting."""
+        return self._spent
+
+    def get_fps(self) -> float:
+        """Return the frames in a second."""
+        return 1000.0 / self._passed if self._passed else 0.0
