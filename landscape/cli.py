@@ -35,7 +35,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(end="", flush=True)
         return status
     except InputError as error:
-        return _fail(error, 2)
+        # A program that was looked into and raised an error has a traceback of its own.
+        return _fail(error, 2, getattr(error, "details", ""))
     except NoOpenGLError as error:
         return _fail(error, 3)
     except BrokenPipeError:
@@ -52,9 +53,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail("interrupted", 130)
 
 
-def _fail(reason: object, status: int) -> int:
+def _fail(reason: object, status: int, details: str = "") -> int:
     if sys.stderr is not None:
         print("landscape:", " ".join(str(reason).splitlines()), file=sys.stderr)
+        print(end=details, file=sys.stderr)
     return status
 
 
@@ -220,6 +222,8 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
             seed=options.seed,
             wireframe=options.wireframe,
             edits=options.edits,
+            frame=options.frame,
+            events=options.events,
             tell=partial(_notify, options),
         )
         return frame_commands.RUN[name](target, options)

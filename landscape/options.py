@@ -167,7 +167,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     figures.add_argument("--update", action="store_true", help="replace the committed pictures")
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
-    frame_options.add(command, _of_a_frame, _one_element, _pair)
+    frame_options.add(command, _of_a_frame, _one_element, _pair, _count)
 
     assets = commands.add_parser(
         "assets",

@@ -86,10 +86,13 @@ def history(tape: Tape, x: int, y: int) -> list[Row]:
             f"pixel {x},{y}: expected one of the picture, 0,0 to {width - 1},{height - 1}"
         )
     tape.rewind()
-    probe = Probe(x, height - 1 - y, tape.size)
+    place = x, height - 1 - y
+    probe = Probe(*place, tape.size)
+    frame = _History(tape, probe, place)
     try:
-        return list(_History(tape, probe, (x, height - 1 - y)).rows())
+        return list(frame.rows())
     finally:
+        frame.release()
         probe.release()
         tape.rewind()
 
@@ -97,7 +100,12 @@ def history(tape: Tape, x: int, y: int) -> list[Row]:
 class _History:
     def __init__(self, tape: Tape, probe: Probe, place: tuple[int, int]) -> None:
         self._tape, self._probe, self._place = tape, probe, place
+        self._list = int(gl.glGenLists(1))
         self._whole = any(step.call.name.startswith(COPIES) for step in tape.steps())
+
+    def release(self) -> None:
+        """Delete the display list."""
+        gl.glDeleteLists(self._list, 1)
 
     def rows(self) -> Iterator[Row]:
         """Draw the frame again; yield the rows in the order of the draws."""
@@ -131,18 +139,33 @@ class _History:
         yield Row(draw.first, outcome, text, after)
 
     def _fragments(self, draw: Draw) -> Iterator[Row]:
-        probe = self._probe
+        probe, parts = self._probe, primitives(draw)
         total = probe.count(draw.issue)
         if total:
-            parts = primitives(draw)
+            if "." in draw.first.place:
+                parts = self._through_list(parts)
             for index, fragments in self._covering(parts, 0, parts.count, total):
                 single = parts.count == 1
-                one = draw.issue if single else _part(parts, index)
+                one = _part(parts, index)
                 yield self._row(draw.first, one, None if single else index, fragments)
         if self._whole:
             self._around(draw)
         if draw.first.call.name == "glBegin":
             self._touch(draw)
+
+    def _through_list(self, parts: Primitives) -> Primitives:
+        """Return the same primitives, drawn by a display list as in the program.
+
+        Mesa splits the quads of a list into triangles along the other diagonal.
+        """
+
+        def draw(first: int, last: int) -> None:
+            gl.glNewList(self._list, gl.GL_COMPILE)
+            parts.draw(first, last)
+            gl.glEndList()
+            gl.glCallList(self._list)
+
+        return Primitives(parts.count, draw)
 
     def _covering(
         self, parts: Primitives, first: int, last: int, total: int

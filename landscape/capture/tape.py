@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from landscape.capture.buffers import Buffers
 from landscape.capture.state import restore
 from landscape.capture.steps import Step, issue, steps
 from landscape.gl.calls import Call
@@ -17,7 +18,8 @@ class Tape:
     """The calls up to the end of a frame; the frame itself begins with ``calls[begin]``.
 
     ``start`` is the state in which it began (capture/state.py), ``size`` the picture's in pixels.
-    ``notices`` are lines for the user.
+    ``notices`` are lines for the user; ``before`` is what the framebuffer held, where that may
+    matter.
     """
 
     calls: Sequence[Call]
@@ -25,6 +27,7 @@ class Tape:
     start: Mapping[str, Any]
     size: tuple[int, int]
     notices: list[str] = field(default_factory=list)
+    before: Buffers | None = None
 
     @property
     def frame(self) -> Sequence[Call]:
@@ -36,8 +39,10 @@ class Tape:
         return steps(self.frame)
 
     def rewind(self) -> None:
-        """Set the state in which the frame began."""
+        """Set the state in which the frame began, and what the framebuffer held."""
         restore(self.start)
+        if self.before is not None:
+            self.before.write()
 
     def replay(self, before: Callable[[Call], object] | None = None) -> None:
         """Draw the frame again, in its own context; ``before`` is told of each call in advance."""

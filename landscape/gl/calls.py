@@ -25,7 +25,7 @@ from landscape.gl.notes import Call, Site, caller, shown
 
 __all__ = [
     "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "drawing", "drawn_now",
-    "edited", "frame_begins", "gl", "noting", "noting_function", "recording", "replacing",
+    "edited", "frame_begins", "gl", "noting", "outermost", "recording", "replacing",
     "unnoted", "use_lists",
 ]  # fmt: skip
 
@@ -151,6 +151,7 @@ _recorder: Recorder | None = None
 _edits: Edits | None = None
 _lists: Lists = {}
 _open: Listing | None = None  # the display list that is being compiled
+_inside = False  # whether a call of a program that does not know the seam is being made
 _begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
 _drawing: list[tuple[str, ...]] = [("frame",)]
 current_pass = "setup"
@@ -281,12 +282,18 @@ def use_lists(lists: Lists) -> None:
     _lists = lists
 
 
-def noting_function(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return OpenGL's ``function`` with a note taken of each call."""
+def noting_function(
+    name: str, function: Callable[..., Any], by_function: bool = False
+) -> Callable[..., Any]:
+    """Return OpenGL's ``function`` with a note taken of each call.
+
+    ``by_function`` calls elements what a program's own functions draw: it names none itself.
+    """
     follow = _FOLLOW.get(name)
 
     def noted(*args: Any, **named: Any) -> Any:
-        elements, site, given = _drawing[-1], caller(sys._getframe(1)), None
+        site, given = caller(sys._getframe(1)), None
+        elements = (site.function,) if by_function else _drawing[-1]
         skipped = False
         if _edits is not None:
             changed = _edits.change(name, args, elements, current_pass, site)
@@ -317,6 +324,29 @@ def noting_function(name: str, function: Callable[..., Any]) -> Callable[..., An
         return result
 
     return noted
+
+
+def outermost(name: str, function: Callable[..., Any], draws: bool) -> Callable[..., Any]:
+    """Return ``function`` for a program that knows nothing of the seam, with its calls noted.
+
+    Those that PyOpenGL makes inside another call are not. The first call that ``draws``, outside
+    display lists, ends the setup.
+    """
+    noted = noting_function(name, function, by_function=True)
+
+    def called(*args: Any, **named: Any) -> Any:
+        global _inside
+        if _inside or _recorder is None:
+            return function(*args, **named)
+        if draws and current_pass == "setup" and _open is None:
+            begin_pass("main")
+        _inside = True
+        try:
+            return noted(*args, **named)
+        finally:
+            _inside = False
+
+    return called
 
 
 def _begin(site: Site, name: int, mode: int) -> None:

@@ -4,7 +4,9 @@ import argparse
 from collections.abc import Callable
 from pathlib import Path
 
-TARGET = "a view or a fix (see `landscape views`)"
+TARGET = "a view or a fix (see `landscape views`), or the path of a .py program that uses PyOpenGL"
+FRAME = "for a program: the frame to look into, from 0; default: %(default)s"
+EVENTS = "for a program: timed keys and mouse moves (see docs/frame.md)"
 EDITS = "change single OpenGL calls as this file says"
 PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
 AT = (
@@ -26,10 +28,11 @@ def add(
     drawing: Callable[[argparse.ArgumentParser], None],
     one_element: Callable[[argparse.ArgumentParser], None],
     pair: Callable[[str], tuple[str, str]],
+    count: Callable[[str], int],
 ) -> None:
     """Add the commands; ``drawing`` adds what all that draw share, ``one_element`` --element.
 
-    ``pair`` reads KEY=VALUE.
+    ``pair`` reads KEY=VALUE, ``count`` a number from 0.
     """
     trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
     _target(trace)
@@ -62,6 +65,8 @@ def add(
     state.add_argument("--at", default="", metavar="CALL|ELEMENT", help=AT)
     state.add_argument("--diff", default="", metavar="CALL|ELEMENT|initial", help=DIFF)
     for sub in (trace, pixel, state):
+        sub.add_argument("--frame", type=count, default=0, metavar="N", help=FRAME)
+        sub.add_argument("--events", type=Path, metavar="FILE", help=EVENTS)
         sub.add_argument("--json", action="store_true", help="print JSON")
         drawing(sub)
 

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 
 from landscape.capture.edit_files import read
 from landscape.capture.edits import Edits
+from landscape.capture.program_tape import on_frame
 from landscape.capture.tape import Tape
 from landscape.errors import InputError, short
 from landscape.render import SIZE, Offscreen
@@ -48,13 +49,24 @@ class Target:
 
         InputError and NoOpenGLError as when a view is rendered.
         """
+        edits = None
+        if self.edits:
+            folder = Path(self.name).resolve().parent if self.is_program else None
+            edits = Edits(read(self.edits, folder))
+
+        def look(tape: Tape) -> T:
+            self.tell(tape.notices)
+            if edits is not None:
+                self.tell([f"{self.edits}: {line}" for line in edits.missed()])
+            return use(tape)
+
         if self.is_program:
-            raise InputError(f"{self.name}: expected the name of a view")
+            self._check_program()
+            return on_frame(self.name, look, self.frame, self.events, edits, self.backend)
         find_view(self.name)
         if self.frame or self.events:
             what = "--frame" if self.frame else "--events"
             raise InputError(f"{what}: it is for programs; {short(self.name)} is a view")
-        edits = Edits(read(self.edits)) if self.edits else None
         options: dict[str, Any] = {
             "preset": self.preset,
             "settings": self.settings,
@@ -65,10 +77,20 @@ class Target:
         }
         with Offscreen(self.size, samples=0, edits=edits, **options) as offscreen:
             with offscreen.taped(self.name, wireframe=self.wireframe) as tape:
-                self.tell(tape.notices)
-                if edits is not None:
-                    self.tell([f"{self.edits}: {line}" for line in edits.missed()])
-                return use(tape)
+                return look(tape)
+
+    def _check_program(self) -> None:
+        """Raise InputError for what only views can be drawn with."""
+        given = {
+            "--preset": self.preset,
+            "--set or --settings": self.settings,
+            "--only": self.only,
+            "--assets": self.assets,
+            "--wireframe": self.wireframe,
+        }
+        for option, value in given.items():
+            if value:
+                raise InputError(f"{option}: it is for views; {short(self.name)} is a program")
 
 
 def place_of(tape: Tape, text: str) -> str:

@@ -1,0 +1,57 @@
+"""Frames of programs that know nothing of the seam: replayed, asked for pixels, edited."""
+
+from pathlib import Path
+
+import pytest
+from commands import TESTS, landscape, python, refused
+
+LANTERN = TESTS / "programs" / "lantern.py"
+CHILD = """
+import sys
+from pathlib import Path
+
+sys.path.insert(0, sys.argv[1])
+import program_checks
+
+getattr(program_checks, sys.argv[2])(Path(sys.argv[3]), *eval(sys.argv[4]))
+"""
+
+
+def check(name: str, path: Path, *more: object) -> None:
+    """Run one of program_checks in a process of its own."""
+    done = python(CHILD, str(TESTS), name, str(path), repr(more))
+    assert done.status == 0, done.err
+
+
+@pytest.mark.parametrize(("frame", "backend"), [(0, "auto"), (4, "egl")])
+def test_a_programs_frame_is_replayed_and_every_pixel_explained(frame: int, backend: str) -> None:
+    check("every_pixel_is_explained", LANTERN, frame, backend)
+
+
+def test_an_edit_in_a_programs_list_is_the_program_with_that_constant_changed(
+    tmp_path: Path,
+) -> None:
+    check("an_edit_in_a_list_is_the_program_changed", tmp_path)
+
+
+def test_a_frame_that_begins_without_a_clear_is_replayed_over_what_was_there(
+    tmp_path: Path,
+) -> None:
+    check("a_frame_without_a_clear_is_replayed", tmp_path)
+
+
+def test_the_setup_ends_with_the_first_call_that_draws(tmp_path: Path) -> None:
+    check("the_setup_ends_with_the_first_draw", tmp_path)
+
+
+def test_the_commands_look_into_programs(tmp_path: Path) -> None:
+    done = landscape("pixel", LANTERN, "200,150", "--frame", "2")
+    assert done.status == 0 and "make_lantern: glBegin(GL_QUAD_STRIP)" in done.out, done.err
+    refused(landscape("trace", LANTERN, "--preset", "2006"), "--preset", "program")
+    refused(landscape("trace", "fig35a", "--frame", "2"), "--frame", "view")
+    path = tmp_path / "raises.py"
+    path.write_text("import glfw\n\nraise ValueError('no such lamp')\n")
+    done = landscape("trace", path)
+    first, *rest = done.err.splitlines()
+    assert done.status == 2 and "raises.py, line 3: the program raised ValueError" in first
+    assert rest[0].startswith("Traceback") and rest[-1] == "ValueError: no such lamp"
