@@ -159,6 +159,14 @@ class Offscreen:
                 yield Tape(recorder.calls, begin, start, self.size, self.notices)
 
     @contextmanager
+    def targeted(self) -> Iterator[None]:
+        """Let the block's own OpenGL calls draw to this target."""
+        with self._current():
+            assert self._target is not None
+            self._target.bind()
+            yield
+
+    @contextmanager
     def _current(self) -> Iterator[None]:
         """Make the context current for the block: another may have been used meanwhile."""
         if self._owned is None:

@@ -1,0 +1,68 @@
+"""A frame on tape: complete, so that it is drawn again in its context and in another one."""
+
+import json
+
+import numpy as np
+import pytest
+from commands import landscape
+
+from landscape.capture.steps import find, issue
+from landscape.errors import InputError
+from landscape.gl.calls import unnoted
+from landscape.gl.framebuffer import read_pixels
+from landscape.render import Offscreen
+from landscape.tools.target import Target
+
+SIZE = (160, 120)
+
+
+@pytest.mark.parametrize(("view", "preset"), [("fig35e", "2006"), ("fig35f", "best")])
+def test_a_view_is_drawn_from_its_tape_alone_by_a_new_context(view: str, preset: str) -> None:
+    only = ("ground", "water", "reflection", "sky", "castle", "map", "fog")
+    with Offscreen(SIZE, preset, samples=0, only=only) as first, first.taped(view) as tape:
+        wanted = read_pixels(SIZE)
+        tape.replay()
+        assert np.array_equal(read_pixels(SIZE), wanted), "again, in the same context"
+        tape.rewind()
+        for step in tape.steps():
+            issue(step.call)
+        assert np.array_equal(read_pixels(SIZE), wanted), (
+            "with the calls of each list by themselves"
+        )
+    with Offscreen(SIZE, preset, samples=0, only=only) as second, second.targeted(), unnoted():
+        tape.play()
+        assert np.array_equal(read_pixels(SIZE), wanted)
+
+
+def test_the_tape_has_the_picture_that_is_rendered() -> None:
+    wanted = Target("fig35e", SIZE, preset="2006").look(lambda tape: read_pixels(SIZE))
+    with Offscreen(SIZE, "2006", samples=0) as offscreen:
+        offscreen.look("fig35e")
+        assert np.array_equal(offscreen.draw(), wanted)
+
+
+def test_a_call_that_does_not_exist_is_refused_in_one_line_with_those_there_are() -> None:
+    calls = Target("fig35a", SIZE, preset="2006", only=("sky",)).look(lambda tape: tape.calls)
+    last = len(calls) - 1
+    for place, said in {
+        "99999": f"the frame has {len(calls)} calls, expected 0 to {last}",
+        "0.3": "call 0 executes 0 calls, and no call inside it",
+        "1.x": "expected a number such as 12",
+    }.items():
+        with pytest.raises(InputError, match=said):
+            find(calls, place)
+    listed = next(call for call in calls if call.listed)
+    assert find(calls, f"{listed.number}.1").call is listed.listed[1]
+    assert find(calls, f"{listed.number}.1").top is listed
+
+
+def test_the_command_says_what_a_setting_changes() -> None:
+    small = ("--preset", "2006", "--size", "160x120", "--only", "sky,fog")
+    done = landscape("trace", "fig35a", *small, "--diff-set", "fog.density=0.3")
+    assert done.status == 0, done.err
+    assert "~ glFogf(GL_FOG_DENSITY, 0.12) -> glFogf(GL_FOG_DENSITY, 0.3)" in done.out
+    assert done.out.endswith("0 calls came (+), 0 went (-), 1 changed (~)\n")
+    done = landscape("trace", "fig35a", *small, "--diff", "fig35b", "--json")
+    found = json.loads(done.out)
+    assert found.keys() == {"added", "removed", "changed"} and found["changed"]
+    assert all(each.keys() == {"from", "to"} for each in found["changed"])
