@@ -86,9 +86,9 @@ class Notes:
         self.calls: list[tuple[Any, ...]] = []
 
     def make(self, name: str, function: Any) -> Any:
-        def noted(*args: Any) -> Any:
+        def noted(*args: Any, **named: Any) -> Any:
             self.calls.append((name, *args))
-            return function(*args)
+            return function(*args, **named)
 
         return noted
 

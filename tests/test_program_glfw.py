@@ -1,14 +1,16 @@
 """Programs with a GLFW window, run to a frame: what they see, what is seen, how they fail."""
 
+import os
 import textwrap
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import need_library
+from commands import TESTS, environment, need_library, python
 from watching import PROGRAMS, Seen, Watcher
 
+PATHS = f"{TESTS.parent}{os.pathsep}{TESTS}"
 Write = Callable[[str], Path]
 
 BEGIN = """
@@ -376,6 +378,50 @@ def test_a_program_cannot_swallow_its_end(watch: Watcher, write: Write) -> None:
     )
     seen = watch(path, 2)
     assert seen.error == "" and seen.log[-1] == ["ended", 2]
+
+
+def test_a_program_is_ended_in_any_thread(tmp_path: Path) -> None:
+    path = tmp_path / "endless.py"
+    path.write_text("import glfw\nwhile True: pass\n")
+    code = """
+import sys, threading
+from watching import Watch
+from landscape.capture.program import run
+from landscape.errors import InputError
+def go():
+    try:
+        run(sys.argv[1], limit=0.3, observer=Watch())
+    except InputError as error:
+        print(error)
+thread = threading.Thread(target=go)
+thread.start()
+thread.join()
+"""
+    done = python(code, str(path), env=environment(PYTHONPATH=PATHS))
+    assert done.out.endswith("opened no window for OpenGL within 0.3 s\n"), done.err
+
+
+def test_what_glu_tessellates_is_seen(watch: Watcher, write: Write) -> None:
+    need_library("GLU")
+    path = write(
+        """
+        from OpenGL.GLU import *
+        tess = gluNewTess()
+        gluTessCallback(tess, GLU_TESS_BEGIN, glBegin)
+        gluTessCallback(tess, GLU_TESS_VERTEX, glVertex3dv)
+        gluTessCallback(tess, GLU_TESS_END, glEnd)
+        gluTessBeginPolygon(tess, None)
+        gluTessBeginContour(tess)
+        for corner in ((-1, -1, 0), (1, -1, 0), (0, 1, 0)):
+            gluTessVertex(tess, corner, corner)
+        gluTessEndContour(tess)
+        gluTessEndPolygon(tess)
+        glfw.swap_buffers(window)
+        """
+    )
+    seen = watch(path)
+    assert seen.names == {"glBegin": 1, "glVertex3dv": 3, "glEnd": 1}
+    assert seen.centre == [255, 255, 255]
 
 
 def test_a_program_with_shaders_is_followed_with_a_notice(watch: Watcher, write: Write) -> None:

@@ -43,14 +43,14 @@ class Watch:
         self._inside = False
 
     def make(self, name: str, function: Any) -> Any:
-        def noted(*args: Any) -> Any:
+        def noted(*args: Any, **named: Any) -> Any:
             if self._inside:
-                return function(*args)
+                return function(*args, **named)
             plain = [value for value in args if isinstance(value, (int, float, str))]
             self.calls.append([name, *(f"{value}" for value in plain)])
             self._inside = True
             try:
-                return function(*args)
+                return function(*args, **named)
             finally:
                 self._inside = False
 
@@ -87,10 +87,37 @@ class Watch:
         self.notices.append(text)
 
 
+def _process() -> dict[str, Any]:
+    """Return what a program may have changed and must find as it was."""
+    import datetime
+    import random
+    import signal
+    import threading
+    import time
+
+    finders = [finder for finder in sys.meta_path if "landscape" in type(finder).__module__]
+    kept = {
+        "argv": list(sys.argv), "path": list(sys.path), "folder": os.getcwd(),
+        "environment": dict(os.environ), "main": sys.modules["__main__"], "input": sys.stdin,
+        "time": (time.time, time.sleep, time.monotonic_ns, datetime.datetime, datetime.date),
+        "random": random.getstate(), "exit": os._exit, "finders": finders,
+        "alarm": (signal.getsignal(signal.SIGALRM), signal.getitimer(signal.ITIMER_REAL)),
+        "daemon": threading.current_thread().daemon,
+    }  # fmt: skip
+    for name in ("OpenGL.GL", "OpenGL.GL.VERSION.GL_1_1", "OpenGL.GLUT", "glfw", "pygame.time"):
+        if name in sys.modules:
+            kept[name] = {
+                key: id(value) for key, value in vars(sys.modules[name]).items() if callable(value)
+            }
+    return kept
+
+
 def answer(asked: dict[str, Any]) -> dict[str, Any]:
     """Run one program, in the child process."""
     import contextlib
     import io
+
+    before = _process()
 
     from landscape.capture.program import run
     from landscape.errors import InputError, NoOpenGLError
@@ -103,7 +130,9 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
             reply |= run(asked.pop("path"), **asked, observer=observer) or {}
         except (InputError, NoOpenGLError) as error:
             reply |= {"error": str(error), "details": getattr(error, "details", "")}
-    log = {"log": observer.log, "notices": observer.notices}
+    after = _process()
+    left = [name for name in before if before[name] != after[name]]
+    log = {"log": observer.log, "notices": observer.notices, "left": left}
     return reply | log | {"out": out.getvalue(), "err": err.getvalue()}
 
 
@@ -148,7 +177,9 @@ class Watcher:
         self._process.stdin.flush()
         line = self._process.stdout.readline()
         assert line, f"the process ended with status {self._process.wait()}"
-        return Seen(json.loads(line))
+        seen = Seen(json.loads(line))
+        assert seen.left == [], seen.left
+        return seen
 
     def close(self) -> None:
         """End the process."""

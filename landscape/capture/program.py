@@ -174,11 +174,11 @@ class Run:
         made = self._observer.make(name, function)
         if name in SHADERS:
 
-            def telling(*args: Any) -> Any:
+            def telling(*args: Any, **named: Any) -> Any:
                 self.notice(
                     "uses shaders; its calls are shown, but this tool explains fixed function"
                 )
-                return made(*args)
+                return made(*args, **named)
 
             return telling
         if name in ("glFlush", "glFinish"):

@@ -54,14 +54,19 @@ def glfw_program(run: Run) -> Iterator[None]:
 def _choose(source: Source, backend: str) -> str:
     """Bind PyOpenGL to a backend; the first that works, if it may be any.
 
-    The libraries of GLUT and of NURBS draw by calls of libGL, so a program that imports GLUT takes
-    a screen if there is one.
+    The libraries of GLUT and of NURBS draw by calls of libGL, which OSMesa does not see; that of
+    GLUT needs a screen, too.
     """
     if backend != "auto":
         _prepare(backend, source.checked)
         return backend
+    order = list(BACKENDS)
+    if "glut" in source.modules:
+        order = ["glfw", "osmesa", "egl"]
+    elif "nurbs" in source.modules:
+        order = ["egl", "glfw", "osmesa"]
     reasons = []
-    for name in sorted(BACKENDS, key=lambda name: name != "glfw" or "glut" not in source.modules):
+    for name in order:
         try:
             _prepare(name, source.checked)
             return name

@@ -17,7 +17,10 @@ TOOLKITS = ("glfw", "pygame", "glut")  # in this order: GLUT may only draw its s
 
 @dataclass(frozen=True)
 class Source:
-    """A compiled program. ``modules``: what it and the modules beside it import, by full names."""
+    """A compiled program. ``modules``: what it and the modules beside it import, by full names.
+
+    Among them is "nurbs" where GLU's NURBS are used, which libGLU draws by itself.
+    """
 
     path: Path
     code: CodeType
@@ -66,7 +69,10 @@ def read_source(path: Path) -> Source:
 def _read(path: Path, tree: ast.Module, modules: set[str], seen: set[Path]) -> bool:
     """Add what a file imports, and what the files beside it do; return whether errors count."""
     seen.add(path.resolve())
-    checked = "ERROR_CHECKING=False" not in ast.unparse(tree).replace(" ", "")
+    text = ast.unparse(tree)
+    checked = "ERROR_CHECKING = False" not in text
+    if "gluNewNurbsRenderer" in text:
+        modules.add("nurbs")
     for name in _imported(tree):
         parts = name.split(".")
         if parts[0] in ("glfw", "pygame"):

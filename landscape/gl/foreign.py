@@ -59,7 +59,7 @@ def patched(make: Make) -> Iterator[None]:
     """Replace each OpenGL function f by ``make(name, f)`` in every module that holds it.
 
     The platform of PyOpenGL must have been chosen. ``make`` is called once for each function; what
-    it returns is called with positional arguments only.
+    it returns is called as the program calls the function, with keywords too.
     """
     import OpenGL.GL
     from OpenGL.arrays import vbo
@@ -124,14 +124,10 @@ class _Wrapper:
 
     def __init__(self, make: Make, name: str, function: Any) -> None:
         self.__wrapped__ = function
-        self._make = make
-        self._name = name
         self._noted = make(name, function)
 
     def __call__(self, *args: Any, **named: Any) -> Any:
-        if named:
-            return self._make(self._name, functools.partial(self.__wrapped__, **named))(*args)
-        return self._noted(*args)
+        return self._noted(*args, **named)
 
     def __bool__(self) -> bool:
         return bool(self.__wrapped__)
