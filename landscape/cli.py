@@ -105,6 +105,13 @@ def _offscreen_options(options: argparse.Namespace) -> dict[str, Any]:
     }
 
 
+def _edits(options: argparse.Namespace) -> list[Any]:
+    """Return the edits of --edits, none without it."""
+    from landscape.capture.edit_files import read
+
+    return read(options.edits) if options.edits else []
+
+
 def _walk(options: argparse.Namespace) -> int:
     from landscape.files.assets import Assets
     from landscape.window.command import walk
@@ -159,8 +166,10 @@ def _render(options: argparse.Namespace) -> int:
     jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
     changes = _changes(options, *(kind for kind, _ in places))
     arguments = {"size": options.size, "settings": changes, **_offscreen_options(options)}
+    edits = _edits(options)
     with Progress(len(jobs), options.quiet) as progress:
-        render_all(jobs, arguments, options.kt, options.wireframe, progress.step)
+        missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
+    _notify(options, [f"{options.edits}: {line}" for line in missed])
     _tell_of_no_effect(options, places, changes)
     if not options.quiet:
         for path in paths:

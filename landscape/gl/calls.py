@@ -25,7 +25,7 @@ from landscape.gl.notes import Call, Site, caller, shown
 
 __all__ = [
     "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "drawing", "drawn_now",
-    "edited", "frame_begins", "gl", "noting", "outermost", "recording", "replacing",
+    "edited", "frame_begins", "gl", "lists_now", "noting", "outermost", "recording", "replacing",
     "unnoted", "use_lists",
 ]  # fmt: skip
 
@@ -105,6 +105,10 @@ class Listing:
                 call.executed = _executed(call)
                 self._calls.append(call)
         return self._calls
+
+    def put(self, calls: list[Call]) -> None:
+        """Note that the list has been compiled again, from these calls."""
+        self._calls = calls
 
 
 Lists = dict[int, Listing]
@@ -280,6 +284,11 @@ def use_lists(lists: Lists) -> None:
     """Use ``lists`` as the current context's: a list's number has no meaning in another context."""
     global _lists
     _lists = lists
+
+
+def lists_now() -> Lists:
+    """Return the display lists of the current context."""
+    return _lists
 
 
 def noting_function(
