@@ -147,6 +147,7 @@ def _walk(options: argparse.Namespace) -> int:
         seed=options.seed,
         wireframe=options.wireframe,
         quiet=options.quiet,
+        edits=options.edits,
     )
 
 

@@ -6,7 +6,7 @@ them take a millisecond, leave no trace in a recording and fetch no error.
 
 import ctypes
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any
 
@@ -55,6 +55,17 @@ class Plan:
             mine = [v for v in map(VARIABLES.__getitem__, names) if v.unit == unit]
             self.flags[unit] = [(v.name, enum(v.asked[0])) for v in mine if v.kind == FLAG]
             self.steps[unit] = [_step(v) for v in mine if v.kind not in (FLAG, LIST)]
+
+    @functools.cached_property
+    def single(self) -> dict[str, tuple[int | None, Callable[[], Any]]]:
+        """For each variable its texture unit and what reads it."""
+        found: dict[str, tuple[int | None, Callable[[], Any]]] = {}
+        for unit in (None, *range(self.units)):
+            for name, cap in self.flags[unit]:
+                found[name] = unit, partial(lambda cap: raw.glIsEnabled(cap) != 0, cap)
+            for name, query, args, take in self.steps[unit]:
+                found[name] = unit, partial(_asked, query, args, take)
+        return found
 
 
 @functools.cache
@@ -132,6 +143,30 @@ def read_now() -> State:
     _read_coefficients(found)
     _widen_masks(found)
     return {name: found[name] for name in todo.names}
+
+
+def read_some(names: Iterable[str]) -> State:
+    """Return those of the variables that are in this context, without the stacks and images."""
+    todo, found = plan(), {}
+    for name in names:
+        unit, query = todo.single.get(name, (None, None))
+        if query is None:
+            continue
+        if unit is None:
+            found[name] = query()
+        else:
+            active, client = whole("GL_ACTIVE_TEXTURE"), whole("GL_CLIENT_ACTIVE_TEXTURE")
+            raw.glActiveTexture(enum(UNITS[unit]))
+            raw.glClientActiveTexture(enum(UNITS[unit]))
+            found[name] = query()
+            raw.glActiveTexture(active)
+            raw.glClientActiveTexture(client)
+    return found
+
+
+def _asked(query: Callable[..., Any], args: tuple[Any, ...], take: Callable[[], Any]) -> Any:
+    query(*args)
+    return take()
 
 
 def _run(todo: Plan, unit: int | None, found: State) -> None:

@@ -5,16 +5,16 @@ a replay reproduces a recorded walk to the pixel.
 """
 
 import time
-from collections.abc import Callable, Hashable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from landscape import keys
+from landscape.capture.edits import Edit
 from landscape.errors import InputError
 from landscape.files.assets import Assets
-from landscape.files.output import next_free, save_png
 from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
@@ -24,13 +24,15 @@ from landscape.window import words
 from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name
 from landscape.window.fix_titles import said
 from landscape.window.hands import Hands
+from landscape.window.inspector_frame import Inspection
 from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
 from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer
+from landscape.window.screen import FrameRate, FullScreen, save_screenshot
 from landscape.window.settings_list import Chooser, page
 from landscape.window.sizes import Resizer, check_viewport
 from landscape.window.steady import Steady
-from landscape.window.walker import advance, aimed, start
+from landscape.window.walker import Intent, advance, aimed, start
 
 SHOWN = 2.0  # seconds for which a message is shown
 FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
@@ -52,15 +54,17 @@ class Walk:
         fullscreen: bool = False,
         fps: float = 0.0,
         enlarged: bool = False,
+        edits: Sequence[Edit] = (),
     ) -> None:
         """Open the window and the scene; raises InputError and NoOpenGLError.
 
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
+        ``edits`` change single OpenGL calls.
         """
         self.headless = backend == "osmesa"
         self.settings = plan.settings
         self.kt = plan.kt
-        self.seconds = 0.0
+        self.seconds = self._stood = 0.0  # that the walk went on, and stood still
         self._language = plan.language
         self._wireframe, self._help, self._message, self._until = plan.wireframe, False, "", 0.0
         self._note, self._shoot = "", False
@@ -79,7 +83,8 @@ class Walk:
         self._context: GLFWContext | None = GLFWContext(
             plan.size, "landscape", True, fullscreen, self.headless, enlarged
         )
-        self._windowed = (60, 60, *self._context.size)
+        self.inspection = Inspection(edits, plan.language)
+        self._full_screen = FullScreen(self._context.size)
         try:
             self._open(plan, assets)
         except BaseException:
@@ -96,14 +101,15 @@ class Walk:
         dpi = max(glfw.get_window_content_scale(self.window))
         self._panel = Panel(self._word("help.title"), self._key_rows(), dpi)
         self._wait("loading")
-        self._scene = self._kind.open(
-            plan.settings, assets, plan.seed, self._kind.only(plan.only or None)
-        )
+        with self.inspection.building():
+            self._scene = self._kind.open(
+                plan.settings, assets, plan.seed, self._kind.only(plan.only or None)
+            )
         self.walker = start(plan.pose, self._scene, plan.settings)
         letter = labels(BY_ACTION["help"], self._language, system_name)
         self._say(self._word("hint", letter=letter))
-        self._last = self._counted_from = glfw.get_time()
-        self._counted = 0
+        self._last = glfw.get_time()
+        self._rate = FrameRate()
 
     def _wait(self, text: str) -> None:
         """Say that what follows takes a moment, over the last picture if there is one."""
@@ -131,7 +137,7 @@ class Walk:
 
     def _say(self, message: str) -> None:
         """Show a message for SHOWN seconds of the walk."""
-        self._message, self._until = message, self.seconds + SHOWN
+        self._message, self._until = message, self.seconds + self._stood + SHOWN
 
     def resting(self) -> bool:
         """Return whether the window is minimised or has no area; if so, wait a little."""
@@ -160,12 +166,13 @@ class Walk:
             cursor, size = glfw.get_cursor_pos(self.window), glfw.get_window_size(self.window)
             look = aimed(self.walker, cursor, size, self.settings.walk.mouse)
             intent = replace(intent, look=look)
+        if self._inspect(size := glfw.get_framebuffer_size(self.window)):
+            self._stood += seconds
+            seconds, intent = 0.0, Intent()
         note, self._note = self._note, ""
-        width, height = glfw.get_framebuffer_size(self.window)
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
         picks, self.hands.picks = self.hands.picks, []
         changes = self._chooser.follow(picks, self.settings)
-        size = width, height
         return Tick(seconds, intent, switches, size, note, self._chooser.row, changes)
 
     def follow(self, tick: Tick) -> Tick | None:
@@ -187,7 +194,13 @@ class Walk:
         elif order == "screenshot":
             self._shoot = True
         elif order == "fullscreen":
-            self._toggle_fullscreen()
+            done = self._full_screen.toggle(self.window)
+            self._note = self._note if done else self._word("no_monitor")
+            self.hands.capture(self.hands.captured)
+        elif order == "inspector":
+            self.hands.inspecting = self.inspection.toggle(self._language)
+            if self.hands.captured:
+                self._obey("release")
         else:
             captured = order == "capture"
             # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
@@ -196,20 +209,13 @@ class Walk:
             glfw.set_input_mode(self.window, glfw.CURSOR, mode)
             self.hands.capture(captured)
 
-    def _toggle_fullscreen(self) -> None:
-        if glfw.get_window_monitor(self.window):
-            windowed: Any = None
-            glfw.set_window_monitor(self.window, windowed, *self._windowed, 0)
-        elif monitor := glfw.get_primary_monitor():
-            place, size = glfw.get_window_pos(self.window), glfw.get_window_size(self.window)
-            self._windowed = (*place, *size)
-            mode = glfw.get_video_mode(monitor)
-            glfw.set_window_monitor(
-                self.window, monitor, 0, 0, mode.size.width, mode.size.height, mode.refresh_rate
-            )
-        else:
-            self._note = self._word("no_monitor")
-        self.hands.capture(self.hands.captured)
+    def _inspect(self, size: tuple[int, int]) -> bool:
+        """Give the inspector its keys and the mouse; return whether it stops the walk."""
+        scale = size[0] / max(glfw.get_window_size(self.window)[0], 1)
+        asked, self.hands.inspected = self.hands.inspected, []
+        if self.inspection.listen(asked, scale):
+            self._obey("inspector")
+        return self.inspection.holds
 
     def advance(self, tick: Tick) -> None:
         """Advance the clock, the switches and the walker by one frame."""
@@ -258,7 +264,9 @@ class Walk:
         """Change settings; open the scene again if it cannot take them as it is."""
         assert self._scene is not None
         self.settings = keys.passing(self.settings, self._chooser.defaults, changes)
-        if not self._scene.apply(self.settings):
+        with self.inspection.building():
+            if self._scene.apply(self.settings):
+                return
             former = self._scene
             self._wait("rebuilding")
             self._scene = self._kind.open(
@@ -282,10 +290,14 @@ class Walk:
             return
         self._done = self._word("list.taken" if self._scene is before else "list.rebuilt")
 
-    def _list(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
-        """Return what the picture of the list depends on, and how to make it; None if closed."""
-        if not self._row or self._scene is None or self._panel is None:
-            return None
+    def _at_left(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
+        """Return what the picture of the inspector or of the list depends on, and how to make it.
+
+        None if both are closed.
+        """
+        assert self._scene is not None and self._panel is not None
+        if self.inspection.open or not self._row:
+            return self.inspection.image(self._panel.dpi)
         state = self.settings, self._chooser.defaults, self._row, self._done, self._language
         shows = *state, frozenset(self._scene.shown), self._kind.elements
         dpi = self._panel.dpi
@@ -317,15 +329,20 @@ class Walk:
         moment = Moment(
             walker.pose, self._size, self.kt, walker.step, walker.stroke, self._wireframe
         )
-        # A screenshot has all the detail.
-        self.steady.draw(moment, self._scene.draw, whole=self._shoot)
+        # A screenshot has all the detail, and so has what the inspector looks into.
+        scene, whole = self._scene, self._shoot or self.inspection.open
+        self.inspection.draw(
+            lambda: self.steady.draw(moment, scene.draw, whole),
+            (moment, self.settings, frozenset(scene.shown)),
+            self._size,
+        )
         if self._help:
             # The user may have changed the keyboard's layout.
             self._panel.set_rows(self._key_rows())
-        left = self._until - self.seconds
-        message = self._message if left > 0 else ""
-        opacity = min(max(left, 0.0) / FADE, 1.0)
-        self._panel.draw(self._size, self._help, message, opacity, self._list())
+        left = max(self._until - self.seconds - self._stood, 0.0)
+        message, opacity = self._message if left else "", min(left / FADE, 1.0)
+        cross = self.inspection.cross()
+        self._panel.draw(self._size, self._help, message, opacity, self._at_left(), cross)
 
     def pixels(self) -> np.ndarray:
         """Return the frame drawn but not yet presented, uint8 (h, w, 3), top row first."""
@@ -335,27 +352,10 @@ class Walk:
         """Save the frame if asked to, then show it; update the frame rate in the title."""
         if self._shoot:
             self._shoot = False
-            self._note = self._save()
+            name = save_screenshot(self.pixels())
+            self._note = self._word("saved", name=name) if name else self._word("not_saved")
         self.steady.show(self.window)
-        self._counted += 1
-        elapsed = glfw.get_time() - self._counted_from
-        if elapsed >= 1.0:
-            rate = self._counted / elapsed
-            glfw.set_window_title(self.window, f"landscape  {rate:.0f} fps")
-            self._counted, self._counted_from = 0, glfw.get_time()
-
-    def _save(self) -> str:
-        """Save the frame under the next free name in the current folder; return a message."""
-        try:
-            path = next_free("screenshot", ".png")
-        except OSError:
-            return self._word("not_saved")
-        try:
-            save_png(self.pixels(), path)
-        except InputError:
-            path.unlink(missing_ok=True)
-            return self._word("not_saved")
-        return self._word("saved", name=path.name)
+        self._rate.count(self.window)
 
     def close(self) -> None:
         """Release the panel, the scene and the window, in this order; may be called twice."""
@@ -382,7 +382,7 @@ def run(
     while frames is None or drawn < frames:
         if walk.resting():
             continue
-        if ticks is None:
+        if ticks is None or walk.inspection.holds:
             tick = walk.listen()
         else:
             coming = next(ticks, None)

@@ -57,6 +57,7 @@ BINDINGS = (
     Binding("fix", letter="V"),
     Binding("go_to_fix", letter="J"),
     Binding("list", letter="L"),
+    Binding("inspector", letter="I", kind=ORDER),
     Binding("fullscreen", (glfw.KEY_F11,), ORDER),
     Binding("screenshot", (glfw.KEY_F12,), ORDER),
     Binding("help", letter="H"),
@@ -89,6 +90,35 @@ PICKS = {
 }
 SIGNS = {"+": "more", "=": "more", "-": "less"}
 REPEATED = ("up", "down", "previous_group", "next_group", "more", "less")
+
+# What keys do while the inspector is open, alone, with Shift and with Control; a sign is written by
+# its letter, as for the list.
+INSPECTING = {
+    glfw.KEY_UP: "up",
+    glfw.KEY_DOWN: "down",
+    glfw.KEY_LEFT: "left",
+    glfw.KEY_RIGHT: "right",
+    glfw.KEY_PAGE_UP: "page_up",
+    glfw.KEY_PAGE_DOWN: "page_down",
+    glfw.KEY_HOME: "home",
+    glfw.KEY_END: "end",
+    glfw.KEY_ENTER: "enter",
+    glfw.KEY_KP_ENTER: "enter",
+    glfw.KEY_TAB: "next_value",
+    glfw.KEY_SPACE: "stop",
+    glfw.KEY_DELETE: "switch",
+    glfw.KEY_BACKSPACE: "undo_here",
+    glfw.KEY_ESCAPE: "close",
+    glfw.KEY_KP_ADD: "more",
+    glfw.KEY_KP_SUBTRACT: "less",
+}
+INSPECTING_SHIFT = {"next_value": "previous_value", "more": "more_fine", "less": "less_fine"}
+INSPECTING_CONTROL = {"undo_here": "undo_all", "Z": "undo", "S": "save"}
+INSPECTING_LETTERS = {"O": "pixel"}
+INSPECTING_REPEATED = (
+    *("up", "down", "left", "right", "page_up", "page_down", "next_value", "previous_value"),
+    *("more", "less", "more_fine", "less_fine", "undo"),
+)
 
 # Keys that print something: GLFW's codes are the ASCII codes of what a US keyboard prints.
 PRINTING = (*map(ord, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789',-./;=[\\]`"), glfw.KEY_WORLD_1)
@@ -156,6 +186,17 @@ def pick(key: int, name: Namer) -> str:
         if SIGNS[sign] not in signs.values():
             signs.setdefault(ord(sign), SIGNS[sign])
     return signs.get(key, "")
+
+
+def inspect_pick(key: int, mods: int, name: Namer) -> str:
+    """Return what a key does in the open inspector, "" if nothing; ``mods`` are GLFW's bits."""
+    found = INSPECTING.get(key) or (pick(key, name) if key not in PICKS else "")
+    printed = name(key) if key in PRINTING else ""
+    if mods & (glfw.MOD_CONTROL | glfw.MOD_SUPER):
+        return INSPECTING_CONTROL.get(found or printed, "")
+    if mods & glfw.MOD_SHIFT:
+        return INSPECTING_SHIFT.get(found, found)
+    return found or INSPECTING_LETTERS.get(printed, "")
 
 
 def available(settings: Any, fixes: bool) -> tuple[Binding, ...]:

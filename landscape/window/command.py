@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from landscape.capture.edit_files import read as read_edits
 from landscape.errors import InputError
 from landscape.files.assets import Assets, recording
 from landscape.scene import SEED, Scene, View
@@ -35,6 +36,7 @@ def walk(
     quiet: bool = False,
     language: str = "",
     fps: float = FPS,
+    edits: Path | None = None,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
@@ -44,6 +46,7 @@ def walk(
     given. Without ``size`` a live walk has SIZE, enlarged on a display of high resolution. It draws
     less detail where that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
     ``language`` is "en" or "fr"; without it the environment chooses, or a replay its file.
+    ``edits`` is a file of edits to OpenGL calls; a recording does not contain them.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
@@ -72,19 +75,25 @@ def walk(
             language=language or words.language(os.environ),
             preset=kind.preset_of(begin),
         )
+    changes = read_edits(edits) if edits is not None else []
     writer = Writer(record, plan) if record is not None else None
     try:
         kept_rate = fps if ticks is None else 0.0
         enlarged = size is None and replay is None
-        with Walk(plan, assets, backend, fullscreen, kept_rate, enlarged) as opened:
+        with Walk(plan, assets, backend, fullscreen, kept_rate, enlarged, changes) as opened:
             run(opened, ticks, writer, frames)
         if opened.resizer.refused and not quiet:
             wanted, given = ("{}x{}".format(*size) for size in opened.resizer.refused)
             told = words.text(plan.language, "resized", wanted=wanted, given=given)
             print("landscape:", told, file=sys.stderr)
+        if not quiet:
+            for line in opened.inspection.missed():
+                print(f"landscape: {edits}: {line}", file=sys.stderr)
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.
         kept = writer is not None and writer.finish()
     if kept and not quiet:
         print(record)
+        if changes:
+            print("landscape:", words.text(plan.language, "inspector.record"), file=sys.stderr)
     return 0

@@ -9,6 +9,7 @@ from landscape.window.bindings import (
     BY_ACTION,
     DOWN,
     FORWARD,
+    INSPECTING_REPEATED,
     LEFTWARD,
     LETTERS,
     ORDER,
@@ -21,12 +22,14 @@ from landscape.window.bindings import (
     UP,
     WITH_SHIFT,
     Namer,
+    inspect_pick,
     layout,
     pick,
     us_name,
 )
 from landscape.window.walker import Intent
 
+SHIFTS = (glfw.KEY_LEFT_SHIFT, glfw.KEY_RIGHT_SHIFT)
 JUMP = 200.0  # chosen: pixels; a larger motion between two reports is a pointer jump: clamped
 
 
@@ -42,6 +45,9 @@ class Hands:
         self.captured = False
         self.listing = False  # whether the list of settings is open
         self.picks: list[str] = []  # what was asked of it, see PICKS
+        self.inspecting = False  # whether the inspector is open: it has some keys, and the mouse
+        # Names of keys; and what the mouse did, at x and y, with a number: see Inspection.point.
+        self.inspected: list[str | tuple[str, float, float, float]] = []
         self.orders: list[str] = []
         self._held: set[int] = set()
         self._tapped: set[int] = set()
@@ -53,7 +59,13 @@ class Hands:
         """Note what happens in a GLFW window."""
         glfw.set_key_callback(window, lambda _, key, __, action, mods: self.key(key, action, mods))
         glfw.set_mouse_button_callback(
-            window, lambda _, button, action, __: self.button(button, action)
+            window,
+            lambda at, button, action, mods: self.button(
+                button, action, mods, glfw.get_cursor_pos(at)
+            ),
+        )
+        glfw.set_scroll_callback(
+            window, lambda at, _, notches: self.wheel(notches, glfw.get_cursor_pos(at))
         )
         glfw.set_cursor_pos_callback(window, lambda _, x, y: self.motion(x, y))
         glfw.set_window_focus_callback(window, lambda _, on: self.focus(bool(on)))
@@ -65,6 +77,10 @@ class Hands:
         """
         if action == glfw.RELEASE:
             self._held.discard(key)
+        elif self.inspecting and (asked := inspect_pick(key, mods, self._name)):
+            if action == glfw.PRESS or asked in INSPECTING_REPEATED:
+                self.inspected.append(asked)
+            return
         elif self.listing and (picked := pick(key, self._name)):
             if action == glfw.PRESS or picked in REPEATED:
                 self._pick(picked)
@@ -77,7 +93,9 @@ class Hands:
             self.orders.append("release" if self.captured else "quit")
         elif name := self._action(key):
             if name == "list":
-                return self._pick(name)
+                return None if self.inspecting else self._pick(name)
+            if name == "inspector" and self.listing:
+                self._pick("list")
             to = self.orders if BY_ACTION[name].kind == ORDER else self._switches
             to.append(WITH_SHIFT.get(name, name) if mods & glfw.MOD_SHIFT else name)
 
@@ -93,16 +111,33 @@ class Hands:
         letters = {place: letter for letter, place in layout(self._name).items()}
         return LETTERS[letters[key]] if key in letters else ""
 
-    def button(self, button: int, action: int) -> None:
-        """Capture the mouse at the first click, strike at later ones."""
+    def button(
+        self, button: int, action: int, mods: int = 0, at: tuple[float, float] = (0.0, 0.0)
+    ) -> None:
+        """Capture the mouse at the first click, strike at later ones; or give it to the inspector.
+
+        ``at`` is where the mouse is.
+        """
+        if self.inspecting:
+            if button == glfw.MOUSE_BUTTON_LEFT:
+                what = "press" if action == glfw.PRESS else "release"
+                self.inspected.append((what, *at, float(bool(mods & glfw.MOD_SHIFT))))
+            return
         if button == glfw.MOUSE_BUTTON_LEFT and action == glfw.PRESS:
             if self.captured:
                 self._switches.append("strike")
             else:
                 self.orders.append("capture")
 
+    def wheel(self, notches: float, at: tuple[float, float]) -> None:
+        """Note that the wheel was turned, up where ``notches`` is positive."""
+        if self.inspecting:
+            self.inspected.append(("wheel", *at, notches))
+
     def motion(self, x: float, y: float) -> None:
         """Note that the mouse is at x, y in pixels; its motion turns the view."""
+        if self.inspecting:
+            self.inspected.append(("move", x, y, float(not self._held.isdisjoint(SHIFTS))))
         if not self.captured:
             return
         if self._last is not None:

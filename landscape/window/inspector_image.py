@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -76,11 +75,9 @@ def picture(
     width, height = max(round(WIDTH * size[0]), 8), max(round(HEIGHT * size[1]), 8)
     draw = _Draw(width, height, pixels)
     inner = width - 2 * pixels
-    keys = [draw.flow([Span(text, "keys")], inner) for text in foot(model, language, letters)]
-    if keys and model.said[0]:
-        keys[0] = draw.flow([Span(model.said[0] and keys[0][0][0][1].text, "message")], inner)
-        text = foot(model, language, letters)[0]
-        keys[0] = draw.flow([Span(text, "message")], inner)
+    said = foot(model, language, letters)
+    styles = ["message"] * (len(said) - 1) + ["keys"]
+    keys = [draw.flow([Span(text, style)], inner) for text, style in zip(said, styles, strict=True)]
     below = sum(map(len, keys))
     total = max((height - 3 * pixels) // draw.line - 1, 1)
     room = max(total - below, 0)
@@ -90,7 +87,7 @@ def picture(
     rows = max(room - min(lines, most), 1)
     first, shown = visible(model, rows)
 
-    y = pixels // 2 + 2
+    y: float = pixels // 2 + 2
     draw.spans(pixels, y, head(model, language), inner)
     y += draw.line + pixels // 4
     for line in shown:
@@ -214,7 +211,8 @@ class _Draw:
             text = self._cut(writable(span.text, self._face), right - x)
             if not text and span.swatch is None:
                 break
-            x = self._span(x, y, Span(text, span.style, span.target, span.swatch))
+            end = self._span(x, y, Span(text, span.style, span.target, span.swatch))
+            x = max(end, x + span.column * self.pixels)
             if text.endswith("…") and text != span.text:
                 break
 
@@ -231,9 +229,10 @@ class _Draw:
             self._text(right, y, span.text, span.style)
             right -= pixels / 2
         # Passes and elements stand at the left edge, as calls have a number there.
-        left = pixels + line.depth * STEP * pixels + (NUMBER * pixels if line.number else 0)
+        left = pixels + line.depth * STEP * pixels
         if line.number:
-            number = self._cut(line.number, left - 2 * pixels)
+            left += max(NUMBER * pixels, self._length(line.number) - (line.depth - 1) * pixels)
+            number = line.number
             self._text(left - 1.1 * pixels - self._length(number), y, number, "dim")
         if line.sign:
             self._sign(left - 0.2 * pixels, y + 0.3 * pixels, line.sign, line.target, y)
@@ -274,6 +273,3 @@ def cross_image(pixels: int) -> np.ndarray:
             draw.line((a, pixels, b, pixels), colour, wide)
             draw.line((pixels, a, pixels, b), colour, wide)
     return np.asarray(image)
-
-
-__all__: list[Any] = ["Picture", "cross_image", "picture"]

@@ -183,10 +183,12 @@ class Panel:
         message: str = "",
         opacity: float = 1.0,
         left: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
+        cross: tuple[int, int, Callable[[], np.ndarray]] | None = None,
     ) -> None:
         """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1.
 
-        ``left`` is a picture at the left edge: what it depends on, and how to make it.
+        ``left`` is a picture at the left edge: what it depends on, and how to make it. ``cross`` is
+        one of odd size with its middle at a pixel, counted from the top left.
         """
         if not keys and not message and left is None:
             return
@@ -198,6 +200,10 @@ class Panel:
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            if cross is not None:
+                plate = self._plate("cross", size, cross[2])
+                low = size[1] - 1 - cross[1] - plate.height // 2
+                plate.draw(cross[0] - plate.width // 2, low, 1.0)
             covered = 0
             if left is not None:
                 plate = self._plate("left", (left[0], size), left[1])

@@ -1,0 +1,266 @@
+"""The inspector's side of OpenGL: frames drawn with the edits, recorded, and looked into.
+
+With the inspector closed and no edits, a frame is drawn as ever, and nothing is noted.
+
+An edit of a call inside a display list takes effect when that list is compiled again. And an edit
+may leave state behind, for instance where a glDisable is left out: so each frame with edits, and
+the first one after them, begins in the state in which frames began before.
+"""
+
+from collections.abc import Callable, Hashable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from landscape.capture import edit_files, state
+from landscape.capture.edits import Edit, Edits
+from landscape.capture.effects import effects
+from landscape.capture.lists import recompile
+from landscape.capture.pixel import history
+from landscape.capture.tape import Tape
+from landscape.errors import InputError
+from landscape.files.output import next_free
+from landscape.gl.calls import edited, recording, unnoted
+from landscape.gl.glfw_library import glfw
+from landscape.window.bindings import BY_ACTION, labels, system_name
+from landscape.window.inspector import Inspector
+from landscape.window.inspector_image import Picture, cross_image, picture
+
+EVERY = 0.25  # chosen: seconds between recordings while the walk goes on
+QUIET = 0.3  # chosen: seconds without a change, after which the effects of all calls are read
+ASKED = {"pixel", "under"}  # what is asked about a pixel: all its draws, or the one that is seen
+ARMS = 40  # chosen: arms of the cross-hair that fill the window's height
+MARGIN = 48  # chosen: margins of the panel that fill the window's height
+
+
+class Inspection:
+    """An inspector, and the frames that it looks into."""
+
+    def __init__(self, given: Sequence[Edit], language: str) -> None:
+        """Begin closed; ``given`` are edits from a file."""
+        self.model = Inspector(given)
+        self._language = language
+        self._given = list(given)
+        self._found: set[int] = set()
+        self._edits = Edits(given)
+        self._begins: dict[str, Any] | None = None  # the state in which frames begin without edits
+        self._tape: Tape | None = None
+        self._listed: Hashable = None  # what the frame listed was drawn from
+        self._recorded = self._changed = 0.0  # when
+        self._read = False  # whether the effects have been read
+        self._picture: Picture | None = None
+        self._letters: dict[str, str] = {}
+        self._size = (0, 0)
+
+    @property
+    def open(self) -> bool:
+        """Whether the inspector is shown."""
+        return self.model.open
+
+    @property
+    def holds(self) -> bool:
+        """Whether the walk stands still."""
+        return self.model.open and self.model.stopped
+
+    def toggle(self, language: str) -> bool:
+        """Open or close the inspector, in the window's language; return whether it is open."""
+        model = self.model
+        model.open = not model.open
+        self._language = language
+        # The user may have changed the keyboard's layout.
+        self._letters = {
+            "letter": labels(BY_ACTION["inspector"], language, system_name),
+            "pixel": "O",
+        }
+        self._tape, self._listed = None, None
+        model.history = None
+        if model.open:
+            model.stopped = True
+            model.wants.add("under")
+            model.pixel = None
+        return model.open
+
+    def listen(self, asked: Sequence[Any], scale: float) -> bool:
+        """Take keys, by their names, and the mouse, in coordinates of ``scale`` pixels.
+
+        Return whether the inspector is to be closed.
+        """
+        for each in asked:
+            if isinstance(each, str):
+                self.model.press(each)
+            else:
+                what, x, y, extra = each
+                self._point(what, x * scale, y * scale, extra)
+        wants = self.model.wants
+        if "save" in wants:
+            wants.discard("save")
+            self.save()
+        closing = "close" in wants
+        wants.discard("close")
+        return closing
+
+    def missed(self) -> list[str]:
+        """Return a line for each edit given that has found no call."""
+        watched = Edits(self._given)
+        watched.found = self._found | self._edits_found()
+        return watched.missed()
+
+    def _edits_found(self) -> set[int]:
+        found = [edit for k, edit in enumerate(self._edits.edits) if k in self._edits.found]
+        return {k for k, edit in enumerate(self._given) if edit in found}
+
+    # Frames.
+
+    @contextmanager
+    def building(self) -> Iterator[None]:
+        """Let the edits change what the block builds."""
+        with edited(self._edits if self._edits.edits else None):
+            yield
+
+    def draw(self, draw: Callable[[], None], shows: Hashable, size: tuple[int, int]) -> None:
+        """Draw a frame with the edits, and list its calls if the inspector is open.
+
+        ``shows`` is what the frame depends on, beside the edits.
+        """
+        self._size = size
+        if self.model.edits != self._edits.edits:
+            self._install()
+        if self._edits.edits or self._begins is not None:
+            self._rewind()
+        with self.building():
+            if not self.model.open:
+                draw()
+            elif self._due(shows):
+                self._record(draw, size, shows)
+            else:
+                draw()
+        if self.model.open:
+            self._look(size)
+
+    def _install(self) -> None:
+        """Put the edits in force that the model has."""
+        before, after = self._edits.edits, self.model.edits
+        differ = [edit for edit in (*before, *after) if edit not in before or edit not in after]
+        self._found |= self._edits_found()
+        if self._begins is None:
+            self._begins = state.read()
+        self._edits = Edits(after)
+        recompile({edit.key.list for edit in differ if edit.key.list is not None}, self._edits)
+        self._listed = None
+        self._changed = glfw.get_time()
+
+    def _rewind(self) -> None:
+        """Begin a frame as frames began before the edits."""
+        try:
+            if self._begins is None:
+                self._begins = state.read()
+            else:
+                state.restore(self._begins)
+        except state.StateError:
+            self._begins = None
+        if not self._edits.edits:
+            self._begins = None
+
+    def _due(self, shows: Hashable) -> bool:
+        """Whether this frame is to be listed."""
+        now = glfw.get_time()
+        if self._tape is None or self._listed is None or self.model.wants & ASKED:
+            return True
+        return shows != self._listed and (self.model.stopped or now - self._recorded >= EVERY)
+
+    def _record(self, draw: Callable[[], None], size: tuple[int, int], shows: Hashable) -> None:
+        with recording(complete=True) as recorder:
+            begins = state.read()
+            draw()
+        self._tape = Tape(recorder.calls, 0, begins, size)
+        self._listed, self._recorded, self._read = shows, glfw.get_time(), False
+        self.model.show(recorder.calls)
+
+    def _look(self, size: tuple[int, int]) -> None:
+        """Look into the frame that was drawn, as far as that is asked for."""
+        model, tape = self.model, self._tape
+        assert tape is not None
+        if asked := model.wants & ASKED:
+            model.wants -= ASKED
+            self._ask(tape, size, listed="pixel" in asked)
+        now = glfw.get_time()
+        settled = model.stopped and now - max(self._changed, self._recorded) > QUIET
+        if settled and not self._read and tape.size == size:
+            self._read = True
+            with unnoted():
+                model.effects = effects(tape)
+            model.version += 1
+
+    def _ask(self, tape: Tape, size: tuple[int, int], listed: bool) -> None:
+        """Find out what happened to a pixel, and draw the frame again afterwards."""
+        model = self.model
+        pixel = model.pixel
+        if pixel is None or not (0 <= pixel[0] < size[0] and 0 <= pixel[1] < size[1]):
+            pixel = size[0] // 2, size[1] // 2
+        model.pixel = pixel
+        with unnoted():
+            model.ask(history(tape, *pixel), listed)
+            tape.replay()
+
+    def save(self) -> None:
+        """Save the edits under the next free name in the current folder."""
+        model = self.model
+        if not model.edits:
+            return model.say("inspector.nothing")
+        try:
+            path = next_free("edits", ".json")
+        except OSError:
+            return model.say("inspector.not_saved")
+        try:
+            edit_files.write(model.edits, path)
+        except InputError:
+            Path(path).unlink(missing_ok=True)
+            return model.say("inspector.not_saved")
+        model.say("saved", name=path.name)
+
+    # The picture and the mouse.
+
+    def image(self, dpi: float) -> tuple[Hashable, Callable[[], Any]] | None:
+        """Return what the picture depends on, and how to make it; None while closed."""
+        if not self.model.open:
+            return None
+        size = self._size
+
+        def make() -> Any:
+            self._picture = picture(self.model, size, dpi, self._language, self._letters)
+            return self._picture.image
+
+        return (self.model.version, self._language, tuple(self._letters.items())), make
+
+    def cross(self) -> tuple[int, int, Callable[[], Any]] | None:
+        """Return where the cross-hair is, in pixels from the top left, and how to make it."""
+        if not self.model.open:
+            return None
+        x, y = self.model.pixel or (self._size[0] // 2, self._size[1] // 2)
+        return x, y, lambda: cross_image(max(self._size[1] // ARMS, 6))
+
+    def _point(self, what: str, x: float, y: float, extra: float) -> None:
+        """Take "press", "move", "release" or "wheel" at x, y in pixels from the top left.
+
+        ``extra`` is how far the wheel turned; elsewhere 1 if Shift is down.
+        """
+        model = self.model
+        if what == "move":
+            model.drag(x, extra > 0)
+        elif what == "release":
+            model.release(extra > 0)
+        elif self._picture is not None:
+            height = self._picture.image.shape[0]
+            left, top = self._size[1] // MARGIN, self._size[1] - height
+            top -= top // 2
+            width = self._picture.image.shape[1]
+            inside = left <= x < left + width and top <= y < top + height
+            if what == "wheel" and inside:
+                model.wheel(extra, self._picture.first)
+            elif what == "press" and inside:
+                target = self._picture.at(x - left, y - top)
+                if target is not None:
+                    model.click(target, x)
+            elif what == "press":
+                model.pixel = int(x), int(y)
+                model.wants.add("pixel")
