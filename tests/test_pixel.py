@@ -1,11 +1,12 @@
 """Pixel history: every draw that covered a pixel, and the arithmetic of what it did."""
 
+import json
 import re
 from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from commands import landscape
+from commands import landscape, need_library
 from stage import Stage
 
 from landscape.capture import state
@@ -134,8 +135,6 @@ def test_a_pixel_outside_is_refused_in_one_line() -> None:
 
 
 def test_the_command_prints_json_with_the_fields_of_the_contract() -> None:
-    import json
-
     done = landscape("pixel", "fig35e", "80,60", "--preset", "2006", "--size", "160x120", "--json")
     assert done.status == 0, done.err
     rows = json.loads(done.out)
@@ -144,3 +143,10 @@ def test_the_command_prints_json_with_the_fields_of_the_contract() -> None:
     assert all(isinstance(row["call"], int) and len(row["color"]) == 4 for row in rows)
     done = landscape("pixel", "fig35e", "80;60")
     assert done.status == 2 and "expected X,Y such as 400,300" in done.err
+
+
+def test_the_history_is_the_same_through_osmesa_and_egl() -> None:
+    need_library("OSMesa", "EGL")
+    words = ("pixel", "fig35e", "80,60", "--preset", "2006", "--size", "160x120", "--json")
+    done = [landscape(*words, "--backend", backend) for backend in ("osmesa", "egl")]
+    assert done[0].status == done[1].status == 0 and done[0].out == done[1].out

@@ -135,7 +135,9 @@ class _History:
             outcome = "masked"
         if outside:
             outcome = "scissor"
-        text = f"{colour(_unit(before))} becomes = {colour(_unit(after))}"
+        text = f"set to = {colour(_unit(after), 4)}"
+        if outcome != "drawn" or call.name != "glClear":
+            text = f"{colour(_unit(before))} becomes = {colour(_unit(after), 4)}"
         yield Row(draw.first, outcome, text, after)
 
     def _fragments(self, draw: Draw) -> Iterator[Row]:
