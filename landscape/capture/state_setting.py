@@ -2,6 +2,7 @@
 
 import ctypes
 from collections.abc import Mapping
+from itertools import takewhile
 from typing import Any
 
 from landscape.capture.state_reading import TIGHT, State, StateError, enum, read_now
@@ -30,8 +31,7 @@ def apply(now: State, target: Mapping[str, Any]) -> None:
     Afterwards ``now`` equals ``target``, but for the depths of the attribute stacks.
     """
     _bind_containers(now, target)
-    was_tracking = now["GL_COLOR_MATERIAL"]
-    if was_tracking:  # else each colour would change materials as well
+    if now["GL_COLOR_MATERIAL"]:  # else each colour would change materials as well
         raw.glDisable(enum("GL_COLOR_MATERIAL"))
     _set_images(now, target)
     _set_raster(now, target)
@@ -135,17 +135,15 @@ def _set_stacks(now: State, target: Mapping[str, Any]) -> None:
         if variable.unit is not None:
             raw.glActiveTexture(enum(UNITS[variable.unit]))
         raw.glMatrixMode(enum(variable.asked[0].replace("_STACK", "")))
-        same = 0
-        while same < min(len(before), len(after)) and before[same] == after[same]:
-            same += 1
-        same = max(1, min(same, len(before), len(after)))
-        for _ in range(len(before) - same):
+        pairs = zip(before, after, strict=False)
+        common = len(list(takewhile(lambda pair: pair[0] == pair[1], pairs)))
+        for _ in range(len(before) - max(common, 1)):
             raw.glPopMatrix()
-        for k in range(same - 1, len(after)):
-            if k >= same:
-                raw.glPushMatrix()
-            if k >= len(before) or k >= same or before[k] != after[k]:
-                raw.glLoadMatrixf(_array(after[k]))
+        if not common:
+            raw.glLoadMatrixf(_array(after[0]))
+        for matrix in after[max(common, 1) :]:
+            raw.glPushMatrix()
+            raw.glLoadMatrixf(_array(matrix))
 
 
 def _set_rest(now: State, target: Mapping[str, Any]) -> None:
