@@ -219,7 +219,10 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
     def run(options: argparse.Namespace) -> int:
         from landscape.tools import frame_commands
         from landscape.tools.target import Target
+        from landscape.window.words import language
 
+        if "lang" in options:
+            options.lang = options.lang or language(os.environ)
         kinds = [] if options.target.endswith(".py") else [find_view(options.target)[0]]
         target = Target(
             options.target,
@@ -323,6 +326,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "trace": _frame("trace"),
     "pixel": _frame("pixel"),
     "state": _frame("state"),
+    "strip": _frame("strip"),
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,

@@ -112,12 +112,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         "sizes",
     )
     walk.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
-    walk.add_argument(
-        "--lang",
-        choices=("en", "fr"),
-        default="",
-        help="language of the window; default: by LANGUAGE, LC_ALL, LC_MESSAGES or LANG",
-    )
+    _language(walk, "language of the window")
     frame_options.edits_option(walk)
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
@@ -167,7 +162,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     figures.add_argument("--update", action="store_true", help="replace the committed pictures")
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
-    frame_options.add(command, _of_a_frame, _one_element, _pair, _count)
+    frame_options.add(command, _of_a_frame, _one_element, _pair, _count, _language)
 
     assets = commands.add_parser(
         "assets",
@@ -266,6 +261,15 @@ def _of_a_frame(parser: argparse.ArgumentParser) -> None:
 def _one_element(parser: argparse.ArgumentParser) -> None:
     element = parser.add_argument("--element", metavar="NAME")
     _explain(element, "only the calls of one element: %(elements)s or frame; default: all")
+
+
+def _language(parser: argparse.ArgumentParser, what: str = "language of the captions") -> None:
+    parser.add_argument(
+        "--lang",
+        choices=("en", "fr"),
+        default="",
+        help=f"{what}; default: by LANGUAGE, LC_ALL, LC_MESSAGES or LANG",
+    )
 
 
 def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:

@@ -8,6 +8,7 @@ from gl_state import changes, snapshot
 from PIL import ImageFont
 from stage import Stage
 
+from landscape.files.fonts import font, writable
 from landscape.fixes import FIXES
 from landscape.gl.calls import gl
 from landscape.gl.framebuffer import Framebuffer
@@ -21,7 +22,7 @@ from landscape.window.bindings import (
     us_name,
 )
 from landscape.window.fix_titles import TITLES, said
-from landscape.window.panel import Panel, font, keys_image, line_image, text_size, writable
+from landscape.window.panel import Panel, keys_image, line_image, text_size
 
 pytestmark = pytest.mark.window
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from landscape import keys
+from landscape.files.fonts import font
 from landscape.island import ELEMENTS
 from landscape.settings import Settings, preset
 from landscape.window import settings_list, words
 from landscape.window.list_image import list_image, visible, wrapped
-from landscape.window.panel import font
 from landscape.window.settings_fr import FRENCH, GROUPS, UNITS
 from landscape.window.settings_list import (
     Chooser,

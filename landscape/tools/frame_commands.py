@@ -53,6 +53,18 @@ def state(target: Target, options: argparse.Namespace) -> int:
     return _print(options, found.as_json(), found.as_text())
 
 
+def strip(target: Target, options: argparse.Namespace) -> int:
+    """Write how the frame grows, and print the file's name."""
+    from landscape.tools import strip as strips
+
+    out = strips.checked_out(options.out, target.name)
+    request = strips.Request(options.by, options.buffers, options.lang, options.quiet)
+    strips.make(target, request, out)
+    if not options.quiet:
+        print(out)
+    return 0
+
+
 def _print(options: argparse.Namespace, found: Any, lines: Iterable[str]) -> int:
     print(json.dumps(found, indent=1) if options.json else "\n".join(lines))
     return 0
@@ -62,4 +74,5 @@ RUN: dict[str, Callable[[Target, argparse.Namespace], int]] = {
     "trace": trace,
     "pixel": pixel,
     "state": state,
+    "strip": strip,
 }

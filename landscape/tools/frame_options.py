@@ -1,8 +1,10 @@
-"""The options of the commands that look into a frame: trace, pixel, state."""
+"""The options of the commands that look into a frame: trace, pixel, state, strip."""
 
 import argparse
 from collections.abc import Callable
 from pathlib import Path
+
+from landscape.capture.strip import BUFFERS, GROUPINGS
 
 TARGET = "a view or a fix (see `landscape views`), or the path of a .py program that uses PyOpenGL"
 FRAME = "for a program: the frame to look into, from 0; default: %(default)s"
@@ -29,10 +31,11 @@ def add(
     one_element: Callable[[argparse.ArgumentParser], None],
     pair: Callable[[str], tuple[str, str]],
     count: Callable[[str], int],
+    language: Callable[[argparse.ArgumentParser], None],
 ) -> None:
     """Add the commands; ``drawing`` adds what all that draw share, ``one_element`` --element.
 
-    ``pair`` reads KEY=VALUE, ``count`` a number from 0.
+    ``pair`` reads KEY=VALUE, ``count`` a number from 0; ``language`` adds --lang.
     """
     trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
     _target(trace)
@@ -64,11 +67,44 @@ def add(
     _target(state)
     state.add_argument("--at", default="", metavar="CALL|ELEMENT", help=AT)
     state.add_argument("--diff", default="", metavar="CALL|ELEMENT|initial", help=DIFF)
+    strip = command(
+        "strip",
+        "show how a frame grows, step by step: a sheet, an animation or a page",
+        "fig35e --by element --buffers color,depth --out castle.html",
+    )
+    _target(strip)
+    _strip_options(strip)
+    language(strip)
     for sub in (trace, pixel, state):
+        sub.add_argument("--json", action="store_true", help="print JSON")
+    for sub in (trace, pixel, state, strip):
         sub.add_argument("--frame", type=count, default=0, metavar="N", help=FRAME)
         sub.add_argument("--events", type=Path, metavar="FILE", help=EVENTS)
-        sub.add_argument("--json", action="store_true", help="print JSON")
         drawing(sub)
+
+
+def _strip_options(strip: argparse.ArgumentParser) -> None:
+    strip.add_argument(
+        "--by",
+        choices=GROUPINGS,
+        default="element",
+        help="what makes a step: a pass, an element, or every draw call; default: %(default)s",
+    )
+    strip.add_argument(
+        "--buffers",
+        type=_buffers,
+        default=BUFFERS[:1],
+        metavar=",".join(BUFFERS),
+        help="what to show of each step: colours; depth, as distance; stencil values; overdraw, "
+        "as layers of fragments; default: color",
+    )
+    strip.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE.png|.gif|.html",
+        help="a sheet, an animation, or a page that lists the calls, too; default: "
+        "TARGET-strip.png",
+    )
 
 
 def edits_option(sub: argparse.ArgumentParser) -> None:
@@ -79,6 +115,14 @@ def edits_option(sub: argparse.ArgumentParser) -> None:
 def _target(sub: argparse.ArgumentParser) -> None:
     sub.add_argument("target", metavar="TARGET", help=TARGET)
     edits_option(sub)
+
+
+def _buffers(text: str) -> tuple[str, ...]:
+    names = tuple(dict.fromkeys(part.strip() for part in text.split(",")))
+    for name in names:
+        if name not in BUFFERS:
+            raise argparse.ArgumentTypeError(f"{name!r}: expected some of {', '.join(BUFFERS)}")
+    return names
 
 
 def _pixel(text: str) -> tuple[int, int]:

@@ -6,16 +6,8 @@ from typing import Any
 import numpy as np
 from PIL import Image, ImageDraw
 
-from landscape.window.panel import (
-    KEYS,
-    PLATE,
-    SMALLEST,
-    TITLE,
-    WORDS,
-    font,
-    text_size,
-    writable,
-)
+from landscape.files.fonts import font, writable
+from landscape.window.panel import KEYS, PLATE, SMALLEST, TITLE, WORDS, text_size
 from landscape.window.settings_list import Line, Page
 
 SIZE = 0.8  # chosen: of the panel's text, so that the list leaves most of the picture free

@@ -7,19 +7,16 @@ the window's size.
 State used: both matrices, GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 """
 
-import unicodedata
 from collections.abc import Callable, Hashable, Sequence
-from functools import lru_cache
-from typing import Any
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw
 
+from landscape.files.fonts import font, writable
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture import Texture
 
-FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
 SMALLEST = 8  # chosen: font size in pixels; smaller text is unreadable
 READABLE = 14  # chosen: font size in pixels, times the scale of a display of high resolution
 LINES = 34  # chosen: lines of text that fill the window's height
@@ -29,30 +26,6 @@ ROOMY = 30  # chosen: lines of SMALLEST in a window where the message has a plac
 MARGIN = 24  # chosen: heights of the message's margin that fill the window's height
 PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white text over white clouds
 WORDS, KEYS, TITLE = (240, 240, 235), (255, 214, 120), (255, 255, 255)  # chosen: RGB
-
-
-@lru_cache(maxsize=16)
-def font(size: int) -> Any:
-    """Return a font of ``size`` pixels: one of the system's, else Pillow's own (ASCII only)."""
-    for name in FONTS:
-        try:
-            return ImageFont.truetype(name, size)
-        except OSError:
-            continue
-    return ImageFont.load_default(size)
-
-
-def writable(text: str, face: Any) -> str:
-    """Return the text; characters that the font lacks lose their accents or become "?"."""
-    missing = bytes(face.getmask("\uffff"))
-
-    def known(character: str) -> str:
-        for candidate in (character, unicodedata.normalize("NFKD", character)[0]):
-            if candidate == " " or bytes(face.getmask(candidate)) != missing:
-                return candidate
-        return "?"
-
-    return "".join(known(character) for character in text)
 
 
 def text_size(size: tuple[int, int], dpi: float = 1.0) -> int:

@@ -1,0 +1,34 @@
+"""Fonts for text in pictures: one of the system's."""
+
+import unicodedata
+from functools import lru_cache
+from typing import Any
+
+from PIL import ImageFont
+
+FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
+BOLD = ("DejaVuSans-Bold.ttf", "LiberationSans-Bold.ttf", "NotoSans-Bold.ttf", "Arialbd.ttf")
+
+
+@lru_cache(maxsize=16)
+def font(size: int, bold: bool = False) -> Any:
+    """Return a font of ``size`` pixels: one of the system's, else Pillow's own (ASCII only)."""
+    for name in (*(BOLD if bold else ()), *FONTS):
+        try:
+            return ImageFont.truetype(name, size)
+        except OSError:
+            continue
+    return ImageFont.load_default(size)
+
+
+def writable(text: str, face: Any) -> str:
+    """Return the text; characters that the font lacks lose their accents or become "?"."""
+    missing = bytes(face.getmask("\uffff"))
+
+    def known(character: str) -> str:
+        for candidate in (character, unicodedata.normalize("NFKD", character)[0]):
+            if candidate == " " or bytes(face.getmask(candidate)) != missing:
+                return candidate
+        return "?"
+
+    return "".join(known(character) for character in text)
