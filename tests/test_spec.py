@@ -229,6 +229,8 @@ def test_a_vector_keeps_its_type_and_shape() -> None:
         ("glLightf", 2, ("GL_LIGHT0", "GL_SPOT_CUTOFF", 4.0), "100", "from 0 to 90 or 180"),
         ("glLineWidth", 0, (1.0,), "0", "expected a number greater than 0"),
         ("glColor3ub", 0, (0, 0, 0), "256", "expected a whole number from 0 to 255"),
+        ("glViewport", 0, (0, 0, 9, 9), "5000000000", "expected a number of 32 bits"),
+        ("glViewport", 0, (0, 0, 9, 9), "9" * 5000, "expected a whole number"),
         ("glAlphaFunc", 1, (516, 0.5), "nan", "expected a number from 0 to 1"),
         ("glAlphaFunc", 1, (516, 0.5), "half", "expected a number from 0 to 1"),
         ("glClear", 0, (0,), "GL_FOG", "expected GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |"),
@@ -449,6 +451,10 @@ def test_a_call_sets_these_variables(name, args, names) -> None:
     }
     given = [value(each) if isinstance(each, str) else each for each in args]
     assert spec.sets(name, given, known) == tuple(names.split())
+
+
+def test_a_matrix_mode_of_an_extension_is_named_as_well() -> None:
+    assert spec.sets("glLoadIdentity", (), {"GL_MATRIX_MODE": "GL_COLOR"}) == ("GL_COLOR_MATRIX",)
 
 
 def test_without_the_state_all_matrices_and_units_may_be_set() -> None:

@@ -166,6 +166,8 @@ def _checked(name: str, found: Parameter, text: str) -> int | float:
         value = int(text, 0) if whole else float(text)
     except ValueError:
         _refuse(name, found, text, expected(found, whole))
+    if whole and not -(2**31) <= value < 2**32:
+        _refuse(name, found, text, "a number of 32 bits")
     low = -math.inf if found.low is None else found.low
     high = math.inf if found.high is None else found.high
     if not math.isfinite(value) or not (low <= value <= high or value in found.also):

@@ -213,7 +213,8 @@ def _choices(word: str, values: Mapping[str, str], state: Mapping[str, Any]) -> 
         variable = "GL_ACTIVE_TEXTURE" if word == "unit" else "GL_CLIENT_ACTIVE_TEXTURE"
         return _current(variable, names("unit"), "unit", state)
     if word == "matrix":
-        return [MODES[mode] for mode in _current("GL_MATRIX_MODE", MODES, "matrix_mode", state)]
+        modes = _current("GL_MATRIX_MODE", MODES, "matrix_mode", state)
+        return [MODES.get(mode, mode) for mode in modes]
     if word == "side":
         return SIDES.get(values.get("face", ""), ("", "_BACK"))
     value = values.get(word, "")
