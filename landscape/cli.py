@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape import keys
-from landscape.errors import InputError, NoOpenGLError
+from landscape.errors import InputError, NoOpenGLError, short
 from landscape.files.processes import end_tidily
 from landscape.frame import Pose
 from landscape.options import parse
@@ -244,6 +244,18 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
     return run
 
 
+def _inspect(options: argparse.Namespace) -> int:
+    from landscape.window.program_inspector import inspect
+
+    if not options.target.endswith(".py"):
+        raise InputError(
+            f"{short(options.target)}: expected the path of a .py program; in `landscape walk`, "
+            "I opens the inspector"
+        )
+    _notify(options, inspect(options.target, options.edits, options.lang))
+    return 0
+
+
 def _assets_build(options: argparse.Namespace) -> int:
     from landscape.studio.build import build
 
@@ -327,6 +339,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "pixel": _frame("pixel"),
     "state": _frame("state"),
     "strip": _frame("strip"),
+    "inspect": _inspect,
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,

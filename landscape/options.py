@@ -163,6 +163,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
     frame_options.add(command, _of_a_frame, _one_element, _pair, _count, _language)
+    frame_options.add_inspect(command, _language)
 
     assets = commands.add_parser(
         "assets",

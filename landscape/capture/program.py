@@ -17,7 +17,7 @@ import os
 import sys
 import threading
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -73,6 +73,16 @@ class Observer(Protocol):
         """Take a sentence for the user: shaders, for instance, are not shown."""
 
 
+class Live(Protocol):
+    """A user at the program's window, which then is visible: only GLFW programs have one."""
+
+    def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
+        """Take GLFW as it is, the window, and the names of keys in events, by GLFW's numbers."""
+
+    def events(self, wait: bool = False) -> list[Event]:
+        """Return what the user does with the program; ``wait`` until there is something."""
+
+
 class Unwind(BaseException):
     """Ends the program: it has reached its frame, or cannot go on."""
 
@@ -81,7 +91,13 @@ class Run:
     """A program while it runs; the toolkits' modules call its methods."""
 
     def __init__(
-        self, source: Source, frame: int | None, events: list[Event], backend: str, observer: Any
+        self,
+        source: Source,
+        frame: int | None,
+        events: list[Event],
+        backend: str,
+        observer: Any,
+        live: "Live | None" = None,
     ) -> None:
         self.source = source
         self.backend = backend
@@ -95,6 +111,7 @@ class Run:
         self.reason = ""  # why there is no window, if the toolkit said so
         self.over = False
         self.watchdog: Watchdog | None = None
+        self.live = live
         self._frame = frame
         self._observer = observer
         self._noticed: set[str] = set()
@@ -215,18 +232,25 @@ def run(
     limit: float = LIMIT,
     *,
     observer: Observer,
+    live: Live | None = None,
 ) -> Any:
     """Run a program to the end of a frame and return what the observer made of it.
 
     ``frame``: from 0; None runs the program until it ends. ``events``: a file or a list (see
     program_events.py). ``backend``: auto, osmesa, egl or glfw, as for our own drawing; GLUT needs a
-    screen. ``limit``: seconds that the program itself may take. Raises ProgramError, an InputError
+    screen. ``limit``: seconds that the program itself may take. ``live``: who uses the window
+    meanwhile. Raises ProgramError, an InputError
     whose ``details`` hold the program's own traceback, and NoOpenGLError.
     """
     if frame is not None and (type(frame) is not int or frame < 0):
         raise InputError(f"frame {frame}: expected a whole number from 0")
     source = read_source(Path(path))
-    state = Run(source, frame, read_events(events), backend, observer)
+    state = Run(source, frame, read_events(events), backend, observer, live)
+    if live is not None and source.toolkit != "glfw":
+        raise ProgramError(
+            f"{source.path}: the inspector opens over GLFW programs; trace, pixel, state and strip "
+            "look into this one"
+        )
     toolkit = _toolkit(source)
     with ExitStack() as stack:
         stack.enter_context(_as_main(source, [str(path), *arguments]))

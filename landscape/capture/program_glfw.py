@@ -160,7 +160,7 @@ class _Glfw:
         self._run.check()
         if self._run.window is not None or self._window is not None:
             raise self._run.second_window()
-        real.window_hint(real.VISIBLE, False)
+        real.window_hint(real.VISIBLE, self._run.live is not None)
         real.window_hint(real.SAMPLES, 0)
         if self._backend == "osmesa":
             real.window_hint(real.CONTEXT_CREATION_API, real.OSMESA_CONTEXT_API)
@@ -171,6 +171,8 @@ class _Glfw:
         self._window = real.create_window(width, height, title, None, None)
         if not self._window:
             self._run.reason = f"GLFW: {real.get_error()[1]!s}"
+        elif self._run.live is not None:
+            self._run.live.attach(real, self._window, self._keys)
         return self._window
 
     def destroy_window(self, window: Any) -> None:
@@ -270,11 +272,13 @@ class _Glfw:
 
     def poll_events(self) -> None:
         self._run.check()
-        self._deliver(self._run.events.due(self._run.frames))
+        live = self._run.live
+        self._deliver(live.events() if live else self._run.events.due(self._run.frames))
 
     def wait_events(self) -> None:
         self._run.check()
-        events = self._run.events.awaited(self._run.frames)
+        live = self._run.live
+        events = live.events(wait=True) if live else self._run.events.awaited(self._run.frames)
         if events:
             self._deliver(events)
         else:

@@ -16,36 +16,18 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ContextDecorator, contextmanager
 from itertools import islice
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from landscape.gl.client import ClientArrays, frozen
-from landscape.gl.notes import Call, Site, caller, shown
+from landscape.gl.notes import Call, Edits, Site, caller, shown
 
 __all__ = [
     "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "drawing", "drawn_now",
-    "edited", "frame_begins", "gl", "lists_now", "noting", "outermost", "recording", "replacing",
-    "unnoted", "use_lists",
+    "edited", "frame_begins", "gl", "lists_now", "make_again", "noting", "outermost", "recording",
+    "replacing", "unnoted", "use_lists",
 ]  # fmt: skip
-
-
-class Edits(Protocol):
-    """What changes calls as they are made (see capture/edits.py)."""
-
-    def begin(self) -> None:
-        """A frame begins, or the setup."""
-
-    def begin_list(self, listing: "Listing") -> None:
-        """The compiling of a display list begins."""
-
-    def end_list(self) -> None:
-        """The compiling of a display list ends."""
-
-    def change(
-        self, name: str, args: tuple[Any, ...], elements: tuple[str, ...], pass_: str, site: Site
-    ) -> tuple[Any, ...] | None:
-        """Return the arguments to use for a call, ``args`` itself for most; None leaves it out."""
 
 
 class Calls:
@@ -59,6 +41,7 @@ class Calls:
         import OpenGL.GL
 
         value = getattr(OpenGL.GL, name)
+        value = getattr(value, "__wrapped__", value)  # while a program's calls are noted
         value = getattr(value, "__wrapped__", value)  # not what foreign.py has put in its place
         if self.__dict__ is _noted and callable(value) and name.startswith("gl"):
             value = noting_function(name, value)
@@ -155,6 +138,7 @@ _recorder: Recorder | None = None
 _edits: Edits | None = None
 _lists: Lists = {}
 _open: Listing | None = None  # the display list that is being compiled
+_again: tuple[tuple[str, ...], str, Site] | None = None  # what made the call that is made again
 _inside = False  # whether a call of a program that does not know the seam is being made
 _begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
 _drawing: list[tuple[str, ...]] = [("frame",)]
@@ -301,11 +285,15 @@ def noting_function(
     follow = _FOLLOW.get(name)
 
     def noted(*args: Any, **named: Any) -> Any:
-        site, given = caller(sys._getframe(1)), None
-        elements = (site.function,) if by_function else _drawing[-1]
+        given = None
+        if _again is not None:
+            elements, pass_, site = _again
+        else:
+            site, pass_ = caller(sys._getframe(1)), current_pass
+            elements = (site.function,) if by_function else _drawing[-1]
         skipped = False
         if _edits is not None:
-            changed = _edits.change(name, args, elements, current_pass, site)
+            changed = _edits.change(name, args, elements, pass_, site)
             skipped = changed is None
             if changed is not None and changed is not args:
                 given, args = args, changed
@@ -317,7 +305,7 @@ def noting_function(
                 values = frozen(values)
             elif any(isinstance(value, (np.ndarray, list)) for value in values):
                 kept = shown(name, values)  # now: the caller may overwrite an array later
-        where = (elements, current_pass, site, kept, given, skipped, arrays)
+        where = (elements, pass_, site, kept, given, skipped, arrays)
         call = None
         if _open is not None and name != "glEndList":
             _open.note(name, values, where)
@@ -333,6 +321,21 @@ def noting_function(
         return result
 
     return noted
+
+
+def make_again(call: Call) -> None:
+    """Make a recorded call again as if the same line did: noted, and edited, as it was then."""
+    global _again
+    for name, args in call.arrays:
+        getattr(gl, name)(*args)
+    _again = call.shared_by, call.pass_, call.site
+    try:
+        getattr(gl, call.name)(*(call.args if call.given is None else call.given))
+        if call.compiled is not None:
+            for inner in call.compiled.calls():
+                make_again(inner)
+    finally:
+        _again = None
 
 
 def outermost(name: str, function: Callable[..., Any], draws: bool) -> Callable[..., Any]:

@@ -119,6 +119,24 @@ class Call:
         return entry
 
 
+class Edits(Protocol):
+    """What changes calls as they are made (see capture/edits.py)."""
+
+    def begin(self) -> None:
+        """A frame begins, or the setup."""
+
+    def begin_list(self, listing: Any) -> None:
+        """The compiling of a display list begins."""
+
+    def end_list(self) -> None:
+        """The compiling of a display list ends."""
+
+    def change(
+        self, name: str, args: tuple[Any, ...], elements: tuple[str, ...], pass_: str, site: Site
+    ) -> tuple[Any, ...] | None:
+        """Return the arguments to use for a call, ``args`` itself for most; None leaves it out."""
+
+
 def shown(name: str, args: tuple[Any, ...]) -> list[Any]:
     """Return the arguments of a call as JSON."""
     return [mask(args[0])] if name in MASKED else [plain(value) for value in args]

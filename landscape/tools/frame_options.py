@@ -107,6 +107,17 @@ def _strip_options(strip: argparse.ArgumentParser) -> None:
     )
 
 
+def add_inspect(command: Add, language: Callable[[argparse.ArgumentParser, str], None]) -> None:
+    """Add the command that opens the inspector over a program; ``language`` adds --lang."""
+    inspect = command(
+        "inspect", "open the inspector over a program with a GLFW window (F12)", "program.py"
+    )
+    inspect.add_argument("target", metavar="FILE.py", help="a program that uses PyOpenGL and GLFW")
+    edits_option(inspect)
+    language(inspect, "language of the inspector")
+    inspect.add_argument("-q", "--quiet", action="store_true", help="print no notices")
+
+
 def edits_option(sub: argparse.ArgumentParser) -> None:
     """Add --edits."""
     sub.add_argument("--edits", type=Path, metavar="FILE", help=EDITS)

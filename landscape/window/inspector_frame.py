@@ -7,6 +7,7 @@ may leave state behind, for instance where a glDisable is left out: so each fram
 the first one after them, begins in the state in which frames began before.
 """
 
+import time
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -21,7 +22,6 @@ from landscape.capture.tape import Tape
 from landscape.errors import InputError
 from landscape.files.output import next_free
 from landscape.gl.calls import edited, recording, unnoted
-from landscape.gl.glfw_library import glfw
 from landscape.window.bindings import BY_ACTION, labels, system_name
 from landscape.window.inspector import Inspector
 from landscape.window.inspector_image import Picture, cross_image, picture
@@ -62,14 +62,17 @@ class Inspection:
         """Whether the walk stands still."""
         return self.model.open and self.model.stopped
 
-    def toggle(self, language: str) -> bool:
-        """Open or close the inspector, in the window's language; return whether it is open."""
+    def toggle(self, language: str, letter: str = "") -> bool:
+        """Open or close the inspector, in the window's language; return whether it is open.
+
+        ``letter`` is the key that does it, where that is not the walk's.
+        """
         model = self.model
         model.open = not model.open
         self._language = language
         # The user may have changed the keyboard's layout.
         self._letters = {
-            "letter": labels(BY_ACTION["inspector"], language, system_name),
+            "letter": letter or labels(BY_ACTION["inspector"], language, system_name),
             "pixel": "O",
         }
         self._tape, self._listed = None, None
@@ -147,7 +150,7 @@ class Inspection:
         self._edits = Edits(after)
         recompile({edit.key.list for edit in differ if edit.key.list is not None}, self._edits)
         self._listed = None
-        self._changed = glfw.get_time()
+        self._changed = time.monotonic()
 
     def _rewind(self) -> None:
         """Begin a frame as frames began before the edits."""
@@ -163,7 +166,7 @@ class Inspection:
 
     def _due(self, shows: Hashable) -> bool:
         """Whether this frame is to be listed."""
-        now = glfw.get_time()
+        now = time.monotonic()
         if self._tape is None or self._listed is None or self.model.wants & ASKED:
             return True
         return shows != self._listed and (self.model.stopped or now - self._recorded >= EVERY)
@@ -173,7 +176,7 @@ class Inspection:
             begins = state.read()
             draw()
         self._tape = Tape(recorder.calls, 0, begins, size)
-        self._listed, self._recorded, self._read = shows, glfw.get_time(), False
+        self._listed, self._recorded, self._read = shows, time.monotonic(), False
         self.model.show(recorder.calls)
 
     def _look(self, size: tuple[int, int]) -> None:
@@ -183,7 +186,7 @@ class Inspection:
         if asked := model.wants & ASKED:
             model.wants -= ASKED
             self._ask(tape, size, listed="pixel" in asked)
-        now = glfw.get_time()
+        now = time.monotonic()
         settled = model.stopped and now - max(self._changed, self._recorded) > QUIET
         if settled and not self._read and tape.size == size:
             self._read = True

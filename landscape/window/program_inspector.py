@@ -1,0 +1,216 @@
+"""The inspector over a GLFW program: `landscape inspect FILE.py`.
+
+The program runs unchanged, in its own window. F12 opens the inspector, open at first. While
+it stops the program, the frame is drawn again and again from its tape, with the edits; while the
+program goes on, the edits change its calls as it makes them. The panel is drawn over the finished
+picture, in the state of a new context; afterwards the state is what the program left.
+"""
+
+import os
+import time
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+from landscape.capture import spec, state
+from landscape.capture.edit_files import read
+from landscape.capture.program import Window, run
+from landscape.capture.program_events import BUTTONS, Event
+from landscape.capture.steps import repeatable
+from landscape.capture.tape import Tape
+from landscape.gl.calls import (
+    begin_pass,
+    frame_begins,
+    gl,
+    make_again,
+    outermost,
+    recording,
+    unnoted,
+)
+from landscape.window import words
+from landscape.window.bindings import inspect_pick, system_name
+from landscape.window.hands import Hands
+from landscape.window.inspector_frame import Inspection
+from landscape.window.panel import Panel
+
+FOREVER = 1e9  # seconds that the program may take: the user ends it
+PAUSE = 0.02  # chosen: seconds between two pictures of a program that is stopped
+
+
+def inspect(path: str, edits: Path | None = None, language: str = "") -> list[str]:
+    """Run a program until its window is closed; return lines for the user.
+
+    ``edits`` are in force from the start. Raises as :func:`landscape.capture.program.run` does.
+    """
+    given = read(edits, Path(path).resolve().parent) if edits else []
+    inspector = ProgramInspector(given, language or words.language(os.environ))
+    with inspector:
+        run(path, None, backend="glfw", limit=FOREVER, observer=inspector, live=inspector)
+    return [*inspector.notices, *inspector.inspection.missed()]
+
+
+class ProgramInspector(ExitStack):
+    """Watches a program (capture/program.py), and stands between its window and its user."""
+
+    def __init__(self, given: Any, language: str) -> None:
+        """Begin open."""
+        super().__init__()
+        self.inspection = Inspection(given, language)
+        self.notices: list[str] = []
+        self._language = language
+        self._hands = Hands(system_name)
+        self._glfw: Any = None
+        self._window: Any = None
+        self._keys: Mapping[int, str] = {}
+        self._coming: list[Event] = []
+        self._size = (0, 0)
+        self._new: state.State = {}  # the state of a new context
+        self._start: state.State = {}  # that in which the frame began
+
+    # As capture/program.py sees it.
+
+    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return what notes the calls of an OpenGL function."""
+        return outermost(name, function, spec.draws(name))
+
+    def opened(self, window: Window) -> None:
+        """Begin with the inspector open."""
+        self._new, self._pixels = state.read(), window.size
+        self._toggle()
+
+    def frame_began(self, number: int) -> None:
+        """Begin to record a frame, with the edits."""
+        self._start = state.read()
+        self._recorder = self.enter_context(recording(complete=True))
+        self.enter_context(self.inspection.building())
+        self._begin(number)
+
+    @staticmethod
+    def _begin(number: int) -> None:
+        if number:
+            frame_begins()
+        else:
+            begin_pass("setup")
+
+    def frame_ended(self, number: int) -> None:
+        """Show the frame under the inspector, until the program is to go on."""
+        self.close()
+        tape = Tape(self._recorder.calls, 0, self._start, self._pixels())
+        end = state.read()
+        covered = False
+        panel = Panel("", ())
+        while self._listen() and self.inspection.open:
+            with unnoted():
+                tape.rewind()
+            self.inspection.draw(lambda: self._draw(tape, number), number, tape.size)
+            with unnoted():
+                self._cover(panel, tape.size)
+            covered = True
+            if not self.inspection.holds:
+                break
+            self._glfw.swap_buffers(self._window)
+            time.sleep(PAUSE)
+        if covered and not self.inspection.open:
+            with unnoted():
+                tape.rewind()
+            with self.inspection.building():
+                self._draw(tape, number)
+        with unnoted():
+            panel.release()
+        state.restore(end)
+
+    def notice(self, text: str) -> None:
+        """Keep a sentence for the user."""
+        self.notices.append(text)
+
+    def _draw(self, tape: Tape, number: int) -> None:
+        """Draw a frame again, with the edits."""
+        self._begin(number)
+        for call in tape.frame:
+            if repeatable(call.name):
+                make_again(call)
+
+    def _cover(self, panel: Panel, size: tuple[int, int]) -> None:
+        """Draw the panel over the picture, whatever the program's state is."""
+        state.restore(self._new)
+        gl.glViewport(0, 0, *size)
+        panel.draw(size, left=self.inspection.image(1.0), cross=self.inspection.cross())
+
+    # The window.
+
+    def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
+        """Listen to the window."""
+        self._glfw, self._window, self._keys = glfw, window, keys
+        glfw.set_key_callback(window, lambda _, key, __, action, mods: self._key(key, action, mods))
+        glfw.set_mouse_button_callback(window, lambda _, *what: self._button(*what))
+        glfw.set_cursor_pos_callback(window, lambda _, x, y: self._motion(x, y))
+        glfw.set_scroll_callback(window, lambda _, x, y: self._scroll(x, y))
+        self._size = glfw.get_window_size(window)
+
+    def events(self, wait: bool = False) -> list[Event]:
+        """Return what the user did with the program; with ``wait``, once there is something."""
+        self._listen()
+        while wait and not self._coming:
+            self._glfw.wait_events_timeout(PAUSE)
+            self._listen()
+        coming, self._coming = self._coming, []
+        return coming
+
+    def _listen(self) -> bool:
+        """Take what the user did since; return False if the program must draw a frame now."""
+        glfw, window = self._glfw, self._window
+        glfw.poll_events()
+        size = glfw.get_window_size(window)
+        asked, self._hands.inspected = self._hands.inspected, []
+        scale = self._pixels()[0] / max(size[0], 1)
+        if self.inspection.listen(asked, scale):
+            self._toggle()
+        if glfw.window_should_close(window):
+            self._coming.append(Event(0, "close"))
+            return False
+        if size != self._size and 0 not in size:
+            self._size = size
+            self._coming.append(Event(0, "resize", value=size))
+            return False
+        return True
+
+    def _toggle(self) -> None:
+        self._hands.inspecting = self.inspection.toggle(self._language, "F12")
+
+    def _key(self, key: int, action: int, mods: int) -> None:
+        glfw = self._glfw
+        if key == glfw.KEY_F12:
+            if action == glfw.PRESS:
+                self._toggle()
+        elif self.inspection.open and inspect_pick(key, mods, system_name):
+            self._hands.key(key, action, mods)
+        elif key in self._keys and not self.inspection.holds:
+            self._add("key", self._keys[key], action, mods)
+
+    def _button(self, button: int, action: int, mods: int) -> None:
+        if self.inspection.open:
+            self._hands.button(button, action, mods, self._glfw.get_cursor_pos(self._window))
+            return
+        for name in BUTTONS:
+            if button == getattr(self._glfw, f"MOUSE_BUTTON_{name.upper()}"):
+                self._add("button", name, action, mods)
+
+    def _add(self, kind: str, name: str, action: int, mods: int) -> None:
+        glfw = self._glfw
+        actions = {glfw.PRESS: "press", glfw.RELEASE: "release", glfw.REPEAT: "repeat"}
+        bits = {"shift": glfw.MOD_SHIFT, "control": glfw.MOD_CONTROL, "alt": glfw.MOD_ALT}
+        held = frozenset(mod for mod, bit in bits.items() if mods & bit)
+        self._coming.append(Event(0, kind, name, actions[action], held))
+
+    def _motion(self, x: float, y: float) -> None:
+        if self.inspection.open:
+            self._hands.motion(x, y)
+        else:
+            self._coming.append(Event(0, "move", value=(x, y)))
+
+    def _scroll(self, x: float, y: float) -> None:
+        if self.inspection.open:
+            self._hands.wheel(y, self._glfw.get_cursor_pos(self._window))
+        else:
+            self._coming.append(Event(0, "scroll", value=(x, y)))
