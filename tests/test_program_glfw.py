@@ -366,6 +366,22 @@ def test_a_program_that_never_ends_is_ended(watch: Watcher, tmp_path: Path, name
     assert words in watch(path, 2, limit=0.4).error
 
 
+def test_a_thread_left_behind_goes_on_and_holds_nothing_up(watch: Watcher, write: Write) -> None:
+    path = write(
+        """
+        import threading, time
+        def spin():
+            while True:
+                time.sleep(0.001)
+        threading.Thread(target=spin).start()
+        glfw.swap_buffers(window)
+        """
+    )
+    assert watch(path).err == ""
+    again = watch(path)  # by now the first thread would have found its names gone
+    assert again.error == again.err == ""
+
+
 def test_a_program_cannot_swallow_its_end(watch: Watcher, write: Write) -> None:
     path = write(
         """

@@ -259,7 +259,7 @@ def run(
         stack.enter_context(patched(state.make))
         module = ModuleType("__main__")
         module.__dict__.update(__file__=str(path), __builtins__=__builtins__)
-        stack.callback(_forget, module)
+        stack.callback(_forget, module, set(threading.enumerate()))
         sys.modules["__main__"] = module
         stack.enter_context(state.clock.holding())
         state.watchdog = Watchdog(limit, lambda: state.stop(_late(state, limit)))
@@ -380,7 +380,11 @@ def _as_main(source: Source, arguments: list[str]) -> Iterator[None]:
                 del sys.modules[name]
 
 
-def _forget(module: ModuleType) -> None:
-    """Drop the program's objects: some delete OpenGL's in the context, which still is current."""
-    module.__dict__.clear()
+def _forget(module: ModuleType, threads: set[threading.Thread]) -> None:
+    """Drop the program's objects: some delete OpenGL's in the context, which still is current.
+
+    ``threads`` ran before: one that the program has left behind needs its objects.
+    """
+    if set(threading.enumerate()) <= threads:
+        module.__dict__.clear()
     gc.collect()

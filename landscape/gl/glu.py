@@ -43,8 +43,8 @@ def gluLookAt(*place: float) -> None:
     matrix[:3, 0] = side
     matrix[:3, 1] = np.cross(side, forward)
     matrix[:3, 2] = -forward
-    GL.glMultMatrixf(matrix)
-    GL.glTranslated(*(-eye).tolist())
+    GL.glMultMatrixf(matrix + np.float32(0.0))  # 0, not -0, where a trace shows it
+    GL.glTranslated(*(0.0 - eye).tolist())
 
 
 def _unit(vector: Any) -> Any:
