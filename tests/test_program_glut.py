@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from commands import need_library
+from commands import environment, landscape, need_library
 from watching import PROGRAMS, Watcher, screen
 
 Write = Callable[[str], Path]
@@ -241,3 +241,22 @@ def test_a_glfw_program_with_shapes_of_glut_draws_on_the_screen(
     assert seen.log[0][1:3] == ["glfw", "glfw"]
     assert seen.names["glutSolidSphere"] == 1
     assert seen.colours > 1
+
+
+def test_shapes_are_drawn_again_and_calls_are_shown_with_the_programs_lines(write: Write) -> None:
+    need_library("glut")
+    begin = BEGIN.replace("GLUT_DOUBLE", "GLUT_SINGLE").replace(
+        "glutSwapBuffers()", "glutSolidTeapot(0.5)\n    glFlush()"
+    )
+    path = write("glutMainLoop()", begin)
+    with screen() as name:
+        env = environment(DISPLAY=name)
+        calls = landscape("trace", path, "--frame", "1", "--json", env=env).json()
+        shown = [(call["name"], call["source"]) for call in calls[-3:]]
+        history = landscape("pixel", path, "32,24", "--frame", "1", "--json", env=env).json()
+    assert shown == [
+        *(("glClear", "program.py:8"), ("glutSolidTeapot", "program.py:9")),
+        ("glFlush", "program.py:10"),
+    ]
+    assert [row["name"] for row in history] == ["glClear", "glutSolidTeapot"]
+    assert history[-1]["color"][:3] == [255, 255, 255]

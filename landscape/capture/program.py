@@ -30,7 +30,7 @@ from landscape.capture.program_source import ProgramError, Source, read_source
 from landscape.capture.watchdog import Watchdog
 from landscape.errors import InputError, NoOpenGLError
 from landscape.gl.calls import gl, use_lists
-from landscape.gl.foreign import patched
+from landscape.gl.foreign import beside, patched
 
 SHADERS = {
     *("glCreateProgram", "glCreateShader", "glUseProgram", "glCreateShaderProgramv"),
@@ -190,29 +190,18 @@ class Run:
         """Return what takes the place of an OpenGL function."""
         made = self._observer.make(name, function)
         if name in SHADERS:
-
-            def telling(*args: Any, **named: Any) -> Any:
-                self.notice(
-                    "uses shaders; its calls are shown, but this tool explains fixed function"
-                )
-                return made(*args, **named)
-
-            return telling
+            text = "uses shaders; its calls are shown, but this tool explains fixed function"
+            return beside(made, before=lambda: self.notice(text))
         if name in ("glFlush", "glFinish"):
-
-            def showing(*args: Any) -> Any:
-                result = made(*args)
-                if self.drawing and self.window and not self.window.double_buffered:
-                    self.flushed()
-                return result
-
-            return showing
+            return beside(made, after=self._flushed)
         return made
 
-    def flushed(self) -> None:
-        """End a frame of a single-buffered window; GLUT replaces this."""
-        self.end_frame()
-        self.begin_frame()
+    def _flushed(self) -> None:
+        """End a frame of a single-buffered window; one of GLUT ends with its display callback."""
+        window = self.window
+        if self.drawing and window and not window.double_buffered and window.toolkit != "glut":
+            self.end_frame()
+            self.begin_frame()
 
 
 def _profile_mask() -> int:

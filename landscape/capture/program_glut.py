@@ -170,7 +170,6 @@ class _Glut:
         real.glutReshapeFunc(_nothing)
         size = lambda: self._size  # noqa: E731
         run.open(Window("glut", "glx", size, self._double_buffered))
-        run.flushed = _nothing  # type: ignore[method-assign]
         return self._window
 
     def glutCreateSubWindow(self, *args: Any) -> int:

@@ -38,11 +38,9 @@ class Calls:
         # platform is chosen.
         if not name.startswith(("gl", "GL")):
             raise AttributeError(name)
-        import OpenGL.GL
+        from landscape.gl.foreign import original
 
-        value = getattr(OpenGL.GL, name)
-        value = getattr(value, "__wrapped__", value)  # while a program's calls are noted
-        value = getattr(value, "__wrapped__", value)  # not what foreign.py has put in its place
+        value = original(name)
         if self.__dict__ is _noted and callable(value) and name.startswith("gl"):
             value = noting_function(name, value)
         self.__dict__[name] = value

@@ -41,17 +41,29 @@ OPAQUE = {
 _patched: list[dict[str, Callable[..., Any]]] = []
 
 
-def original(name: str) -> Callable[..., Any]:
-    """Return the function of OpenGL, GLU, GLUT or GLE of a name that ``make`` was given."""
+def original(name: str) -> Any:
+    """Return OpenGL's own function or enumerant of a name, whatever has taken its place.
+
+    What ``make`` was given by the names of GLU, GLUT and GLE is found, too.
+    """
+    import OpenGL.GL
+
+    if hasattr(OpenGL.GL, name):
+        return _unwrapped(getattr(OpenGL.GL, name))
     for names in reversed(_patched):
         if name in names:
             return names[name]
-    for package in ("GL", "GLUT", "GLU", "GLE"):
+    for package in ("GLUT", "GLU", "GLE"):
         module = sys.modules.get(f"OpenGL.{package}")
         if hasattr(module, name):
-            function = getattr(module, name)
-            return getattr(function, "__wrapped__", function)
+            return _unwrapped(getattr(module, name))
     raise AttributeError(f"no function {name} in OpenGL, GLU or GLUT")
+
+
+def _unwrapped(value: Any) -> Any:
+    while hasattr(value, "__wrapped__"):
+        value = value.__wrapped__
+    return value
 
 
 @contextmanager
@@ -134,6 +146,22 @@ class _Wrapper:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.__wrapped__, name)
+
+
+def beside(
+    function: Callable[..., Any],
+    before: Callable[[], Any] = lambda: None,
+    after: Callable[[], Any] = lambda: None,
+) -> Callable[..., Any]:
+    """Return ``function`` with something done before and after it; its caller stays its caller."""
+
+    def both(*args: Any, **named: Any) -> Any:
+        before()
+        result = function(*args, **named)
+        after()
+        return result
+
+    return both
 
 
 def library(name: str) -> ModuleType:
