@@ -82,9 +82,11 @@ def _changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, Any]:
 
 def _notify(options: argparse.Namespace, lines: Sequence[str]) -> None:
     """Print each line once on standard error, unless the user wants quiet."""
+    told: set[str] = vars(options).setdefault("told", set())
     for line in dict.fromkeys(lines):
-        if not options.quiet and sys.stderr is not None:
+        if line not in told and not options.quiet and sys.stderr is not None:
             print(f"landscape: {line}", file=sys.stderr)
+        told.add(line)
 
 
 def _tell_of_no_effect(

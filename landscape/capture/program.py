@@ -32,11 +32,7 @@ from landscape.errors import InputError, NoOpenGLError
 from landscape.gl.calls import gl, use_lists
 from landscape.gl.foreign import beside, patched
 
-SHADERS = {
-    *("glCreateProgram", "glCreateShader", "glUseProgram", "glCreateShaderProgramv"),
-    *("glCreateProgramObjectARB", "glCreateShaderObjectARB", "glUseProgramObjectARB"),
-    *("glBindProgramARB", "glProgramStringARB"),
-}
+SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
 LIMIT = 20.0  # seconds that a program may take to its frame, chosen
 
 
@@ -189,7 +185,7 @@ class Run:
     def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         """Return what takes the place of an OpenGL function."""
         made = self._observer.make(name, function)
-        if name in SHADERS:
+        if any(word in name for word in SHADERS):
             text = "uses shaders; its calls are shown, but this tool explains fixed function"
             return beside(made, before=lambda: self.notice(text))
         if name in ("glFlush", "glFinish"):
