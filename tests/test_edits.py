@@ -255,6 +255,15 @@ def test_edits_that_find_no_call_are_told_by_the_commands(density: Located, tmp_
     assert done.status == 0 and done.err == "" and "glFogf(GL_FOG_DENSITY, 0.4)" in done.out
 
 
+def test_a_file_is_read_before_a_platform_is_chosen(tmp_path: Path) -> None:
+    path, out = tmp_path / "edits.json", tmp_path / "a.png"
+    text = '{"version": 1, "edits": [{"call": {CALL}, "argument": 1, "value": "GL_EXP"}]}'
+    path.write_text(text.replace("{CALL}", CALL))
+    words = ("render", "fig35a", "--preset", "2006", "--size", "64x48", "--only", "sky,fog")
+    done = landscape(*words, "--edits", path, "--out", out)
+    assert done.status == 0 and out.exists(), done.err
+
+
 BAD = {
     "not JSON": "{",
     "another file": '{"version": 1}',

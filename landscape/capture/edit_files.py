@@ -18,7 +18,9 @@ from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
-from landscape.capture.edits import Edit, Key, ListKey, enumerant
+from landscape.capture.edits import Edit, Key, ListKey
+from landscape.capture.spec_enumerants import BY_PNAME, GROUPS
+from landscape.capture.spec_table import names
 from landscape.errors import InputError, short
 from landscape.files.input import read_bounded
 from landscape.files.output import write_whole
@@ -133,14 +135,21 @@ def _value(value: Any, where: str) -> Any:
         if 0 < len(value) <= 64 and all(_is_number(each) for each in value):
             return value
     elif isinstance(value, str):
-        try:
-            enumerant(value)
-            return value
-        except KeyError as error:
-            raise InputError(f"{where}: {short(error.args[0])}: no enumerant of OpenGL") from None
+        # Asking PyOpenGL would bind it to a platform before one is chosen.
+        unknown = [name.strip() for name in value.split("|") if name.strip() not in _enumerants()]
+        if unknown:
+            raise InputError(f"{where}: {short(unknown[0])}: no enumerant of OpenGL 1.5")
+        return value
     elif isinstance(value, bool) or _is_number(value):
         return value
     raise InputError(f"{where}: {short(value)}: expected a number, a list of them, or GL_... names")
+
+
+@functools.cache
+def _enumerants() -> frozenset[str]:
+    """Return the names of all enumerants that an argument may have."""
+    groups = (*GROUPS, *BY_PNAME)
+    return frozenset(name for group in groups for name in names(group))
 
 
 def _is_number(value: Any) -> bool:
