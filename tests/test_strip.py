@@ -282,6 +282,29 @@ def test_a_program_that_never_clears_keeps_what_was_there(taped: Callable[[Taped
     assert color(last)[middle, width // 4].tolist() == [51, 102, 153]
 
 
+def test_a_quad_of_a_display_list_is_split_as_it_was(taped: Callable[[Taped], Tape]) -> None:
+    names = []
+
+    def draw() -> None:
+        clear()
+        names.append(gl.glGenLists(1))
+        gl.glNewList(names[0], gl.GL_COMPILE)
+        gl.glBegin(gl.GL_QUADS)
+        for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            # Along one diagonal the quad is white, or else along the other one it is black.
+            gl.glColor3f(*(3 * [float(x == y)]))
+            gl.glVertex3f(x, y, 0.0)
+        gl.glEnd()
+        gl.glEndList()
+        gl.glCallList(names[0])
+
+    tape = taped(draw)
+    frame = read_pixels(tape.size)
+    assert np.array_equal(color(strip(tape, "draw")[-1]), frame)
+    with unnoted():
+        gl.glDeleteLists(names[0], 1)
+
+
 SMALL = Target("fig35e", SIZE, preset="2006", only=("ground", "sky", "trees"))
 
 

@@ -28,7 +28,7 @@ WRITERS: dict[str, Callable[[Page, Iterable[Cell]], bytes | list[bytes]]] = {
 }
 FORMATS = tuple(WRITERS)
 # Pictures that an output holds, chosen: a sheet that can be read, and what memory can hold.
-MOST = {".png": 240, ".gif": 400, ".html": 2000}
+MOST = {".png": 160, ".gif": 400, ".html": 2000}
 
 
 @dataclass(frozen=True)

@@ -38,7 +38,7 @@ h2 span { color: #5c5e62; margin-right: .5em; }
 figure { margin: 0; flex: 1 1 18rem; max-width: max-content; }
 img { display: block; max-width: 100%; height: auto; border: 1px solid #bec0c4; }
 figcaption, .missing { color: #5c5e62; font-size: .9rem; }
-.missing { padding: 2rem; background: #eceef0; }
+.missing { display: grid; place-items: center; margin: 0; max-width: 100%; background: #eceef0; }
 summary { cursor: pointer; margin: .6rem 0; }
 .calls { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .85rem; }
@@ -104,7 +104,9 @@ def _step(page: Page, cell: Cell) -> Iterable[str]:
         what = text(page.language, name)
         yield "<figure>"
         if isinstance(picture, str):
-            yield f'<p class="missing">{escape(picture)}</p>'
+            width, height = page.size
+            shape = f"width:{width}px;aspect-ratio:{width}/{height}"
+            yield f'<p class="missing" style="{shape}">{escape(picture)}</p>'
         else:
             alt = text(page.language, "alt", what=what, number=cell.label, title=cell.title)
             exact = name != "color" or page.count * len(page.buffers) <= EXACT
