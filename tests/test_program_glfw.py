@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import TESTS, environment, need_library, python
+from commands import TESTS, environment, landscape, need_library, python
 from watching import PROGRAMS, Seen, Watcher
 
 PATHS = f"{TESTS.parent}{os.pathsep}{TESTS}"
@@ -458,6 +458,21 @@ def test_a_program_with_shaders_is_followed_with_a_notice(watch: Watcher, write:
     assert [notice.split(": ", 1)[1] for notice in seen.notices] == [
         "uses shaders; its calls are shown, but this tool explains fixed function"
     ]
+
+
+def test_a_shaders_text_is_traced(write: Write) -> None:
+    path = write(
+        """
+        for text in ("void main() {}", [b"void main() {}"]):
+            glShaderSource(glCreateShader(GL_VERTEX_SHADER), text)
+        glfw.swap_buffers(window)
+        """
+    )
+    done = landscape("trace", path)
+    assert done.status == 0, done.err
+    assert done.out.count("glShaderSource(") == 2
+    names = [call["name"] for call in landscape("trace", path, "--json").json()]
+    assert names.count("glShaderSource") == 2
 
 
 def test_a_core_profile_is_followed_with_a_notice(watch: Watcher, write: Write) -> None:

@@ -279,7 +279,7 @@ def brief(value: Any) -> str:
     """Return an argument, given as JSON, in a few characters."""
     if isinstance(value, dict) and "values" in value:
         values = value["values"]
-        if len(values) <= 16:
+        if len(values) <= 16 and all(isinstance(v, (int, float)) for v in values):
             return "[" + ", ".join(f"{v:g}" for v in values) + "]"
         return f"{value['dtype']}{value['shape']}"
     return f"{value:g}" if isinstance(value, float) else str(value)

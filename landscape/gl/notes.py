@@ -20,6 +20,7 @@ BITS = (
     *("CURRENT", "POINT", "LINE", "POLYGON", "LIGHTING", "FOG", "DEPTH_BUFFER", "STENCIL_BUFFER"),
     *("VIEWPORT", "TRANSFORM", "ENABLE", "COLOR_BUFFER", "HINT", "LIST", "TEXTURE"),
 )
+NUMBERS = (bool, int, float)
 FIRST = 64  # chosen: values of an array that a trace shows
 
 
@@ -158,7 +159,7 @@ def plain(value: Any) -> Any:
         return value.item()
     if isinstance(value, (list, tuple, np.ndarray)):
         array = np.asarray(value)
-        first = array.flat[:FIRST].tolist()
+        first = [v if isinstance(v, NUMBERS) else plain(v) for v in array.flat[:FIRST].tolist()]
         return {"shape": list(array.shape), "dtype": str(array.dtype), "values": first}
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
