@@ -85,7 +85,7 @@ def picture(
     most = int(room * MOST_DETAILS)
     lines = sum(len(each) for _, each in blocks)
     rows = max(room - min(lines, most), 1)
-    first, shown = visible(model, rows)
+    first, shown = visible(model, rows, language)
 
     y: float = pixels // 2 + 2
     draw.spans(pixels, y, head(model, language), inner)

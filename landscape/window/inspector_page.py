@@ -11,6 +11,7 @@ from landscape.window import words
 from landscape.window.inspector import Inspector
 from landscape.window.inspector_tree import Node
 from landscape.window.inspector_values import Cell, cells, current
+from landscape.window.inspector_words import arithmetic, outcome
 
 Target = tuple[Any, ...]
 ENUM_KINDS = ("enum", "mask", "boolean")
@@ -55,12 +56,12 @@ class Block:
     label: str = ""
 
 
-def visible(model: Inspector, count: int) -> tuple[int, list[Line]]:
+def visible(model: Inspector, count: int, language: str) -> tuple[int, list[Line]]:
     """Return the first of the rows shown, and at most ``count`` lines of the list."""
     if model.history is not None:
         first = _window(model.fragment, len(model.history), count, None)
         some = model.history[first : first + count]
-        return first, [_fragment(model, row, first + k) for k, row in enumerate(some)]
+        return first, [_fragment(model, row, first + k, language) for k, row in enumerate(some)]
     first = _window(model.index, len(model.rows), count, model.first)
     return first, [
         _line(model, node, first + k) for k, node in enumerate(model.rows[first : first + count])
@@ -114,7 +115,7 @@ def _style(name: str, index: int, args: Sequence[Any]) -> str:
     return "dim" if kind in ("array", "offset", "object") else "number"
 
 
-def _fragment(model: Inspector, row: Row, index: int) -> Line:
+def _fragment(model: Inspector, row: Row, index: int, language: str) -> Line:
     """Return a row of the pixel's history."""
     call = row.call
     red, green, blue, _ = row.pixel.color
@@ -122,7 +123,7 @@ def _fragment(model: Inspector, row: Row, index: int) -> Line:
     which = "" if row.primitive is None else f"  {row.primitive}"
     spans = (
         Span("", swatch=(red, green, blue)),
-        Span(row.outcome, style, column=4.2),
+        Span(outcome(row.outcome, language), style, column=4.2),
         Span(call.element, "element", column=5.0),
         Span(call.name, "name"),
         Span(which, "dim"),
@@ -152,7 +153,7 @@ def details(model: Inspector, language: str) -> Iterator[Block]:
     """Yield what is said about the chosen row."""
     node = model.node
     if model.history is not None and model.history:
-        yield from _history(model.history[model.fragment])
+        yield from _history(model.history[model.fragment], language)
     if node is None:
         return
     if node.found is None:
@@ -174,12 +175,13 @@ def details(model: Inspector, language: str) -> Iterator[Block]:
         yield from _effect(model, node, language)
 
 
-def _history(row: Row) -> Iterator[Block]:
+def _history(row: Row, language: str) -> Iterator[Block]:
     """Yield the arithmetic of a fragment, and what the pixel held afterwards."""
     for part in row.arithmetic.split("; "):
-        yield Block((Span(part, "number"),))
+        yield Block((Span(arithmetic(part, language), "number"),))
     pixel = row.pixel
-    depth = "" if pixel.depth is None else f"   depth {pixel.depth:.6f}"
+    far = "depth" if language == "en" else "profondeur"
+    depth = "" if pixel.depth is None else f"   {far} {pixel.depth:.6f}"
     stencil = "" if pixel.stencil is None else f"   stencil {pixel.stencil}"
     rgba = " ".join(map(str, pixel.color))
     yield Block((Span(f"→ RGBA {rgba}{depth}{stencil}", "dim"),))
