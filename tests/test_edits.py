@@ -276,6 +276,8 @@ BAD = {
     '"value": {"a": 1}}]}',
     "a negative argument": '{"version": 1, "edits": [{"call": {CALL}, "argument": -1, '
     '"value": 1}]}',
+    "a call that must be made": '{"version": 1, "edits": [{"call": {"name": "glGenLists", '
+    '"element": "", "pass": "", "file": "", "function": "", "text": ""}, "skip": true}]}',
     "no function of OpenGL": '{"version": 1, "edits": [{"call": {"name": "os.system", '
     '"element": "", "pass": "", "file": "", "function": "", "text": ""}, "skip": true}]}',
 }
@@ -294,6 +296,28 @@ def test_a_bad_file_of_edits_is_refused_in_one_line_that_names_it(
     with pytest.raises(InputError, match=r"edits\.json: ") as caught:
         read(path)
     assert "\n" not in str(caught.value)
+
+
+MISFITS = {
+    "text for a number": (0, "glFogf(", 1, [1, 2, 3], None),
+    "a component that is not there": (0, "glFogfv(", 1, 0.5, 4),
+    "an argument that is not there": (0, "glFogf(", 7, 0.5, None),
+    "more vertices than there are": (1, "glDrawElements(", 1, 1 << 30, None),
+    "another type of index": (1, "glDrawElements(", 2, "GL_UNSIGNED_BYTE", None),
+    "half a texture": (1, "glBindTexture(", 1, 0.5, None),
+}
+
+
+@pytest.mark.parametrize("name", MISFITS)
+def test_a_value_that_does_not_fit_its_argument_is_refused_in_one_line(name: str) -> None:
+    which, call, argument, value, component = MISFITS[name]
+    case = (CASES["fog density"], CASES["clip plane"])[which]._replace(call=call)
+    with opened(case) as offscreen, offscreen.taped(case.view) as tape:
+        found = next(calls_like(tape, case))
+    with opened(case, Edits([found.edit(argument, value, component)])) as offscreen:
+        with pytest.raises(InputError, match=f"edits: edit 1: {found.call.name}, argument"):
+            offscreen.look(case.view)
+            offscreen.draw()
 
 
 def test_the_command_refuses_a_missing_file() -> None:

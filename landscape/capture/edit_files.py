@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape.capture.edits import Edit, Key, ListKey
+from landscape.capture.safe import may_be_left_out
 from landscape.capture.spec_enumerants import BY_PNAME, GROUPS
 from landscape.capture.spec_table import names
 from landscape.errors import InputError, short
@@ -84,6 +85,8 @@ def _edit(entry: Any, where: str) -> Edit:
     shown = call.get("was", "")
     edit = Edit(key, occurrence, shown=shown if isinstance(shown, str) else "")
     if entry.get("skip") is True:
+        if not may_be_left_out(key.name):
+            raise InputError(f"{where}: {key.name} cannot be left out: the program needs it")
         return replace(edit, skip=True)
     if "value" not in entry or "argument" not in entry:
         raise InputError(f'{where}: expected "argument" and "value", or "skip": true')

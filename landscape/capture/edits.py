@@ -14,8 +14,13 @@ from typing import Any
 
 import numpy as np
 
+from landscape.capture import spec
+from landscape.capture.safe import may_be_changed, most
+from landscape.errors import InputError, short
 from landscape.gl.calls import Call, Listing, Site, gl
 from landscape.gl.notes import plain
+
+WHOLE = ("int", "count", "object", "bits", "enum", "mask", "boolean")
 
 # How many first arguments say what a call sets, by the beginning of its name.
 SELECTORS = (
@@ -150,11 +155,37 @@ def edited_value(former: Any, value: Any, component: int | None = None) -> Any:
     return value
 
 
+class NotAllowed(ValueError):
+    """OpenGL could crash with this value."""
+
+
+def fitting(edit: Edit, args: Sequence[Any]) -> Any:
+    """Return what an edit makes of its argument; ValueError and the like where it cannot."""
+    name, index = edit.key.name, edit.argument
+    former = args[index]
+    value = edited_value(former, edit.value, edit.component)
+    whole = spec.kind_of(name, index, args) in WHOLE and not isinstance(former, float)
+    if whole and isinstance(value, float):
+        if not value.is_integer():
+            raise NotAllowed("expected a whole number")
+        value = int(value)
+    if not may_be_changed(name, index, args):
+        raise NotAllowed("it says what OpenGL reads from memory, or the program needs it")
+    limit = most(name, index, args)
+    if limit is not None and not 0 <= value <= limit:
+        raise NotAllowed(f"expected 0 to {limit:g}, as there are no more vertices")
+    return value
+
+
 @dataclass
 class Edits:
-    """The edits in force; the seam asks :meth:`change` at each call while they are installed."""
+    """The edits in force; the seam asks :meth:`change` at each call while they are installed.
+
+    It raises InputError for a value that does not fit its argument.
+    """
 
     edits: Sequence[Edit] = ()
+    origin: str = "edits"  # where they come from, for messages
     found: set[int] = field(default_factory=set)  # indices of edits that have found their call
 
     def __post_init__(self) -> None:
@@ -209,9 +240,14 @@ class Edits:
             self.found.add(index)
             if edit.skip:
                 return None
-            if edit.argument < len(changed):
-                former = changed[edit.argument]
-                changed[edit.argument] = edited_value(former, edit.value, edit.component)
+            try:
+                changed[edit.argument] = fitting(edit, changed)
+            except (TypeError, ValueError, IndexError) as error:
+                where = f"{self.origin}: edit {index + 1}: {edit.key.name}, argument"
+                reason = f": {error}" if isinstance(error, NotAllowed) else ""
+                raise InputError(
+                    f"{where} {edit.argument}: it cannot be {short(edit.value)}{reason}"
+                ) from None
         return tuple(changed) if indices else args
 
     def missed(self) -> list[str]:

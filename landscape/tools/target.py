@@ -52,7 +52,7 @@ class Target:
         edits = None
         if self.edits:
             folder = Path(self.name).resolve().parent if self.is_program else None
-            edits = Edits(read(self.edits, folder))
+            edits = Edits(read(self.edits, folder), str(self.edits))
 
         def look(tape: Tape) -> T:
             self.tell(tape.notices)

@@ -54,19 +54,16 @@ class Hands:
         self._switches: list[str] = []
         self._look = [0.0, 0.0]
         self._last: tuple[float, float] | None = None
+        self._at = 0.0, 0.0  # where the mouse was at the last report
 
     def listen(self, window: Any) -> None:
         """Note what happens in a GLFW window."""
         glfw.set_key_callback(window, lambda _, key, __, action, mods: self.key(key, action, mods))
         glfw.set_mouse_button_callback(
-            window,
-            lambda at, button, action, mods: self.button(
-                button, action, mods, glfw.get_cursor_pos(at)
-            ),
+            window, lambda _, button, action, mods: self.button(button, action, mods)
         )
-        glfw.set_scroll_callback(
-            window, lambda at, _, notches: self.wheel(notches, glfw.get_cursor_pos(at))
-        )
+        glfw.set_scroll_callback(window, lambda _, __, notches: self.wheel(notches))
+        self._at = glfw.get_cursor_pos(window)
         glfw.set_cursor_pos_callback(window, lambda _, x, y: self.motion(x, y))
         glfw.set_window_focus_callback(window, lambda _, on: self.focus(bool(on)))
 
@@ -111,17 +108,15 @@ class Hands:
         letters = {place: letter for letter, place in layout(self._name).items()}
         return LETTERS[letters[key]] if key in letters else ""
 
-    def button(
-        self, button: int, action: int, mods: int = 0, at: tuple[float, float] = (0.0, 0.0)
-    ) -> None:
+    def button(self, button: int, action: int, mods: int = 0) -> None:
         """Capture the mouse at the first click, strike at later ones; or give it to the inspector.
 
-        ``at`` is where the mouse is.
+        There it counts where the mouse was then: now it may be somewhere else already.
         """
         if self.inspecting:
             if button == glfw.MOUSE_BUTTON_LEFT:
                 what = "press" if action == glfw.PRESS else "release"
-                self.inspected.append((what, *at, float(bool(mods & glfw.MOD_SHIFT))))
+                self.inspected.append((what, *self._at, float(bool(mods & glfw.MOD_SHIFT))))
             return
         if button == glfw.MOUSE_BUTTON_LEFT and action == glfw.PRESS:
             if self.captured:
@@ -129,13 +124,14 @@ class Hands:
             else:
                 self.orders.append("capture")
 
-    def wheel(self, notches: float, at: tuple[float, float]) -> None:
+    def wheel(self, notches: float) -> None:
         """Note that the wheel was turned, up where ``notches`` is positive."""
         if self.inspecting:
-            self.inspected.append(("wheel", *at, notches))
+            self.inspected.append(("wheel", *self._at, notches))
 
     def motion(self, x: float, y: float) -> None:
         """Note that the mouse is at x, y in pixels; its motion turns the view."""
+        self._at = x, y
         if self.inspecting:
             self.inspected.append(("move", x, y, float(not self._held.isdisjoint(SHIFTS))))
         if not self.captured:

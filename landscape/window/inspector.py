@@ -95,9 +95,10 @@ class Inspector:
 
     @property
     def cell(self) -> Cell | None:
-        """The chosen cell; the first that can be changed where none was chosen."""
+        """The chosen cell; where none was chosen, the first number, or else the last enumerant."""
         free = [cell for cell in self.cells() if cell.kind != "fixed"]
-        return next((cell for cell in free if cell.place == self.place), free[0] if free else None)
+        usual = next((cell for cell in free if cell.kind == "number"), free[-1] if free else None)
+        return next((cell for cell in free if cell.place == self.place), usual)
 
     def edits_of(self, found: Located) -> list[Edit]:
         """Return the edits of a call."""

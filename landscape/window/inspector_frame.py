@@ -3,12 +3,14 @@
 With the inspector closed and no edits, a frame is drawn as ever, and nothing is noted.
 
 An edit of a call inside a display list takes effect when that list is compiled again. And an edit
-may leave state behind, for instance where a glDisable is left out: so each frame with edits, and
-the first one after them, begins in the state in which frames began before.
+may leave state behind, for instance where a glDisable is left out: so each frame with such edits
+begins in the state in which the walk's first frame began. So does each frame that is listed: a call
+is not redundant only because the frame before has made it, too.
 """
 
+import contextlib
 import time
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -29,26 +31,45 @@ from landscape.window.inspector_image import Picture, cross_image, picture
 EVERY = 0.25  # chosen: seconds between recordings while the walk goes on
 QUIET = 0.3  # chosen: seconds without a change, after which the effects of all calls are read
 ASKED = {"pixel", "under"}  # what is asked about a pixel: all its draws, or the one that is seen
+# Variables that each frame sets anew, and that depend on where the walker stands.
+OF_THE_EYE = ("_MATRIX", "_STACK", "GL_POSITION", "GL_SPOT_DIRECTION", ".equation", "EYE_PLANE")
 ARMS = 40  # chosen: arms of the cross-hair that fill the window's height
 MARGIN = 48  # chosen: margins of the panel that fill the window's height
+
+
+def leaks(edits: Sequence[Edit], usual: Mapping[str, Any] | None) -> bool:
+    """Whether a frame with the edits, just drawn, has left other state behind than is ``usual``.
+
+    What follows the walker's eye does not count, and a number is set by the same call again.
+    """
+    if not any(edit.skip or isinstance(edit.value, (str, bool)) for edit in edits):
+        return False
+    left = state.difference(usual, state.read()) if usual is not None else {"": []}
+    return any(not name.endswith(OF_THE_EYE) for name in left)
 
 
 class Inspection:
     """An inspector, and the frames that it looks into."""
 
-    def __init__(self, given: Sequence[Edit], language: str) -> None:
-        """Begin closed; ``given`` are edits from a file."""
+    def __init__(self, given: Sequence[Edit], language: str, rewinds: bool = True) -> None:
+        """Begin closed; ``given`` are edits from a file.
+
+        Without ``rewinds`` whoever draws sets the state in which a frame begins.
+        """
         self.model = Inspector(given)
         self._language = language
         self._given = list(given)
         self._found: set[int] = set()
         self._edits = Edits(given)
-        self._begins: dict[str, Any] | None = None  # the state in which frames begin without edits
+        self._rewinds = rewinds
+        self._first: dict[str, Any] | None = None  # the state in which the first frame began
+        self._usual: dict[str, Any] | None = None  # what frames without edits leave behind
+        self._leaks = bool(given)  # whether frames with the edits leave state behind
         self._tape: Tape | None = None
         self._listed: Hashable = None  # what the frame listed was drawn from
         self._recorded = self._changed = 0.0  # when
         self._read = False  # whether the effects have been read
-        self._picture: Picture | None = None
+        self.shown: Picture | None = None
         self._letters: dict[str, str] = {}
         self._size = (0, 0)
 
@@ -126,17 +147,21 @@ class Inspection:
         ``shows`` is what the frame depends on, beside the edits.
         """
         self._size = size
-        if self.model.edits != self._edits.edits:
+        if self._first is None:
+            self._first = state.read()
+        changed = self.model.edits != self._edits.edits
+        if changed:
             self._install()
-        if self._edits.edits or self._begins is not None:
+        listed = self.model.open and self._due(shows)
+        if self._rewinds and (changed or listed or self._leaks):
             self._rewind()
         with self.building():
-            if not self.model.open:
-                draw()
-            elif self._due(shows):
+            if listed:
                 self._record(draw, size, shows)
             else:
                 draw()
+        if self._rewinds and changed:
+            self._leaks = leaks(self._edits.edits, self._usual)
         if self.model.open:
             self._look(size)
 
@@ -145,24 +170,19 @@ class Inspection:
         before, after = self._edits.edits, self.model.edits
         differ = [edit for edit in (*before, *after) if edit not in before or edit not in after]
         self._found |= self._edits_found()
-        if self._begins is None:
-            self._begins = state.read()
+        if not before:
+            self._usual = state.read()
         self._edits = Edits(after)
         recompile({edit.key.list for edit in differ if edit.key.list is not None}, self._edits)
         self._listed = None
         self._changed = time.monotonic()
 
     def _rewind(self) -> None:
-        """Begin a frame as frames began before the edits."""
-        try:
-            if self._begins is None:
-                self._begins = state.read()
-            else:
-                state.restore(self._begins)
-        except state.StateError:
-            self._begins = None
-        if not self._edits.edits:
-            self._begins = None
+        """Begin the frame as the first one began."""
+        assert self._first is not None
+        # An object that was bound then may be gone.
+        with contextlib.suppress(state.StateError):
+            state.restore(self._first)
 
     def _due(self, shows: Hashable) -> bool:
         """Whether this frame is to be listed."""
@@ -230,8 +250,8 @@ class Inspection:
         size = self._size
 
         def make() -> Any:
-            self._picture = picture(self.model, size, dpi, self._language, self._letters)
-            return self._picture.image
+            self.shown = picture(self.model, size, dpi, self._language, self._letters)
+            return self.shown.image
 
         return (self.model.version, self._language, tuple(self._letters.items())), make
 
@@ -252,16 +272,16 @@ class Inspection:
             model.drag(x, extra > 0)
         elif what == "release":
             model.release(extra > 0)
-        elif self._picture is not None:
-            height = self._picture.image.shape[0]
+        elif self.shown is not None:
+            height = self.shown.image.shape[0]
             left, top = self._size[1] // MARGIN, self._size[1] - height
             top -= top // 2
-            width = self._picture.image.shape[1]
+            width = self.shown.image.shape[1]
             inside = left <= x < left + width and top <= y < top + height
             if what == "wheel" and inside:
-                model.wheel(extra, self._picture.first)
+                model.wheel(extra, self.shown.first)
             elif what == "press" and inside:
-                target = self._picture.at(x - left, y - top)
+                target = self.shown.at(x - left, y - top)
                 if target is not None:
                     model.click(target, x)
             elif what == "press":

@@ -116,7 +116,9 @@ def _of(name: str, index: int, args: Sequence[Any], given: Sequence[Any]) -> lis
         return [replace(whole, kind="boolean", value=bool(value))]
     if kind == "enum":
         choices = _choices(name, index, args)
-        return [replace(whole, kind="enum", value=text, choices=choices)] if choices else [whole]
+        if len(choices) < 2:
+            return [whole]
+        return [replace(whole, kind="enum", value=text, choices=choices)]
     counted = kind in ("int", "count", "bits", "object")
     return [replace(whole, kind="number", value=value, low=low, high=high, whole=counted)]
 

@@ -56,7 +56,7 @@ class ProgramInspector(ExitStack):
     def __init__(self, given: Any, language: str) -> None:
         """Begin open."""
         super().__init__()
-        self.inspection = Inspection(given, language)
+        self.inspection = Inspection(given, language, rewinds=False)
         self.notices: list[str] = []
         self._language = language
         self._hands = Hands(system_name)
@@ -190,7 +190,7 @@ class ProgramInspector(ExitStack):
 
     def _button(self, button: int, action: int, mods: int) -> None:
         if self.inspection.open:
-            self._hands.button(button, action, mods, self._glfw.get_cursor_pos(self._window))
+            self._hands.button(button, action, mods)
             return
         for name in BUTTONS:
             if button == getattr(self._glfw, f"MOUSE_BUTTON_{name.upper()}"):
@@ -204,13 +204,12 @@ class ProgramInspector(ExitStack):
         self._coming.append(Event(0, kind, name, actions[action], held))
 
     def _motion(self, x: float, y: float) -> None:
-        if self.inspection.open:
-            self._hands.motion(x, y)
-        else:
+        self._hands.motion(x, y)
+        if not self.inspection.open:
             self._coming.append(Event(0, "move", value=(x, y)))
 
     def _scroll(self, x: float, y: float) -> None:
         if self.inspection.open:
-            self._hands.wheel(y, self._glfw.get_cursor_pos(self._window))
+            self._hands.wheel(y)
         else:
             self._coming.append(Event(0, "scroll", value=(x, y)))

@@ -1,0 +1,254 @@
+"""The inspector in a window, with real keys and a real mouse under Xvfb.
+
+The walk runs in a process of its own. It writes a line of JSON for each frame whose content is new:
+what is chosen, the edits, where things are in the panel, and a hash of the picture without it.
+"""
+
+import json
+import os
+import selectors
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from commands import environment
+
+from landscape.capture.edit_files import read
+
+pytestmark = pytest.mark.window
+
+WALK = """
+import hashlib, json, sys
+from landscape.capture.edits import as_code
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.keys import with_settings
+from landscape.settings import preset
+from landscape.window.app import Walk, run
+from landscape.window.recording import Plan
+
+class Watched(Walk):
+    told, pressed = "", 0
+    def advance(self, tick):
+        super().advance(tick)
+        press = self.inspection.model.press
+        if press.__name__ == "press":
+            def counted(pick):
+                self.pressed += 1
+                press(pick)
+            self.inspection.model.press = counted
+    def draw(self):
+        inspection = self.inspection
+        drawn = inspection.draw
+        def noting(*args):
+            drawn(*args)
+            self.seen = self.pixels()
+        inspection.draw = noting
+        super().draw()
+        inspection.draw = drawn
+    def present(self):
+        super().present()
+        model, shown = self.inspection.model, self.inspection.shown
+        found = model.found
+        margin = self._size[1] // 48
+        top = (self._size[1] - shown.image.shape[0]) // 2 if shown else 0
+        entry = {
+            "pressed": self.pressed,
+            "open": model.open, "stopped": model.stopped, "calls": model.tree.count,
+            "node": model.node.name if model.node else "",
+            "call": as_code(found.call) if found else "",
+            "inside": bool(found and found.key.list), "off": bool(found and model.is_off(found)),
+            "edits": [[e.key.name, e.value, e.skip] for e in model.edits],
+            "history": [row.outcome for row in model.history or ()],
+            "effects": len(model.effects), "said": model.said[0],
+            "boxes": [[margin + (x + right) / 2, top + (y + below) / 2, list(target)]
+                      for x, y, right, below, target in (shown.boxes if shown else ())],
+            "hash": hashlib.sha256(self.seen).hexdigest(),
+        }
+        line = json.dumps(entry)
+        if line != self.told:
+            self.told = line
+            print(line, flush=True)
+
+pose = Pose(*json.loads(sys.argv[1]))
+changes = {"ground.resolution": 40, "clock.kt_per_second": 0.0} | json.loads(sys.argv[2])
+values = with_settings(preset("2006"), changes)
+plan = Plan("island", values, "", pose, (640, 480), 20.0, 2006, ("ground", "water", "sky", "fog"))
+with Watched(plan, Assets()) as walk:
+    run(walk)
+"""
+POSE = (20.0, None, 30.0, 190.0, -8.0)
+
+
+class Driven:
+    """A walk that is driven by keys and the mouse, and tells what it shows."""
+
+    def __init__(self, screen: dict[str, str], folder: Path, **settings: float) -> None:
+        self._screen, self._now = screen, {}
+        self._process = subprocess.Popen(
+            [sys.executable, "-c", WALK, json.dumps(POSE), json.dumps(settings)],
+            env=screen, cwd=folder, stdout=subprocess.PIPE,
+        )  # fmt: skip
+        self._lines = self._process.stdout
+        assert self._lines is not None
+        os.set_blocking(self._lines.fileno(), False)
+        self._selector = selectors.DefaultSelector()
+        self._selector.register(self._lines, selectors.EVENT_READ)
+        self._rest = b""
+        self.window = self.tool("search", "--sync", "--onlyvisible", "--name", "^landscape")
+        self.tool("windowfocus", "--sync", self.window)
+
+    def tool(self, *words: str) -> str:
+        done = subprocess.run(
+            ["xdotool", *words], env=self._screen, capture_output=True, text=True, timeout=30
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout.strip()
+
+    def until(self, condition: Callable[[dict[str, Any]], Any], what: str) -> dict[str, Any]:
+        """Return the first frame from now on of which the condition is true."""
+        deadline = time.monotonic() + 20
+        while not (self._now and condition(self._now)):
+            assert time.monotonic() < deadline, f"waited in vain for {what}: {self._now}"
+            assert self._process.poll() is None, f"the walk ended while waiting for {what}"
+            self._selector.select(0.2)
+            self._rest += self._lines.read() or b""
+            *lines, self._rest = self._rest.split(b"\n")
+            for line in lines:
+                self._now = json.loads(line)
+                if condition(self._now):
+                    break
+            else:
+                continue
+            self._rest = b"\n".join([*lines[lines.index(line) + 1 :], self._rest])
+        return self._now
+
+    def key(self, key: str) -> None:
+        """Press a key and wait until the inspector has taken it."""
+        pressed = self._now["pressed"] + 1
+        self.tool("key", key)
+        self.until(lambda now: now["pressed"] == pressed, f"the key {key}")
+
+    def open(self) -> dict[str, Any]:
+        """Open the inspector; return what it shows when it has looked into the frame."""
+        self.tool("key", "i")
+        return self.until(lambda now: now["effects"], "the effects of the calls")
+
+    def go(self, key: str, condition: Callable[[dict[str, Any]], Any], what: str) -> dict[str, Any]:
+        """Press a key until the condition is true, at most 60 times."""
+        for _ in range(60):
+            if condition(self._now):
+                return self._now
+            self.key(key)
+        raise AssertionError(f"{what} was not reached: {self._now}")
+
+    def place(self, *target: Any) -> tuple[int, int]:
+        """Return where a target of the panel is."""
+        wanted = json.loads(json.dumps(target))
+        return next((int(x), int(y)) for x, y, what in self._now["boxes"] if what == wanted)
+
+    def end(self) -> None:
+        self._process.kill()
+        self._process.wait()
+        self._selector.close()
+        self._lines.close()
+
+
+@pytest.fixture(scope="module")
+def screen() -> Iterator[dict[str, str]]:
+    """An environment with a screen of its own."""
+    for tool in ("Xvfb", "xdotool"):
+        if shutil.which(tool) is None:
+            pytest.skip(f"{tool} is not installed (see system-packages.txt)")
+    read_end, write_end = os.pipe()
+    words = ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "800x600x24", "-nolisten", "tcp"]
+    server = subprocess.Popen(words, pass_fds=[write_end], stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    try:
+        with os.fdopen(read_end) as numbers:
+            number = numbers.readline().strip()
+        yield environment(DISPLAY=f":{number}", LANG="C")
+    finally:
+        server.terminate()
+        server.wait()
+
+
+@pytest.fixture
+def driven(screen: dict[str, str], tmp_path: Path) -> Iterator[Driven]:
+    walk = Driven(screen, tmp_path)
+    try:
+        walk.until(lambda now: now["hash"], "the first frame")
+        yield walk
+    finally:
+        walk.end()
+
+
+def test_keys_open_it_change_the_fog_and_undo_it(
+    driven: Driven, screen: dict[str, str], tmp_path: Path
+) -> None:
+    plain = driven.until(lambda now: now["hash"], "a frame")["hash"]
+    opened = driven.open()
+    assert opened["stopped"] and opened["calls"] > 50 and opened["said"] == "inspector.under"
+    assert opened["call"], "the call under the cross-hair is chosen"
+    assert opened["hash"] == plain, "looking changes nothing"
+    driven.key("Home")
+    driven.go("Down", lambda now: now["node"] == "fog", "the fog")
+    driven.key("Right")
+    driven.go("Down", lambda now: now["call"].startswith("glFogf(GL_FOG_DENSITY"), "glFogf")
+    driven.go("equal", lambda now: now["edits"] and now["edits"][0][1] > 0.13, "a denser fog")
+    dense = driven.until(lambda now: now["hash"] != plain, "another picture")
+    other = Driven(screen, tmp_path, **{"fog.density": dense["edits"][0][1]})
+    try:
+        assert other.until(lambda now: now["hash"], "its picture")["hash"] == dense["hash"]
+    finally:
+        other.end()
+    driven.key("ctrl+s")
+    driven.until(lambda now: now["said"] == "saved", "the file of edits")
+    (edit,) = read(tmp_path / "edits-0001.json")
+    assert (edit.key.name, edit.value) == ("glFogf", dense["edits"][0][1])
+    driven.key("BackSpace")
+    driven.until(lambda now: not now["edits"] and now["hash"] == plain, "the former picture")
+    driven.key("Delete")
+    driven.until(lambda now: now["off"] and now["hash"] != plain, "no density")
+    driven.key("ctrl+z")
+    driven.until(lambda now: not now["off"] and now["hash"] == plain, "the former picture")
+    driven.key("Escape")
+    driven.until(lambda now: not now["open"], "the walk")
+
+
+def test_the_mouse_drags_a_number_inside_a_display_list(driven: Driven) -> None:
+    plain = driven.until(lambda now: now["hash"], "a frame")["hash"]
+    driven.open()
+    # A click into the sky finds its quad, in a display list, and every draw there.
+    driven.tool("mousemove", "--window", driven.window, "600", "12", "click", "1")
+    found = driven.until(lambda now: now["history"], "the pixel's history")
+    assert "drawn" in found["history"]
+    driven.key("Return")
+    driven.until(lambda now: not now["history"], "the tree")
+    driven.go("Up", lambda now: now["call"].startswith("glColor4f"), "the sky's colour")
+    assert driven.until(lambda now: True, "the row")["inside"]
+    x, y = driven.place("cell", (1, None, ""))
+    driven.tool("mousemove", "--window", driven.window, str(x), str(y), "mousedown", "1")
+    for step in range(1, 5):
+        driven.tool("mousemove", "--window", driven.window, str(x - 10 * step), str(y))
+    driven.tool("mouseup", "1")
+    edited = driven.until(lambda now: now["hash"] != plain and now["edits"], "another sky")
+    name, value, skip = edited["edits"][0]
+    assert (name, skip) == ("glColor4f", False) and 0.0 < value < 1.0
+    driven.key("ctrl+z")
+    driven.until(lambda now: not now["edits"] and now["hash"] == plain, "the former sky")
+    # An enumerant by a click on its name, among the legal ones.
+    driven.go("Down", lambda now: now["call"].startswith("glBegin"), "the quad")
+    driven.tool(
+        "mousemove", "--window", driven.window, *map(str, driven.place("choice", "GL_LINES"))
+    )
+    driven.tool("click", "1")
+    driven.until(lambda now: now["edits"] == [["glBegin", "GL_LINES", False]], "lines")
+    driven.until(lambda now: now["hash"] != plain, "lines")
+    driven.key("ctrl+BackSpace")
+    driven.until(lambda now: not now["edits"] and now["hash"] == plain, "the former sky")
