@@ -20,6 +20,9 @@ from landscape.window.inspector_page import details, head, visible
 from landscape.window.inspector_tree import Node, Tree
 from landscape.window.inspector_values import Cell, cells, dragged, stepped
 
+# Enumerants are PyOpenGL's, which must know its platform first.
+pytestmark = pytest.mark.usefixtures("the_stage")
+
 LETTERS = {"letter": "I", "pixel": "O"}
 
 
