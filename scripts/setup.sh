@@ -55,7 +55,8 @@ how_to_install() {
     echo "Run: sudo apt-get install ${known[*]:-$(listed_packages)}"
 }
 
-apt_knows() { apt-cache show "$1" >/dev/null 2>&1; }
+# A package that only others refer to is shown, but cannot be installed.
+apt_knows() { LC_ALL=C apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'; }
 
 # Install the given packages, except those that apt does not know on this system.
 apt_install() {
