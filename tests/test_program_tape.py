@@ -55,3 +55,31 @@ def test_the_commands_look_into_programs(tmp_path: Path) -> None:
     first, *rest = done.err.splitlines()
     assert done.status == 2 and "raises.py, line 3: the program raised ValueError" in first
     assert rest[0].startswith("Traceback") and rest[-1] == "ValueError: no such lamp"
+
+
+CORE = """
+import glfw
+from OpenGL.GL import *
+
+glfw.init()
+glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 3)
+glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 3)
+glfw.window_hint(glfw.OPENGL_PROFILE, glfw.OPENGL_CORE_PROFILE)
+window = glfw.create_window(64, 48, "core", None, None)
+glfw.make_context_current(window)
+while not glfw.window_should_close(window):
+    glClear(GL_COLOR_BUFFER_BIT)
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+"""
+
+
+def test_a_program_without_fixed_function_is_traced_and_no_more(tmp_path: Path) -> None:
+    path = tmp_path / "core.py"
+    path.write_text(CORE)
+    done = landscape("trace", path)
+    assert done.status == 0 and "glClear(GL_COLOR_BUFFER_BIT)" in done.out, done.err
+    for words in (("pixel", path, "5,5"), ("state", path), ("strip", path)):
+        done = landscape(*words)
+        assert done.status == 2 and "Traceback" not in done.err
+        assert "core profile" in done.err.splitlines()[-1]

@@ -24,13 +24,14 @@ from landscape.capture.state_tables import (
     Kind,
 )
 from landscape.capture.state_variables import VARIABLES, Variable
+from landscape.errors import InputError
 from landscape.gl.calls import gl
 from landscape.gl.raw import raw
 
 State = dict[str, Any]
 
 
-class StateError(RuntimeError):
+class StateError(InputError):
     """The state cannot be read or set now, or not in this context."""
 
 
@@ -105,7 +106,7 @@ def plan() -> Plan:
         raise StateError(f"the state cannot be read while display list {INTS[0]} is compiled")
     text = ctypes.string_at(raw.glGetString(enum("GL_VERSION")))
     if text >= b"3.2" and whole("GL_CONTEXT_PROFILE_MASK") & 1:
-        raise StateError("a core profile has no classic state")
+        raise StateError("a core profile has no fixed function: only trace looks into it")
     limits = ("GL_MAX_TEXTURE_UNITS", "GL_MAX_LIGHTS", "GL_MAX_CLIP_PLANES")
     return _plan(text[:3].decode(), *(min(MOST, whole(name)) for name in limits))
 
