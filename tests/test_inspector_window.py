@@ -16,9 +16,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import environment
+from commands import environment, landscape, python
 
-from landscape.capture.edit_files import read
+from landscape.capture.edit_files import read, write
+from landscape.capture.edits import Edit, Key, located_at
+from landscape.render import Offscreen
 
 pytestmark = pytest.mark.window
 
@@ -252,3 +254,65 @@ def test_the_mouse_drags_a_number_inside_a_display_list(driven: Driven) -> None:
     driven.until(lambda now: now["hash"] != plain, "lines")
     driven.key("ctrl+BackSpace")
     driven.until(lambda now: not now["edits"] and now["hash"] == plain, "the former sky")
+
+
+SETUP = """
+import hashlib, json, sys
+from pathlib import Path
+from landscape.capture.edit_files import read
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.scene import scene
+from landscape.window.app import Walk
+from landscape.window.recording import Plan, Tick
+from landscape.window.walker import Intent
+
+kind = scene()
+values = kind.values("2006", {"ground.resolution": 40})
+plan = Plan("island", values, "", Pose(20.0, None, 30.0, 190.0), (64, 48), only=("sky",))
+hashes = []
+
+def frames(walk, count=1):
+    for _ in range(count):
+        walk.listen()
+        walk.advance(Tick(0.0, Intent(), (), (64, 48)))
+        walk.draw()
+    hashes.append(hashlib.sha256(walk.pixels()).hexdigest())
+
+with Walk(plan, Assets(), "osmesa") as walk:
+    frames(walk)
+with Walk(plan, Assets(), "osmesa", edits=read(Path(sys.argv[1]))) as walk:
+    frames(walk)
+    walk.inspection.model.press("undo_all")
+    frames(walk, 2)
+    walk.inspection.model.press("undo")
+    frames(walk, 2)
+    missed = walk.inspection.missed()
+print(json.dumps([hashes, missed]))
+"""
+
+
+def test_an_edit_of_what_is_built_is_undone_by_building_the_scene_again(tmp_path: Path) -> None:
+    path = tmp_path / "edits.json"
+    with Offscreen((64, 48), "2006", only="sky", samples=0) as view, view.taped("fig35a") as tape:
+        filters = [
+            located_at(tape.calls, tape.begin, str(call.number)).edit(2, "GL_NEAREST")
+            for call in tape.calls
+            if call.element == "sky" and "GL_TEXTURE_MIN_FILTER" in call.shown
+        ]
+    write(filters, path)
+    done = python(SETUP, str(path), env=environment())
+    assert done.status == 0, done.err
+    (plain, edited, undone, again), missed = json.loads(done.out)
+    assert missed == [] and plain == undone != edited == again
+
+
+def test_a_walk_tells_of_edits_without_a_call_and_that_a_recording_has_none(tmp_path: Path) -> None:
+    key = Key("glFogf", "nowhere", "main", "landscape/elements/fog.py", "enable", "", ())
+    write([Edit(key, 0, 1, 0.3)], tmp_path / "e.json")
+    words = ("--backend", "osmesa", "--size", "64x48", "--frames", "2", "--only", "sky")
+    files = ("--edits", tmp_path / "e.json", "--record", tmp_path / "a.jsonl")
+    done = landscape("walk", "fig35a", *words, *files, "--lang", "en")
+    assert done.status == 0 and done.err.count("\n") == 2
+    assert "e.json: edit 1: no call glFogf of nowhere" in done.err
+    assert "a recording does not contain edits" in done.err

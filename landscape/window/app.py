@@ -67,7 +67,7 @@ class Walk:
         self.seconds = self._stood = 0.0  # that the walk went on, and stood still
         self._language = plan.language
         self._wireframe, self._help, self._message, self._until = plan.wireframe, False, "", 0.0
-        self._note, self._shoot = "", False
+        self._note, self._shoot, self._row, self._done = "", False, "", ""
         self._kind = scene(plan.scene)
         self._assets, self._seed = assets, plan.seed
         names = [fix.name for fix in self._kind.fixes]
@@ -76,7 +76,6 @@ class Walk:
         self._size = (0, 0)
         self.hands = Hands(system_name)
         self._chooser = Chooser(self._kind.values(plan.preset or None))
-        self._row, self._done = "", ""
         self._scene: OpenScene | None = None
         self._panel: Panel | None = None
         self.steady = Steady(fps)
@@ -215,6 +214,9 @@ class Walk:
         asked, self.hands.inspected = self.hands.inspected, []
         if self.inspection.listen(asked, scale):
             self._obey("inspector")
+        if self.inspection.stale and self._scene is not None:
+            with self.inspection.building(anew=True):
+                self._rebuild(self._scene)
         return self.inspection.holds
 
     def advance(self, tick: Tick) -> None:
@@ -265,14 +267,16 @@ class Walk:
         assert self._scene is not None
         self.settings = keys.passing(self.settings, self._chooser.defaults, changes)
         with self.inspection.building():
-            if self._scene.apply(self.settings):
-                return
-            former = self._scene
-            self._wait("rebuilding")
-            self._scene = self._kind.open(
-                self.settings, self._assets, self._seed, self._kind.only(former.shown)
-            )
-            former.release()
+            if not self._scene.apply(self.settings):
+                self._rebuild(self._scene)
+
+    def _rebuild(self, former: OpenScene) -> None:
+        """Open the scene again."""
+        self._wait("rebuilding")
+        self._scene = self._kind.open(
+            self.settings, self._assets, self._seed, self._kind.only(former.shown)
+        )
+        former.release()
 
     def _change(self, tick: Tick) -> None:
         """Show the list with its chosen row, and make the changes that were asked for there."""
@@ -291,10 +295,7 @@ class Walk:
         self._done = self._word("list.taken" if self._scene is before else "list.rebuilt")
 
     def _at_left(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
-        """Return what the picture of the inspector or of the list depends on, and how to make it.
-
-        None if both are closed.
-        """
+        """Return what the inspector's or the list's picture depends on, and how to make it."""
         assert self._scene is not None and self._panel is not None
         if self.inspection.open or not self._row:
             return self.inspection.image(self._panel.dpi)
@@ -326,9 +327,8 @@ class Walk:
         # Making the context current gives OSMesa a buffer of the window's new size.
         self._context.make_current()
         walker = self.walker
-        moment = Moment(
-            walker.pose, self._size, self.kt, walker.step, walker.stroke, self._wireframe
-        )
+        steps = walker.step, walker.stroke
+        moment = Moment(walker.pose, self._size, self.kt, *steps, self._wireframe)
         # A screenshot has all the detail, and so has what the inspector looks into.
         scene, whole = self._scene, self._shoot or self.inspection.open
         self.inspection.draw(

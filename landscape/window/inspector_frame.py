@@ -61,6 +61,7 @@ class Inspection:
         self._given = list(given)
         self._found: set[int] = set()
         self._edits = Edits(given)
+        self.stale = False  # whether the scene was built with other edits than are in force
         self._rewinds = rewinds
         self._first: dict[str, Any] | None = None  # the state in which the first frame began
         self._usual: dict[str, Any] | None = None  # what frames without edits leave behind
@@ -136,8 +137,9 @@ class Inspection:
     # Frames.
 
     @contextmanager
-    def building(self) -> Iterator[None]:
-        """Let the edits change what the block builds."""
+    def building(self, anew: bool = False) -> Iterator[None]:
+        """Let the edits change what the block builds, or draws; ``anew``: all of the scene."""
+        self.stale = self.stale and not anew
         with edited(self._edits if self._edits.edits else None):
             yield
 
@@ -174,6 +176,8 @@ class Inspection:
             self._usual = state.read()
         self._edits = Edits(after)
         recompile({edit.key.list for edit in differ if edit.key.list is not None}, self._edits)
+        # What was built in other ways than as a list must be built again.
+        self.stale = any(e.key.pass_ == "setup" and e.key.list is None for e in differ)
         self._listed = None
         self._changed = time.monotonic()
 

@@ -24,6 +24,7 @@ LEAST = 11  # chosen: pixels, the font size unless the window's text is smaller 
 SPACING = 1.36  # chosen: line height, in font sizes
 WIDTH, HEIGHT = 0.46, 0.95  # chosen: of the window, so that its middle stays free
 MOST_DETAILS = 0.56  # chosen: of the lines, for what is below the list
+FEWEST = 7  # chosen: rows of the list, where the window has few lines
 NUMBER = 3.4  # chosen: font sizes, the column of the calls' numbers
 STEP = 0.9  # chosen: font sizes, by which each depth of the tree is moved to the right
 LABEL = 6.4  # chosen: font sizes, the column of the arguments' names
@@ -82,7 +83,7 @@ def picture(
     total = max((height - 3 * pixels) // draw.line - 1, 1)
     room = max(total - below, 0)
     blocks = [(block, draw.block(block, inner)) for block in details(model, language)]
-    most = int(room * MOST_DETAILS)
+    most = max(int(room * MOST_DETAILS), room - FEWEST)
     lines = sum(len(each) for _, each in blocks)
     rows = max(room - min(lines, most), 1)
     first, shown = visible(model, rows, language)
