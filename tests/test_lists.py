@@ -18,7 +18,7 @@ SIZE = (96, 72)
 
 @pytest.mark.parametrize("preset", ["2006", "best"])
 def test_lists_compiled_again_without_edits_leave_every_pixel_as_it_was(preset: str) -> None:
-    overlay = {"overlay.map": True, "overlay.sword": True}
+    overlay = {"overlay.map": True, "overlay.sword": True, "trees.count": 200, "grass.count": 2000}
     with Offscreen(SIZE, preset, overlay, samples=0) as view:
         before = {name: drawn(view, name) for name in MAIN}
         scene = view.scene
