@@ -325,7 +325,7 @@ def test_a_program_that_fails_ends_in_one_line(watch: Watcher, write: Write, nam
 
 NOT_PROGRAMS: dict[str, tuple[bytes, str]] = {
     "Python 2": (b'import glfw\nprint "hello"\n', ", line 2: is not Python 3 (Missing paren"),
-    "binary": (b"\x00\x01\x02", "is not Python 3 (source code string cannot"),
+    "binary": (b"\x00\x01\x02", "source code string cannot contain null bytes"),
     "no window library": (b"print('hello')\n", "imports neither glfw, pygame nor OpenGL.GLUT"),
     "no context": (b"import glfw\nglfw.init()\n", "ended without opening a window for OpenGL"),
 }

@@ -21,7 +21,7 @@ from landscape.capture.program_source import ProgramError
 from landscape.errors import NoOpenGLError
 from landscape.gl import display
 from landscape.gl.context import use_platform
-from landscape.gl.foreign import library
+from landscape.gl.foreign import library, load_glut
 from landscape.gl.holders import replaced
 
 PACKAGE = "libglut3.12 or freeglut3 (Debian, Ubuntu), or freeglut (Fedora)"
@@ -58,6 +58,7 @@ def glut_program(run: Run) -> Iterator[None]:
         reason = reason or f"it cannot draw by {run.backend}"
         raise NoOpenGLError(f"{run.source.path}: GLUT needs a screen ({reason}): use xvfb-run")
     use_platform("glx", run.source.checked)
+    load_glut()
     stand_in = _Glut(run, library("GLUT"))
     functions = stand_in.functions()
 

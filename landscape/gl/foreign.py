@@ -11,6 +11,8 @@ and work in every context. The shapes and letters of GLUT and GLE, and NURBS, wh
 by calls of their own, are passed to ``make`` by their own names, as if OpenGL had them.
 """
 
+import ctypes
+import ctypes.util
 import functools
 import importlib
 import sys
@@ -162,6 +164,15 @@ def beside(
         return result
 
     return both
+
+
+def load_glut() -> None:
+    """Load freeglut where PyOpenGL does not find it: Debian 12 names the file libglut.so.3.12."""
+    from OpenGL import platform
+
+    path = ctypes.util.find_library("glut")
+    if platform.PLATFORM.GLUT is None and path:
+        platform.PLATFORM.GLUT = ctypes.CDLL(path, ctypes.RTLD_GLOBAL)
 
 
 def library(name: str) -> ModuleType:
