@@ -25,6 +25,8 @@ FLOORS = (
     ("island",),
     ("render",),
     ("window", "tools", "gallery", "studio"),
+    ("course",),
+    ("lessons",),
     ("__init__",),
     ("options",),
     ("cli",),

@@ -73,7 +73,7 @@ def patched(make: Make) -> Iterator[None]:
     """Replace each OpenGL function f by ``make(name, f)`` in every module that holds it.
 
     The platform of PyOpenGL must have been chosen. ``make`` is called once for each function; what
-    it returns is called as the program calls the function, with keywords too.
+    it returns is called as the program calls the function, with keywords too; it may be f itself.
     """
     import OpenGL.GL
     from OpenGL.arrays import vbo
@@ -128,7 +128,8 @@ def _replacement(make: Make, name: str, function: Any) -> Any:
 
     if any(getattr(raw, name, None) is function for raw in (GL_1_0, GL_1_1)):
         noted = make(name, function)  # always there, and without keywords: nothing in between
-        noted.__wrapped__ = function  # type: ignore[attr-defined]
+        if noted is not function:
+            noted.__wrapped__ = function  # type: ignore[attr-defined]
         return noted
     return _Wrapper(make, name, function)
 

@@ -1,0 +1,115 @@
+"""The matrix stack: a car with axles and wheels
+
+A car is a body and two axles, with two wheels on each. Every part is drawn in the frame of the
+part that carries it: glPushMatrix keeps that frame, glPopMatrix returns to it. So the wheels turn
+with their axle, and all of them follow the body.
+
+Keys: Left and Right steer; Space leaves out glPushMatrix and glPopMatrix.
+"""
+# topic: transforms
+# needs: transform_order, scale
+# picture: frame 45
+# loop: 120 frames
+# keys: LEFT RIGHT SPACE
+
+import math
+
+import glfw
+from OpenGL.GL import *
+from text import _, write
+
+steering = 25  # degrees
+stack = True
+
+
+def draw_box(width, height, depth, color):
+    """Draw a box around the origin. There is no light yet: each direction has its shade."""
+    glBegin(GL_QUADS)
+    for axis, shade in ((0, 0.85), (1, 1), (2, 0.7)):
+        glColor3f(*(shade * channel for channel in color))
+        for side in (-1, 1):
+            for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                x, y, z = ((side, u, v), (u, side, v), (u, v, side))[axis]
+                glVertex3f(x * width / 2, y * height / 2, z * depth / 2)
+    glEnd()
+
+
+def draw_wheel():
+    """Draw a wheel around the z axis, 1 across. Its sectors show how it turns."""
+    for z in (-0.1, 0.1):
+        for sector in range(12):
+            glColor3f(*((0.3, 0.32, 0.36) if sector % 2 else (0.95, 0.9, 0.8)))
+            glBegin(GL_TRIANGLES)
+            glVertex3f(0, 0, z)
+            for angle in (sector * math.pi / 6, (sector + 1) * math.pi / 6):
+                glVertex3f(0.5 * math.cos(angle), 0.5 * math.sin(angle), z)
+            glEnd()
+
+
+def draw_part(part, *arguments, at=(0, 0, 0), turned=(0, 0, 0, 1)):
+    """Draw a part in a frame of its own: moved to ``at``, then turned (degrees, axis)."""
+    if stack:
+        glPushMatrix()
+    glTranslatef(*at)
+    glRotatef(*turned)
+    part(*arguments)
+    if stack:
+        glPopMatrix()
+
+
+def draw_axle(angle):
+    """Draw an axle along z with its wheels, turned by an angle in degrees."""
+    glRotatef(angle, 0, 0, 1)
+    draw_box(0.1, 0.1, 2, (0.5, 0.5, 0.55))
+    draw_part(draw_wheel, at=(0, 0, -1))
+    draw_part(draw_wheel, at=(0, 0, 1))
+
+
+def draw_car(angle):
+    draw_box(3.8, 0.5, 1.6, (0.85, 0.35, 0.2))
+    draw_part(draw_box, 1.8, 0.6, 1.4, (0.95, 0.62, 0.35), at=(-0.3, 0.55, 0))
+    draw_part(draw_axle, angle, at=(-1.2, -0.3, 0))
+    draw_part(draw_axle, angle, at=(1.2, -0.3, 0), turned=(steering, 0, 1, 0))
+
+
+def on_key(window, key, scancode, action, mods):
+    global steering, stack
+    if action == glfw.RELEASE:
+        return
+    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
+        steering += 5 if key == glfw.KEY_LEFT else -5
+    if key == glfw.KEY_SPACE:
+        stack = not stack
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("Matrix stack"), None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glEnable(GL_DEPTH_TEST)
+    glClearColor(0.13, 0.16, 0.21, 1)
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glMatrixMode(GL_PROJECTION)
+        glLoadIdentity()
+        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
+        glMatrixMode(GL_MODELVIEW)
+        glLoadIdentity()
+        glTranslatef(0, 0, -10)
+        glRotatef(25, 1, 0, 0)
+        glRotatef(-30, 0, 1, 0)
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+        draw_car(-90 * glfw.get_time())
+        write(16, 40, "steering {angle}°", angle=steering)
+        write(16, 16, "matrix stack on" if stack else "matrix stack off")
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
