@@ -219,12 +219,12 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
     """Return the function of a command that looks into a frame."""
 
     def run(options: argparse.Namespace) -> int:
+        from landscape.languages import choose
         from landscape.tools import frame_commands
         from landscape.tools.target import Target
-        from landscape.window.words import language
 
         if "lang" in options:
-            options.lang = options.lang or language(os.environ)
+            options.lang = options.lang or choose(os.environ)
         kinds = [] if options.target.endswith(".py") else [find_view(options.target)[0]]
         target = Target(
             options.target,

@@ -8,6 +8,7 @@ from typing import Any
 
 from landscape import __version__, arguments
 from landscape.errors import InputError
+from landscape.languages import LANGUAGES
 from landscape.scene import SEED, scene
 from landscape.tools import frame_options
 from landscape.window.pace import FPS
@@ -267,7 +268,7 @@ def _one_element(parser: argparse.ArgumentParser) -> None:
 def _language(parser: argparse.ArgumentParser, what: str = "language of the captions") -> None:
     parser.add_argument(
         "--lang",
-        choices=("en", "fr"),
+        choices=LANGUAGES,
         default="",
         help=f"{what}; default: by LANGUAGE, LC_ALL, LC_MESSAGES or LANG",
     )

@@ -12,6 +12,7 @@ from landscape.files.fonts import font, writable
 from landscape.fixes import FIXES
 from landscape.gl.calls import gl
 from landscape.gl.framebuffer import Framebuffer
+from landscape.languages import choose
 from landscape.window import words
 from landscape.window.bindings import (
     BINDINGS,
@@ -28,7 +29,6 @@ pytestmark = pytest.mark.window
 
 
 def test_every_text_that_is_shown_exists() -> None:
-    english = words.TEXTS["en"]
     shown = (
         {f"help.{binding.action}" for binding in BINDINGS}
         | set(NAMED_KEYS.values())
@@ -37,11 +37,7 @@ def test_every_text_that_is_shown_exists() -> None:
     shown |= {"time.noon", "time.sunset"}
     two = (*(name for name in SETTINGS if name != "time"), "fly", "wireframe")
     shown |= {f"{name}.{way}" for name in two for way in ("on", "off")}
-    assert shown <= set(english)
-    for table in words.TEXTS.values():
-        assert set(table) <= set(english)
-    for key, french in words.TEXTS["fr"].items():
-        assert french.count("{") == english[key].count("{")
+    assert shown <= words.TEXTS.keys()
 
 
 def test_no_two_actions_share_a_key() -> None:
@@ -63,7 +59,7 @@ def test_no_two_actions_share_a_key() -> None:
     ],
 )
 def test_the_environment_chooses_the_language(variables: dict[str, str], language: str) -> None:
-    assert words.language(variables) == language
+    assert choose(variables) == language
 
 
 def test_every_fix_has_a_french_title() -> None:

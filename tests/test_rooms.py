@@ -13,7 +13,7 @@ PACKAGE = Path(__file__).resolve().parents[1] / "landscape"
 FLOORS = (
     ("errors", "frame"),
     ("files",),
-    ("keys",),
+    ("keys", "languages"),
     ("arguments", "conditions", "settings"),
     ("geometry",),
     ("gl",),
@@ -108,8 +108,8 @@ def test_geometry_and_files_never_import_opengl() -> None:
             assert "landscape.gl" not in text and "import OpenGL" not in text, path
 
 
-def test_the_top_has_at_most_14_modules_and_only_tables_exceed_400_lines() -> None:
-    assert len(list(PACKAGE.glob("*.py"))) <= 14
+def test_the_top_has_at_most_15_modules_and_only_tables_exceed_400_lines() -> None:
+    assert len(list(PACKAGE.glob("*.py"))) <= 15
     tables = {"settings.py", "report_fixes.py", "view_captions.py"}
     tables |= {f"spec_{name}.py" for name in ("functions", "enumerants", "english", "french")}
     for path in modules():

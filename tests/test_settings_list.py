@@ -7,7 +7,7 @@ from landscape import keys
 from landscape.files.fonts import font
 from landscape.island import ELEMENTS
 from landscape.settings import Settings, preset
-from landscape.window import settings_list, words
+from landscape.window import settings_list
 from landscape.window.list_image import list_image, visible, wrapped
 from landscape.window.settings_fr import FRENCH, GROUPS, UNITS
 from landscape.window.settings_list import (
@@ -187,7 +187,7 @@ def test_every_row_of_the_list_is_described_in_french() -> None:
 def test_french_descriptions_are_of_settings_that_exist_and_are_typeset() -> None:
     assert FRENCH.keys() <= keys.fields(Settings).keys()
     assert UNITS.keys() <= {item.metadata["unit"] for item in keys.fields(Settings).values()}
-    for text in (*FRENCH.values(), *words.TEXTS["fr"].values()):
+    for text in FRENCH.values():
         assert not any(f" {mark}" in text for mark in ";:!?»") and "« " not in text
     key, item = "fog.density", keys.fields(Settings)["fog.density"]
     assert described(Row(key, item), "fr") == "densité dans les modes exp2 et exp"

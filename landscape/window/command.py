@@ -10,6 +10,7 @@ from typing import Any
 from landscape.capture.edit_files import read as read_edits
 from landscape.errors import InputError
 from landscape.files.assets import Assets, recording
+from landscape.languages import choose
 from landscape.scene import SEED, Scene, View
 from landscape.window import words
 from landscape.window.app import Walk, run
@@ -72,7 +73,7 @@ def walk(
             seed=seed,
             only=kind.shown(begin, only) if only is None else kind.only(only),
             wireframe=wireframe or begin.wireframe,
-            language=language or words.language(os.environ),
+            language=language or choose(os.environ),
             preset=kind.preset_of(begin),
         )
     changes = read_edits(edits) if edits is not None else []

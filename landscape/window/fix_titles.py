@@ -1,7 +1,8 @@
 """What the walk says of a fix, and the titles in French; landscape/fixes has the English ones."""
 
+from landscape.languages import typeset
 from landscape.scene import Fix
-from landscape.window.words import text, typeset
+from landscape.window.words import text
 
 _TITLES = {
     "R1": "Des nuages qui bougent",

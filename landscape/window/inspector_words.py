@@ -2,7 +2,7 @@
 
 import re
 
-from landscape.window.words import typeset
+from landscape.languages import typeset
 
 OUTCOMES = {
     "drawn": "tracé",

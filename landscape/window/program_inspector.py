@@ -28,7 +28,7 @@ from landscape.gl.calls import (
     recording,
     unnoted,
 )
-from landscape.window import words
+from landscape.languages import choose
 from landscape.window.bindings import inspect_pick, system_name
 from landscape.window.hands import Hands
 from landscape.window.inspector_frame import Inspection
@@ -44,7 +44,7 @@ def inspect(path: str, edits: Path | None = None, language: str = "") -> list[st
     ``edits`` are in force from the start. Raises as :func:`landscape.capture.program.run` does.
     """
     given = read(edits, Path(path).resolve().parent) if edits else []
-    inspector = ProgramInspector(given, language or words.language(os.environ))
+    inspector = ProgramInspector(given, language or choose(os.environ))
     with inspector:
         run(path, None, backend="glfw", limit=FOREVER, observer=inspector, live=inspector)
     return [*inspector.notices, *inspector.inspection.missed()]

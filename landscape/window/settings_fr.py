@@ -4,7 +4,7 @@ Tables of data: the English texts stand beside the settings, in landscape/settin
 line here is shown in English.
 """
 
-from landscape.window.words import typeset
+from landscape.languages import typeset
 
 GROUPS = {
     "camera": "caméra",

@@ -1,0 +1,113 @@
+"""The languages of the texts that users see.
+
+English stands in the code. The other languages are in gettext catalogues,
+``locale/LANGUAGE/DOMAIN.po``, where a translation is found by its English text. They are read as
+they are, not compiled: a compiled catalogue could be older than its source, and nobody would see
+it.
+
+A text that is to be translated is either the argument of a call of ``_``, the name that a
+:func:`translator` is given, or in a table annotated as :data:`Texts` or :data:`Phrases`.
+``scripts/catalogues`` finds both, and checks that every text has a translation.
+"""
+
+import re
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Protocol
+
+from landscape.errors import InputError
+
+LANGUAGES = ("en", "fr")
+LOCALE = Path(__file__).parent / "locale"
+
+Texts = dict[str, str]
+"""English texts by key. A key is the context of its text, where one text has two translations."""
+
+Phrases = tuple[str, ...]
+"""Phrases that English sentences are made of; a longer one comes before one that it contains."""
+
+
+class Translator(Protocol):
+    """From an English text to the same in a language."""
+
+    def __call__(self, text: str, context: str = "") -> str:
+        """Return the translation for a context (msgctxt), else that for any, else the text."""
+
+
+def choose(environment: Mapping[str, str]) -> str:
+    """Return the first of LANGUAGES that the environment asks for, else "en".
+
+    LANGUAGE may list several, preferred first; then LC_ALL, LC_MESSAGES and LANG, in this order.
+    """
+    wanted = environment.get("LANGUAGE", "").split(":")
+    locale = next(
+        (environment[v] for v in ("LC_ALL", "LC_MESSAGES", "LANG") if environment.get(v)), ""
+    )
+    for name in (*wanted, locale):
+        code = name.replace("-", "_").split("_")[0].split(".")[0].lower()
+        if code in LANGUAGES:
+            return code
+    return "en"
+
+
+def typeset(french: str) -> str:
+    """Return a French text with no-break spaces before its high punctuation and inside « »."""
+    return re.sub(r" (?=[;:!?»])|(?<=«) ", "\u00a0", french)
+
+
+@cache
+def translator(language: str, *domains: str) -> Translator:
+    """Return the function that translates the texts of these domains; the first that has one wins.
+
+    A domain is a catalogue, or a folder of them. A catalogue is read when its first text is asked
+    for, and kept. A text without a translation is returned as it is, and so is every text in a
+    language that is not one of LANGUAGES. The function raises InputError if a catalogue cannot be
+    read.
+    """
+
+    def translated(text: str, context: str = "") -> str:
+        for domain in domains:
+            catalogue = _catalogue(language, domain)
+            found = catalogue.get((context, text)) or catalogue.get(("", text))
+            if found:
+                return found
+        return text
+
+    def unchanged(text: str, context: str = "") -> str:
+        return text
+
+    return translated if language in LANGUAGES[1:] else unchanged
+
+
+def reworded(sentence: str, phrases: Phrases, _: Translator) -> str:
+    """Return an English sentence with each of the phrases in it translated."""
+    whole = "|".join(
+        (r"\b" if phrase[0].isalnum() else "")
+        + re.escape(phrase)
+        + (r"\b" if phrase[-1].isalnum() else "")
+        for phrase in phrases
+    )
+    return re.sub(whole, lambda match: _(match[0]), sentence)
+
+
+@cache
+def _catalogue(language: str, domain: str) -> dict[tuple[str, str], str]:
+    """Return the translations of a domain by context and English text."""
+    # Imported here: English needs no catalogue.
+    import polib
+
+    found: dict[tuple[str, str], str] = {}
+    place = LOCALE / language / domain
+    for path in (place.with_name(f"{place.name}.po"), *sorted(place.glob("*.po"))):
+        if not path.is_file():
+            continue
+        try:
+            entries = polib.pofile(str(path), encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError(f"{path}: not a catalogue of texts: {error}") from error
+        for entry in entries:
+            if entry.translated():
+                text = typeset(entry.msgstr) if language == "fr" else entry.msgstr
+                found.setdefault((entry.msgctxt or "", entry.msgid), text)
+    return found

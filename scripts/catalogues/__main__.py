@@ -1,0 +1,44 @@
+"""The catalogues of translated texts, landscape/locale/LANGUAGE/DOMAIN.po.
+
+    python scripts/catalogues update    # adds empty entries for new texts, removes stale ones
+    python scripts/catalogues check     # lists what is untranslated, stale, fuzzy or damaged
+
+Where the texts of each domain come from is in domains.py. The exit status of `check` is 1 if it
+finds a fault. A text that has changed is a new text: take its old translation from `git diff`.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from catalogue import faults, update
+from domains import DOMAINS
+
+from landscape.languages import LANGUAGES, LOCALE
+
+
+def main() -> int:
+    """Run the command line and return the exit status."""
+    parser = argparse.ArgumentParser(prog="catalogues", description=__doc__.split("\n")[0])
+    parser.add_argument("command", choices=("update", "check"))
+    parser.add_argument("--locale", type=Path, default=LOCALE, help="folder of the catalogues")
+    options = parser.parse_args()
+    found = []
+    for language in LANGUAGES[1:]:
+        folder = options.locale / language
+        wanted = {folder / f"{domain}.po": list(texts()) for domain, texts in DOMAINS.items()}
+        if options.command == "update":
+            for path, messages in wanted.items():
+                update(path, language, messages)
+        for path, messages in wanted.items():
+            found += faults(path, messages)
+        strangers = sorted(set(folder.rglob("*.po")) - wanted.keys())
+        found += [f"{path}: stale: no texts belong to it" for path in strangers]
+    here = f"{Path.cwd()}{os.sep}"
+    print("\n".join(line.removeprefix(here) for line in found) or "every text is translated")
+    return 1 if found and options.command == "check" else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

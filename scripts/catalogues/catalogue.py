@@ -1,0 +1,107 @@
+"""One catalogue: it is brought up to date with a list of texts, or compared with it."""
+
+import string
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import polib
+
+WIDTH = 98  # chosen: columns of a catalogue
+
+
+@dataclass(frozen=True)
+class Message:
+    """An English text, and the file that it stands in.
+
+    ``context`` is the msgctxt of an entry that the catalogue may have for this text here, beside
+    the one that holds everywhere.
+    """
+
+    text: str
+    source: str
+    context: str = ""
+
+
+def update(path: Path, language: str, messages: Iterable[Message]) -> None:
+    """Write the catalogue with an entry for each of these texts, sorted by source, and no others.
+
+    Translations and translators' comments are kept.
+    """
+    kept = {_key(entry): entry for entry in polib.pofile(str(path))} if path.exists() else {}
+    sources, contexts = _wanted(messages)
+    new = polib.POFile(wrapwidth=WIDTH)
+    new.header = "How to add or change a text: CONTRIBUTING.md"
+    new.metadata = {
+        "Language": language,
+        "MIME-Version": "1.0",
+        "Content-Type": "text/plain; charset=utf-8",
+        "Content-Transfer-Encoding": "8bit",
+    }
+    for text in sorted(sources, key=lambda text: sources[text][0]):
+        for context in ("", *sorted(contexts[text])):
+            old = kept.get((context, text))
+            if context and not old:
+                continue
+            entry = polib.POEntry(
+                msgctxt=context or None,
+                msgid=text,
+                msgstr=old.msgstr if old else "",
+                occurrences=[(source, "") for source in sources[text]],
+            )
+            if old:
+                entry.flags, entry.tcomment = old.flags, old.tcomment
+            new.append(entry)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    new.save(str(path))
+
+
+def faults(path: Path, messages: Iterable[Message]) -> Iterator[str]:
+    """Yield a line for each fault of the catalogue of these texts."""
+    try:
+        entries = polib.pofile(str(path)) if path.exists() else []
+    except (OSError, UnicodeDecodeError) as error:
+        yield f"{path}: not a catalogue: {error}"
+        return
+    sources, contexts = _wanted(messages)
+    entries = [entry for entry in entries if not entry.obsolete]
+    found = [_key(entry) for entry in entries]
+    for text, files in sources.items():
+        if ("", text) not in found:
+            yield f"{path}: missing: {text!r}, from {', '.join(files)}"
+    for entry in entries:
+        context, text = key = _key(entry)
+        what = f"{text!r}, for {context}" if context else repr(text)
+        if text not in sources or (context and context not in contexts[text]):
+            yield f"{path}: stale: {what}"
+        elif found.count(key) > 1:
+            yield f"{path}: more than one entry: {what}"
+        elif not entry.msgstr.strip():
+            yield f"{path}: untranslated: {what}"
+        elif entry.fuzzy:
+            yield f"{path}: fuzzy: {what}"
+        elif (ours := placeholders(text)) != (theirs := placeholders(entry.msgstr)):
+            names = ", ".join(sorted(ours ^ theirs))
+            yield f"{path}: not in both languages: {{{names}}}: {what}"
+
+
+def placeholders(text: str) -> set[str]:
+    """Return the names in braces, as str.format reads them; text that it cannot read, whole."""
+    try:
+        return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+    except ValueError:
+        return {text}
+
+
+def _key(entry: polib.POEntry) -> tuple[str, str]:
+    return entry.msgctxt or "", entry.msgid
+
+
+def _wanted(messages: Iterable[Message]) -> tuple[dict[str, list[str]], dict[str, set[str]]]:
+    """Return, by text, the files that it stands in, sorted, and the contexts it may have."""
+    sources: dict[str, set[str]] = {}
+    contexts: dict[str, set[str]] = {}
+    for message in messages:
+        sources.setdefault(message.text, set()).add(message.source)
+        contexts.setdefault(message.text, set()).update({message.context} - {""})
+    return {text: sorted(files) for text, files in sources.items()}, contexts

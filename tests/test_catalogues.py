@@ -1,0 +1,166 @@
+"""The texts that users see, in their languages, and the script that checks the translations."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from commands import TESTS, Done, python
+
+from landscape import languages
+from landscape.errors import InputError
+from landscape.languages import LOCALE, reworded, translator
+
+SCRIPT = TESTS.parent / "scripts" / "catalogues"
+
+HEAD = 'msgid ""\nmsgstr "Content-Type: text/plain; charset=utf-8\\n"\n\n'
+FOG = 'msgid "fog"\nmsgstr "brouillard"\n\n'
+ON = 'msgid "on"\nmsgstr "oui"\n\n'
+FIXED = 'msgctxt "fix.on"\nmsgid "on"\nmsgstr "activée"\n\n'
+CALLS = 'msgid "{n} calls"\nmsgstr "{n} appels"\n\n'
+
+
+def run(*words: str) -> Done:
+    """Run scripts/catalogues."""
+    code = "import runpy, sys; del sys.argv[0]; runpy.run_path(sys.argv[0], None, '__main__')"
+    return python(code, str(SCRIPT), *words)
+
+
+def test_every_text_is_translated_and_no_translation_is_stale() -> None:
+    done = run("check")
+    assert (done.status, done.err) == (0, ""), done.out
+    assert done.out == "every text is translated\n"
+
+
+def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_path: Path) -> None:
+    shutil.copytree(LOCALE, tmp_path, dirs_exist_ok=True)
+    path = tmp_path / "fr" / "window.po"
+    whole = path.read_text(encoding="utf-8")
+    entry = f"#: landscape/window/words.py\n{FOG}"
+    path.write_text(whole.replace(entry, ""), encoding="utf-8")
+    (tmp_path / "fr" / "none.po").write_text(HEAD)
+
+    done = run("check", "--locale", str(tmp_path))
+    missing = f"{path}: missing: 'fog', from landscape/window/words.py"
+    stranger = f"{path.with_name('none.po')}: stale: no texts belong to it"
+    assert (done.status, done.out.splitlines()) == (1, [missing, stranger])
+
+    done = run("update", "--locale", str(tmp_path))
+    assert (done.status, done.out) == (0, f"{path}: untranslated: 'fog'\n{stranger}\n")
+    assert path.read_text(encoding="utf-8") == whole.replace(entry, entry.replace("brouillard", ""))
+
+
+@pytest.fixture
+def catalogue(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The script's module for one catalogue."""
+    monkeypatch.syspath_prepend(str(SCRIPT))
+    import catalogue
+
+    return catalogue
+
+
+@pytest.mark.parametrize(
+    ("entries", "expected"),
+    [
+        (FOG + ON + CALLS, []),
+        (FOG + ON + FIXED + CALLS, []),
+        (ON + CALLS, ["missing: 'fog', from b.py"]),
+        (FOG + FIXED + CALLS, ["missing: 'on', from a.py, b.py"]),
+        (FOG.replace("brouillard", "") + ON + CALLS, ["untranslated: 'fog'"]),
+        ("#, fuzzy\n" + FOG + ON + CALLS, ["fuzzy: 'fog'"]),
+        (FOG + FOG + ON + CALLS, ["more than one entry: 'fog'"] * 2),
+        (FOG + ON + CALLS + FOG.replace("fog", "sun"), ["stale: 'sun'"]),
+        (FOG + ON + CALLS + FIXED.replace("fix", "sun"), ["stale: 'on', for sun.on"]),
+        (FOG + ON + CALLS.replace("{n} a", "{a} a"), ["not in both languages: {a, n}: "]),
+        (FOG + ON + CALLS.replace("{n} a", "{ a"), ["not in both languages: {n, { appels}: "]),
+        ("msgtext\n", ["not a catalogue: "]),
+    ],
+)
+def test_each_kind_of_fault_of_a_catalogue_is_named(
+    entries: str, expected: list[str], catalogue: ModuleType, tmp_path: Path
+) -> None:
+    path = tmp_path / "window.po"
+    path.write_text(HEAD + entries, encoding="utf-8")
+    texts = [
+        catalogue.Message("fog", "b.py"),
+        catalogue.Message("on", "a.py", "fix.on"),
+        catalogue.Message("on", "b.py"),
+        catalogue.Message("{n} calls", "a.py"),
+    ]
+    found = [line.removeprefix(f"{path}: ") for line in catalogue.faults(path, texts)]
+    assert len(found) == len(expected), found
+    for line, start in zip(found, expected, strict=True):
+        assert line.startswith(start)
+
+
+def test_texts_are_found_in_calls_and_in_annotated_tables(
+    catalogue: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import domains
+
+    monkeypatch.setattr(domains, "ROOT", tmp_path)
+    (tmp_path / "page.py").write_text(
+        'def page(_):\n    return _("depth"), _("a " "sum", "page"), _(key), text("no")\n'
+        'WORDS: Texts = {"on": "on", "rest": "and " "so on"}\nPARTS: Phrases = ("is on", "is")\n'
+        'NAMES: dict[str, str] = {"fog": "no"}\n'
+    )
+    found = {(message.text, message.context) for message in domains.in_code("*.py")}
+    in_calls = {("depth", ""), ("a sum", ""), ("a sum", "page")}
+    assert found == in_calls | {("on", "on"), ("and so on", "rest"), ("is on", ""), ("is", "")}
+
+
+@pytest.fixture
+def locale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The folder of French catalogues, in place of the program's own."""
+    monkeypatch.setattr(languages, "LOCALE", tmp_path)
+    languages._catalogue.cache_clear()
+    (tmp_path / "fr").mkdir()
+    yield tmp_path / "fr"
+    languages._catalogue.cache_clear()
+
+
+def test_a_text_is_translated_for_its_context_else_for_any_else_it_stays(locale: Path) -> None:
+    fuzzy = "#, fuzzy\n" + FOG.replace("fog", "haze")
+    (locale / "words.po").write_text(HEAD + FOG + ON + FIXED + fuzzy, encoding="utf-8")
+    french, english = translator("fr", "words"), translator("en", "words")
+    assert french("on") == french("on", "list.on") == "oui"
+    assert french("on", "fix.on") == "activée"
+    assert [english("on", "fix.on"), french("sun"), french("haze")] == ["on", "sun", "haze"]
+    assert translator("de", "words")("fog") == translator("../fr", "words")("fog") == "fog"
+
+
+def test_domains_are_looked_up_in_their_order_and_a_domain_may_be_a_folder(locale: Path) -> None:
+    (locale / "lessons").mkdir()
+    (locale / "words.po").write_text(HEAD + ON, encoding="utf-8")
+    (locale / "lessons" / "one.po").write_text(HEAD + FOG, encoding="utf-8")
+    (locale / "lessons" / "two.po").write_text(HEAD + FIXED + CALLS, encoding="utf-8")
+    found = translator("fr", "words", "lessons")
+    assert [found(text) for text in ("fog", "{n} calls")] == ["brouillard", "{n} appels"]
+    assert found("on", "fix.on") == "oui"
+    assert translator("fr", "lessons", "words")("on", "fix.on") == "activée"
+    assert translator("fr", "lessons/two")("fog") == translator("fr", "none")("fog") == "fog"
+
+
+def test_french_is_typeset_with_no_break_spaces(locale: Path) -> None:
+    entry = 'msgid "fix"\nmsgstr "« {title} » : fait ; vraiment ?"\n'
+    (locale / "words.po").write_text(HEAD + entry, encoding="utf-8")
+    expected = "«_{title}_»_: fait_; vraiment_?".replace("_", "\u00a0")
+    assert translator("fr", "words")("fix") == expected
+
+
+def test_a_damaged_catalogue_is_refused_in_one_line(locale: Path) -> None:
+    (locale / "words.po").write_text("msgtext\n")
+    (locale / "latin.po").write_bytes('msgid "fog"\nmsgstr "éé"\n'.encode("latin-1"))
+    for name in ("words", "latin"):
+        with pytest.raises(InputError, match=rf"{name}\.po: not a catalogue of texts: .*$"):
+            translator("fr", name)("fog")
+
+
+def test_a_sentence_is_reworded_phrase_by_phrase(locale: Path) -> None:
+    french = {"is": "=", "is on": "= oui", "a:": "un :"}
+    entries = (f'msgid "{text}"\nmsgstr "{other}"\n\n' for text, other in french.items())
+    (locale / "words.po").write_text(HEAD + "".join(entries), encoding="utf-8")
+    phrases, sentence = ("is on", "is", "a:"), "a: this is on; is 2"
+    assert reworded(sentence, phrases, translator("fr", "words")) == "un\u00a0: this = oui; = 2"
+    assert reworded(sentence, phrases, translator("en", "words")) == sentence
