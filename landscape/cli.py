@@ -12,6 +12,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import astuple, replace
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -258,6 +259,17 @@ def _inspect(options: argparse.Namespace) -> int:
     return 0
 
 
+def _course(name: str) -> Callable[[argparse.Namespace], int]:
+    """Return the function of a command of the course."""
+
+    def run(options: argparse.Namespace) -> int:
+        command = import_module(f"landscape.course.{name}_command")
+        status: int = command.run(options)
+        return status
+
+    return run
+
+
 def _assets_build(options: argparse.Namespace) -> int:
     from landscape.studio.build import build
 
@@ -342,6 +354,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "state": _frame("state"),
     "strip": _frame("strip"),
     "inspect": _inspect,
+    "lesson": _course("lesson"),
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape import __version__, arguments
+from landscape.course import options as course_options
 from landscape.errors import InputError
 from landscape.languages import LANGUAGES
 from landscape.scene import SEED, scene
@@ -165,6 +166,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
 
     frame_options.add(command, _of_a_frame, _one_element, _pair, _count, _language)
     frame_options.add_inspect(command, _language)
+    course_options.add_lesson(command, _language, _backend_option)
 
     assets = commands.add_parser(
         "assets",
@@ -274,16 +276,21 @@ def _language(parser: argparse.ArgumentParser, what: str = "language of the capt
     )
 
 
-def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:
-    """Add the options that all drawing commands share; ``preset`` is the help of --preset."""
-    add = parser.add_argument_group("common options").add_argument
-    add(
+def _backend_option(parser: Any) -> None:
+    parser.add_argument(
         "--backend",
         type=_backend,
         default="auto",
         metavar="|".join(arguments.BACKENDS),
         help="how OpenGL is opened; default: %(default)s, the first that works",
     )
+
+
+def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:
+    """Add the options that all drawing commands share; ``preset`` is the help of --preset."""
+    group = parser.add_argument_group("common options")
+    _backend_option(group)
+    add = group.add_argument
     add("--preset", metavar="best|2006", help=preset)
     add(
         "--set",

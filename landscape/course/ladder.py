@@ -1,0 +1,134 @@
+"""The lessons in their order, and what each file says of itself.
+
+A lesson is a file in landscape/lessons. Its docstring is a title and what the program shows; the
+comments after it are tags:
+
+    # topic: transforms
+    # needs: transform_order, scale          lessons that it builds on
+    # picture: frame 45 after SPACE          how it is pictured; keys are pressed before frame 1
+    # loop: 120 frames                       it is animated, and begins again after so many
+    # keys: LEFT RIGHT SPACE                 each key that changes the picture, by GLFW's name
+"""
+
+import ast
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from landscape.errors import InputError, short
+
+LESSONS = Path(__file__).resolve().parents[1] / "lessons"
+SECTIONS = ("What you see", "Why", "Change first", "Ask the class")  # of each page
+
+LADDER: dict[str, tuple[str, ...]] = {
+    "window": ("window", "keys", "mouse", "animation", "menu"),
+    "shapes": ("triangle", "primitives", "orientation", "polygon_modes", "tetrahedron"),
+    "transforms": (
+        *("pinhole", "viewport", "perspective", "look_at", "frames", "transform_order", "scale"),
+        "matrix_stack",
+    ),
+    "light": (
+        *("depth_buffer", "light_model", "attenuation", "spot", "normals", "gouraud"),
+        *("camera_light", "world_light"),
+    ),
+    "arrays": ("vertex_arrays", "display_list"),
+    "textures": ("generated_texture", "textured_sphere", "blending", "text"),
+    "landscape": (
+        *("height_field", "texture_units", "clip_plane", "mirror", "water", "sky_box"),
+        *("billboard", "sorting", "crossed_quads", "grass", "light_map", "sprite_sheet"),
+        *("ply_mesh", "overlay", "second_viewport", "fog"),
+    ),
+}
+NAMES = tuple(name for names in LADDER.values() for name in names)
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """A lesson as its file describes it; texts are in English.
+
+    ``about``: the paragraphs of its docstring after the title, a line each. ``pressed``: the keys
+    pressed for its picture, which shows frame ``frame``. ``loop``: frames until its animation
+    begins again, 0 without one.
+    """
+
+    name: str
+    title: str
+    file: Path
+    topic: str
+    needs: tuple[str, ...]
+    lines: int
+    about: tuple[str, ...]
+    frame: int
+    pressed: tuple[str, ...]
+    loop: int
+    keys: tuple[str, ...]
+
+    @property
+    def page(self) -> Path:
+        """Its page: Markdown, with the headings SECTIONS."""
+        return self.file.parent / "pages" / f"{self.name}.md"
+
+    def as_json(self) -> dict[str, Any]:
+        """Return what `landscape lesson --json` prints."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "file": str(self.file),
+            "topic": self.topic,
+            "needs": list(self.needs),
+            "lines": self.lines,
+        }
+
+
+@cache
+def lesson(name: str) -> Lesson:
+    """Return a lesson by its name; InputError if there is none of this name."""
+    if name not in NAMES:
+        raise InputError(f"{short(name)}: expected a lesson; `landscape lesson` lists them")
+    return read(LESSONS / f"{name}.py")
+
+
+def lessons() -> list[Lesson]:
+    """Return all lessons, in their order."""
+    return [lesson(name) for name in NAMES if (LESSONS / f"{name}.py").exists()]
+
+
+def read(file: Path) -> Lesson:
+    """Read what a lesson's file says of it; ValueError where a tag is missing or wrong."""
+    source = file.read_text(encoding="utf-8")
+    title, *about = paragraphs(ast.get_docstring(ast.parse(source)) or "")
+    tags = dict(re.findall(r"^# (topic|needs|picture|loop|keys): (.+)$", source, re.MULTILINE))
+    missing = {"topic", "needs", "picture", "keys"} - set(tags)
+    if missing:
+        raise ValueError(f"{file}: lacks the tags {', '.join(sorted(missing))}")
+    picture = re.fullmatch(r"frame (\d+)(?: after ([A-Z0-9_ ]+))?", tags["picture"])
+    loop = re.fullmatch(r"(\d+) frames", tags.get("loop", "0 frames"))
+    if not picture or not loop:
+        raise ValueError(f"{file}: expected `picture: frame N [after KEY ...]`, `loop: N frames`")
+    return Lesson(
+        name=file.stem,
+        title=title,
+        file=file,
+        topic=tags["topic"],
+        needs=tuple(re.findall(r"\w+", tags["needs"].replace("none", ""))),
+        lines=len(source.splitlines()),
+        about=tuple(about),
+        frame=int(picture[1]),
+        pressed=tuple((picture[2] or "").split()),
+        loop=int(loop[1]),
+        keys=tuple(tags["keys"].replace("none", "").split()),
+    )
+
+
+def paragraphs(text: str) -> list[str]:
+    """Return the paragraphs of a text, one line each."""
+    return [" ".join(part.split()) for part in re.split(r"\n\s*\n", text.strip())]
+
+
+def presses(keys: Iterable[str], frame: int = 1) -> list[dict[str, Any]]:
+    """Return the events of keys that are pressed and released before a frame."""
+    actions = ("press", "release")
+    return [{"frame": frame, "key": key, "action": action} for key in keys for action in actions]

@@ -1,0 +1,117 @@
+"""`landscape lesson`: lists the lessons; runs, draws, copies or inspects one."""
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from landscape.course.ladder import LESSONS, Lesson, lesson, lessons, presses
+from landscape.course.language import translated
+from landscape.course.picture import pictures
+from landscape.errors import InputError, NoOpenGLError
+from landscape.files.output import check_output_folder, check_writable, save_png, write_all
+from landscape.gl import display
+
+PACKAGES = LESSONS.parents[1]  # the folder in which Python finds the package
+
+
+def run(options: argparse.Namespace) -> int:
+    """Do what the command line asks; return the exit status."""
+    with speaking(options.lang):
+        if not options.name:
+            _list(options)
+            return 0
+        chosen = lesson(options.name)
+        if options.out is not None:
+            picture(chosen, options.out, options.backend)
+            print(options.out)
+        elif options.copy is not None:
+            for path in copy(chosen, options.copy):
+                print(path)
+        elif options.inspect:
+            from landscape.window.program_inspector import inspect
+
+            inspect(str(chosen.file), None, options.lang)
+        elif options.json:
+            print(json.dumps(chosen.as_json(), indent=1))
+        else:
+            return show(chosen)
+    return 0
+
+
+@contextmanager
+def speaking(language: str) -> Iterator[None]:
+    """Let the texts, and programs that are started, be in a language; "": in the user's."""
+    before = os.environ.get("LANGUAGE")
+    if language:
+        os.environ["LANGUAGE"] = language
+    try:
+        yield
+    finally:
+        os.environ.pop("LANGUAGE", None)
+        if before is not None:
+            os.environ["LANGUAGE"] = before
+
+
+def _list(options: argparse.Namespace) -> None:
+    if options.json:
+        print(json.dumps([each.as_json() for each in lessons()], indent=1))
+        return
+    topic = ""
+    for each in lessons():
+        if each.topic != topic:
+            topic = each.topic
+            print(f"{translated(topic)}:")
+        print(f"  {each.name:18} {translated(each.title)}")
+
+
+def show(chosen: Lesson) -> int:
+    """Run a lesson in a window until it ends; return its exit status."""
+    if sys.platform == "linux":
+        kind, reason = display.choose(os.environ)
+        if not kind:
+            raise NoOpenGLError(
+                f"there is no screen to open a window on ({reason}): use --out FILE.png, or "
+                "xvfb-run"
+            )
+    for line in chosen.about:
+        print(translated(line), file=sys.stderr)
+    path = os.pathsep.join(filter(None, [str(PACKAGES), os.environ.get("PYTHONPATH", "")]))
+    program = [sys.executable, str(chosen.file)]
+    return subprocess.run(program, env={**os.environ, "PYTHONPATH": path}).returncode
+
+
+def picture(chosen: Lesson, out: Path, backend: str = "auto") -> None:
+    """Write a lesson's picture to a PNG file; InputError if it cannot be written."""
+    check_writable(out, "--out ")
+    (drawn,) = pictures(chosen.file, [chosen.frame], presses(chosen.pressed), backend)
+    save_png(drawn, out)
+
+
+def copy(chosen: Lesson, folder: Path) -> list[Path]:
+    """Copy a lesson and what it reads into a folder, which is made; return the copies.
+
+    InputError, and nothing is copied, if one of the files is there already with another content.
+    """
+    check_output_folder(folder)
+    copies = {folder / file.relative_to(LESSONS): file.read_bytes() for file in needed(chosen)}
+    for path, content in copies.items():
+        if path.exists() and (not path.is_file() or path.read_bytes() != content):
+            raise InputError(f"{path}: is there already, changed; expected a folder without it")
+    write_all({path: content for path, content in copies.items() if not path.exists()})
+    return list(copies)
+
+
+def needed(chosen: Lesson) -> list[Path]:
+    """Return the files of a lesson: itself, the module that it imports, and their data."""
+    programs = [chosen.file]
+    if re.search("^from text import", chosen.file.read_text(encoding="utf-8"), re.MULTILINE):
+        programs.append(LESSONS / "text.py")
+    texts = "".join(program.read_text(encoding="utf-8") for program in programs)
+    data = [LESSONS / "data" / name for name in re.findall(r'"([\w.]+)"', texts)]
+    return [*programs, *(path for path in dict.fromkeys(data) if path.is_file())]
