@@ -19,9 +19,10 @@ from pathlib import Path
 from typing import Any
 
 from landscape.errors import InputError, short
+from landscape.languages import Phrases, Texts
 
 LESSONS = Path(__file__).resolve().parents[1] / "lessons"
-SECTIONS = ("What you see", "Why", "Change first", "Ask the class")  # of each page
+SECTIONS: Phrases = ("What you see", "Why", "Change first", "Ask the class")  # of each page
 
 LADDER: dict[str, tuple[str, ...]] = {
     "window": ("window", "keys", "mouse", "animation", "menu"),
@@ -41,6 +42,15 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("billboard", "sorting", "crossed_quads", "grass", "light_map", "sprite_sheet"),
         *("ply_mesh", "overlay", "second_viewport", "fog"),
     ),
+}
+TOPICS: Texts = {
+    "window": "Window and events",
+    "shapes": "Shapes",
+    "transforms": "Cameras and transforms",
+    "light": "Light",
+    "arrays": "Arrays and lists",
+    "textures": "Textures",
+    "landscape": "The landscape",
 }
 NAMES = tuple(name for names in LADDER.values() for name in names)
 
@@ -93,7 +103,7 @@ def lesson(name: str) -> Lesson:
 
 def lessons() -> list[Lesson]:
     """Return all lessons, in their order."""
-    return [lesson(name) for name in NAMES if (LESSONS / f"{name}.py").exists()]
+    return [lesson(name) for name in NAMES if (LESSONS / "pages" / f"{name}.md").exists()]
 
 
 def read(file: Path) -> Lesson:

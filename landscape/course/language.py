@@ -1,6 +1,10 @@
-"""The language of the lessons' texts."""
+"""The language of the course's texts: that of the environment, as gettext finds it."""
+
+import os
+
+from landscape.languages import choose, translator
 
 
 def translated(text: str) -> str:
-    """Return a text of a lesson in the user's language."""
-    return text
+    """Return an English text of the course or of a lesson in the user's language."""
+    return translator(choose(os.environ), "course", "lessons")(text)

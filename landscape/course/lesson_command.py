@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from landscape.course.ladder import LESSONS, Lesson, lesson, lessons, presses
+from landscape.course.ladder import LESSONS, TOPICS, Lesson, lesson, lessons, presses
 from landscape.course.language import translated
 from landscape.course.picture import pictures
 from landscape.errors import InputError, NoOpenGLError
@@ -66,7 +66,7 @@ def _list(options: argparse.Namespace) -> None:
     for each in lessons():
         if each.topic != topic:
             topic = each.topic
-            print(f"{translated(topic)}:")
+            print(f"{translated(TOPICS[topic])}:")
         print(f"  {each.name:18} {translated(each.title)}")
 
 

@@ -6,10 +6,14 @@ landscape/locale/LANGUAGE, without .po.
 
 import ast
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from pathlib import Path
 
 from babel.messages import extract
 from catalogue import Message
+
+from landscape.course.ladder import SECTIONS, Lesson, lessons
+from landscape.course.pages import page
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -43,6 +47,45 @@ def _tables(code: str) -> Iterator[tuple[str, str]]:
         yield from ((text, key) for key, text in keyed)
 
 
+def in_lesson(lesson: Lesson) -> Iterator[Message]:
+    """Yield the texts of a lesson: its docstring, what it writes on the screen, and its page."""
+    source = lesson.file.relative_to(ROOT).as_posix()
+    for text in (lesson.title, *lesson.about):
+        yield Message(text, source)
+    for node in ast.walk(ast.parse(lesson.file.read_text(encoding="utf-8"))):
+        for text in _written(node):
+            yield Message(text, source)
+    for block in page(lesson):
+        if not block.is_code and block.text not in SECTIONS:
+            yield Message(block.text, lesson.page.relative_to(ROOT).as_posix())
+
+
+def _written(node: ast.AST) -> Iterator[str]:
+    """Yield the texts of a lesson's call of write(x, y, text) or _(text), or its table LABELS."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        at = {"write": 2, "_": 0}.get(node.func.id, len(node.args))
+        yield from _strings(node.args[at : at + 1])
+    elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "LABELS":
+        yield from _strings([node.value])
+
+
+def _strings(nodes: Iterable[ast.AST]) -> Iterator[str]:
+    """Yield the strings that these expressions may be, or that tables hold as elements."""
+    for node in nodes:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+        elif isinstance(node, ast.IfExp):
+            yield from _strings((node.body, node.orelse))
+        elif isinstance(node, ast.Tuple | ast.List):
+            yield from _strings(node.elts)
+        elif isinstance(node, ast.Dict):
+            yield from _strings(node.values)
+        elif isinstance(node, ast.Subscript):
+            yield from _strings([node.value])
+
+
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "window": lambda: in_code("landscape/window/*.py"),
+    "course": lambda: in_code("landscape/course/*.py"),
+    **{f"lessons/{lesson.name}": partial(in_lesson, lesson) for lesson in lessons()},
 }
