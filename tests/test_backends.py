@@ -280,7 +280,7 @@ def test_doctor_json_has_the_documented_fields() -> None:
     usable = [name for name in BACKENDS if found["backends"][name]["ok"]]
     assert found["chosen"] == usable[0]
     assert found["packages"]["PyOpenGL"] >= "3.1.10"
-    assert {"glfw", "numpy", "pillow", "platformdirs", "tqdm"} <= set(found["packages"])
+    assert {"glfw", "numpy", "pillow", "platformdirs", "polib", "tqdm"} <= set(found["packages"])
     assert found["backends"]["glfw"] == {
         "ok": False,
         "reason": found["backends"]["glfw"].get("reason"),

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from landscape.capture import pixel
-from landscape.window.inspector_words import OUTCOMES, arithmetic, outcome
+from landscape.window import words
+from landscape.window.inspector_words import arithmetic
 
 ROWS = {
     "colour (1.000, 0.500, 0.000)": "couleur (1.000, 0.500, 0.000)",
@@ -16,6 +17,10 @@ ROWS = {
     "brouillard : 0.9 x (1, 1, 1) + 0.1 x (0, 0, 0) = (0.9, 0.9, 0.9)",
     "(1, 1, 1) replaces (0, 0, 0), of which RG is written = (1, 1, 0)":
     "(1, 1, 1) remplace (0, 0, 0), dont RG est écrit = (1, 1, 0)",
+    "GL_MIN of (1, 1, 1) and (0, 0, 0) = (0, 0, 0)":
+    "GL_MIN de (1, 1, 1) et (0, 0, 0) = (0, 0, 0)",
+    "GL_XOR of the bits of (1, 1, 1) and (1, 1, 1), of which nothing is written = (0, 0, 0)":
+    "GL_XOR des bits de (1, 1, 1) et (1, 1, 1), dont rien n'est écrit = (0, 0, 0)",
     "behind GL_CLIP_PLANE0 or GL_CLIP_PLANE1": "derrière GL_CLIP_PLANE0 ou GL_CLIP_PLANE1",
     "reference 1 GL_EQUAL 0 in the stencil buffer: fails":
     "référence 1 GL_EQUAL 0 dans le tampon de stencil : échec",
@@ -33,6 +38,5 @@ def test_each_kind_of_row_has_its_french_words(english: str) -> None:
 def test_every_outcome_of_a_fragment_has_a_word() -> None:
     source = Path(pixel.__file__).read_text(encoding="utf-8")
     named = set(re.findall(r'return "(\w+)", ', source)) | {"drawn", "masked"}
-    assert named == OUTCOMES.keys()
-    assert all(outcome(name, "en") == name for name in named)
-    assert outcome("depth", "fr") == "caché"
+    assert all(words.text("en", f"inspector.{name}") == name for name in named)
+    assert words.text("fr", "inspector.depth") == "caché"

@@ -22,7 +22,6 @@ from landscape.window.bindings import (
     labels,
     us_name,
 )
-from landscape.window.fix_titles import TITLES, said
 from landscape.window.panel import Panel, keys_image, line_image, text_size
 
 pytestmark = pytest.mark.window
@@ -62,11 +61,11 @@ def test_the_environment_chooses_the_language(variables: dict[str, str], languag
     assert choose(variables) == language
 
 
-def test_every_fix_has_a_french_title() -> None:
-    assert TITLES.keys() == {fix.name for fix in FIXES}
+def test_a_fix_is_named_by_its_title_in_each_language() -> None:
+    name, title = FIXES[0].name, FIXES[0].title
     french = "R1  «\u00a0Des nuages qui bougent\u00a0»\u00a0: correction activée"
-    assert said(FIXES[0], True, "fr") == french
-    assert said(FIXES[0], False, "en") == "R1  Clouds that move: off"
+    assert words.fix_state("fr", name, title, True) == french
+    assert words.fix_state("en", name, title, False) == "R1  Clouds that move: off"
 
 
 ROWS = [("W A S D", "walk (arrows up and down as well)"), ("Page up", "fly, and so on")] * 8

@@ -9,11 +9,8 @@ from landscape.island import ELEMENTS
 from landscape.settings import Settings, preset
 from landscape.window import settings_list
 from landscape.window.list_image import list_image, visible, wrapped
-from landscape.window.settings_fr import FRENCH, GROUPS, UNITS
 from landscape.window.settings_list import (
     Chooser,
-    Row,
-    described,
     heading,
     rows,
     step_of,
@@ -168,30 +165,11 @@ def test_a_setting_without_effect_is_marked_and_says_why() -> None:
 def test_the_french_page_has_its_own_words_for_groups_descriptions_and_values() -> None:
     shown = page(BEST, BEST, "fog.enabled", "", "fr")
     assert shown.title == "Réglages"
-    assert shown.below[1:3] == (FRENCH["fog.enabled"], "oui, non (préréglage\u00a0: oui)")
+    assert shown.below[1:3] == ("avec ou sans brouillard", "oui, non (préréglage\u00a0: oui)")
     assert heading("fog", "fr") == "brouillard (fog)" and heading("fog", "en") == "fog"
-    groups = {row.group for row in ROWS.values()}
-    assert groups == GROUPS.keys()
     assert written(True, "fr") == "oui"
-
-
-ALIKE = {"", "fraction", "kt", "pixels", "subdivisions", "texels"}  # in both languages
-
-
-def test_every_row_of_the_list_is_described_in_french() -> None:
-    assert {row.key for row in ROWS.values()} <= FRENCH.keys()
-    units = {row.item.metadata["unit"] for row in ROWS.values()}
-    assert units <= UNITS.keys() | ALIKE
-
-
-def test_french_descriptions_are_of_settings_that_exist_and_are_typeset() -> None:
-    assert FRENCH.keys() <= keys.fields(Settings).keys()
-    assert UNITS.keys() <= {item.metadata["unit"] for item in keys.fields(Settings).values()}
-    for text in FRENCH.values():
-        assert not any(f" {mark}" in text for mark in ";:!?»") and "« " not in text
-    key, item = "fog.density", keys.fields(Settings)["fog.density"]
-    assert described(Row(key, item), "fr") == "densité dans les modes exp2 et exp"
-    assert described(Row("new.setting", item), "fr") == item.metadata["does"]
+    limits = page(BEST, BEST, "fog.density", "", "fr").below[2]
+    assert limits == "de 0 à 1000 par unité (préréglage\u00a0: 0.042)"
 
 
 SIZES = [(640, 480), (1280, 720), (1920, 1080), (320, 240), (60, 40)]

@@ -11,7 +11,8 @@ from landscape.files import cache
 from landscape.gl.context import BACKENDS
 
 PACKAGES = (
-    "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs", "tqdm",
+    "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs",
+    "polib", "tqdm",
 )  # fmt: skip
 SECONDS = 60  # chosen: a backend that takes longer is considered to hang
 

@@ -22,7 +22,6 @@ from landscape.gl.glfw_library import glfw
 from landscape.scene import Moment, OpenScene, scene
 from landscape.window import words
 from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name
-from landscape.window.fix_titles import said
 from landscape.window.hands import Hands
 from landscape.window.inspector_frame import Inspection
 from landscape.window.list_image import list_image
@@ -316,7 +315,7 @@ class Walk:
         if name == "fix":
             self._apply(fix.off if on else fix.on)
             on = not on
-        self._say(said(fix, on, self._language))
+        self._say(words.fix_state(self._language, fix.name, fix.title, on))
 
     def _tell(self, name: str, value: keys.Value) -> None:
         self._say(words.state(self._language, name, value))

@@ -11,7 +11,7 @@ from landscape.window import words
 from landscape.window.inspector import Inspector
 from landscape.window.inspector_tree import Node
 from landscape.window.inspector_values import Cell, cells, current
-from landscape.window.inspector_words import arithmetic, outcome
+from landscape.window.inspector_words import arithmetic
 
 Target = tuple[Any, ...]
 ENUM_KINDS = ("enum", "mask", "boolean")
@@ -123,7 +123,7 @@ def _fragment(model: Inspector, row: Row, index: int, language: str) -> Line:
     which = "" if row.primitive is None else f"  {row.primitive}"
     spans = (
         Span("", swatch=(red, green, blue)),
-        Span(outcome(row.outcome, language), style, column=4.2),
+        Span(words.text(language, f"inspector.{row.outcome}"), style, column=4.2),
         Span(call.element, "element", column=5.0),
         Span(call.name, "name"),
         Span(which, "dim"),
@@ -180,7 +180,7 @@ def _history(row: Row, language: str) -> Iterator[Block]:
     for part in row.arithmetic.split("; "):
         yield Block((Span(arithmetic(part, language), "number"),))
     pixel = row.pixel
-    far = "depth" if language == "en" else "profondeur"
+    far = words.text(language, "inspector.depth_value")
     depth = "" if pixel.depth is None else f"   {far} {pixel.depth:.6f}"
     stencil = "" if pixel.stencil is None else f"   stencil {pixel.stencil}"
     rgba = " ".join(map(str, pixel.color))

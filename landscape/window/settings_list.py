@@ -13,10 +13,23 @@ from typing import Any
 from landscape import keys
 from landscape.conditions import WALK, ignored
 from landscape.keys import Field, Value
-from landscape.window import settings_fr, words
+from landscape.languages import Phrases, reworded, translator
+from landscape.window import words
 
 FRACTION = 1 / 20  # chosen: a step, in relation to the number it changes
 DIGITS = 6  # significant digits shown
+
+# How landscape.conditions says that a setting has no effect.
+IGNORED: Phrases = (
+    "ignored while",
+    "are not shown",
+    "is not shown",
+    "is shown",
+    "is on",
+    "is off",
+    "is",
+    "and",
+)
 
 
 @dataclass(frozen=True)
@@ -213,7 +226,7 @@ def page(
         if here:
             limits = words.text(language, "list.range", range=_limits(row, language), default=usual)
             below = f"{row.key}\n{described(row, language)}\n{limits}"
-            note = note or (settings_fr.ignored(idle) if language == "fr" else idle)
+            note = note or reworded(idle, IGNORED, translator(language, "window"))
     text = words.text
     texts = (*below.split("\n"), note, text(language, "list.choose"), text(language, "list.change"))
     return Page(text(language, "list.title"), tuple(lines), texts)
@@ -221,14 +234,13 @@ def page(
 
 def heading(group: str, language: str) -> str:
     """Return a group's heading: its name, after a word for it in another language."""
-    word = settings_fr.GROUPS.get(group, group) if language == "fr" else group
+    word = translator(language, "settings")(group)
     return group if word == group else f"{word} ({group})"
 
 
 def described(row: Row, language: str) -> str:
     """Return what a setting is, in its language where a text is known, else in English."""
-    english: str = row.item.metadata["does"]
-    return settings_fr.FRENCH.get(row.key, english) if language == "fr" else english
+    return translator(language, "settings")(row.item.metadata["does"], row.key)
 
 
 def _limits(row: Row, language: str) -> str:
@@ -239,5 +251,5 @@ def _limits(row: Row, language: str) -> str:
         return ", ".join(meta["choices"])
     kind = int if isinstance(row.item.default, int) else float
     low, high = (written(kind(meta[end]), language) for end in ("low", "high"))
-    unit = settings_fr.UNITS.get(meta["unit"], meta["unit"]) if language == "fr" else meta["unit"]
+    unit = translator(language, "settings")(meta["unit"])
     return words.text(language, "list.from_to", low=low, high=high, unit=unit).strip()

@@ -50,6 +50,14 @@ TEXTS: Texts = {
     "inspector.keys_pixel": "Up Down: draw. Enter or Left: its call in the frame. "
     "{pixel}: pixel in the middle, or click one. {letter}: close",
     "inspector.record": "a recording does not contain edits: replay it with the same --edits",
+    "inspector.drawn": "drawn",
+    "inspector.clip": "clip",
+    "inspector.scissor": "scissor",
+    "inspector.alpha": "alpha",
+    "inspector.stencil": "stencil",
+    "inspector.depth": "depth",
+    "inspector.masked": "masked",
+    "inspector.depth_value": "depth",
     "list.title": "Settings",
     "list.choose": "Up, Down: choose. Left, Right: group",
     "list.change": "+ -: change. Enter: on, off. Backspace: as in the preset",
@@ -105,3 +113,9 @@ def state(language: str, name: str, value: Value) -> str:
     """Return the message that a switch is on or off, or what it is set to."""
     found = ("on" if value else "off") if isinstance(value, bool) else value
     return text(language, f"{name}.{found}")
+
+
+def fix_state(language: str, name: str, title: str, on: bool) -> str:
+    """Return the message that a fix is on or off; the title is the English one."""
+    title = translator(language, "fixes")(title, name)
+    return text(language, "fix", name=name, title=title, state=state(language, "fix", on))

@@ -14,6 +14,8 @@ from catalogue import Message
 
 from landscape.course.ladder import SECTIONS, Lesson, lessons
 from landscape.course.pages import page
+from landscape.scene import SCENES, scene
+from landscape.window.settings_list import rows
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -84,7 +86,30 @@ def _strings(nodes: Iterable[ast.AST]) -> Iterator[str]:
             yield from _strings([node.value])
 
 
+def settings() -> Iterator[Message]:
+    """Yield what the list of settings says of each scene's: groups, what they do, units."""
+    for kind in map(scene, SCENES):
+        for row in rows(type(kind.settings)):
+            value = getattr(kind.settings, row.group)
+            owner = type(value if "." in row.key else kind.settings)
+            source = owner.__module__.replace(".", "/") + ".py"
+            yield Message(row.group, source)
+            yield Message(row.item.metadata["does"], source, row.key)
+            if row.item.metadata["unit"]:
+                yield Message(row.item.metadata["unit"], source)
+
+
+def fixes() -> Iterator[Message]:
+    """Yield the titles of each scene's fixes."""
+    for kind in map(scene, SCENES):
+        for fix in kind.fixes:
+            source = type(fix).__module__.rpartition(".")[0].replace(".", "/")
+            yield Message(fix.title, source, fix.name)
+
+
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
+    "fixes": fixes,
+    "settings": settings,
     "window": lambda: in_code("landscape/window/*.py"),
     "course": lambda: in_code("landscape/course/*.py"),
     **{f"lessons/{lesson.name}": partial(in_lesson, lesson) for lesson in lessons()},
