@@ -1,0 +1,224 @@
+"""The lessons: what each file says of itself, its picture, its keys, and its window."""
+
+import ast
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pictures
+import pytest
+from commands import Shell, landscape, refused
+from PIL import Image
+from test_window import screen, xdotool
+from watching import Watcher
+
+from landscape.course.ladder import (
+    LADDER,
+    LESSONS,
+    NAMES,
+    SECTIONS,
+    TOPICS,
+    Lesson,
+    lesson,
+    lessons,
+    presses,
+    read,
+)
+from landscape.course.pages import page
+
+__all__ = ["screen"]  # the fixture
+HELPER = "text"  # the lesson that others may import
+SMALL = 4  # pixels of a lesson's picture to one of its golden picture, each way
+SYMBOLS = {
+    **{"SPACE": "space", "ENTER": "Return", "TAB": "Tab", "MINUS": "minus", "EQUAL": "equal"},
+    **{"PAGE_UP": "Prior", "PAGE_DOWN": "Next", "HOME": "Home", "END": "End"},
+    **{name: name.capitalize() for name in ("LEFT", "RIGHT", "UP", "DOWN")},
+}
+PRESENT = [each.name for each in lessons()]
+each_lesson = pytest.mark.parametrize("name", PRESENT)
+
+
+@pytest.fixture(scope="module")
+def shell() -> Iterator[Shell]:
+    shell = Shell()
+    yield shell
+    shell.close()
+
+
+@pytest.fixture(scope="module")
+def watcher() -> Iterator[Watcher]:
+    watcher = Watcher(LESSONS)
+    yield watcher
+    watcher.close()
+
+
+def test_the_ladder_holds_every_file_and_each_topic_has_a_title() -> None:
+    assert {path.stem for path in (LESSONS / "pages").iterdir()} <= set(NAMES)
+    assert list(LADDER) == list(TOPICS)
+
+
+@each_lesson
+def test_a_lesson_is_short_tagged_and_builds_on_those_before_it(name: str) -> None:
+    found = lesson(name)
+    source = found.file.read_text(encoding="utf-8")
+    assert found.lines < 120
+    assert name in LADDER[found.topic]
+    assert len(found.title) <= 70 and not found.title.endswith(".")
+    assert found.about[-1].startswith("Keys: ") and len(found.about) >= 2
+    earlier = NAMES[: NAMES.index(name)]
+    assert set(found.needs) <= set(earlier), "it needs a lesson that comes later"
+    imported = set(re.findall(r"^(?:import|from) (\w+)", source, re.MULTILINE))
+    allowed = {"glfw", "OpenGL", "math", "pathlib", "random", "numpy", "PIL", "time"}
+    assert imported <= allowed | {HELPER}, "it imports more than a student has"
+    assert "from OpenGL.GL import *" in source and "GLU" not in source
+    assert not re.search(r"glCreateShader|glUseProgram", source)
+
+
+@each_lesson
+def test_a_lesson_names_only_keys_that_qwerty_and_azerty_have_in_one_place(name: str) -> None:
+    used = set(re.findall(r"glfw\.KEY_(\w+)", lesson(name).file.read_text(encoding="utf-8")))
+    assert not used & set("AQWZM")
+    named = set(lesson(name).keys)
+    # Digits may be counted: KEY_1 + number.
+    assert named - used <= set("123456789") and used - named <= {"ESCAPE"}
+
+
+@each_lesson
+def test_every_text_that_a_lesson_writes_can_be_translated(name: str) -> None:
+    tree = ast.parse(lesson(name).file.read_text(encoding="utf-8"))
+    assigned = {ast.unparse(n.targets[0]) for n in ast.walk(tree) if isinstance(n, ast.Assign)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "write":
+            (text,) = node.args[2:3]
+            fixed = isinstance(text, ast.Constant | ast.IfExp | ast.Subscript)
+            assert fixed or "LABELS" in assigned or name == HELPER, ast.unparse(node)
+            assert not isinstance(text, ast.JoinedStr), ast.unparse(node)
+
+
+@each_lesson
+def test_a_page_has_its_four_sections_and_answers_its_questions(name: str) -> None:
+    blocks = page(lesson(name))
+    assert tuple(b.text for b in blocks if b.is_heading) == SECTIONS
+    for one, two in zip(blocks, blocks[1:], strict=False):
+        assert not (one.is_heading and two.is_heading), f"{one.text} is empty"
+    asked = blocks[[b.text for b in blocks].index(SECTIONS[-1]) + 1 :]
+    assert any(b.text.endswith("?") for b in asked)
+    assert any(b.text.startswith("Answer:") for b in asked)
+    words = sum(len(b.text.split()) for b in blocks)
+    assert 120 <= words <= 480
+
+
+def test_a_wrong_tag_is_found(tmp_path: Path) -> None:
+    whole = lesson(HELPER).file.read_text(encoding="utf-8")
+    for tag, said in (("# topic: ", "topic"), ("frame 0", "picture: frame N")):
+        path = tmp_path / "lesson.py"
+        path.write_text(whole.replace(tag, "# " if "#" in tag else "frames"))
+        with pytest.raises(ValueError, match=said):
+            read(path)
+
+
+@pytest.mark.golden
+@each_lesson
+def test_a_lesson_looks_as_it_did(
+    name: str, shell: Shell, tmp_path: Path, pytestconfig: pytest.Config, stage: object
+) -> None:
+    path = tmp_path / f"{name}.png"
+    done = shell("lesson", name, "--out", path, "--lang", "en")
+    assert (done.status, done.out, done.err) == (0, f"{path}\n", "")
+    with Image.open(path) as image:
+        assert image.size == (640, 480)
+        small = np.asarray(image.reduce(SMALL))
+    pictures.check(f"lesson_{name}", small, pytestconfig.getoption("--update-golden"))
+
+
+@each_lesson
+def test_each_key_of_a_lesson_changes_its_picture(name: str, watcher: Watcher) -> None:
+    found = lesson(name)
+
+    def seen(*keys: str) -> str:
+        drawn = watcher(found.file, 2, events=presses(keys))
+        assert drawn.error == "", drawn.details
+        assert (drawn.calls[-1][0] != "glGetError" and drawn.colours > 1) or name in LADDER[
+            "window"
+        ]
+        return drawn.picture
+
+    without = seen()
+    assert [key for key in found.keys if seen(key) == without] == []
+
+
+@pytest.mark.window
+@each_lesson
+def test_a_lesson_runs_in_a_window_until_escape(name: str, screen: dict[str, str]) -> None:
+    found = lesson(name)
+    words = [sys.executable, "-W", "error", str(found.file)]
+    process = subprocess.Popen(words, env=screen, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        pid = str(process.pid)
+        window = xdotool(screen, "search", "--sync", "--onlyvisible", "--pid", pid)
+        keys = [SYMBOLS.get(key, key.lower()) for key in found.keys]
+        focus = ("windowfocus", "--sync", window)
+        xdotool(screen, *focus, "key", "--delay", "30", *keys, "Escape")
+        out, _ = process.communicate(timeout=60)
+    finally:
+        process.kill()
+        process.wait()
+    assert (process.returncode, out) == (0, b"")
+
+
+def test_the_list_names_every_lesson_in_both_languages(shell: Shell) -> None:
+    names = [each["name"] for each in shell("lesson", "--json").json()]
+    assert names == PRESENT
+    english, french = (shell("lesson", "--lang", lang).out for lang in ("en", "fr"))
+    assert "The matrix stack: a car" in english and "La pile de matrices" in french
+    for name in names:
+        assert f" {name} " in english and f" {name} " in french
+
+
+def test_a_lesson_as_json_has_what_a_script_needs(shell: Shell) -> None:
+    found = shell("lesson", "matrix_stack", "--json").json()
+    assert found == lesson("matrix_stack").as_json()
+    assert set(found) == {"name", "title", "file", "topic", "needs", "lines"}
+    assert Path(found["file"]).is_file()
+
+
+def _copied(found: Lesson, folder: Path) -> list[Path]:
+    return [folder / f"{found.name}.py", folder / "text.py", folder / "data" / "letters.png"]
+
+
+def test_a_copy_runs_in_its_folder_and_is_never_overwritten(
+    shell: Shell, watcher: Watcher, tmp_path: Path
+) -> None:
+    found = lesson("matrix_stack")
+    folder = tmp_path / "tp"
+    copies = _copied(found, folder)
+    done = shell("lesson", found.name, "--copy", folder)
+    assert (done.status, done.out.split()) == (0, [str(path) for path in copies])
+    assert watcher(copies[0], 2).picture == watcher(found.file, 2).picture
+    assert shell("lesson", found.name, "--copy", folder).status == 0, "unchanged, it may stay"
+    copies[0].write_text("changed")
+    refused(shell("lesson", found.name, "--copy", folder), str(copies[0]), "changed")
+    assert copies[0].read_text() == "changed"
+
+
+@pytest.mark.parametrize(
+    "words, said",
+    [
+        (("no_such",), "expected a lesson"),
+        (("text", "--out", "/dev/null/x.png"), "/dev/null/x.png"),
+        (("text", "--copy", "/dev/null/x"), "/dev/null/x"),
+        (("text", "--out", "a.png", "--copy"), "not allowed with"),
+    ],
+)
+def test_what_cannot_be_done_is_told_in_one_line(
+    shell: Shell, words: tuple[str, ...], said: str
+) -> None:
+    refused(shell("lesson", *words), said)
+
+
+def test_without_a_screen_a_lesson_says_how_to_see_it() -> None:
+    done = landscape("lesson", "text")
+    assert done.status == 3 and "--out FILE.png" in done.err and done.err.count("\n") == 1
