@@ -52,8 +52,8 @@ def choose(environment: Mapping[str, str]) -> str:
 
 
 def typeset(french: str) -> str:
-    """Return a French text with no-break spaces before its high punctuation and inside « »."""
-    return re.sub(r" (?=[;:!?»])|(?<=«) ", "\u00a0", french)
+    """Return a French text with no-break spaces before ; : ! ? % and inside « »."""
+    return re.sub(r" (?=[;:!?%»])|(?<=«) ", "\u00a0", french)
 
 
 @cache

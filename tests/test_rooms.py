@@ -111,7 +111,7 @@ def test_geometry_and_files_never_import_opengl() -> None:
 def test_the_top_has_at_most_15_modules_and_only_tables_exceed_400_lines() -> None:
     assert len(list(PACKAGE.glob("*.py"))) <= 15
     tables = {"settings.py", "report_fixes.py", "view_captions.py"}
-    tables |= {f"spec_{name}.py" for name in ("functions", "enumerants", "english", "french")}
+    tables |= {f"spec_{name}.py" for name in ("functions", "enumerants", "texts")}
     for path in modules():
         if path.name not in tables:
             assert len(path.read_text(encoding="utf-8").splitlines()) <= 400, path

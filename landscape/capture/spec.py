@@ -2,14 +2,13 @@
 
 A call is given by its name and its arguments as PyOpenGL received them; ``index`` counts them from
 0. The tables are in the modules ``spec_*`` beside this one: functions, enumerants, state variables,
-and the texts in English and French. Functions of later versions are unknown, but for framebuffer
+and the texts. Functions of later versions are unknown, but for framebuffer
 objects and a few more; the ARB and EXT names of known functions are understood.
 """
 
 from collections.abc import Sequence
 from typing import Any
 
-from landscape.capture import spec_english, spec_french
 from landscape.capture.spec_arguments import (
     enumerant,
     function,
@@ -22,8 +21,10 @@ from landscape.capture.spec_arguments import (
 )
 from landscape.capture.spec_functions import AT_ONCE, DRAWS, QUERIES
 from landscape.capture.spec_table import Function, Parameter, functions
+from landscape.capture.spec_texts import ARGUMENTS, ENUMERANTS, FUNCTIONS
 from landscape.capture.spec_values import parsed, written
 from landscape.capture.spec_variables import sets
+from landscape.languages import translator
 
 __all__ = [
     "Function", "Parameter", "creates", "deletes", "draws", "enumerant", "explain",
@@ -78,13 +79,10 @@ def in_list(name: str) -> bool:
     return compiled or known.base == "glBlitFramebuffer"
 
 
-TEXTS = {"en": spec_english, "fr": spec_french}
-
-
 def explain(name: str, language: str) -> str:
-    """Return what a function does, in a line, in "en" or "fr"; "" if it is unknown."""
+    """Return what a function does, in a line; "" if it is unknown."""
     known = function(name)
-    return TEXTS[language].FUNCTIONS[known.base] if known else ""
+    return translator(language, "calls")(FUNCTIONS[known.base], known.base) if known else ""
 
 
 def explain_argument(name: str, index: int, args: Sequence[Any], language: str) -> str:
@@ -96,15 +94,15 @@ def explain_argument(name: str, index: int, args: Sequence[Any], language: str) 
     form = known.form(len(args)) if known else ()
     if known is None or not 0 <= index < len(form):
         return ""
-    texts, found = TEXTS[language], form[index]
+    found = form[index]
     if found.kind == "by":
         place = next(k for k, other in enumerate(form) if other.name == "pname")
         pname = name_in(found.of, args[place]) if place < len(args) else ""
         if pname:
             return explain_enumerant(pname, language, found.of)
     scopes = (f"{known.base}.", f"{known.group}.", "")
-    keys = (f"{scope}{found.name}" for scope in scopes)
-    return next(texts.ARGUMENTS[key] for key in keys if key in texts.ARGUMENTS)
+    key = next(f"{scope}{found.name}" for scope in scopes if f"{scope}{found.name}" in ARGUMENTS)
+    return translator(language, "calls")(ARGUMENTS[key], key)
 
 
 def explain_enumerant(name: str, language: str, of: str = "") -> str:
@@ -113,5 +111,5 @@ def explain_enumerant(name: str, language: str, of: str = "") -> str:
     ``of`` is the group that it belongs to here, as :class:`Parameter` names it: GL_REPLACE has
     other meanings as "stencil_op" and as "env_mode".
     """
-    texts = TEXTS[language].ENUMERANTS
-    return texts.get(f"{of}.{name}") or texts.get(name, "")
+    key = f"{of}.{name}" if f"{of}.{name}" in ENUMERANTS else name
+    return translator(language, "calls")(ENUMERANTS[key], key) if key in ENUMERANTS else ""

@@ -108,8 +108,10 @@ def fixes() -> Iterator[Message]:
 
 
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
+    "calls": lambda: in_code("landscape/capture/*.py"),
     "fixes": fixes,
     "settings": settings,
+    "strip": lambda: in_code("landscape/tools/*.py"),
     "window": lambda: in_code("landscape/window/*.py"),
     "course": lambda: in_code("landscape/course/*.py"),
     **{f"lessons/{lesson.name}": partial(in_lesson, lesson) for lesson in lessons()},

@@ -1,11 +1,14 @@
-"""What functions, arguments and enumerants do, in a line each, in English.
+"""What functions, arguments and enumerants do, in a line each.
 
 ARGUMENTS are found by "function.parameter", else by "group.parameter" (a group of spec_functions),
 else by the parameter alone; ENUMERANTS by "group.enumerant" (a group of spec_enumerants), else by
-the enumerant alone. What a property means stands there, too. spec_french has the same keys.
+the enumerant alone. What a property means stands there, too. The translations are in
+locale/LANGUAGE/calls.po.
 """
 
-FUNCTIONS = {
+from landscape.languages import Texts
+
+FUNCTIONS: Texts = {
     "glBegin": "Begins a primitive; the vertices up to glEnd belong to it",
     "glEnd": "Ends the primitive that glBegin began",
     "glVertex": "Sends a vertex, with the current colour, normal and texture coordinates",
@@ -327,7 +330,7 @@ FUNCTIONS = {
     "glutStrokeHeight": "Returns a stroke font's height in the font's units",
 }
 
-ARGUMENTS = {
+ARGUMENTS: Texts = {
     "x": "x coordinate",
     "y": "y coordinate",
     "z": "z coordinate",
@@ -699,7 +702,7 @@ ARGUMENTS = {
     "string": "The text",
 }
 
-ENUMERANTS = {
+ENUMERANTS: Texts = {
     "GL_POINTS": "A point at each vertex",
     "GL_LINES": "A line from each two vertices",
     "GL_LINE_LOOP": "Lines from vertex to vertex, and back to the first",
