@@ -1,0 +1,44 @@
+"""A window: a coloured background
+
+The smallest program that draws with OpenGL: GLFW opens a window with an OpenGL context, and the
+loop draws one picture after another. Here a picture is one call: glClear fills the window with the
+colour that glClearColor has set. Red, green and blue go from 0 to 1.
+
+Keys: Escape ends the program.
+"""
+# topic: window
+# needs: none
+# picture: frame 0
+# keys: none
+
+import glfw
+from OpenGL.GL import *
+from text import _, write
+
+red, green, blue = 0.95, 0.62, 0.35
+
+
+def draw():
+    glClearColor(red, green, blue, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+    write(16, 64, "red {red}", red=red)
+    write(16, 40, "green {green}", green=green)
+    write(16, 16, "blue {blue}", blue=blue)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("A window"), None, None)
+    glfw.make_context_current(window)  # from here on, OpenGL draws to this window
+    while not glfw.window_should_close(window):
+        glViewport(0, 0, *glfw.get_framebuffer_size(window))  # draw to all of the window
+        draw()
+        glfw.swap_buffers(window)  # shows the picture, which was drawn out of sight
+        glfw.poll_events()  # the close button, a new size, keys
+        if glfw.get_key(window, glfw.KEY_ESCAPE) == glfw.PRESS:
+            glfw.set_window_should_close(window, True)
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
