@@ -38,17 +38,28 @@ def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_
     path = tmp_path / "fr" / "window.po"
     whole = path.read_text(encoding="utf-8")
     entry = f"#: landscape/window/words.py\n{FOG}"
-    path.write_text(whole.replace(entry, ""), encoding="utf-8")
+    stale = FOG.replace("fog", "haze")
+    path.write_text(stale + whole.replace(entry, ""), encoding="utf-8")
     (tmp_path / "fr" / "none.po").write_text(HEAD)
 
     done = run("check", "--locale", str(tmp_path))
     missing = f"{path}: missing: 'fog', from landscape/window/words.py"
     stranger = f"{path.with_name('none.po')}: stale: no texts belong to it"
-    assert (done.status, done.out.splitlines()) == (1, [missing, stranger])
+    assert (done.status, done.out.splitlines()) == (
+        1,
+        [missing, f"{path}: stale: 'haze'", stranger],
+    )
 
     done = run("update", "--locale", str(tmp_path))
-    assert (done.status, done.out) == (0, f"{path}: untranslated: 'fog'\n{stranger}\n")
-    assert path.read_text(encoding="utf-8") == whole.replace(entry, entry.replace("brouillard", ""))
+    removed = f"{path}: removed: 'haze': 'brouillard'"
+    untranslated = f"{path}: untranslated: 'fog'"
+    assert (done.status, done.out.splitlines()) == (0, [removed, untranslated, stranger])
+    left = path.read_text(encoding="utf-8")
+    assert left == whole.replace(entry, entry.replace("brouillard", ""))
+
+    path.write_text("msgtext\n")
+    done = run("update", "--locale", str(tmp_path))
+    assert done.status == 1 and done.err.startswith(f"catalogues: {path}: not a catalogue: ")
 
 
 @pytest.fixture

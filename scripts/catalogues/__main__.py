@@ -4,7 +4,7 @@
     python scripts/catalogues check     # lists what is untranslated, stale, fuzzy or damaged
 
 Where the texts of each domain come from is in domains.py. The exit status of `check` is 1 if it
-finds a fault. A text that has changed is a new text: take its old translation from `git diff`.
+finds a fault. A text that has changed is a new one: `update` prints the translation of the old.
 """
 
 import argparse
@@ -30,7 +30,10 @@ def main() -> int:
         wanted = {folder / f"{domain}.po": list(texts()) for domain, texts in DOMAINS.items()}
         if options.command == "update":
             for path, messages in wanted.items():
-                update(path, language, messages)
+                try:
+                    found += update(path, language, messages)
+                except ValueError as error:
+                    sys.exit(f"catalogues: {error}")
         for path, messages in wanted.items():
             found += faults(path, messages)
         strangers = sorted(set(folder.rglob("*.po")) - wanted.keys())

@@ -23,12 +23,13 @@ class Message:
     context: str = ""
 
 
-def update(path: Path, language: str, messages: Iterable[Message]) -> None:
+def update(path: Path, language: str, messages: Iterable[Message]) -> list[str]:
     """Write the catalogue with an entry for each of these texts, sorted by source, and no others.
 
-    Translations and translators' comments are kept.
+    Translations and translators' comments are kept. Returns a line for each translation that is
+    gone with its text. Raises ValueError if the file is not a catalogue.
     """
-    kept = {_key(entry): entry for entry in polib.pofile(str(path))} if path.exists() else {}
+    kept = {_key(entry): entry for entry in _entries(path)}
     sources, contexts = _wanted(messages)
     new = polib.POFile(wrapwidth=WIDTH)
     new.header = "How to add or change a text: CONTRIBUTING.md"
@@ -40,7 +41,7 @@ def update(path: Path, language: str, messages: Iterable[Message]) -> None:
     }
     for text in sorted(sources, key=lambda text: sources[text][0]):
         for context in ("", *sorted(contexts[text])):
-            old = kept.get((context, text))
+            old = kept.pop((context, text), None)
             if context and not old:
                 continue
             entry = polib.POEntry(
@@ -54,17 +55,19 @@ def update(path: Path, language: str, messages: Iterable[Message]) -> None:
             new.append(entry)
     path.parent.mkdir(parents=True, exist_ok=True)
     new.save(str(path))
+    return [
+        f"{path}: removed: {old.msgid!r}: {old.msgstr!r}" for old in kept.values() if old.msgstr
+    ]
 
 
 def faults(path: Path, messages: Iterable[Message]) -> Iterator[str]:
     """Yield a line for each fault of the catalogue of these texts."""
     try:
-        entries = polib.pofile(str(path)) if path.exists() else []
-    except (OSError, UnicodeDecodeError) as error:
-        yield f"{path}: not a catalogue: {error}"
+        entries = _entries(path)
+    except ValueError as error:
+        yield str(error)
         return
     sources, contexts = _wanted(messages)
-    entries = [entry for entry in entries if not entry.obsolete]
     found = [_key(entry) for entry in entries]
     for text, files in sources.items():
         if ("", text) not in found:
@@ -91,6 +94,15 @@ def placeholders(text: str) -> set[str]:
         return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
     except ValueError:
         return {text}
+
+
+def _entries(path: Path) -> list[polib.POEntry]:
+    """Return the entries of a catalogue, none if there is no file."""
+    try:
+        entries = polib.pofile(str(path), encoding="utf-8") if path.exists() else []
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path}: not a catalogue: {error}") from error
+    return [entry for entry in entries if not entry.obsolete]
 
 
 def _key(entry: polib.POEntry) -> tuple[str, str]:
