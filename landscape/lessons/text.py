@@ -1,13 +1,12 @@
 """Text: a texture of letters, a display list for each
 
-OpenGL draws no text. The image letters.png holds the characters of code page 1252 in a grid of
-16 by 16. Each becomes a display list that draws one textured quad and moves on by its width, so
-that a string is a single glCallLists of its bytes. The other lessons write with `write`.
+OpenGL draws no text. Each of the 256 characters in letters.png becomes a display list that draws
+a quad and moves on by its width, so that a string is a single glCallLists of its bytes.
 
 Keys: Left and Right choose a character; Space shows the quads.
 """
 # topic: textures
-# needs: display_list, image_texture, blending
+# needs: display_list, textured_sphere, blending
 # picture: frame 0
 # keys: LEFT RIGHT SPACE
 
@@ -29,59 +28,58 @@ quads = False
 
 
 def make_letters():
-    """Make the texture and 256 display lists."""
     global texture, lists
-    image = Image.open(Path(__file__).parent / "data" / "letters.png")
-    width, height = image.size
+    letters = Image.open(Path(__file__).parent / "data" / "letters.png").tobytes()
     texture = glGenTextures(1)
     glBindTexture(GL_TEXTURE_2D, texture)
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
-    data = GL_ALPHA, GL_UNSIGNED_BYTE, image.tobytes()
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, width, height, 0, *data)
+    for case in (GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER):
+        glTexParameteri(GL_TEXTURE_2D, case, GL_NEAREST)
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, 256, 512, 0, GL_ALPHA, GL_UNSIGNED_BYTE, letters)
     lists = glGenLists(256)
     for code in range(256):
-        row, column = divmod(code, 16)
         glNewList(lists + code, GL_COMPILE)
         glBegin(GL_QUADS)
         for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
-            # The first row of the image is its top, and t counts from the first row.
-            glTexCoord2f((column + x) * WIDTH / width, (row + 1 - y) * HEIGHT / height)
+            # The image is 256 by 512; its first row is its top, and t counts from that row.
+            glTexCoord2f((code % 16 + x) * WIDTH / 256, (code // 16 + 1 - y) * HEIGHT / 512)
             glVertex2f(x * WIDTH, y * HEIGHT)
         glEnd()
         glTranslatef(WIDTH, 0, 0)
         glEndList()
 
 
-def write(x, y, text, color=(1, 1, 1), size=1, **values):
-    """Write a text with its {values}; x and y: pixels from the viewport's lower left corner."""
+def write(x, y, text, color=(1, 1, 1), size=1, at=None, **values):
+    """Write a text; x, y: pixels from the viewport's lower left corner, or from a point ``at``."""
     glPushAttrib(GL_ALL_ATTRIB_BITS)
     if not lists:
         make_letters()
     for capability in (GL_LIGHTING, GL_FOG, GL_DEPTH_TEST, GL_CULL_FACE, GL_ALPHA_TEST):
         glDisable(capability)
     glEnable(GL_BLEND)
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
     glEnable(GL_TEXTURE_2D)
-    glBindTexture(GL_TEXTURE_2D, texture)
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+    glBindTexture(GL_TEXTURE_2D, 0 if quads else texture)
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE)
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE if quads else GL_FILL)
-    width, height = glGetIntegerv(GL_VIEWPORT)[2:]
+    left, bottom, width, height = glGetIntegerv(GL_VIEWPORT)
     scale = max(1, glfw.get_framebuffer_size(glfw.get_current_context())[1] // 480)
-    glMatrixMode(GL_PROJECTION)
-    glPushMatrix()
-    glLoadIdentity()
-    glOrtho(0, width / scale, 0, height / scale, -1, 1)
-    glMatrixMode(GL_MODELVIEW)
-    glPushMatrix()
-    # First a dark copy, one pixel to the lower right: it can be read on any background.
-    for shift, shade in ((1, (0, 0, 0)), (0, color)):
-        glColor3f(*shade)
+    if at:
+        glRasterPos3f(*at)  # is transformed like a vertex, and can be read in pixels
+        x, y = (x, y) + (glGetFloatv(GL_CURRENT_RASTER_POSITION)[:2] - (left, bottom)) / scale
+    text = _(text).format(**values) if values else _(text)
+    for mode in (GL_PROJECTION, GL_MODELVIEW):
+        glMatrixMode(mode)
+        glPushMatrix()
         glLoadIdentity()
+    glListBase(lists)
+    glOrtho(0, width / scale, 0, height / scale, -1, 1)
+    for shift, shade in ((1, (0, 0, 0)), (0, color)):  # first a shadow, for bright backgrounds
+        glColor3f(*shade)
+        glPushMatrix()
         glTranslatef(x + shift, y - shift, 0)
         glScalef(size, size, 1)
-        glListBase(lists)
-        glCallLists(_(text).format(**values).encode("cp1252", "replace"))
+        glCallLists(text.encode("cp1252", "replace"))
+        glPopMatrix()
     glPopMatrix()
     glMatrixMode(GL_PROJECTION)
     glPopMatrix()
@@ -107,8 +105,11 @@ def main():
         glViewport(0, 0, *glfw.get_framebuffer_size(window))
         glClearColor(0.13, 0.16, 0.21, 1)
         glClear(GL_COLOR_BUFFER_BIT)
-        write(30, 180, bytes([chosen]).decode("cp1252", "replace"), (1, 0.75, 0.35), size=12)
-        write(200, 300, "code {code}, display list {list}", code=chosen, list=lists + chosen)
+        letters = bytes(range(256)).decode("cp1252", "replace")
+        for row in range(16):
+            write(290, 420 - 24 * row, " ".join(letters[16 * row : 16 * row + 16]), (0.5, 0.6, 0.6))
+        write(70, 160, letters[chosen], (1, 0.75, 0.35), size=12)
+        write(16, 16, "code {code}, display list {list}", code=chosen, list=lists + chosen)
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()
