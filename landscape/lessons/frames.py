@@ -1,0 +1,119 @@
+"""Frames: the chair's, the world's and the camera's
+
+A chair has a frame of its own. One matrix takes its points to the world's frame, another to the
+camera's; the modelview matrix is their product. Without the first, it stands at the world's origin.
+
+Keys: Left and Right turn the chair; Space leaves out its matrix.
+"""
+# topic: transforms
+# needs: look_at
+# picture: frame 0
+# keys: LEFT RIGHT SPACE
+
+import glfw
+from OpenGL.GL import *
+from text import _, write
+
+LEGS = [(x, 0, z, 0.1, 0.9, 0.1) for x in (-0.45, 0.45) for z in (-0.45, 0.45)]
+CHAIR = [(0, 0.9, 0, 1, 0.1, 1), (0, 1, -0.45, 1, 1, 0.1), *LEGS]
+CAMERA = [(0, -0.2, 0, 0.35, 0.4, 0.6), (0, -0.1, -0.4, 0.2, 0.2, 0.2)]
+CORNER = (0.5, 2, -0.5)  # of the chair's back, in the chair's frame
+turned, placed = 30, True  # degrees
+
+
+def chair_to_world():
+    if placed:
+        glTranslatef(1.8, 0, -1)
+        glRotatef(turned, 0, 1, 0)
+
+
+def world_to_camera():
+    glRotatef(90, 0, 1, 0)
+    glTranslatef(2.6, -1.2, 0.3)
+
+
+def camera_to_world():
+    glTranslatef(-2.6, 1.2, -0.3)
+    glRotatef(-90, 0, 1, 0)
+
+
+def world_to_us():
+    glTranslatef(0, -0.5, -7.5)
+    glRotatef(32, 1, -0.8, 0)
+
+
+def set_frame(*changes):
+    glLoadIdentity()
+    for change in changes:  # the last one is the first to act on a point
+        change()
+
+
+def corner(*changes):
+    set_frame(*changes)
+    return "({:.1f}, {:.1f}, {:.1f})".format(*((*CORNER, 1) @ glGetFloatv(GL_MODELVIEW_MATRIX)))
+
+
+def draw_part(boxes, color):
+    glBegin(GL_QUADS)
+    for x, y, z, width, height, depth in boxes:  # x, y, z: the middle of the lower side
+        for axis, shade in ((0, 0.75), (1, 1), (2, 0.6)):
+            glColor3f(*(shade * channel for channel in color))
+            for side in (-1, 1):
+                for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                    a, b, c = ((side, u, v), (u, side, v), (u, v, side))[axis]
+                    glVertex3f(x + a * width / 2, y + (b + 1) * height / 2, z + c * depth / 2)
+    glEnd()
+    for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):
+        glBegin(GL_LINES)
+        glColor3f(*(0.45 + 0.5 * coordinate for coordinate in axis))
+        glVertex3f(0, 0, 0)
+        glVertex3f(*axis)
+        glEnd()
+        write(3, 0, "xyz"[axis.index(1)], at=axis)
+
+
+def on_key(window, key, scancode, action, mods):
+    global placed, turned
+    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT) and action != glfw.RELEASE:
+        turned += 15 if key == glfw.KEY_RIGHT else -15
+    if key == glfw.KEY_SPACE and action == glfw.PRESS:
+        placed = not placed
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("Frames"), None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glEnable(GL_DEPTH_TEST)
+    glLineWidth(2)
+    glClearColor(0.13, 0.16, 0.21, 1)
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glMatrixMode(GL_PROJECTION)
+        glLoadIdentity()
+        glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
+        glMatrixMode(GL_MODELVIEW)
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+        set_frame(world_to_us)
+        draw_part([(0, -0.1, 0, 7.6, 0.05, 6)], (0.27, 0.32, 0.38))
+        write(-30, -22, "world", at=(0, 0, 0))
+        set_frame(world_to_us, camera_to_world)
+        draw_part(CAMERA, (0.95, 0.9, 0.8))
+        write(-30, -34, "camera", at=(0, 0, 0))
+        set_frame(world_to_us, chair_to_world)
+        draw_part(CHAIR, (0.95, 0.62, 0.35))
+        write(4, 4, "corner", at=CORNER)
+        write(16, 64, "corner in the chair's frame {p}", p=corner())
+        write(16, 40, "in the world's frame        {p}", p=corner(chair_to_world))
+        write(16, 16, "in the camera's frame       {p}", p=corner(world_to_camera, chair_to_world))
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
