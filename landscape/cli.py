@@ -30,9 +30,20 @@ def main(argv: Sequence[str] | None = None) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A file name may have characters that the terminal's encoding lacks.
         sys.stdout.reconfigure(errors="backslashreplace")
-    try:
+
+    def run() -> int:
         options = parse(argv, COMMANDS)
+        options.own_process = argv is None
         status: int = options.run(options)
+        return status
+
+    return _reported(run)
+
+
+def _reported(work: Callable[[], int]) -> int:
+    """Return the exit status of ``work``, or of the error that it raises, once that is printed."""
+    try:
+        status = work()
         print(end="", flush=True)
         return status
     except InputError as error:
@@ -226,6 +237,7 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
 
         if "lang" in options:
             options.lang = options.lang or choose(os.environ)
+        other = getattr(options, "diff", None) if name == "trace" else None
         kinds = [] if options.target.endswith(".py") else [find_view(options.target)[0]]
         target = Target(
             options.target,
@@ -242,7 +254,13 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
             events=options.events,
             tell=partial(_notify, options),
         )
-        return frame_commands.RUN[name](target, options)
+        work = partial(frame_commands.RUN[name], target, options)
+        programs = [path for path in (options.target, other) if path and path.endswith(".py")]
+        if programs and options.own_process:
+            from landscape.capture.guard import guarded
+
+            return guarded(" and ".join(programs), lambda: _reported(work))
+        return work()
 
     return run
 

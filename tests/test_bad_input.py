@@ -550,6 +550,7 @@ def test_a_wrong_argument_of_render_is_refused(
         (["trace", "fig99z"], "fig99z"),
         (["trace"], "TARGET"),
         (["trace", "fig35a", "--element", "cows"], "cows"),
+        (["trace", "fig35a", "--pass", "mirror"], "reflection"),
         (["bench", "fig99z"], "fig99z"),
         (["figures", "fig99z"], "fig99z"),
         (["assets", "check", "--assets", "nowhere"], "nowhere"),

@@ -334,3 +334,14 @@ def test_without_edits_nothing_is_wrapped() -> None:
 def test_a_number_keeps_the_kind_of_argument_it_replaces(former: Any) -> None:
     value = edited_value(former, 0)
     assert value == 0 and isinstance(value, float) == isinstance(former, float)
+
+
+def test_the_source_that_a_file_names_is_read_within_bounds(
+    density: Located, tmp_path: Path
+) -> None:
+    path = tmp_path / "edits.json"
+    write([density.edit(1, 0.5)], path)
+    entries = json.loads(path.read_text())
+    entries["edits"][0]["call"]["file"] = "/dev/zero"
+    path.write_text(json.dumps(entries))
+    assert [edit.key.file for edit in read(path)] == ["/dev/zero"]

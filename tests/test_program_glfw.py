@@ -10,6 +10,9 @@ import pytest
 from commands import TESTS, environment, landscape, need_library, python
 from watching import PROGRAMS, Seen, Watcher
 
+from landscape.capture.program_source import read_source
+from landscape.errors import InputError
+
 PATHS = f"{TESTS.parent}{os.pathsep}{TESTS}"
 Write = Callable[[str], Path]
 
@@ -306,7 +309,7 @@ FAILURES: dict[str, tuple[str, int, str]] = {
         '\nglfw.create_window(9, 9, "second", None, None)\n',
         *(0, ": opens two windows; only programs with one"),
     ),
-    "wrong call": ("\nglEnable(12345)\n", 0, "line 8: the program raised GLError: GLError("),
+    "wrong call": ("\nglEnable(12345)\n", 0, "line 8: the program raised GLError: invalid enum"),
     "no package": ("\nimport nothing_of_this_name\n", 0, ": needs the Python package nothing_of"),
 }
 
@@ -337,6 +340,13 @@ def test_what_is_no_opengl_program_is_refused(watch: Watcher, tmp_path: Path, na
     path = tmp_path / "program.py"
     path.write_bytes(text)
     assert words in watch(path).error
+
+
+def test_a_program_of_boundless_size_is_refused_unread(tmp_path: Path) -> None:
+    path = tmp_path / "long.py"
+    path.write_bytes(b"x = 1\n" * 1_000_000)
+    with pytest.raises(InputError, match=r"long.py: too large, expected at most 4 MB"):
+        read_source(path)
 
 
 def test_a_missing_program_is_refused(watch: Watcher, tmp_path: Path) -> None:
@@ -401,6 +411,8 @@ def test_a_program_is_ended_in_any_thread(tmp_path: Path) -> None:
     path.write_text("import glfw\nwhile True: pass\n")
     code = """
 import sys, threading
+from landscape.capture.program_source import read_source
+from landscape.errors import InputError
 from watching import Watch
 from landscape.capture.program import run
 from landscape.errors import InputError
@@ -507,3 +519,13 @@ def test_without_a_screen_the_backend_glfw_is_refused_in_one_line(tmp_path: Path
     seen: Seen = watcher(PROGRAMS / "lantern.py", backend="glfw")
     watcher.close()
     assert seen.error.startswith("there is no screen to open a window on (DISPLAY is not set")
+
+
+def test_a_window_that_is_closed_or_has_an_impossible_size_is_refused(
+    watch: Watcher, write: Write
+) -> None:
+    closed = watch(write("glfw.destroy_window(window)\nglfw.swap_buffers(window)\n"))
+    assert closed.error.endswith("shows a frame of a window that it has closed")
+    for size in ("-5, 48", "20000, 20000"):
+        seen = watch(write("", BEGIN.replace("64, 48", size)))
+        assert "opens a window of " in seen.error and "expected from 1x1 to" in seen.error

@@ -172,7 +172,7 @@ def _source_lines(file: str, sources: Path | None) -> frozenset[str] | None:
     """Return the lines of a source file, stripped; None if it cannot be read."""
     folder = Path(PACKAGE).parent if sources is None else sources
     try:
-        text = (folder / file).read_text(encoding="utf-8")
-    except (OSError, ValueError):
+        text = read_bounded(folder / file, MOST_BYTES).decode()
+    except ValueError:  # an InputError is one, too
         return None
     return frozenset(line.strip() for line in text.splitlines())

@@ -11,8 +11,6 @@ Time, random numbers and events are the same in each run: see program_clock.py, 
 """
 
 import contextlib
-import gc
-import io
 import os
 import sys
 import threading
@@ -24,8 +22,12 @@ from pathlib import Path
 from types import ModuleType, TracebackType
 from typing import Any, Protocol
 
+from landscape.arguments import size
+from landscape.capture import guard
 from landscape.capture.program_clock import Clock
 from landscape.capture.program_events import Event, Queue, read_events
+from landscape.capture.program_prints import Prints
+from landscape.capture.program_process import Unwind, as_main, forget
 from landscape.capture.program_source import ProgramError, Source, read_source
 from landscape.capture.watchdog import Watchdog
 from landscape.errors import InputError, NoOpenGLError
@@ -33,7 +35,7 @@ from landscape.gl.calls import gl, use_lists
 from landscape.gl.foreign import beside, patched
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
-LIMIT = 20.0  # seconds that a program may take to its frame, chosen
+LIMIT = 15.0  # seconds that a program may take to its frame, chosen
 
 
 @dataclass
@@ -79,10 +81,6 @@ class Live(Protocol):
         """Return what the user does with the program; ``wait`` until there is something."""
 
 
-class Unwind(BaseException):
-    """Ends the program: it has reached its frame, or cannot go on."""
-
-
 class Run:
     """A program while it runs; the toolkits' modules call its methods."""
 
@@ -111,6 +109,7 @@ class Run:
         self._frame = frame
         self._observer = observer
         self._noticed: set[str] = set()
+        self._process = os.getpid()
 
     def refuse(self, reason: str) -> Unwind:
         """Return what to raise in the program because it cannot go on."""
@@ -153,13 +152,24 @@ class Run:
             self._observer.opened(window)
             self._observer.frame_began(0)
 
+    def sized(self, width: Any, height: Any) -> tuple[int, int]:
+        """Return the size of the window that the program asks for; end it if it is too large."""
+        try:
+            return size((width, height))
+        except InputError as error:
+            raise self.refuse(f"opens a window of {str(error).removeprefix('size ')}") from None
+
     def second_window(self) -> Unwind:
         """Return what to raise in a program that opens another window."""
         return self.refuse("opens two windows; only programs with one can be run to a frame")
 
     def end_frame(self) -> None:
         """End a frame, in the program's call that shows it and before it does so."""
+        if os.getpid() != self._process:
+            os._exit(0)  # a copy of the program, which it has made itself
         self.check()
+        if not self.drawing:
+            raise self.refuse("shows a frame of a window that it has closed")
         with self._watched():
             self.result = self._observer.frame_ended(self.frames)
         self.frames += 1
@@ -238,18 +248,22 @@ def run(
         )
     toolkit = _toolkit(source)
     with ExitStack() as stack:
-        stack.enter_context(_as_main(source, [str(path), *arguments]))
-        stack.enter_context(contextlib.redirect_stdout(sys.stderr))
+        stack.callback(guard.stand_by)
+        stack.enter_context(as_main(source, [str(path), *arguments]))
+        prints = Prints()
+        stack.callback(prints.end)
+        stack.enter_context(contextlib.redirect_stdout(prints))
         stack.enter_context(toolkit(state))
         stack.enter_context(patched(state.make))
         module = ModuleType("__main__")
         module.__dict__.update(__file__=str(path), __builtins__=__builtins__)
-        stack.callback(_forget, module, set(threading.enumerate()))
+        stack.callback(forget, module, set(threading.enumerate()))
         sys.modules["__main__"] = module
         stack.enter_context(state.clock.holding())
         state.watchdog = Watchdog(limit, lambda: state.stop(_late(state, limit)))
         with state.watchdog:
             _execute(state, module)
+        guard.go_on(1.0)  # its objects may do anything when they are deleted
     if state.failure is not None:
         raise state.failure
     if not state.over and state.window is None:
@@ -302,6 +316,7 @@ def _execute(state: Run, module: ModuleType) -> None:
 
 def _raised(path: Path, error: BaseException) -> ProgramError:
     """Return the error to show for what a program raised, with its own part of the traceback."""
+    guard.stand_by()  # to say what it was needs memory, too
     at: TracebackType | None = error.__traceback__
     while at is not None and at.tb_frame.f_code.co_filename != str(path):
         at = at.tb_next
@@ -310,10 +325,22 @@ def _raised(path: Path, error: BaseException) -> ProgramError:
         name = error.name.split(".")[0]
         if name not in ("OpenGL", path.stem):
             return ProgramError(f"{path}: needs the Python package {name}, not installed", details)
-    text = str(error).strip().splitlines()
+    try:
+        text = str(error).strip().splitlines()
+    except Exception:  # the program's own error may be unable to say what it is
+        text = []
     reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
+    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
+        reason = _of_opengl(error)
+    if isinstance(error, MemoryError):
+        reason += guard.memory()
     line = f", line {at.tb_lineno}" if at is not None else ""
     return ProgramError(f"{path}{line}: the program raised {reason}", details)
+
+
+def _of_opengl(error: Any) -> str:
+    said = bytes(error.description or b"").decode(errors="replace")
+    return f"{type(error).__name__}: {said} ({getattr(error.baseOperation, '__name__', '')})"
 
 
 def _late(state: Run, limit: float) -> ProgramError:
@@ -328,48 +355,3 @@ def _late(state: Run, limit: float) -> ProgramError:
 
 def _count(frames: int) -> str:
     return "1 frame" if frames == 1 else f"{frames or 'no'} frames"
-
-
-@contextmanager
-def _as_main(source: Source, arguments: list[str]) -> Iterator[None]:
-    """Give the process what a program finds that is started by itself, and put all back."""
-    before = sys.argv, sys.path, os.getcwd(), dict(os.environ), sys.modules["__main__"]
-    modules = set(sys.modules)
-    folder = str(source.path.resolve().parent)
-    thread: Any = threading.current_thread()
-    end, stdin = os._exit, sys.stdin
-    try:
-        sys.stdin = io.StringIO()  # exit() closes it
-        sys.argv = arguments
-        sys.path = [folder, *sys.path]
-        os._exit = sys.exit  # type: ignore[assignment]
-        # Threads inherit this: one that the program leaves behind must not keep the process alive.
-        thread._daemonic = True
-        yield
-    finally:
-        thread._daemonic = False
-        os._exit = end
-        sys.stdin = stdin
-        sys.argv, sys.path = before[:2]
-        os.chdir(before[2])
-        os.environ.clear()
-        os.environ.update(before[3])
-        sys.modules["__main__"] = before[4]
-        for name in set(sys.modules) - modules:
-            file = getattr(sys.modules[name], "__file__", None) or ""
-            ours = (
-                name.split(".")[0] in ("landscape", "OpenGL")
-                or "site-packages" in file[len(folder) :]
-            )
-            if file.startswith(folder + os.sep) and not ours:
-                del sys.modules[name]
-
-
-def _forget(module: ModuleType, threads: set[threading.Thread]) -> None:
-    """Drop the program's objects: some delete OpenGL's in the context, which still is current.
-
-    ``threads`` ran before: one that the program has left behind needs its objects.
-    """
-    if set(threading.enumerate()) <= threads:
-        module.__dict__.clear()
-    gc.collect()

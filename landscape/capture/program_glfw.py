@@ -19,6 +19,7 @@ from landscape.errors import NoOpenGLError
 from landscape.gl import display
 from landscape.gl.context import EGLContext, require, use_platform
 from landscape.gl.holders import replaced
+from landscape.gl.raw import raw
 
 # What sets a callback; those for errors and devices are GLFW's own.
 CALLBACKS = (
@@ -168,7 +169,8 @@ class _Glfw:
             real.window_hint(real.CLIENT_API, real.NO_API)
         else:
             real.window_hint(real.CONTEXT_CREATION_API, real.NATIVE_CONTEXT_API)
-        self._window = real.create_window(width, height, title, None, None)
+        size = self._run.sized(width, height)
+        self._window = real.create_window(*size, title, None, None)
         if not self._window:
             self._run.reason = f"GLFW: {real.get_error()[1]!s}"
         elif self._run.live is not None:
@@ -180,6 +182,10 @@ class _Glfw:
             self._run.drawing = False
             if self._egl is not None:
                 self._egl.release()
+            elif self._backend == "osmesa" and self._run.window is not None:
+                # Mesa crashes if a context goes before it has drawn everything.
+                self._real.make_context_current(self._window)
+                raw.glFinish()
             self._real.destroy_window(self._window)
         self._window = self._egl = None
 
@@ -221,6 +227,7 @@ class _Glfw:
 
     def set_window_size(self, window: Any, width: int, height: int) -> None:
         real = self._real
+        width, height = self._run.sized(width, height)
         real.set_window_size(self._window, width, height)
         real.poll_events()  # where there is a screen, the size changes only now
         if self._egl is not None:

@@ -153,7 +153,7 @@ class _Glut:
         self._real.glutInitDisplayString(" ".join(kept).encode())
 
     def glutInitWindowSize(self, width: int, height: int) -> None:
-        self._size = int(width), int(height)
+        self._size = self._run.sized(width, height)
         self._real.glutInitWindowSize(width, height)
 
     def glutCreateWindow(self, title: Any) -> int:
@@ -184,7 +184,7 @@ class _Glut:
         self._leaving = True
 
     def glutReshapeWindow(self, width: int, height: int) -> None:
-        self._size = int(width), int(height)
+        self._size = self._run.sized(width, height)
         self._real.glutReshapeWindow(width, height)
         self._real.glutMainLoopEvent()  # freeglut only changes the size here
         self._posted = self._reshaped = True

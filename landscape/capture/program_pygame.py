@@ -131,7 +131,7 @@ class _Pygame:
         run.check()
         if not flags & pygame.OPENGL:
             raise run.refuse("opens its pygame window without the flag pygame.OPENGL")
-        self._size = (int(size[0]), int(size[1])) if size and all(size) else FALLBACK
+        self._size = run.sized(*map(int, size[:2])) if size and all(size) else FALLBACK
         flags &= ~(pygame.FULLSCREEN | getattr(pygame, "SCALED", 0) | pygame.SHOWN)
         for attribute in (pygame.GL_MULTISAMPLEBUFFERS, pygame.GL_MULTISAMPLESAMPLES):
             self._real.display.gl_set_attribute(attribute, 0)

@@ -11,8 +11,10 @@ from pathlib import Path
 from types import CodeType
 
 from landscape.errors import InputError
+from landscape.files.input import read_bounded
 
 TOOLKITS = ("glfw", "pygame", "glut")  # in this order: GLUT may only draw its shapes and letters
+MOST_BYTES = 4 << 20  # chosen: of a file of a program; Python takes 50 times that to compile it
 
 
 @dataclass(frozen=True)
@@ -47,9 +49,9 @@ class ProgramError(InputError):
 def read_source(path: Path) -> Source:
     """Compile a program; ProgramError if it cannot be read or is not Python."""
     try:
-        text = path.read_bytes()
-    except OSError as error:
-        raise ProgramError(f"{path}: cannot be read ({error.strerror})") from None
+        text = read_bounded(path, MOST_BYTES)
+    except InputError as error:
+        raise ProgramError(str(error)) from None
     try:
         tree = ast.parse(text, str(path))
         code = compile(tree, str(path), "exec", dont_inherit=True)
@@ -91,7 +93,7 @@ def _read(path: Path, tree: ast.Module, modules: set[str], seen: set[Path]) -> b
 
 def _read_other(path: Path, modules: set[str], seen: set[Path]) -> bool:
     try:
-        return _read(path, ast.parse(path.read_bytes()), modules, seen)
+        return _read(path, ast.parse(read_bounded(path, MOST_BYTES)), modules, seen)
     except (OSError, ValueError, SyntaxError, RecursionError):
         return True  # importing it will say so
 

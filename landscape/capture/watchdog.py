@@ -9,7 +9,10 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
+from landscape.capture import guard
+
 AGAIN = 0.25  # seconds until it raises once more, if the code swallowed what was raised; chosen
+UNWATCHED = 1e6  # seconds: with more, the user watches the program
 _now = time.monotonic  # the true clock, whatever the module holds later
 
 
@@ -56,6 +59,7 @@ class Watchdog:
     def _start(self) -> None:
         self._since, self._watching = _now(), True
         left = max(self._left, 0.001)
+        guard.go_on(left, memory=left < UNWATCHED)
         if self._by_signal:
             signal.setitimer(signal.ITIMER_REAL, left, AGAIN)
         else:
@@ -66,6 +70,7 @@ class Watchdog:
     def _stop(self) -> None:
         self._watching = False
         self._left -= _now() - self._since
+        guard.stand_by()
         if self._by_signal:
             signal.setitimer(signal.ITIMER_REAL, 0)
         elif self._timer is not None:

@@ -25,6 +25,9 @@ def trace(target: Target, options: argparse.Namespace) -> int:
             )
 
     def calls(tape: Tape) -> list[Call]:
+        names = dict.fromkeys(name for call in tape.calls for name in call.shared_by)
+        if options.element and target.is_program and options.element not in names:
+            raise InputError(f"--element {options.element!r}: expected one of {', '.join(names)}")
         return trace_text.chosen(tape.calls, options.element, options.pass_)
 
     first = target.look(calls)

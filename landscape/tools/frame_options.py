@@ -10,6 +10,7 @@ TARGET = "a view or a fix (see `landscape views`), or the path of a .py program 
 FRAME = "for a program: the frame to look into, from 0; default: %(default)s"
 EVENTS = "for a program: timed keys and mouse moves (see docs/frame.md)"
 EDITS = "change single OpenGL calls as this file says"
+PASS_NAMES = ("setup", "reflection", "main", "overlay")
 PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
 AT = (
     "the state in which this call is made: its number in the trace, such as 812, or 812.3 for a "
@@ -40,7 +41,7 @@ def add(
     trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
     _target(trace)
     one_element(trace)
-    trace.add_argument("--pass", dest="pass_", metavar="NAME", help=PASSES)
+    trace.add_argument("--pass", dest="pass_", choices=PASS_NAMES, metavar="NAME", help=PASSES)
     trace.add_argument(
         "--diff", metavar="TARGET2", help="print which calls come, go or change in another target"
     )

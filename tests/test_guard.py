@@ -1,0 +1,103 @@
+"""Programs that end their process, or would never end it, still end the command in one line."""
+
+import json
+import textwrap
+from pathlib import Path
+
+import pytest
+from commands import Done, landscape, need_library, python, refused
+
+BEGIN = """
+import os
+import glfw
+from OpenGL.GL import *
+glfw.init()
+window = glfw.create_window(64, 48, "test", None, None)
+glfw.make_context_current(window)
+"""
+SHOW = """
+glBegin(GL_TRIANGLES)
+for x, y in ((-1, -1), (1, -1), (0, 1)):
+    glVertex2f(x, y)
+glEnd()
+glfw.swap_buffers(window)
+"""
+
+# Runs command lines as from a shell, each in a process of its own, which comes back from main(),
+# with limits in seconds for the program and for its end.
+RUN = """
+import sys
+from landscape.capture import guard
+from landscape.cli import main
+import landscape.capture.program_tape as tape
+
+limit, guard.GRACE = float(sys.argv[1]), float(sys.argv[2])
+tape.on_frame.__defaults__ = (*tape.on_frame.__defaults__[:-1], limit)
+sys.argv[1:] = sys.argv[3:]
+sys.exit(main())
+"""
+
+
+def run(tmp_path: Path, rest: str, limits: tuple[str, str] = ("15", "5")) -> Done:
+    path = tmp_path / "program.py"
+    path.write_text(BEGIN + textwrap.dedent(rest))
+    return python(RUN, *limits, "state", str(path), "--json")
+
+
+ENDS = {
+    "crashes": ("import ctypes\nctypes.string_at(0)", "crashed (SIGSEGV), as OpenGL does where"),
+    "is killed": ("os.kill(os.getpid(), 9)", "was killed, as the system does where memory runs"),
+    "is held up in C": ("sum(range(10**13))", "was ended within one call that nothing can inter"),
+    "keeps its objects": (
+        "class Keeper:\n    def __del__(self):\n        while True: pass\nk = Keeper()" + SHOW,
+        "was ended within one call",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_what_no_exception_can_end_ends_in_one_line(tmp_path: Path, name: str) -> None:
+    rest, words = ENDS[name]
+    limits = ("1", "0.3") if "ended" in words else ("15", "5")
+    refused(run(tmp_path, rest, limits), "program.py: ", words)
+
+
+def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path) -> None:
+    done = run(tmp_path, "glFlush()\nmuch = b'x' * (2 << 30)\n" + SHOW)
+    assert done.status == 2
+    first = done.err.splitlines()[0]
+    assert first.startswith("landscape: ") and first.endswith(
+        "line 9: the program raised MemoryError (it may take 1024 MB)"
+    )
+
+
+def test_what_a_program_prints_by_any_means_stays_out_of_the_output(tmp_path: Path) -> None:
+    done = run(
+        tmp_path,
+        """
+        import sys
+        print("by print")
+        os.write(1, b"by the descriptor\\n")
+        os.system("echo by a command")
+        print("by the original", file=sys.__stdout__, flush=True)
+        for _ in range(3): print("x" * 1000000)
+        """
+        + textwrap.indent(SHOW, " " * 8),
+    )
+    assert "GL_FOG" in json.loads(done.out)
+    for words in ("by print", "by the descriptor", "by a command", "by the original"):
+        assert words in done.err
+    assert 1_000_000 < len(done.err) < 1_100_000 and "(the program prints more)" in done.err
+
+
+def test_a_copy_that_a_program_makes_of_itself_prints_nothing(tmp_path: Path) -> None:
+    done = run(tmp_path, "child = os.fork()\nif child: os.waitpid(child, 0)\n" + SHOW)
+    assert done.status == 0 and done.err == "" and "GL_FOG" in json.loads(done.out)
+
+
+def test_the_last_thing_drawn_may_be_waiting_when_the_window_closes(tmp_path: Path) -> None:
+    need_library("OSMesa")
+    path = tmp_path / "triangle.py"
+    path.write_text(BEGIN + SHOW)
+    done = landscape("trace", path, "--backend", "osmesa")
+    assert done.status == 0 and "glVertex2f(0, 1)" in done.out, done.err
