@@ -48,7 +48,7 @@ def make_letters():
         glEndList()
 
 
-def write(x, y, text, color=(1, 1, 1), size=1, at=None, **values):
+def write(x, y, text, /, color=(1, 1, 1), size=1, at=None, **values):
     """Write a text; x, y: pixels from the viewport's lower left corner, or from a point ``at``."""
     glPushAttrib(GL_ALL_ATTRIB_BITS)
     if not lists:
