@@ -1,0 +1,111 @@
+"""Orientation: front and back faces
+
+A face is seen from the front if its vertices go counter-clockwise on the screen. Front faces are
+filled here, back faces are drawn as lines. Face culling leaves out the faces that turn one side to
+us. The sign of the area tells OpenGL which side that is. If a face lists its vertices in the wrong
+order, as the second triangle does, culling removes what should be seen.
+
+Keys: Left and Right turn the triangles; Space turns culling on; C culls the other side; F makes
+clockwise faces the front.
+"""
+# topic: shapes
+# needs: primitives
+# picture: frame 0
+# keys: LEFT RIGHT SPACE C F
+
+import math
+
+import glfw
+from OpenGL.GL import *
+from text import _, write
+
+CORNERS = ((-0.42, -0.4), (0.42, -0.4), (0, 0.5))
+TRIANGLES = (  # where each stands, the order of its vertices, its turn in degrees, its colour
+    (-1.2, (0, 1, 2), 0, (0.85, 0.35, 0.2)),
+    (0, (0, 2, 1), 0, (0.95, 0.62, 0.35)),
+    (1.2, (0, 1, 2), 150, (0.25, 0.6, 0.6)),
+)
+angle = 0  # degrees about the vertical axis
+culling = False
+culled, front = GL_BACK, GL_CCW
+
+
+def label(x, y, text):
+    """Write a text around a point of the scene, where the matrix puts the point."""
+    x, y = ([x, y, 0, 1] @ glGetFloatv(GL_MODELVIEW_MATRIX))[:2]
+    width, height = glGetIntegerv(GL_VIEWPORT)[2:]
+    scale = max(1, height // 480)  # write counts in larger pixels in a large window
+    x, y = (x + 1) / 2 * width / scale, (y + 1) / 2 * height / scale
+    write(x - 5 * len(text), y - 10, "{label}", label=text)
+
+
+def draw_triangle(place, order, turn, color):
+    cosine = math.cos(math.radians(angle + turn))
+    points = [(place + cosine * CORNERS[n][0], 0.3 + CORNERS[n][1]) for n in order]
+    glColor3f(*color)
+    glBegin(GL_TRIANGLES)
+    for x, y in points:
+        glVertex2f(x, y)
+    glEnd()
+    for number, (x, y) in enumerate(points):
+        label(place + 1.12 * (x - place), 0.27 + 1.25 * (y - 0.27), str(number))
+    (x0, y0), (x1, y1), (x2, y2) = points
+    area = ((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
+    label(place, -0.42, _("area {area:+.2f}").format(area=area))
+
+
+def draw():
+    width, height = glfw.get_framebuffer_size(glfw.get_current_context())
+    glViewport(0, 0, width, height)
+    glClear(GL_COLOR_BUFFER_BIT)
+    glLoadIdentity()
+    glScalef(0.54, 0.54 * width / height, 1)
+    glLineWidth(2 * max(1, height // 480))
+    # Front faces filled, back faces as lines: the next lesson says more.
+    glPolygonMode(GL_FRONT, GL_FILL)
+    glPolygonMode(GL_BACK, GL_LINE)
+    glFrontFace(front)
+    glCullFace(culled)
+    if culling:
+        glEnable(GL_CULL_FACE)
+    for triangle in TRIANGLES:
+        draw_triangle(*triangle)
+    glDisable(GL_CULL_FACE)
+    glFrontFace(GL_CCW)  # as write expects
+    write(16, 64, "turned by {angle}°", angle=angle)
+    write(16, 40, "front face: {name}", name="GL_CCW" if front == GL_CCW else "GL_CW")
+    name = "GL_BACK" if culled == GL_BACK else "GL_FRONT"
+    write(16, 16, "culling on ({name})" if culling else "culling off ({name})", name=name)
+
+
+def on_key(window, key, scancode, action, mods):
+    global angle, culling, culled, front
+    if action == glfw.RELEASE:
+        return
+    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
+        angle += 15 if key == glfw.KEY_RIGHT else -15
+    if key == glfw.KEY_SPACE:
+        culling = not culling
+    if key == glfw.KEY_C:
+        culled = GL_FRONT if culled == GL_BACK else GL_BACK
+    if key == glfw.KEY_F:
+        front = GL_CW if front == GL_CCW else GL_CCW
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("Orientation"), None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glClearColor(0.13, 0.16, 0.21, 1)
+    while not glfw.window_should_close(window):
+        draw()
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,106 @@
+"""Primitives: ten ways to draw the same vertices
+
+The argument of glBegin says what is made of the vertices: points, lines, triangles, quads or one
+polygon. All ten kinds get the same numbered vertices here. Their order decides: around the outline
+it suits the loop, the fan and the polygon; in zigzag it suits the strips. With the other order,
+shapes cross themselves. What is left over, as a single vertex of a line, is not drawn.
+
+Keys: Left and Right change the number of vertices; Space changes their order.
+"""
+# topic: shapes
+# needs: triangle
+# picture: frame 0 after RIGHT
+# keys: LEFT RIGHT SPACE
+
+import math
+
+import glfw
+from OpenGL.GL import *
+from text import _, write
+
+KINDS = (  # each with its name, in two lines, and its place in the grid
+    (GL_POINTS, "POINTS", "", 0, 2),
+    (GL_LINES, "LINES", "", 1, 2),
+    (GL_LINE_STRIP, "LINE", "_STRIP", 2, 2),
+    (GL_LINE_LOOP, "LINE", "_LOOP", 3, 2),
+    (GL_TRIANGLES, "TRIANGLES", "", 0, 1),
+    (GL_TRIANGLE_STRIP, "TRIANGLE", "_STRIP", 1, 1),
+    (GL_TRIANGLE_FAN, "TRIANGLE", "_FAN", 2, 1),
+    (GL_POLYGON, "POLYGON", "", 3, 1),
+    (GL_QUADS, "QUADS", "", 2, 0),
+    (GL_QUAD_STRIP, "QUAD", "_STRIP", 3, 0),
+)
+# From left to right, below and above in turn; -1 to 1.
+ZIGZAG = (
+    *((-1, -0.4), (-1, 0.4), (-0.4, -1), (-0.4, 1)),
+    *((0.4, -1), (0.4, 1), (1, -0.4), (1, 0.4)),
+)
+AROUND = [ZIGZAG[number] for number in (0, 2, 4, 6, 7, 5, 3, 1)]
+count = 7
+around = True
+
+
+def draw_kind(kind, vertices):
+    """Draw one kind: its faces, and lines and points over them."""
+    for mode, color in ((GL_FILL, (0.2, 0.45, 0.5)), (GL_LINE, (0.95, 0.62, 0.35))):
+        glPolygonMode(GL_FRONT_AND_BACK, mode)
+        glColor3f(*color)
+        glBegin(kind)
+        for x, y in vertices:
+            glVertex2f(x, y)
+        glEnd()
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
+
+
+def draw():
+    width, height = glfw.get_framebuffer_size(glfw.get_current_context())
+    scale = max(1, height // 480)  # of the pixels that write counts in
+    glPointSize(6 * scale)
+    glLineWidth(2 * scale)
+    across, up = width / 4 / scale, height / 3 / scale  # a cell of the grid, as write counts
+    for kind, name, rest, column, row in KINDS:
+        glViewport(column * width // 4, row * height // 3, width // 4, height // 3)
+        glLoadIdentity()
+        glOrtho(0, across, 0, up, -1, 1)
+        # An outline in the middle of the cell, above two lines of text, with room for the numbers.
+        x, y, right, top = across / 2, up / 2 + 20, across / 2 - 24, up / 2 - 44
+        outline = [(x + u * right, y + v * top) for u, v in (AROUND if around else ZIGZAG)]
+        draw_kind(kind, outline[:count])
+        for number, (u, v) in enumerate(outline[:count]):
+            out = 1 + 13 / math.hypot(u - x, v - y)
+            write(x + out * (u - x) - 5, y + out * (v - y) - 10, "{number}", number=number)
+        write(8, 24, "{name}", (0.95, 0.9, 0.8), name=name)
+        write(8, 4, "{name}", (0.95, 0.9, 0.8), name=rest)
+    glViewport(0, 0, width, height)
+    write(16, 40, "{count} vertices", count=count)
+    write(16, 16, "around" if around else "zigzag")
+
+
+def on_key(window, key, scancode, action, mods):
+    global count, around
+    if action == glfw.RELEASE:
+        return
+    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
+        count = max(1, min(count + (1 if key == glfw.KEY_RIGHT else -1), 8))
+    if key == glfw.KEY_SPACE:
+        around = not around
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("Primitives"), None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glClearColor(0.13, 0.16, 0.21, 1)
+    while not glfw.window_should_close(window):
+        glClear(GL_COLOR_BUFFER_BIT)
+        draw()
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
