@@ -177,7 +177,7 @@ def test_packed_pixel_types_are_legal_for_their_formats_only() -> None:
         ("glStencilMask", 0, (-1,), "0xFFFFFFFF"),
         ("glBegin", 0, (4711,), "4711"),
         ("gluQuadricDrawStyle", 1, (None, 100011), "GLU_LINE"),
-        ("glVertexPointer", 3, (3, 5126, 0, np.zeros((9, 3), "f")), "float32 array of 9 x 3"),
+        ("glVertexPointer", 3, (3, 5126, 0, np.zeros((9, 3), "f")), "float32[9, 3]"),
     ],
 )
 def test_an_argument_is_written_as_in_code(name, index, args, text) -> None:

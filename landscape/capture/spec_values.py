@@ -24,7 +24,7 @@ def written(name: str, index: int, args: Sequence[Any]) -> str:
     """Return an argument as code: "GL_SRC_ALPHA", "0.3", "(0.0, 1.0, 0.0)".
 
     A plain number becomes the name that it has in this place: 1 is GL_LINES in glBegin, and GL_ONE
-    in glBlendFunc. An array is described, not written out.
+    in glBlendFunc. Of an array only the type and the shape are written: "float32[441, 2]".
     """
     value, found = args[index], parameter(name, index, args)
     kind = found.kind if found else ""
@@ -62,7 +62,7 @@ def _plain(value: Any, kind: str, type_: str) -> str:
     if isinstance(value, (list, tuple, np.ndarray)):
         if kind not in ("vector", "matrix") and np.size(value) > 16:
             array = np.asarray(value)
-            return f"{array.dtype} array of {' x '.join(map(str, array.shape))}"
+            return f"{array.dtype}{list(array.shape)}"
         parts = [_number(part, type_) for part in np.asarray(value).ravel()]
         return f"({', '.join(parts)}{',' if len(parts) == 1 else ''})"
     if isinstance(value, (bytes, str)):
