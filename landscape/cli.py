@@ -184,7 +184,7 @@ def _render(options: argparse.Namespace) -> int:
     edits = _edits(options)
     with Progress(len(jobs), options.quiet) as progress:
         missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
-    _notify(options, [f"{options.edits}: {line}" for line in missed])
+    _notify(options, missed)
     _tell_of_no_effect(options, places, changes)
     if not options.quiet:
         for path in paths:

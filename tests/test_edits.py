@@ -309,13 +309,16 @@ MISFITS = {
 
 
 @pytest.mark.parametrize("name", MISFITS)
-def test_a_value_that_does_not_fit_its_argument_is_refused_in_one_line(name: str) -> None:
+def test_a_value_that_does_not_fit_its_argument_is_refused_in_one_line(
+    tmp_path: Path, name: str
+) -> None:
     which, call, argument, value, component = MISFITS[name]
     case = (CASES["fog density"], CASES["clip plane"])[which]._replace(call=call)
     with opened(case) as offscreen, offscreen.taped(case.view) as tape:
         found = next(calls_like(tape, case))
-    with opened(case, Edits([found.edit(argument, value, component)])) as offscreen:
-        with pytest.raises(InputError, match=f"edits: edit 1: {found.call.name}, argument"):
+    write([found.edit(argument, value, component)], path := tmp_path / "e.json")
+    with opened(case, Edits(read(path))) as offscreen:
+        with pytest.raises(InputError, match=f"e.json: edit 1: {found.call.name}, argument"):
             offscreen.look(case.view)
             offscreen.draw()
 

@@ -83,7 +83,7 @@ def _edit(entry: Any, where: str) -> Edit:
     call = entry["call"]
     key, occurrence = _key(call, where), _whole(call, "occurrence", where)
     shown = call.get("was", "")
-    edit = Edit(key, occurrence, shown=shown if isinstance(shown, str) else "")
+    edit = Edit(key, occurrence, shown=shown if isinstance(shown, str) else "", origin=where)
     if entry.get("skip") is True:
         if not may_be_left_out(key.name):
             raise InputError(f"{where}: {key.name} cannot be left out: the program needs it")

@@ -116,6 +116,7 @@ class Edit:
     component: int | None = None
     skip: bool = False
     shown: str = ""  # the call as it was, for messages
+    origin: str = field(default="edit", compare=False)  # "edits.json: edit 2", for messages
 
     @property
     def place(self) -> tuple[Key, int, int, int | None, bool]:
@@ -185,7 +186,6 @@ class Edits:
     """
 
     edits: Sequence[Edit] = ()
-    origin: str = "edits"  # where they come from, for messages
     found: set[int] = field(default_factory=set)  # indices of edits that have found their call
 
     def __post_init__(self) -> None:
@@ -243,7 +243,7 @@ class Edits:
             try:
                 changed[edit.argument] = fitting(edit, changed)
             except (TypeError, ValueError, IndexError) as error:
-                where = f"{self.origin}: edit {index + 1}: {edit.key.name}, argument"
+                where = f"{edit.origin}: {edit.key.name}, argument"
                 reason = f": {error}" if isinstance(error, NotAllowed) else ""
                 raise InputError(
                     f"{where} {edit.argument}: it cannot be {short(edit.value)}{reason}"
@@ -253,7 +253,7 @@ class Edits:
     def missed(self) -> list[str]:
         """Return a line for each edit that has found no call."""
         return [
-            f"edit {index + 1}: no call {edit.shown or edit.key.name} of {edit.key.element} in "
+            f"{edit.origin}: no call {edit.shown or edit.key.name} of {edit.key.element} in "
             f"{edit.key.function} ({edit.key.file}) was made"
             for index, edit in enumerate(self.edits)
             if index not in self.found

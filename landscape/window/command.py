@@ -89,7 +89,7 @@ def walk(
             print("landscape:", told, file=sys.stderr)
         if not quiet:
             for line in opened.inspection.missed():
-                print(f"landscape: {edits}: {line}", file=sys.stderr)
+                print(f"landscape: {line}", file=sys.stderr)
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.
         kept = writer is not None and writer.finish()
