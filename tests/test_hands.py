@@ -8,6 +8,7 @@ from landscape.window.bindings import (
     LETTERS,
     UNDER_THE_HAND,
     Namer,
+    inspect_pick,
     labels,
     layout,
     pick,
@@ -249,3 +250,10 @@ def test_plus_and_minus_are_where_they_are_printed(name: Namer, signs: dict[str,
     found = {chr(key): pick(key, name) for key in range(33, 97) if pick(key, name)}
     assert found == signs
     assert pick(glfw.KEY_KP_ADD, name) == "more" and pick(glfw.KEY_KP_SUBTRACT, name) == "less"
+
+
+def test_shift_that_types_the_plus_sign_makes_no_step_finer() -> None:
+    key = glfw.KEY_EQUAL  # on a US keyboard and a French one
+    assert inspect_pick(key, glfw.MOD_SHIFT, us_name) == inspect_pick(key, 0, us_name) == "more"
+    assert inspect_pick(key, glfw.MOD_CONTROL, us_name) == "more_fine"
+    assert inspect_pick(glfw.KEY_MINUS, glfw.MOD_CONTROL, us_name) == "less_fine"

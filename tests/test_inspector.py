@@ -16,7 +16,7 @@ from landscape.gl.notes import Site
 from landscape.window import words
 from landscape.window.inspector import Inspector
 from landscape.window.inspector_image import picture
-from landscape.window.inspector_page import details, head, visible
+from landscape.window.inspector_page import details, foot, head, visible
 from landscape.window.inspector_tree import Node, Tree
 from landscape.window.inspector_values import Cell, cells, dragged, stepped
 
@@ -76,7 +76,7 @@ def frame() -> list[Call]:
 def model(frame: list[Call]) -> Inspector:
     inspector = Inspector()
     inspector.open = True
-    inspector.show(frame)
+    inspector.show(frame, {})
     return inspector
 
 
@@ -119,9 +119,9 @@ def test_what_is_chosen_and_open_stays_so_in_the_next_frame(
     model: Inspector, frame: list[Call]
 ) -> None:
     at(model, "4.3")
-    model.show(numbered([call("glFlush", element="frame"), *frame]))
+    model.show(numbered([call("glFlush", element="frame"), *frame]), {})
     assert model.node and (model.node.place, model.node.name) == ("5.3", "glColor4f")
-    model.show(numbered([density()]))
+    model.show(numbered([density()]), {})
     assert model.node and model.node.name == "main", "gone: what it was in is chosen"
 
 
@@ -136,7 +136,7 @@ def test_keys_open_close_and_go_through_the_rows(model: Inspector) -> None:
     ]
 
 
-def test_a_number_is_stepped_finely_with_shift_and_undone(model: Inspector) -> None:
+def test_a_number_is_stepped_finely_and_undone(model: Inspector) -> None:
     at(model, "2")
     model.press("more")
     assert [(e.argument, e.value) for e in model.edits] == [(1, 0.125)]
@@ -314,7 +314,32 @@ def test_a_redundant_and_an_edited_call_are_marked_in_the_list(model: Inspector)
     model.press("more")
     _, lines = visible(model, 100, "en")
     ends = {line.number: [span.style for span in line.end] for line in lines if line.number}
-    assert (ends["1"], ends["2"], ends["3"]) == (["redundant"], ["edited"], [])
+    assert (ends["+1"], ends["+2"], ends["+3"]) == (["redundant"], ["edited"], [])
+
+
+def test_calls_are_numbered_as_the_commands_count_them(model: Inspector) -> None:
+    assert (model.numbered("3"), model.numbered("4.1")) == ("+3", "+4.1")
+    model.numbers = range(7, 15)
+    at(model, "4.1")
+    _, lines = visible(model, 100, "en")
+    assert [line.number for line in lines if line.chosen] == ["11.1"]
+
+
+def test_a_small_window_names_fewer_keys_and_shows_more_rows(model: Inspector) -> None:
+    full, few = (foot(model, "fr", LETTERS, few=few)[-1] for few in (False, True))
+    assert len(few) < len(full) / 2
+    at(model, "2")
+    boxes = picture(model, (640, 480), 1.0, "fr", LETTERS).boxes
+    assert len({box[4] for box in boxes if box[4][0] == "row"}) >= 12
+
+
+def test_a_number_that_the_program_set_to_zero_grows_in_even_steps() -> None:
+    model = Inspector()
+    model.show(numbered([call("glClearColor", 0.0, 0.0, 0.6, 1.0)]), {})
+    at(model, "0")
+    for _ in range(3):
+        model.press("more")
+    assert [edit.value for edit in model.edits] == [0.15]
 
 
 @pytest.mark.parametrize("size", [(640, 480), (1280, 720), (3840, 2160), (64, 48), (1, 1)])

@@ -203,6 +203,8 @@ def test_reports_name_their_moments(assets: Path) -> None:
             assert len(between.as_json()) < 10
             since = report(tape, diff=str(first.number)).as_json()
             assert since["GL_DEPTH_TEST"] == [False, True]
+            assert report(tape, "+3").parts == report(tape, str(tape.begin + 3)).parts
+            assert report(tape, diff="+3").parts == report(tape, diff=str(tape.begin + 3)).parts
             leak = report(tape, diff="castle")
             assert list(leak.as_text()) == ["castle leaves, main pass", "    nothing differs"]
             assert leak.as_json() == {}

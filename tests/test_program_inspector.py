@@ -87,6 +87,50 @@ def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
     assert colours == [[1.0, edit.value, 0.0]]
 
 
+CLEARING = """
+import sys
+import glfw
+from OpenGL.GL import *
+
+glfw.init()
+window = glfw.create_window(320, 240, "Clearing", None, None)
+glfw.make_context_current(window)
+log = open(sys.path[0] + "/log.txt", "a")
+glClearColor(0.0, 0.0, 1.0, 1.0)
+while not glfw.window_should_close(window):
+    glClear(GL_COLOR_BUFFER_BIT)
+    print(*bytes(glReadPixels(160, 120, 1, 1, GL_RGB, GL_UNSIGNED_BYTE)), file=log, flush=True)
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+"""
+
+
+def test_an_edit_of_the_setup_stays_in_force_and_is_undone_in_a_later_frame(
+    screen: dict[str, str], tmp_path: Path
+) -> None:
+    program, log = tmp_path / "clearing.py", tmp_path / "log.txt"
+    program.write_text(CLEARING)
+    words = [sys.executable, "-m", "landscape", "inspect", str(program)]
+    process = subprocess.Popen(words, env=screen, cwd=tmp_path)
+
+    def told() -> list[str]:
+        return log.read_text().splitlines() if log.exists() else []
+
+    try:
+        window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^Clearing")
+        xdotool(screen, "windowfocus", "--sync", window)
+        _wait_for(lambda: bool(told()), process, "the first frame")
+        # The pass setup, the function, and its first call.
+        xdotool(screen, "key", "Home", "Down", "Right", "Down", "equal", "F12")
+        _wait_for(lambda: len(told()) > 3, process, "the frames after it")
+        assert told()[-1] == "13 0 255"
+        xdotool(screen, "key", "F12", "ctrl+z", "F12")
+        _wait_for(lambda: told()[-1] == "0 0 255", process, "the colour of before")
+    finally:
+        process.kill()
+        process.wait()
+
+
 def test_a_view_and_a_program_of_another_toolkit_are_refused_in_one_line(tmp_path: Path) -> None:
     refused(landscape("inspect", "fig35e"), "fig35e", "expected the path of a .py program")
     path = tmp_path / "glut.py"

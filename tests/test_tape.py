@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from commands import landscape
 
-from landscape.capture.steps import find, issue
+from landscape.capture.effects import effects, watch
+from landscape.capture.steps import find, issue, repeatable
 from landscape.errors import InputError
-from landscape.gl.calls import unnoted
+from landscape.gl.calls import make_again, recording, unnoted
 from landscape.gl.framebuffer import read_pixels
 from landscape.render import Offscreen
 from landscape.tools.target import Target
@@ -32,6 +33,24 @@ def test_a_view_is_drawn_from_its_tape_alone_by_a_new_context(view: str, preset:
     with Offscreen(SIZE, preset, samples=0, only=only) as second, second.targeted(), unnoted():
         tape.play()
         assert np.array_equal(read_pixels(SIZE), wanted)
+
+
+def test_calls_made_again_are_listed_once_and_their_effects_are_seen_on_the_way() -> None:
+    only = ("ground", "sky", "grass", "fog")
+    with Offscreen(SIZE, "2006", samples=0, only=only) as offscreen:
+        with offscreen.taped("fig35e") as tape:
+            made = [call for call in tape.frame if repeatable(call.name)]
+            assert any(call.arrays for call in made)
+            found = effects(tape)
+            tape.rewind()
+            with recording(complete=True) as recorder:
+                seen = watch(recorder, range(len(made)))
+                for call in made:
+                    make_again(call)
+    assert [call.name for call in recorder.calls] == [call.name for call in made]
+    wanted = {k: found.get(str(call.number)) for k, call in enumerate(made)}
+    assert seen == {str(k): effect for k, effect in wanted.items() if effect is not None}
+    assert any(effect.redundant for effect in seen.values())
 
 
 def test_the_tape_has_the_picture_that_is_rendered() -> None:

@@ -5,7 +5,7 @@ only the variables that a call sets are read, so that a frame of two thousand ca
 of a second.
 """
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,6 +13,7 @@ from landscape.capture import spec
 from landscape.capture.state_reading import read_some
 from landscape.capture.steps import CLIENT, issue
 from landscape.capture.tape import Tape
+from landscape.gl.calls import Call, Recorder
 
 # They decide which variables a call sets.
 SELECTING = (
@@ -51,11 +52,43 @@ def effects(tape: Tape) -> dict[str, Effect]:
         if not step.place or inside or listed or call.skipped:
             issue(call)
         else:
-            names = spec.sets(call.name, call.args)
-            names = spec.sets(call.name, call.args, read_some(SELECTING)) if names else ()
+            names = _set_by(call)
             before = read_some(names) if names else {}
             issue(call)
             if before:
                 found[step.place] = Effect(before, read_some(names))
         inside = inside and call.name != "glEnd"
     return found
+
+
+def watch(recorder: Recorder, numbers: Container[int]) -> dict[str, Effect]:
+    """Return a dictionary that gets the effects of these calls while the recording makes them.
+
+    Nothing is made again, so this is cheap enough for a frame that is on its way to the screen;
+    but calls inside display lists are not among them.
+    """
+    found: dict[str, Effect] = {}
+    former: dict[int, Mapping[str, Any]] = {}
+    inside = False
+
+    def before(call: Call) -> None:
+        nonlocal inside
+        inside = (inside or call.name == "glBegin") and not call.skipped
+        if call.number in numbers and not inside and not call.skipped:
+            former[call.number] = read_some(_set_by(call))
+
+    def after(call: Call) -> None:
+        nonlocal inside
+        inside = inside and call.name != "glEnd"
+        if variables := former.get(call.number):
+            found[str(call.number)] = Effect(variables, read_some(variables))
+
+    recorder.before, recorder.after = before, after
+    return found
+
+
+def _set_by(call: Call) -> tuple[str, ...]:
+    """Return the names of the variables that a call sets in the state in which it is made."""
+    if not spec.sets(call.name, call.args):
+        return ()
+    return tuple(spec.sets(call.name, call.args, read_some(SELECTING)))

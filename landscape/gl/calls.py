@@ -325,7 +325,10 @@ def make_again(call: Call) -> None:
     """Make a recorded call again as if the same line did: noted, and edited, as it was then."""
     global _again
     for name, args in call.arrays:
-        getattr(gl, name)(*args)
+        if _recorder is not None:
+            _recorder.client.see(name, args)
+        with unnoted():
+            getattr(gl, name)(*args)
     _again = call.shared_by, call.pass_, call.site
     try:
         getattr(gl, call.name)(*(call.args if call.given is None else call.given))
@@ -389,10 +392,7 @@ _FOLLOW: dict[str, Callable[..., None]] = {
 
 def _executed(call: Call) -> list[Listing]:
     """Return the display lists that a glCallList or glCallLists executes."""
-    if call.name == "glCallList":
-        names = call.args
-    elif call.name == "glCallLists":
-        names = call.args[-1]
-    else:
+    if call.name not in ("glCallList", "glCallLists"):
         return []
+    names = call.args if call.name == "glCallList" else call.args[-1]
     return [_lists[int(name)] for name in names if int(name) in _lists]

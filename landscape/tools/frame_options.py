@@ -14,8 +14,8 @@ PASS_NAMES = ("setup", "reflection", "main", "overlay")
 PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
 AT = (
     "the state in which this call is made: its number in the trace, such as 812, or 812.3 for a "
-    "call of a display list, or the name of an element for its first call; default: the state "
-    "after the frame"
+    "call of a display list; or +12, counted from the frame's beginning; or the name of an element "
+    "for its first call; default: the state after the frame"
 )
 DIFF = (
     "print what differs from --at (default: from the frame's beginning) to this call; an element "

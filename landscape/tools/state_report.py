@@ -13,6 +13,7 @@ from landscape.capture.tape import Tape
 from landscape.tools.target import place_of
 
 INITIAL = "initial"
+NUMBERED = (*"+0123456789",)  # how a call's number begins
 NOTHING = "nothing differs"
 
 
@@ -46,7 +47,7 @@ def report(tape: Tape, at: str = "", diff: str = "") -> Report:
 
     InputError for a call or an element that the frame does not have.
     """
-    if diff and diff != INITIAL and not at and not diff[:1].isdigit():
+    if diff and diff != INITIAL and not at and diff[:1] not in NUMBERED:
         place_of(tape, diff)
         return Report(
             {f"{diff} leaves, {pass_} pass": part for pass_, part in leaks(tape, diff).items()},

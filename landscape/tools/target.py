@@ -52,12 +52,12 @@ class Target:
         edits = None
         if self.edits:
             folder = Path(self.name).resolve().parent if self.is_program else None
-            edits = Edits(read(self.edits, folder), str(self.edits))
+            edits = Edits(read(self.edits, folder))
 
         def look(tape: Tape) -> T:
             self.tell(tape.notices)
             if edits is not None:
-                self.tell([f"{self.edits}: {line}" for line in edits.missed()])
+                self.tell(edits.missed())
             return use(tape)
 
         if self.is_program:
@@ -96,10 +96,14 @@ class Target:
 def place_of(tape: Tape, text: str) -> str:
     """Return the place of a call that a user gave by its number, or by an element's name.
 
-    An element means the first of its calls in the frame. InputError if there is none.
+    "+12" counts from the frame's beginning, as the inspector of the walk does. An element means
+    the first of its calls in the frame. InputError if there is none.
     """
     if text[:1].isdigit():
         return text
+    first, point, rest = text[1:].partition(".")
+    if text[:1] == "+" and first.isascii() and first.isdigit():
+        return f"{tape.begin + int(first[:20])}{point}{rest}"
     named = [call for call in tape.frame if text in call.shared_by]
     if not named:
         elements = dict.fromkeys(name for call in tape.frame for name in call.shared_by)

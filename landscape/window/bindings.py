@@ -113,7 +113,9 @@ INSPECTING = {
     glfw.KEY_KP_SUBTRACT: "less",
 }
 INSPECTING_SHIFT = {"next_value": "previous_value", "more": "more_fine", "less": "less_fine"}
-INSPECTING_CONTROL = {"undo_here": "undo_all", "Z": "undo", "S": "save"}
+INSPECTING_CONTROL = {
+    "undo_here": "undo_all", "Z": "undo", "S": "save", "more": "more_fine", "less": "less_fine",
+}  # fmt: skip
 INSPECTING_LETTERS = {"O": "pixel"}
 INSPECTING_REPEATED = (
     *("up", "down", "left", "right", "page_up", "page_down", "next_value", "previous_value"),
@@ -194,7 +196,7 @@ def inspect_pick(key: int, mods: int, name: Namer) -> str:
     printed = name(key) if key in PRINTING else ""
     if mods & (glfw.MOD_CONTROL | glfw.MOD_SUPER):
         return INSPECTING_CONTROL.get(found or printed, "")
-    if mods & glfw.MOD_SHIFT:
+    if mods & glfw.MOD_SHIFT and printed != "=":  # there Shift types the plus sign
         return INSPECTING_SHIFT.get(found, found)
     return found or INSPECTING_LETTERS.get(printed, "")
 

@@ -29,7 +29,9 @@ from landscape.window.bindings import (
 )
 from landscape.window.walker import Intent
 
-SHIFTS = (glfw.KEY_LEFT_SHIFT, glfw.KEY_RIGHT_SHIFT)
+FINELY = (  # what makes a drag fine
+    glfw.KEY_LEFT_SHIFT, glfw.KEY_RIGHT_SHIFT, glfw.KEY_LEFT_CONTROL, glfw.KEY_RIGHT_CONTROL,
+)  # fmt: skip
 JUMP = 200.0  # chosen: pixels; a larger motion between two reports is a pointer jump: clamped
 
 
@@ -133,7 +135,7 @@ class Hands:
         """Note that the mouse is at x, y in pixels; its motion turns the view."""
         self._at = x, y
         if self.inspecting:
-            self.inspected.append(("move", x, y, float(not self._held.isdisjoint(SHIFTS))))
+            self.inspected.append(("move", x, y, float(not self._held.isdisjoint(FINELY))))
         if not self.captured:
             return
         if self._last is not None:

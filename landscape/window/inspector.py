@@ -50,16 +50,18 @@ class Inspector:
         self.history: list[Row] | None = None  # of the pixel, while it is shown
         self.fragment = 0  # the chosen row of the history
         self.effects: Mapping[str, Effect] = {}
+        self.numbers: Sequence[int] = ()  # of the calls listed, as `landscape trace` counts them
+        self.frame: int | None = None  # the number of a program's frame
         self._past: list[list[Edit]] = []
         self._dragged: tuple[Cell, float] | None = None
         self._moved = False
 
     # What is shown.
 
-    def show(self, calls: Sequence[Call]) -> None:
+    def show(self, calls: Sequence[Call], effects: Mapping[str, Effect]) -> None:
         """List a frame that was recorded; what was chosen and open stays so where it is there."""
         self.tree = Tree(calls)
-        self.effects = {}
+        self.effects = effects
         if not self.opened:
             self.opened = {node.identity for node in self.tree.passes}
         self._list()
@@ -99,6 +101,15 @@ class Inspector:
         free = [cell for cell in self.cells() if cell.kind != "fixed"]
         usual = next((cell for cell in free if cell.kind == "number"), free[-1] if free else None)
         return next((cell for cell in free if cell.place == self.place), usual)
+
+    def numbered(self, place: str) -> str:
+        """Return a call's place as the commands take it.
+
+        Where the calls before the frame are unknown, "+12" counts from the frame's beginning.
+        """
+        first, point, rest = place.partition(".")
+        number = f"{self.numbers[int(first)]}" if int(first) < len(self.numbers) else f"+{first}"
+        return f"{number}{point}{rest}"
 
     def edits_of(self, found: Located) -> list[Edit]:
         """Return the edits of a call."""

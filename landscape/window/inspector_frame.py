@@ -17,7 +17,7 @@ from typing import Any
 
 from landscape.capture import edit_files, state
 from landscape.capture.edits import Edit, Edits
-from landscape.capture.effects import effects
+from landscape.capture.effects import effects, watch
 from landscape.capture.lists import recompile
 from landscape.capture.pixel import history
 from landscape.capture.tape import Tape
@@ -198,10 +198,18 @@ class Inspection:
     def _record(self, draw: Callable[[], None], size: tuple[int, int], shows: Hashable) -> None:
         with recording(complete=True) as recorder:
             begins = state.read()
+            seen = watch(recorder, self._numbers_shown())
             draw()
         self._tape = Tape(recorder.calls, 0, begins, size)
         self._listed, self._recorded, self._read = shows, time.monotonic(), False
-        self.model.show(recorder.calls)
+        self.model.show(recorder.calls, seen)
+
+    def _numbers_shown(self) -> set[int]:
+        """Return the numbers of the calls in the picture's list, whose effects are read at once."""
+        rows = self.model.rows
+        targets = [target for *_, target in (self.shown.boxes if self.shown else ())]
+        shown = [rows[t[1]] for t in targets if t[0] == "row" and t[1] < len(rows)]
+        return {int(node.place) for node in shown if node.found and "." not in node.place}
 
     def _look(self, size: tuple[int, int]) -> None:
         """Look into the frame that was drawn, as far as that is asked for."""
@@ -269,7 +277,8 @@ class Inspection:
     def _point(self, what: str, x: float, y: float, extra: float) -> None:
         """Take "press", "move", "release" or "wheel" at x, y in pixels from the top left.
 
-        ``extra`` is how far the wheel turned; elsewhere 1 if Shift is down.
+        ``extra`` is how far the wheel turned; elsewhere 1 if Shift is down, or
+        Control while it moves.
         """
         model = self.model
         if what == "move":

@@ -24,6 +24,7 @@ LEAST = 11  # chosen: pixels, the font size unless the window's text is smaller 
 SPACING = 1.36  # chosen: line height, in font sizes
 WIDTH, HEIGHT = 0.46, 0.95  # chosen: of the window, so that its middle stays free
 MOST_DETAILS = 0.56  # chosen: of the lines, for what is below the list
+MOST_KEYS = 4  # chosen: lines; where the keys need more, only a few of them are named
 FEWEST = 7  # chosen: rows of the list, where the window has few lines
 NUMBER = 3.4  # chosen: font sizes, the column of the calls' numbers
 STEP = 0.9  # chosen: font sizes, by which each depth of the tree is moved to the right
@@ -76,9 +77,9 @@ def picture(
     width, height = max(round(WIDTH * size[0]), 8), max(round(HEIGHT * size[1]), 8)
     draw = _Draw(width, height, pixels)
     inner = width - 2 * pixels
-    said = foot(model, language, letters)
-    styles = ["message"] * (len(said) - 1) + ["keys"]
-    keys = [draw.flow([Span(text, style)], inner) for text, style in zip(said, styles, strict=True)]
+    keys = _keys(draw, foot(model, language, letters), inner)
+    if len(keys[-1]) > MOST_KEYS:
+        keys = _keys(draw, foot(model, language, letters, few=True), inner)
     below = sum(map(len, keys))
     total = max((height - 3 * pixels) // draw.line - 1, 1)
     room = max(total - below, 0)
@@ -252,6 +253,12 @@ class _Draw:
         if target is not None:
             box = (x - self.pixels / 2, top, x + self.pixels, top + self.line)
             self.boxes.append((*box, (*target, "sign")))
+
+
+def _keys(draw: _Draw, said: Sequence[str], width: float) -> list[Flowed]:
+    """Put the message, if there is one, and the keys into lines."""
+    styles = ["message"] * (len(said) - 1) + ["keys"]
+    return [draw.flow([Span(text, style)], width) for text, style in zip(said, styles, strict=True)]
 
 
 def _pieces(text: str) -> list[str]:

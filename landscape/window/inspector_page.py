@@ -95,7 +95,9 @@ def _line(model: Inspector, node: Node, index: int) -> Line:
         end.append(Span("●", "edited"))
     args = current(node.call, model.edits_of(node.found))
     spans = code(node.name, args, "off" if off else "")
-    return Line(node.place, node.depth, sign, tuple(spans), tuple(end), target, chosen)
+    return Line(
+        model.numbered(node.place), node.depth, sign, tuple(spans), tuple(end), target, chosen
+    )
 
 
 def code(name: str, args: Sequence[Any], style: str = "") -> list[Span]:
@@ -129,7 +131,7 @@ def _fragment(model: Inspector, row: Row, index: int, language: str) -> Line:
         Span(which, "dim"),
     )
     chosen = index == model.fragment
-    return Line(row.step.place, 1, "", spans, (), ("fragment", index), chosen)
+    return Line(model.numbered(row.step.place), 1, "", spans, (), ("fragment", index), chosen)
 
 
 def head(model: Inspector, language: str) -> list[Span]:
@@ -141,11 +143,14 @@ def head(model: Inspector, language: str) -> list[Span]:
         return [Span(where, "title"), Span(f"  {len(model.history)}", "dim")]
     state = text(language, "inspector.stopped" if model.stopped else "inspector.going")
     spans = [Span(text(language, "inspector.title"), "title"), Span(f"   {state}", "dim")]
-    calls = text(language, "inspector.calls", count=str(model.tree.count))
-    spans.append(Span(f"   {calls}", "dim"))
     if model.edits:
         key = "inspector.edit" if len(model.edits) == 1 else "inspector.edits"
         spans.append(Span(f"   {text(language, key, count=str(len(model.edits)))}", "edited"))
+    if model.frame is not None:
+        frame = text(language, "inspector.frame", number=str(model.frame))
+        spans.append(Span(f"   {frame}", "dim"))
+    calls = text(language, "inspector.calls", count=str(model.tree.count))
+    spans.append(Span(f"   {calls}", "dim"))
     return spans
 
 
@@ -210,9 +215,10 @@ def _values(model: Inspector, call: Call, language: str) -> Iterator[Block]:
         known = spec.parameter(call.name, chosen.argument, args)
         name = chosen.bit or str(chosen.value)
         texts.append(spec.explain_enumerant(name, language, known.of if known else ""))
-    if limits := _limits(chosen, language):
+    limits = _limits(chosen, language)
+    if limits not in meaning:
         texts.append(limits)
-    yield Block(tuple(Span(f"{text}  ", "meaning") for text in dict.fromkeys(texts) if text))
+    yield Block((Span(" · ".join(dict.fromkeys(filter(None, texts))), "meaning"),))
     if chosen.kind == "enum":
         yield Block(tuple(_choices(chosen)), "")
 
@@ -291,9 +297,10 @@ def _plain(value: Any) -> str:
     return f"{value:.5g}" if isinstance(value, float) else str(value)
 
 
-def foot(model: Inspector, language: str, letters: dict[str, str]) -> list[str]:
-    """Return the message, if there is one, and the keys."""
+def foot(model: Inspector, language: str, letters: dict[str, str], few: bool = False) -> list[str]:
+    """Return the message, if there is one, and the keys, or only a ``few`` of them."""
     key, values = model.said
     message = [words.text(language, key, **values)] if key else []
-    which = "inspector.keys_pixel" if model.history is not None else "inspector.keys"
+    which = "inspector.keys_few" if few else "inspector.keys"
+    which = which if model.history is None else "inspector.keys_pixel"
     return [*message, words.text(language, which, **letters)]

@@ -174,8 +174,8 @@ def stepped(cell: Cell, way: int, fine: bool, usual: Any = None) -> Any:
         return not cell.value
     if cell.kind == "bit":
         return cell.value ^ int(spec.value_of(cell.bit))
-    own_size = abs(usual) if isinstance(usual, (int, float)) else 0.0
-    size = max(abs(cell.value), own_size) or min(1.0, cell.high)
+    own_size = abs(usual) if isinstance(usual, (int, float)) else abs(cell.value)
+    size = max(abs(cell.value), own_size or min(1.0, cell.high))
     step = step_of(size) / (FINE if fine else 1.0)
     if cell.whole:
         step = max(1, round(step))

@@ -66,6 +66,8 @@ class ProgramInspector(ExitStack):
         self._coming: list[Event] = []
         self._size = (0, 0)
         self._new: state.State = {}  # the state of a new context
+        self._setup = Tape((), 0, {}, (0, 0))  # what the program made before its first draw
+        self._built: state.State = {}  # the state that this left behind
         self._start: state.State = {}  # that in which the frame began
 
     # As capture/program.py sees it.
@@ -97,10 +99,15 @@ class ProgramInspector(ExitStack):
         """Show the frame under the inspector, until the program is to go on."""
         self.close()
         tape = Tape(self._recorder.calls, 0, self._start, self._pixels())
+        if not number:
+            setup = [call for call in tape.calls if call.pass_ == "setup"]
+            self._setup = Tape(setup, 0, self._start, tape.size)
+        self._number(tape, number)
         end = state.read()
         covered = False
         panel = Panel("", ())
         while self._listen() and self.inspection.open:
+            end = self._build(tape, end)
             with unnoted():
                 tape.rewind()
             self.inspection.draw(lambda: self._draw(tape, number), number, tape.size)
@@ -114,15 +121,42 @@ class ProgramInspector(ExitStack):
         if covered and not self.inspection.open:
             with unnoted():
                 tape.rewind()
-            with self.inspection.building():
-                self._draw(tape, number)
+            self.inspection.draw(lambda: self._draw(tape, number), number, tape.size)
         with unnoted():
             panel.release()
-        state.restore(end)
+        state.restore(self._build(tape, end))
 
     def notice(self, text: str) -> None:
         """Keep a sentence for the user."""
         self.notices.append(text)
+
+    def _number(self, tape: Tape, number: int) -> None:
+        """Number the calls as `landscape trace --frame NUMBER` does: after those of the setup."""
+        model, before = self.inspection.model, len(self._setup.calls) if number else 0
+        model.frame = number
+        model.numbers = [before + call.number for call in tape.frame if repeatable(call.name)]
+
+    def _build(self, tape: Tape, end: state.State) -> state.State:
+        """Make the setup again if its edits have changed; return the state to leave behind.
+
+        A variable that still is as the setup left it, in the frame's first state and in ``end``,
+        gets the value that the setup leaves now.
+        """
+        if not self.inspection.stale:
+            return end
+        with unnoted():
+            if not self._built:
+                self._setup.replay()
+                self._built = state.read()
+            self._setup.rewind()
+        with self.inspection.building(anew=True):
+            self._draw(self._setup, 0)
+        built = state.read()
+        changes = state.difference(self._built, built)
+        self._built = built
+        if tape.start is not self._setup.start:
+            tape.start = _with(tape.start, changes)
+        return _with(end, changes)
 
     def _draw(self, tape: Tape, number: int) -> None:
         """Draw a frame again, with the edits."""
@@ -213,3 +247,9 @@ class ProgramInspector(ExitStack):
             self._hands.wheel(y)
         else:
             self._coming.append(Event(0, "scroll", value=(x, y)))
+
+
+def _with(now: Mapping[str, Any], changes: Mapping[str, list[Any]]) -> dict[str, Any]:
+    """Return a state in which the variables with the former values have the new ones."""
+    new = {name: after for name, (before, after) in changes.items() if now.get(name) == before}
+    return {**now, **new}

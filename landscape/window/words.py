@@ -30,6 +30,7 @@ TEXTS: Texts = {
     "inspector.stopped": "stopped",
     "inspector.going": "live, listed 4 times a second",
     "inspector.calls": "{count} calls",
+    "inspector.frame": "frame {number}",
     "inspector.edit": "{count} edit",
     "inspector.edits": "{count} edits",
     "inspector.pixel": "What happened to pixel {x}, {y}",
@@ -44,9 +45,11 @@ TEXTS: Texts = {
     "inspector.nothing": "nothing was changed yet",
     "inspector.not_saved": "the edits could not be saved here",
     "inspector.keys": "Up Down: row. Right Left: open, close. Tab: value. + - or drag: change, "
-    "with Shift finely. Del: call off, on. Ctrl+Z: undo. Backspace: undo here, with Ctrl all. "
+    "with Ctrl finely. Del: call off, on. Ctrl+Z: undo. Backspace: undo here, with Ctrl all. "
     "Ctrl+S: save. Space: stop, go on. {pixel}: pixel in the middle, or click one. "
     "{letter}: close",
+    "inspector.keys_few": "Tab: value. + - or drag: change. Del: off, on. Ctrl+Z: undo. "
+    "Ctrl+S: save. Space: go on. {letter}: close",
     "inspector.keys_pixel": "Up Down: draw. Enter or Left: its call in the frame. "
     "{pixel}: pixel in the middle, or click one. {letter}: close",
     "inspector.record": "a recording does not contain edits: replay it with the same --edits",
