@@ -1,0 +1,119 @@
+"""Normals: of faces and of vertices
+
+Light depends on normals, and normals are whatever the program gives. With one normal for a face,
+the ring looks like the facets that it is made of. With one for each vertex, the normalized sum of
+the normals around it, the same mesh looks round. Without normalizing, the sums are nearly 4 long,
+and everything is too bright.
+
+Keys: Space switches between faces and vertices; N leaves out normalizing; L hides the lines.
+"""
+# topic: light
+# needs: light_model
+# picture: frame 45
+# loop: 360 frames
+# keys: SPACE N L
+
+import math
+
+import glfw
+from OpenGL.GL import *
+from text import _, write
+
+ROUND, ACROSS = 20, 10  # faces around the ring and around its tube
+smooth, normalizing, lines = True, True, True
+
+
+def point(m, n):
+    angle, turn = m * math.tau / ROUND, n * math.tau / ACROSS
+    radius = 1.5 + 0.6 * math.cos(turn)
+    return radius * math.cos(angle), radius * math.sin(angle), 0.6 * math.sin(turn)
+
+
+def normalized(x, y, z):
+    length = math.hypot(x, y, z)
+    return x / length, y / length, z / length
+
+
+def face_normal(m, n):
+    """Return the cross product of two edges, of length 1."""
+    a, b, c = point(m, n), point(m + 1, n), point(m, n + 1)
+    (ux, uy, uz), (vx, vy, vz) = ([q - p for p, q in zip(a, end, strict=True)] for end in (b, c))
+    return normalized(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx)
+
+
+FACES = {(m, n): face_normal(m, n) for m in range(ROUND) for n in range(ACROSS)}
+
+
+def vertex_normal(m, n):
+    """Return the sum of the normals of the four faces around a vertex."""
+    around = [FACES[(m - i) % ROUND, (n - j) % ACROSS] for i in (0, 1) for j in (0, 1)]
+    total = [sum(coordinates) for coordinates in zip(*around, strict=True)]
+    return normalized(*total) if normalizing else total
+
+
+def draw_ring():
+    glBegin(GL_QUADS)
+    for (m, n), normal in FACES.items():
+        for corner in ((m, n), (m + 1, n), (m + 1, n + 1), (m, n + 1)):
+            glNormal3f(*(vertex_normal(*corner) if smooth else normal))
+            glVertex3f(*point(*corner))
+    glEnd()
+
+
+def draw_lines():
+    glDisable(GL_LIGHTING)
+    glColor3f(0.95, 0.62, 0.35)
+    glBegin(GL_LINES)
+    for (m, n), normal in FACES.items():
+        start = point(m, n) if smooth else point(m + 0.5, n + 0.5)
+        along = vertex_normal(m, n) if smooth else normal
+        glVertex3f(*start)
+        glVertex3f(*(p + 0.25 * q for p, q in zip(start, along, strict=True)))
+    glEnd()
+    glEnable(GL_LIGHTING)
+
+
+def on_key(window, key, scancode, action, mods):
+    global lines, normalizing, smooth
+    if action == glfw.PRESS:
+        smooth ^= key == glfw.KEY_SPACE
+        normalizing ^= key == glfw.KEY_N
+        lines ^= key == glfw.KEY_L
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("Normals"), None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
+        glEnable(capability)
+    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.25, 0.6, 0.6, 1))
+    glClearColor(0.13, 0.16, 0.21, 1)
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glMatrixMode(GL_PROJECTION)
+        glLoadIdentity()
+        glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
+        glMatrixMode(GL_MODELVIEW)
+        glLoadIdentity()
+        glLightfv(GL_LIGHT0, GL_POSITION, (-0.6, 0.8, 0.8, 0))
+        glTranslatef(0, 0.2, -6.6)
+        glRotatef(-50, 1, 0, 0)
+        glRotatef(60 * glfw.get_time(), 0, 0, 1)
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+        draw_ring()
+        if lines:
+            draw_lines()
+        write(16, 40, "normals of vertices" if smooth else "normals of faces")
+        write(16, 16, "normalized" if normalizing else "not normalized")
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
