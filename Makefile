@@ -1,5 +1,6 @@
 # make demo    walk the island, or render its main views if there is no display
 # make test    check style and types, then run the tests
+# make docs    build the site of the course in build/site; make docs-check looks at it in Chromium
 # make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
 # They install what they need on the first run.
 
@@ -10,7 +11,7 @@ VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
 # Further options for the program, for example: make demo ARGS="--preset 2006"
 ARGS ?=
 
-.PHONY: demo test lint fuzz bench assets clean
+.PHONY: demo test lint docs docs-check fuzz bench assets clean
 
 demo:
 	@scripts/setup.sh demo
@@ -33,6 +34,14 @@ lint:
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
 	@$(BIN)/mypy landscape
+
+docs:
+	@scripts/setup.sh docs
+	@$(BIN)/python scripts/site build $(ARGS)
+
+docs-check:
+	@scripts/setup.sh docs-check
+	@$(BIN)/python scripts/site check $(ARGS)
 
 fuzz:
 	@scripts/setup.sh test

@@ -4,6 +4,8 @@
 #   scripts/setup.sh demo     .venv with the package, and an OpenGL library
 #   scripts/setup.sh studio   the same, and the dependencies of the asset generator
 #   scripts/setup.sh test     all of these, the linters, and a virtual display for the window tests
+#   scripts/setup.sh docs     the package, an OpenGL library, and what builds the site
+#   scripts/setup.sh docs-check   the same, and a browser
 #   scripts/setup.sh screen   installs nothing: status 0 if a window can be opened, 1 if not
 #
 # PYTHON selects the interpreter. System packages are installed only with apt-get, as root or with
@@ -40,7 +42,8 @@ may_install() {
     [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }
 }
 
-listed_packages() { sed -e 's/#.*//' system-packages.txt | xargs; }
+listed_packages() { sed -e 's/#.*//' -e '/:/d' system-packages.txt | xargs; }
+packages_for() { sed -n -e "s/^$1: *//p" system-packages.txt | xargs; }
 
 # Print instructions for installing the packages by hand.
 how_to_install() {
@@ -136,8 +139,9 @@ install_package() {
     # Record the extras that are included in this one.
     case $extras in
         dev) extras="package studio dev" ;;
-        studio) extras="package studio" ;;
+        studio | site) extras="package $extras" ;;
     esac
+    [ "$(head -n 1 "$stamp" 2>/dev/null)" != "$now" ] || extras+=" $(tail -n 1 "$stamp")"
     printf '%s\n%s\n' "$now" "$extras" >"$stamp"
 }
 
@@ -238,6 +242,16 @@ case ${1:-} in
         install_package dev
         check_system test
         ;;
+    docs)
+        install_package site
+        check_system demo
+        ;;
+    docs-check)
+        install_package site
+        command -v chromium >/dev/null || may_install || die 1 "missing: chromium"
+        # shellcheck disable=SC2046  # one word per package
+        command -v chromium >/dev/null || apt_install $(packages_for docs-check)
+        ;;
     screen) can_open_window ;;
-    *) die 2 "usage: scripts/setup.sh demo|studio|test|screen" ;;
+    *) die 2 "usage: scripts/setup.sh demo|studio|test|docs|docs-check|screen" ;;
 esac

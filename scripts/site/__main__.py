@@ -1,0 +1,116 @@
+"""The site of the course: its pages are written from the code, in each language, and built.
+
+    python scripts/site build [--out build/site] [--jobs N]
+    python scripts/site check [--out build/site]
+
+It draws the pictures of the lessons, writes the sources of the pages for each language into
+build/site-source, and runs Sphinx on them with warnings as errors. English is at the site's top,
+the other languages are in folders beside it. What is built is checked in headless Chromium: links,
+pictures, the console, the sliders, the search.
+"""
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import calls
+import documents
+import gallery
+import lesson_pages
+import start
+from drawn import Drawn, draw_lesson, read_scene, shrink
+
+from landscape.course.ladder import lessons
+from landscape.files.progress import Progress
+from landscape.languages import LANGUAGES
+from landscape.scene import scene
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCE = ROOT / "build" / "site-source"
+
+
+def main() -> int:
+    """Run the command line and return the exit status."""
+    parser = argparse.ArgumentParser(prog="site", description=__doc__.split("\n")[0])
+    parser.add_argument("command", choices=("build", "check"))
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "site", metavar="DIR")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
+    options = parser.parse_args()
+    if options.command == "check":
+        from check import check
+
+        faults = check(options.out.resolve())
+        print("\n".join(faults) or "the site is whole")
+        return 1 if faults else 0
+    return build(options.out, options.jobs)
+
+
+def build(out: Path, jobs: int) -> int:
+    """Build the site; return the exit status."""
+    begin = time.monotonic()
+    shutil.rmtree(SOURCE, ignore_errors=True)
+    shutil.rmtree(out, ignore_errors=True)
+    drawn = draw(SOURCE / "pictures", jobs)
+    for language in LANGUAGES:
+        folder = SOURCE / language
+        write(folder, language, drawn)
+        status = sphinx(folder, out if language == "en" else out / language, language, jobs)
+        if status:
+            return status
+    print(f"{out / 'index.html'}, made in {time.monotonic() - begin:.0f} s")
+    return 0
+
+
+def draw(folder: Path, jobs: int) -> Drawn:
+    """Draw all pictures into a folder; return what was seen on the way."""
+    folder.mkdir(parents=True)
+    drawn = Drawn(folder)
+    views = [(name, preset) for preset in ("2006", "best") for name in scene().main]
+    work = [*((draw_lesson, (each.name, folder)) for each in lessons())]
+    work += [(read_scene, (name, preset)) for name, preset in views]
+    work += [(shrink, (path, folder)) for path in gallery.pictures()]
+    with ProcessPoolExecutor(jobs) as pool, Progress(len(work), False) as progress:
+        for done in [pool.submit(function, *arguments) for function, arguments in work]:
+            drawn.add(done.result())
+            progress.step("pictures")
+    return drawn
+
+
+def write(folder: Path, language: str, drawn: Drawn) -> None:
+    """Write the sources of all pages in a language."""
+    shutil.copytree(ROOT / "docs" / "site", folder)
+    (folder / "pictures").symlink_to(drawn.folder)
+    index = calls.index(drawn)
+    pages = {
+        **start.pages(language),
+        **lesson_pages.pages(language, drawn),
+        **gallery.pages(language),
+        **documents.pages(language),
+        **calls.pages(language, index),
+    }
+    for name, text in pages.items():
+        path = folder / f"{name}.md"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    links = {name: entry.page for name, entry in index.items()}
+    (folder / "calls.json").write_text(json.dumps(links), encoding="utf-8")
+    for source in documents.pictures():
+        shutil.copy(source, folder / "documents" / source.name)
+
+
+def sphinx(folder: Path, out: Path, language: str, jobs: int) -> int:
+    """Build the pages of a language; return Sphinx's exit status."""
+    words = [sys.executable, "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going"]
+    words += ["-j", str(jobs), "-D", f"language={language}"]
+    words += ["-d", str(folder.parent / "doctrees" / language)]
+    return subprocess.run([*words, str(folder), str(out)]).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

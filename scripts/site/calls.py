@@ -1,0 +1,117 @@
+"""The index of every OpenGL call that the lessons and the island make, from their traces."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from drawn import Drawn
+
+from landscape.capture import spec
+from landscape.course.ladder import NAMES, lesson
+from landscape.languages import translator
+
+
+@dataclass
+class Entry:
+    """A function, without number and type: its variants, and who calls it where."""
+
+    base: str
+    group: str
+    since: str
+    variants: list[str] = field(default_factory=list)
+    lessons: dict[str, list[int]] = field(default_factory=dict)
+    elements: dict[str, list[str]] = field(default_factory=dict)
+
+    @property
+    def page(self) -> str:
+        """The name of its page."""
+        return f"calls/{self.base}"
+
+
+def index(drawn: Drawn) -> dict[str, Entry]:
+    """Return the functions called, by the names that calls have; variants share an entry."""
+    entries: dict[str, Entry] = {}
+    for seen in drawn.seen:
+        function = spec.function(seen.name)
+        if function is None:
+            continue
+        entry = entries.setdefault(
+            function.base, Entry(function.base, function.group, function.since)
+        )
+        if seen.name not in entry.variants:
+            entry.variants.append(seen.name)
+        _file, _colon, line = seen.source.rpartition(":")
+        if "/" in seen.user:
+            places = entry.elements.setdefault(seen.user, [])
+            if seen.source not in places:
+                places.append(seen.source)
+        else:
+            lines = entry.lessons.setdefault(seen.user, [])
+            if int(line) not in lines:
+                lines.append(int(line))
+    for entry in entries.values():
+        entry.variants.sort()
+        entry.lessons = {n: sorted(entry.lessons[n]) for n in NAMES if n in entry.lessons}
+        entry.elements = {n: sorted(entry.elements[n]) for n in sorted(entry.elements)}
+    return {name: entry for entry in entries.values() for name in (entry.base, *entry.variants)}
+
+
+def pages(language: str, index: Mapping[str, Entry]) -> dict[str, str]:
+    """Return the pages of the index by name: the list, and one page a function."""
+    _ = translator(language, "site", "course", "lessons")
+    entries = sorted({entry.base: entry for entry in index.values()}.values(), key=lambda e: e.base)
+    rows = [
+        f"| [`{e.base}`]({e.base}.md) | {spec.explain(e.base, language)} | "
+        + (f"[{next(iter(e.lessons))}](../lessons/{next(iter(e.lessons))}.md)" if e.lessons else "")
+        + f" | {len(e.lessons)} | {len(e.elements)} |"
+        for e in entries
+    ]
+    count = _("{count} functions of OpenGL 1.x, as the lessons and the island call them.")
+    front = [
+        f"# {_('Index of calls')}",
+        count.format(count=len(entries)),
+        _("The index is made from traces: it lists what is called, not what could be."),
+        "\n".join(
+            [
+                f"| {_('Function')} | {_('What it does')} | {_('First lesson')} | {_('Lessons')} | "
+                f"{_('Elements')} |",
+                "|---|---|---|---|---|",
+                *rows,
+            ]
+        ),
+        "```{toctree}\n:hidden:\n\n" + "\n".join(e.base for e in entries) + "\n```",
+    ]
+    found = {"calls/index": "\n\n".join(front) + "\n"}
+    for entry in entries:
+        found[entry.page] = _page(entry, language)
+    return found
+
+
+def _page(entry: Entry, language: str) -> str:
+    _ = translator(language, "site", "course", "lessons")
+    parts = [f"# {entry.base}", spec.explain(entry.base, language) + "."]
+    if entry.variants != [entry.base]:
+        parts.append(
+            _("Called as {names}.").format(names=", ".join(f"`{n}`" for n in entry.variants))
+        )
+    parts.append(_("Since OpenGL {version}.").format(version=entry.since))
+    shown = next(iter(entry.lessons), "")
+    if shown:
+        parts += [
+            f"```{{figure}} ../pictures/{shown}.webp\n:alt: {_(lesson(shown).title)}\n"
+            f":target: ../lessons/{shown}.html\n:width: 320px\n\n{_(lesson(shown).title)}\n```"
+        ]
+        lines = []
+        for name, numbers in entry.lessons.items():
+            at = ", ".join(f'<a href="../lessons/{name}.html#line-{n}">{n}</a>' for n in numbers)
+            lines.append(
+                f"- [{_(lesson(name).title)}](../lessons/{name}.md): "
+                + _("lines {numbers}").format(numbers=at)
+            )
+        parts += [f"## {_('In the lessons')}", "\n".join(lines)]
+    if entry.elements:
+        lines = [
+            f"- {name.partition('/')[2]}: " + ", ".join(f"`{place}`" for place in places)
+            for name, places in entry.elements.items()
+        ]
+        parts += [f"## {_('On the island')}", "\n".join(lines)]
+    return "\n\n".join(parts) + "\n"

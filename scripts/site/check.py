@@ -1,0 +1,143 @@
+"""The built site, checked: its links in its files, and its pages in headless Chromium, offline."""
+
+import shutil
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from landscape.languages import LANGUAGES
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+PHONE, DESK = {"width": 390, "height": 844}, {"width": 1280, "height": 900}
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+LOAD_ALL = "() => [...document.images].forEach(i => i.loading = 'eager')"
+LOADED = "() => [...document.images].every(i => i.complete)"
+BROKEN = "() => [...document.images].filter(i => !i.naturalWidth).map(i => i.src)"
+TOO_WIDE = """() => document.documentElement.scrollWidth > innerWidth
+    || [...document.images].some(i => i.getBoundingClientRect().right > innerWidth)"""
+CUT = "pair => pair.style.getPropertyValue('--cut')"
+BACKGROUND = "() => getComputedStyle(document.body).backgroundColor"
+
+
+def check(site: Path) -> list[str]:
+    """Return a line for each fault."""
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if browser is None:
+        return [f"found no browser to check with: expected one of {', '.join(BROWSERS)}"]
+    faults = list(dead_links(site))
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=browser, args=FLAGS)
+        faults += _looked_at(opened, site)
+        opened.close()
+    return faults
+
+
+class _Links(HTMLParser):
+    """Notes where a page leads to, and the names of its places."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.targets: set[str] = set()
+        self.names: set[str] = set()
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            if name in ("href", "src") and value is not None:
+                self.targets.add(value)
+            elif name in ("id", "name") and value:
+                self.names.add(value)
+
+
+def dead_links(site: Path) -> Iterator[str]:
+    """Yield a line for each link to a file, or a place in one, that is not there."""
+    read = {path: _Links(path) for path in sorted(site.rglob("*.html"))}
+    for path, links in read.items():
+        for target in sorted(links.targets):
+            parts = urlsplit(target)
+            if parts.scheme or parts.netloc or target.startswith("#top"):
+                continue
+            file = (path.parent / unquote(parts.path)).resolve() if parts.path else path
+            if file.is_dir():
+                file /= "index.html"
+            known = read[file].names if file in read else {unquote(parts.fragment)}
+            if not file.exists() or (parts.fragment and unquote(parts.fragment) not in known):
+                yield f"{path.relative_to(site)}: leads to {target}, which is not there"
+
+
+def _looked_at(browser: Browser, site: Path) -> Iterator[str]:
+    """Yield a line for each fault that shows in the browser."""
+    for language in LANGUAGES:
+        home = site if language == "en" else site / language
+        context = browser.new_context(viewport=DESK, offline=True, color_scheme="light")
+        page = context.new_page()
+        said: list[str] = []
+        page.on("console", lambda message, said=said: said.append(message.text))
+        page.on("pageerror", lambda error, said=said: said.append(str(error)))
+        for path in _chosen(home):
+            said.clear()
+            page.goto(path.as_uri())
+            where = path.relative_to(site)
+            # Pictures below are loaded as one scrolls.
+            page.evaluate(
+                "() => document.querySelectorAll('img').forEach(i => i.loading = 'eager')"
+            )
+            page.wait_for_function(LOADED)
+            yield from (f"{where}: the console says {text}" for text in said)
+            yield from (f"{where}: a picture does not load: {uri}" for uri in page.evaluate(BROKEN))
+            page.set_viewport_size(PHONE)
+            if page.evaluate(TOO_WIDE):
+                yield f"{where}: is wider than a phone"
+            page.set_viewport_size(DESK)
+        yield from _slider(page, home)
+        yield from _search(page, home)
+        yield from _dark(browser, home)
+        context.close()
+
+
+def _chosen(home: Path) -> list[Path]:
+    """Return the pages to look at: all but those of the calls, of which a few."""
+    pages = sorted(home.rglob("*.html"))
+    own = [p for p in pages if home / "fr" not in p.parents]
+    calls = [p for p in own if p.parent.name == "calls"]
+    return [p for p in own if p not in calls] + calls[::10]
+
+
+def _slider(page: Page, home: Path) -> Iterator[str]:
+    page.goto((home / "figures" / "fixes.html").as_uri())
+    pair = page.locator(".before-after").first
+    before = pair.evaluate(CUT)
+    pair.locator("input").focus()
+    page.keyboard.press("Home")
+    if (before, pair.evaluate(CUT)) != ("50%", "0%"):
+        yield f"{home.name}: the slider between two pictures does not move by a key"
+    box = pair.bounding_box()
+    assert box is not None
+    page.mouse.click(box["x"] + box["width"] * 0.75, box["y"] + box["height"] / 2)
+    cut = pair.evaluate(CUT)
+    if cut not in [f"{percent}%" for percent in range(70, 81)]:
+        yield f"{home.name}: the slider does not follow the mouse"
+
+
+def _search(page: Page, home: Path) -> Iterator[str]:
+    page.goto((home / "search.html").as_uri() + "?q=glClipPlane")
+    results = page.locator("ul.search li a")
+    results.first.wait_for()
+    found = [link.get_attribute("href") or "" for link in results.all()]
+    if not any("calls/glClipPlane.html" in link for link in found):
+        yield f"{home.name}: the search does not find glClipPlane, but {found[:5]}"
+
+
+def _dark(browser: Browser, home: Path) -> Iterator[str]:
+    colours = set()
+    for scheme in ("light", "dark"):
+        context = browser.new_context(color_scheme=scheme)  # type: ignore[arg-type]
+        page = context.new_page()
+        page.goto((home / "index.html").as_uri())
+        colours.add(page.evaluate(BACKGROUND))
+        context.close()
+    if len(colours) != 2:
+        yield f"{home.name}: dark and light look the same"

@@ -1,0 +1,54 @@
+"""The documents of docs/ as pages, translated block by block."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from landscape.course.pages import as_markdown, blocks
+from landscape.languages import translator
+
+ROOT = Path(__file__).resolve().parents[2]
+TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
+BUILT = ("performance", "assets")  # how the program is built
+
+
+def pictures() -> Iterator[Path]:
+    """Yield the pictures that the documents show."""
+    for path in sorted((ROOT / "docs").iterdir()):
+        if path.suffix in (".png", ".jpg", ".webp"):
+            yield path
+
+
+def pages(language: str) -> dict[str, str]:
+    """Return the documents by their pages' names, and the two lists of them."""
+    _ = translator(language, "site")
+    found = {}
+    for name in (*TOOLS, *BUILT):
+        translate = translator(language, f"docs/{name}")
+        text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
+        found[f"documents/{name}"] = _without_outside(as_markdown(blocks(text, translate)))
+    lists = {
+        "tools": (_("The tools"), TOOLS, _("They look into a frame of a view, of a lesson, or of "
+                                           "any program that draws with PyOpenGL.")),
+        "built": (_("How it is built"), BUILT, _("How fast the island is and why, and how its "
+                                                 "images and meshes are made from code.")),
+    }  # fmt: skip
+    for name, (heading, documents, text) in lists.items():
+        tree = "\n".join(documents)
+        found[f"documents/{name}"] = (
+            f"# {heading}\n\n{text}\n\n```{{toctree}}\n:maxdepth: 2\n\n{tree}\n```\n"
+        )
+    return found
+
+
+def _without_outside(text: str) -> str:
+    """Return Markdown in which links to files that are no pages are plain code."""
+
+    def link(match: re.Match[str]) -> str:
+        label, target = match[1], match[2].partition("#")[0]
+        known = target.removesuffix(".md") in (*TOOLS, *BUILT) or re.match(
+            r"\w+\.(png|jpg)$", target
+        )
+        return match[0] if known or target.startswith("http") or not target else f"`{label}`"
+
+    return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)]+)\)", link, text)

@@ -1,0 +1,89 @@
+"""The pictures of the site, and the calls seen while they were drawn; each runs in a worker."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from PIL import Image
+
+from landscape.capture.tape import Tape
+from landscape.course.ladder import lesson, presses
+from landscape.course.picture import pictures
+from landscape.gl.calls import Call
+from landscape.scene import scene
+from landscape.tools import strip as strips
+from landscape.tools.target import Target
+
+QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
+EVERY = 3  # chosen: frames of the program for one of its animation
+STRIP_STEPS = 40  # chosen: draw calls that a strip shows one by one; with more, by function
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A function's call: the function's name, who made the call, and where in its code."""
+
+    name: str
+    user: str  # a lesson's name, or an element's as "island/castle"
+    source: str  # as "castle.py:31"
+
+
+@dataclass
+class Drawn:
+    """What was drawn: the pictures' folder, and who calls what, each place once."""
+
+    folder: Path
+    seen: dict[Seen, None] = field(default_factory=dict)
+
+    def add(self, calls: Iterable[Seen]) -> None:
+        """Note calls."""
+        self.seen.update(dict.fromkeys(calls))
+
+
+def draw_lesson(name: str, folder: Path) -> list[Seen]:
+    """Draw a lesson's picture, loop and strip; return its calls."""
+    found = lesson(name)
+    (picture,) = pictures(found.file, [found.frame], presses(found.pressed))
+    Image.fromarray(picture).save(folder / f"{name}.webp", quality=QUALITY, method=6)
+    if found.loop:
+        frames = range(0, found.loop, EVERY)
+        first, *others = (Image.fromarray(p) for p in pictures(found.file, frames))
+        first.save(
+            folder / f"{name}-loop.webp",
+            save_all=True,
+            append_images=others,
+            duration=EVERY * 1000 // 60,
+            loop=0,
+            quality=QUALITY,
+        )
+    target = Target(str(found.file), frame=found.frame)
+    calls = target.look(all_calls)
+    draws = sum(call.name in ("glBegin", "glEnd") or "Draw" in call.name for call in calls)
+    by = "draw" if draws // 2 <= STRIP_STEPS else "element"
+    sheet = folder / f"{name}-strip.png"
+    strips.make(target, strips.Request(by), sheet)
+    Image.open(sheet).convert("RGB").save(sheet.with_suffix(".webp"), quality=QUALITY)
+    sheet.unlink()
+    return [
+        Seen(call.name, name, call.source) for call in calls if call.site.path == str(found.file)
+    ]
+
+
+def read_scene(view: str, preset: str) -> list[Seen]:
+    """Return the calls of a view's frame."""
+    calls = Target(view, (320, 240), preset=preset).look(all_calls)
+    return [Seen(call.name, f"{scene().name}/{call.element}", call.source) for call in calls]
+
+
+def all_calls(tape: Tape) -> list[Call]:
+    """Return the calls of a tape, and those of the lists that they execute."""
+    found = list(tape.calls)
+    for call in found:  # grows meanwhile
+        found += call.listed
+    return found
+
+
+def shrink(source: Path, folder: Path) -> list[Seen]:
+    """Write a committed picture as WebP."""
+    Image.open(source).convert("RGB").save(folder / f"{source.stem}.webp", quality=QUALITY)
+    return []

@@ -1,0 +1,87 @@
+"""The report's figures and the fixes: the gallery's captions, with a slider for each fix."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from landscape.fixes import FIXES, Fix
+from landscape.gallery.page import ADDED, FIXED, FIXES_TEXT, PARTS, anchor
+from landscape.gallery.panels import FigurePanel, panels
+from landscape.languages import translator
+
+KEPT = Path(__file__).resolve().parents[2] / "screenshots"
+
+
+def pictures() -> Iterator[Path]:
+    """Yield the committed pictures that the pages show."""
+    for pattern in ("*.png", "best_*.jpg"):
+        yield from sorted(KEPT.glob(pattern))
+
+
+def pages(language: str) -> dict[str, str]:
+    """Return the pages by name: a list, a page for each part of the report, and the fixes."""
+    _ = translator(language, "site", "gallery")
+    every = panels()
+    names = [anchor(part.heading) for part in PARTS]
+    front = [
+        f"# {_('The figures of 2006, and the fixes')}",
+        _(
+            "A student's report of December 2006, Damien Rohmer's *TP OpenGL: Rendu de paysage "
+            "naturel* (CPE Lyon), explains in 43 figures how a handful of simple techniques make a "
+            "landscape. Here they are again, drawn with our own images and meshes."
+        ),
+        "```{toctree}\n:maxdepth: 1\n\n" + "\n".join([*names, "fixes"]) + "\n```",
+    ]
+    found = {"figures/index": "\n\n".join(front) + "\n"}
+    for part, name in zip(PARTS, names, strict=True):
+        lines = [f"# {_(part.heading)}", _plain(_(part.text))]
+        for number in range(part.first, part.last + 1):
+            lines.append(f"## {_('Figure {number}').format(number=number)}")
+            for panel in every:
+                if panel.figure == str(number):
+                    lines += _figure(panel, language)
+        found[f"figures/{name}"] = "\n\n".join(lines) + "\n"
+    found["figures/fixes"] = _fixes({panel.name: panel for panel in every}, language)
+    return found
+
+
+def _figure(panel: FigurePanel, language: str) -> list[str]:
+    _ = translator(language, "site", "gallery")
+    return [
+        f"```{{figure}} ../pictures/{panel.name}.webp\n:alt: {_(panel.seen)}\n"
+        f":name: {panel.name}\n\n{panel.name}: {_(panel.title)}\n```",
+        _plain(_(panel.look)),
+        f"    {panel.command}",
+    ]
+
+
+def _fixes(panels: dict[str, FigurePanel], language: str) -> str:
+    _ = translator(language, "site", "gallery", "window")
+    lines = [f"# {_('The fixes')}"]
+    heading = ""
+    for fix in FIXES:
+        wanted = FIXED if fix.name.startswith("R") else ADDED
+        if wanted != heading:
+            heading = wanted
+            lines += [f"## {_(heading)}", _plain(_(FIXES_TEXT[heading]))]
+        lines += _fix(fix, panels, language)
+    return "\n\n".join(lines) + "\n"
+
+
+def _fix(fix: Fix, panels: dict[str, FigurePanel], language: str) -> list[str]:
+    _ = translator(language, "site", "gallery", "window")
+    before, after = panels[f"{fix.name}_before"], panels[f"{fix.name}_after"]
+    return [
+        f"### {fix.name}: {_(fix.title)}",
+        _plain(_(fix.flaw)),
+        f"```{{before-after}} ../pictures/{before.name}.webp ../pictures/{after.name}.webp\n"
+        f":before: {_(before.seen)}\n:after: {_(after.seen)}\n:label: {_('before and after')}\n```",
+        _plain(_(fix.look)),
+        _plain(_("How: {how}").format(how=_(fix.how))),
+        f"    {before.command}\n    {after.command}",
+    ]
+
+
+def _plain(text: str) -> str:
+    """Return a text without links into the code."""
+    return re.sub(r"\[([^\]]+)\]\(\.\./[^)]*\)", r"`\1`", text)

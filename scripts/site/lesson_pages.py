@@ -1,0 +1,76 @@
+"""The pages of the lessons: picture or loop, code, the lesson's own page, and its strip."""
+
+from drawn import Drawn
+
+from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons
+from landscape.course.pages import as_markdown, page
+from landscape.languages import translator
+
+DONE = {each.name for each in lessons()}
+
+
+def pages(language: str, drawn: Drawn) -> dict[str, str]:
+    """Return the pages by name: the list of all lessons, and one page a lesson."""
+    _ = translator(language, "site", "course", "lessons")
+    every = lessons()
+    front = [
+        f"# {_('Lessons')}",
+        _(
+            "Each lesson is a complete program under 120 lines, with GLFW and PyOpenGL. "
+            "`landscape lesson` lists them, `landscape lesson NAME` runs one, and with `--copy` it "
+            "is copied to be changed."
+        ),
+    ]
+    for topic in LADDER:
+        named = [each for each in every if each.topic == topic]
+        cards = "\n".join(_card(each, language) for each in named)
+        if named:
+            front += [
+                f"## {_(TOPICS[topic])}",
+                f"::::{{grid}} 1 2 3 3\n:gutter: 3\n\n{cards}\n::::",
+            ]
+    front.append("```{toctree}\n:hidden:\n\n" + "\n".join(e.name for e in every) + "\n```")
+    found = {"lessons/index": "\n\n".join(front) + "\n"}
+    for each in every:
+        found[f"lessons/{each.name}"] = _page(each, language, drawn)
+    return found
+
+
+def _card(each: Lesson, language: str) -> str:
+    _ = translator(language, "lessons")
+    title, _colon, rest = _(each.title).partition(":")
+    return (
+        f":::{{grid-item-card}} {title.strip()}\n:link: {each.name}\n:link-type: doc\n"
+        f":img-top: ../pictures/{each.name}.webp\n\n{rest.strip()}\n:::"
+    )
+
+
+def _page(each: Lesson, language: str, drawn: Drawn) -> str:
+    _ = translator(language, "site", "course", "lessons")
+    loop = (drawn.folder / f"{each.name}-loop.webp").exists()
+    picture = f"{each.name}-loop" if loop else each.name
+    needs = ", ".join(
+        _needed(lesson(name), language)
+        for name in each.needs
+        if (each.file.parent / f"{name}.py").exists()
+    )
+    parts = [
+        f"# {_(each.title)}",
+        f"```{{image}} ../pictures/{picture}.webp\n:alt: {_(each.title)}\n"
+        ":class: lesson-picture\n```",
+        *(_(text) for text in each.about),
+        *([_("Builds on {lessons}.").format(lessons=needs)] if needs else []),
+        as_markdown(page(each, _)).strip(),
+        f"## {_('The program')}",
+        f"`landscape lesson {each.name}`",
+        f"```{{code-block}} python\n:linenos:\n\n{each.file.read_text(encoding='utf-8')}```",
+        f"## {_('The frame, step by step')}",
+        f"```{{image}} ../pictures/{each.name}-strip.webp\n:alt: {_('The frame, step by step')}\n"
+        f":target: ../_images/{each.name}-strip.webp\n```",
+    ]
+    return "\n\n".join(parts) + "\n"
+
+
+def _needed(other: Lesson, language: str) -> str:
+    title = translator(language, "lessons")(other.title).partition(":")[0].strip()
+    return f"[{title}]({other.name}.md)"

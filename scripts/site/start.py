@@ -1,0 +1,56 @@
+"""The start page."""
+
+from landscape.languages import Phrases, translator
+
+COMMANDS = """\
+make demo                        # walk the island
+landscape lesson                 # the lessons
+landscape lesson matrix_stack    # one of them
+"""
+LEAD: Phrases = (
+    "An island drawn with classic fixed-function OpenGL: no shader, ever.",
+    "In December 2006 a student's report showed how a handful of simple techniques make a "
+    "natural landscape. It stands again, in Python: to walk, to render, and to learn from.",
+)
+
+
+def pages(language: str) -> dict[str, str]:
+    """Return the start page."""
+    _ = translator(language, "site")
+    cards = (
+        ("lessons/index", "matrix_stack.webp", _("Lessons"),
+         _("Small programs, one idea each, from the first window to the three fogs.")),
+        ("figures/index", "fig35a.webp", _("Figures and fixes"),
+         _("The 43 figures of 2006, their flaws, and what fixes them.")),
+        ("calls/index", "matrix_stack.webp", _("Index of calls"),
+         _("Every OpenGL call, what it does, and where the code uses it.")),
+        ("scenes", "best_fig35e.webp", _("The scene"),
+         _("The island as it is today, in nine views.")),
+        ("documents/tools", "fig42a.webp", _("The tools"),
+         _("Any call, any pixel, any state of a frame, laid open.")),
+        ("documents/built", "best_fig35g.webp", _("How it is built"),
+         _("Speed measured, and assets made from code.")),
+    )  # fmt: skip
+    grid = "\n".join(
+        f":::{{grid-item-card}} {title}\n:link: {page}\n:link-type: doc\n"
+        f":img-top: pictures/{picture}\n\n{text}\n:::"
+        for page, picture, title, text in cards
+    )
+    tree = "\n".join(page for page, _picture, _title, _text in cards)
+    index = "\n\n".join(
+        [
+            "# landscape",
+            f"```{{image}} pictures/best_fig35i.webp\n:alt: {_('The sea dragon in the bay')}\n"
+            ":class: hero\n```",
+            *(_(text) for text in LEAD),
+            f"```sh\n{COMMANDS}```",
+            f"::::{{grid}} 1 2 3 3\n:gutter: 3\n\n{grid}\n::::",
+            f"```{{toctree}}\n:hidden:\n\n{tree}\n```",
+        ]
+    )
+    views = "\n\n".join(
+        f"```{{figure}} pictures/best_fig35{panel}.webp\n\n`landscape walk fig35{panel}`\n```"
+        for panel in "abcdefghi"
+    )
+    scenes = f"# {_('The scene')}\n\n{_('The island in the preset `best`.')}\n\n{views}\n"
+    return {"index": index + "\n", "scenes": scenes}
