@@ -319,10 +319,12 @@ def test_a_redundant_and_an_edited_call_are_marked_in_the_list(model: Inspector)
 
 def test_calls_are_numbered_as_the_commands_count_them(model: Inspector) -> None:
     assert (model.numbered("3"), model.numbered("4.1")) == ("+3", "+4.1")
-    model.numbers = range(7, 15)
-    at(model, "4.1")
+    model.show(numbered([call("glFlush", pass_="setup"), density()]), {})
+    assert (model.numbered("0"), model.numbered("1")) == ("", "+0")
+    model.numbers = range(7, 9)
+    at(model, "1")
     _, lines = visible(model, 100, "en")
-    assert [line.number for line in lines if line.chosen] == ["11.1"]
+    assert [line.number for line in lines if line.chosen] == ["8"]
 
 
 def test_a_small_window_names_fewer_keys_and_shows_more_rows(model: Inspector) -> None:

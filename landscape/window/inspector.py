@@ -55,6 +55,7 @@ class Inspector:
         self._past: list[list[Edit]] = []
         self._dragged: tuple[Cell, float] | None = None
         self._moved = False
+        self._before = 0  # calls listed that are made before the frame begins
 
     # What is shown.
 
@@ -62,6 +63,8 @@ class Inspector:
         """List a frame that was recorded; what was chosen and open stays so where it is there."""
         self.tree = Tree(calls)
         self.effects = effects
+        frame = (k for k, call in enumerate(calls) if call.pass_ != "setup")
+        self._before = next(frame, len(calls))
         if not self.opened:
             self.opened = {node.identity for node in self.tree.passes}
         self._list()
@@ -108,8 +111,10 @@ class Inspector:
         Where the calls before the frame are unknown, "+12" counts from the frame's beginning.
         """
         first, point, rest = place.partition(".")
-        number = f"{self.numbers[int(first)]}" if int(first) < len(self.numbers) else f"+{first}"
-        return f"{number}{point}{rest}"
+        if int(first) < len(self.numbers):
+            return f"{self.numbers[int(first)]}{point}{rest}"
+        index = int(first) - self._before
+        return f"+{index}{point}{rest}" if index >= 0 else ""
 
     def edits_of(self, found: Located) -> list[Edit]:
         """Return the edits of a call."""
