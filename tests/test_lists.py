@@ -47,7 +47,8 @@ def first(name: str) -> tuple[Listing, Edit]:
 
 
 def test_an_edit_inside_a_list_shows_at_once_and_undone_gives_the_former_bytes() -> None:
-    with Offscreen(SIZE, "2006", samples=0) as view:
+    few = {"trees.count": 200, "grass.count": 2000}
+    with Offscreen(SIZE, "2006", few, samples=0) as view:
         view.look("fig35f")
         before = view.draw()
         with view._current():
@@ -63,7 +64,7 @@ def test_an_edit_inside_a_list_shows_at_once_and_undone_gives_the_former_bytes()
         with view._current():
             recompile({key}, Edits())
         assert np.array_equal(view.draw(), before)
-    with Offscreen(SIZE, "2006", samples=0, edits=Edits([edit])) as view:
+    with Offscreen(SIZE, "2006", few, samples=0, edits=Edits([edit])) as view:
         view.look("fig35f")
         assert np.array_equal(view.draw(), edited), "as if the program had drawn lines"
 
@@ -85,6 +86,7 @@ def test_render_plays_a_file_of_edits_and_tells_of_one_without_a_call(tmp_path: 
     edits = [{"call": call, "argument": 1, "value": 0.3} for call in (FOG, lost)]
     path.write_text(json.dumps({"version": 1, "edits": edits}))
     words = ("render", "fig35a", "fig35e", "--preset", "2006", "--size", "64x48", "--quiet")
+    words += ("--only", "ground,fog")
     plain = landscape(*words, "--set", "fog.density=0.3", "--out", tmp_path / "plain")
     loud = tuple(word for word in words if word != "--quiet")
     done = landscape(*loud, "--edits", path, "--out", tmp_path / "edited")

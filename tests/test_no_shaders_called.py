@@ -14,8 +14,10 @@ from stage import write_plain, write_ply
 
 from landscape.elements import atlas
 from landscape.elements.atlas import CELLS
+from landscape.elements.best.ornate import ornate_castle
 from landscape.elements.best.sprites import refined_atlas
 from landscape.elements.water_surface import WaterSurface
+from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import Call, gl, recording
 from landscape.render import Offscreen
 from landscape.settings import PRESETS
@@ -53,6 +55,10 @@ def quick_levels(image: np.ndarray, levels: int) -> list[np.ndarray]:
     return [np.ascontiguousarray(image[:: 1 << k, :: 1 << k]) for k in range(levels)]
 
 
+def quick_light(mesh: Mesh, *others: object) -> tuple[np.ndarray, np.ndarray]:
+    return np.full((8, 8, 3), 127, np.uint8), np.zeros((len(mesh.vertices), 2), np.float32)
+
+
 @pytest.fixture(scope="module")
 def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
     """The names called, by (preset, view): each view in its own preset, figure 35 in all presets.
@@ -67,6 +73,8 @@ def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
         with recording() as recorder, pytest.MonkeyPatch.context() as patch:
             for module in (atlas, refined_atlas):
                 patch.setattr(module, "mip_chain", quick_levels)
+            patch.setattr(ornate_castle, "light_map", quick_light)
+            patch.setattr(ornate_castle, "recall", lambda parts, make: make())
             with Offscreen((64, 48), preset, SMALL, assets=folder) as offscreen:
                 for view in sorted(mine, key=lambda v: (str(v.settings), v.shown)):
                     start = len(recorder.calls)

@@ -29,6 +29,7 @@ SIDE = 512  # texels per side of the texture
 OFF = 0.004  # units: distance from the surface at which a ray starts
 PENUMBRA = 0.03  # radians that the rays to the sun spread over, so that its shadow has a soft edge
 SUN_RAYS, SKY_RAYS = 7, 28
+BLOCK = 16384  # rays that are followed together
 BOUNCE = np.array([0.30, 0.29, 0.22])  # fraction of the sky's light the ground reflects, RGB
 BETWEEN = 0.60  # fraction of the hidden sky's light that the yard's walls send to each other
 CONTACT = 0.10  # units over which the ground darkens the foot of a wall
@@ -81,24 +82,34 @@ def solids() -> tuple[list[Box], list[Cylinder]]:
 
 def stopped(places: np.ndarray, ray: np.ndarray) -> np.ndarray:
     """Return which rays (n,) from places (n, 3) along a rising ``ray`` (3,) hit a solid."""
+    hit = np.zeros(len(places), bool)
+    for first in range(0, len(places), BLOCK):  # what fits into the processor's cache is faster
+        block = slice(first, first + BLOCK)
+        hit[block] = _stopped(places[block], ray)
+    return hit
+
+
+def _stopped(places: np.ndarray, ray: np.ndarray) -> np.ndarray:
     dx, dy, dz = np.where(np.abs(ray) < 1e-9, 1e-9, ray).tolist()
-    x, y, z = places.T
+    x, y, z = np.ascontiguousarray(places.T)
     hit = np.zeros(len(places), bool)
     boxes, round_ = solids()
     for x0, y0, z0, x1, y1, z1 in boxes:
         enter, leave = np.zeros(len(places)), np.full(len(places), np.inf)
         for p, d, low, high in ((x, dx, x0, x1), (y, dy, y0, y1), (z, dz, z0, z1)):
-            first, last = (low - p) / d, (high - p) / d
-            np.maximum(enter, np.minimum(first, last), out=enter)
-            np.minimum(leave, np.maximum(first, last), out=leave)
+            first, last = (low, high) if d > 0.0 else (high, low)
+            np.maximum(enter, (first - p) / d, out=enter)
+            np.minimum(leave, (last - p) / d, out=leave)
         hit |= enter < leave
     across = dx * dx + dz * dz
     for cx, cz, radius, y0, y1 in round_:
         nearest = -((x - cx) * dx + (z - cz) * dz) / across
         off = np.square(x + nearest * dx - cx) + np.square(z + nearest * dz - cz)
-        half = np.sqrt(np.maximum(radius * radius - off, 0.0) / across)
-        enter = np.maximum(np.maximum(nearest - half, (y0 - y) / dy), 0.0)
-        hit |= (off < radius * radius) & (enter < np.minimum(nearest + half, (y1 - y) / dy))
+        near = np.flatnonzero(off < radius * radius)
+        nearest, off, height = nearest[near], off[near], y[near]
+        half = np.sqrt((radius * radius - off) / across)
+        enter = np.maximum(np.maximum(nearest - half, (y0 - height) / dy), 0.0)
+        hit[near] |= enter < np.minimum(nearest + half, (y1 - height) / dy)
     return hit
 
 
