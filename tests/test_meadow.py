@@ -206,9 +206,11 @@ def test_cells_long_unused_are_dropped_and_regrow_identically(
     grown.forget(in_view=0)
     assert 900 < grown.grown <= 1000
     assert grown.patch(6399) is first[6399], "the last used stay"
-    again = [grown.patch(cell) for cell in range(6400)]
+    some = range(0, 6400, 8)
+    again = [grown.patch(cell) for cell in some]
     assert grown.patch(0) is not first[0]
-    assert all(np.array_equal(a.vertices, b.vertices) for a, b in zip(first, again, strict=True))
+    for cell, patch in zip(some, again, strict=True):
+        assert np.array_equal(first[cell].vertices, patch.vertices)
     assert np.array_equal(grown.counts, counts)
 
 
