@@ -77,14 +77,14 @@ def main():
         glLoadIdentity()
         place_light()
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-        for model, label, x in ((GL_FLAT, "GL_FLAT", -1.1), (GL_SMOOTH, "GL_SMOOTH", 1.1)):
+        for model, x in ((GL_FLAT, -1.1), (GL_SMOOTH, 1.1)):
             glShadeModel(model)
             glLoadIdentity()
             glTranslatef(x, 0.15, 0)
             if half:
                 glRotatef(180 / segments, 0, 1, 0)
             draw_ball()
-            write(-5 * len(label), -24, label, at=(0, -1.05, 0))
+            write(-40, -24, "GL_FLAT" if model == GL_FLAT else "GL_SMOOTH", at=(0, -1.05, 0))
         write(16, 40, "{segments} segments", segments=segments)
         write(16, 16, "turned by half a segment" if half else "not turned")
         glfw.swap_buffers(window)

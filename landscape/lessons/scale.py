@@ -19,7 +19,7 @@ from OpenGL.GL import *
 from text import _, write
 
 SCALES = ((0.5, 0.5, 0.5), (1, 1, 1), (2, 2, 2), (0.6, 1.2, 0.6), (1.3, 0.5, 1.3))
-KEYS = {glfw.KEY_1: 0, glfw.KEY_2: GL_RESCALE_NORMAL, glfw.KEY_3: GL_NORMALIZE}
+MODES = (0, GL_RESCALE_NORMAL, GL_NORMALIZE)
 LABELS = {
     0: "normals as scaled",
     GL_RESCALE_NORMAL: "GL_RESCALE_NORMAL",
@@ -58,7 +58,8 @@ def draw_balls():
 
 def on_key(window, key, scancode, action, mods):
     global mode
-    mode = KEYS.get(key, mode)
+    if key - glfw.KEY_1 in range(3):
+        mode = MODES[key - glfw.KEY_1]
     if key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
