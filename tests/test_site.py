@@ -1,0 +1,109 @@
+"""The site's pages as they are written from the code; `make docs-check` looks at the built site."""
+
+import re
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from commands import TESTS
+
+from landscape.course.ladder import lessons
+from landscape.course.pages import as_markdown, blocks
+from landscape.languages import LANGUAGES
+
+SITE = TESTS.parent / "scripts" / "site"
+MODULES = ("calls", "documents", "drawn", "gallery", "lesson_pages", "links", "start")
+
+
+@pytest.fixture
+def site(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """The script's modules by name."""
+    import importlib
+    import sys
+
+    monkeypatch.syspath_prepend(str(SITE))
+    modules: dict[str, ModuleType] = {}
+    for name in MODULES:
+        modules[name] = importlib.import_module(name)
+    yield type("Site", (), modules)
+    for name in MODULES:
+        del sys.modules[name]
+
+
+def pages(site: Any, language: str, folder: Path) -> dict[str, str]:
+    """Return all pages, as if each lesson called two functions."""
+    drawn = site.drawn.Drawn(folder)
+    for lesson in lessons():
+        drawn.add([site.drawn.Seen("glVertex3f", lesson.name, f"{lesson.name}.py:20")])
+        drawn.add([site.drawn.Seen("glVertex2f", lesson.name, f"{lesson.name}.py:21")])
+    drawn.add([site.drawn.Seen("glFogf", "island/fog", "landscape/elements/fog.py:31")])
+    index = site.calls.index(drawn)
+    return {
+        **site.start.pages(language),
+        **site.lesson_pages.pages(language, drawn),
+        **site.gallery.pages(language),
+        **site.documents.pages(language),
+        **site.calls.pages(language, index),
+    }
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_page_that_a_page_lists_is_written(language: str, site: Any, tmp_path: Path) -> None:
+    found = pages(site, language, tmp_path)
+    listed = {"index"}
+    for name, text in found.items():
+        assert text.startswith("# "), name
+        folder = name.rpartition("/")[0]
+        for tree in re.findall(r"```\{toctree\}\n(.*?)```", text, re.DOTALL):
+            entries = [line for line in tree.splitlines() if line and line[0] != ":"]
+            listed |= {f"{folder}/{entry}".lstrip("/") for entry in entries}
+    assert listed == set(found)
+
+
+def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
+    site: Any, tmp_path: Path
+) -> None:
+    found = pages(site, "en", tmp_path)
+    vertex = found["calls/glVertex"]
+    assert "`glVertex2f`, `glVertex3f`" in vertex
+    for lesson in lessons():
+        assert f'<a href="../lessons/{lesson.name}.html#line-21">21</a>' in vertex
+    assert "fog: `landscape/elements/fog.py:31`" in found["calls/glFog"]
+    assert "[`glFog`](glFog.md)" in found["calls/index"]
+
+
+def test_the_page_of_a_lesson_holds_its_whole_program(site: Any, tmp_path: Path) -> None:
+    found = pages(site, "fr", tmp_path)
+    for lesson in lessons():
+        page = found[f"lessons/{lesson.name}"]
+        assert lesson.file.read_text(encoding="utf-8") in page
+        assert f"../pictures/{lesson.name}-strip.webp" in page
+
+
+def test_a_dead_link_and_a_missing_place_are_found(site: Any, tmp_path: Path) -> None:
+    (tmp_path / "a.html").write_text(
+        '<h1 id="here"></h1><a href="b.html#there"></a><a href="b.html#gone"></a>'
+        '<a href="#here"></a><img src="c.png"><a href="https://example.org/x"></a>'
+    )
+    (tmp_path / "b.html").write_text('<p id="there"></p>')
+    assert list(site.links.dead_links(tmp_path)) == [
+        "a.html: leads to b.html#gone, which is not there",
+        "a.html: leads to c.png, which is not there",
+    ]
+
+
+@pytest.mark.parametrize("name", ["docs/frame", "docs/gate", "docs/performance", "README"])
+def test_a_document_taken_apart_and_put_together_says_the_same(name: str) -> None:
+    text = (TESTS.parent / f"{name}.md").read_text(encoding="utf-8")
+    again = as_markdown(blocks(text))
+    assert again.split() == text.split()
+    assert as_markdown(blocks(again)) == again
+
+
+def test_blocks_are_what_is_translated() -> None:
+    text = "# A\n\none\ntwo\n- x\n- y\n\n1. z\n\n    code\n\n| a | b |\n|---|---|\n| c | d |\n"
+    assert [(b.mark, b.text) for b in blocks(text, str.upper)] == [
+        ("# ", "A"), ("", "ONE TWO"), ("- ", "X"), ("- ", "Y"), ("1. ", "Z"), ("```", "    code"),
+        ("| ", "| A | B |"), ("```", "|---|---|"), ("| ", "| C | D |"),
+    ]  # fmt: skip
