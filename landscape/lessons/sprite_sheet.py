@@ -85,7 +85,7 @@ def main():
         glViewport(0, 0, width, height)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
-        glOrtho(-3 * width / height, 3 * width / height, -1.3, 4.7, -1, 1)
+        glOrtho(-3.2 * width / height, 3.2 * width / height, -1.8, 4.6, -1, 1)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
         glTranslatef(-1.4, 0, 0)

@@ -1,0 +1,119 @@
+"""Overlays: a sword in front of everything
+
+The sword is one textured quad, drawn last. Its modelview matrix is the identity, so it stays in the
+hand wherever the viewer goes. But its tip is 1.4 ahead, and a wall may be nearer:
+glDisable(GL_DEPTH_TEST) puts the sword in front of everything. With the depth test on, it sinks
+into the wall, and only the tip shows above it.
+
+Keys: Up and Down walk, Left and Right turn; Space switches the depth test of the sword.
+"""
+# topic: landscape
+# needs: blending, look_at, crossed_quads
+# picture: frame 0
+# keys: UP DOWN LEFT RIGHT SPACE
+
+import math
+from pathlib import Path
+
+import glfw
+from OpenGL.GL import *
+from PIL import Image
+from text import _, write
+
+x, z, turn, steps, depth_test = 0.2, -1.2, 25, 0, False  # turn: degrees
+
+
+def make_texture(name):
+    image = Image.open(Path(__file__).parent / "data" / name).convert("RGBA")
+    texture = glGenTextures(1)
+    glBindTexture(GL_TEXTURE_2D, texture)
+    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE)
+    data = GL_RGBA, GL_UNSIGNED_BYTE, image.tobytes()
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, *image.size, 0, *data)
+    return texture
+
+
+def draw_quad(*corners):
+    """Draw a quad of four corners (s, t, x, y, z)."""
+    glBegin(GL_QUADS)
+    for s, t, *place in corners:
+        glTexCoord2f(s, t)
+        glVertex3f(*place)
+    glEnd()
+
+
+def draw_yard(bricks):
+    """Draw four walls, each with its shade, and the floor."""
+    glBindTexture(GL_TEXTURE_2D, bricks)
+    for shade in (0.95, 0.6, 0.8, 0.5):
+        glColor3f(shade, shade, shade)
+        draw_quad(
+            (0, 1.3, -2, -1, -2), (4, 1.3, 2, -1, -2), (4, 0, 2, 0.3, -2), (0, 0, -2, 0.3, -2)
+        )
+        glRotatef(90, 0, 1, 0)
+    glColor3f(0.4, 0.45, 0.5)
+    draw_quad((0, 0, -2, -1, -2), (4, 0, 2, -1, -2), (4, 4, 2, -1, 2), (0, 4, -2, -1, 2))
+
+
+def draw_sword(sword):
+    glBindTexture(GL_TEXTURE_2D, sword)
+    glEnable(GL_BLEND)
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+    glColor3f(1, 1, 1)
+    near, far = -0.5, -1.4  # the hand is near, the tip far
+    draw_quad(
+        (0, 1, 0, -0.4, near), (1, 1, 0.5, -0.4, near), (1, 0, 0.5, 0.7, far), (0, 0, 0, 0.7, far)
+    )
+    glDisable(GL_BLEND)
+
+
+def on_key(window, key, scancode, action, mods):
+    global x, z, turn, steps, depth_test
+    if action == glfw.RELEASE:
+        return
+    turn += 5 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
+    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
+        step = 0.1 if key == glfw.KEY_UP else -0.1
+        x = max(-1.6, min(1.6, x + step * math.sin(math.radians(turn))))
+        z = max(-1.6, min(1.6, z - step * math.cos(math.radians(turn))))
+        steps += 1
+    if key == glfw.KEY_SPACE:
+        depth_test = not depth_test
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("Overlays"), None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glClearColor(0.3, 0.45, 0.6, 1)
+    bricks, sword = make_texture("brick.png"), make_texture("sword.png")
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glMatrixMode(GL_PROJECTION)
+        glLoadIdentity()
+        glFrustum(-0.05 * width / height, 0.05 * width / height, -0.05, 0.05, 0.1, 20)
+        glMatrixMode(GL_MODELVIEW)
+        glLoadIdentity()
+        glRotatef(turn, 0, 1, 0)
+        glTranslatef(-x, 0.02 * math.cos(steps), -z)
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+        glEnable(GL_DEPTH_TEST)
+        glEnable(GL_TEXTURE_2D)
+        draw_yard(bricks)
+        glLoadIdentity()
+        if not depth_test:
+            glDisable(GL_DEPTH_TEST)
+        draw_sword(sword)
+        glDisable(GL_TEXTURE_2D)
+        write(16, 16, "depth test on" if depth_test else "depth test off")
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()

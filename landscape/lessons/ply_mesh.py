@@ -1,0 +1,119 @@
+"""PLY meshes: a rabbit read from a file, and a texture around it
+
+An ASCII PLY file has a header, a line for each vertex and a line for each face. A vertex takes the
+normalized sum of its faces' normals. The file has no texture coordinates: they come from x, y, z.
+A plane stretches the texture where the surface turns away from it; cylinder and sphere pinch it
+where their axis leaves the rabbit. At their seam the angle jumps from pi to -pi: its absolute value
+hides that, and without it the whole texture runs backwards through one strip.
+
+Keys: 1 plane, 2 cylinder, 3 sphere; Space leaves out the absolute value; Left and Right turn.
+"""
+# topic: landscape
+# needs: normals, vertex_arrays, textured_sphere
+# picture: frame 0
+# loop: 240 frames
+# keys: 1 3 SPACE LEFT RIGHT
+
+from pathlib import Path
+
+import glfw
+import numpy as np
+from OpenGL.GL import *
+from PIL import Image
+from text import _, write
+
+LABELS = "plane: s = x, t = y", "cylinder: s = {angle}, t = y", "sphere: s = {angle}, t = latitude"
+mapping, absolute, turn = 1, True, 50
+
+
+def read_ply(path):
+    """Return the vertices (n, 3) and the triangles (m, 3) of an ASCII PLY file."""
+    header, body = path.read_text().split("end_header\n")
+    counts = [int(line.split()[2]) for line in header.splitlines() if line.startswith("element")]
+    rows = [row.split() for row in body.splitlines()]
+    faces = np.array(rows[counts[0] :], np.uint32)  # each row: 3, and the numbers of 3 vertices
+    return np.array(rows[: counts[0]], np.float32), faces[:, 1:].copy()
+
+
+def sum_normals(vertices, faces):
+    """Return the unit normal of each vertex: larger faces count more."""
+    a, b, c = vertices[faces[:, 0]], vertices[faces[:, 1]], vertices[faces[:, 2]]
+    normals = np.zeros_like(vertices)
+    for corner in range(3):
+        np.add.at(normals, faces[:, corner], np.cross(b - a, c - a))
+    return normals / np.linalg.norm(normals, axis=1, keepdims=True)
+
+
+def map_texture(vertices):
+    """Return texture coordinates (n, 2) by the chosen mapping."""
+    x, y, z = vertices.T
+    angle, latitude = np.arctan2(z, x) / np.pi, np.arctan2(y, np.hypot(x, z)) / np.pi
+    if absolute:
+        angle = abs(angle)
+    mapped = ((x, y), (angle, y), (angle, 2 * latitude))[mapping]
+    return 4 * np.stack(mapped, axis=1).astype(np.float32)
+
+
+def make_texture():
+    """Make a texture of two by two checks."""
+    image = Image.new("RGB", (128, 128), (242, 230, 204))
+    for corner in (0, 64):
+        image.paste((217, 89, 51), (corner, corner, corner + 64, corner + 64))
+    glBindTexture(GL_TEXTURE_2D, glGenTextures(1))
+    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE)
+    data = GL_RGB, GL_UNSIGNED_BYTE, image.tobytes()
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, *image.size, 0, *data)
+
+
+def on_key(window, key, scancode, action, mods):
+    global mapping, absolute, turn
+    if action == glfw.RELEASE:
+        return
+    if key - glfw.KEY_1 in range(3):
+        mapping = key - glfw.KEY_1
+    if key == glfw.KEY_SPACE:
+        absolute = not absolute
+    turn += 15 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(640, 480, _("PLY meshes"), None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    vertices, faces = read_ply(Path(__file__).parent / "data" / "rabbit.ply")
+    normals = sum_normals(vertices, faces)
+    make_texture()
+    for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_TEXTURE_2D):
+        glEnable(capability)
+    for array in (GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY):
+        glEnableClientState(array)
+    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.9, 0.9, 0.9, 1))
+    glClearColor(0.13, 0.16, 0.21, 1)
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glMatrixMode(GL_PROJECTION)
+        glLoadIdentity()
+        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
+        glMatrixMode(GL_MODELVIEW)
+        glLoadIdentity()
+        glTranslatef(0, 0.1, -5)
+        glRotatef(15, 1, 0, 0)
+        glRotatef(turn + 20 * glfw.get_time(), 0, 1, 0)
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+        glVertexPointer(3, GL_FLOAT, 0, vertices)
+        glNormalPointer(GL_FLOAT, 0, normals)
+        glTexCoordPointer(2, GL_FLOAT, 0, map_texture(vertices))
+        glDrawElements(GL_TRIANGLES, faces.size, GL_UNSIGNED_INT, faces)
+        write(16, 40, "faces: {count}", count=len(faces))
+        write(16, 16, LABELS[mapping], angle="|angle|" if absolute else "angle")
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
