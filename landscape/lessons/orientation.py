@@ -30,15 +30,6 @@ culling = False
 culled, front = GL_BACK, GL_CCW
 
 
-def label(x, y, text):
-    """Write a text around a point of the scene, where the matrix puts the point."""
-    x, y = ([x, y, 0, 1] @ glGetFloatv(GL_MODELVIEW_MATRIX))[:2]
-    width, height = glGetIntegerv(GL_VIEWPORT)[2:]
-    scale = max(1, height // 480)  # write counts in larger pixels in a large window
-    x, y = (x + 1) / 2 * width / scale, (y + 1) / 2 * height / scale
-    write(x - 5 * len(text), y - 10, "{label}", label=text)
-
-
 def draw_triangle(place, order, turn, color):
     cosine = math.cos(math.radians(angle + turn))
     points = [(place + cosine * CORNERS[n][0], 0.3 + CORNERS[n][1]) for n in order]
@@ -48,10 +39,11 @@ def draw_triangle(place, order, turn, color):
         glVertex2f(x, y)
     glEnd()
     for number, (x, y) in enumerate(points):
-        label(place + 1.12 * (x - place), 0.27 + 1.25 * (y - 0.27), str(number))
+        beside = (place + 1.12 * (x - place), 0.27 + 1.25 * (y - 0.27), 0)
+        write(-5, -10, "{number}", at=beside, number=number)
     (x0, y0), (x1, y1), (x2, y2) = points
     area = ((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
-    label(place, -0.42, _("area {area:+.2f}").format(area=area))
+    write(-50, -10, "area {area:+.2f}", at=(place, -0.42, 0), area=area)
 
 
 def draw():

@@ -23,15 +23,6 @@ angle = 50  # degrees about the vertical axis
 chosen = 0
 
 
-def label(vertex, text):
-    """Write a text around a vertex, where the matrix puts it."""
-    x, y = ([*vertex, 1] @ glGetFloatv(GL_MODELVIEW_MATRIX))[:2]
-    width, height = glGetIntegerv(GL_VIEWPORT)[2:]
-    scale = max(1, height // 480)  # write counts in larger pixels in a large window
-    x, y = (x + 1) / 2 * width / scale, (y + 1) / 2 * height / scale
-    write(x - 5 * len(text), y - 10, "{label}", label=text)
-
-
 def draw_faces():
     glBegin(GL_TRIANGLES)
     for number, face in enumerate(FACES):
@@ -64,7 +55,7 @@ def draw():
     glDisable(GL_CULL_FACE)
     draw_edges(FACES[chosen])
     for number, vertex in enumerate(VERTICES):
-        label([1.12 * part for part in vertex], str(number))
+        write(-5, -10, "{number}", at=[1.12 * part for part in vertex], number=number)
     for number, face in enumerate(FACES):
         row = " ".join(str(vertex) for vertex in face)
         write(36, 88 - 24 * number, "face {number}: {row}", COLORS[number], number=number, row=row)
