@@ -53,8 +53,8 @@ def write(x, y, text, /, color=(1, 1, 1), size=1, at=None, **values):
     glPushAttrib(GL_ALL_ATTRIB_BITS)
     if not lists:
         make_letters()
-    for capability in (GL_LIGHTING, GL_FOG, GL_DEPTH_TEST, GL_CULL_FACE, GL_ALPHA_TEST):
-        glDisable(capability)
+    for cap in (GL_LIGHTING, GL_COLOR_MATERIAL, GL_FOG, GL_DEPTH_TEST, GL_CULL_FACE, GL_ALPHA_TEST):
+        glDisable(cap)
     glEnable(GL_BLEND)
     glEnable(GL_TEXTURE_2D)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
