@@ -10,7 +10,6 @@ Keys: Space leaves out the second quad; T switches the alpha test; Up and Down m
 # topic: landscape
 # needs: blending, billboard, sorting
 # picture: frame 0
-# loop: 240 frames
 # keys: SPACE T UP DOWN
 
 import math

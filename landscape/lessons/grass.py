@@ -45,7 +45,7 @@ def in_wind(time):
     """Return the vertices with their tips moved by waves that run over the meadow."""
     blades = vertices.copy()
     x, z = blades[:, 2, 0], blades[:, 2, 2]
-    x += 0.2 * np.sin(2.5 * time + 0.9 * x + 0.5 * z) + 0.1 * np.sin(5 * time + 7 * z)
+    x += 0.2 * np.sin(2.1 * time + 0.9 * x + 0.5 * z) + 0.1 * np.sin(4.2 * time + 7 * z)
     return blades
 
 

@@ -102,7 +102,7 @@ def main():
             glEnable(GL_BLEND)
             glBlendFunc(GL_DST_COLOR, GL_ZERO)
         if shown != 1:
-            size = 5.5 + 0.2 * math.sin(9 * glfw.get_time()) * math.sin(23 * glfw.get_time())
+            size = 5.5 + 0.2 * math.sin(9.4 * glfw.get_time()) * math.sin(22 * glfw.get_time())
             wrap = GL_REPEAT if repeat else GL_CLAMP_TO_EDGE
             draw_room(glow, light_x - size / 2, light_y - size / 2, size, wrap)
         glDisable(GL_TEXTURE_2D)

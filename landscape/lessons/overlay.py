@@ -1,16 +1,16 @@
 """Overlays: a sword in front of everything
 
-The sword is one textured quad, drawn last. Its modelview matrix is the identity, so it stays in the
-hand wherever the viewer goes. But its tip is 1.4 ahead, and a wall may be nearer:
-glDisable(GL_DEPTH_TEST) puts the sword in front of everything. With the depth test on, it sinks
-into the wall, and only the tip shows above it.
+The sword is one textured quad, drawn last and with matrices of its own. The identity as modelview
+matrix keeps it in the hand, and its own projection keeps its size when the scene is zoomed. But its
+tip is 1.4 ahead, and a wall may be nearer: glDisable(GL_DEPTH_TEST) puts the sword in front of
+everything. With the depth test it sinks into the wall, and only the tip shows above.
 
-Keys: Up and Down walk, Left and Right turn; Space switches the depth test of the sword.
+Keys: Up and Down walk, Left and Right turn; F zooms; Space switches the sword's depth test.
 """
 # topic: landscape
 # needs: blending, look_at, crossed_quads
 # picture: frame 0
-# keys: UP DOWN LEFT RIGHT SPACE
+# keys: UP DOWN LEFT RIGHT F SPACE
 
 import math
 from pathlib import Path
@@ -20,7 +20,7 @@ from OpenGL.GL import *
 from PIL import Image
 from text import _, write
 
-x, z, turn, steps, depth_test = 0.2, -1.2, 25, 0, False  # turn: degrees
+x, z, turn, steps, zoom, depth_test = 0.2, -1.2, 25, 0, 1, False  # turn: degrees
 
 
 def make_texture(name):
@@ -33,26 +33,23 @@ def make_texture(name):
     return texture
 
 
-def draw_quad(*corners):
-    """Draw a quad of four corners (s, t, x, y, z)."""
+def draw_quad(s, t, a, b, c, d):
+    """Draw the quad a, b, c, d; the texture repeats s times across and t times up."""
     glBegin(GL_QUADS)
-    for s, t, *place in corners:
-        glTexCoord2f(s, t)
-        glVertex3f(*place)
+    for u, v, corner in (0, t, a), (s, t, b), (s, 0, c), (0, 0, d):
+        glTexCoord2f(u, v)
+        glVertex3f(*corner)
     glEnd()
 
 
 def draw_yard(bricks):
-    """Draw four walls, each with its shade, and the floor."""
     glBindTexture(GL_TEXTURE_2D, bricks)
     for shade in (0.95, 0.6, 0.8, 0.5):
         glColor3f(shade, shade, shade)
-        draw_quad(
-            (0, 1.3, -2, -1, -2), (4, 1.3, 2, -1, -2), (4, 0, 2, 0.3, -2), (0, 0, -2, 0.3, -2)
-        )
+        draw_quad(4, 1.3, (-2, -1, -2), (2, -1, -2), (2, 0.3, -2), (-2, 0.3, -2))
         glRotatef(90, 0, 1, 0)
     glColor3f(0.4, 0.45, 0.5)
-    draw_quad((0, 0, -2, -1, -2), (4, 0, 2, -1, -2), (4, 4, 2, -1, 2), (0, 4, -2, -1, 2))
+    draw_quad(4, 4, (-2, -1, 2), (2, -1, 2), (2, -1, -2), (-2, -1, -2))
 
 
 def draw_sword(sword):
@@ -61,14 +58,12 @@ def draw_sword(sword):
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
     glColor3f(1, 1, 1)
     near, far = -0.5, -1.4  # the hand is near, the tip far
-    draw_quad(
-        (0, 1, 0, -0.4, near), (1, 1, 0.5, -0.4, near), (1, 0, 0.5, 0.7, far), (0, 0, 0, 0.7, far)
-    )
+    draw_quad(1, 1, (0, -0.4, near), (0.5, -0.4, near), (0.5, 0.7, far), (0, 0.7, far))
     glDisable(GL_BLEND)
 
 
 def on_key(window, key, scancode, action, mods):
-    global x, z, turn, steps, depth_test
+    global x, z, turn, steps, zoom, depth_test
     if action == glfw.RELEASE:
         return
     turn += 5 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
@@ -77,6 +72,7 @@ def on_key(window, key, scancode, action, mods):
         x = max(-1.6, min(1.6, x + step * math.sin(math.radians(turn))))
         z = max(-1.6, min(1.6, z - step * math.cos(math.radians(turn))))
         steps += 1
+    zoom = 3 - zoom if key == glfw.KEY_F else zoom
     if key == glfw.KEY_SPACE:
         depth_test = not depth_test
     if key == glfw.KEY_ESCAPE:
@@ -90,25 +86,29 @@ def main():
     glfw.set_key_callback(window, on_key)
     glClearColor(0.3, 0.45, 0.6, 1)
     bricks, sword = make_texture("brick.png"), make_texture("sword.png")
+    glEnable(GL_TEXTURE_2D)
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
-        glFrustum(-0.05 * width / height, 0.05 * width / height, -0.05, 0.05, 0.1, 20)
+        half = 0.05 / zoom
+        glFrustum(-half * width / height, half * width / height, -half, half, 0.1, 20)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
         glRotatef(turn, 0, 1, 0)
         glTranslatef(-x, 0.02 * math.cos(steps), -z)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glEnable(GL_DEPTH_TEST)
-        glEnable(GL_TEXTURE_2D)
         draw_yard(bricks)
+        glMatrixMode(GL_PROJECTION)
+        glLoadIdentity()
+        glFrustum(-0.05 * width / height, 0.05 * width / height, -0.05, 0.05, 0.1, 20)
+        glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
         if not depth_test:
             glDisable(GL_DEPTH_TEST)
         draw_sword(sword)
-        glDisable(GL_TEXTURE_2D)
         write(16, 16, "depth test on" if depth_test else "depth test off")
         glfw.swap_buffers(window)
         glfw.poll_events()

@@ -11,7 +11,6 @@ Keys: 1 plane, 2 cylinder, 3 sphere; Space leaves out the absolute value; Left a
 # topic: landscape
 # needs: normals, vertex_arrays, textured_sphere
 # picture: frame 0
-# loop: 240 frames
 # keys: 1 3 SPACE LEFT RIGHT
 
 from pathlib import Path

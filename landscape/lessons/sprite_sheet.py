@@ -10,7 +10,7 @@ Keys: Left and Right step, Up and Down change the speed; B: next blending; Space
 # topic: landscape
 # needs: blending, billboard
 # picture: frame 0
-# loop: 96 frames
+# loop: 80 frames
 # keys: LEFT RIGHT UP DOWN B SPACE
 
 import math
