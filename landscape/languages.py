@@ -20,6 +20,7 @@ from landscape.errors import InputError
 
 LANGUAGES = ("en", "fr")
 LOCALE = Path(__file__).parent / "locale"
+_NO_BREAK = re.compile(r" (?=[;:!?%»])|(?<=«) |(?<=\d) (?=\d{3}(?!\d))")
 
 Texts = dict[str, str]
 """English texts by key. A key is the context of its text, where one text has two translations."""
@@ -52,8 +53,15 @@ def choose(environment: Mapping[str, str]) -> str:
 
 
 def typeset(french: str) -> str:
-    """Return a French text with no-break spaces before ; : ! ? % and inside « »."""
-    return re.sub(r" (?=[;:!?%»])|(?<=«) ", "\u00a0", french)
+    """Return a French text with no-break spaces before ; : ! ? %, inside « » and in 1 500 000.
+
+    What is between backquotes is code, and stays as it is.
+    """
+    parts = french.split("`")
+    # An odd number of parts: each second one is code.
+    words = slice(0, None, 2 if len(parts) % 2 else 1)
+    parts[words] = [_NO_BREAK.sub("\u00a0", part) for part in parts[words]]
+    return "`".join(parts)
 
 
 @cache

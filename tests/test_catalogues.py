@@ -113,11 +113,12 @@ def test_texts_are_found_in_calls_and_in_annotated_tables(
     monkeypatch.setattr(domains, "ROOT", tmp_path)
     (tmp_path / "page.py").write_text(
         'def page(_):\n    return _("depth"), _("a " "sum", "page"), _(key), text("no")\n'
+        "TITLE = f\"## {_('first')}\"\n"
         'WORDS: Texts = {"on": "on", "rest": "and " "so on"}\nPARTS: Phrases = ("is on", "is")\n'
         'NAMES: dict[str, str] = {"fog": "no"}\n'
     )
     found = {(message.text, message.context) for message in domains.in_code("*.py")}
-    in_calls = {("depth", ""), ("a sum", ""), ("a sum", "page")}
+    in_calls = {("depth", ""), ("a sum", "page"), ("first", "")}
     assert found == in_calls | {("on", "on"), ("and so on", "rest"), ("is on", ""), ("is", "")}
 
 
@@ -154,10 +155,20 @@ def test_domains_are_looked_up_in_their_order_and_a_domain_may_be_a_folder(local
 
 
 def test_french_is_typeset_with_no_break_spaces(locale: Path) -> None:
-    entry = 'msgid "fix"\nmsgstr "« {title} » : fait ; vraiment ?"\n'
+    entry = 'msgid "fix"\nmsgstr "« {title} » : fait ; vraiment ? 1 500 000 fois en 2006"\n'
     (locale / "words.po").write_text(HEAD + entry, encoding="utf-8")
-    expected = "«_{title}_»_: fait_; vraiment_?".replace("_", "\u00a0")
+    expected = "«_{title}_»_: fait_; vraiment_? 1_500_000 fois en 2006".replace("_", "\u00a0")
     assert translator("fr", "words")("fix") == expected
+
+
+def test_code_in_french_is_left_as_it_is(locale: Path) -> None:
+    entries = (
+        'msgid "fix"\nmsgstr "`a ? b : 1 000` : oui"\n\nmsgid "on"\nmsgstr "un ` seul : oui"\n'
+    )
+    (locale / "words.po").write_text(HEAD + entries, encoding="utf-8")
+    french = translator("fr", "words")
+    assert french("fix") == "`a ? b : 1 000`\u00a0: oui"
+    assert french("on") == "un ` seul\u00a0: oui"
 
 
 def test_a_damaged_catalogue_is_refused_in_one_line(locale: Path) -> None:

@@ -9,18 +9,17 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
 
-from babel.messages import extract
 from catalogue import Message
 
 from landscape.course.ladder import SECTIONS, Lesson, lessons
 from landscape.course.pages import page
+from landscape.fixes import FIXES
+from landscape.gallery.page import FIXES_TEXT, PARTS
+from landscape.gallery.panels import panels
 from landscape.scene import SCENES, scene
 from landscape.window.settings_list import rows
 
 ROOT = Path(__file__).resolve().parents[2]
-
-CALLS = {"_": {None: (1,), 2: (1, (2, "c"))}}
-"""What is extracted from calls: the text, and the context where it is a second argument."""
 
 TABLES = ("Texts", "Phrases")
 """The annotations of tables of texts, in landscape/languages.py."""
@@ -30,16 +29,25 @@ def in_code(*patterns: str) -> Iterator[Message]:
     """Yield the texts of the modules that match these patterns, below the root of the project."""
     for path in sorted({path for pattern in patterns for path in ROOT.glob(pattern)}):
         source = path.relative_to(ROOT).as_posix()
-        with path.open("rb") as file:
-            for _, text, _, context in extract.extract("python", file, CALLS):
-                yield Message(text, source, context or "")
-        for text, context in _tables(path.read_text(encoding="utf-8")):
+        code = ast.parse(path.read_text(encoding="utf-8"))
+        for text, context in (*_calls(code), *_tables(code)):
             yield Message(text, source, context)
 
 
-def _tables(code: str) -> Iterator[tuple[str, str]]:
+def _calls(code: ast.Module) -> list[tuple[str, str]]:
+    """Return the texts of a module's calls _(text, context), in their order; the context or ""."""
+    found = []
+    for node in ast.walk(code):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "_":
+            words = [a.value if isinstance(a, ast.Constant) else "" for a in node.args]
+            text, context = (*map(str, words), "", "")[:2]
+            found.append((node.lineno, node.col_offset, text, context))
+    return [(text, context) for _line, _column, text, context in sorted(found) if text]
+
+
+def _tables(code: ast.Module) -> Iterator[tuple[str, str]]:
     """Yield the texts of a module's tables, each with its key if it has one."""
-    for node in ast.parse(code).body:
+    for node in code.body:
         if not isinstance(node, ast.AnnAssign) or not isinstance(node.annotation, ast.Name):
             continue
         if node.annotation.id not in TABLES or node.value is None:
@@ -107,6 +115,21 @@ def fixes() -> Iterator[Message]:
             yield Message(fix.title, source, fix.name)
 
 
+def gallery() -> Iterator[Message]:
+    """Yield the captions of the report's figures and of the fixes; not the titles of the fixes."""
+    source = "landscape/gallery"
+    for part in PARTS:
+        yield from (Message(text, source) for text in (part.heading, part.text))
+    for pair in FIXES_TEXT.items():
+        yield from (Message(text, source) for text in pair)
+    for panel in panels():
+        if panel.name.startswith("fig"):
+            yield from (Message(text, source) for text in (panel.title, panel.seen, panel.look))
+    for fix in FIXES:
+        for text in (fix.flaw, *fix.seen, fix.look, fix.how):
+            yield Message(text, "landscape/fixes")
+
+
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "calls": lambda: in_code("landscape/capture/*.py"),
     "fixes": fixes,
@@ -114,5 +137,7 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "strip": lambda: in_code("landscape/tools/*.py"),
     "window": lambda: in_code("landscape/window/*.py"),
     "course": lambda: in_code("landscape/course/*.py"),
+    "site": lambda: in_code("scripts/site/*.py"),
+    "gallery": gallery,
     **{f"lessons/{lesson.name}": partial(in_lesson, lesson) for lesson in lessons()},
 }

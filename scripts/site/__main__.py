@@ -69,10 +69,11 @@ def build(out: Path, jobs: int) -> int:
 
 def draw(folder: Path, jobs: int) -> Drawn:
     """Draw all pictures into a folder; return what was seen on the way."""
-    folder.mkdir(parents=True)
+    for language in LANGUAGES:
+        (folder / language).mkdir(parents=True)
     drawn = Drawn(folder)
     views = [(name, preset) for preset in ("2006", "best") for name in scene().main]
-    work = [*((draw_lesson, (each.name, folder)) for each in lessons())]
+    work = [(draw_lesson, (each.name, word, folder)) for each in lessons() for word in LANGUAGES]
     work += [(read_scene, (name, preset)) for name, preset in views]
     work += [(shrink, (path, folder)) for path in gallery.pictures()]
     with ProcessPoolExecutor(jobs) as pool, Progress(len(work), False) as progress:
@@ -85,7 +86,7 @@ def draw(folder: Path, jobs: int) -> Drawn:
 def write(folder: Path, language: str, drawn: Drawn) -> None:
     """Write the sources of all pages in a language."""
     shutil.copytree(ROOT / "docs" / "site", folder)
-    (folder / "pictures").symlink_to(drawn.folder)
+    (folder / "pictures").symlink_to(drawn.pictures(language))
     index = calls.index(drawn)
     pages = {
         **start.pages(language),

@@ -1,13 +1,15 @@
 """The index of every OpenGL call that the lessons and the island make, from their traces."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from drawn import Drawn
+from lesson_pages import title_link
 
 from landscape.capture import spec
 from landscape.course.ladder import NAMES, lesson
 from landscape.languages import translator
+from landscape.tools.strip_words import element
 
 
 @dataclass
@@ -61,7 +63,7 @@ def pages(language: str, index: Mapping[str, Entry]) -> dict[str, str]:
     entries = sorted({entry.base: entry for entry in index.values()}.values(), key=lambda e: e.base)
     rows = [
         f"| [`{e.base}`]({e.base}.md) | {spec.explain(e.base, language)} | "
-        + (f"[{next(iter(e.lessons))}](../lessons/{next(iter(e.lessons))}.md)" if e.lessons else "")
+        + next((title_link(lesson(n), language, "../lessons/") for n in e.lessons), "")
         + f" | {len(e.lessons)} | {len(e.elements)} |"
         for e in entries
     ]
@@ -103,15 +105,19 @@ def _page(entry: Entry, language: str) -> str:
         lines = []
         for name, numbers in entry.lessons.items():
             at = ", ".join(f'<a href="../lessons/{name}.html#line-{n}">{n}</a>' for n in numbers)
-            lines.append(
-                f"- [{_(lesson(name).title)}](../lessons/{name}.md): "
-                + _("lines {numbers}").format(numbers=at)
-            )
-        parts += [f"## {_('In the lessons')}", "\n".join(lines)]
+            which = _("line {numbers}") if len(numbers) == 1 else _("lines {numbers}")
+            title = f"[{_(lesson(name).title)}](../lessons/{name}.md)"
+            lines.append(_("{name}: {text}").format(name=title, text=which.format(numbers=at)))
+        parts += [f"## {_('In the lessons')}", _list(lines)]
     if entry.elements:
-        lines = [
-            f"- {name.partition('/')[2]}: " + ", ".join(f"`{place}`" for place in places)
-            for name, places in entry.elements.items()
-        ]
-        parts += [f"## {_('On the island')}", "\n".join(lines)]
+        lines = []
+        for name, places in entry.elements.items():
+            what = element(language, name.partition("/")[2])
+            at = ", ".join(f"`{place}`" for place in places)
+            lines.append(_("{name}: {text}").format(name=what, text=at))
+        parts += [f"## {_('On the island')}", _list(lines)]
     return "\n\n".join(parts) + "\n"
+
+
+def _list(lines: Iterable[str]) -> str:
+    return "\n".join(f"- {line}" for line in lines)

@@ -1,5 +1,9 @@
-"""The pictures of the site, and the calls seen while they were drawn; each runs in a worker."""
+"""The pictures of the site, and the calls seen while they were drawn; each runs in a worker.
 
+Each language has a folder of pictures, as the lessons write on theirs.
+"""
+
+import shutil
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -8,14 +12,17 @@ from PIL import Image
 
 from landscape.capture.tape import Tape
 from landscape.course.ladder import lesson, presses
+from landscape.course.lesson_command import speaking
 from landscape.course.picture import pictures
 from landscape.gl.calls import Call
+from landscape.languages import LANGUAGES
 from landscape.scene import scene
 from landscape.tools import strip as strips
 from landscape.tools.target import Target
 
 QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
 EVERY = 3  # chosen: frames of the program for one of its animation
+LIMIT = 300.0  # chosen, in seconds: a busy machine draws a loop slowly, and that is no fault
 STRIP_STEPS = 40  # chosen: draw calls that a strip shows one by one; with more, by function
 
 
@@ -30,7 +37,7 @@ class Seen:
 
 @dataclass
 class Drawn:
-    """What was drawn: the pictures' folder, and who calls what, each place once."""
+    """What was drawn: the folder of each language's pictures, and who calls what, once a place."""
 
     folder: Path
     seen: dict[Seen, None] = field(default_factory=dict)
@@ -39,15 +46,24 @@ class Drawn:
         """Note calls."""
         self.seen.update(dict.fromkeys(calls))
 
+    def pictures(self, language: str) -> Path:
+        """Return the folder of a language's pictures."""
+        return self.folder / language
 
-def draw_lesson(name: str, folder: Path) -> list[Seen]:
-    """Draw a lesson's picture, loop and strip; return its calls."""
+
+def draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
+    """Draw a lesson's picture, loop and strip in a language; return its calls."""
+    with speaking(language):
+        return _draw_lesson(name, language, folder / language)
+
+
+def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
     found = lesson(name)
-    (picture,) = pictures(found.file, [found.frame], presses(found.pressed))
+    (picture,) = pictures(found.file, [found.frame], presses(found.pressed), limit=LIMIT)
     Image.fromarray(picture).save(folder / f"{name}.webp", quality=QUALITY, method=6)
     if found.loop:
         frames = range(0, found.loop, EVERY)
-        first, *others = (Image.fromarray(p) for p in pictures(found.file, frames))
+        first, *others = (Image.fromarray(p) for p in pictures(found.file, frames, limit=LIMIT))
         first.save(
             folder / f"{name}-loop.webp",
             save_all=True,
@@ -61,7 +77,7 @@ def draw_lesson(name: str, folder: Path) -> list[Seen]:
     draws = sum(call.name in ("glBegin", "glEnd") or "Draw" in call.name for call in calls)
     by = "draw" if draws // 2 <= STRIP_STEPS else "element"
     sheet = folder / f"{name}-strip.png"
-    strips.make(target, strips.Request(by), sheet)
+    strips.make(target, strips.Request(by, language=language), sheet)
     Image.open(sheet).convert("RGB").save(sheet.with_suffix(".webp"), quality=QUALITY)
     sheet.unlink()
     return [
@@ -84,6 +100,9 @@ def all_calls(tape: Tape) -> list[Call]:
 
 
 def shrink(source: Path, folder: Path) -> list[Seen]:
-    """Write a committed picture as WebP."""
-    Image.open(source).convert("RGB").save(folder / f"{source.stem}.webp", quality=QUALITY)
+    """Write a committed picture as WebP, for each language."""
+    first, *others = (folder / language / f"{source.stem}.webp" for language in LANGUAGES)
+    Image.open(source).convert("RGB").save(first, quality=QUALITY)
+    for other in others:
+        shutil.copy(first, other)
     return []

@@ -47,16 +47,17 @@ def pages(language: str) -> dict[str, str]:
 
 def _figure(panel: FigurePanel, language: str) -> list[str]:
     _ = translator(language, "site", "gallery")
+    caption = _("{name}: {text}").format(name=panel.name, text=_(panel.title))
     return [
         f"```{{figure}} ../pictures/{panel.name}.webp\n:alt: {_(panel.seen)}\n"
-        f":name: {panel.name}\n\n{panel.name}: {_(panel.title)}\n```",
+        f":name: {panel.name}\n\n{caption}\n```",
         _plain(_(panel.look)),
         f"    {panel.command}",
     ]
 
 
 def _fixes(panels: dict[str, FigurePanel], language: str) -> str:
-    _ = translator(language, "site", "gallery", "window")
+    _ = translator(language, "site", "gallery")
     lines = [f"# {_('The fixes')}"]
     heading = ""
     for fix in FIXES:
@@ -69,10 +70,11 @@ def _fixes(panels: dict[str, FigurePanel], language: str) -> str:
 
 
 def _fix(fix: Fix, panels: dict[str, FigurePanel], language: str) -> list[str]:
-    _ = translator(language, "site", "gallery", "window")
+    _ = translator(language, "site", "gallery", "fixes")
+    title = _("{name}: {text}").format(name=fix.name, text=_(fix.title, fix.name))
     before, after = panels[f"{fix.name}_before"], panels[f"{fix.name}_after"]
     return [
-        f"### {fix.name}: {_(fix.title)}",
+        f"### {title}",
         _plain(_(fix.flaw)),
         f"```{{before-after}} ../pictures/{before.name}.webp ../pictures/{after.name}.webp\n"
         f":before: {_(before.seen)}\n:after: {_(after.seen)}\n:label: {_('before and after')}\n```",
@@ -83,5 +85,6 @@ def _fix(fix: Fix, panels: dict[str, FigurePanel], language: str) -> list[str]:
 
 
 def _plain(text: str) -> str:
-    """Return a text without links into the code."""
-    return re.sub(r"\[([^\]]+)\]\(\.\./[^)]*\)", r"`\1`", text)
+    """Return a text whose links into the code are code, and those into docs/ lead to pages."""
+    text = re.sub(r"\(\.\./docs/(\w+\.md)(#[\w-]+)?\)", r"(../documents/\1)", text)
+    return re.sub(r"\[([^\]]+)\]\(\.\./(?!documents)[^)]*\)", r"`\1`", text)

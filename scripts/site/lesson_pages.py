@@ -47,10 +47,10 @@ def _card(each: Lesson, language: str) -> str:
 
 def _page(each: Lesson, language: str, drawn: Drawn) -> str:
     _ = translator(language, "site", "course", "lessons")
-    loop = (drawn.folder / f"{each.name}-loop.webp").exists()
+    loop = (drawn.pictures(language) / f"{each.name}-loop.webp").exists()
     picture = f"{each.name}-loop" if loop else each.name
     needs = ", ".join(
-        _needed(lesson(name), language)
+        title_link(lesson(name), language)
         for name in each.needs
         if (each.file.parent / f"{name}.py").exists()
     )
@@ -71,6 +71,7 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def _needed(other: Lesson, language: str) -> str:
+def title_link(other: Lesson, language: str, folder: str = "") -> str:
+    """Return a link to a lesson's page, with what its title says before the colon."""
     title = translator(language, "lessons")(other.title).partition(":")[0].strip()
-    return f"[{title}]({other.name}.md)"
+    return f"[{title}]({folder}{other.name}.md)"
