@@ -5,12 +5,12 @@ the new colour and of the one that is there. By alpha, the new one covers a part
 pane drawn last looks nearest, and another order gives another picture. Adding, as light does, and
 multiplying, as a filter does, give the same in any order.
 
-Keys: 1 alpha, 2 sum, 3 product; Space draws the panes in the opposite order.
+Keys: 1 sum, 2 product, 3 alpha; Space draws the panes in the opposite order.
 """
 # topic: textures
 # needs: depth_buffer
 # picture: frame 0
-# keys: SPACE 2 3
+# keys: 1 2 SPACE
 
 import math
 
@@ -20,16 +20,16 @@ from text import _, write
 
 PANES = (((0.85, 0.35, 0.2), 90), ((0.95, 0.75, 0.25), 210), ((0.2, 0.5, 0.75), 330))
 FUNCTIONS = (
-    (GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA),
     (GL_SRC_ALPHA, GL_ONE),
     (GL_ZERO, GL_SRC_COLOR),
+    (GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA),
 )
 LABELS = (
-    "GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA",
     "GL_SRC_ALPHA, GL_ONE",
     "GL_ZERO, GL_SRC_COLOR",
+    "GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA",
 )
-chosen = 0
+chosen = 2
 backward = False
 
 

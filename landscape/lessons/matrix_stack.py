@@ -35,15 +35,14 @@ def draw_box(width, height, depth, color):
 
 
 def draw_wheel():
-    """Draw a wheel around the z axis, 1 across. Its sectors show how it turns."""
-    for z in (-0.1, 0.1):
-        for sector in range(12):
-            glColor3f(*((0.3, 0.32, 0.36) if sector % 2 else (0.95, 0.9, 0.8)))
-            glBegin(GL_TRIANGLES)
-            glVertex3f(0, 0, z)
-            for angle in (sector * math.pi / 6, (sector + 1) * math.pi / 6):
-                glVertex3f(0.5 * math.cos(angle), 0.5 * math.sin(angle), z)
-            glEnd()
+    """Draw a wheel around the z axis, 1 across, in sectors, which show how it turns."""
+    rim = [(0.5 * math.cos(n * math.pi / 6), 0.5 * math.sin(n * math.pi / 6)) for n in range(13)]
+    for a, b, shade in zip(rim, rim[1:], 6 * (0.3, 0.9), strict=False):
+        glColor3f(shade, shade, shade)
+        glBegin(GL_TRIANGLE_STRIP)  # one side, the tread and the other side
+        for x, y, z in ((0, 0, -1), (*a, -1), (*b, -1), (*a, 1), (*b, 1), (0, 0, 1)):
+            glVertex3f(x, y, 0.13 * z)
+        glEnd()
 
 
 def draw_part(part, *arguments, at=(0, 0, 0), turned=(0, 0, 0, 1)):
@@ -68,6 +67,10 @@ def draw_axle(angle):
 def draw_car(angle):
     draw_box(3.8, 0.5, 1.6, (0.85, 0.35, 0.2))
     draw_part(draw_box, 1.8, 0.6, 1.4, (0.95, 0.62, 0.35), at=(-0.3, 0.55, 0))
+    draw_part(draw_box, 1.4, 0.36, 1.42, (0.25, 0.35, 0.45), at=(-0.3, 0.57, 0))  # side windows
+    draw_part(draw_box, 1.82, 0.36, 1.2, (0.25, 0.35, 0.45), at=(-0.3, 0.57, 0))
+    for z in (-0.55, 0.55):
+        draw_part(draw_box, 0.1, 0.2, 0.3, (0.95, 0.9, 0.8), at=(1.9, 0.05, z))
     draw_part(draw_axle, angle, at=(-1.2, -0.3, 0))
     draw_part(draw_axle, angle, at=(1.2, -0.3, 0), turned=(steering, 0, 1, 0))
 
@@ -99,7 +102,7 @@ def main():
         glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glTranslatef(0, 0, -10)
+        glTranslatef(0, 0.1, -8)
         glRotatef(25, 1, 0, 0)
         glRotatef(-30, 0, 1, 0)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)

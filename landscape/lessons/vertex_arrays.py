@@ -77,7 +77,7 @@ def on_key(window, key, scancode, action, mods):
     if key - glfw.KEY_1 in range(3):
         mode = key - glfw.KEY_1
     if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT) and action != glfw.RELEASE:
-        part = max(0, min(10, part + (1 if key == glfw.KEY_RIGHT else -1)))
+        part = (part + (1 if key == glfw.KEY_RIGHT else -1)) % 11
     if key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
