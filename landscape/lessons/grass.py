@@ -9,7 +9,7 @@ Keys: Space goes on to the next way; Up and Down double and halve the number of 
 """
 # topic: landscape
 # needs: vertex_arrays, display_list
-# picture: frame 30 after SPACE SPACE UP
+# picture: frame 30 after SPACE SPACE UP UP
 # loop: 180 frames
 # keys: SPACE UP DOWN
 
@@ -20,7 +20,7 @@ from text import _, write
 
 LABELS = "immediate mode", "display list", "vertex arrays"
 SKY = (70, (0.1, 0.2, 0.3)), (35, (0.3, 0.4, 0.5)), (0, (1, 0.65, 0.35)), (-2, (0, 0.08, 0.08))
-way, grass_list, count = 0, 0, 4000
+way, grass_list, count = 0, 0, 2000
 
 
 def make_blades():
