@@ -346,6 +346,18 @@ def _bench(options: argparse.Namespace) -> int:
     return 0
 
 
+def _exercise(action: str) -> Callable[[argparse.Namespace], int]:
+    """Return the function of `landscape exercise ACTION`."""
+
+    def run(options: argparse.Namespace) -> int:
+        from landscape.course import exercise_commands as commands
+
+        actions = {"list": commands.list_, "start": commands.start_, "check": commands.check}
+        return actions[action](options)
+
+    return run
+
+
 def _settings(options: argparse.Namespace) -> int:
     from landscape.tools.settings_list import as_text, rows
 
@@ -377,6 +389,9 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,
     "assets fetch-stanford": _assets_fetch,
+    "exercise list": _exercise("list"),
+    "exercise start": _exercise("start"),
+    "exercise check": _exercise("check"),
     "bench": _bench,
     "settings": _settings,
     "doctor": _doctor,

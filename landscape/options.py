@@ -97,6 +97,13 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         sub.set_defaults(run=run[name])
         return sub
 
+    def group(name: str, help_: str, example: str) -> Any:
+        sub = commands.add_parser(
+            name, help=help_, description=help_, epilog=f"example: landscape {example}"
+        )
+        sub.set_defaults(run=_print_help(sub))
+        return sub.add_subparsers(metavar="ACTION", parser_class=_Parser)
+
     walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
     walk.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
     walk.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
@@ -167,15 +174,9 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     frame_options.add(command, _of_a_frame, _one_element, _pair, _count, _language)
     frame_options.add_inspect(command, _language)
     course_options.add_lesson(command, _language, _backend_option)
+    course_options.add_exercise(command, group, _language)
 
-    assets = commands.add_parser(
-        "assets",
-        help="make, show or fetch assets",
-        description="make, show or fetch assets",
-        epilog="example: landscape assets fetch-stanford",
-    )
-    assets.set_defaults(run=_print_help(assets))
-    actions = assets.add_subparsers(metavar="ACTION", parser_class=_Parser)
+    actions = group("assets", "make, show or fetch assets", "assets fetch-stanford")
     build = command(
         "assets build",
         "make assets from code (needs the extra `studio`)",

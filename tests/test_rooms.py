@@ -26,7 +26,7 @@ FLOORS = (
     ("render",),
     ("window", "tools", "gallery", "studio"),
     ("course",),
-    ("lessons",),
+    ("lessons", "exercises"),
     ("__init__",),
     ("options",),
     ("cli",),

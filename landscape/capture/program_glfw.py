@@ -43,7 +43,7 @@ def glfw_program(run: Run) -> Iterator[None]:
     need_package("glfw", run.source.path)
     from landscape.gl.glfw_library import glfw
 
-    stand_in = _Glfw(run, glfw, _choose(run.source, run.backend))
+    stand_in = _Glfw(run, glfw, bind(run.source, run.backend))
     functions = {id(getattr(glfw, name)): new for name, new in stand_in.functions().items()}
     with replaced(("glfw",), lambda module, name, value: functions.get(id(value))):
         try:
@@ -52,7 +52,7 @@ def glfw_program(run: Run) -> Iterator[None]:
             stand_in.terminate()
 
 
-def _choose(source: Source, backend: str) -> str:
+def bind(source: Source, backend: str) -> str:
     """Bind PyOpenGL to a backend; the first that works, if it may be any.
 
     The libraries of GLUT and of NURBS draw by calls of libGL, which OSMesa does not see; that of

@@ -3,7 +3,11 @@
 import argparse
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+from landscape.course.sandbox import SECONDS
+
+MOST_SECONDS = 600.0  # chosen
 LESSON = "a lesson; without one, the lessons are listed"
 COPY = "copy it, with what it reads, into a folder to be changed there; default: the current one"
 
@@ -27,3 +31,62 @@ def add_lesson(
     what.add_argument("--json", action="store_true", help="print what is known of it as JSON")
     language(lesson, "language of the texts")
     backend(lesson)
+
+
+def add_exercise(
+    command: Callable[[str, str, str, Any], argparse.ArgumentParser],
+    group: Callable[[str, str, str], Any],
+    language: Callable[[argparse.ArgumentParser, str], None],
+) -> None:
+    """Add `landscape exercise` and its actions; ``group`` adds a command that has actions."""
+    help_ = "exercises for students: list them, start one, check what was written"
+    actions = group("exercise", help_, "exercise start winding")
+    listed = command("exercise list", "list the exercises, the easiest first", "--json", actions)
+    listed.add_argument("--json", action="store_true", help="print JSON, with the tasks")
+    begun = command(
+        "exercise start",
+        "write the program of an exercise, with its task and a hole to fill",
+        "winding --out mine.py",
+        actions,
+    )
+    begun.add_argument("name", metavar="NAME", help="see `landscape exercise list`")
+    begun.add_argument(
+        "--out", type=Path, metavar="FILE", help="a file that is not there yet; default: NAME.py"
+    )
+    begun.add_argument("-q", "--quiet", action="store_true", help="print nothing")
+    checked = command(
+        "exercise check",
+        "run a program that was written for an exercise, and grade it: exit status 0 if it passes, "
+        "1 if not, 2 if it cannot be run",
+        "winding.py --heat-map difference.png",
+        actions,
+    )
+    checked.add_argument("file", type=Path, metavar="FILE", help="the program")
+    checked.add_argument("--json", action="store_true", help="print JSON")
+    checked.add_argument(
+        "--heat-map",
+        type=Path,
+        metavar="FILE.png",
+        help="write your picture, where it differs, and the solution's, side by side",
+    )
+    checked.add_argument(
+        "--seconds",
+        type=_seconds,
+        default=SECONDS,
+        metavar="N",
+        help="how long the program may take; default: %(default)g",
+    )
+    for sub in (listed, begun, checked):
+        language(sub, "language of the texts")
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0.1 <= seconds <= MOST_SECONDS:
+        raise argparse.ArgumentTypeError(
+            f"{text!r}: expected a number from 0.1 to {MOST_SECONDS:g}"
+        )
+    return seconds

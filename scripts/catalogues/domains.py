@@ -11,6 +11,7 @@ from pathlib import Path
 
 from catalogue import Message
 
+from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import SECTIONS, Lesson, lessons
 from landscape.course.pages import page
 from landscape.fixes import FIXES
@@ -94,6 +95,14 @@ def _strings(nodes: Iterable[ast.AST]) -> Iterator[str]:
             yield from _strings([node.value])
 
 
+def in_exercise(name: str) -> Iterator[Message]:
+    """Yield the texts of an exercise: its title, the paragraphs of its task, and its tests."""
+    found = exercise(name)
+    for text in (found.title, *found.task):
+        yield Message(text, f"landscape/exercises/{name}/start.py")
+    yield from in_code(f"landscape/exercises/{name}/grading.py")
+
+
 def settings() -> Iterator[Message]:
     """Yield what the list of settings says of each scene's: groups, what they do, units."""
     for kind in map(scene, SCENES):
@@ -139,5 +148,6 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "course": lambda: in_code("landscape/course/*.py"),
     "site": lambda: in_code("scripts/site/*.py"),
     "gallery": gallery,
+    **{f"exercises/{name}": partial(in_exercise, name) for name in NAMES},
     **{f"lessons/{lesson.name}": partial(in_lesson, lesson) for lesson in lessons()},
 }

@@ -1,0 +1,128 @@
+"""The commands `landscape exercise list`, `start` and `check`."""
+
+import argparse
+import json
+import os
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from landscape.course.exercises import NAMES, Exercise, Grader, Report, exercise, start
+from landscape.course.troubles import sentence
+from landscape.errors import InputError
+from landscape.files.output import check_folder, check_writable, save_png, write_whole
+from landscape.languages import Translator, choose, translator
+
+COLUMNS = 96  # chosen: of a hint
+
+
+def list_(options: argparse.Namespace) -> int:
+    """Print the exercises in their order."""
+    language = _language(options)
+    rows = []
+    for name in NAMES:
+        found = exercise(name)
+        _ = found.translate.to(language)
+        task = [_(text) for text in found.task]
+        rows.append({"name": name, "title": _(found.title), "task": task})
+    if options.json:
+        print(json.dumps(rows, indent=1, ensure_ascii=False))
+    else:
+        for row in rows:
+            print(f"{row['name']:20} {row['title']}")
+    return 0
+
+
+def start_(options: argparse.Namespace) -> int:
+    """Write the program of an exercise, in a file that is not there yet."""
+    found = exercise(options.name)
+    path = options.out or Path(f"{found.name}.py")
+    if path.is_dir():
+        path = path / f"{found.name}.py"
+    if os.path.lexists(path):
+        raise InputError(f"{path}: is there already; expected --out with the name of a new file")
+    check_folder(path.parent, f"--out {path}" if options.out else str(path))
+    language = _language(options)
+    write_whole(path, start(found, language).encode())
+    _ = translator(language, "course")
+    if not options.quiet:
+        print(path)
+        print(_("The task stands at the top of it. Run it: python {file}").format(file=path))
+        print(_("Check it: landscape exercise check {file}").format(file=path))
+    return 0
+
+
+def check(options: argparse.Namespace) -> int:
+    """Check a program and print what was found: 0 passed, 1 not, 2 could not be run."""
+    if options.heat_map is not None:
+        if options.heat_map.suffix.lower() != ".png":
+            raise InputError(f"--heat-map {options.heat_map}: expected a name ending in .png")
+        check_writable(options.heat_map, "--heat-map ")
+    language = _language(options)
+    with Grader(options.seconds) as grader:
+        report = grader.check(options.file)
+        _ = report.exercise.translate.to(language)
+        if options.heat_map is not None and report.work is not None and report.solution is not None:
+            from landscape.course.heat_map import heat_map
+
+            save_png(heat_map(report.work, report.solution), options.heat_map)
+        if options.json:
+            print(json.dumps(as_json(report, _), indent=1, ensure_ascii=False))
+        elif report.error is None:
+            print("\n".join(as_text(report, _)))
+        if report.error is not None:
+            raise InputError(f"{options.file}: {sentence(report.error, _)}")
+        return 0 if report.passed else 1
+
+
+def _language(options: argparse.Namespace) -> str:
+    return options.lang or choose(os.environ)
+
+
+def as_json(report: Report, _: Translator) -> dict[str, Any]:
+    """Return a report as JSON; "passed" of a test is null if it was not made."""
+    made = {result.test.key: result for result in report.results}
+    tests = []
+    for test in report.tests:
+        result = made.get(test.key)
+        told = result.hint if result is not None else None
+        tests.append(
+            {
+                "name": _(test.name),
+                "passed": result.passed if result is not None else None,
+                "rationale": _(test.rationale),
+                "hint": told.written(_) if told is not None else "",
+            }
+        )
+    found: dict[str, Any] = {
+        "exercise": report.exercise.name,
+        "passed": report.passed,
+        "tests": tests,
+        "picture_difference": report.difference,
+    }
+    if report.error is not None:
+        found["error"] = sentence(report.error, _)
+    return found
+
+
+def as_text(report: Report, _: Translator) -> list[str]:
+    """Return the lines of a report: one for each test, and its hint below one that failed."""
+    words = {True: _("passed"), False: _("failed"), None: _("not checked")}
+    width = max(map(len, words.values()))
+    indent = " " * (width + 2)
+    lines = [_title(report.exercise, _)]
+    for result in report.results:
+        lines.append(f"{words[result.passed]:{width}}  {_(result.test.name)}")
+        if result.hint is not None:
+            told = textwrap.wrap(
+                result.hint.written(_), COLUMNS, break_long_words=False, break_on_hyphens=False
+            )
+            lines += [indent + line for line in told]
+    count = sum(result.passed is True for result in report.results)
+    total = _("{passed} of {tests} tests passed")
+    lines.append(total.format(passed=count, tests=len(report.results)))
+    return lines
+
+
+def _title(found: Exercise, _: Translator) -> str:
+    return f"{found.name}: {_(found.title)}"

@@ -1,0 +1,235 @@
+"""The form of an exercise's tests, in landscape/exercises/NAME/grading.py.
+
+    FRAMES = (0, 30)                                    # the frames that are looked at
+    EVENTS = [{"frame": 1, "key": "SPACE"}]             # optional: see capture/program_events.py
+
+    @test(_("The fog is on"), _("Without glEnable the other calls for fog have no effect."))
+    def fog_on(work, solution):
+        if not work.last.draws[0].state["GL_FOG"]:
+            return hint(_("glEnable(GL_FOG) is missing before line {line}."), line=12)
+
+    @test(_("The picture is right"), _("..."), needs=fog_on)
+    def picture(work, solution):
+        return compare(work, solution)
+
+A test is a function of the evidence of the student's program and of the solution's (evidence.py).
+It returns None if it has passed, else a :func:`hint`. Tests are made in their order in the file;
+one whose ``needs`` have not passed is not made, because its hint would mislead. ``_`` marks a text
+for the catalogue landscape/locale/LANGUAGE/exercises/NAME.po; it is translated when it is printed.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+
+from landscape.course.evidence import Evidence, Frame
+
+LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
+REACH = 1  # pixels by which an edge may be elsewhere: other ways to compute it round differently
+MOST = 0.0015  # chosen: the fraction of the pixels that may differ by more
+
+
+class Text(str):
+    """A text that is translated when it is printed."""
+
+    __slots__ = ()
+
+
+def _(text: str) -> Text:
+    """Mark a text for the catalogue."""
+    return Text(text)
+
+
+@dataclass(frozen=True)
+class Hint:
+    """A text with its {values}; those that are marked with ``_`` are translated, too."""
+
+    text: str
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+    def written(self, translate: Callable[[str], str]) -> str:
+        """Return the hint in a language."""
+        values = {
+            name: translate(value) if isinstance(value, Text) else value
+            for name, value in self.values.items()
+        }
+        return translate(self.text).format(**values)
+
+
+def hint(text: Text, **values: Any) -> Hint:
+    """Return what a failed test tells the student."""
+    return Hint(text, values)
+
+
+class Check(Protocol):
+    """A test's function."""
+
+    __name__: str
+
+    def __call__(self, work: Evidence, solution: Evidence) -> Hint | None:
+        """Return None, or what is wrong."""
+
+
+@dataclass(frozen=True)
+class Test:
+    """A test; ``key`` is the name of its function."""
+
+    name: Text
+    rationale: Text
+    check: Check
+    needs: tuple["Test", ...] = ()
+
+    @property
+    def key(self) -> str:
+        """The name of the test's function."""
+        return self.check.__name__
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a test has found; ``passed`` is None where it was not made."""
+
+    test: Test
+    passed: bool | None
+    hint: Hint | None = None
+
+
+def test(name: Text, rationale: Text, needs: Test | Sequence[Test] = ()) -> Callable[[Check], Test]:
+    """Make a test of a function; it is made only if those that it ``needs`` have passed."""
+
+    def make(check: Check) -> Test:
+        wanted = (needs,) if isinstance(needs, Test) else tuple(needs)
+        return Test(name, rationale, check, wanted)
+
+    return make
+
+
+def tests_of(module: Mapping[str, Any]) -> list[Test]:
+    """Return the tests of a grading.py in their order, from its names."""
+    return [value for value in module.values() if isinstance(value, Test)]
+
+
+def grade(tests: Iterable[Test], work: Evidence, solution: Evidence) -> list[Result]:
+    """Make the tests and return what they found; none after a picture of another size."""
+    found: dict[str, Result] = {}
+    for each in tests:
+        if all(found[needed.key].passed for needed in each.needs):
+            told = _other_size(work, solution) or _checked(each, work, solution)
+            found[each.key] = Result(each, told is None, told)
+        else:
+            found[each.key] = Result(each, None)
+    return list(found.values())
+
+
+def _checked(test: Test, work: Evidence, solution: Evidence) -> Hint | None:
+    """Make one test; a program that draws nothing of what it looks for must not break it."""
+    try:
+        with np.errstate(all="ignore"):
+            return test.check(work, solution)
+    except (ArithmeticError, LookupError, TypeError, ValueError, np.linalg.LinAlgError):
+        return hint(UNLIKE)
+
+
+UNLIKE = _(
+    "The program draws something else than the one you started from, so this cannot be checked. "
+    "Compare it with a fresh one: landscape exercise start."
+)
+
+
+def _other_size(work: Evidence, solution: Evidence) -> Hint | None:
+    for number, frame in solution.frames.items():
+        height, width = frame.picture.shape[:2]
+        if work.frame(number).picture.shape != frame.picture.shape:
+            return hint(
+                _(
+                    "The window must be {width} x {height} pixels, as in the program you started "
+                    "from."
+                ),
+                width=width,
+                height=height,
+            )
+    return None
+
+
+# Pictures.
+
+Box = tuple[float, float, float, float]
+"""A part of the picture: left, top, right, bottom, each from 0 to 1, from the top left."""
+
+
+def differing(work: Frame, solution: Frame) -> np.ndarray:
+    """Return which pixels differ, bool (h, w): from the solution's pixel and from its neighbours.
+
+    All of them if the sizes differ.
+    """
+    if work.picture.shape != solution.picture.shape:
+        return np.ones(work.picture.shape[:2], bool)
+    ours, theirs = solution.picture.astype(np.int16), work.picture.astype(np.int16)
+    found = np.asarray(np.abs(ours - theirs).max(axis=2) > LEVELS)
+    rows, columns = np.nonzero(found)
+    if len(rows) == 0:
+        return found
+    padded = np.pad(ours, ((REACH, REACH), (REACH, REACH), (0, 0)), mode="edge")
+    nearest = np.full(len(rows), 255)
+    for down in range(2 * REACH + 1):
+        for right in range(2 * REACH + 1):
+            near = padded[rows + down, columns + right]
+            nearest = np.minimum(nearest, np.abs(near - theirs[rows, columns]).max(axis=1))
+    found[rows, columns] = nearest > LEVELS
+    return found
+
+
+def difference(work: Frame, solution: Frame, box: Box = (0, 0, 1, 1)) -> float:
+    """Return the fraction of the pixels of a part of the picture that differ."""
+    left, top, right, bottom = box
+    found = differing(work, solution)
+    height, width = found.shape
+    part = found[
+        round(top * height) : round(bottom * height), round(left * width) : round(right * width)
+    ]
+    return float(part.mean())
+
+
+def compare(
+    work: Evidence,
+    solution: Evidence,
+    told: Hint | None = None,
+    box: Box = (0, 0, 1, 1),
+    most: float = MOST,
+    frames: Sequence[int] | None = None,
+) -> Hint | None:
+    """Compare the pictures of some frames, of all by default, with the solution's.
+
+    ``most``: the fraction of the pixels in the ``box`` that may differ. ``told`` is the hint where
+    more do; the default says how many and where.
+    """
+    for number in solution.frames if frames is None else frames:
+        ours, theirs = solution.frame(number), work.frame(number)
+        fraction = difference(theirs, ours, box)
+        if fraction > most:
+            return told or hint(
+                _(
+                    "In frame {frame}, {percent:.1f} % of the pixels are not as they should be, "
+                    "most of them {where}. --heat-map FILE.png shows which."
+                ),
+                frame=number,
+                percent=100 * fraction,
+                where=_where(differing(theirs, ours)),
+            )
+    return None
+
+
+PLACES = (
+    (_("at the top left"), _("at the top"), _("at the top right")),
+    (_("at the left"), _("in the middle"), _("at the right")),
+    (_("at the bottom left"), _("at the bottom"), _("at the bottom right")),
+)
+
+
+def _where(mask: np.ndarray) -> Text:
+    rows, columns = np.nonzero(mask)
+    height, width = mask.shape
+    row, column = np.median(rows) / height, np.median(columns) / width
+    return PLACES[min(int(row * 3), 2)][min(int(column * 3), 2)]

@@ -1,0 +1,36 @@
+"""Why a program could not be graded, as sentences; the words are those of witness.py."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from landscape.languages import Texts, Translator
+
+SENTENCES: Texts = {
+    "raised": "line {line}: the program raised {error}",
+    "memory": "line {line}: the program needs more than {megabytes} MB of memory",
+    "network": "line {line}: the program uses the network, which it cannot while it is checked",
+    "start": "line {line}: the program starts another one, which it cannot while it is checked",
+    "write": "line {line}: the program writes a file, which it cannot while it is checked",
+    "late_window": "opened no window within {seconds:g} s: does a loop before it never end?",
+    "no_window": "ended without opening a window",
+    "no_frame": "showed no frame within {seconds:g} s: glfw.swap_buffers(window) shows it",
+    "late_frame": "got no farther than frame {frames} within {seconds:g} s",
+    "ended": "ended in frame {frames}: it must go on until its window is closed",
+    "late": "did not end within {seconds:g} s, and could not be interrupted",
+    "crashed": "the program crashed ({signal})",
+    "crashed_at": "line {line}: the program crashed ({signal}): OpenGL reads arrays as far as it "
+    "is told, even beyond their end",
+    "died": "ended the Python process by itself ({signal})",
+    "two_windows": "opens two windows; an exercise needs only one",
+    "no_toolkit": "does not import glfw, so it opens no window",
+    "package": "needs a Python package that is not installed: {reason}",
+    "syntax": "line {line}: is not Python ({error})",
+    "not_python": "is not a Python program",
+    "refused": "cannot be run: {reason}",
+}
+
+
+def sentence(error: Mapping[str, Any], _: Translator) -> str:
+    """Return what went wrong in a language; ``error`` has the "word" and the values."""
+    word = str(error["word"])
+    return _(SENTENCES[word], word).format(**error)

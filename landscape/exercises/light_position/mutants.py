@@ -1,0 +1,29 @@
+"""Mistakes that students make, each as a change of solution.py: (old, new), ..."""
+
+from landscape.course.mutants import Mutant
+
+CALL = "        glLightfv(GL_LIGHT0, GL_POSITION, LAMP)\n"
+SETUP = "    glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.08)\n"
+EYE = "        glTranslatef(0, -0.9, -12.5)\n"
+TURN = "        glRotatef(40 + 90 * glfw.get_time(), 0, 1, 0)\n"
+
+MUTANTS = {
+    "before_the_loop": Mutant("sets it once, for the eye", "at_the_lamp", [
+        (CALL, ""), (SETUP, SETUP + "    glLightfv(GL_LIGHT0, GL_POSITION, LAMP)\n")]),
+    "before_the_eye": Mutant("sets it before the eye's transformation", "at_the_lamp", [
+        (CALL, ""), (EYE, CALL + EYE)]),
+    "between": Mutant("sets it before the last rotation", "at_the_lamp", [
+        (CALL, ""), (TURN, CALL + TURN)]),
+    "after_the_scene": Mutant("sets it after the scene", "at_the_lamp", [
+        (CALL + "        draw_scene()\n", "        draw_scene()\n" + CALL)]),
+    "once": Mutant("sets it in the first frame only", "at_the_lamp", [
+        (CALL, "        if glfw.get_time() == 0:\n    " + CALL)]),
+    "direction": Mutant("makes it a direction", "place", [
+        (CALL, CALL.replace("LAMP", "LAMP[:3] + (0,)"))]),
+    "in_a_piece": Mutant("sets it in the frame of each piece", "at_the_lamp", [
+        (CALL, ""), ("        draw_piece()\n", CALL + "        draw_piece()\n")]),
+    "twice": Mutant("moves the light twice", "at_the_lamp", [
+        (CALL, "        glPushMatrix()\n        glTranslatef(*LAMP[:3])\n" + CALL
+               + "        glPopMatrix()\n")]),
+    "no_light": Mutant("turns the light off", "light", [("    glEnable(GL_LIGHT0)\n", "")]),
+}  # fmt: skip

@@ -1,0 +1,162 @@
+"""The tests of the exercise transform_order."""
+
+import numpy as np
+
+from landscape.course.grading import _, compare, hint, test
+
+FRAMES = (0, 10)
+YEARS = {number: 200 + 90 * number / 60 for number in FRAMES}  # degrees
+MONTHS = {number: 50 + 300 * number / 60 for number in FRAMES}
+NEAR = 0.05  # chosen: units by which a ball may be elsewhere
+TILT = np.radians(35)
+
+
+def balls(work, number):
+    """Return where the balls are in the scene, (n, 3): the eye's transformation taken back."""
+    found = []
+    for draw in work.frame(number).draws:
+        if draw.mode == "GL_QUADS":
+            x, y, z = (draw.eye.min(axis=0) + draw.eye.max(axis=0)) / 2 + (0, 0, 17)
+            cos, sin = np.cos(TILT), np.sin(TILT)
+            found.append((x, cos * y + sin * z, cos * z - sin * y))
+    return np.array(found).reshape(-1, 3)
+
+
+def around(distance, angle):
+    """Return the point at a distance and an angle in degrees around the y axis."""
+    return np.array([distance * np.cos(np.radians(angle)), 0,
+                     -distance * np.sin(np.radians(angle))])  # fmt: skip
+
+
+def close(a, b):
+    return np.abs(np.subtract(a, b)).max() < NEAR
+
+
+def line_of(work, ball):
+    draws = [draw for draw in work.frame(0).draws if draw.mode == "GL_QUADS"]
+    calls = work.frame(0).calls
+    before = calls[: calls.index(draws[ball].call)] if draws[ball].call in calls else calls
+    moves = [call for call in before if call.base in ("glTranslate", "glRotate", "glMultMatrix")]
+    return moves[-1].line if moves else 0
+
+
+@test(
+    _("The sun stays in the middle"),
+    _("What moves the planet and the moon must not move the sun, in later frames neither."),
+)
+def sun(work, solution):
+    for number in FRAMES:
+        found = balls(work, number)
+        if len(found) != 3:
+            return hint(
+                _("{count} balls are drawn, and not three: sun, planet, moon."), count=len(found)
+            )
+        if not close(found[0], (0, 0, 0)):
+            return hint(
+                _("The sun is drawn away from the middle: draw it before any transformation.")
+            )
+    return None
+
+
+@test(
+    _("The planet goes round the sun"),
+    _("First the planet is moved away from the origin, then all is rotated round it; in the "
+      "program the calls stand the other way round."),
+    needs=sun,
+)  # fmt: skip
+def planet(work, solution):
+    wanted = {number: around(4.2, YEARS[number]) for number in FRAMES}
+    found = {number: balls(work, number)[1] for number in FRAMES}
+    if all(close(found[number], wanted[number]) for number in FRAMES):
+        return None
+    first, line = found[0], line_of(work, 1)
+    if close(first, (0, 0, 0)):
+        return hint(
+            _("The planet is still at the origin, inside the sun: between the sun and the planet "
+              "a rotation and a translation are missing.")
+        )  # fmt: skip
+    if all(close(each, (4.2, 0, 0)) for each in found.values()):
+        return hint(
+            _(
+                "The planet stays at the right and turns on the spot: the rotation is applied to "
+                "it first, and then the translation. The call of the rotation must come first; "
+                "now line {line} does."
+            ),
+            line=line,
+        )
+    if all(close(found[n], around(4.2, -YEARS[n])) for n in FRAMES):
+        return hint(_("The planet goes round clockwise as seen from above: the sign of the angle."))
+    if all(close(found[n], around(4.2, MONTHS[n])) for n in FRAMES):
+        return hint(_("The planet goes round by the angle of the month."))
+    if all(close(found[n], around(4.2, np.degrees(YEARS[n]))) for n in FRAMES) or all(
+        close(found[n], around(4.2, np.radians(YEARS[n]))) for n in FRAMES
+    ):
+        return hint(_("glRotatef wants degrees: `year` needs no conversion."))
+    if abs(np.linalg.norm(first) - 4.2) < NEAR and abs(first[1]) > NEAR:
+        return hint(
+            _("The planet leaves the plane of its orbit: glRotatef must rotate round the y axis, "
+              "0, 1, 0.")
+        )  # fmt: skip
+    return hint(
+        _(
+            "In frame {frame} the planet is at ({x:.2f}, {y:.2f}, {z:.2f}), and not at "
+            "({wanted_x:.2f}, 0, {wanted_z:.2f})."
+        ),
+        frame=0, x=first[0], y=first[1], z=first[2], wanted_x=wanted[0][0], wanted_z=wanted[0][2],
+    )  # fmt: skip
+
+
+@test(
+    _("The moon goes round the planet"),
+    _("The planet's transformations go on holding for the moon, which adds its own."),
+    needs=planet,
+)
+def moon(work, solution):
+    planets = {number: balls(work, number)[1] for number in FRAMES}
+    found = {number: balls(work, number)[2] for number in FRAMES}
+    turned = {n: planets[n] + around(1.3, YEARS[n] + MONTHS[n]) for n in FRAMES}
+    if all(close(found[n], turned[n]) for n in FRAMES):
+        return None
+    first, line = found[0], line_of(work, 2)
+    if close(first, planets[0]):
+        return hint(
+            _("The moon is inside the planet: a rotation and a translation are missing before it.")
+        )
+    if all(close(found[n], planets[n] + around(1.3, YEARS[n])) for n in FRAMES):
+        return hint(
+            _(
+                "The moon stays on the line from the sun to the planet: line {line} rotates it on "
+                "the spot. Rotate by `month` first, then translate."
+            ),
+            line=line,
+        )
+    if all(close(found[n], around(1.3, MONTHS[n])) for n in FRAMES):
+        return hint(
+            _("The moon goes round the sun: the planet's transformations no longer hold for it. "
+              "Does glPopMatrix or glLoadIdentity come too early?")
+        )  # fmt: skip
+    if all(close(found[n], planets[n] + around(1.3, MONTHS[n])) for n in FRAMES):
+        return hint(
+            _("The moon's angle counts from the x axis; it should count from the line through sun "
+              "and planet, so the rotation by `year` must hold for the moon, too.")
+        )  # fmt: skip
+    if all(close(found[n], planets[n] + around(1.3, YEARS[n] - MONTHS[n])) for n in FRAMES):
+        return hint(_("The moon goes round clockwise as seen from above: the sign of the angle."))
+    return hint(
+        _(
+            "In frame {frame} the moon is {distance:.2f} away from the planet, in the direction "
+            "({x:.2f}, {y:.2f}, {z:.2f}); it should be 1.3 away, at the angle year + month."
+        ),
+        frame=0,
+        distance=np.linalg.norm(first - planets[0]),
+        **dict(zip("xyz", first - planets[0], strict=True)),
+    )
+
+
+@test(
+    _("The picture is right"),
+    _("At the beginning and 10 frames later."),
+    needs=moon,
+)
+def picture(work, solution):
+    return compare(work, solution)

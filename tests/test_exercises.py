@@ -1,0 +1,106 @@
+"""The exercises: solutions pass, and each mistake gets a hint of its own."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from landscape.course.exercise_commands import as_json, as_text
+from landscape.course.exercises import HOLE, NAMES, Grader, Report, exercise, start
+from landscape.course.grading import UNLIKE
+from landscape.course.mutants import mutants
+
+PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
+
+
+@pytest.fixture(scope="module")
+def grader() -> Iterator[Grader]:
+    with Grader(PATIENCE) as found:
+        yield found
+
+
+def solution(name: str) -> str:
+    return (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
+
+
+def checked(grader: Grader, folder: Path, code: str) -> Report:
+    path = folder / "mine.py"
+    path.write_text(code, encoding="utf-8")
+    return grader.check(path)
+
+
+def failures(report: Report) -> list[str]:
+    return [result.test.key for result in report.results if result.passed is False]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_both_solutions_pass_and_the_start_does_not(name: str, grader: Grader) -> None:
+    for file in ("solution.py", "solution2.py"):
+        report = grader.check(exercise(name).folder / file)
+        assert report.passed, as_text(report, lambda text, context="": text)
+        assert report.difference is not None and report.difference < 0.0015
+    report = grader.check(exercise(name).folder / "start.py")
+    assert report.error is None and len(failures(report)) == 1
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
+    name: str, grader: Grader, tmp_path: Path
+) -> None:
+    hints: dict[str, str] = {}
+    found = mutants(exercise(name))
+    assert len(found) >= 4
+    for mistake, mutant in found.items():
+        report = checked(grader, tmp_path, mutant.of(solution(name)))
+        assert report.error is None, (mistake, report.error)
+        assert failures(report) == [mutant.fails], mistake
+        (hint,) = (result.hint for result in report.results if result.hint is not None)
+        told = hint.written(str)
+        assert hint.text != UNLIKE and "--heat-map" not in told, (mistake, told)
+        assert told not in hints, (mistake, hints.get(told))
+        hints[told] = mistake
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> None:
+    found = exercise(name)
+    assert len(found.title) < 70 and not found.title.endswith(".") and found.task
+    code = (found.folder / "start.py").read_text(encoding="utf-8")
+    assert code.count("\n") < 160 and HOLE in code and f"# exercise: {name}\n" in code
+    for language in ("en", "fr"):
+        written = start(found, language)
+        compile(written, name, "exec")
+        assert max(map(len, written.splitlines())) <= 100
+    assert (
+        start(found, "en").replace('"""', "").split()[:40] == code.replace('"""', "").split()[:40]
+    )
+
+
+def test_tests_that_need_a_failed_one_are_not_made(grader: Grader, tmp_path: Path) -> None:
+    report = grader.check(exercise("missing_enable").folder / "start.py")
+    assert [result.passed for result in report.results] == [False, None, None]
+    shown = as_json(report, lambda text, context="": text)
+    assert [test["hint"] != "" for test in shown["tests"]] == [True, False, False]
+    assert shown["picture_difference"] > 0.1 and shown["passed"] is False
+
+
+def test_a_hint_names_the_students_own_line(grader: Grader, tmp_path: Path) -> None:
+    code = mutants(exercise("missing_enable"))["function_only"].of(solution("missing_enable"))
+    line = code.splitlines().index("    glDepthFunc(GL_LESS)") + 1
+    report = checked(grader, tmp_path, code)
+    assert f"in line {line} " in "\n".join(as_text(report, lambda text, context="": text))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_task_and_the_hints_are_in_french_as_well(name: str, grader: Grader) -> None:
+    french = exercise(name).translate.to("fr")
+    written = start(exercise(name), "fr")
+    assert "# Votre code vient ici." in written and exercise(name).task[0][:40] not in written
+    report = grader.check(exercise(name).folder / "start.py")
+    (hint,) = (result.hint for result in report.results if result.hint is not None)
+    assert hint.written(french) != hint.written(str)
+    assert as_text(report, french)[-1].startswith(f"{len(report.results) - _left(report)} tests")
+
+
+def _left(report: Report) -> int:
+    return sum(result.passed is not True for result in report.results)

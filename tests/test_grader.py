@@ -1,0 +1,175 @@
+"""The grader: programs that cannot be graded, limits, commands and bad input."""
+
+import json
+import os
+import re
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from commands import landscape, refused
+from PIL import Image
+
+from landscape.course.exercises import NAMES, Grader, Report, exercise
+from landscape.errors import InputError
+
+PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
+
+
+@pytest.fixture(scope="module")
+def grader() -> Iterator[Grader]:
+    with Grader(PATIENCE) as found:
+        yield found
+
+
+def solution(name: str) -> str:
+    return (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
+
+
+def checked(grader: Grader, folder: Path, code: str) -> Report:
+    path = folder / "mine.py"
+    path.write_text(code, encoding="utf-8")
+    return grader.check(path)
+
+
+def failures(report: Report) -> list[str]:
+    return [result.test.key for result in report.results if result.passed is False]
+
+
+HEAD = "# exercise: winding\nimport os, sys, time\nimport glfw\nfrom OpenGL.GL import *\n"
+OPEN = """
+glfw.init()
+window = glfw.create_window(640, 480, "", None, None)
+glfw.make_context_current(window)
+"""
+LOOP = "while not glfw.window_should_close(window):\n    glClear(GL_COLOR_BUFFER_BIT)\n"
+SHOW = "    glfw.swap_buffers(window)\n    glfw.poll_events()\n"
+WORDS = {
+    "aborts": (OPEN + "os.abort()", "crashed_at"),
+    "reads address 0": (OPEN + "import ctypes\nctypes.string_at(0)", "crashed_at"),
+    "kills itself": ("os.kill(os.getpid(), 9)", "crashed"),
+    "no window": ("print(1)", "no_window"),
+    "no OpenGL": ("sys.exit()", "no_window"),
+    "raises": (OPEN + "1 / 0", "raised"),
+    "error of OpenGL": (OPEN + LOOP + "    glEnable(GL_MODELVIEW)\n" + SHOW, "raised"),
+    "not Python": ("if", "syntax"),
+    "takes all memory": (OPEN + "data = [bytearray(1 << 28) for _ in range(40)]", "memory"),
+    "ends early": (OPEN + LOOP + SHOW + "    break\n", "ended"),
+    "two windows": (OPEN + OPEN, "two_windows"),
+    "writes": (f"open({str(Path.home() / 'x')!r}, 'w')", "write"),
+    "removes": ("os.remove(__file__)", "write"),
+    "connects": ("import socket\nsocket.socket()", "network"),
+    "starts a program": ("os.system('true')", "start"),
+    "another package": ("import no_such_package", "package"),
+}
+
+
+@pytest.mark.parametrize("what", WORDS)
+def test_a_program_that_cannot_be_graded_says_why(
+    what: str, grader: Grader, tmp_path: Path
+) -> None:
+    code, word = WORDS[what]
+    report = checked(grader, tmp_path, HEAD + code + "\n")
+    assert report.error is not None and report.error["word"] == word, report.error
+    assert report.error.get("line", 5) >= 5 and not report.results and not report.passed
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("while True:\n    pass", {"late_window"}),
+        (OPEN + "while True:\n    pass", {"no_frame"}),
+        ("while True:\n    try:\n        time.sleep(9)\n    except BaseException:\n        pass",
+         {"late", "late_window"}),
+        ("import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True:\n    pass",
+         {"late"}),
+    ],
+)  # fmt: skip
+def test_a_program_that_never_ends_is_ended(code: str, words: set[str], tmp_path: Path) -> None:
+    with Grader(0.4) as hasty:
+        path = tmp_path / "mine.py"
+        path.write_text(HEAD + code + "\n")
+        hasty._solutions["winding"] = None  # type: ignore[assignment]
+        begun = time.monotonic()
+        report = hasty.check(path)
+        assert report.error is not None and report.error["word"] in words
+        assert time.monotonic() - begun < 30
+
+
+def test_a_program_may_print_as_much_as_it_likes(grader: Grader, tmp_path: Path) -> None:
+    flood = "print('x' * (100 << 20))\nos.write(1, b'y' * (1 << 20))\n"
+    code = solution("missing_enable").replace(
+        "import glfw\n", f"import glfw\nimport os\n{flood}", 1
+    )
+    assert checked(grader, tmp_path, code).passed
+
+
+def test_a_program_that_draws_nothing_it_should_gets_a_hint(grader: Grader, tmp_path: Path) -> None:
+    for name in NAMES:
+        code = HEAD.replace("winding", name) + OPEN + LOOP + SHOW
+        report = checked(grader, tmp_path, code)
+        assert report.error is None and len(failures(report)) >= 1, name
+
+
+def test_what_a_program_wrote_is_gone_and_nothing_runs_on(tmp_path: Path) -> None:
+    with Grader(PATIENCE) as short:
+        short.check(exercise("winding").folder / "solution.py")
+        sandbox = short._sandbox
+        assert sandbox._process is not None and sandbox._folder is not None
+        process, folder = sandbox._process, Path(sandbox._folder.name)
+        assert folder.is_dir()
+    assert not folder.exists() and process.poll() is not None
+
+
+def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
+    listed = landscape("exercise", "list", "--json", "--lang", "en").json()
+    assert [each["name"] for each in listed] == list(NAMES)
+    assert all(each["title"] and each["task"] for each in listed)
+    place = {"cwd": tmp_path}
+    begun = landscape("exercise", "start", "winding", "--lang", "en", **place)
+    mine = tmp_path / "winding.py"
+    assert begun.status == 0 and begun.out.splitlines()[0] == "winding.py" and mine.is_file()
+    mine.write_text(mine.read_text() + "# mine\n")
+    refused(landscape("exercise", "start", "winding", **place), "winding.py", "already")
+    assert mine.read_text().endswith("# mine\n")
+    words = ("exercise", "check", mine, "--seconds", PATIENCE, "--lang", "en")
+    done = landscape(*map(str, words), "--heat-map", str(tmp_path / "map.png"))
+    assert done.status == 1 and done.err == ""
+    assert re.search(r"^failed +Every triangle is counter-clockwise from outside$", done.out, re.M)
+    assert re.search(r"^not checked  The picture is right$", done.out, re.M)
+    heat = np.asarray(Image.open(tmp_path / "map.png"))
+    assert heat.shape == (480, 3 * 640 + 16, 3)
+    hot = heat[:, 648:1288].max(axis=2) > 150
+    assert 0.02 < hot.mean() < 0.3
+    mine.write_text(HEAD + "1 / 0\n")
+    done = landscape(*map(str, words), "--json")
+    assert done.status == 2 and "winding.py: line 5" in done.err and done.err.count("\n") == 1
+    shown = json.loads(done.out)
+    assert shown["passed"] is False and {test["passed"] for test in shown["tests"]} == {None}
+    assert "ZeroDivisionError" in shown["error"] and shown["picture_difference"] is None
+
+
+def test_bad_input_is_refused_in_one_line(tmp_path: Path) -> None:
+    lines = {
+        "none.py": (b"import glfw\n", "# exercise: "),
+        "two.py": (b"# exercise: winding\n# exercise: normals\n", "two exercises"),
+        "other.py": (b"# exercise: juggling\n", "juggling"),
+        "binary.py": (bytes(range(256)), "not text"),
+    }
+    for name, (data, words) in lines.items():
+        path = tmp_path / name
+        path.write_bytes(data)
+        with pytest.raises(InputError, match=re.escape(words)), Grader() as grader:
+            grader.check(path)
+    with pytest.raises(InputError, match="folder"), Grader() as grader:
+        grader.check(tmp_path)
+    with pytest.raises(InputError, match="cannot be read"), Grader() as grader:
+        grader.check(tmp_path / "absent.py")
+    refused(landscape("exercise", "start", "juggling"), "juggling", "winding")
+    out = tmp_path / "none.py" / "mine.py"
+    refused(landscape("exercise", "start", "winding", "--out", out), "mine.py")
+    refused(landscape("exercise", "check", "x.py", "--heat-map", "map.jpg"), ".png")
+    refused(landscape("exercise", "check", "x.py", "--seconds", "0"), "--seconds")
+    assert os.listdir(tmp_path) == sorted(os.listdir(tmp_path), key=os.listdir(tmp_path).index)
