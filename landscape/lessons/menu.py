@@ -8,7 +8,7 @@ Keys: Up and Down move the mark; Enter or 1 to 4 choose a background; Space leav
 """
 # topic: window
 # needs: keys
-# picture: frame 0 after DOWN
+# picture: frame 1 after DOWN
 # keys: UP DOWN ENTER 1 2 3 SPACE
 
 import glfw

@@ -93,7 +93,7 @@ def on_key(window, key, scancode, action, mods):
     farther = (key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)  # 1, 0 or -1
     near = max(0.5, min(near + 0.5 * farther, 5))
     wider = (key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT)
-    angle = max(20, min(angle + 5 * wider, 60))
+    angle = max(20, min(angle + 5 * wider, 50))
     if key == glfw.KEY_SPACE:
         parallel = not parallel
     if key == glfw.KEY_ESCAPE:

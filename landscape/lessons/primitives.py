@@ -9,7 +9,7 @@ Keys: Left and Right change the number of vertices; Space changes their order.
 """
 # topic: shapes
 # needs: triangle
-# picture: frame 0 after RIGHT
+# picture: frame 1 after RIGHT
 # keys: LEFT RIGHT SPACE
 
 import math

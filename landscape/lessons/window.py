@@ -15,7 +15,7 @@ import glfw
 from OpenGL.GL import *
 from text import _, write
 
-red, green, blue = 0.95, 0.62, 0.35
+red, green, blue = 0.85, 0.35, 0.2
 
 
 def draw():
