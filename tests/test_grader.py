@@ -62,6 +62,12 @@ WORDS = {
     "removes": ("os.remove(__file__)", "write"),
     "connects": ("import socket\nsocket.socket()", "network"),
     "starts a program": ("os.system('true')", "start"),
+    "forges its evidence": (
+        "place = os.path.join(os.environ['TMPDIR'], 'evidence.json')\n"
+        "open(place, 'w').write('{\"states\": [], \"frames\": 3}')\n"
+        "import ctypes\nctypes.CDLL(None)._exit(0)",
+        "died",
+    ),
     "another package": ("import no_such_package", "package"),
 }
 

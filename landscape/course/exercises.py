@@ -210,8 +210,12 @@ def _evidence(path: Path, outcome: Outcome) -> Evidence | dict[str, Any]:
         if outcome.line:
             return {"word": "crashed_at", "signal": outcome.ended, "line": outcome.line}
         return {"word": "crashed", "signal": outcome.ended}
+    died = {"word": "died", "signal": outcome.ended or "status 0"}
     if outcome.answer is None:
-        return {"word": "died", "signal": outcome.ended or "status 0"}
-    if "error" in outcome.answer:
-        return dict(outcome.answer["error"])
-    return load(path, outcome.answer, outcome.folder)
+        return died
+    try:
+        if "error" in outcome.answer:
+            return dict(outcome.answer["error"])
+        return load(path, outcome.answer, outcome.folder)
+    except (AttributeError, LookupError, OSError, TypeError, ValueError):
+        return died  # the program itself wrote into the file
