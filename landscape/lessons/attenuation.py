@@ -38,13 +38,13 @@ def draw_ball():
 
 
 def draw_row(row):
-    y = 2.1 - 1.95 * row
+    y = 1.95 - 1.95 * row
     kc, kl, kq = ((1, 0, 0), (constant, 0.5, 0), (constant, 0, 0.25))[row]
     glLightfv(GL_LIGHT0, GL_POSITION, (lamp, y, 1, 1))
     glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, kc)
     glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, kl)
     glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, kq)
-    write(-16, 42, LABELS[row], (0.95, 0.62, 0.35), at=(-3.5, y, 0))
+    write(-16, 2, LABELS[row], (0.95, 0.62, 0.35), at=(-3.5, y + 0.62, 0))
     for column in range(5):
         x = 1.55 * column - 2.7
         d = math.dist((lamp, 1), (x, 0))
@@ -52,7 +52,7 @@ def draw_row(row):
         glTranslatef(x, y, 0)
         draw_ball()
         glPopMatrix()
-        write(-30, -64, "f {f:.2f}", at=(x, y, 0), f=1 / (kc + kl * d + kq * d * d))
+        write(-30, -18, "f {f:.2f}", at=(x, y - 0.62, 0), f=1 / (kc + kl * d + kq * d * d))
     glDisable(GL_LIGHTING)
     glColor3f(1, 1, 0.8)
     glBegin(GL_POINTS)

@@ -30,10 +30,9 @@ quads = False
 def make_letters():
     global texture, lists
     letters = Image.open(Path(__file__).parent / "data" / "letters.png").tobytes()
-    texture = glGenTextures(1)
-    glBindTexture(GL_TEXTURE_2D, texture)
-    for case in (GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER):
-        glTexParameteri(GL_TEXTURE_2D, case, GL_NEAREST)
+    glBindTexture(GL_TEXTURE_2D, texture := glGenTextures(1))
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, 256, 512, 0, GL_ALPHA, GL_UNSIGNED_BYTE, letters)
     lists = glGenLists(256)
     for code in range(256):
@@ -62,7 +61,8 @@ def write(x, y, text, /, color=(1, 1, 1), size=1, at=None, **values):
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE)
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE if quads else GL_FILL)
     left, bottom, width, height = glGetIntegerv(GL_VIEWPORT)
-    scale = max(1, glfw.get_framebuffer_size(glfw.get_current_context())[1] // 480)
+    size_y = glfw.get_framebuffer_size(glfw.get_current_context())[1]
+    scale = size_y // 480 or size_y / 480  # whole, for sharp letters, except in a small window
     if at:
         glRasterPos3f(*at)  # is transformed like a vertex, and can be read in pixels
         x, y = (x, y) + (glGetFloatv(GL_CURRENT_RASTER_POSITION)[:2] - (left, bottom)) / scale
