@@ -53,7 +53,7 @@ def draw_scene():
         glVertex3f(x, -1, z)
     for x, y in ((-0.25, -0.25), (1.25, -0.25), (1.25, 1.25), (-0.25, 1.25)):
         glTexCoord2f(x, y)
-        glVertex3f(1.2 * x - 0.6, 1.2 * y - 0.25, -3.2)
+        glVertex3f(1.2 * x - 0.05, 1.2 * y - 0.25, -3.2)
     glEnd()
     glDisable(GL_TEXTURE_2D)
 
@@ -87,8 +87,8 @@ def main():
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         set_texture()
         draw_scene()
-        write(16, 40, LABELS[chosen])
-        write(16, 16, "GL_REPEAT" if repeated else "GL_CLAMP_TO_EDGE")
+        write(16, 440, LABELS[chosen])  # above the floor, where it can be read
+        write(16, 416, "GL_REPEAT" if repeated else "GL_CLAMP_TO_EDGE")
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()
