@@ -19,6 +19,7 @@ FOG = 'msgid "fog"\nmsgstr "brouillard"\n\n'
 ON = 'msgid "on"\nmsgstr "oui"\n\n'
 FIXED = 'msgctxt "fix.on"\nmsgid "on"\nmsgstr "activée"\n\n'
 CALLS = 'msgid "{n} calls"\nmsgstr "{n} appels"\n\n'
+ROW = 'msgid "| [sun](a.md) | 1 |"\nmsgstr "| [soleil](a.fr.md) | 1 |"\n\n'
 
 
 def run(*words: str) -> Done:
@@ -78,6 +79,9 @@ def catalogue(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
         (FOG + ON + FIXED + CALLS, []),
         (ON + CALLS, ["missing: 'fog', from b.py"]),
         (FOG + FIXED + CALLS, ["missing: 'on', from a.py, b.py"]),
+        (FOG + ON + CALLS + ROW, []),
+        (FOG + ON + CALLS + ROW.replace("a.fr", "b"), ["not in both languages: a.md, b.md: "]),
+        (FOG + ON + CALLS + ROW.replace("soleil]", "|"), ["not in both languages: 3 times |, 4 "]),
         (FOG.replace("brouillard", "") + ON + CALLS, ["untranslated: 'fog'"]),
         ("#, fuzzy\n" + FOG + ON + CALLS, ["fuzzy: 'fog'"]),
         (FOG + FOG + ON + CALLS, ["more than one entry: 'fog'"] * 2),
@@ -99,10 +103,78 @@ def test_each_kind_of_fault_of_a_catalogue_is_named(
         catalogue.Message("on", "b.py"),
         catalogue.Message("{n} calls", "a.py"),
     ]
+    if ROW[:10] in entries:
+        texts.append(catalogue.Message("| [sun](a.md) | 1 |", "a.md"))
     found = [line.removeprefix(f"{path}: ") for line in catalogue.faults(path, texts)]
     assert len(found) == len(expected), found
     for line, start in zip(found, expected, strict=True):
         assert line.startswith(start)
+
+
+README = """\
+# Fog
+
+![A picture](a.png)
+
+    code("a ; b")
+
+| Key | What |
+|---|---|
+| `F` | fog |
+
+It hides what is far away, `and  code` is left, as is
+[a long link](docs/a.md).
+
+- Thick
+- Thin
+"""
+LISEZMOI = """\
+# Brouillard
+
+![A picture](a.png)
+
+    code("a ; b")
+
+| Key | What |
+|---|---|
+| `F` | brouillard_! |
+
+Il cache le lointain -
+`le code` reste, comme
+[un long lien](docs/a.md) 2.
+Ici.
+
+- Épais et très dense, à
+  ne plus rien y voir
+- Thin
+"""
+
+
+def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_are(
+    catalogue: ModuleType, locale: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import readme
+
+    monkeypatch.setattr(readme, "README", tmp_path / "README.md")
+    monkeypatch.setattr(readme, "WIDTH", 24)
+    french = {
+        "Fog": "Brouillard",
+        "| `F` | fog |": "| `F` | brouillard ! |",
+        "It hides what is far away, `and code` is left, as is [a long link](docs/a.md).":
+            "Il cache le lointain - `le code` reste, comme [un long lien](docs/a.md) 2. Ici.",
+        "Thick": "Épais et très dense, à ne plus rien y voir",
+    }  # fmt: skip
+    entries = (f'msgid "{text}"\nmsgstr "{other}"\n\n' for text, other in french.items())
+    (locale / "docs").mkdir()
+    (locale / "docs" / "README.po").write_text(HEAD + "".join(entries), encoding="utf-8")
+    readme.README.write_text(README)
+    path = tmp_path / "README.fr.md"
+    assert list(readme.stale("fr")) == [f"{path}: stale: scripts/catalogues update writes it"]
+    readme.write("fr")
+    assert path.read_text(encoding="utf-8") == LISEZMOI.replace("_", "\u00a0")
+    assert list(readme.stale("fr")) == []
+    readme.README.write_text(README.replace("Thin", "Light"))
+    assert len(list(readme.stale("fr"))) == 1
 
 
 def test_texts_are_found_in_calls_and_in_annotated_tables(

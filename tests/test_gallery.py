@@ -107,7 +107,9 @@ def test_the_committed_page_is_up_to_date() -> None:
     assert (KEPT / "README.md").read_text(encoding="utf-8") == page(), "landscape figures --update"
 
 
-@pytest.mark.parametrize("path", ["screenshots/README.md", "README.md", "CHANGELOG.md"])
+@pytest.mark.parametrize(
+    "path", ["screenshots/README.md", "README.md", "README.fr.md", "CHANGELOG.md"]
+)
 def test_every_link_of_a_page_leads_somewhere(path: str) -> None:
     text = (ROOT / path).read_text(encoding="utf-8")
     links = re.findall(r"\]\(([^)\s]+)\)", text)

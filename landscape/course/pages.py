@@ -12,6 +12,8 @@ from landscape.course.ladder import Lesson
 
 CODE, ROW = "```", "| "
 _MARK = re.compile(r"(#+ |[-*] |\d+\. )?(.*)", re.DOTALL)
+_WORD = re.compile(r"(?:!?\[[^\]]*\]\([^)]*\)|`[^`]*`|[^ ])+")  # with its links and code whole
+_BEGINS_BLOCK = re.compile(r"[-+*#=]+$|\d+[.)]$|[>|]")
 
 
 @dataclass(frozen=True)
@@ -25,6 +27,16 @@ class Block:
     def is_code(self) -> bool:
         """Whether the block is code, or the line under a table's head: not to be translated."""
         return self.mark == CODE
+
+    @property
+    def is_row(self) -> bool:
+        """Whether the block is a row of a table, or the line under its head."""
+        return self.text.startswith("|")
+
+    @property
+    def is_item(self) -> bool:
+        """Whether the block is an item of a list."""
+        return bool(self.mark) and self.mark[0] in "-*0123456789"
 
     @property
     def is_heading(self) -> bool:
@@ -66,14 +78,37 @@ def page(lesson: Lesson, translate: Callable[[str], str] = str) -> list[Block]:
     return blocks(lesson.page.read_text(encoding="utf-8"), translate)
 
 
-def as_markdown(page: Iterable[Block]) -> str:
-    """Return blocks as Markdown again."""
+def as_markdown(page: Iterable[Block], width: int = 0) -> str:
+    """Return blocks as Markdown again, with prose wrapped at ``width`` columns, if it is not 0."""
     text = ""
-    before = ""
+    before = None
     for block in page:
-        row = block.text.startswith("|")
-        between = "\n" if row and before.startswith("|") else "\n\n"
-        text += (between if text else "") + (block.text if block.is_code or row
-                                             else block.mark + block.text)  # fmt: skip
-        before = block.text
+        if before:
+            rows = before.is_row and block.is_row
+            items = before.is_item and block.is_item
+            text += "\n" if rows or items else "\n\n"
+        if block.is_code or block.is_row:
+            text += block.text
+        elif block.is_heading:
+            text += block.mark + block.text
+        else:
+            text += wrapped(block.mark, block.text, width)
+        before = block
     return text + "\n"
+
+
+def wrapped(mark: str, text: str, width: int) -> str:
+    """Return prose in lines of at most ``width`` columns, or in one if it is 0.
+
+    Links and code are not broken, and no line but the first begins as a block would.
+    """
+    if not width:
+        return mark + text
+    first, *words = _WORD.findall(text)
+    lines = [mark + first]
+    for word in words:
+        if len(lines[-1]) + 1 + len(word) <= width or _BEGINS_BLOCK.match(word):
+            lines[-1] += f" {word}"
+        else:
+            lines.append(" " * len(mark) + word)
+    return "\n".join(lines)

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 
 from landscape.capture.edit_files import read
 from landscape.capture.edits import Edits
+from landscape.capture.program import LIMIT
 from landscape.capture.program_tape import on_frame
 from landscape.capture.tape import Tape
 from landscape.errors import InputError, short
@@ -21,8 +22,9 @@ class Target:
     """A frame to look into: a view's name with what it is drawn with, or the path of a program.
 
     ``settings`` to ``seed`` are as of :class:`landscape.render.Offscreen`, for views; ``frame``
-    and ``events`` are for programs (capture/program.py). ``edits`` is a file of edits. ``tell`` is
-    called with lines for the user: settings and edits that changed nothing.
+    and ``events`` are for programs (capture/program.py), as is ``limit``, in seconds. ``edits``
+    is a file of edits. ``tell`` is called with lines for the user: settings and edits that changed
+    nothing.
     """
 
     name: str
@@ -37,6 +39,7 @@ class Target:
     edits: Path | None = None
     frame: int = 0
     events: Path | None = None
+    limit: float = LIMIT
     tell: Callable[[Sequence[str]], object] = lambda lines: None
 
     @property
@@ -62,7 +65,9 @@ class Target:
 
         if self.is_program:
             self._check_program()
-            return on_frame(self.name, look, self.frame, self.events, edits, self.backend)
+            return on_frame(
+                self.name, look, self.frame, self.events, edits, self.backend, self.limit
+            )
         find_view(self.name)
         if self.frame or self.events:
             what = "--frame" if self.frame else "--events"

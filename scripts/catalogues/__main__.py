@@ -3,8 +3,9 @@
     python scripts/catalogues update    # adds empty entries for new texts, removes stale ones
     python scripts/catalogues check     # lists what is untranslated, stale, fuzzy or damaged
 
-Where the texts of each domain come from is in domains.py. The exit status of `check` is 1 if it
-finds a fault. A text that has changed is a new one: `update` prints the translation of the old.
+`update` also writes README.LANGUAGE.md, from README.md and its catalogue. Where the texts of each
+domain come from is in domains.py. The exit status of `check` is 1 if it finds a fault. A text that
+has changed is a new one: `update` prints the translation of the old.
 """
 
 import argparse
@@ -12,6 +13,7 @@ import os
 import sys
 from pathlib import Path
 
+import readme
 from catalogue import faults, update
 from domains import DOMAINS
 
@@ -36,6 +38,10 @@ def main() -> int:
                     sys.exit(f"catalogues: {error}")
         for path, messages in wanted.items():
             found += faults(path, messages)
+        if options.locale == LOCALE:
+            if options.command == "update":
+                readme.write(language)
+            found += readme.stale(language)
         strangers = sorted(set(folder.rglob("*.po")) - wanted.keys())
         found += [f"{path}: stale: no texts belong to it" for path in strangers]
     here = f"{Path.cwd()}{os.sep}"

@@ -1,5 +1,6 @@
 """One catalogue: it is brought up to date with a list of texts, or compared with it."""
 
+import re
 import string
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -8,6 +9,7 @@ from pathlib import Path
 import polib
 
 WIDTH = 98  # chosen: columns of a catalogue
+_LINK = re.compile(r"\]\(([^)]*)\)")
 
 
 @dataclass(frozen=True)
@@ -86,6 +88,8 @@ def faults(path: Path, messages: Iterable[Message]) -> Iterator[str]:
         elif (ours := placeholders(text)) != (theirs := placeholders(entry.msgstr)):
             names = ", ".join(sorted(ours ^ theirs))
             yield f"{path}: not in both languages: {{{names}}}: {what}"
+        elif (here := markup(text)) != (there := markup(entry.msgstr)):
+            yield f"{path}: not in both languages: {', '.join(sorted(here ^ there))}: {what}"
 
 
 def placeholders(text: str) -> set[str]:
@@ -94,6 +98,15 @@ def placeholders(text: str) -> set[str]:
         return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
     except ValueError:
         return {text}
+
+
+def markup(text: str) -> set[str]:
+    """Return where the links of a text in Markdown lead, and how many cells a row of a table has.
+
+    A document may have a translation of its own beside it: README.md, README.fr.md.
+    """
+    targets = {re.sub(r"\.[a-z]{2}\.md$", ".md", link) for link in _LINK.findall(text)}
+    return targets | ({f"{text.count('|')} times |"} if text.startswith("|") else set())
 
 
 def _entries(path: Path) -> list[polib.POEntry]:

@@ -13,7 +13,7 @@ from catalogue import Message
 
 from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import SECTIONS, Lesson, lessons
-from landscape.course.pages import page
+from landscape.course.pages import blocks, page
 from landscape.fixes import FIXES
 from landscape.gallery.page import FIXES_TEXT, PARTS
 from landscape.gallery.panels import panels
@@ -21,6 +21,9 @@ from landscape.scene import SCENES, scene
 from landscape.window.settings_list import rows
 
 ROOT = Path(__file__).resolve().parents[2]
+
+DOCUMENTS = ("README.md",)
+"""The documents that are translated, below the root of the project."""
 
 TABLES = ("Texts", "Phrases")
 """The annotations of tables of texts, in landscape/languages.py."""
@@ -139,6 +142,13 @@ def gallery() -> Iterator[Message]:
             yield Message(text, "landscape/fixes")
 
 
+def in_document(name: str) -> Iterator[Message]:
+    """Yield the texts of a document in Markdown, a block each."""
+    for block in blocks((ROOT / name).read_text(encoding="utf-8")):
+        if not block.is_code:
+            yield Message(block.text, name)
+
+
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "calls": lambda: in_code("landscape/capture/*.py"),
     "fixes": fixes,
@@ -149,5 +159,6 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "site": lambda: in_code("scripts/site/*.py"),
     "gallery": gallery,
     **{f"exercises/{name}": partial(in_exercise, name) for name in NAMES},
+    **{f"docs/{Path(name).stem}": partial(in_document, name) for name in DOCUMENTS},
     **{f"lessons/{lesson.name}": partial(in_lesson, lesson) for lesson in lessons()},
 }
