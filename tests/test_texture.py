@@ -7,9 +7,9 @@ from stage import Stage, close, live_names, quad, small
 
 from landscape.files.images import mip_chain, read_image
 from landscape.frame import Pose
-from landscape.gl.calls import gl
+from landscape.gl.calls import gl, recording
 from landscape.gl.state import attrib
-from landscape.gl.texture import Texture
+from landscape.gl.texture import Texture, halves_evenly, mip_levels
 
 SCREEN = np.array([(-4.0, -3.0, -5.196), (4, -3, -5.196), (4, 3, -5.196), (-4, 3, -5.196)])
 """The quad that fills the 4:3 target at a field of view of 60 degrees."""
@@ -56,11 +56,64 @@ def test_clamping_keeps_out_the_opposite_border_and_repeating_lets_it_in(stage: 
     assert repeated[60, 0].min() > 100
 
 
-def test_far_away_a_texture_shows_its_mean(stage: Stage) -> None:
-    image = np.zeros((64, 64, 3), np.uint8)
+def driver_levels(image: np.ndarray) -> list[np.ndarray]:
+    """Return the mip levels that OpenGL makes of an image."""
+    name, (height, width, channels) = gl.glGenTextures(1), image.shape
+    form = gl.GL_RGB if channels == 3 else gl.GL_RGBA
+    gl.glBindTexture(gl.GL_TEXTURE_2D, name)
+    gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
+    gl.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
+    gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, gl.GL_TRUE)
+    gl.glTexImage2D(gl.GL_TEXTURE_2D, 0, form, width, height, 0, form, gl.GL_UNSIGNED_BYTE, image)
+    levels = []
+    for level in range(max(height, width).bit_length()):
+        shape = max(height >> level, 1), max(width >> level, 1), channels
+        read = gl.glGetTexImage(gl.GL_TEXTURE_2D, level, form, gl.GL_UNSIGNED_BYTE)
+        levels.append(np.frombuffer(read, np.uint8).reshape(shape))
+    gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
+    gl.glPixelStorei(gl.GL_PACK_ALIGNMENT, 4)
+    gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+    gl.glDeleteTextures(np.array([name], np.uint32))
+    return levels
+
+
+@pytest.mark.parametrize("shape", [(64, 64, 3), (32, 128, 4), (256, 8, 3), (1, 16, 4)])
+def test_the_mip_levels_are_those_that_the_driver_would_make(
+    stage: Stage, shape: tuple[int, ...]
+) -> None:
+    image = noise(*shape)
+    ours, wanted = mip_levels(image), driver_levels(image)
+    assert len(ours) == len(wanted)
+    for level, (got, expected) in enumerate(zip(ours, wanted, strict=True)):
+        # A driver that rounds to the nearest is off by half a level at each mip level.
+        assert got.shape == expected.shape and close(got, expected.astype(int), level), level
+
+
+def test_the_driver_is_not_asked_for_mip_levels_where_the_sides_are_powers_of_two(
+    stage: Stage,
+) -> None:
+    with recording() as recorder:
+        Texture(noise(64, 32, 3)).release()
+        assert "GL_GENERATE_MIPMAP" not in str([call.args for call in recorder.calls])
+    assert not halves_evenly(noise(64, 96, 3)) and halves_evenly(noise(1, 2, 3))
+
+
+@pytest.mark.parametrize("side", [64, 96])
+def test_far_away_a_texture_shows_its_mean(stage: Stage, side: int) -> None:
+    image = np.zeros((side, side, 3), np.uint8)
     image[::2, ::2] = image[1::2, 1::2] = 200  # a fine chequered pattern
     picture = shown(stage, Texture(image), SCREEN * (0.05, 0.05, 1.0))
     assert close(picture[58:62, 78:82], 100, 3)
+
+
+@pytest.mark.parametrize("side", [64, 96])
+def test_far_away_a_texture_whose_image_was_replaced_shows_the_mean_of_the_new_one(
+    stage: Stage, side: int
+) -> None:
+    texture = Texture(np.zeros((side, side, 3), np.uint8))
+    texture.replace(np.full((side, side, 3), 120, np.uint8))
+    picture = shown(stage, texture, SCREEN * (0.05, 0.05, 1.0))
+    assert close(picture[58:62, 78:82], 120, 1)
 
 
 def test_given_mip_levels_are_used_as_they_are(stage: Stage) -> None:

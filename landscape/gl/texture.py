@@ -5,6 +5,45 @@ import numpy as np
 from landscape.gl.calls import gl
 
 
+def mean(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Return the mean of two arrays of bytes, rounded up."""
+    return (one | other) - ((one ^ other) >> 1)
+
+
+def mip_levels(image: np.ndarray) -> list[np.ndarray]:
+    """Return an image, uint8 (h, w, c) with powers of two for sides, and its levels down to 1 x 1.
+
+    A texel is the mean of two rows of two texels. Each mean is rounded up, which makes the levels
+    the same, byte for byte, as those that llvmpipe makes (GL_GENERATE_MIPMAP, OpenGL 1.4).
+    """
+    levels = [image]
+    while max(image.shape[:2]) > 1:
+        height, width, channels = image.shape
+        if width > 1:
+            half = np.empty((height, width // 2, channels), np.uint8)
+            for k in range(channels):  # numpy is slow at inner loops of three
+                half[..., k] = mean(image[:, ::2, k], image[:, 1::2, k])
+            image = half
+        if height > 1:
+            image = mean(image[::2], image[1::2])
+        levels.append(image)
+    return levels
+
+
+def halves_evenly(image: np.ndarray) -> bool:
+    """Return whether both sides of an image are powers of two."""
+    return all(side & (side - 1) == 0 for side in image.shape[:2])
+
+
+def levels_to_load(image: np.ndarray) -> list[np.ndarray]:
+    """Return an image and its mip levels, or the image alone if the driver must make its levels.
+
+    The driver can make them of any image, but in software it compiles a program for that in each
+    context, which takes longer than opening the rest of a small scene.
+    """
+    return mip_levels(image) if halves_evenly(image) else [image]
+
+
 class Texture:
     """Owner of one 2D texture object (Texture in 2006)."""
 
@@ -18,8 +57,7 @@ class Texture:
     ) -> None:
         """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
 
-        Row 0 of the image is t = 0. The driver makes the mip levels of a single image
-        (GL_GENERATE_MIPMAP, OpenGL 1.4). ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE.
+        Row 0 of the image is t = 0. ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE.
         Without ``trilinear`` only the nearer of two mip levels is sampled, which is a third
         cheaper. Without ``mipmaps`` there are none: in the mip levels of an atlas, neighbouring
         pictures would bleed into each other.
@@ -27,6 +65,8 @@ class Texture:
         (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
         images = levels if isinstance(levels, list) else [levels]
+        if mipmaps and len(images) == 1:
+            images = levels_to_load(images[0])
         self.name = int(gl.glGenTextures(1))
         wrap = gl.GL_REPEAT if repeat else gl.GL_CLAMP_TO_EDGE
         previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
@@ -55,6 +95,20 @@ class Texture:
             form = gl.GL_RGB if channels == 3 else gl.GL_RGBA
             gl.glTexImage2D(
                 gl.GL_TEXTURE_2D, level, form, width, height, 0, form, gl.GL_UNSIGNED_BYTE, image
+            )
+        gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, previous)
+
+    def replace(self, image: np.ndarray) -> None:
+        """Replace the image of a texture with mip levels by another, of the same shape."""
+        previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
+        self.bind()
+        gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
+        for level, part in enumerate(levels_to_load(image)):
+            height, width, channels = part.shape
+            form = gl.GL_RGB if channels == 3 else gl.GL_RGBA
+            gl.glTexSubImage2D(
+                gl.GL_TEXTURE_2D, level, 0, 0, width, height, form, gl.GL_UNSIGNED_BYTE, part
             )
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
         gl.glBindTexture(gl.GL_TEXTURE_2D, previous)

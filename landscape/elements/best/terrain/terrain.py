@@ -175,14 +175,7 @@ class Terrain(Ground):
         """
         # By day, shadows change only the brightness of what grows in them.
         self._light = light if self._settings.sun.relit else light[..., [1, 1, 1]]
-        painted = shaded(self._painted, light)
-        self._splat.bind()
-        height, width, channels = painted.shape
-        layout = gl.GL_RGBA if channels == 4 else gl.GL_RGB
-        gl.glTexSubImage2D(
-            gl.GL_TEXTURE_2D, 0, 0, 0, width, height, layout, gl.GL_UNSIGNED_BYTE, painted
-        )
-        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        self._splat.replace(shaded(self._painted, light))
 
     def drawn_colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return the large-scale colour as it is drawn at x, z in units, float (n, 3) in 0..1."""
