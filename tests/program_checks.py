@@ -11,9 +11,11 @@ import numpy as np
 from landscape.capture.edits import Edits, located_at
 from landscape.capture.pixel import history
 from landscape.capture.program_tape import on_frame
+from landscape.capture.steps import issue
 from landscape.capture.tape import Tape
 from landscape.gl.framebuffer import read_pixels
 
+LESSON = Path(__file__).parents[1] / "landscape" / "lessons" / "text.py"
 LANTERN = Path(__file__).parent / "programs" / "lantern.py"
 SMALL = """
 import glfw
@@ -101,6 +103,23 @@ def a_frame_without_a_clear_is_replayed(tmp_path: Path) -> None:
         assert row.pixel.color[:3] == tuple(wanted[24, 32])
 
     on_frame(path, look, 3)
+
+
+def lists_are_found_from_the_list_base(tmp_path: Path) -> None:
+    """The lists of a glCallLists are those from glListBase on: a letter each, made again."""
+    assert tmp_path.is_dir()
+
+    def look(tape: Tape) -> None:
+        wanted = picture(tape)
+        lists = [call for call in tape.frame if call.name == "glCallLists"]
+        assert lists and all(len(c.executed) == len(c.args[-1]) for c in lists)
+        assert {call.listed[0].name for call in lists} == {"glBegin"}
+        tape.rewind()
+        for step in tape.steps():
+            issue(step.call)
+        assert np.array_equal(picture(tape), wanted)
+
+    on_frame(LESSON, look, 1)
 
 
 def the_setup_ends_with_the_first_draw(tmp_path: Path) -> None:

@@ -40,6 +40,10 @@ def test_a_frame_that_begins_without_a_clear_is_replayed_over_what_was_there(
     check("a_frame_without_a_clear_is_replayed", tmp_path)
 
 
+def test_the_lists_of_a_text_are_found_from_the_list_base(tmp_path: Path) -> None:
+    check("lists_are_found_from_the_list_base", tmp_path)
+
+
 def test_the_setup_ends_with_the_first_call_that_draws(tmp_path: Path) -> None:
     check("the_setup_ends_with_the_first_draw", tmp_path)
 

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from landscape.gl.client import ClientArrays, frozen
+from landscape.gl.client import ClientArrays, frozen, list_base
 from landscape.gl.notes import Call, Edits, Site, caller, shown
 
 __all__ = [
@@ -113,7 +113,8 @@ class Recorder:
     def add(self, call: Call) -> Call:
         """Add a call that is about to be made."""
         call.number = len(self.calls)
-        call.executed = _executed(call)
+        if call.name in ("glCallList", "glCallLists"):
+            call.executed = _executed(call, list_base(call.name, self.calls))
         self.calls.append(call)
         if self.before is not None:
             self.before(call)
@@ -390,9 +391,9 @@ _FOLLOW: dict[str, Callable[..., None]] = {
 }
 
 
-def _executed(call: Call) -> list[Listing]:
-    """Return the display lists that a glCallList or glCallLists executes."""
+def _executed(call: Call, base: int = 0) -> list[Listing]:
+    """Return the display lists that a glCallList, or a glCallLists from ``base`` on, executes."""
     if call.name not in ("glCallList", "glCallLists"):
         return []
     names = call.args if call.name == "glCallList" else call.args[-1]
-    return [_lists[int(name)] for name in names if int(name) in _lists]
+    return [_lists[base + int(name)] for name in names if base + int(name) in _lists]

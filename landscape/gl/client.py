@@ -5,10 +5,14 @@ and the program may change it in between. So a recording that is to be replayed 
 calls of the arrays, and a copy of their contents with each draw call.
 """
 
+import ctypes
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+
+from landscape.gl.notes import Call
+from landscape.gl.raw import raw
 
 POINTERS = {
     "glVertexPointer": "GL_VERTEX_ARRAY",
@@ -31,9 +35,23 @@ READS_ARRAYS = frozenset(
     }
 )
 
+LIST_BASE = 0x0B32  # GL_LIST_BASE
 TEXTURE0 = 0x84C0  # GL_TEXTURE0: the client's active texture unit at first
 
 Arguments = tuple[Any, ...]
+
+
+def list_base(name: str, calls: Sequence[Call]) -> int:
+    """Return what OpenGL adds to the names of a glCallLists that is made after ``calls``.
+
+    0 for a glCallList, and between glBegin and glEnd, where nothing can be asked.
+    """
+    block = next((c.name for c in reversed(calls) if c.name in ("glBegin", "glEnd")), "")
+    if name != "glCallLists" or block == "glBegin":
+        return 0
+    base = (ctypes.c_int * 1)()
+    raw.glGetIntegerv(LIST_BASE, base)
+    return int(base[0])
 
 
 def frozen(args: Arguments) -> Arguments:
