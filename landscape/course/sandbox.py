@@ -31,6 +31,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +43,8 @@ GRACE = 1.5  # seconds, chosen: between asking a program to end and ending it
 FILE_BYTES = 64 << 20  # chosen: the largest file, the evidence included
 NAMESPACES = (0x40000000, 0x50000000)  # CLONE_NEWNET; for users other than root with CLONE_NEWUSER
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
+# What each program needs, imported once.
+PRELOADED = ("OpenGL.GL", "OpenGL.GLU", "PIL.Image", "landscape.course.witness")
 ANSWER = "evidence.json"
 CRASH = "crash.txt"  # what faulthandler wrote
 
@@ -193,14 +196,8 @@ def _prepare() -> str:
         bind(Source(Path(), compile("", "", "exec"), frozenset(), True), "auto")
     except NoOpenGLError as error:
         return str(error)
-    import OpenGL.GL
-    import OpenGL.GLU
-    from PIL import Image
-
-    import landscape.course.witness
-    from landscape.gl.glfw_library import glfw
-
-    del OpenGL, Image, glfw, landscape
+    for name in (*PRELOADED, "landscape.gl.glfw_library"):
+        import_module(name)
     sys.dont_write_bytecode = True
     gc.collect()
     gc.freeze()
