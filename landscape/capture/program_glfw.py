@@ -233,6 +233,7 @@ class _Glfw:
         if self._egl is not None:
             self._egl.resize((width, height))
         elif self._run.drawing:
+            raw.glFinish()  # Mesa may still draw into the old buffer, which now goes
             real.make_context_current(self._window)  # OSMesa gets a buffer of the new size
         self._call("window_size", width, height)
         self._call("framebuffer_size", *real.get_framebuffer_size(self._window))
