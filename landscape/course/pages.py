@@ -1,7 +1,8 @@
 """Markdown in blocks, translated block by block: the pages of the lessons, and the documents.
 
 A block is a heading, a paragraph, an item of a list, a row of a table, or code: between fences, or
-indented. Each but code is one text of a catalogue, written on one line.
+indented. Each but code, and rows of nothing but figures, is one text of a catalogue, written on one
+line.
 """
 
 import re
@@ -12,6 +13,7 @@ from landscape.course.ladder import Lesson
 
 CODE, ROW = "```", "| "
 _MARK = re.compile(r"(#+ |[-*] |\d+\. )?(.*)", re.DOTALL)
+_NO_WORDS = re.compile(r"\|( *(:?-+:?|-?[\d.]+|fig\d+[a-i]?|) *\|)+")  # a row of a table
 _WORD = re.compile(r"(?:!?\[[^\]]*\]\([^)]*\)|`[^`]*`|[^ ])+")  # with its links and code whole
 _BEGINS_BLOCK = re.compile(r"[-+*#=]+$|\d+[.)]$|[>|]")
 
@@ -25,7 +27,7 @@ class Block:
 
     @property
     def is_code(self) -> bool:
-        """Whether the block is code, or the line under a table's head: not to be translated."""
+        """Whether the block is code, or a row of a table without words: not to be translated."""
         return self.mark == CODE
 
     @property
@@ -64,7 +66,7 @@ def _blocks(markdown: str) -> Iterator[Block]:
                 yield Block(CODE, lines)
             elif lines.startswith("|"):
                 for line in lines.splitlines():
-                    yield Block(CODE if re.fullmatch(r"[|:\- ]+", line) else ROW, line)
+                    yield Block(CODE if _NO_WORDS.fullmatch(line) else ROW, line)
             else:
                 # An item of a list may follow the one before it without an empty line.
                 for item in re.split(r"\n(?=[-*] |\d+\. )", lines):

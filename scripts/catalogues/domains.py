@@ -22,7 +22,14 @@ from landscape.window.settings_list import rows
 
 ROOT = Path(__file__).resolve().parents[2]
 
-DOCUMENTS = ("README.md", "docs/gate.md", "docs/frame.md", "docs/programs.md", "docs/assets.md")
+DOCUMENTS = (
+    "README.md",
+    "docs/gate.md",
+    "docs/frame.md",
+    "docs/programs.md",
+    "docs/assets.md",
+    "docs/performance.md",
+)
 """The documents that are translated, below the root of the project."""
 
 TABLES = ("Texts", "Phrases")
