@@ -303,7 +303,7 @@ def test_the_panel_explains_the_call_its_argument_and_its_effect(
     assert "glFogf(GL_FOG_DENSITY, 0.125)" in text and "0.125 (0.12)" in text
     assert "GL_FOG_DENSITY  0.12 → 0.125" in text and "landscape/elements/fog.py:1" in text
     assert {"en": "fog", "fr": "brouillard"}[language] in text
-    assert words.text(language, "inspector.edit", count="1") in "".join(
+    assert words.counted(language, "inspector.edits", 1) in "".join(
         span.text for span in head(model, language)
     )
 
@@ -325,6 +325,37 @@ def test_calls_are_numbered_as_the_commands_count_them(model: Inspector) -> None
     at(model, "1")
     _, lines = visible(model, 100, "en")
     assert [line.number for line in lines if line.chosen] == ["8"]
+
+
+def named(model: Inspector, language: str) -> list[str]:
+    """Return the names of the passes and elements in the list."""
+    lines = visible(model, 100, language)[1]
+    return ["".join(span.text for span in line.spans) for line in lines if not line.number]
+
+
+def test_passes_and_elements_are_named_in_the_user_s_language(model: Inspector) -> None:
+    calls = [call("glEnd", element="sky"), call("glEnd", element="castle", pass_="overlay")]
+    model.show(numbered(calls), {})
+    for language, names in {
+        "en": ["main pass", "sky", "overlay", "castle"],
+        "fr": ["passe principale", "ciel", "incrustations", "château"],
+    }.items():
+        assert [name for name in named(model, language) if "(" not in name] == names
+    model.frame = 0  # of a program: its elements are its functions
+    assert "sky" in named(model, "fr") and "passe principale" in named(model, "fr")
+
+
+def test_one_call_is_singular(model: Inspector) -> None:
+    model.show(numbered([density()]), {})
+    for node in model.rows[:2]:
+        model.selected = node.identity
+        french, english = (
+            "".join(span.text for block in details(model, language) for span in block.spans)
+            for language in ("fr", "en")
+        )
+        assert "1 appel." in french and "1 call." in english
+    for count, title in ((1, "1 appel"), (0, "0 appel"), (2, "2 appels")):
+        assert words.counted("fr", "inspector.calls", count) == title
 
 
 def test_a_small_window_names_fewer_keys_and_shows_more_rows(model: Inspector) -> None:

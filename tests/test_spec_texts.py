@@ -90,7 +90,7 @@ def test_the_value_of_a_property_is_explained_as_this_property() -> None:
 def test_an_enumerant_is_explained_by_the_group_that_it_belongs_to() -> None:
     index, args = 2, (gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
     group = spec.parameter("glStencilOp", index, args).of
-    assert "pochoir" in spec.explain_enumerant("GL_REPLACE", "fr", group)
+    assert "du stencil" in spec.explain_enumerant("GL_REPLACE", "fr", group)
     assert "texture" in spec.explain_enumerant("GL_REPLACE", "fr", "env_mode")
     assert spec.explain_enumerant("GL_RGB8", "en") == ""
 

@@ -8,6 +8,7 @@ import numpy as np
 from PIL import Image
 
 from landscape.capture.edits import as_code
+from landscape.capture.names import element, pass_name
 from landscape.capture.strip import BUFFERS, GROUPINGS, Group, groups, shots, survey
 from landscape.capture.tape import Tape
 from landscape.errors import InputError
@@ -16,7 +17,7 @@ from landscape.files.progress import Progress
 from landscape.tools import strip_animation, strip_html, strip_sheet
 from landscape.tools.strip_page import Cell, Page
 from landscape.tools.strip_pictures import Tones
-from landscape.tools.strip_words import counted, element, number, pass_name, text
+from landscape.tools.strip_words import counted, number, text
 from landscape.tools.target import Target
 
 __all__ = ["BUFFERS", "FORMATS", "GROUPINGS", "Request", "checked_out", "make"]

@@ -102,7 +102,7 @@ def _block(page: Page, cell: Cell, box: tuple[int, int], side: int) -> Image.Ima
     indent = round(title.getlength(label))
     texts = [*cell.lines, cell.calls]
     if across >= WIDE:
-        texts = ["; ".join(texts)]
+        texts = [text(page.language, "between").join(texts)]
     lines = [
         (indent, line, title, INK, round(SPACING * large))
         for line in wrapped(cell.title, title, across - indent)

@@ -19,10 +19,6 @@ TEXTS: Texts = {
     "vertices": "{n} vertices",
     "vertices.one": "{n} vertex",
     "clear": "clear",
-    "pass.setup": "setup",
-    "pass.reflection": "reflection",
-    "pass.main": "main pass",
-    "pass.overlay": "overlay",
     "in_pass": "{element} ({pass_})",
     "aside": "into framebuffer object {target}",
     "layers": "{mean} layers per pixel, at most {most}",
@@ -30,6 +26,7 @@ TEXTS: Texts = {
     "depth": "depth",
     "stencil": "stencil",
     "overdraw": "overdraw",
+    "between": "; ",
     "legend.depth": "Depth, as distance from the eye in units of the scene (logarithmic)",
     "legend.window_depth": "Depth, as in the depth buffer",
     "legend.stencil": "Stencil values",
@@ -45,21 +42,6 @@ TEXTS: Texts = {
     "rest": "{n} more; `landscape trace` prints all",
     "contents": "Steps",
     "alt": "{what} after step {number}, {title}",
-    "element.ground": "ground",
-    "element.water": "water",
-    "element.sky": "sky",
-    "element.trees": "trees",
-    "element.deer": "deer",
-    "element.plants": "plants",
-    "element.grass": "grass",
-    "element.castle": "castle",
-    "element.rabbit": "rabbit",
-    "element.dragon": "dragon",
-    "element.sword": "sword",
-    "element.map": "map",
-    "element.fog": "fog",
-    "element.reflection": "reflection",
-    "element.frame": "frame",
 }
 
 
@@ -81,17 +63,3 @@ def number(language: str, n: float, digits: int = 0) -> str:
     if language == "fr":
         written = written.replace(",", "\u202f").replace(".", ",")
     return written
-
-
-def element(language: str, name: str) -> str:
-    """Return an element's name; that of a program's own element is left as it is."""
-    return _named(language, f"element.{name}", name)
-
-
-def pass_name(language: str, name: str) -> str:
-    """Return a pass's name."""
-    return _named(language, f"pass.{name}", name)
-
-
-def _named(language: str, key: str, name: str) -> str:
-    return text(language, key) if key in TEXTS else name

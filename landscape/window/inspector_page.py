@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from landscape.capture import spec
+from landscape.capture.names import element, pass_name
 from landscape.capture.pixel import Row
 from landscape.gl.calls import Call
 from landscape.window import words
@@ -64,7 +65,8 @@ def visible(model: Inspector, count: int, language: str) -> tuple[int, list[Line
         return first, [_fragment(model, row, first + k, language) for k, row in enumerate(some)]
     first = _window(model.index, len(model.rows), count, model.first)
     return first, [
-        _line(model, node, first + k) for k, node in enumerate(model.rows[first : first + count])
+        _line(model, node, first + k, language)
+        for k, node in enumerate(model.rows[first : first + count])
     ]
 
 
@@ -73,7 +75,7 @@ def _window(chosen: int, total: int, count: int, first: int | None) -> int:
     return max(min(start, total - count), 0)
 
 
-def _line(model: Inspector, node: Node, index: int) -> Line:
+def _line(model: Inspector, node: Node, index: int, language: str) -> Line:
     """Return a row of the tree."""
     opened = node.identity in model.opened
     sign = ("-" if opened else "+") if node.folded else ""
@@ -82,7 +84,8 @@ def _line(model: Inspector, node: Node, index: int) -> Line:
     count = Span(str(node.count), "dim")
     if node.found is None:
         style = "pass" if node.kind == "pass" else "element"
-        return Line("", node.depth, sign, (Span(node.name, style),), (count,), target, chosen)
+        name = Span(_name(model, node, language), style)
+        return Line("", node.depth, sign, (name,), (count,), target, chosen)
     off = model.is_off(node.found)
     edited = bool(model.edits_of(node.found))
     effect = model.effects.get(node.place)
@@ -98,6 +101,19 @@ def _line(model: Inspector, node: Node, index: int) -> Line:
     return Line(
         model.numbered(node.place), node.depth, sign, tuple(spans), tuple(end), target, chosen
     )
+
+
+def _name(model: Inspector, node: Node, language: str) -> str:
+    """Return the name of a pass, or of elements; a program's own are named in its language."""
+    if node.kind == "pass":
+        return pass_name(language, node.name)
+    return _element(model, node.name, language)
+
+
+def _element(model: Inspector, names: str, language: str) -> str:
+    if model.frame is not None:
+        return names
+    return ", ".join(element(language, name) for name in names.split(", "))
 
 
 def code(name: str, args: Sequence[Any], style: str = "") -> list[Span]:
@@ -126,7 +142,7 @@ def _fragment(model: Inspector, row: Row, index: int, language: str) -> Line:
     spans = (
         Span("", swatch=(red, green, blue)),
         Span(words.text(language, f"inspector.{row.outcome}"), style, column=4.2),
-        Span(call.element, "element", column=5.0),
+        Span(_element(model, call.element, language), "element", column=5.0),
         Span(call.name, "name"),
         Span(which, "dim"),
     )
@@ -144,12 +160,12 @@ def head(model: Inspector, language: str) -> list[Span]:
     state = text(language, "inspector.stopped" if model.stopped else "inspector.going")
     spans = [Span(text(language, "inspector.title"), "title"), Span(f"   {state}", "dim")]
     if model.edits:
-        key = "inspector.edit" if len(model.edits) == 1 else "inspector.edits"
-        spans.append(Span(f"   {text(language, key, count=str(len(model.edits)))}", "edited"))
+        edits = words.counted(language, "inspector.edits", len(model.edits))
+        spans.append(Span(f"   {edits}", "edited"))
     if model.frame is not None:
         frame = text(language, "inspector.frame", number=str(model.frame))
         spans.append(Span(f"   {frame}", "dim"))
-    calls = text(language, "inspector.calls", count=str(model.tree.count))
+    calls = words.counted(language, "inspector.calls", model.tree.count)
     spans.append(Span(f"   {calls}", "dim"))
     return spans
 
@@ -162,9 +178,9 @@ def details(model: Inspector, language: str) -> Iterator[Block]:
     if node is None:
         return
     if node.found is None:
-        key = f"inspector.about_{node.kind}"
-        count = str(node.count)
-        yield Block((Span(words.text(language, key, name=node.name, count=count), "text"),))
+        name = _name(model, node, language)
+        about = words.counted(language, f"inspector.about_{node.kind}", node.count, name=name)
+        yield Block((Span(about, "text"),))
         return
     call, edits = node.call, model.edits_of(node.found)
     args = current(call, edits)
@@ -300,6 +316,8 @@ def _plain(value: Any) -> str:
 def foot(model: Inspector, language: str, letters: dict[str, str], few: bool = False) -> list[str]:
     """Return the message, if there is one, and the keys, or only a ``few`` of them."""
     key, values = model.said
+    if "element" in values:
+        values = {**values, "element": _element(model, values["element"], language)}
     message = [words.text(language, key, **values)] if key else []
     which = "inspector.keys_few" if few else "inspector.keys"
     which = which if model.history is None else "inspector.keys_pixel"

@@ -30,12 +30,15 @@ TEXTS: Texts = {
     "inspector.stopped": "stopped",
     "inspector.going": "live, listed 4 times a second",
     "inspector.calls": "{count} calls",
+    "inspector.calls.one": "{count} call",
     "inspector.frame": "frame {number}",
-    "inspector.edit": "{count} edit",
     "inspector.edits": "{count} edits",
+    "inspector.edits.one": "{count} edit",
     "inspector.pixel": "What happened to pixel {x}, {y}",
-    "inspector.about_pass": "The pass {name}: {count} calls of the frame.",
+    "inspector.about_pass": "{name}: a pass of {count} calls. Right opens it.",
+    "inspector.about_pass.one": "{name}: a pass of {count} call. Right opens it.",
     "inspector.about_element": "{name}: {count} calls. Right opens them.",
+    "inspector.about_element.one": "{name}: {count} call. Right opens it.",
     "inspector.left_out": "left out",
     "inspector.redundant": "= redundant: it sets what is set already",
     "inspector.from_to": "from {low} to {high}",
@@ -110,6 +113,15 @@ TEXTS: Texts = {
 def text(language: str, key: str, **words: str) -> str:
     """Return a text in a language, else in English; ``words`` fill its {placeholders}."""
     return translator(language, "window")(TEXTS[key], key).format(**words)
+
+
+def counted(language: str, key: str, count: int, **words: str) -> str:
+    """Return a text that says how many, with {count}; that of one thing has a key ending in .one.
+
+    In French 0 is singular, too.
+    """
+    single = count == 1 or (language == "fr" and count == 0)
+    return text(language, f"{key}.one" if single else key, count=str(count), **words)
 
 
 def state(language: str, name: str, value: Value) -> str:

@@ -7,9 +7,9 @@ from drawn import Drawn
 from lesson_pages import title_link
 
 from landscape.capture import spec
+from landscape.capture.names import element
 from landscape.course.ladder import NAMES, lesson
 from landscape.languages import translator
-from landscape.tools.strip_words import element
 
 
 @dataclass
