@@ -135,5 +135,5 @@ def test_a_view_and_a_program_of_another_toolkit_are_refused_in_one_line(tmp_pat
     refused(landscape("inspect", "fig35e"), "fig35e", "expected the path of a .py program")
     path = tmp_path / "glut.py"
     path.write_text("from OpenGL.GLUT import *\n")
-    refused(landscape("inspect", path), "glut.py", "opens over GLFW programs")
+    refused(landscape("inspect", path), "glut.py", "the inspector show GLFW programs")
     refused(landscape("inspect", tmp_path / "none.py"), "none.py")

@@ -81,6 +81,24 @@ class Live(Protocol):
         """Return what the user does with the program; ``wait`` until there is something."""
 
 
+class Host(Protocol):
+    """A window that stays, where one program after another is shown; its context is current.
+
+    A program takes its area for the whole window: the lower left part.
+    """
+
+    window: Any
+
+    def area(self) -> tuple[int, int]:
+        """Return the area's size in the window system's coordinates."""
+
+    def pixels(self) -> tuple[int, int]:
+        """Return the area's size in pixels."""
+
+    def seconds(self) -> float:
+        """Return the true time, by which the program's clock goes."""
+
+
 class Run:
     """A program while it runs; the toolkits' modules call its methods."""
 
@@ -92,10 +110,12 @@ class Run:
         backend: str,
         observer: Any,
         live: "Live | None" = None,
+        host: "Host | None" = None,
     ) -> None:
         self.source = source
         self.backend = backend
-        self.clock = Clock()
+        self.host = host
+        self.clock = Clock(host.seconds if host is not None else None)
         self.events = Queue(events)
         self.frames = 0  # that were completed
         self.window: Window | None = None
@@ -228,23 +248,25 @@ def run(
     *,
     observer: Observer,
     live: Live | None = None,
+    host: Host | None = None,
 ) -> Any:
     """Run a program to the end of a frame and return what the observer made of it.
 
     ``frame``: from 0; None runs the program until it ends. ``events``: a file or a list (see
     program_events.py). ``backend``: auto, osmesa, egl or glfw, as for our own drawing; GLUT needs a
     screen. ``limit``: seconds that the program itself may take. ``live``: who uses the window
-    meanwhile. Raises ProgramError, an InputError
-    whose ``details`` hold the program's own traceback, and NoOpenGLError.
+    meanwhile. ``host``: a window to run it in, where it has none of its own; then its clock
+    is not held. Raises ProgramError, an InputError whose ``details`` hold the program's own
+    traceback, and NoOpenGLError.
     """
     if frame is not None and (type(frame) is not int or frame < 0):
         raise InputError(f"frame {frame}: expected a whole number from 0")
     source = read_source(Path(path))
-    state = Run(source, frame, read_events(events), backend, observer, live)
+    state = Run(source, frame, read_events(events), backend, observer, live, host)
     if live is not None and source.toolkit != "glfw":
         raise ProgramError(
-            f"{source.path}: the inspector opens over GLFW programs; trace, pixel, state and strip "
-            "look into this one"
+            f"{source.path}: a lecture and the inspector show GLFW programs; trace, pixel, state "
+            "and strip look into this one"
         )
     toolkit = _toolkit(source)
     with ExitStack() as stack:

@@ -95,6 +95,7 @@ class _Glfw:
         self._run = run
         self._real: Any = types.SimpleNamespace(**vars(glfw))
         self._backend = backend
+        self._host = run.host
         self._egl: EGLContext | None = None
         self._window: Any = None
         self._callbacks: dict[str, Callable[..., Any]] = {}
@@ -132,6 +133,8 @@ class _Glfw:
     def init(self) -> bool:
         real = self._real
         self._run.check()
+        if self._host is not None:
+            return True
         if self._backend != "glfw":
             real.init_hint(real.PLATFORM, real.PLATFORM_NULL)
         if not real.init():
@@ -145,7 +148,8 @@ class _Glfw:
 
     def terminate(self) -> None:
         self.destroy_window(self._window)
-        self._real.terminate()
+        if self._host is None:
+            self._real.terminate()
 
     def default_window_hints(self) -> None:
         self._double_buffered = True
@@ -161,6 +165,12 @@ class _Glfw:
         self._run.check()
         if self._run.window is not None or self._window is not None:
             raise self._run.second_window()
+        if self._host is not None:
+            self._run.sized(width, height)
+            self._window = self._host.window
+            if self._run.live is not None:
+                self._run.live.attach(real, self._window, self._keys)
+            return self._window
         real.window_hint(real.VISIBLE, self._run.live is not None)
         real.window_hint(real.SAMPLES, 0)
         if self._backend == "osmesa":
@@ -180,6 +190,10 @@ class _Glfw:
     def destroy_window(self, window: Any) -> None:
         if self._window:
             self._run.drawing = False
+            if self._host is not None:
+                self._real.set_input_mode(self._window, self._real.CURSOR, self._real.CURSOR_NORMAL)
+                self._window = None
+                return
             if self._egl is not None:
                 self._egl.release()
             elif self._backend == "osmesa" and self._run.window is not None:
@@ -202,8 +216,8 @@ class _Glfw:
                 Window(
                     "glfw",
                     self._backend,
-                    lambda: self._real.get_framebuffer_size(self._window),
-                    self._double_buffered or self._backend == "egl",
+                    lambda: self.get_framebuffer_size(self._window),
+                    self._double_buffered or self._backend == "egl" or self._host is not None,
                 )
             )
 
@@ -225,7 +239,25 @@ class _Glfw:
             self._real.swap_buffers(self._window)
         self._run.begin_frame()
 
+    def get_framebuffer_size(self, window: Any) -> Any:
+        if self._host is not None:
+            return self._host.pixels()
+        return self._real.get_framebuffer_size(self._window)
+
+    def get_window_size(self, window: Any) -> Any:
+        if self._host is not None:
+            return self._host.area()
+        return self._real.get_window_size(self._window)
+
+    def set_window_title(self, window: Any, title: Any) -> None:
+        if self._host is None:
+            self._real.set_window_title(self._window, title)
+
     def set_window_size(self, window: Any, width: int, height: int) -> None:
+        if self._host is None:
+            self._change_size(width, height)
+
+    def _change_size(self, width: int, height: int) -> None:
         real = self._real
         width, height = self._run.sized(width, height)
         real.set_window_size(self._window, width, height)
@@ -235,8 +267,11 @@ class _Glfw:
         elif self._run.drawing:
             raw.glFinish()  # Mesa may still draw into the old buffer, which now goes
             real.make_context_current(self._window)  # OSMesa gets a buffer of the new size
+        self._tell_size(width, height)
+
+    def _tell_size(self, width: int, height: int) -> None:
         self._call("window_size", width, height)
-        self._call("framebuffer_size", *real.get_framebuffer_size(self._window))
+        self._call("framebuffer_size", *self.get_framebuffer_size(self._window))
         self._call("window_refresh")
 
     def set_window_monitor(
@@ -293,6 +328,8 @@ class _Glfw:
             self._call("window_refresh")  # so that a program that waits draws again
 
     def wait_events_timeout(self, seconds: float) -> None:
+        if self._host is not None:
+            self._real.wait_events_timeout(seconds)
         self._run.clock.move(seconds)
         self.poll_events()
 
@@ -324,7 +361,10 @@ class _Glfw:
         self._call("scroll", *map(float, event.value))
 
     def _resize(self, event: Event) -> None:
-        self.set_window_size(self._window, *map(int, event.value))
+        if self._host is None:
+            self._change_size(*map(int, event.value))
+        else:
+            self._tell_size(*self._host.area())
 
     def _close(self, event: Event) -> None:
         self._closing = True
@@ -351,3 +391,5 @@ class _Glfw:
 
     def set_input_mode(self, window: Any, mode: int, value: int) -> None:
         self._modes[mode] = value
+        if self._host is not None and mode == self._real.CURSOR:
+            self._real.set_input_mode(self._window, mode, value)

@@ -271,10 +271,13 @@ class GLFWContext:
         fullscreen: bool = False,
         headless: bool = False,
         enlarged: bool = False,
+        checked: bool | None = None,
+        monitor: int = 1,
     ) -> None:
         """Open the window; with ``enlarged`` it is as many times larger as the display is finer.
 
-        ``self.size`` is its size when it is not full-screen.
+        ``self.size`` is its size when it is not full-screen, ``monitor`` the number of its screen,
+        from 1, when it is. ``checked`` is as for :func:`use_platform`.
         """
         from landscape.gl.glfw_library import glfw
 
@@ -297,7 +300,8 @@ class GLFWContext:
             if sys.platform == "linux":
                 require("GL", "glfw")
             wayland = glfw.get_platform() == glfw.PLATFORM_WAYLAND
-            use_platform("wayland" if wayland else "glx" if sys.platform == "linux" else "native")
+            kind = "wayland" if wayland else "glx" if sys.platform == "linux" else "native"
+            use_platform(kind, checked)
         glfw.window_hint(glfw.VISIBLE, visible)
         glfw.window_hint(glfw.DEPTH_BITS, 24)
         glfw.window_hint(glfw.STENCIL_BITS, 8)
@@ -305,11 +309,12 @@ class GLFWContext:
         glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 5)
         self.size = self._enlarged(size) if enlarged else size
         size = self.size
-        monitor = glfw.get_primary_monitor() if fullscreen else None
-        if monitor is not None:
-            mode = glfw.get_video_mode(monitor)
+        screens = glfw.get_monitors() if fullscreen else []
+        screen = screens[min(max(monitor, 1), len(screens)) - 1] if screens else None
+        if screen is not None:
+            mode = glfw.get_video_mode(screen)
             size = (mode.size.width, mode.size.height)
-        self.window = glfw.create_window(*size, title, monitor, None)
+        self.window = glfw.create_window(*size, title, screen, None)
         if not self.window:
             reason = self._reason()
             self._terminate()
@@ -339,6 +344,20 @@ class GLFWContext:
         """Direct this thread's GL calls here."""
         self.glfw.make_context_current(self.window)
         use_lists(self.lists)
+
+    def pixels(self) -> tuple[int, int]:
+        """Return the size of what is drawn to, in pixels."""
+        size: tuple[int, int] = self.glfw.get_framebuffer_size(self.window)
+        return size
+
+    def scale(self) -> float:
+        """Return how many pixels one of the window system's coordinates is."""
+        across: int = self.glfw.get_window_size(self.window)[0]
+        return self.pixels()[0] / max(across, 1)
+
+    def show(self) -> None:
+        """Show what was drawn."""
+        self.glfw.swap_buffers(self.window)
 
     def release(self) -> None:
         """Close the window, and GLFW if it was the last."""

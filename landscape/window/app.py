@@ -7,7 +7,7 @@ a replay reproduces a recorded walk to the pixel.
 import time
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -54,8 +54,9 @@ class Walk:
         fps: float = 0.0,
         enlarged: bool = False,
         edits: Sequence[Edit] = (),
+        context: GLFWContext | None = None,
     ) -> None:
-        """Open the window and the scene; raises InputError and NoOpenGLError.
+        """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
 
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
         ``edits`` change single OpenGL calls.
@@ -78,7 +79,7 @@ class Walk:
         self._scene: OpenScene | None = None
         self._panel: Panel | None = None
         self.steady = Steady(fps)
-        self._context: GLFWContext | None = GLFWContext(
+        self._context: GLFWContext | None = context or GLFWContext(
             plan.size, "landscape", True, fullscreen, self.headless, enlarged
         )
         self.inspection = Inspection(edits, plan.language)
@@ -111,8 +112,8 @@ class Walk:
 
     def _wait(self, text: str) -> None:
         """Say that what follows takes a moment, over the last picture if there is one."""
-        assert self._panel is not None
-        if 0 in (size := glfw.get_framebuffer_size(self.window)):
+        assert self._panel is not None and self._context is not None
+        if 0 in (size := self._context.pixels()):
             return
         if self._scene is None:
             gl.glClearColor(*EMPTY, 1.0)
@@ -120,7 +121,7 @@ class Walk:
         elif size == self._size:
             self.draw()
         self._panel.draw(size, message=self._word(text))
-        glfw.swap_buffers(self.window)
+        self._context.show()
         glfw.poll_events()
 
     def _key_rows(self) -> list[tuple[str, str]]:
@@ -154,7 +155,7 @@ class Walk:
         glfw.poll_events()
         orders, self.hands.orders = self.hands.orders, []
         for order in orders:
-            self._obey(order)
+            self.obey(order)
         if glfw.window_should_close(self.window):
             return None
         now = glfw.get_time()
@@ -164,10 +165,11 @@ class Walk:
             cursor, size = glfw.get_cursor_pos(self.window), glfw.get_window_size(self.window)
             look = aimed(self.walker, cursor, size, self.settings.walk.mouse)
             intent = replace(intent, look=look)
-        if self._inspect(size := glfw.get_framebuffer_size(self.window)):
+        assert self._context is not None
+        if self._inspect(self._context.scale()):
             self._stood += seconds
             seconds, intent = 0.0, Intent()
-        note, self._note = self._note, ""
+        note, self._note, size = self._note, "", self._context.pixels()
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
         picks, self.hands.picks = self.hands.picks, []
         changes = self._chooser.follow(picks, self.settings)
@@ -185,7 +187,7 @@ class Walk:
             self._last = glfw.get_time()
         return tick
 
-    def _obey(self, order: str) -> None:
+    def obey(self, order: str) -> None:
         """Carry out an order to the window; recordings do not contain orders."""
         if order == "quit":
             glfw.set_window_should_close(self.window, True)
@@ -198,7 +200,7 @@ class Walk:
         elif order == "inspector":
             self.hands.inspecting = self.inspection.toggle(self._language)
             if self.hands.captured:
-                self._obey("release")
+                self.obey("release")
         else:
             captured = order == "capture"
             # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
@@ -207,12 +209,11 @@ class Walk:
             glfw.set_input_mode(self.window, glfw.CURSOR, mode)
             self.hands.capture(captured)
 
-    def _inspect(self, size: tuple[int, int]) -> bool:
+    def _inspect(self, scale: float) -> bool:
         """Give the inspector its keys and the mouse; return whether it stops the walk."""
-        scale = size[0] / max(glfw.get_window_size(self.window)[0], 1)
         asked, self.hands.inspected = self.hands.inspected, []
         if self.inspection.listen(asked, scale):
-            self._obey("inspector")
+            self.obey("inspector")
         if self.inspection.stale and self._scene is not None:
             with self.inspection.building(anew=True):
                 self._rebuild(self._scene)
@@ -363,7 +364,7 @@ class Walk:
                 owner.release()
         self._panel = self._scene = self._context = None
 
-    def __enter__(self) -> "Walk":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -97,11 +97,19 @@ class ProgramInspector(ExitStack):
 
     def frame_ended(self, number: int) -> None:
         """Show the frame under the inspector, until the program is to go on."""
+        self._show(self._taped(number), number)
+
+    def _taped(self, number: int) -> Tape:
+        """Return the frame that was recorded."""
         self.close()
         tape = Tape(self._recorder.calls, 0, self._start, self._pixels())
         if not number:
             setup = [call for call in tape.calls if call.pass_ == "setup"]
             self._setup = Tape(setup, 0, self._start, tape.size)
+        return tape
+
+    def _show(self, tape: Tape, number: int) -> None:
+        """Show a frame under the inspector while that is open; leave its state behind."""
         self._number(tape, number)
         end = state.read()
         covered = False
