@@ -9,18 +9,18 @@ from PIL import Image
 
 from landscape.capture.edits import as_code
 from landscape.capture.names import element, pass_name
-from landscape.capture.strip import BUFFERS, GROUPINGS, Group, groups, shots, survey
+from landscape.capture.strip import BUFFERS, GROUPINGS, Group, Survey, groups, shots, survey
 from landscape.capture.tape import Tape
 from landscape.errors import InputError
 from landscape.files.output import check_writable, write_whole
 from landscape.files.progress import Progress
-from landscape.tools import strip_animation, strip_html, strip_sheet
+from landscape.tools import strip_animation, strip_html, strip_screen, strip_sheet
 from landscape.tools.strip_page import Cell, Page
 from landscape.tools.strip_pictures import Tones
 from landscape.tools.strip_words import counted, number, text
 from landscape.tools.target import Target
 
-__all__ = ["BUFFERS", "FORMATS", "GROUPINGS", "Request", "checked_out", "make"]
+__all__ = ["BUFFERS", "FORMATS", "GROUPINGS", "Request", "checked_out", "make", "on_screen"]
 
 WRITERS: dict[str, Callable[[Page, Iterable[Cell]], bytes | list[bytes]]] = {
     ".png": strip_sheet.as_png,
@@ -61,50 +61,71 @@ def make(target: Target, request: Request, out: Path) -> None:
     write_whole(out, data)
 
 
+def on_screen(tape: Tape, name: str, request: Request, size: tuple[int, int]) -> Image.Image:
+    """Return the strip of a frame as a picture of ``size`` pixels.
+
+    InputError if the frame draws nothing. It is drawn again, and its context is left as it is then.
+    """
+    parts = groups(tape, request.by)
+    if not parts:
+        raise InputError(f"{name}: its frame draws nothing")
+    page, found = _page(tape, parts, name, request)
+    return strip_screen.as_image(page, _cells(tape, parts, request, found, page.tones), size)
+
+
 def _made(tape: Tape, target: Target, request: Request, suffix: str) -> bytes | list[bytes]:
     parts = groups(tape, request.by)
     _check(parts, target, request, suffix)
+    page, found = _page(tape, parts, target.name, request)
+    with Progress(len(parts), request.quiet) as progress:
+
+        def cells() -> Iterator[Cell]:
+            for cell in _cells(tape, parts, request, found, page.tones):
+                yield cell
+                progress.step(cell.title)
+
+        return WRITERS[suffix](page, cells())
+
+
+def _page(tape: Tape, parts: Sequence[Group], name: str, request: Request) -> tuple[Page, Survey]:
     found = survey(tape, parts, request.buffers)
-    tones = Tones(found, request.language)
     page = Page(
-        text(request.language, "title", name=Path(target.name).name),
+        text(request.language, "title", name=Path(name).name),
         _intro(tape, parts, request),
         request.buffers,
         request.language,
         len(parts),
         tape.size,
-        tones,
+        Tones(found, request.language),
     )
-    with Progress(len(parts), request.quiet) as progress:
+    return page, found
 
-        def cells() -> Iterator[Cell]:
-            before: np.ndarray | None = None
-            for index, shot in enumerate(shots(tape, parts, request.buffers, found)):
-                title, lines = _title(shot.group, request), _lines(shot.group, request)
-                color = shot.buffers.get("color")
-                if not shot.group.aside:
-                    if before is not None and color is not None:
-                        lines.append(_changed(request.language, before, color))
-                    before = color
-                if layers := tones.layers(shot):
-                    lines.append(layers)
-                calls = _calls(shot.group, request)
-                pictures: list[Image.Image | str] = []
-                for name in request.buffers:
-                    buffer = shot.buffers[name]
-                    missing = "uncounted" if name == "overdraw" else "lacking"
-                    pictures.append(
-                        text(request.language, missing)
-                        if buffer is None
-                        else tones.picture(name, buffer)
-                    )
-                label = str(index + 1)
-                if request.by == "draw":
-                    label = shot.group.draws[0].first.place
-                yield Cell(index + 1, label, title, lines, calls, pictures, shot.group)
-                progress.step(title)
 
-        return WRITERS[suffix](page, cells())
+def _cells(
+    tape: Tape, parts: Sequence[Group], request: Request, found: Survey, tones: Tones
+) -> Iterator[Cell]:
+    before: np.ndarray | None = None
+    for index, shot in enumerate(shots(tape, parts, request.buffers, found)):
+        title, lines = _title(shot.group, request), _lines(shot.group, request)
+        color = shot.buffers.get("color")
+        if not shot.group.aside:
+            if before is not None and color is not None:
+                lines.append(_changed(request.language, before, color))
+            before = color
+        if layers := tones.layers(shot):
+            lines.append(layers)
+        calls = _calls(shot.group, request)
+        pictures: list[Image.Image | str] = []
+        for name in request.buffers:
+            buffer = shot.buffers[name]
+            missing = "uncounted" if name == "overdraw" else "lacking"
+            pictures.append(
+                text(request.language, missing) if buffer is None else tones.picture(name, buffer)
+            )
+        label = str(index + 1)
+        if request.by == "draw":
+            label = shot.group.draws[0].first.place
+        yield Cell(index + 1, label, title, lines, calls, pictures, shot.group)
 
 
 def _changed(language: str, before: np.ndarray, after: np.ndarray) -> str:
