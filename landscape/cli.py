@@ -385,6 +385,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "strip": _frame("strip"),
     "inspect": _inspect,
     "lesson": _course("lesson"),
+    "lecture": _course("lecture"),
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,

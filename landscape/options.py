@@ -117,8 +117,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         "--size",
         type=_size,
         metavar="WxH",
-        help="default: 1280x720, larger on a display of high resolution; in a replay the recorded "
-        "sizes",
+        help="default: 1280x720, larger on a fine display; in a replay the recorded sizes",
     )
     walk.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     _language(walk, "language of the window")
@@ -175,6 +174,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     frame_options.add_inspect(command, _language)
     course_options.add_lesson(command, _language, _backend_option)
     course_options.add_exercise(command, group, _language)
+    course_options.add_lecture(command, _language, _size, _count)
 
     actions = group("assets", "make, show or fetch assets", "assets fetch-stanford")
     build = command(

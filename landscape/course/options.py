@@ -9,6 +9,7 @@ from landscape.course.sandbox import SECONDS
 
 MOST_SECONDS = 600.0  # chosen
 LESSON = "a lesson; without one, the lessons are listed"
+LECTURE = "a text file, see docs/lecture.md; default: the whole course"
 COPY = "copy it, with what it reads, into a folder to be changed there; default: the current one"
 
 
@@ -90,3 +91,29 @@ def _seconds(text: str) -> float:
             f"{text!r}: expected a number from 0.1 to {MOST_SECONDS:g}"
         )
     return seconds
+
+
+def add_lecture(
+    command: Callable[[str, str, str], argparse.ArgumentParser],
+    language: Callable[[argparse.ArgumentParser, str], None],
+    size: Callable[[str], Any],
+    count: Callable[[str], Any],
+) -> None:
+    """Add `landscape lecture`; ``language`` adds --lang, ``size`` and ``count`` read values."""
+    lecture = command("lecture", "show lessons and views one after another, full screen", "a.txt")
+    lecture.add_argument("file", nargs="?", type=Path, metavar="FILE", help=LECTURE)
+    lecture.add_argument(
+        "--from", dest="begin", default="", metavar="NAME", help="begin at this step, or number"
+    )
+    lecture.add_argument("--list", action="store_true", help="only print the steps")
+    lecture.add_argument(
+        "--size", type=size, metavar="WxH", help="in a window of this size, not on the whole screen"
+    )
+    lecture.add_argument(
+        "--screen",
+        type=count,
+        default=1,
+        metavar="N",
+        help="which screen, if there are several; default: 1, the primary one",
+    )
+    language(lecture, "language of the texts")

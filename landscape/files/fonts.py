@@ -8,6 +8,12 @@ from PIL import ImageFont
 
 FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
 BOLD = ("DejaVuSans-Bold.ttf", "LiberationSans-Bold.ttf", "NotoSans-Bold.ttf", "Arialbd.ttf")
+MONOSPACED = (
+    "DejaVuSansMono.ttf",
+    "LiberationMono-Regular.ttf",
+    "NotoSansMono-Regular.ttf",
+    "cour.ttf",
+)
 
 
 @lru_cache(maxsize=16)
@@ -19,6 +25,17 @@ def font(size: int, bold: bool = False) -> Any:
         except OSError:
             continue
     return ImageFont.load_default(size)
+
+
+@lru_cache(maxsize=16)
+def monospaced(size: int) -> Any:
+    """Return a font of ``size`` pixels in which all letters are equally wide, if there is one."""
+    for name in MONOSPACED:
+        try:
+            return ImageFont.truetype(name, size)
+        except OSError:
+            continue
+    return font(size)
 
 
 def writable(text: str, face: Any) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from catalogue import Message
 
+from landscape.course import lecture
 from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import SECTIONS, Lesson, lessons
 from landscape.course.pages import blocks, page
@@ -113,6 +114,13 @@ def in_exercise(name: str) -> Iterator[Message]:
     yield from in_code(f"landscape/exercises/{name}/grading.py")
 
 
+def in_lectures() -> Iterator[Message]:
+    """Yield the texts of the lectures that come with the program."""
+    for path in sorted(lecture.COURSE.parent.glob("*.txt")):
+        for text in lecture.texts(lecture.read(path)):
+            yield Message(text, path.relative_to(ROOT).as_posix())
+
+
 def settings() -> Iterator[Message]:
     """Yield what the list of settings says of each scene's: groups, what they do, units."""
     for kind in map(scene, SCENES):
@@ -162,7 +170,7 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "settings": settings,
     "strip": lambda: in_code("landscape/tools/*.py"),
     "window": lambda: in_code("landscape/window/*.py"),
-    "course": lambda: in_code("landscape/course/*.py"),
+    "course": lambda: (*in_code("landscape/course/*.py"), *in_lectures()),
     "site": lambda: in_code("scripts/site/*.py"),
     "gallery": gallery,
     **{f"exercises/{name}": partial(in_exercise, name) for name in NAMES},
