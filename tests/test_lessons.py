@@ -23,7 +23,6 @@ from landscape.course.ladder import (
     TOPICS,
     Lesson,
     lesson,
-    lessons,
     presses,
     read,
 )
@@ -37,8 +36,7 @@ SYMBOLS = {
     **{"PAGE_UP": "Prior", "PAGE_DOWN": "Next", "HOME": "Home", "END": "End"},
     **{name: name.capitalize() for name in ("LEFT", "RIGHT", "UP", "DOWN")},
 }
-PRESENT = [each.name for each in lessons()]
-each_lesson = pytest.mark.parametrize("name", PRESENT)
+each_lesson = pytest.mark.parametrize("name", NAMES)
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +54,8 @@ def watcher() -> Iterator[Watcher]:
 
 
 def test_the_ladder_holds_every_file_and_each_topic_has_a_title() -> None:
-    assert {path.stem for path in (LESSONS / "pages").iterdir()} <= set(NAMES)
+    assert sorted(NAMES) == sorted(path.stem for path in LESSONS.glob("*.py"))
+    assert sorted(NAMES) == sorted(path.stem for path in (LESSONS / "pages").iterdir())
     assert list(LADDER) == list(TOPICS)
 
 
@@ -150,6 +149,17 @@ def test_each_key_of_a_lesson_changes_its_picture(name: str, watcher: Watcher) -
     assert [key for key in found.keys if seen(key) == without] == []
 
 
+def test_a_drag_of_the_mouse_changes_the_lesson_mouse(watcher: Watcher) -> None:
+    drag = [
+        {"frame": 1, "move": [320, 240]},
+        {"frame": 1, "button": "left", "action": "press"},
+        {"frame": 1, "move": [420, 140]},
+    ]
+    file = lesson("mouse").file
+    assert watcher(file, 2, events=drag).picture != watcher(file, 2).picture
+    assert watcher(file, 2, events=drag[::2]).picture == watcher(file, 2).picture, "no button"
+
+
 @pytest.mark.window
 @each_lesson
 def test_a_lesson_runs_in_a_window_until_escape(name: str, screen: dict[str, str]) -> None:
@@ -171,7 +181,7 @@ def test_a_lesson_runs_in_a_window_until_escape(name: str, screen: dict[str, str
 
 def test_the_list_names_every_lesson_in_both_languages(shell: Shell) -> None:
     names = [each["name"] for each in shell("lesson", "--json").json()]
-    assert names == PRESENT
+    assert names == list(NAMES)
     english, french = (shell("lesson", "--lang", lang).out for lang in ("en", "fr"))
     assert "The matrix stack: a car" in english and "La pile de matrices" in french
     for name in names:

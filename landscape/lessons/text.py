@@ -23,8 +23,7 @@ except ImportError:  # copied to where the package is not installed: the texts s
 
 WIDTH, HEIGHT = 10, 20  # pixels of a letter
 texture = lists = 0  # lists: the display list of the character with code 0
-chosen = ord("g")
-quads = False
+chosen, quads = ord("g"), False
 
 
 def make_letters():
@@ -65,7 +64,8 @@ def write(x, y, text, /, color=(1, 1, 1), size=1, at=None, **values):
     scale = size_y // 480 or size_y / 480  # whole, for sharp letters, except in a small window
     if at:
         glRasterPos3f(*at)  # is transformed like a vertex, and can be read in pixels
-        x, y = (x, y) + (glGetFloatv(GL_CURRENT_RASTER_POSITION)[:2] - (left, bottom)) / scale
+        point = glGetFloatv(GL_CURRENT_RASTER_POSITION)[:2]
+        x, y = (x, y) + ((point - (left, bottom)) / scale).round()
     text = _(text).format(**values) if values else _(text)
     for mode in (GL_PROJECTION, GL_MODELVIEW):
         glMatrixMode(mode)

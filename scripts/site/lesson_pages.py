@@ -6,8 +6,6 @@ from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons
 from landscape.course.pages import as_markdown, page
 from landscape.languages import translator
 
-DONE = {each.name for each in lessons()}
-
 
 def pages(language: str, drawn: Drawn) -> dict[str, str]:
     """Return the pages by name: the list of all lessons, and one page a lesson."""
