@@ -8,12 +8,13 @@ from typing import Any
 import pytest
 from commands import TESTS
 
+from landscape.capture import spec
 from landscape.course.ladder import lessons
 from landscape.course.pages import as_markdown, blocks
 from landscape.languages import LANGUAGES
 
 SITE = TESTS.parent / "scripts" / "site"
-MODULES = ("calls", "documents", "drawn", "gallery", "lesson_pages", "links", "start")
+MODULES = ("calls", "documents", "drawn", "gallery", "lesson_pages", "links", "start", "theme")
 
 
 @pytest.fixture
@@ -70,6 +71,8 @@ def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
     for lesson in lessons():
         assert f'<a href="../lessons/{lesson.name}.html#line-21">21</a>' in vertex
     assert "fog: `landscape/elements/fog.py:31`" in found["calls/glFog"]
+    explained = spec.explain("glFogf", "en")
+    assert explained and explained in found["calls/glFog"] and explained in found["calls/index"]
     assert "[`glFog`](glFog.md)" in found["calls/index"]
 
 
@@ -79,6 +82,17 @@ def test_the_page_of_a_lesson_holds_its_whole_program(site: Any, tmp_path: Path)
         page = found[f"lessons/{lesson.name}"]
         assert lesson.file.read_text(encoding="utf-8") in page
         assert f"../pictures/{lesson.name}-strip.webp" in page
+
+
+def test_the_theme_s_words_and_labels_are_translated(site: Any, tmp_path: Path) -> None:
+    site.theme.write_words(tmp_path, "fr")
+    words = (tmp_path / "locales" / "fr" / "LC_MESSAGES" / "sphinx.po").read_text(encoding="utf-8")
+    assert 'msgid "Next"\nmsgstr "Suivant"\n' in words
+    page = tmp_path / "a.html"
+    page.write_text('<a aria-label="Toggle site navigation sidebar"></a>')
+    site.theme.reword_labels(tmp_path, "fr")
+    text = page.read_text(encoding="utf-8")
+    assert text.startswith('<a aria-label="') and "Toggle" not in text
 
 
 def test_a_dead_link_and_a_missing_place_are_found(site: Any, tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ import documents
 import gallery
 import lesson_pages
 import start
+import theme
 from drawn import Drawn, draw_lesson, read_scene, shrink
 
 from landscape.course.ladder import lessons
@@ -60,9 +61,11 @@ def build(out: Path, jobs: int) -> int:
     for language in LANGUAGES:
         folder = SOURCE / language
         write(folder, language, drawn)
-        status = sphinx(folder, out if language == "en" else out / language, language, jobs)
-        if status:
+        built = out if language == "en" else out / language
+        if status := sphinx(folder, built, language, jobs):
             return status
+        if language != "en":
+            theme.reword_labels(built, language)
     print(f"{out / 'index.html'}, made in {time.monotonic() - begin:.0f} s")
     return 0
 
@@ -101,6 +104,7 @@ def write(folder: Path, language: str, drawn: Drawn) -> None:
         path.write_text(text, encoding="utf-8")
     links = {name: entry.page for name, entry in index.items()}
     (folder / "calls.json").write_text(json.dumps(links), encoding="utf-8")
+    theme.write_words(folder, language)
     for source in documents.pictures():
         shutil.copy(source, folder / "documents" / source.name)
 

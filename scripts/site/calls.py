@@ -62,7 +62,7 @@ def pages(language: str, index: Mapping[str, Entry]) -> dict[str, str]:
     _ = translator(language, "site", "course", "lessons")
     entries = sorted({entry.base: entry for entry in index.values()}.values(), key=lambda e: e.base)
     rows = [
-        f"| [`{e.base}`]({e.base}.md) | {spec.explain(e.base, language)} | "
+        f"| [`{e.base}`]({e.base}.md) | {spec.explain(e.variants[0], language)} | "
         + next((title_link(lesson(n), language, "../lessons/") for n in e.lessons), "")
         + f" | {len(e.lessons)} | {len(e.elements)} |"
         for e in entries
@@ -90,7 +90,7 @@ def pages(language: str, index: Mapping[str, Entry]) -> dict[str, str]:
 
 def _page(entry: Entry, language: str) -> str:
     _ = translator(language, "site", "course", "lessons")
-    parts = [f"# {entry.base}", spec.explain(entry.base, language) + "."]
+    parts = [f"# {entry.base}", spec.explain(entry.variants[0], language) + "."]
     if entry.variants != [entry.base]:
         parts.append(
             _("Called as {names}.").format(names=", ".join(f"`{n}`" for n in entry.variants))
@@ -106,7 +106,7 @@ def _page(entry: Entry, language: str) -> str:
         for name, numbers in entry.lessons.items():
             at = ", ".join(f'<a href="../lessons/{name}.html#line-{n}">{n}</a>' for n in numbers)
             which = _("line {numbers}") if len(numbers) == 1 else _("lines {numbers}")
-            title = f"[{_(lesson(name).title)}](../lessons/{name}.md)"
+            title = title_link(lesson(name), language, "../lessons/")
             lines.append(_("{name}: {text}").format(name=title, text=which.format(numbers=at)))
         parts += [f"## {_('In the lessons')}", _list(lines)]
     if entry.elements:

@@ -1,12 +1,12 @@
 """The start page."""
 
-from landscape.languages import Phrases, translator
+from landscape.languages import Phrases, Texts, translator
 
-COMMANDS = """\
-make demo                        # walk the island
-landscape lesson                 # the lessons
-landscape lesson matrix_stack    # one of them
-"""
+COMMANDS: Texts = {
+    "make demo": "walk the island",
+    "landscape lesson": "the lessons",
+    "landscape lesson matrix_stack": "one of them",
+}
 LEAD: Phrases = (
     "An island drawn with classic fixed-function OpenGL: no shader, ever.",
     "In December 2006 a student's report showed how a handful of simple techniques make a "
@@ -31,6 +31,7 @@ def pages(language: str) -> dict[str, str]:
         ("documents/built", "best_fig35g.webp", _("How it is built"),
          _("Speed measured, and assets made from code.")),
     )  # fmt: skip
+    commands = "\n".join(f"{c:32} # {_(COMMANDS[c])}" for c in COMMANDS)
     grid = "\n".join(
         f":::{{grid-item-card}} {title}\n:link: {page}\n:link-type: doc\n"
         f":img-top: pictures/{picture}\n\n{text}\n:::"
@@ -43,7 +44,7 @@ def pages(language: str) -> dict[str, str]:
             f"```{{image}} pictures/best_fig35i.webp\n:alt: {_('The sea dragon in the bay')}\n"
             ":class: hero\n```",
             *(_(text) for text in LEAD),
-            f"```sh\n{COMMANDS}```",
+            f"```sh\n{commands}\n```",
             f"::::{{grid}} 1 2 3 3\n:gutter: 3\n\n{grid}\n::::",
             f"```{{toctree}}\n:hidden:\n\n{tree}\n```",
         ]
