@@ -15,6 +15,8 @@ if WORKER:
     os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe's threads compete with the workers
 else:
     os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
+    # Some containers set it; then each of a few hundred processes would compile all modules again.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
 
 from collections.abc import Callable, Iterator

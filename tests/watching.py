@@ -33,11 +33,22 @@ for line in sys.stdin:
 """
 
 
-class Watch:
-    """An observer that counts each frame's calls and keeps the last frame's picture."""
+def colours(picture: Any) -> int:
+    """Return how many colours there are in a picture, uint8 (h, w, 3)."""
+    import numpy as np
 
-    def __init__(self) -> None:
-        self.calls: list[list[Any]] = []
+    red, green, blue = (picture[..., k].astype(np.uint32) for k in range(3))
+    seen = np.zeros(1 << 24, bool)  # a twentieth of the time of sorting the pixels
+    seen[red << 16 | green << 8 | blue] = True
+    return int(np.count_nonzero(seen))
+
+
+class Watch:
+    """An observer that counts each frame's calls, and reads the frame ``wanted``, or each."""
+
+    def __init__(self, wanted: int | None = None) -> None:
+        self.wanted = wanted
+        self.calls: list[tuple[str, tuple[Any, ...]]] = []
         self.log: list[Any] = []
         self.notices: list[str] = []
         self._inside = False
@@ -46,8 +57,7 @@ class Watch:
         def noted(*args: Any, **named: Any) -> Any:
             if self._inside:
                 return function(*args, **named)
-            plain = [value for value in args if isinstance(value, (int, float, str))]
-            self.calls.append([name, *(f"{value}" for value in plain)])
+            self.calls.append((name, args))
             self._inside = True
             try:
                 return function(*args, **named)
@@ -74,14 +84,22 @@ class Watch:
         from landscape.gl.calls import gl
 
         self.log.append(["ended", number])
+        if self.wanted is not None and number != self.wanted:
+            return None
         width, height = self.window.size()
         gl.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
         self.read = gl.glReadPixels(0, 0, width, height, gl.GL_RGB, gl.GL_UNSIGNED_BYTE)
         picture = np.frombuffer(self.read, np.uint8).reshape(height, width, 3)[::-1]
-        colours = np.unique(picture.reshape(-1, 3), axis=0)
         return {"picture": hashlib.sha256(picture.tobytes()).hexdigest(), "size": [width, height],
-                "colours": len(colours), "calls": self.calls,
+                "colours": colours(picture), "calls": self.plain_calls(),
                 "centre": picture[height // 2, width // 2].tolist()}  # fmt: skip
+
+    def plain_calls(self) -> list[list[str]]:
+        """Return the frame's calls with those arguments that are numbers or texts."""
+        return [
+            [name, *(f"{value}" for value in args if isinstance(value, (int, float, str)))]
+            for name, args in self.calls
+        ]
 
     def notice(self, text: str) -> None:
         self.notices.append(text)
@@ -122,7 +140,7 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
     from landscape.capture.program import run
     from landscape.errors import InputError, NoOpenGLError
 
-    observer = Watch()
+    observer = Watch(asked.get("frame"))
     out, err = io.StringIO(), io.StringIO()
     reply: dict[str, Any] = {}
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
