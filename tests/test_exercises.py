@@ -7,7 +7,7 @@ import pytest
 
 from landscape.course.exercise_commands import as_json, as_text
 from landscape.course.exercises import HOLE, NAMES, Grader, Report, exercise, start
-from landscape.course.grading import UNLIKE
+from landscape.course.grading import UNLIKE, Hint
 from landscape.course.mutants import mutants
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
@@ -33,6 +33,10 @@ def failures(report: Report) -> list[str]:
     return [result.test.key for result in report.results if result.passed is False]
 
 
+def hints(report: Report) -> list[Hint]:
+    return [result.hint for result in report.results if result.hint is not None]
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_both_solutions_pass_and_the_start_does_not(name: str, grader: Grader) -> None:
     for file in ("solution.py", "solution2.py"):
@@ -47,18 +51,20 @@ def test_both_solutions_pass_and_the_start_does_not(name: str, grader: Grader) -
 def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
     name: str, grader: Grader, tmp_path: Path
 ) -> None:
-    hints: dict[str, str] = {}
+    told: dict[str, str] = {}  # both as it is read and without its values, by the mistake
     found = mutants(exercise(name))
     assert len(found) >= 4
+    for hint in hints(grader.check(exercise(name).folder / "start.py")):
+        told |= {hint.text: "start", hint.written(str): "start"}
     for mistake, mutant in found.items():
         report = checked(grader, tmp_path, mutant.of(solution(name)))
         assert report.error is None, (mistake, report.error)
         assert failures(report) == [mutant.fails], mistake
-        (hint,) = (result.hint for result in report.results if result.hint is not None)
-        told = hint.written(str)
-        assert hint.text != UNLIKE and "--heat-map" not in told, (mistake, told)
-        assert told not in hints, (mistake, hints.get(told))
-        hints[told] = mistake
+        (hint,) = hints(report)
+        assert hint.text != UNLIKE and "--heat-map" not in hint.text, (mistake, hint.text)
+        for text in (hint.text, hint.written(str)):
+            assert text not in told, (mistake, told.get(text))
+        told |= {hint.text: mistake, hint.written(str): mistake}
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -97,7 +103,7 @@ def test_the_task_and_the_hints_are_in_french_as_well(name: str, grader: Grader)
     written = start(exercise(name), "fr")
     assert "# Votre code vient ici." in written and exercise(name).task[0][:40] not in written
     report = grader.check(exercise(name).folder / "start.py")
-    (hint,) = (result.hint for result in report.results if result.hint is not None)
+    (hint,) = hints(report)
     assert hint.written(french) != hint.written(str)
     assert as_text(report, french)[-1].startswith(f"{len(report.results) - _left(report)} tests")
 

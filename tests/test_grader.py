@@ -13,6 +13,7 @@ from commands import landscape, refused
 from PIL import Image
 
 from landscape.course.exercises import NAMES, Grader, Report, exercise
+from landscape.course.troubles import sentence
 from landscape.errors import InputError
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
@@ -46,6 +47,11 @@ glfw.make_context_current(window)
 """
 LOOP = "while not glfw.window_should_close(window):\n    glClear(GL_COLOR_BUFFER_BIT)\n"
 SHOW = "    glfw.swap_buffers(window)\n    glfw.poll_events()\n"
+FORGE = (
+    "place = os.path.join(os.environ['TMPDIR'], 'evidence.json')\n"
+    "open(place, 'w').write({!r})\n"
+    "import ctypes\nctypes.CDLL(None)._exit(0)"
+)
 WORDS = {
     "aborts": (OPEN + "os.abort()", "crashed_at"),
     "reads address 0": (OPEN + "import ctypes\nctypes.string_at(0)", "crashed_at"),
@@ -62,12 +68,12 @@ WORDS = {
     "removes": ("os.remove(__file__)", "write"),
     "connects": ("import socket\nsocket.socket()", "network"),
     "starts a program": ("os.system('true')", "start"),
-    "forges its evidence": (
-        "place = os.path.join(os.environ['TMPDIR'], 'evidence.json')\n"
-        "open(place, 'w').write('{\"states\": [], \"frames\": 3}')\n"
-        "import ctypes\nctypes.CDLL(None)._exit(0)",
-        "died",
-    ),
+    "forges its evidence": (FORGE.format('{"states": [], "frames": 3}'), "died"),
+    "forges another error": (FORGE.format('{"error": {"word": "tired"}}'), "died"),
+    "forges an error without values": (FORGE.format('{"error": {"word": "raised"}}'), "died"),
+    "forges an error that is a text": (FORGE.format('{"error": "late"}'), "died"),
+    "forges evidence without frames": (FORGE.format('{"states": [], "frames": {}}'), "died"),
+    "forges evidence that nests deeply": (FORGE.format("[" * 100_000), "died"),
     "another package": ("import no_such_package", "package"),
 }
 
@@ -80,6 +86,14 @@ def test_a_program_that_cannot_be_graded_says_why(
     report = checked(grader, tmp_path, HEAD + code + "\n")
     assert report.error is not None and report.error["word"] == word, report.error
     assert report.error.get("line", 5) >= 5 and not report.results and not report.passed
+
+
+def test_a_forged_error_is_still_one_line(grader: Grader, tmp_path: Path) -> None:
+    error = {"word": "raised", "line": "1\n2", "error": "x\n" * 9999}
+    report = checked(grader, tmp_path, HEAD + FORGE.format(json.dumps({"error": error})))
+    assert report.error is not None and report.error["word"] == "raised"
+    told = sentence(report.error, lambda text, context="": text)
+    assert "\n" not in told and len(told) <= 400
 
 
 @pytest.mark.parametrize(

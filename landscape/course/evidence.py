@@ -32,7 +32,9 @@ class Call:
     """One call. ``line`` is that of the student's file; NO_LINE in a module that it imports.
 
     ``state`` is OpenGL's, by the names of `landscape state`, just before a call that draws; it is
-    that of the glCallList for what a display list draws, and empty for other calls.
+    that of the glCallList for what a display list draws, and empty for other calls. ``way`` are the
+    student's lines that lead to the call, from the outermost, each with the name of the function
+    that it calls; it is not known of glVertex and its like, nor inside display lists.
     """
 
     name: str
@@ -42,6 +44,7 @@ class Call:
     state: Mapping[str, Any] = field(default_factory=dict, repr=False)
     arrays: Sequence[Any] = field(default=(), repr=False)
     inside: Sequence["Call"] = field(default=(), repr=False)
+    way: Sequence[tuple[int, str]] = field(default=(), repr=False)
 
     @property
     def base(self) -> str:
@@ -160,17 +163,23 @@ class Evidence:
         return self.source[line - 1].strip() if 0 < line <= len(self.source) else ""
 
 
-def load(path: Path, answer: Mapping[str, Any], folder: Path) -> Evidence:
-    """Return the evidence of a program from what witness.py wrote into a folder."""
+def load(path: Path, answer: Mapping[str, Any], folder: Path, wanted: Sequence[int]) -> Evidence:
+    """Return the evidence of a program from what witness.py wrote into a folder.
+
+    If it is not in that form, or a wanted frame is not there, an error of Python is raised.
+    """
     states: list[Mapping[str, Any]] = []
     for each in answer["states"]:
         states.append({**states[0], **each} if states else each)
     frames = {}
-    for number, found in answer["frames"].items():
+    for number in wanted:
+        found = answer["frames"][str(number)]
         width, height = found["size"]
+        if min(width, height) < 1:
+            raise ValueError(f"a picture of {width} x {height} pixels")
         pixels = np.fromfile(folder / Path(found["pixels"]).name, np.uint8)
-        frames[int(number)] = Frame(
-            int(number),
+        frames[number] = Frame(
+            number,
             pixels.reshape(height, width, 3),
             [_call(each, states) for each in found["setup"]],
             [_call(each, states) for each in found["calls"]],
@@ -182,13 +191,14 @@ def load(path: Path, answer: Mapping[str, Any], folder: Path) -> Evidence:
 def _call(found: Mapping[str, Any], states: Sequence[Mapping[str, Any]]) -> Call:
     index = found.get("state")
     return Call(
-        found["name"],
-        found["args"],
-        found["line"] if found["own"] else NO_LINE,
-        found["function"],
+        str(found["name"]),
+        list(found["args"]),
+        int(found["line"]) if found["own"] else NO_LINE,
+        str(found["function"]),
         states[index] if index is not None else {},
         found.get("arrays", ()),
         [_call(each, states) for each in found.get("inside", ())],
+        [(int(line), str(name)) for line, name in found.get("way", ())],
     )
 
 
@@ -276,7 +286,7 @@ def _drawn(calls: Sequence[Call], now: _Current, listed: bool) -> Iterator[Draw]
             now.follow(call)
             if spec.draws(call.name) or call.inside:
                 call = Call(call.name, call.args, call.line, call.function, now.state,
-                            call.arrays, call.inside)  # fmt: skip
+                            call.arrays, call.inside, call.way)  # fmt: skip
         if call.name == "glBegin":
             begun, rows = call, []
         elif call.name == "glEnd" and begun is not None:

@@ -16,6 +16,7 @@ from typing import Any
 from landscape.course.evidence import Evidence, load
 from landscape.course.grading import Result, Test, _, difference, grade, tests_of
 from landscape.course.sandbox import SECONDS, Job, Outcome, Sandbox
+from landscape.course.troubles import known
 from landscape.errors import InputError, short
 from landscape.files.input import read_bounded
 from landscape.languages import Translator, translator
@@ -177,11 +178,11 @@ class Grader:
         jobs = [Job(str(each), names["FRAMES"], events, self._seconds) for each in paths]
         outcomes = self._sandbox.run(jobs)
         if len(outcomes) > 1:
-            solution = _evidence(model, outcomes[1])
+            solution = _evidence(model, outcomes[1], names["FRAMES"])
             if not isinstance(solution, Evidence):
                 raise InputError(f"{model}: the solution cannot be run here ({solution['word']})")
             self._solutions[found.name] = solution
-        work = _evidence(path, outcomes[0])
+        work = _evidence(path, outcomes[0], names["FRAMES"])
         if not isinstance(work, Evidence):
             values = {"seconds": self._seconds, "megabytes": jobs[0].megabytes}
             return Report(found, tests, error={**values, **work})
@@ -202,7 +203,7 @@ def _syntax(path: Path) -> dict[str, Any] | None:
     return None
 
 
-def _evidence(path: Path, outcome: Outcome) -> Evidence | dict[str, Any]:
+def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence | dict[str, Any]:
     """Return the evidence of a program that has run, or what went wrong."""
     if outcome.ended == "late":
         return {"word": "late"}
@@ -215,7 +216,9 @@ def _evidence(path: Path, outcome: Outcome) -> Evidence | dict[str, Any]:
         return died
     try:
         if "error" in outcome.answer:
-            return dict(outcome.answer["error"])
-        return load(path, outcome.answer, outcome.folder)
-    except (AttributeError, LookupError, OSError, TypeError, ValueError):
+            error = outcome.answer["error"]
+            return dict(error) if known(error) else died
+        return load(path, outcome.answer, outcome.folder, frames)
+    except (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError,
+            ValueError):  # fmt: skip
         return died  # the program itself wrote into the file

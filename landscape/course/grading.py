@@ -6,16 +6,20 @@
     @test(_("The fog is on"), _("Without glEnable the other calls for fog have no effect."))
     def fog_on(work, solution):
         if not work.last.draws[0].state["GL_FOG"]:
-            return hint(_("glEnable(GL_FOG) is missing before line {line}."), line=12)
+            clear, first = work.last.find("glClear")[0], work.last.draws[0]
+            return hint(_("What turns the fog on is missing {place}."), place=between(clear, first))
 
     @test(_("The picture is right"), _("..."), needs=fog_on)
     def picture(work, solution):
-        return compare(work, solution)
+        return compare(work, solution, regions={_("the far wall"): (0.3, 0.2, 0.7, 0.5)})
 
 A test is a function of the evidence of the student's program and of the solution's (evidence.py).
 It returns None if it has passed, else a :func:`hint`. Tests are made in their order in the file;
-one whose ``needs`` have not passed is not made, because its hint would mislead. ``_`` marks a text
-for the catalogue landscape/locale/LANGUAGE/exercises/NAME.po; it is translated when it is printed.
+one whose ``needs`` have not passed is not made, because its hint would mislead. :func:`between`
+says where a call is missing: "between line 41 (glClear) and line 44 (draw_scene)".
+
+``_`` marks a text for the catalogue landscape/locale/LANGUAGE/exercises/NAME.po; it is translated
+when it is printed.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -24,7 +28,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from landscape.course.evidence import Evidence, Frame
+from landscape.course.evidence import NO_LINE, Call, Draw, Evidence, Frame
 
 LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
 REACH = 1  # pixels by which an edge may be elsewhere: other ways to compute it round differently
@@ -44,23 +48,57 @@ def _(text: str) -> Text:
 
 @dataclass(frozen=True)
 class Hint:
-    """A text with its {values}; those that are marked with ``_`` are translated, too."""
+    """A text with its {values}; those that are hints or marked with ``_`` are translated, too."""
 
     text: str
     values: Mapping[str, Any] = field(default_factory=dict)
 
     def written(self, translate: Callable[[str], str]) -> str:
         """Return the hint in a language."""
-        values = {
-            name: translate(value) if isinstance(value, Text) else value
-            for name, value in self.values.items()
-        }
+        values = {name: _written(value, translate) for name, value in self.values.items()}
         return translate(self.text).format(**values)
+
+
+def _written(value: Any, translate: Callable[[str], str]) -> Any:
+    if isinstance(value, Hint):
+        return value.written(translate)
+    return translate(value) if isinstance(value, Text) else value
 
 
 def hint(text: Text, **values: Any) -> Hint:
     """Return what a failed test tells the student."""
     return Hint(text, values)
+
+
+def between(first: Call | Draw | None, second: Call | Draw | None) -> Hint:
+    """Return where something is missing, as a value of a hint.
+
+    "between line 41 (glScalef) and line 44 (draw_scene)": the lines stand in one function where the
+    two calls are made by one, so that the student can put something there. None stands for the
+    beginning or the end: "before line 44 (draw_scene)". Not for glVertex and its like.
+    """
+    before, after = _way(first), _way(second)
+    if not before or not after:
+        if not before and not after:
+            raise ValueError("neither of the two calls was made by the program")
+        line, name = (before or after)[-1]
+        text = _("after line {line} ({name})") if before else _("before line {line} ({name})")
+        return hint(text, line=line, name=name)
+    depth = 0
+    while depth < min(len(before), len(after)) - 1 and before[depth] == after[depth]:
+        depth += 1
+    (line, name), (later, other) = before[depth], after[depth]
+    text = _("between line {line} ({name}) and line {later} ({other})")
+    if line >= later:
+        text = _("between line {line} ({name}) and line {later} ({other}) of the next pass")
+    return hint(text, line=line, name=name, later=later, other=other)
+
+
+def _way(made: Call | Draw | None) -> Sequence[tuple[int, str]]:
+    call = made.call if isinstance(made, Draw) else made
+    if call is None:
+        return ()
+    return call.way or ([(call.line, call.name)] if call.line != NO_LINE else [])
 
 
 class Check(Protocol):
@@ -128,7 +166,7 @@ def _checked(test: Test, work: Evidence, solution: Evidence) -> Hint | None:
     try:
         with np.errstate(all="ignore"):
             return test.check(work, solution)
-    except (ArithmeticError, LookupError, TypeError, ValueError, np.linalg.LinAlgError):
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
         return hint(UNLIKE)
 
 
@@ -183,13 +221,15 @@ def differing(work: Frame, solution: Frame) -> np.ndarray:
 
 def difference(work: Frame, solution: Frame, box: Box = (0, 0, 1, 1)) -> float:
     """Return the fraction of the pixels of a part of the picture that differ."""
-    left, top, right, bottom = box
-    found = differing(work, solution)
-    height, width = found.shape
-    part = found[
-        round(top * height) : round(bottom * height), round(left * width) : round(right * width)
-    ]
-    return float(part.mean())
+    return float(_part(differing(work, solution), box).mean())
+
+
+def _part(mask: np.ndarray, box: Box) -> np.ndarray:
+    """Return a part of a mask, (h, w): at least one pixel of it."""
+    height, width = mask.shape
+    left, right = round(box[0] * width), round(box[2] * width)
+    top, bottom = round(box[1] * height), round(box[3] * height)
+    return mask[top : max(bottom, top + 1), left : max(right, left + 1)]
 
 
 def compare(
@@ -199,15 +239,30 @@ def compare(
     box: Box = (0, 0, 1, 1),
     most: float = MOST,
     frames: Sequence[int] | None = None,
+    regions: Mapping[Text, Box] | None = None,
 ) -> Hint | None:
     """Compare the pictures of some frames, of all by default, with the solution's.
 
-    ``most``: the fraction of the pixels in the ``box`` that may differ. ``told`` is the hint where
-    more do; the default says how many and where.
+    ``most``: the fraction of the pixels in the ``box`` that may differ, and of those in each of the
+    ``regions``, which have names such as _("the second column"). ``told`` is the hint where more
+    do; the default names the region with the largest fraction, and the place in the picture.
     """
     for number in solution.frames if frames is None else frames:
-        ours, theirs = solution.frame(number), work.frame(number)
-        fraction = difference(theirs, ours, box)
+        found = differing(work.frame(number), solution.frame(number))
+        parts = {name: float(_part(found, each).mean()) for name, each in (regions or {}).items()}
+        worst = max(parts, key=lambda name: parts[name], default=None)
+        if worst is not None and regions is not None and parts[worst] > most:
+            return told or hint(
+                _(
+                    "In frame {frame} the difference is {where}: {region}. {percent:.1f} % of the "
+                    "pixels there are not as they should be. --heat-map FILE.png shows which."
+                ),
+                frame=number,
+                where=_where(found, regions[worst]),
+                region=worst,
+                percent=100 * parts[worst],
+            )
+        fraction = float(_part(found, box).mean())
         if fraction > most:
             return told or hint(
                 _(
@@ -216,7 +271,7 @@ def compare(
                 ),
                 frame=number,
                 percent=100 * fraction,
-                where=_where(differing(theirs, ours)),
+                where=_where(found, box),
             )
     return None
 
@@ -228,8 +283,13 @@ PLACES = (
 )
 
 
-def _where(mask: np.ndarray) -> Text:
-    rows, columns = np.nonzero(mask)
-    height, width = mask.shape
-    row, column = np.median(rows) / height, np.median(columns) / width
-    return PLACES[min(int(row * 3), 2)][min(int(column * 3), 2)]
+def _where(mask: np.ndarray, box: Box = (0, 0, 1, 1)) -> Text:
+    """Return in which ninth of the picture most pixels of a mask are, of those in a box."""
+    inside = np.zeros_like(mask)
+    _part(inside, box)[:] = _part(mask, box)
+    counts = [
+        [_part(inside, (x / 3, y / 3, (x + 1) / 3, (y + 1) / 3)).sum() for x in range(3)]
+        for y in range(3)
+    ]
+    row, column = divmod(int(np.argmax(counts)), 3)
+    return PLACES[row][column]

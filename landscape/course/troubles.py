@@ -30,7 +30,19 @@ SENTENCES: Texts = {
 }
 
 
+LONGEST = 400  # chosen: characters of a sentence
+
+
 def sentence(error: Mapping[str, Any], _: Translator) -> str:
-    """Return what went wrong in a language; ``error`` has the "word" and the values."""
+    """Return what went wrong in a language, on one line; ``error`` has the "word" and values."""
     word = str(error["word"])
-    return _(SENTENCES[word], word).format(**error)
+    return " ".join(_(SENTENCES[word], word).format(**error).split())[:LONGEST]
+
+
+def known(error: Any) -> bool:
+    """Return whether an error has a known word and the values of its sentence."""
+    try:
+        sentence({"seconds": 0.0, "megabytes": 0, **error}, lambda text, context="": text)
+    except (AttributeError, LookupError, TypeError, ValueError):
+        return False
+    return True

@@ -8,10 +8,11 @@ The evidence is a file of JSON, and a file of pixels for each frame that is look
 - "error", if the program did not get that far: what went wrong, by one of the words of
   landscape.course.troubles, and the "line" of the program and other values for its message.
 
-A call is {"name", "args", "line", "function", "own", "state", "inside", "arrays"}. "own" says
-whether the line is the program's, not that of a module it imports; "state" is an index of "states";
-"inside" holds the calls of a display list, "arrays" the pointer calls of a draw call that reads
-vertex arrays.
+A call is {"name", "args", "line", "function", "own", "way", "state", "inside", "arrays"}. "own"
+says whether the line is the program's, not that of a module it imports; "way" holds the lines of
+the program that lead to the call, from the outermost, each with the function that it calls; "state"
+is an index of "states"; "inside" holds the calls of a display list, "arrays" the pointer calls of a
+draw call that reads vertex arrays.
 """
 
 import json
@@ -19,6 +20,7 @@ import sys
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 import numpy as np
@@ -115,6 +117,7 @@ class Witness(ExitStack):
         self._frames: dict[int, dict[str, Any]] = {}
         self._states: list[dict[str, Any]] = []
         self._of_call: dict[int, int] = {}  # the index of its state, by the call's identity
+        self._ways: dict[int, list[tuple[int, str]]] = {}
         self._changed = True  # whether the state must be read again, and its matrices
         self._moved = True
         self._begin = 0
@@ -139,6 +142,8 @@ class Witness(ExitStack):
         if number:
             self._recorder.calls[:] = [c for c in self._recorder.calls if c.pass_ == "setup"]
             self._of_call.clear()
+            setup = {id(call) for call in self._recorder.calls}
+            self._ways = {key: way for key, way in self._ways.items() if key in setup}
             frame_begins()
         self._begin = len(self._recorder.calls)
         self._changed = True
@@ -184,12 +189,14 @@ class Witness(ExitStack):
         """Read the state before a call that draws."""
         if len(self._recorder.calls) - self._begin > MOST_CALLS:
             raise MemoryError
+        known = spec.function(call.name)
+        group = known.group if known is not None else ""
+        if group != "vertex":
+            self._ways[id(call)] = _way(call)
         if spec.draws(call.name) or call.name.startswith("glCallList"):
             self._of_call[id(call)] = self._state_now()
             self._changed = self._changed or call.name.startswith("glCallList")
             return
-        known = spec.function(call.name)
-        group = known.group if known is not None else ""
         self._moved = self._moved or group == "matrix"
         self._changed = self._changed or group not in (*UNREAD, "matrix")
 
@@ -212,8 +219,10 @@ class Witness(ExitStack):
             "args": _arguments(call.name, call.args),
             "line": call.site.line,
             "function": call.site.function,
-            "own": sys.modules["__main__"].__dict__.get("__file__") == call.site.path,
+            "own": _program() == call.site.path,
         }
+        if id(call) in self._ways:
+            found["way"] = self._ways[id(call)]
         if id(call) in self._of_call:
             found["state"] = self._of_call[id(call)]
         if call.arrays:
@@ -221,6 +230,24 @@ class Witness(ExitStack):
         if call.executed:
             found["inside"] = [self._written(inner) for inner in call.listed]
         return found
+
+
+def _program() -> Any:
+    return sys.modules["__main__"].__dict__.get("__file__")
+
+
+def _way(call: Call) -> list[tuple[int, str]]:
+    """Return the program's lines that lead to a call that is being made, and what each calls."""
+    at: FrameType | None = sys._getframe(1)
+    while at is not None and at.f_code.co_filename != call.site.path:
+        at = at.f_back
+    path, found, called = _program(), [], call.name
+    while at is not None:
+        if at.f_code.co_filename == path:
+            found.append((at.f_lineno, called))
+        called = at.f_code.co_name
+        at = at.f_back
+    return found[::-1]
 
 
 def _arguments(name: str, args: tuple[Any, ...]) -> list[Any]:

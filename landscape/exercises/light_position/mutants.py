@@ -3,13 +3,10 @@
 from landscape.course.mutants import Mutant
 
 CALL = "        glLightfv(GL_LIGHT0, GL_POSITION, LAMP)\n"
-SETUP = "    glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.08)\n"
 EYE = "        glTranslatef(0, -0.9, -12.5)\n"
 TURN = "        glRotatef(40 + 90 * glfw.get_time(), 0, 1, 0)\n"
 
 MUTANTS = {
-    "before_the_loop": Mutant("sets it once, for the eye", "at_the_lamp", [
-        (CALL, ""), (SETUP, SETUP + "    glLightfv(GL_LIGHT0, GL_POSITION, LAMP)\n")]),
     "before_the_eye": Mutant("sets it before the eye's transformation", "at_the_lamp", [
         (CALL, ""), (EYE, CALL + EYE)]),
     "between": Mutant("sets it before the last rotation", "at_the_lamp", [

@@ -2,12 +2,15 @@
 
 import numpy as np
 
-from landscape.course.grading import _, compare, hint, test
+from landscape.course.grading import _, between, compare, hint, test
 
 FRAMES = (0, 2)
 EVENTS = [{"frame": 2, "key": key} for key in ("LEFT", "LEFT", "LEFT", "UP")]
-FINGER = (0.18, 0.9, 0.4)  # width, height, depth
+WRIST = (1, 0.15, 0.5)  # width, height, depth
+FINGER = (0.18, 0.9, 0.4)
 LAMP = (0.15, 1.3, 0.15)
+BASE = (1.8, 0.4, 1.8)
+FLOOR = (6.5, 0.2, 4.5)
 NEAR = 0.03  # chosen: units by which a part may be elsewhere
 
 
@@ -29,7 +32,7 @@ def frames_of(work, number, size):
 
 def wrist(work, number):
     """Return the modelview matrix with which the wrist is drawn."""
-    return frames_of(work, number, (1, 0.15, 0.5))[0]
+    return frames_of(work, number, WRIST)[0]
 
 
 def same(a, b):
@@ -50,7 +53,7 @@ def arm(work, solution):
     sizes = {
         _("the upper arm"): (0.6, 2.2, 0.6),
         _("the forearm"): (0.5, 1.8, 0.5),
-        _("the wrist"): (1, 0.15, 0.5),
+        _("the wrist"): WRIST,
     }
     for name, size in sizes.items():
         for number in FRAMES:
@@ -85,8 +88,8 @@ def fingers(work, solution):
             continue
         draws = parts(work, number, FINGER)
         calls = work.frame(number).calls
-        between = calls[calls.index(draws[0].call) : calls.index(draws[1].call)]
-        names = [call.name for call in between]
+        first, second = (calls.index(draw.call) for draw in draws)
+        names = [call.name for call in calls[first:second]]
         if "glLoadIdentity" in names:
             return hint(
                 _("glLoadIdentity goes back to the eye, and not to the wrist: the frame of the "
@@ -102,14 +105,26 @@ def fingers(work, solution):
                 _("Between the fingers there is a pop, but a push that does not belong to it: push "
                   "before the first finger, pop after it.")
             )  # fmt: skip
-        if work.frame(number).find("glPushMatrix"):
+        wrist_drawn = parts(work, number, WRIST)[0]
+        pushed = calls[calls.index(wrist_drawn.call) : first]
+        if any(call.name == "glPushMatrix" for call in pushed):
             return hint(
-                _("The second finger still stands on the first one: glPopMatrix is missing between "
-                  "draw_finger(-1) and draw_finger(1).")
+                _("The second finger still stands on the first one: glPopMatrix is missing "
+                  "{place}."),
+                place=between(*draws),
+            )  # fmt: skip
+        if not work.frame(number).find("glPushMatrix"):
+            return hint(
+                _("No matrix is kept yet. Begin with the fingers: glPushMatrix is missing {push}, "
+                  "and glPopMatrix {pop}. The arm needs a pair of its own."),
+                push=between(wrist_drawn, draws[0]),
+                pop=between(*draws),
             )  # fmt: skip
         return hint(
-            _("The second finger stands on the first one: there is no glPushMatrix before "
-              "draw_finger(-1), and no glPopMatrix after it.")
+            _("The second finger stands on the first one: glPushMatrix is missing {push}, and "
+              "glPopMatrix {pop}."),
+            push=between(wrist_drawn, draws[0]),
+            pop=between(*draws),
         )  # fmt: skip
     return None
 
@@ -125,12 +140,13 @@ def lamp(work, solution):
         return hint(_("The lamp is not drawn any more."))
     if same(found[0], ours[0]):
         return None
-    base = frames_of(work, 0, (1.8, 0.4, 1.8))[0]
-    inside = np.linalg.inv(base) @ found[0]
+    base = parts(work, 0, BASE)[0]
+    inside = np.linalg.inv(base.modelview) @ found[0]
     if same(inside[:3, 3], np.array((-2.3, 0, 0.6))):
         return hint(
             _("The lamp turns with the base: the glPushMatrix that belongs to the last glPopMatrix "
-              "stands after the base's rotation. Push before draw_arm().")
+              "stands after the base's rotation. Push {place}."),
+            place=between(parts(work, 0, FLOOR)[0], base),
         )  # fmt: skip
     if work.frame(0).find("glLoadIdentity"):
         return hint(
@@ -138,8 +154,9 @@ def lamp(work, solution):
               "began.")
         )  # fmt: skip
     return hint(
-        _("The lamp is drawn in a frame of the arm: glPopMatrix is missing between draw_arm() and "
-          "draw_lamp(), or it belongs to another glPushMatrix.")
+        _("The lamp is drawn in a frame of the arm: glPopMatrix is missing {place}, or it belongs "
+          "to another glPushMatrix."),
+        place=between(parts(work, 0, FINGER)[-1], parts(work, 0, LAMP)[0]),
     )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ ARM, LAMP = "    draw_arm()\n", "    draw_lamp()\n"
 
 MUTANTS = {
     "fingers_forgotten": Mutant("forgets the fingers", "fingers", [
-        (PUSH + LEFT + POP, LEFT), (PUSH + ARM + POP, ARM)]),
+        (PUSH + LEFT + POP, LEFT)]),
     "no_pop": Mutant("pushes before the finger and never pops", "fingers", [
         (PUSH + LEFT + POP, PUSH + LEFT)]),
     "push_too_early": Mutant("pushes before the wrist's translation", "fingers", [

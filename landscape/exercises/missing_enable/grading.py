@@ -1,6 +1,6 @@
 """The tests of the exercise missing_enable."""
 
-from landscape.course.grading import _, compare, hint, test
+from landscape.course.grading import _, between, compare, hint, test
 
 FRAMES = (0, 8)
 
@@ -55,9 +55,10 @@ def enabled(work, solution):
         )
     return hint(
         _(
-            "No line turns the depth test on. It is a capability like GL_LIGHTING or GL_FOG, and "
-            "one function turns all of them on."
-        )
+            "The call that turns the depth test on is missing {place}. The depth test is a "
+            "capability like GL_LIGHTING or GL_FOG, and one function turns all of them on."
+        ),
+        place=between(next(iter(work.find("glClearColor")), None), boxes[0]),
     )
 
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from landscape.course.grading import _, compare, hint, test
+from landscape.course.grading import _, between, compare, hint, test
 
 FRAMES = (0, 2)
 EVENTS = [{"frame": 2, "resize": [760, 360]}]
@@ -68,12 +68,14 @@ def fresh(work, solution):
     projection = matrices(work, 2)[0]
     if near(projection[3, 2], -1) and abs(projection[3, 3]) < CLOSE:
         return None
+    made = (work.last.find("glFrustum") or work.last.find("glMultMatrix"))[-1]
+    chosen = next(iter(work.last.find("glMatrixMode", "GL_PROJECTION")), None)
     return hint(
         _(
             "In the first frame it is right, and later it is not: glFrustum multiplies the matrix "
-            "of the frame before. glLoadIdentity() is missing before line {line}."
+            "of the frame before. glLoadIdentity() is missing {place}."
         ),
-        line=(work.last.find("glFrustum") or work.last.find("glMultMatrix"))[-1].line,
+        place=between(chosen, made),
     )
 
 

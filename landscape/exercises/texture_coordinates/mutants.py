@@ -6,8 +6,6 @@ RIGHT = "((0, 1), (3, 1), (3, 0), (0, 0))"
 REPEAT = "GL_TEXTURE_WRAP_S, GL_REPEAT"
 
 MUTANTS = {
-    "upside_down": Mutant("lets t grow upwards", "upright", [
-        (RIGHT, "((0, 0), (3, 0), (3, 1), (0, 1))")]),
     "on_its_side": Mutant("swaps s and t", "upright", [
         (RIGHT, "((1, 0), (1, 3), (0, 3), (0, 0))")]),
     "mirrored": Mutant("lets s grow to the left", "direction", [

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from landscape.course.grading import _, compare, hint, test
+from landscape.course.grading import _, between, compare, hint, test
 
 FRAMES = (0, 10)
 YEARS = {number: 200 + 90 * number / 60 for number in FRAMES}  # degrees
@@ -11,14 +11,18 @@ NEAR = 0.05  # chosen: units by which a ball may be elsewhere
 TILT = np.radians(35)
 
 
+def drawn(work, number):
+    """Return the draws of the balls."""
+    return [draw for draw in work.frame(number).draws if draw.mode == "GL_QUADS"]
+
+
 def balls(work, number):
     """Return where the balls are in the scene, (n, 3): the eye's transformation taken back."""
     found = []
-    for draw in work.frame(number).draws:
-        if draw.mode == "GL_QUADS":
-            x, y, z = (draw.eye.min(axis=0) + draw.eye.max(axis=0)) / 2 + (0, 0, 17)
-            cos, sin = np.cos(TILT), np.sin(TILT)
-            found.append((x, cos * y + sin * z, cos * z - sin * y))
+    for draw in drawn(work, number):
+        x, y, z = (draw.eye.min(axis=0) + draw.eye.max(axis=0)) / 2 + (0, 0, 17)
+        cos, sin = np.cos(TILT), np.sin(TILT)
+        found.append((x, cos * y + sin * z, cos * z - sin * y))
     return np.array(found).reshape(-1, 3)
 
 
@@ -33,7 +37,7 @@ def close(a, b):
 
 
 def line_of(work, ball):
-    draws = [draw for draw in work.frame(0).draws if draw.mode == "GL_QUADS"]
+    draws = drawn(work, 0)
     calls = work.frame(0).calls
     before = calls[: calls.index(draws[ball].call)] if draws[ball].call in calls else calls
     moves = [call for call in before if call.base in ("glTranslate", "glRotate", "glMultMatrix")]
@@ -72,8 +76,9 @@ def planet(work, solution):
     first, line = found[0], line_of(work, 1)
     if close(first, (0, 0, 0)):
         return hint(
-            _("The planet is still at the origin, inside the sun: between the sun and the planet "
-              "a rotation and a translation are missing.")
+            _("The planet is still at the origin, inside the sun: a rotation and a translation are "
+              "missing {place}."),
+            place=between(*drawn(work, 0)[:2]),
         )  # fmt: skip
     if all(close(each, (4.2, 0, 0)) for each in found.values()):
         return hint(

@@ -31,6 +31,14 @@ def corners(triangle):
     return f"({', '.join(names)})"
 
 
+def corner_set(face):
+    """Return the corners of a face without their order."""
+    return frozenset(face.strip("()").split(", "))
+
+
+TO_MEND = {corner_set("(TOP, 2, 3)"), corner_set("(BOTTOM, 4, 5)")}
+
+
 @test(
     _("Faces that look away are still left out"),
     _("Without culling both sides of a face are drawn, and a wrong order cannot be seen."),
@@ -127,11 +135,13 @@ def order(work, solution):
               "and compare its line in FACES with its neighbours': TOP, then the ring "
               "counter-clockwise; BOTTOM, then the ring clockwise.")
         )  # fmt: skip
+    others = [each for each in wrong if corner_set(each) not in TO_MEND]
     return hint(
-        _("{count} faces are clockwise as seen from outside, among them {face}."),
+        _("{count} faces are clockwise as seen from outside. {face} was right as it stood: turn "
+          "only those that are missing where the gem is open."),
         count=len(wrong),
-        face=wrong[0],
-    )
+        face=others[0],
+    )  # fmt: skip
 
 
 @test(
