@@ -137,6 +137,16 @@ def test_a_view_takes_its_title_and_caption_from_the_gallery(
     assert texts.caption(fix)
 
 
+def test_of_a_lesson_s_own_caption_the_last_sentences_may_be_left_out(tmp_path: Path) -> None:
+    text = "matrix_stack\n\nscale\nOne. Two.\n"
+    lesson_step, own = read(_written(tmp_path, text)).steps
+    captions = texts.captions(lesson_step)
+    assert captions[0] == lesson("matrix_stack").about[0] and len(captions) > 2
+    assert all(long.startswith(f"{short} ") for long, short in zip(captions, captions[1:],
+                                                                   strict=False))  # fmt: skip
+    assert texts.captions(own) == ["One. Two."]
+
+
 def test_the_lines_that_matter_are_those_with_names_no_lesson_had_before() -> None:
     source = lesson("matrix_stack").file.read_text(encoding="utf-8").splitlines()
     lines = {source[number - 1].strip() for number in new_lines("matrix_stack")}
@@ -179,6 +189,13 @@ def test_the_code_shows_all_lines_that_matter_even_if_they_are_far_apart() -> No
     assert np.count_nonzero(np.diff(folded.astype(int)) == 1) == len(marked)
     scrolled = code_image((600, 400), "program.py", source, marked, first=200)
     assert not (scrolled[:, 300:590, :3] == (58, 52, 32)).all(axis=(1, 2)).any()
+
+
+def test_code_without_lines_that_matter_begins_with_its_first_function() -> None:
+    source = [*["import glfw"] * 40, *["def draw():"] * 100]
+    plain = code_image((600, 400), "program.py", source, ())
+    assert np.array_equal(plain, code_image((600, 400), "program.py", source, (), first=41))
+    assert not np.array_equal(plain, code_image((600, 400), "program.py", source, (), first=1))
 
 
 def test_the_list_has_a_box_for_each_step_and_pages_where_there_are_too_many() -> None:

@@ -114,10 +114,12 @@ def code_image(
     """Render a program's lines in a box of ``size`` pixels, those that matter on a plate.
 
     Shown are the lines that matter and as many around them as there is room for; or, with
-    ``first``, all from that line on.
+    ``first``, all from that line on. Where no line matters more, the first function comes first.
     """
     height = size[1]
     source = [line.expandtabs(TAB) for line in source]
+    if not marked and first is None:
+        first = next((n for n, line in enumerate(source, 1) if line.startswith("def ")), 1)
     digits = len(str(len(source)))
     strong = [source[number - 1] for number in marked]
     for pixels in _sizes(height // CODE_LETTERS[0], max(height // CODE_LETTERS[1], LEAST)):

@@ -84,7 +84,7 @@ class Stage(GLFWContext):
         self._at = 0.0, 0.0
         self._windowed = (60, 60, *self.size)
         self._source: list[str] = []
-        self._layout: tuple[object, Layout] | None = None
+        self._layout: tuple[object, tuple[Layout, str]] | None = None
         self.listen()
 
     # The window.
@@ -133,15 +133,21 @@ class Stage(GLFWContext):
     @property
     def layout(self) -> Layout:
         """Where the window has what."""
+        return self._arranged()[0]
+
+    def _arranged(self) -> tuple[Layout, str]:
+        """Return the layout, and the caption that fits into it."""
         shows = self.whole(), self.scale(), self.coded, self.index
         if self._layout is None or self._layout[0] != shows:
             size, scale, coded, _ = shows
-            said = texts.title(self.step), texts.caption(self.step)
-            for bands in BANDS:
+            title, captions = texts.title(self.step), texts.captions(self.step)
+            tried = [(BANDS[0], text) for text in captions]
+            tried += [(bands, captions[-1]) for bands in BANDS[1:]]
+            for bands, text in tried:
                 found = layout(size, coded, scale, bands)
-                if caption_fits(found.caption, size[1], *said):
+                if caption_fits(found.caption, size[1], title, text):
                     break
-            self._layout = shows, found
+            self._layout = shows, (found, text)
         return self._layout[1]
 
     # Steps.
@@ -204,9 +210,9 @@ class Stage(GLFWContext):
                 self.plates.draw("list", (0, 0), shows, lambda: self._list.image(size, self.index))
 
     def _cover_edges(self, size: tuple[int, int]) -> None:
-        where = self.layout
+        where, caption = self._arranged()
         place = f"{self.index + 1}/{len(self.lecture.steps)}"
-        said = place, texts.title(self.step), texts.caption(self.step)
+        said = place, texts.title(self.step), caption
         self.plates.draw(
             "caption",
             (0, size[1] - where.caption[1]),

@@ -1,6 +1,7 @@
 """What a lecture says of its steps, in the user's language: on the screen and to the speaker."""
 
 import os
+import re
 import shutil
 import textwrap
 from collections.abc import Sequence
@@ -54,6 +55,18 @@ def caption(step: Step) -> str:
     fixes = {fix.name: fix.look for fix in FIXES}
     look = VIEW_PANELS[step.name][1] if step.name in VIEW_PANELS else fixes.get(step.name, "")
     return translator(choose(os.environ), "gallery")(look)
+
+
+def captions(step: Step) -> list[str]:
+    """Return the captions that a step may have, the best first.
+
+    Of a text that was not written for a screen, a part may be left out: the last sentences.
+    """
+    whole = caption(step)
+    if step.caption or step.kind != LESSON:
+        return [whole]
+    sentences = re.split(r"(?<=[.?!]) +", whole)
+    return [" ".join(sentences[:count]) for count in range(len(sentences), 0, -1)]
 
 
 def marked(step: Step) -> frozenset[int]:
