@@ -3,7 +3,7 @@
 from drawn import Drawn
 
 from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons
-from landscape.course.pages import as_markdown, page
+from landscape.course.pages import Block, as_markdown, page
 from landscape.languages import translator
 
 
@@ -47,26 +47,36 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
     _ = translator(language, "site", "course", "lessons")
     loop = (drawn.pictures(language) / f"{each.name}-loop.webp").exists()
     picture = f"{each.name}-loop" if loop else each.name
-    needs = ", ".join(
-        title_link(lesson(name), language)
-        for name in each.needs
-        if (each.file.parent / f"{name}.py").exists()
-    )
+    needs = ", ".join(title_link(lesson(name), language) for name in each.needs)
     parts = [
         f"# {_(each.title)}",
         f"```{{image}} ../pictures/{picture}.webp\n:alt: {_(each.title)}\n"
         ":class: lesson-picture\n```",
         *(_(text) for text in each.about),
         *([_("Builds on {lessons}.").format(lessons=needs)] if needs else []),
-        as_markdown(page(each, _)).strip(),
+        as_markdown([_folded(block, language) for block in page(each, _)]).strip(),
         f"## {_('The program')}",
         f"`landscape lesson {each.name}`",
         f"```{{code-block}} python\n:linenos:\n\n{each.file.read_text(encoding='utf-8')}```",
         f"## {_('The frame, step by step')}",
+        _(
+            "The picture grows with each function of the program that draws; its calls and draws "
+            "are counted below. `landscape strip` makes such a sheet of any program."
+        ),
         f"```{{image}} ../pictures/{each.name}-strip.webp\n:alt: {_('The frame, step by step')}\n"
         f":target: ../_images/{each.name}-strip.webp\n```",
     ]
     return "\n\n".join(parts) + "\n"
+
+
+def _folded(block: Block, language: str) -> Block:
+    """Return a block of a page; an answer is folded, so that the question can be thought about."""
+    _ = translator(language, "site", "course", "lessons")
+    word, colon, answer = block.text.partition(":")
+    if word.strip() not in ("Answer", "Réponse") or not colon:
+        return block
+    answer = answer.strip()
+    return Block("", f":::{{dropdown}} {_('Answer')}\n{answer[0].upper()}{answer[1:]}\n:::")
 
 
 def title_link(other: Lesson, language: str, folder: str = "") -> str:
