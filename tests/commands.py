@@ -99,34 +99,48 @@ class Shell:
     """
 
     def __init__(self, env: Mapping[str, str] | None = None) -> None:
-        self._process = subprocess.Popen(
-            [sys.executable, "-c", _CHILD],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-            env=dict(env or environment()),
-        )
+        self._env = dict(env or environment())
+        self._start()
         self.cwd = Path.cwd()
         self._assets = tempfile.TemporaryDirectory()
         small_textures(Path(self._assets.name))
         self.small = ("--assets", self._assets.name)
 
+    def _start(self) -> None:
+        self._process = subprocess.Popen(
+            [sys.executable, "-c", _CHILD],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=self._env,
+        )
+
     def __call__(self, *args: str | Path) -> Done:
-        """Run `landscape ARGS`."""
+        """Run `landscape ARGS`. If the process dies of it, the next command gets another one."""
         asked = {"args": [str(arg) for arg in args], "cwd": str(self.cwd)}
         assert self._process.stdin is not None and self._process.stdout is not None
-        self._process.stdin.write(json.dumps(asked) + "\n")
-        self._process.stdin.flush()
-        line = self._process.stdout.readline()
-        assert line, f"the process died while running {args}"
+        line = ""
+        with contextlib.suppress(BrokenPipeError):
+            self._process.stdin.write(json.dumps(asked) + "\n")
+            self._process.stdin.flush()
+            line = self._process.stdout.readline()
+        if not line:
+            status = self._ended()
+            self._start()
+            pytest.fail(f"the process ended with status {status} while running {args}")
         return walked(" ".join(asked["args"]), Done(**json.loads(line)))
+
+    def _ended(self) -> int:
+        """End the process, which may have died, and return its status."""
+        assert self._process.stdin is not None and self._process.stdout is not None
+        with contextlib.suppress(BrokenPipeError):
+            self._process.stdin.close()
+        self._process.stdout.close()
+        return self._process.wait(SECONDS)
 
     def close(self) -> None:
         """End the process."""
-        assert self._process.stdin is not None and self._process.stdout is not None
-        self._process.stdin.close()
-        self._process.wait(SECONDS)
-        self._process.stdout.close()
+        self._ended()
         self._assets.cleanup()
 
 

@@ -20,7 +20,7 @@ from typing import Any
 import glfw
 import numpy as np
 import pytest
-from commands import environment, landscape, need_library, python, running
+from commands import SECONDS, environment, landscape, need_library, python, running
 from PIL import Image
 
 from landscape.files.assets import Assets
@@ -352,14 +352,14 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
     path.write_text("earlier")
     words = ["walk", "fig4a", "--backend", "osmesa", "--size", "64x48", "--frames", "100000"]
     with running(*words, "--record", path, stderr=subprocess.PIPE) as process:
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + SECONDS
         while not any(p.stat().st_size > 10_000 for p in tmp_path.glob(".*.part")):
             assert process.poll() is None, process.stderr and process.stderr.read()
             assert time.monotonic() < deadline, "nothing was written"
             time.sleep(0.1)
         assert path.read_text() == "earlier"
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=30)
+        _, err = process.communicate(timeout=SECONDS)
     assert (process.returncode, err) == (130, "landscape: interrupted\n")
     plan, ticks = recording.read(path)
     assert len(ticks) > 10
