@@ -1,6 +1,7 @@
 """The exercises: solutions pass, and each mistake gets a hint of its own."""
 
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -29,6 +30,11 @@ def checked(grader: Grader, folder: Path, code: str) -> Report:
     return grader.check(path)
 
 
+@cache
+def of_start(grader: Grader, name: str) -> Report:
+    return grader.check(exercise(name).folder / "start.py")
+
+
 def failures(report: Report) -> list[str]:
     return [result.test.key for result in report.results if result.passed is False]
 
@@ -43,7 +49,7 @@ def test_both_solutions_pass_and_the_start_does_not(name: str, grader: Grader) -
         report = grader.check(exercise(name).folder / file)
         assert report.passed, as_text(report, lambda text, context="": text)
         assert report.difference is not None and report.difference < 0.0015
-    report = grader.check(exercise(name).folder / "start.py")
+    report = of_start(grader, name)
     assert report.error is None and len(failures(report)) == 1
 
 
@@ -54,7 +60,7 @@ def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
     told: dict[str, str] = {}  # both as it is read and without its values, by the mistake
     found = mutants(exercise(name))
     assert len(found) >= 4
-    for hint in hints(grader.check(exercise(name).folder / "start.py")):
+    for hint in hints(of_start(grader, name)):
         told |= {hint.text: "start", hint.written(str): "start"}
     for mistake, mutant in found.items():
         report = checked(grader, tmp_path, mutant.of(solution(name)))
@@ -83,7 +89,7 @@ def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> N
 
 
 def test_tests_that_need_a_failed_one_are_not_made(grader: Grader, tmp_path: Path) -> None:
-    report = grader.check(exercise("missing_enable").folder / "start.py")
+    report = of_start(grader, "missing_enable")
     assert [result.passed for result in report.results] == [False, None, None]
     shown = as_json(report, lambda text, context="": text)
     assert [test["hint"] != "" for test in shown["tests"]] == [True, False, False]
@@ -102,7 +108,7 @@ def test_the_task_and_the_hints_are_in_french_as_well(name: str, grader: Grader)
     french = exercise(name).translate.to("fr")
     written = start(exercise(name), "fr")
     assert "# Votre code vient ici." in written and exercise(name).task[0][:40] not in written
-    report = grader.check(exercise(name).folder / "start.py")
+    report = of_start(grader, name)
     (hint,) = hints(report)
     assert hint.written(french) != hint.written(str)
     assert as_text(report, french)[-1].startswith(f"{len(report.results) - _left(report)} tests")

@@ -7,7 +7,7 @@ import pytest
 
 from landscape.course.evidence import Call, Evidence, Frame
 from landscape.course.exercises import Grader
-from landscape.course.grading import Text, between, compare
+from landscape.course.grading import LEVELS, Text, between, compare, differing
 from landscape.languages import translator
 
 FRENCH = translator("fr", "course")
@@ -111,3 +111,23 @@ def test_a_small_region_counts_by_its_own_pixels() -> None:
     found = compare(wrong, picture(), most=0.01, regions=small)
     assert found is not None and "in the middle: the lamp. 37.5 %" in found.written(str)
     assert compare(picture(), picture(), most=0, regions=small) is None
+
+
+def plainly_differing(work: np.ndarray, solution: np.ndarray) -> np.ndarray:
+    """Each pixel against the nine around it, as docs/exercises.md says it."""
+    padded = np.pad(solution.astype(int), ((1, 1), (1, 1), (0, 0)), mode="edge")
+    height, width = work.shape[:2]
+    shifted = [padded[y : y + height, x : x + width] for y in range(3) for x in range(3)]
+    return np.min([np.abs(each - work).max(axis=2) for each in shifted], axis=0) > LEVELS
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_pixels_differ_if_no_neighbour_is_like_them(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    blocks = rng.integers(0, 256, (12, 16, 3)).repeat(5, axis=0).repeat(5, axis=1)
+    solution = blocks.astype(np.uint8)
+    work = np.roll(solution, seed % 3, axis=1)
+    work[10:30, 10:50] += rng.integers(0, 20 * seed + 1, (20, 40, 3)).astype(np.uint8)
+    found = differing(Frame(0, work, [], []), Frame(0, solution, [], []))
+    assert np.array_equal(found, plainly_differing(work, solution))
+    assert seed < 2 or 0.02 < found.mean() < 0.9

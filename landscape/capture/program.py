@@ -16,7 +16,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType, TracebackType
@@ -32,7 +32,7 @@ from landscape.capture.program_source import ProgramError, Source, read_source
 from landscape.capture.watchdog import Watchdog
 from landscape.errors import InputError, NoOpenGLError
 from landscape.gl.calls import gl, use_lists
-from landscape.gl.foreign import beside, patched
+from landscape.gl.foreign import Make, beside, patched
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
 LIMIT = 15.0  # seconds that a program may take to its frame, chosen
@@ -212,17 +212,11 @@ class Run:
         except BaseException as error:
             raise self.stop(error) from None
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-        """Return what takes the place of an OpenGL function."""
-        made = self._observer.make(name, function)
-        if any(word in name for word in SHADERS):
-            text = "uses shaders; its calls are shown, but this tool explains fixed function"
-            return beside(made, before=lambda: self.notice(text))
-        if name in ("glFlush", "glFinish"):
-            return beside(made, after=self._flushed)
-        return made
+    def uses_shaders(self) -> None:
+        """Tell the user that shaders are not explained, once."""
+        self.notice("uses shaders; its calls are shown, but this tool explains fixed function")
 
-    def _flushed(self) -> None:
+    def flushed(self) -> None:
         """End a frame of a single-buffered window; one of GLUT ends with its display callback."""
         window = self.window
         if self.drawing and window and not window.double_buffered and window.toolkit != "glut":
@@ -236,6 +230,47 @@ def _profile_mask() -> int:
     if [int(part) for part in version[:2]] < [3, 2]:
         return 0
     return int(gl.glGetIntegerv(gl.GL_CONTEXT_PROFILE_MASK))
+
+
+_prepared = False
+_runs: list[Run] = []  # the program that runs with functions that were prepared
+
+
+@contextmanager
+def prepared(make: Make) -> Iterator[None]:
+    """Replace OpenGL's functions for all programs that run inside the block.
+
+    That takes longer than most programs, and a process that was forked need not do it again.
+    ``make`` is that of their observers. The platform of PyOpenGL must have been chosen.
+    """
+    global _prepared
+    with _functions(make, lambda: _runs[-1] if _runs else None):
+        _prepared = True
+        try:
+            yield
+        finally:
+            _prepared = False
+
+
+def _functions(make: Make, running: Callable[[], Run | None]) -> AbstractContextManager[None]:
+    """Replace OpenGL's functions; some of their calls also concern the program that runs."""
+
+    def tell(method: Callable[[Run], None]) -> Callable[[], None]:
+        def told() -> None:
+            if (state := running()) is not None:
+                method(state)
+
+        return told
+
+    def made(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        new = make(name, function)
+        if any(word in name for word in SHADERS):
+            return beside(new, before=tell(Run.uses_shaders))
+        if name in ("glFlush", "glFinish"):
+            return beside(new, after=tell(Run.flushed))
+        return new
+
+    return patched(made)
 
 
 def run(
@@ -276,7 +311,11 @@ def run(
         stack.callback(prints.end)
         stack.enter_context(contextlib.redirect_stdout(prints))
         stack.enter_context(toolkit(state))
-        stack.enter_context(patched(state.make))
+        if _prepared:
+            stack.callback(_runs.remove, state)
+            _runs.append(state)
+        else:
+            stack.enter_context(_functions(observer.make, lambda: state))
         module = ModuleType("__main__")
         module.__dict__.update(__file__=str(path), __builtins__=__builtins__)
         stack.callback(forget, module, set(threading.enumerate()))

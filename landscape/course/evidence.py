@@ -16,7 +16,7 @@ followed: such a draw has no vertices.
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,7 @@ from landscape.capture import spec
 NO_LINE = 0
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, slots=True)  # thousands are made and looked for
 class Call:
     """One call. ``line`` is that of the student's file; NO_LINE in a module that it imports.
 
@@ -197,8 +197,8 @@ def _call(found: Mapping[str, Any], states: Sequence[Mapping[str, Any]]) -> Call
         str(found["function"]),
         states[index] if index is not None else {},
         found.get("arrays", ()),
-        [_call(each, states) for each in found.get("inside", ())],
-        [(int(line), str(name)) for line, name in found.get("way", ())],
+        [_call(each, states) for each in found["inside"]] if "inside" in found else (),
+        [(int(line), str(name)) for line, name in found["way"]] if "way" in found else (),
     )
 
 
@@ -313,10 +313,18 @@ def _vector(call: Call, size: int) -> list[float]:
     """Return the arguments of glVertex and its like, filled up to ``size`` numbers."""
     values = call.args[0] if call.args and isinstance(call.args[0], list) else call.args
     given = [float(value) for value in values]
-    suffix = call.name.removeprefix(call.base).strip("234").removesuffix("v")
-    if call.base in ("glColor", "glNormal") and suffix in WHOLE:
-        given = [value / WHOLE[suffix] for value in given]
+    if (whole := _whole(call.name)) != 1:
+        given = [value / whole for value in given]
     return (given + [0.0, 0.0, 0.0, 1.0][len(given) :])[:size]
+
+
+@cache
+def _whole(name: str) -> int:
+    """Return by what a call divides its arguments: glColor3ub by 255."""
+    known = spec.function(name)
+    if known is None or known.base not in ("glColor", "glNormal"):
+        return 1
+    return WHOLE.get(name.removeprefix(known.base).strip("234").removesuffix("v"), 1)
 
 
 def _draw(call: Call, mode: str, rows: Sequence[Sequence[Any]], now: _Current) -> Draw:

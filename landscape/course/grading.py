@@ -24,6 +24,7 @@ when it is printed.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache, reduce
 from typing import Any, Protocol
 
 import numpy as np
@@ -197,26 +198,47 @@ Box = tuple[float, float, float, float]
 """A part of the picture: left, top, right, bottom, each from 0 to 1, from the top left."""
 
 
+@lru_cache(maxsize=16)  # the frames of one program
 def differing(work: Frame, solution: Frame) -> np.ndarray:
     """Return which pixels differ, bool (h, w): from the solution's pixel and from its neighbours.
 
-    All of them if the sizes differ.
+    All of them if the sizes differ. The array is kept for the next call: do not change it.
     """
+    found = _differing(work, solution)
+    found.setflags(write=False)
+    return found
+
+
+def _differing(work: Frame, solution: Frame) -> np.ndarray:
     if work.picture.shape != solution.picture.shape:
         return np.ones(work.picture.shape[:2], bool)
-    ours, theirs = solution.picture.astype(np.int16), work.picture.astype(np.int16)
-    found = np.asarray(np.abs(ours - theirs).max(axis=2) > LEVELS)
-    rows, columns = np.nonzero(found)
-    if len(rows) == 0:
-        return found
+    ours, theirs = solution.picture, work.picture
+    found = _any_channel(np.maximum(ours, theirs) - np.minimum(ours, theirs) > LEVELS)
+    # Most pixels that differ are beyond all of their neighbours; only for the others look at each.
     padded = np.pad(ours, ((REACH, REACH), (REACH, REACH), (0, 0)), mode="edge")
+    low, high = _extreme(np.minimum, padded), _extreme(np.maximum, padded)
+    beyond = (theirs > high) & (theirs - high > LEVELS) | (theirs < low) & (low - theirs > LEVELS)
+    rows, columns = np.nonzero(found & ~_any_channel(beyond))
+    mine = theirs[rows, columns].astype(np.int16)
     nearest = np.full(len(rows), 255)
     for down in range(2 * REACH + 1):
         for right in range(2 * REACH + 1):
-            near = padded[rows + down, columns + right]
-            nearest = np.minimum(nearest, np.abs(near - theirs[rows, columns]).max(axis=1))
+            apart = np.abs(padded[rows + down, columns + right] - mine)
+            nearest = np.minimum(nearest, np.maximum.reduce(apart.T))
     found[rows, columns] = nearest > LEVELS
     return found
+
+
+def _any_channel(mask: np.ndarray) -> np.ndarray:
+    return np.asarray(mask[..., 0] | mask[..., 1] | mask[..., 2])
+
+
+def _extreme(choose: np.ufunc, padded: np.ndarray) -> np.ndarray:
+    """Return the least or greatest value around each pixel of a picture, within REACH."""
+    height, width = (size - 2 * REACH for size in padded.shape[:2])
+    rows = [padded[down : down + height] for down in range(2 * REACH + 1)]
+    around = reduce(choose, rows)
+    return reduce(choose, [around[:, right : right + width] for right in range(2 * REACH + 1)])
 
 
 def difference(work: Frame, solution: Frame, box: Box = (0, 0, 1, 1)) -> float:

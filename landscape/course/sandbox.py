@@ -44,7 +44,10 @@ FILE_BYTES = 64 << 20  # chosen: the largest file, the evidence included
 NAMESPACES = (0x40000000, 0x50000000)  # CLONE_NEWNET; for users other than root with CLONE_NEWUSER
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
 # What each program needs, imported once.
-PRELOADED = ("OpenGL.GL", "OpenGL.GLU", "PIL.Image", "landscape.course.witness")
+PRELOADED = (
+    *("OpenGL.GL", "OpenGL.GLU", "OpenGL.arrays.ctypespointers", "OpenGL.arrays.numpymodule"),
+    *("PIL.Image", "numpy.random", "landscape.course.witness", "landscape.gl.glfw_library"),
+)
 ANSWER = "evidence.json"
 CRASH = "crash.txt"  # what faulthandler wrote
 
@@ -175,14 +178,18 @@ def serve() -> None:
     discard = os.open(os.devnull, os.O_RDWR)
     for number in range(3):
         os.dup2(discard, number)
-    trouble = _prepare()
-    for line in asked:
-        answer = {"no_opengl": trouble} if trouble else {"ended": _run(json.loads(line))}
-        print(json.dumps(answer), file=replies, flush=True)
+    with contextlib.ExitStack() as stack:
+        trouble = _prepare(stack)
+        for line in asked:
+            answer = {"no_opengl": trouble} if trouble else {"ended": _run(json.loads(line))}
+            print(json.dumps(answer), file=replies, flush=True)
 
 
-def _prepare() -> str:
-    """Import what programs need, and leave the network; return why there is no OpenGL, or ""."""
+def _prepare(stack: contextlib.ExitStack) -> str:
+    """Import what programs need, replace OpenGL's functions, and leave the network.
+
+    Returns why there is no OpenGL, or "".
+    """
     import gc
 
     from landscape.capture.program_glfw import bind
@@ -196,8 +203,12 @@ def _prepare() -> str:
         bind(Source(Path(), compile("", "", "exec"), frozenset(), True), "auto")
     except NoOpenGLError as error:
         return str(error)
-    for name in (*PRELOADED, "landscape.gl.glfw_library"):
+    for name in PRELOADED:
         import_module(name)
+    from landscape.capture.program import prepared
+    from landscape.course.witness import make
+
+    stack.enter_context(prepared(make))
     sys.dont_write_bytecode = True
     gc.collect()
     gc.freeze()

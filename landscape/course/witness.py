@@ -19,6 +19,7 @@ import json
 import sys
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
+from functools import cache
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -37,7 +38,7 @@ from landscape.gl.notes import Call, plain, shown
 LONGEST = 30_000  # chosen: numbers of an array that are kept
 MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
 # What changes between two draw calls without changing the rest of the state.
-UNREAD = ("vertex", "begin_end")
+UNREAD = ("vertex", "begin_end", "matrix")
 MATRICES = ("GL_MODELVIEW_MATRIX", "GL_PROJECTION_MATRIX", "GL_TEXTURE_MATRIX")
 
 
@@ -107,6 +108,11 @@ def _readable(details: str) -> str:
     return f"GLError: {description}, in {words.get('baseOperation', 'a call')}"
 
 
+def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return what notes the calls of an OpenGL function."""
+    return outermost(name, function, spec.draws(name))
+
+
 class Witness(ExitStack):
     """Observes a program (see capture/program.py) up to the last of some frames."""
 
@@ -125,9 +131,7 @@ class Witness(ExitStack):
         self.ended = 0  # frames that are complete
         self.finished: Callable[[], None] = lambda: None
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-        """Return what notes the calls of an OpenGL function."""
-        return outermost(name, function, spec.draws(name))
+    make = staticmethod(make)
 
     def opened(self, window: Window) -> None:
         """Begin to record."""
@@ -189,16 +193,16 @@ class Witness(ExitStack):
         """Read the state before a call that draws."""
         if len(self._recorder.calls) - self._begin > MOST_CALLS:
             raise MemoryError
-        known = spec.function(call.name)
-        group = known.group if known is not None else ""
-        if group != "vertex":
-            self._ways[id(call)] = _way(call)
-        if spec.draws(call.name) or call.name.startswith("glCallList"):
+        group, draws = _kind(call.name)
+        if group == "vertex":
+            return
+        self._ways[id(call)] = _way(call)
+        if draws or call.name.startswith("glCallList"):
             self._of_call[id(call)] = self._state_now()
             self._changed = self._changed or call.name.startswith("glCallList")
             return
         self._moved = self._moved or group == "matrix"
-        self._changed = self._changed or group not in (*UNREAD, "matrix")
+        self._changed = self._changed or group not in UNREAD
 
     def _state_now(self) -> int:
         """Return the index of the current state among those that were read."""
@@ -216,7 +220,7 @@ class Witness(ExitStack):
     def _written(self, call: Call) -> dict[str, Any]:
         found: dict[str, Any] = {
             "name": call.name,
-            "args": _arguments(call.name, call.args),
+            "args": _arguments(call.name, call.args) if call.args else [],
             "line": call.site.line,
             "function": call.site.function,
             "own": _program() == call.site.path,
@@ -230,6 +234,13 @@ class Witness(ExitStack):
         if call.executed:
             found["inside"] = [self._written(inner) for inner in call.listed]
         return found
+
+
+@cache
+def _kind(name: str) -> tuple[str, bool]:
+    """Return the group of a function, and whether it draws."""
+    known = spec.function(name)
+    return known.group if known is not None else "", spec.draws(name)
 
 
 def _program() -> Any:
@@ -258,6 +269,8 @@ def _arguments(name: str, args: tuple[Any, ...]) -> list[Any]:
 
 
 def _argument(value: Any) -> Any:
+    if type(value) is float:
+        return value
     if isinstance(value, (bytes, bytearray)):
         return {"bytes": len(value)}
     if hasattr(value, "_length_") and hasattr(value, "_type_"):

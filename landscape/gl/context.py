@@ -83,6 +83,11 @@ def use_platform(name: str, checked: bool | None = None) -> None:
     _platform = name
 
 
+def bound_to() -> str | None:
+    """Return the platform that PyOpenGL is bound to; None before."""
+    return _platform
+
+
 def require(library: str, backend: str) -> None:
     """Load a system library before PyOpenGL binds to it; NoOpenGLError if that fails."""
     path = ctypes.util.find_library(library)
