@@ -237,6 +237,13 @@ def state_matrix(state: Mapping[str, Any], name: str) -> np.ndarray:
     return np.array(state[name], float).reshape(4, 4).T
 
 
+CURRENT = {
+    "normal": "GL_CURRENT_NORMAL",
+    "color": "GL_CURRENT_COLOR",
+    "texture": "GL_TEXTURE0.GL_CURRENT_TEXTURE_COORDS",
+}
+
+
 class _Current:
     """The current values while calls are followed."""
 
@@ -247,14 +254,20 @@ class _Current:
         self.normal = [0.0, 0.0, 1.0]
         self.color = [1.0, 1.0, 1.0, 1.0]
         self.texture = [0.0, 0.0, 0.0, 1.0]
+        self.taken: dict[str, Any] = {}
 
     def take(self, state: Mapping[str, Any]) -> None:
-        """Take the values from a state that was read."""
+        """Take the values from a state that was read.
+
+        The state is not read again after glColor and the like. So what it says of the current
+        colour, normal and texture coordinate counts only where it differs from the time before.
+        """
         self.state = state
         self.modelview = state_matrix(state, "GL_MODELVIEW_MATRIX")
-        self.normal = list(state["GL_CURRENT_NORMAL"])
-        self.color = list(state["GL_CURRENT_COLOR"])
-        self.texture = list(state["GL_TEXTURE0.GL_CURRENT_TEXTURE_COORDS"])
+        for attribute, name in CURRENT.items():
+            if self.taken.get(name) != state[name]:
+                setattr(self, attribute, list(state[name]))
+            self.taken[name] = state[name]
 
     def follow(self, call: Call) -> None:
         """Follow a call of a display list that changes the modelview matrix."""
@@ -292,6 +305,8 @@ def _drawn(calls: Sequence[Call], now: _Current, listed: bool) -> Iterator[Draw]
         elif call.name == "glEnd" and begun is not None:
             yield _draw(begun, str(begun.args[0]), rows, now)
             begun = None
+        elif call.name == "glPopAttrib":
+            now.taken.clear()
         elif call.base == "glVertex":
             rows.append([_vector(call, 4), now.normal, now.color, now.texture])
         elif call.base == "glNormal":

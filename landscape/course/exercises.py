@@ -32,6 +32,13 @@ NAMES: tuple[str, ...] = (
     "normals",
     "light_position",
     "texture_coordinates",
+    "fog",
+    "blending_order",
+    "clip_plane",
+    "vertex_arrays",
+    "billboard",
+    "second_viewport",
+    "mirror",
 )
 HOLE = _("# Your code goes here.")
 MARKER = re.compile(r"^#\s*exercise:\s*(\S+)\s*$", re.MULTILINE)

@@ -229,7 +229,8 @@ class Witness(ExitStack):
             found["way"] = self._ways[id(call)]
         if id(call) in self._of_call:
             found["state"] = self._of_call[id(call)]
-        if call.arrays:
+        # Not for each glArrayElement: thousands of them would write the arrays thousands of times.
+        if call.arrays and spec.draws(call.name):
             found["arrays"] = [[name, _arguments(name, args)] for name, args in call.arrays]
         if call.executed:
             found["inside"] = [self._written(inner) for inner in call.listed]
