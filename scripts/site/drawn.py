@@ -21,7 +21,8 @@ from landscape.tools import strip as strips
 from landscape.tools.target import Target
 
 QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
-EVERY = 3  # chosen: frames of the program for one of its animation
+EVERY = 4  # chosen: frames of the program for one of its animation
+MOVING = 55  # chosen: quality of an animation; with QUALITY some take 5 MB
 LIMIT = 300.0  # chosen, in seconds: a busy machine draws a loop slowly, and that is no fault
 STRIP_STEPS = 40  # chosen: draw calls that a strip shows one by one; with more, by function
 
@@ -70,7 +71,7 @@ def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
             append_images=others,
             duration=EVERY * 1000 // 60,
             loop=0,
-            quality=QUALITY,
+            quality=MOVING,
         )
     target = Target(str(found.file), frame=found.frame, limit=LIMIT)
     calls = target.look(all_calls)
