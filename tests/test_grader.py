@@ -58,8 +58,14 @@ WORDS = {
     "kills itself": ("os.kill(os.getpid(), 9)", "crashed"),
     "no window": ("print(1)", "no_window"),
     "no OpenGL": ("sys.exit()", "no_window"),
+    "no context": (
+        OPEN.replace("glfw.make", "# glfw.make") + "glfw.swap_buffers(window)",
+        "no_context",
+    ),
+    "a wrong name": (OPEN + "glEnable(GL_DEPTH_BUFFER_BIT)", "invalid_enumerant"),
+    "a pop too many": (OPEN + "glPopMatrix()", "stack_underflow"),
     "raises": (OPEN + "1 / 0", "raised"),
-    "error of OpenGL": (OPEN + LOOP + "    glEnable(GL_MODELVIEW)\n" + SHOW, "raised"),
+    "error of OpenGL": (OPEN + LOOP + "    glEnable(GL_MODELVIEW)\n" + SHOW, "invalid_enumerant"),
     "not Python": ("if", "syntax"),
     "takes all memory": (OPEN + "data = [bytearray(1 << 28) for _ in range(40)]", "memory"),
     "ends early": (OPEN + LOOP + SHOW + "    break\n", "ended"),
@@ -131,6 +137,23 @@ def test_a_program_that_draws_nothing_it_should_gets_a_hint(grader: Grader, tmp_
         code = HEAD.replace("winding", name) + OPEN + LOOP + SHOW
         report = checked(grader, tmp_path, code)
         assert report.error is None and len(failures(report)) >= 1, name
+
+
+def test_a_call_without_a_context_does_not_count(grader: Grader, tmp_path: Path) -> None:
+    on, current = "    glEnable(GL_DEPTH_TEST)\n", "    glfw.make_context_current(window)\n"
+    code = solution("missing_enable").replace(on, "").replace(current, on + current)
+    report = checked(grader, tmp_path, code)
+    (hint,) = [result.hint for result in report.results if result.hint is not None]
+    assert hint.written(str).startswith("Line 51 calls glEnable before glfw.make_context_current.")
+
+
+def test_the_line_of_an_exception_is_the_last_of_the_program(
+    grader: Grader, tmp_path: Path
+) -> None:
+    code = solution("transform_order").replace("glRotatef(year, 0, 1, 0)", "glRotatef(year)")
+    error = checked(grader, tmp_path, code).error
+    assert error is not None
+    assert error["line"] == code.splitlines().index("    glRotatef(year)") + 1
 
 
 def test_what_a_program_wrote_is_gone_and_nothing_runs_on(tmp_path: Path) -> None:

@@ -301,6 +301,25 @@ def test_a_program_finds_its_folder_its_arguments_and_the_users_files(
     assert watch(other / "main.py").calls == [["glClearColor", "0.75", "0", "0", "1"]]
 
 
+def test_calls_without_a_context_have_no_effect(watch: Watcher, write: Write) -> None:
+    current, on = "glfw.make_context_current(window)\n", "glEnable(GL_SCISSOR_TEST)\n"
+    draw = "glClearColor(1, 1, 1, 1)\nglScissor(0, 0, 1, 1)\nglClear(GL_COLOR_BUFFER_BIT)\n"
+    show = "glfw.swap_buffers(window)\n"
+    early = write(on + current + draw + show, BEGIN.replace(current, ""))
+    assert watch(early).centre == [255, 255, 255]
+    told = landscape("trace", early).err
+    assert "line 6: glEnable is called before glfw.make_context_current, so it has" in told
+    between = write(current.replace("window", "None") + on + current + draw + show)
+    assert watch(between).centre == [255, 255, 255]
+    assert watch(write(on + draw + show)).centre == [0, 0, 0]
+
+
+def test_a_program_that_forgets_its_context_is_told_so(watch: Watcher, write: Write) -> None:
+    begin = BEGIN.replace("glfw.make_context_current(window)\n", "")
+    path = write("glfw.swap_buffers(window)\n", begin)
+    assert watch(path).error == f"{path}: shows a frame before glfw.make_context_current"
+
+
 FAILURES: dict[str, tuple[str, int, str]] = {
     "raises": ("\n1 / 0\n", 0, "line 8: the program raised ZeroDivisionError: division by zero"),
     "exits": ("\nglfw.swap_buffers(window)\nexit()\n", 3, ": ended after 1 frame; frame 3 was"),
@@ -310,6 +329,10 @@ FAILURES: dict[str, tuple[str, int, str]] = {
         *(0, ": opens two windows; only programs with one"),
     ),
     "wrong call": ("\nglEnable(12345)\n", 0, "line 8: the program raised GLError: invalid enum"),
+    "calls what raises": (
+        "\ndef turn():\n    glRotatef(30)\n\nturn()\n",
+        *(0, "line 9: the program raised TypeError"),
+    ),
     "no package": ("\nimport nothing_of_this_name\n", 0, ": needs the Python package nothing_of"),
 }
 

@@ -19,34 +19,45 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import ModuleType, TracebackType
+from types import ModuleType
 from typing import Any, Protocol
 
 from landscape.arguments import size
 from landscape.capture import guard
 from landscape.capture.program_clock import Clock
 from landscape.capture.program_events import Event, Queue, read_events
+from landscape.capture.program_failure import raised
 from landscape.capture.program_prints import Prints
 from landscape.capture.program_process import Unwind, as_main, forget
 from landscape.capture.program_source import ProgramError, Source, read_source
 from landscape.capture.watchdog import Watchdog
 from landscape.errors import InputError, NoOpenGLError
-from landscape.gl.calls import gl, use_lists
+from landscape.gl.calls import Site, gl, unrecorded, use_lists
 from landscape.gl.foreign import Make, beside, patched
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
 LIMIT = 15.0  # seconds that a program may take to its frame, chosen
+# What makes a context current, by the toolkit.
+OPENING = {
+    "glfw": "glfw.make_context_current",
+    "glut": "glutCreateWindow",
+    "pygame": "pygame.display.set_mode",
+}
 
 
 @dataclass
 class Window:
-    """The program's window. ``size()`` is that of what it draws to, in pixels."""
+    """The program's window. ``size()`` is that of what it draws to, in pixels.
+
+    ``early``: the first function that was called without a context, in vain, and the line.
+    """
 
     toolkit: str  # glfw, glut or pygame
     backend: str  # osmesa, egl or glfw: without a screen by the first two, on one by the last
     size: Callable[[], tuple[int, int]]
     double_buffered: bool = True
     core_profile: bool = field(default=False, init=False)  # without fixed function
+    early: tuple[str, int] | None = field(default=None, init=False)
 
 
 class Observer(Protocol):
@@ -129,6 +140,7 @@ class Run:
         self._frame = frame
         self._observer = observer
         self._noticed: set[str] = set()
+        self._early: tuple[str, int] | None = None
         self._process = os.getpid()
 
     def refuse(self, reason: str) -> Unwind:
@@ -158,6 +170,8 @@ class Run:
         """Begin frame 0: the window's context has become current for the first time."""
         self.window = window
         self.drawing = True
+        unrecorded.clear()
+        window.early = self._early
         use_lists({})
         if gl.glGetString(gl.GL_VERSION) is None:
             raise self.refuse("its context has no OpenGL")
@@ -171,6 +185,15 @@ class Run:
         with self._watched():
             self._observer.opened(window)
             self._observer.frame_began(0)
+        if self._early is not None:
+            name, line = self._early
+            opening = OPENING[self.source.toolkit]
+            self.notice(f"line {line}: {name} is called before {opening}, so it has no effect")
+
+    def called_early(self, name: str, site: Site) -> None:
+        """Note that the program calls OpenGL before it has a context."""
+        if self._early is None and site.path == str(self.source.path):
+            self._early = name, site.line
 
     def sized(self, width: Any, height: Any) -> tuple[int, int]:
         """Return the size of the window that the program asks for; end it if it is too large."""
@@ -188,6 +211,8 @@ class Run:
         if os.getpid() != self._process:
             os._exit(0)  # a copy of the program, which it has made itself
         self.check()
+        if self.window is None:
+            raise self.refuse(f"shows a frame before {OPENING[self.source.toolkit]}")
         if not self.drawing:
             raise self.refuse("shows a frame of a window that it has closed")
         with self._watched():
@@ -321,6 +346,8 @@ def run(
         stack.callback(forget, module, set(threading.enumerate()))
         sys.modules["__main__"] = module
         stack.enter_context(state.clock.holding())
+        stack.callback(unrecorded.clear)
+        unrecorded.append(state.called_early)
         state.watchdog = Watchdog(limit, lambda: state.stop(_late(state, limit)))
         with state.watchdog:
             _execute(state, module)
@@ -370,38 +397,9 @@ def _execute(state: Run, module: ModuleType) -> None:
     except NoOpenGLError as error:
         state.stop(error)
     except BaseException as error:
-        state.stop(_raised(state.source.path, error))
+        state.stop(raised(state.source.path, error))
         # The frames hold the program's objects, which must go while its context is there.
         traceback.clear_frames(error.__traceback__)
-
-
-def _raised(path: Path, error: BaseException) -> ProgramError:
-    """Return the error to show for what a program raised, with its own part of the traceback."""
-    guard.stand_by()  # to say what it was needs memory, too
-    at: TracebackType | None = error.__traceback__
-    while at is not None and at.tb_frame.f_code.co_filename != str(path):
-        at = at.tb_next
-    details = "".join(traceback.format_exception(error.with_traceback(at)))
-    if isinstance(error, ModuleNotFoundError) and error.name:
-        name = error.name.split(".")[0]
-        if name not in ("OpenGL", path.stem):
-            return ProgramError(f"{path}: needs the Python package {name}, not installed", details)
-    try:
-        text = str(error).strip().splitlines()
-    except Exception:  # the program's own error may be unable to say what it is
-        text = []
-    reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
-    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
-        reason = _of_opengl(error)
-    if isinstance(error, MemoryError):
-        reason += guard.memory()
-    line = f", line {at.tb_lineno}" if at is not None else ""
-    return ProgramError(f"{path}{line}: the program raised {reason}", details)
-
-
-def _of_opengl(error: Any) -> str:
-    said = bytes(error.description or b"").decode(errors="replace")
-    return f"{type(error).__name__}: {said} ({getattr(error.baseOperation, '__name__', '')})"
 
 
 def _late(state: Run, limit: float) -> ProgramError:

@@ -16,7 +16,7 @@ from landscape.capture.program import Run, Window
 from landscape.capture.program_events import BUTTONS, KEYS, MODS, Event
 from landscape.capture.program_source import Source, need_package
 from landscape.errors import NoOpenGLError
-from landscape.gl import display
+from landscape.gl import display, osmesa
 from landscape.gl.context import EGLContext, bound_to, require, use_platform
 from landscape.gl.holders import replaced
 from landscape.gl.raw import raw
@@ -182,6 +182,8 @@ class _Glfw:
             real.window_hint(real.CONTEXT_CREATION_API, real.NATIVE_CONTEXT_API)
         size = self._run.sized(width, height)
         self._window = real.create_window(*size, title, None, None)
+        if self._backend == "osmesa":
+            osmesa.leave()
         if not self._window:
             self._run.reason = f"GLFW: {real.get_error()[1]!s}"
         elif self._run.live is not None:
@@ -208,6 +210,8 @@ class _Glfw:
         self._run.check()
         if self._backend != "egl":
             self._real.make_context_current(window)
+            if not window and self._backend == "osmesa":
+                osmesa.leave()
         elif window:
             size = self._real.get_framebuffer_size(window)
             self._egl = self._egl or EGLContext(size)

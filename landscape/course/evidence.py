@@ -138,11 +138,15 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """What was noted of a program, by the frames that were looked at."""
+    """What was noted of a program, by the frames that were looked at.
+
+    ``early``: the first function that was called without a context, in vain, and the line.
+    """
 
     path: Path
     source: Sequence[str]
     frames: Mapping[int, Frame]
+    early: tuple[str, int] | None = None
 
     def frame(self, number: int) -> Frame:
         """Return a frame that the exercise looks at."""
@@ -185,7 +189,8 @@ def load(path: Path, answer: Mapping[str, Any], folder: Path, wanted: Sequence[i
             [_call(each, states) for each in found["calls"]],
         )
     source = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    return Evidence(path, source, frames)
+    early = answer.get("early")
+    return Evidence(path, source, frames, (str(early[0]), int(early[1])) if early else None)
 
 
 def _call(found: Mapping[str, Any], states: Sequence[Mapping[str, Any]]) -> Call:

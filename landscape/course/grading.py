@@ -156,6 +156,8 @@ def grade(tests: Iterable[Test], work: Evidence, solution: Evidence) -> list[Res
     for each in tests:
         if all(found[needed.key].passed for needed in each.needs):
             told = _other_size(work, solution) or _checked(each, work, solution)
+            if told is not None and work.early is not None:
+                told = _without_context(*work.early)
             found[each.key] = Result(each, told is None, told)
         else:
             found[each.key] = Result(each, None)
@@ -175,6 +177,17 @@ UNLIKE = _(
     "The program draws something else than the one you started from, so this cannot be checked. "
     "Compare it with a fresh one: landscape exercise start."
 )
+
+
+def _without_context(name: str, line: int) -> Hint:
+    return hint(
+        _(
+            "Line {line} calls {name} before glfw.make_context_current. OpenGL has no context by "
+            "then, and the call has no effect."
+        ),
+        line=line,
+        name=name,
+    )
 
 
 def _other_size(work: Evidence, solution: Evidence) -> Hint | None:

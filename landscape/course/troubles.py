@@ -7,12 +7,24 @@ from landscape.languages import Texts, Translator
 
 SENTENCES: Texts = {
     "raised": "line {line}: the program raised {error}",
+    "invalid_enumerant": "line {line}: the program raised GLError: invalid enumerant, in {call}: a "
+    "name in it is not one that this function accepts",
+    "invalid_value": "line {line}: the program raised GLError: invalid value, in {call}: a number "
+    "in it is not one that this function accepts",
+    "invalid_operation": "line {line}: the program raised GLError: invalid operation, in {call}: "
+    "OpenGL allows it only at other moments, not between glBegin and glEnd for instance",
+    "stack_overflow": "line {line}: the program raised GLError: stack overflow, in {call}: the "
+    "stack is full, because more is pushed than popped",
+    "stack_underflow": "line {line}: the program raised GLError: stack underflow, in {call}: the "
+    "stack has nothing left to pop, because less was pushed",
     "memory": "line {line}: the program needs more than {megabytes} MB of memory",
     "network": "line {line}: the program uses the network, which it cannot while it is checked",
     "start": "line {line}: the program starts another one, which it cannot while it is checked",
     "write": "line {line}: the program writes a file, which it cannot while it is checked",
     "late_window": "opened no window within {seconds:g} s: does a loop before it never end?",
     "no_window": "ended without opening a window",
+    "no_context": "shows a frame without a context: glfw.make_context_current(window) must come "
+    "before the first call of OpenGL",
     "no_frame": "showed no frame within {seconds:g} s: glfw.swap_buffers(window) shows it",
     "late_frame": "got no farther than frame {frames} within {seconds:g} s",
     "ended": "ended in frame {frames}: it must go on until its window is closed",

@@ -5,6 +5,7 @@ The evidence is a file of JSON, and a file of pixels for each frame that is look
 - "frames": number to {"size", "pixels" (a file's name), "setup" and "calls"};
 - "states": OpenGL's state at the calls that draw, by the names of capture/state.py; the first is
   whole, the others are what differs from it;
+- "early": null, or the first function that was called without a context, in vain, and the line;
 - "error", if the program did not get that far: what went wrong, by one of the words of
   landscape.course.troubles, and the "line" of the program and other values for its message.
 
@@ -30,6 +31,7 @@ from landscape.capture import program, spec, state
 from landscape.capture.program import Window
 from landscape.capture.program_source import ProgramError
 from landscape.course.guard import Guard
+from landscape.course.troubles import SENTENCES
 from landscape.errors import InputError
 from landscape.gl.calls import begin_pass, frame_begins, gl, outermost, recording, unnoted
 from landscape.gl.framebuffer import read_pixels
@@ -37,6 +39,7 @@ from landscape.gl.notes import Call, plain, shown
 
 LONGEST = 30_000  # chosen: numbers of an array that are kept
 MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
+LONGEST_CALL = 80  # chosen: characters of a call's arguments in a message
 # What changes between two draw calls without changing the rest of the state.
 UNREAD = ("vertex", "begin_end", "matrix")
 MATRICES = ("GL_MODELVIEW_MATRIX", "GL_PROJECTION_MATRIX", "GL_TEXTURE_MATRIX")
@@ -77,7 +80,9 @@ def _trouble(error: ProgramError, witness: "Witness", guard: Guard, late: bool) 
             return {"word": guard.refused, "line": line}
         if "MemoryError" in raised[-1]:
             return {"word": "memory", "line": line}
-        return {"word": "raised", "line": line, "error": _readable(error.details)}
+        return {"line": line, **_exception(error.details)}
+    if "shows a frame before" in str(error):
+        return {"word": "no_context"}
     if witness.window is None:
         return {"word": "late_window" if late else "no_window"}
     if late:
@@ -97,15 +102,21 @@ def _line_of(message: str) -> int:
     return int(digits) if digits.isdigit() else 0
 
 
-def _readable(details: str) -> str:
-    """Return a traceback's last line; for an error of OpenGL, what it is and in which call."""
+def _exception(details: str) -> dict[str, Any]:
+    """Return the word for what a traceback ends with, and the values of its message."""
     lines = [line.strip() for line in details.strip().splitlines()]
     if lines[-1] != ")":
-        return lines[-1][:200]
+        return {"word": "raised", "error": lines[-1][:200]}
     # PyOpenGL writes its errors as GLError( err = 1280, description = b'...', ... ).
     words = dict(line.rstrip(",").split(" = ", 1) for line in lines if " = " in line)
-    description = words.get("description", "").strip("b'\"")
-    return f"GLError: {description}, in {words.get('baseOperation', 'a call')}"
+    said = words.get("description", "").strip("b'\"")
+    function, given = words.get("baseOperation", "a call"), words.get("cArguments", "()")
+    whole = given.endswith(")") and len(given) < LONGEST_CALL  # large arrays fill several lines
+    call = function + given.replace(",)", ")") if whole else function
+    word = said.replace(" ", "_")
+    if word in SENTENCES:
+        return {"word": word, "call": call}
+    return {"word": "raised", "error": f"GLError: {said}, in {call}"}
 
 
 def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
@@ -187,6 +198,7 @@ class Witness(ExitStack):
         return {
             "frames": self._frames,
             "states": states,
+            "early": self.window.early if self.window is not None else None,
         }
 
     def _before(self, call: Call) -> None:

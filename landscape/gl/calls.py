@@ -14,7 +14,7 @@ Tests, ``landscape trace`` and the lessons are built on this module. One thread 
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ContextDecorator, contextmanager
+from contextlib import ContextDecorator, contextmanager, nullcontext
 from itertools import islice
 from typing import Any
 
@@ -26,7 +26,7 @@ from landscape.gl.notes import Call, Edits, Site, caller, shown
 __all__ = [
     "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "drawing", "drawn_now",
     "edited", "frame_begins", "gl", "lists_now", "make_again", "noting", "outermost", "recording",
-    "replacing", "unnoted", "use_lists",
+    "replacing", "unnoted", "unrecorded", "use_lists",
 ]  # fmt: skip
 
 
@@ -139,6 +139,7 @@ _lists: Lists = {}
 _open: Listing | None = None  # the display list that is being compiled
 _again: tuple[tuple[str, ...], str, Site] | None = None  # what made the call that is made again
 _inside = False  # whether a call of a program that does not know the seam is being made
+unrecorded: list[Callable[[str, Site], None]] = []  # told of such calls while there is no recording
 _begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
 _drawing: list[tuple[str, ...]] = [("frame",)]
 current_pass = "setup"
@@ -167,11 +168,8 @@ def edited(edits: Edits | None) -> Iterator[None]:
     global _edits
     before, _edits = _edits, edits
     try:
-        if edits is None:
+        with noting() if edits is not None else nullcontext():
             yield
-        else:
-            with noting():
-                yield
     finally:
         _edits = before
 
@@ -351,6 +349,8 @@ def outermost(name: str, function: Callable[..., Any], draws: bool) -> Callable[
     def called(*args: Any, **named: Any) -> Any:
         global _inside
         if _inside or _recorder is None:
+            for told in unrecorded:
+                told(name, caller(sys._getframe(1)))
             return function(*args, **named)
         if draws and current_pass == "setup" and _open is None:
             begin_pass("main")

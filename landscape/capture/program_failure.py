@@ -1,0 +1,58 @@
+"""What a program has raised, as one line: which of its lines, and what."""
+
+import traceback
+from collections.abc import Iterator
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from landscape.capture import guard
+from landscape.capture.program_source import ProgramError
+
+# What OpenGL's errors say of a call, by PyOpenGL's words for them.
+MEANINGS = {
+    "invalid enumerant": "a name is not one that it accepts",
+    "invalid value": "a number is not one that it accepts",
+    "invalid operation": "it is not allowed at this moment",
+    "stack overflow": "more is pushed than popped",
+    "stack underflow": "less was pushed than is popped",
+}
+
+
+def raised(path: Path, error: BaseException) -> ProgramError:
+    """Return the error to show for what a program raised, with its own part of the traceback."""
+    guard.stand_by()  # to say what it was needs memory, too
+    calls = [at for at in _traceback(error) if at.tb_frame.f_code.co_filename == str(path)]
+    shown = error.with_traceback(calls[0] if calls else None)
+    details = "".join(traceback.format_exception(shown))
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        name = error.name.split(".")[0]
+        if name not in ("OpenGL", path.stem):
+            return ProgramError(f"{path}: needs the Python package {name}, not installed", details)
+    try:
+        text = str(error).strip().splitlines()
+    except Exception:  # the program's own error may be unable to say what it is
+        text = []
+    reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
+    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
+        reason = _of_opengl(error)
+    if isinstance(error, MemoryError):
+        reason += guard.memory()
+    # The last of the program's own lines, which calls what is not its own.
+    line = f", line {calls[-1].tb_lineno}" if calls else ""
+    return ProgramError(f"{path}{line}: the program raised {reason}", details)
+
+
+def _traceback(error: BaseException) -> Iterator[TracebackType]:
+    """Yield the calls that led to an exception, from the outermost."""
+    at = error.__traceback__
+    while at is not None:
+        yield at
+        at = at.tb_next
+
+
+def _of_opengl(error: Any) -> str:
+    said = bytes(error.description or b"").decode(errors="replace")
+    meaning = f": {MEANINGS[said]}" if said in MEANINGS else ""
+    function = getattr(error.baseOperation, "__name__", "")
+    return f"{type(error).__name__}: {said} ({function}){meaning}"
