@@ -26,7 +26,7 @@ from landscape.arguments import size
 from landscape.capture import guard
 from landscape.capture.program_clock import Clock
 from landscape.capture.program_events import Event, Queue, read_events
-from landscape.capture.program_failure import raised
+from landscape.capture.program_failure import count, late, raised
 from landscape.capture.program_prints import Prints
 from landscape.capture.program_process import Unwind, as_main, forget
 from landscape.capture.program_source import ProgramError, Source, read_source
@@ -37,12 +37,6 @@ from landscape.gl.foreign import Make, beside, patched
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
 LIMIT = 15.0  # seconds that a program may take to its frame, chosen
-# What makes a context current, by the toolkit.
-OPENING = {
-    "glfw": "glfw.make_context_current",
-    "glut": "glutCreateWindow",
-    "pygame": "pygame.display.set_mode",
-}
 
 
 @dataclass
@@ -187,7 +181,7 @@ class Run:
             self._observer.frame_began(0)
         if self._early is not None:
             name, line = self._early
-            opening = OPENING[self.source.toolkit]
+            opening = self.source.opening
             self.notice(f"line {line}: {name} is called before {opening}, so it has no effect")
 
     def called_early(self, name: str, site: Site) -> None:
@@ -212,7 +206,7 @@ class Run:
             os._exit(0)  # a copy of the program, which it has made itself
         self.check()
         if self.window is None:
-            raise self.refuse(f"shows a frame before {OPENING[self.source.toolkit]}")
+            raise self.refuse(f"shows a frame before {self.source.opening}")
         if not self.drawing:
             raise self.refuse("shows a frame of a window that it has closed")
         with self._watched():
@@ -348,7 +342,7 @@ def run(
         stack.enter_context(state.clock.holding())
         stack.callback(unrecorded.clear)
         unrecorded.append(state.called_early)
-        state.watchdog = Watchdog(limit, lambda: state.stop(_late(state, limit)))
+        state.watchdog = Watchdog(limit, lambda: state.stop(late(state, frame, limit)))
         with state.watchdog:
             _execute(state, module)
         guard.go_on(1.0)  # its objects may do anything when they are deleted
@@ -358,7 +352,7 @@ def run(
         reason = f" ({state.reason})" if state.reason else ""
         raise ProgramError(f"{path}: ended without opening a window for OpenGL{reason}")
     if not state.over and frame is not None:
-        raise ProgramError(f"{path}: ended after {_count(state.frames)}; frame {frame} was asked")
+        raise ProgramError(f"{path}: ended after {count(state.frames)}; frame {frame} was asked")
     return state.result
 
 
@@ -392,25 +386,9 @@ def _execute(state: Run, module: ModuleType) -> None:
                 print(end.code, file=sys.stderr)
     except Unwind:
         pass
-    except KeyboardInterrupt as error:
-        state.stop(error)
-    except NoOpenGLError as error:
+    except (KeyboardInterrupt, NoOpenGLError) as error:
         state.stop(error)
     except BaseException as error:
         state.stop(raised(state.source.path, error))
         # The frames hold the program's objects, which must go while its context is there.
         traceback.clear_frames(error.__traceback__)
-
-
-def _late(state: Run, limit: float) -> ProgramError:
-    path = state.source.path
-    if state.window is None:
-        return ProgramError(f"{path}: opened no window for OpenGL within {limit:g} s")
-    if state.frames == 0:
-        return ProgramError(f"{path}: completed no frame within {limit:g} s: it never shows one")
-    done = f"completed {_count(state.frames)} within {limit:g} s"
-    return ProgramError(f"{path}: {done}; frame {state._frame} was not reached")
-
-
-def _count(frames: int) -> str:
-    return "1 frame" if frames == 1 else f"{frames or 'no'} frames"

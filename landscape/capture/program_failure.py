@@ -1,13 +1,16 @@
-"""What a program has raised, as one line: which of its lines, and what."""
+"""How a program has failed, as one line: what it raised, and where; or what it did not reach."""
 
 import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from landscape.capture import guard
 from landscape.capture.program_source import ProgramError
+
+if TYPE_CHECKING:
+    from landscape.capture.program import Run
 
 # What OpenGL's errors say of a call, by PyOpenGL's words for them.
 MEANINGS = {
@@ -56,3 +59,19 @@ def _of_opengl(error: Any) -> str:
     meaning = f": {MEANINGS[said]}" if said in MEANINGS else ""
     function = getattr(error.baseOperation, "__name__", "")
     return f"{type(error).__name__}: {said} ({function}){meaning}"
+
+
+def late(state: "Run", wanted: int | None, limit: float) -> ProgramError:
+    """Return the error of a program that did not reach the wanted frame within ``limit`` s."""
+    path, frames = state.source.path, state.frames
+    if state.window is None:
+        return ProgramError(f"{path}: opened no window for OpenGL within {limit:g} s")
+    if frames == 0:
+        return ProgramError(f"{path}: completed no frame within {limit:g} s: it never shows one")
+    done = f"completed {count(frames)} within {limit:g} s"
+    return ProgramError(f"{path}: {done}; frame {wanted} was not reached")
+
+
+def count(frames: int) -> str:
+    """Return a number of frames in words."""
+    return "1 frame" if frames == 1 else f"{frames or 'no'} frames"

@@ -13,7 +13,12 @@ from types import CodeType
 from landscape.errors import InputError
 from landscape.files.input import read_bounded
 
-TOOLKITS = ("glfw", "pygame", "glut")  # in this order: GLUT may only draw its shapes and letters
+# In this order: GLUT may only draw its shapes and letters. What makes a context current in each.
+TOOLKITS = {
+    "glfw": "glfw.make_context_current",
+    "pygame": "pygame.display.set_mode",
+    "glut": "glutCreateWindow",
+}
 MOST_BYTES = 4 << 20  # chosen: of a file of a program; Python takes 50 times that to compile it
 
 
@@ -36,6 +41,11 @@ class Source:
             if toolkit in self.modules:
                 return toolkit
         return ""
+
+    @property
+    def opening(self) -> str:
+        """The function of its toolkit that makes a context current."""
+        return TOOLKITS[self.toolkit]
 
 
 class ProgramError(InputError):
