@@ -9,12 +9,23 @@ import pytest
 from commands import TESTS
 
 from landscape.capture import spec
+from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import lessons
 from landscape.course.pages import as_markdown, blocks
 from landscape.languages import LANGUAGES
 
 SITE = TESTS.parent / "scripts" / "site"
-MODULES = ("calls", "documents", "drawn", "gallery", "lesson_pages", "links", "start", "theme")
+MODULES = (
+    "calls",
+    "documents",
+    "drawn",
+    "exercise_pages",
+    "gallery",
+    "lesson_pages",
+    "links",
+    "start",
+    "theme",
+)
 
 
 @pytest.fixture
@@ -43,6 +54,7 @@ def pages(site: Any, language: str, folder: Path) -> dict[str, str]:
     return {
         **site.start.pages(language),
         **site.lesson_pages.pages(language, drawn),
+        **site.exercise_pages.pages(language),
         **site.gallery.pages(language),
         **site.documents.pages(language),
         **site.calls.pages(language, index),
@@ -93,6 +105,25 @@ def test_the_theme_s_words_and_labels_are_translated(site: Any, tmp_path: Path) 
     site.theme.reword_labels(tmp_path, "fr")
     text = page.read_text(encoding="utf-8")
     assert text.startswith('<a aria-label="') and "Toggle" not in text
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_of_an_exercise_has_two_pictures_its_task_and_its_lessons(
+    language: str, site: Any, tmp_path: Path
+) -> None:
+    found = pages(site, language, tmp_path)
+    for each in map(exercise, NAMES):
+        page = found[f"exercises/{each.name}"]
+        assert all(
+            site.exercise_pages.markdown(each.translate.to(language)(text)) in page
+            for text in each.task
+        )
+        for kind in ("start", "wanted"):
+            assert f"../pictures/exercise-{each.name}-{kind}.webp" in page
+        assert each.lessons
+        for name in each.lessons:
+            assert f"(../lessons/{name}.md)" in page
+            assert f"(../exercises/{each.name}.md)" in found[f"lessons/{name}"]
 
 
 def test_a_dead_link_and_a_missing_place_are_found(site: Any, tmp_path: Path) -> None:

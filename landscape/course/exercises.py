@@ -42,17 +42,22 @@ NAMES: tuple[str, ...] = (
 )
 HOLE = _("# Your code goes here.")
 MARKER = re.compile(r"^#\s*exercise:\s*(\S+)\s*$", re.MULTILINE)
+LESSONS = re.compile(r"^# lessons: (.+)$", re.MULTILINE)
 MOST_BYTES = 1 << 20  # chosen: of a program
 COLUMNS = 92  # chosen: of the task in a program
 
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise; ``title`` and ``task`` (its paragraphs) are in English."""
+    """One exercise; ``title`` and ``task`` (its paragraphs) are in English.
+
+    ``lessons``: the names of those that it builds on.
+    """
 
     name: str
     title: str
     task: Sequence[str]
+    lessons: Sequence[str] = ()
 
     @property
     def folder(self) -> Path:
@@ -110,7 +115,8 @@ def exercise(name: str) -> Exercise:
         raise InputError(f"exercise {short(name)}: expected one of {', '.join(NAMES)}")
     code = (FOLDER / name / "start.py").read_text(encoding="utf-8")
     title, *task = paragraphs(ast.get_docstring(ast.parse(code)) or "")
-    return Exercise(name, title, task)
+    named = LESSONS.search(code)
+    return Exercise(name, title, task, named[1].split(", ") if named else ())
 
 
 def start(found: Exercise, language: str) -> str:

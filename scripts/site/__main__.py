@@ -21,12 +21,14 @@ from pathlib import Path
 
 import calls
 import documents
+import exercise_pages
 import gallery
 import lesson_pages
 import start
 import theme
-from drawn import Drawn, draw_lesson, read_scene, shrink
+from drawn import Drawn, draw_exercise, draw_lesson, read_scene, shrink
 
+from landscape.course.exercises import NAMES
 from landscape.course.ladder import lessons
 from landscape.files.progress import Progress
 from landscape.languages import LANGUAGES
@@ -77,6 +79,7 @@ def draw(folder: Path, jobs: int) -> Drawn:
     drawn = Drawn(folder)
     views = [(name, preset) for preset in ("2006", "best") for name in scene().main]
     work = [(draw_lesson, (each.name, word, folder)) for each in lessons() for word in LANGUAGES]
+    work += [(draw_exercise, (name, folder)) for name in NAMES]
     work += [(read_scene, (name, preset)) for name, preset in views]
     work += [(shrink, (path, folder)) for path in gallery.pictures()]
     with ProcessPoolExecutor(jobs) as pool, Progress(len(work), False) as progress:
@@ -94,6 +97,7 @@ def write(folder: Path, language: str, drawn: Drawn) -> None:
     pages = {
         **start.pages(language),
         **lesson_pages.pages(language, drawn),
+        **exercise_pages.pages(language),
         **gallery.pages(language),
         **documents.pages(language),
         **calls.pages(language, index),

@@ -11,6 +11,7 @@ from pathlib import Path
 from PIL import Image
 
 from landscape.capture.tape import Tape
+from landscape.course.exercises import exercise, grading
 from landscape.course.ladder import lesson, presses
 from landscape.course.lesson_command import speaking
 from landscape.course.picture import pictures
@@ -84,6 +85,18 @@ def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
     return [
         Seen(call.name, name, call.source) for call in calls if call.site.path == str(found.file)
     ]
+
+
+def draw_exercise(name: str, folder: Path) -> list[Seen]:
+    """Draw the last frame that the grader looks at, of an exercise's start and of its solution."""
+    names = grading(name)
+    for kind, file in (("start", "start.py"), ("wanted", "solution.py")):
+        program = exercise(name).folder / file
+        (picture,) = pictures(program, [max(names["FRAMES"])], names.get("EVENTS"), limit=LIMIT)
+        for language in LANGUAGES:
+            path = folder / language / f"exercise-{name}-{kind}.webp"
+            Image.fromarray(picture).save(path, quality=QUALITY, method=6)
+    return []
 
 
 def read_scene(view: str, preset: str) -> list[Seen]:

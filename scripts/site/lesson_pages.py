@@ -1,6 +1,7 @@
 """The pages of the lessons: picture or loop, code, the lesson's own page, and its strip."""
 
 from drawn import Drawn
+from exercise_pages import of_lesson
 
 from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons
 from landscape.course.pages import Block, as_markdown, page
@@ -48,12 +49,14 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
     loop = (drawn.pictures(language) / f"{each.name}-loop.webp").exists()
     picture = f"{each.name}-loop" if loop else each.name
     needs = ", ".join(title_link(lesson(name), language) for name in each.needs)
+    exercises = of_lesson(each.name, language)
     parts = [
         f"# {_(each.title)}",
         f"```{{image}} ../pictures/{picture}.webp\n:alt: {_(each.title)}\n"
         ":class: lesson-picture\n```",
         *(_(text) for text in each.about),
         *([_("Builds on {lessons}.").format(lessons=needs)] if needs else []),
+        *([_("Exercise: {exercises}.").format(exercises=exercises)] if exercises else []),
         as_markdown([_folded(block, language) for block in page(each, _)]).strip(),
         f"## {_('The program')}",
         f"`landscape lesson {each.name}`",

@@ -20,6 +20,8 @@ def pages(language: str) -> dict[str, str]:
     cards = (
         ("lessons/index", "matrix_stack.webp", _("Lessons"),
          _("Small programs, one idea each, from the first window to the three fogs.")),
+        ("exercises/index", "exercise-mirror-wanted.webp", _("Exercises"),
+         _("Programs with a hole, and a grader that says what is missing and where.")),
         ("figures/index", "fig35a.webp", _("Figures and fixes"),
          _("The 43 figures of 2006, their flaws, and what fixes them.")),
         ("calls/index", "matrix_stack.webp", _("Index of calls"),

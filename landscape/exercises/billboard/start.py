@@ -14,6 +14,7 @@ returns where the eye is.
 Keys: Left and Right go round the orchard, Up and Down raise and lower the eye.
 """
 # exercise: billboard
+# lessons: billboard, matrix_stack
 
 import math
 

@@ -14,6 +14,7 @@ eye() returns where the eye is. Use draw_tube for each tube once, and do not cha
 Keys: Left and Right go round.
 """
 # exercise: blending_order
+# lessons: blending, sorting
 
 import math
 

@@ -11,6 +11,7 @@ modelview matrix at the moment when glClipPlane is called. Planes cut only while
 Keys: Left and Right turn the tower.
 """
 # exercise: clip_plane
+# lessons: clip_plane, frames
 
 import math
 

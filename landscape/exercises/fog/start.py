@@ -11,6 +11,7 @@ Fog concerns only what is drawn, and the sky is not drawn: it is what glClear le
 the fog's colour as well.
 """
 # exercise: fog
+# lessons: fog
 
 import math
 

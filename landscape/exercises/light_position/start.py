@@ -9,6 +9,7 @@ and keeps the result. The call stands at the wrong moment. Move it, so that the 
 lamp in every frame. LAMP is in the coordinates of the table.
 """
 # exercise: light_position
+# lessons: camera_light, world_light
 
 import math
 

@@ -12,6 +12,7 @@ lamp begins where the base did. Do not change the other calls.
 Keys: Up and Down bend the elbow; Left and Right turn the base.
 """
 # exercise: matrix_stack
+# lessons: matrix_stack
 
 import glfw
 from OpenGL.GL import *

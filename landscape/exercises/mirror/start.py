@@ -19,6 +19,7 @@ After draw_image everything is as it was before, for all that is drawn later, th
 Keys: Left and Right go round.
 """
 # exercise: mirror
+# lessons: mirror, clip_plane, orientation, world_light
 
 import math
 

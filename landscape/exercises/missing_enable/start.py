@@ -9,6 +9,7 @@ window has the buffer for it, and glClear empties it in each frame; only one lin
 turns the comparison on. Write it in place of the comment. Change nothing else.
 """
 # exercise: missing_enable
+# lessons: depth_buffer
 
 import glfw
 from OpenGL.GL import *

@@ -11,6 +11,7 @@ with length 1. Change nothing else.
 Keys: Space draws the normals as lines, which helps to see what is wrong.
 """
 # exercise: normals
+# lessons: normals
 
 import math
 

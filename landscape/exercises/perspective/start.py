@@ -11,6 +11,7 @@ near plane: left, right, bottom, top, and the distances of the near and the far 
 Resize the window to see whether it is right: the picture grows, and nothing is stretched.
 """
 # exercise: perspective
+# lessons: perspective
 
 import glfw
 from OpenGL.GL import *

@@ -15,6 +15,7 @@ whole window, and the next picture begins as the first one did.
 Keys: Left and Right turn. Resize the window: the map keeps its place and its proportions.
 """
 # exercise: second_viewport
+# lessons: viewport, second_viewport
 
 import math
 

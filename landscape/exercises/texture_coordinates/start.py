@@ -11,6 +11,7 @@ Change COORDINATES, which belong to the corners of the wall in their order, and 
 to see the picture three times.
 """
 # exercise: texture_coordinates
+# lessons: generated_texture
 
 import glfw
 from OpenGL.GL import *

@@ -12,6 +12,7 @@ OpenGL multiplies each transformation at the right: the one called last is appli
 first. Change nothing but draw_system.
 """
 # exercise: transform_order
+# lessons: transform_order
 
 import math
 

@@ -10,6 +10,7 @@ TRIANGLES has the indices of the three corners of each triangle, in 32-bit unsig
 Change draw_vase, and what is needed before it. The picture stays as it is, and draw_table, too.
 """
 # exercise: vertex_arrays
+# lessons: vertex_arrays
 
 import glfw
 import numpy as np

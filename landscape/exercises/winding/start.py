@@ -11,6 +11,7 @@ and change nothing but FACES.
 Keys: Left and Right turn the gem.
 """
 # exercise: winding
+# lessons: orientation
 
 import math
 
