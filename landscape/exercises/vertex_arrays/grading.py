@@ -1,5 +1,7 @@
 """The tests of the exercise vertex_arrays."""
 
+import numpy as np
+
 from landscape.course.grading import _, compare, hint, test
 
 FRAMES = (0, 20)
@@ -131,6 +133,26 @@ def described(work, solution):
               "colour begins in the one before it."),
             line=at,
         )  # fmt: skip
+    for array, call, packed in (
+        ("GL_VERTEX_ARRAY", "glVertexPointer", 12),
+        ("GL_NORMAL_ARRAY", "glNormalPointer", 12),
+        ("GL_COLOR_ARRAY", "glColorPointer", 4),
+    ):
+        stride = state[f"{array}_STRIDE"]
+        if stride not in (0, packed) and compare(work, solution):
+            return hint(
+                _("Line {line} says that a vertex begins {stride} bytes after the one before it. "
+                  "In these arrays nothing lies between them, which is said by 0."),
+                line=line(work, call), stride=stride,
+            )  # fmt: skip
+    if drawn and len(drawn[0].normals):
+        lengths = np.linalg.norm(drawn[0].normals, axis=1)
+        if np.abs(lengths - 1).max() > 0.05:
+            return hint(
+                _("The array of line {line} is not that of the normals: what it holds is not of "
+                  "length 1."),
+                line=line(work, "glNormalPointer"),
+            )  # fmt: skip
     if kind == "GL_BYTE":
         return hint(
             _("Line {line} says GL_BYTE, for which 127 is the full brightness and more is "

@@ -37,6 +37,10 @@ MUTANTS = {
         (COLORS, COLORS.replace("GL_UNSIGNED_BYTE", "GL_FLOAT"))]),
     "three_bytes": Mutant("forgets alpha", "described", [
         (COLORS, COLORS.replace("(4", "(3"))]),
+    "stride": Mutant("gives the size of a vertex in all arrays as the stride", "described", [
+        (COLORS, COLORS.replace("0, COLORS", "16, COLORS"))]),
+    "other_array": Mutant("takes the vertices for normals", "described", [
+        ("glNormalPointer(GL_FLOAT, 0, NORMALS)", "glNormalPointer(GL_FLOAT, 0, VERTICES)")]),
     "two_coordinates": Mutant("says that a vertex has two coordinates", "described", [
         ("glVertexPointer(3", "glVertexPointer(2")]),
     "triangles_counted": Mutant("counts the triangles", "whole", [
