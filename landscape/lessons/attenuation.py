@@ -87,7 +87,7 @@ def main():
         glViewport(0, 0, width, height)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
-        glOrtho(-3.1 * width / height, 3.1 * width / height, -3.3, 2.9, -2, 2)
+        glOrtho(-3.3 * width / height, 3.3 * width / height, -3.7, 2.9, -2, 2)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)

@@ -1,8 +1,8 @@
 """Light model: ambient, diffuse and specular
 
 The colour of a vertex is a sum: ambient light from everywhere, diffuse light by the angle between
-the normal and the direction to the light, and specular light, ks times the cosine of the angle
-between the normal and the halfway direction, to the power n. Larger n makes the highlight smaller,
+the normal and the direction to the light, and specular light, ks times the nth power of the cosine
+of the angle between the normal and the halfway direction. Larger n makes the highlight smaller,
 larger ks makes it brighter. Leave out one term to see what it contributes.
 
 Keys: 1, 2 and 3 switch the ambient, the diffuse and the specular term.
@@ -84,10 +84,10 @@ def main():
         glViewport(0, 0, width, height)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
-        glOrtho(-4 * width / height, 4 * width / height, -4, 4, -2, 2)
+        glOrtho(-4 * width / height, 4 * width / height, -4, 4, 6, 10)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glTranslatef(0.3, 0.1, 0)
+        glTranslatef(0.3, 0.1, -8)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_grid()
         for n in range(3):

@@ -32,10 +32,10 @@ def draw():
     glClearColor(*COLORS[chosen], 1)
     glClear(GL_COLOR_BUFFER_BIT)
     for entry, label in enumerate(LABELS):
-        y = 244 - 48 * entry
+        y = 316 - 48 * entry
         color = (0.95, 0.7, 0.4) if entry == marked else (0.95, 0.9, 0.8)
         write(104, y, "{number} {label}", color, 2, number=entry + 1, label=_(label))
-    write(64, 244 - 48 * marked, "»", (0.95, 0.7, 0.4), 2)
+    write(64, 316 - 48 * marked, "»", (0.95, 0.7, 0.4), 2)
     write(16, 40, "the mark is on line {line}", line=marked + 1)
     write(16, 16, "goes round: yes" if round_trip else "goes round: no")
 

@@ -1,7 +1,7 @@
 """Mirror: a knot in a polished floor
 
-glScalef(1, -1, 1) draws the knot once more, upside down under the floor, which is blended over
-it. A mirrored triangle winds the other way: without glFrontFace, the image shows its inside. A
+glScalef(1, -1, 1) draws the knot once more, upside down under the floor; the floor is then blended
+over it. A mirrored triangle winds the other way: without glFrontFace, the image shows its inside. A
 clip plane cuts off what is below the floor: without it, the image of that rises above the floor.
 The stencil buffer keeps the image inside the outline of the floor.
 

@@ -1,9 +1,10 @@
 """Orientation: front and back faces
 
 A face is seen from the front if its vertices go counter-clockwise on the screen. Front faces are
-filled here, back faces are drawn as lines. Face culling leaves out the faces that turn one side to
-us. The sign of the area tells OpenGL which side that is. If a face lists its vertices in the wrong
-order, as the second triangle does, culling removes what should be seen.
+filled here, back faces are drawn as lines. Face culling leaves out all faces that show one side,
+usually the back. OpenGL tells the sides by the sign of the area, which stands under each triangle.
+If a face lists its vertices in the wrong order, as the second triangle does, culling removes what
+should be seen.
 
 Keys: Left and Right turn the triangles; Space turns culling on; C culls the other side; F makes
 clockwise faces the front.

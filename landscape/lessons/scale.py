@@ -34,7 +34,7 @@ def draw_sphere(radius):
         glBegin(GL_QUAD_STRIP)
         for m in range(17):
             height, ring = math.cos(m * math.pi / 16), math.sin(m * math.pi / 16)
-            for side in (n, n + 1):
+            for side in (n + 1, n):
                 angle = side * math.pi / 16
                 x, y, z = ring * math.cos(angle), height, -ring * math.sin(angle)
                 glNormal3f(x, y, z)
@@ -53,7 +53,7 @@ def draw_balls():
         glTranslatef(*place(n), 0)
         glScalef(*scale)
         # The meshes of the first row are as large, before they are scaled, as makes them equal.
-        draw_sphere(0.8 / scale[0] if n < 3 else 0.8)
+        draw_sphere(0.8 / abs(scale[0]) if n < 3 else 0.8)
 
 
 def on_key(window, key, scancode, action, mods):

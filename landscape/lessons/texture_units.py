@@ -105,8 +105,9 @@ def main():
         glCallList(ground)
         glDisable(GL_TEXTURE_2D)
         glActiveTexture(GL_TEXTURE0)
-        write(16, 40, "unit 0: GL_MODULATE" if switched_on[0] else "unit 0: off")
-        write(16, 16, LABELS[mode] if switched_on[1] else "unit 1: off")
+        dark = 0, 0.05, 0.15  # against the sky
+        write(16, 440, "unit 0: GL_MODULATE" if switched_on[0] else "unit 0: off", dark)
+        write(16, 416, LABELS[mode] if switched_on[1] else "unit 1: off", dark)
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()

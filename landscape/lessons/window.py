@@ -1,8 +1,8 @@
 """A window: a coloured background
 
 The smallest program that draws with OpenGL: GLFW opens a window with an OpenGL context, and the
-loop draws one picture after another. Here a picture is one call: glClear fills the window with the
-colour that glClearColor has set. Red, green and blue go from 0 to 1.
+loop draws one picture after another. Apart from the text, a picture is one call here: glClear fills
+the window with the colour that glClearColor has set. Red, green and blue go from 0 to 1.
 
 Keys: Escape ends the program.
 """
