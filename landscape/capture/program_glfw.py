@@ -17,7 +17,7 @@ from landscape.capture.program_events import BUTTONS, KEYS, MODS, Event
 from landscape.capture.program_source import Source, need_package
 from landscape.errors import NoOpenGLError
 from landscape.gl import display, osmesa
-from landscape.gl.context import EGLContext, bound_to, require, use_platform
+from landscape.gl.context import EGLContext, require, use_platform
 from landscape.gl.holders import replaced
 from landscape.gl.raw import raw
 
@@ -79,8 +79,7 @@ def bind(source: Source, backend: str) -> str:
 def _prepare(backend: str, checked: bool) -> None:
     """Bind PyOpenGL to a backend; NoOpenGLError if there is none here."""
     if backend != "glfw":
-        if bound_to() != backend:
-            require({"osmesa": "OSMesa", "egl": "EGL"}[backend], backend)
+        require({"osmesa": "OSMesa", "egl": "EGL"}[backend], backend)
         use_platform(backend, checked)
         return
     kind, reason = display.choose(os.environ) if sys.platform == "linux" else ("native", "")

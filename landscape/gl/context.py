@@ -10,6 +10,7 @@ import ctypes.util
 import os
 import sys
 from collections.abc import Callable
+from functools import cache
 from typing import Any, Protocol
 
 from landscape.errors import NoOpenGLError
@@ -83,11 +84,7 @@ def use_platform(name: str, checked: bool | None = None) -> None:
     _platform = name
 
 
-def bound_to() -> str | None:
-    """Return the platform that PyOpenGL is bound to; None before."""
-    return _platform
-
-
+@cache  # finding a library starts other programs
 def require(library: str, backend: str) -> None:
     """Load a system library before PyOpenGL binds to it; NoOpenGLError if that fails."""
     path = ctypes.util.find_library(library)
