@@ -111,7 +111,7 @@ def test_the_task_and_the_hints_are_in_french_as_well(name: str, grader: Grader)
     report = of_start(grader, name)
     (hint,) = hints(report)
     assert hint.written(french) != hint.written(str)
-    assert as_text(report, french)[-1].startswith(f"{len(report.results) - _left(report)} tests")
+    assert as_text(report, french)[-1].startswith(f"{len(report.results) - _left(report)} test")
 
 
 def _left(report: Report) -> int:

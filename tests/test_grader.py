@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import landscape, refused
+from commands import environment, landscape, refused
 from PIL import Image
 
 from landscape.course.exercises import NAMES, Grader, Report, exercise
@@ -169,7 +169,10 @@ def test_what_a_program_wrote_is_gone_and_nothing_runs_on(tmp_path: Path) -> Non
 def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     listed = landscape("exercise", "list", "--json", "--lang", "en").json()
     assert [each["name"] for each in listed] == list(NAMES)
-    assert all(each["title"] and each["task"] for each in listed)
+    assert all(each["title"] and each["task"] and each["lessons"] for each in listed)
+    assert "\n" + " " * 21 + "Lessons to read first: orientation.\n" in (
+        landscape("exercise", "list", "--lang", "en").out
+    )
     place = {"cwd": tmp_path}
     begun = landscape("exercise", "start", "winding", "--lang", "en", **place)
     mine = tmp_path / "winding.py"
@@ -182,16 +185,35 @@ def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     assert done.status == 1 and done.err == ""
     assert re.search(r"^failed +Every triangle is counter-clockwise from outside$", done.out, re.M)
     assert re.search(r"^not checked  The picture is right$", done.out, re.M)
+    assert done.out.splitlines()[-1].startswith(str(tmp_path / "map.png"))
     heat = np.asarray(Image.open(tmp_path / "map.png"))
     assert heat.shape == (480, 3 * 640 + 16, 3)
     hot = heat[:, 648:1288].max(axis=2) > 150
     assert 0.02 < hot.mean() < 0.3
+    assert "Lessons to read first: orientation.\n" in mine.read_text()
+    done = landscape(*map(str, words))
+    assert done.out.splitlines()[-1].endswith(f"exercise check {mine} --heat-map difference.png")
     mine.write_text(HEAD + "1 / 0\n")
     done = landscape(*map(str, words), "--json")
     assert done.status == 2 and "winding.py: line 5" in done.err and done.err.count("\n") == 1
     shown = json.loads(done.out)
     assert shown["passed"] is False and {test["passed"] for test in shown["tests"]} == {None}
     assert "ZeroDivisionError" in shown["error"] and shown["picture_difference"] is None
+
+
+def test_what_is_refused_is_told_in_french_as_well(tmp_path: Path) -> None:
+    french = {**environment(), "LANGUAGE": "fr"}
+    (tmp_path / "winding.py").write_text("# mine\n")
+    refused_in = {
+        ("exercise", "start", "winding"): "winding.py: existe déjà ; donnez avec --out le nom",
+        ("exercise", "start", "juggling"): "'juggling': n'est pas un exercice ; il y a missing_en",
+        ("exercise", "check", "absent.py"): "absent.py: ne peut pas être lu (il n'existe pas)",
+        ("exercise", "check", "winding.py"): "winding.py: il y manque une ligne telle que `# exer",
+        ("lesson", "juggling"): "'juggling': n'est pas une leçon ; `landscape lesson`",
+    }
+    for words, told in refused_in.items():
+        done = landscape(*words, env=french, cwd=tmp_path)
+        assert done.err.startswith(f"landscape: {told}".replace(" ;", "\u00a0;")), done.err
 
 
 def test_bad_input_is_refused_in_one_line(tmp_path: Path) -> None:

@@ -7,34 +7,48 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
-from landscape.course.exercises import NAMES, Exercise, Grader, Report, exercise, start
+from landscape.course.exercises import LEAD, NAMES, Exercise, Grader, Report, exercise, start
+from landscape.course.grading import MOST, _
+from landscape.course.language import told_in
 from landscape.course.troubles import sentence
 from landscape.errors import InputError
 from landscape.files.output import check_folder, check_writable, save_png, write_whole
 from landscape.languages import Translator, choose, translator
 
 COLUMNS = 96  # chosen: of a hint
+SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
+WRITTEN = _("{file}: your picture, where it differs, and the solution's")
 
 
 def list_(options: argparse.Namespace) -> int:
     """Print the exercises in their order."""
     language = _language(options)
+    lead = translator(language, "course")(LEAD)
     rows = []
     for name in NAMES:
         found = exercise(name)
-        _ = found.translate.to(language)
-        task = [_(text) for text in found.task]
-        rows.append({"name": name, "title": _(found.title), "task": task})
+        own = found.translate.to(language)
+        task = [own(text) for text in found.task]
+        lessons = list(found.lessons)
+        rows.append({"name": name, "title": own(found.title), "task": task, "lessons": lessons})
     if options.json:
         print(json.dumps(rows, indent=1, ensure_ascii=False))
     else:
         for row in rows:
             print(f"{row['name']:20} {row['title']}")
+            print(" " * 20, lead.format(lessons=", ".join(row["lessons"])))
     return 0
 
 
 def start_(options: argparse.Namespace) -> int:
     """Write the program of an exercise, in a file that is not there yet."""
+    language = _language(options)
+    with told_in(language):
+        _start(options, language)
+    return 0
+
+
+def _start(options: argparse.Namespace, language: str) -> None:
     found = exercise(options.name)
     path = options.out or Path(f"{found.name}.py")
     if path.is_dir():
@@ -42,23 +56,26 @@ def start_(options: argparse.Namespace) -> int:
     if os.path.lexists(path):
         raise InputError(f"{path}: is there already; expected --out with the name of a new file")
     check_folder(path.parent, f"--out {path}" if options.out else str(path))
-    language = _language(options)
     write_whole(path, start(found, language).encode())
     _ = translator(language, "course")
     if not options.quiet:
         print(path)
         print(_("The task stands at the top of it. Run it: python {file}").format(file=path))
         print(_("Check it: landscape exercise check {file}").format(file=path))
-    return 0
 
 
 def check(options: argparse.Namespace) -> int:
     """Check a program and print what was found: 0 passed, 1 not, 2 could not be run."""
+    language = _language(options)
+    with told_in(language):
+        return _check(options, language)
+
+
+def _check(options: argparse.Namespace, language: str) -> int:
     if options.heat_map is not None:
         if options.heat_map.suffix.lower() != ".png":
             raise InputError(f"--heat-map {options.heat_map}: expected a name ending in .png")
         check_writable(options.heat_map, "--heat-map ")
-    language = _language(options)
     with Grader(options.seconds) as grader:
         report = grader.check(options.file)
         _ = report.exercise.translate.to(language)
@@ -70,6 +87,10 @@ def check(options: argparse.Namespace) -> int:
             print(json.dumps(as_json(report, _), indent=1, ensure_ascii=False))
         elif report.error is None:
             print("\n".join(as_text(report, _)))
+            if options.heat_map is not None:
+                print(_(WRITTEN).format(file=options.heat_map))
+            elif (report.difference or 0) > MOST:
+                print(_(SHOWN).format(file=options.file))
         if report.error is not None:
             raise InputError(f"{options.file}: {sentence(report.error, _)}")
         return 0 if report.passed else 1
@@ -120,9 +141,11 @@ def as_text(report: Report, _: Translator) -> list[str]:
             lines += [indent + line for line in told]
     count = sum(result.passed is True for result in report.results)
     total = _("{passed} of {tests} tests passed")
+    if count < 2:  # a singular in French
+        total = (_("0 of {tests} tests passed"), _("1 of {tests} tests passed"))[count]
     lines.append(total.format(passed=count, tests=len(report.results)))
     return lines
 
 
 def _title(found: Exercise, _: Translator) -> str:
-    return f"{found.name}: {_(found.title)}"
+    return _("{name}: {title}").format(name=found.name, title=_(found.title))

@@ -41,6 +41,7 @@ NAMES: tuple[str, ...] = (
     "mirror",
 )
 HOLE = _("# Your code goes here.")
+LEAD = _("Lessons to read first: {lessons}.")
 MARKER = re.compile(r"^#\s*exercise:\s*(\S+)\s*$", re.MULTILINE)
 LESSONS = re.compile(r"^# lessons: (.+)$", re.MULTILINE)
 MOST_BYTES = 1 << 20  # chosen: of a program
@@ -112,7 +113,7 @@ def paragraphs(docstring: str) -> list[str]:
 def exercise(name: str) -> Exercise:
     """Return the exercise of a name; InputError lists the names."""
     if name not in NAMES:
-        raise InputError(f"exercise {short(name)}: expected one of {', '.join(NAMES)}")
+        raise InputError(f"{short(name)}: expected an exercise, one of {', '.join(NAMES)}")
     code = (FOLDER / name / "start.py").read_text(encoding="utf-8")
     title, *task = paragraphs(ast.get_docstring(ast.parse(code)) or "")
     named = LESSONS.search(code)
@@ -123,7 +124,9 @@ def start(found: Exercise, language: str) -> str:
     """Return the program that a student starts from, with its task in a language."""
     code = (found.folder / "start.py").read_text(encoding="utf-8")
     translated = found.translate.to(language)
-    parts = [textwrap.fill(translated(text), COLUMNS) for text in (found.title, *found.task)]
+    texts = [translated(text) for text in (found.title, *found.task)]
+    texts.append(translated(LEAD).format(lessons=", ".join(found.lessons)))
+    parts = [textwrap.fill(text, COLUMNS) for text in texts]
     # The task is French, the code stays as it is: the language of OpenGL's names is English.
     end = code.index('"""', 3)
     return '"""' + "\n\n".join(parts) + "\n" + code[end:].replace(HOLE, translated(HOLE))
@@ -147,7 +150,9 @@ def named_in(path: Path) -> Exercise:
     if len(set(names)) > 1:
         raise InputError(f"{path}: names two exercises, {names[0]} and {names[1]}; expected one")
     if names[0] not in NAMES:
-        raise InputError(f"{path}: exercise {short(names[0])}: expected one of {', '.join(NAMES)}")
+        raise InputError(
+            f"{path}: {short(names[0])}: expected an exercise, one of {', '.join(NAMES)}"
+        )
     return exercise(names[0])
 
 

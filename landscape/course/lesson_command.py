@@ -11,18 +11,20 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from landscape.course.ladder import LESSONS, TOPICS, Lesson, lesson, lessons, presses
-from landscape.course.language import translated
+from landscape.course.language import told_in, translated
 from landscape.course.picture import pictures
 from landscape.errors import InputError, NoOpenGLError
 from landscape.files.output import check_output_folder, check_writable, save_png, write_all
 from landscape.gl import display
+from landscape.languages import Phrases, choose
 
+HEADING: Phrases = ("{topic}:",)
 PACKAGES = LESSONS.parents[1]  # the folder in which Python finds the package
 
 
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
-    with speaking(options.lang):
+    with speaking(options.lang), told_in(options.lang or choose(os.environ)):
         if not options.name:
             _list(options)
             return 0
@@ -66,7 +68,7 @@ def _list(options: argparse.Namespace) -> None:
     for each in lessons():
         if each.topic != topic:
             topic = each.topic
-            print(f"{translated(TOPICS[topic])}:")
+            print(translated(HEADING[0]).format(topic=translated(TOPICS[topic])))
         print(f"  {each.name:18} {translated(each.title)}")
 
 

@@ -224,8 +224,7 @@ class EGLContext:
 
     def _buffer(self) -> Any:
         egl, (width, height) = self._egl, self.size
-        size = [int(egl.EGL_WIDTH), width, int(egl.EGL_HEIGHT), height, int(egl.EGL_NONE)]
-        wanted = (egl.EGLint * len(size))(*size)
+        wanted = (egl.EGLint * 5)(egl.EGL_WIDTH, width, egl.EGL_HEIGHT, height, egl.EGL_NONE)
         return egl.eglCreatePbufferSurface(self._display, self._config, wanted)
 
     def resize(self, size: tuple[int, int]) -> None:
