@@ -8,7 +8,6 @@ TURN = f"    glRotatef({ANGLE}, 0, 1, 0)\n"
 MOVE = "    glTranslatef(x, 0, z)\n"
 
 MUTANTS = {
-    "none": Mutant("does not turn", "facing", [(TURN, "")]),
     "turned_first": Mutant("turns before the translation", "places", [
         (EYE + TURN, ""), (MOVE, EYE + TURN + MOVE)]),
     "no_pop": Mutant("forgets glPushMatrix and glPopMatrix", "places", [

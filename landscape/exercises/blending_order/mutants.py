@@ -9,8 +9,6 @@ SORTED = "sorted(TUBES, key=lambda tube: -math.dist(tube[:2], eye()))"
 OPAQUE = "    draw_opaque()\n"
 
 MUTANTS = {
-    "glass_first": Mutant("draws the glass first", "opaque_first", [
-        (OPAQUE, ""), (UNMASK, UNMASK + OPAQUE)]),
     "between": Mutant("draws the opaque things between the tubes", "opaque_first", [
         (OPAQUE, ""),
         ("        draw_tube(x, z, color)\n    glDepth",

@@ -49,6 +49,13 @@ def near(a, b):
 )
 def cut(work, solution):
     given = work.find("glClipPlane")
+    enabled = work.find("glEnable", "GL_CLIP_PLANE0")
+    if not given and enabled:
+        return hint(
+            _("Line {line} turns a plane on, but which one is not said: its four numbers are still "
+              "0, and it cuts nothing."),
+            line=enabled[0].line,
+        )  # fmt: skip
     if not given:
         return hint(_("There is no plane yet: glClipPlane gives one to OpenGL."))
     for number in FRAMES:

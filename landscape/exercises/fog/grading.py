@@ -38,6 +38,13 @@ def fogged(work, solution):
         clear = [draw for draw in draws if not draw.state["GL_FOG"]]
         if not clear:
             continue
+        if not work.find("glEnable", "GL_FOG") and not work.find("glFog"):
+            return hint(
+                _(
+                    "There is no fog yet: glEnable turns it on, and glFog sets its mode, density "
+                    "and colour."
+                )
+            )
         if not work.find("glEnable", "GL_FOG"):
             return hint(
                 _("glEnable(GL_FOG) is missing: without it the other calls have no effect.")

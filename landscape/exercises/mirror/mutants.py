@@ -7,11 +7,9 @@ CLOCKWISE, COUNTER = "    glFrontFace(GL_CW)\n", "    glFrontFace(GL_CCW)\n"
 PLANE = "    glClipPlane(GL_CLIP_PLANE0, (0, 1, 0, -LEVEL))\n"
 ENABLE, DISABLE = "    glEnable(GL_CLIP_PLANE0)\n", "    glDisable(GL_CLIP_PLANE0)\n"
 MIRRORED = SCALE + "    set_sun()\n"
-DRAW = ENABLE + "    draw_things()\n"
 AGAIN = "    glPopMatrix()\n    set_sun()\n"
 
 MUTANTS = {
-    "nothing": Mutant("does not draw the things", "twice", [(DRAW, ENABLE)]),
     "turned": Mutant("turns the things round", "mirrored", [
         (SCALE, "    glRotatef(180, 1, 0, 0)\n")]),
     "two_signs": Mutant("changes two signs", "mirrored", [(SCALE, "    glScalef(1, -1, -1)\n")]),

@@ -12,8 +12,6 @@ BACK = "    glClearColor(0.13, 0.16, 0.21, 1)\n    glMatrixMode"
 WHOLE = "    draw_maze()\n    glViewport(0, 0, width, height)\n"
 
 MUTANTS = {
-    "no_maze": Mutant("does not draw the maze", "twice", [
-        (WHOLE, WHOLE.replace("    draw_maze()\n", ""))]),
     "no_viewport": Mutant("forgets glViewport", "viewport", [(VIEWPORT, "")]),
     "from_above": Mutant("counts from the upper edge", "viewport", [
         (VIEWPORT, VIEWPORT.replace("16, 16", "16, height - 16 - side"))]),
