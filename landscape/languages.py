@@ -21,6 +21,7 @@ from landscape.errors import InputError
 LANGUAGES = ("en", "fr")
 LOCALE = Path(__file__).parent / "locale"
 _NO_BREAK = re.compile(r" (?=[;:!?%»])|(?<=«) |(?<=\d) (?=\d{3}(?!\d))")
+_APOSTROPHE = re.compile(r"(?<=[^\W\d_])'(?=\w|«)")  # as in l'eau; not in 'word' or x'
 
 Texts = dict[str, str]
 """English texts by key. A key is the context of its text, where one text has two translations."""
@@ -53,14 +54,20 @@ def choose(environment: Mapping[str, str]) -> str:
 
 
 def typeset(french: str) -> str:
-    """Return a French text with no-break spaces before ; : ! ? %, inside « » and in 1 500 000.
+    """Return a French text with its no-break spaces and its apostrophes.
 
-    What is between backquotes is code, and stays as it is.
+    No-break are the spaces before ; : ! ? %, inside « » and in 1 500 000. What is between
+    backquotes is code, and stays as it is.
     """
     parts = french.split("`")
     # An odd number of parts: each second one is code.
     words = slice(0, None, 2 if len(parts) % 2 else 1)
-    parts[words] = [_NO_BREAK.sub("\u00a0", part) for part in parts[words]]
+    parts[words] = [
+        _APOSTROPHE.sub("\u2019", _NO_BREAK.sub("\u00a0", part)) for part in parts[words]
+    ]
+    # Before code too, as in l'`alpha`.
+    for number in range(0, len(parts) - 1, 2) if len(parts) % 2 else ():
+        parts[number] = re.sub(r"(?<=[^\W\d_])'$", "\u2019", parts[number])
     return "`".join(parts)
 
 

@@ -233,6 +233,16 @@ def test_french_is_typeset_with_no_break_spaces(locale: Path) -> None:
     assert translator("fr", "words")("fix") == expected
 
 
+def test_french_has_its_apostrophes_but_not_in_code_or_for_quotes_and_primes(locale: Path) -> None:
+    french = "l'eau, l'`x'y`, qu'« ici », l'« œil », 'mot', P'"
+    (locale / "words.po").write_text(
+        HEAD + f'msgid "fix"\nmsgstr "{french}"\n\nmsgid "on"\nmsgstr "P\'"\n', encoding="utf-8"
+    )
+    set_ = translator("fr", "words")
+    expected = "l’eau, l’`x'y`, qu’«_ici_», l’«_œil_», 'mot', P'".replace("_", "\u00a0")
+    assert (set_("fix"), set_("on")) == (expected, "P'")
+
+
 def test_code_in_french_is_left_as_it_is(locale: Path) -> None:
     entries = (
         'msgid "fix"\nmsgstr "`a ? b : 1 000` : oui"\n\nmsgid "on"\nmsgstr "un ` seul : oui"\n'

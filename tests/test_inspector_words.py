@@ -20,7 +20,7 @@ ROWS = {
     "GL_MIN of (1, 1, 1) and (0, 0, 0) = (0, 0, 0)":
     "GL_MIN de (1, 1, 1) et (0, 0, 0) = (0, 0, 0)",
     "GL_XOR of the bits of (1, 1, 1) and (1, 1, 1), of which nothing is written = (0, 0, 0)":
-    "GL_XOR des bits de (1, 1, 1) et (1, 1, 1), dont rien n'est écrit = (0, 0, 0)",
+    "GL_XOR des bits de (1, 1, 1) et (1, 1, 1), dont rien n’est écrit = (0, 0, 0)",
     "behind GL_CLIP_PLANE0 or GL_CLIP_PLANE1": "derrière GL_CLIP_PLANE0 ou GL_CLIP_PLANE1",
     "reference 1 GL_EQUAL 0 in the stencil buffer: fails":
     "référence 1 GL_EQUAL 0 dans le tampon de stencil : échec",

@@ -133,7 +133,7 @@ def test_a_view_takes_its_title_and_caption_from_the_gallery(
     monkeypatch.setenv("LANGUAGE", "fr")
     view, fix = read(_written(tmp_path, "fig6a\n\nR12\n")).steps
     assert texts.title(view) not in ("", view.name) and "mirror" not in texts.title(view)
-    assert texts.caption(view).startswith("Il n'y a pas encore d'eau")
+    assert texts.caption(view).startswith("Il n’y a pas encore d’eau")
     assert texts.caption(fix)
 
 

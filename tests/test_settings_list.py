@@ -158,7 +158,7 @@ def test_a_setting_without_effect_is_marked_and_says_why() -> None:
     assert page(BEST, BEST, "fog.start", "", "en").below[3] == "ignored while fog.mode is exp2"
     assert page(BEST, BEST, "fog.start", "", "fr").below[3] == "sans effet\u00a0: fog.mode = exp2"
     arch = page(BEST, BEST, "grass.arch", "", "fr", hidden=("grass",))
-    assert arch.below[3] == "sans effet\u00a0: grass n'est pas affiché"
+    assert arch.below[3] == "sans effet\u00a0: grass n’est pas affiché"
     assert page(BEST, BEST, "grass.arch", "", "en").below[3] == ""
 
 
