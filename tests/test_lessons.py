@@ -199,6 +199,17 @@ def _copied(found: Lesson, folder: Path) -> list[Path]:
     return [folder / f"{found.name}.py", folder / "text.py", folder / "data" / "letters.png"]
 
 
+def test_a_copy_in_french_differs_only_in_its_docstring(shell: Shell, tmp_path: Path) -> None:
+    done = shell("lesson", "mirror", "--copy", tmp_path, "--lang", "fr")
+    assert done.status == 0, done.err
+    french, english = (
+        path.read_text(encoding="utf-8") for path in (tmp_path / "mirror.py", lesson("mirror").file)
+    )
+    assert french.startswith('"""Miroir\u00a0: un nœud dans un sol poli\n\n')
+    assert french.split('"""')[2] == english.split('"""')[2]
+    assert max(map(len, french.splitlines())) <= 100
+
+
 def test_a_copy_runs_in_its_folder_and_is_never_overwritten(
     shell: Shell, watcher: Watcher, tmp_path: Path
 ) -> None:

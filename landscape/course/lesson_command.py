@@ -12,6 +12,7 @@ from pathlib import Path
 
 from landscape.course.ladder import LESSONS, TOPICS, Lesson, lesson, lessons, presses
 from landscape.course.language import told_in, translated
+from landscape.course.pages import wrapped
 from landscape.course.picture import pictures
 from landscape.errors import InputError, NoOpenGLError
 from landscape.files.output import check_output_folder, check_writable, save_png, write_all
@@ -19,6 +20,7 @@ from landscape.gl import display
 from landscape.languages import Phrases, choose
 
 HEADING: Phrases = ("{topic}:",)
+WIDTH = 96  # chosen: columns of a docstring, at most
 PACKAGES = LESSONS.parents[1]  # the folder in which Python finds the package
 
 
@@ -102,11 +104,22 @@ def copy(chosen: Lesson, folder: Path) -> list[Path]:
     """
     check_output_folder(folder)
     copies = {folder / file.relative_to(LESSONS): file.read_bytes() for file in needed(chosen)}
+    copies[folder / chosen.file.name] = described(chosen).encode()
     for path, content in copies.items():
         if path.exists() and (not path.is_file() or path.read_bytes() != content):
             raise InputError(f"{path}: is there already, changed; expected a folder without it")
     write_all({path: content for path, content in copies.items() if not path.exists()})
     return list(copies)
+
+
+def described(chosen: Lesson) -> str:
+    """Return a lesson's source, with its docstring in the user's language."""
+    source = chosen.file.read_text(encoding="utf-8")
+    texts = [translated(text) for text in (chosen.title, *chosen.about)]
+    if texts == [chosen.title, *chosen.about]:
+        return source
+    _before, _docstring, program = source.split('"""', 2)
+    return '"""' + "\n\n".join(wrapped("", text, WIDTH) for text in texts) + f'\n"""{program}'
 
 
 def needed(chosen: Lesson) -> list[Path]:
