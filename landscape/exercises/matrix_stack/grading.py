@@ -45,6 +45,24 @@ def depth_at_end(work, number):
     return len(frame.find("glPushMatrix")) - len(frame.find("glPopMatrix"))
 
 
+def lamp_first(work):
+    """Return whether the lamp is drawn before the arm."""
+    draws = work.frame(0).draws
+    found = [draws.index(each) for size in (LAMP, BASE) for each in parts(work, 0, size)[:1]]
+    return len(found) == 2 and found[0] < found[1]
+
+
+def left_open(calls):
+    """Return the glPushMatrix calls that no glPopMatrix has taken back, in order."""
+    found = []
+    for call in calls:
+        if call.name == "glPushMatrix":
+            found.append(call)
+        elif call.name == "glPopMatrix":
+            del found[-1:]
+    return found
+
+
 @test(
     _("The arm itself is as it was"),
     _("Base, upper arm, forearm and wrist each carry the next part; nothing of that changes."),
@@ -63,6 +81,11 @@ def arm(work, solution):
             if not same(found[0], ours[0]):
                 if number == FRAMES[-1] and depth_at_end(work, 0) < 0:
                     break
+                if lamp_first(work):
+                    return hint(
+                        _("The lamp is drawn before the arm now, so the arm stands in the lamp's "
+                          "frame. Leave the order of the calls as it was.")
+                    )  # fmt: skip
                 return hint(
                     _(
                         "A part is no longer where it was: {part}. Between it and the part that "
@@ -115,10 +138,9 @@ def fingers(work, solution):
             )  # fmt: skip
         if not work.frame(number).find("glPushMatrix"):
             return hint(
-                _("No matrix is kept yet. Begin with the fingers: glPushMatrix is missing {push}, "
-                  "and glPopMatrix {pop}. The arm needs a pair of its own."),
-                push=between(wrist_drawn, draws[0]),
-                pop=between(*draws),
+                _("No matrix is kept yet. Begin with the fingers: the second one needs the matrix "
+                  "that was current before the first one. Where is it to be kept, and where to be "
+                  "taken back?"),
             )  # fmt: skip
         return hint(
             _("The second finger stands on the first one: glPushMatrix is missing {push}, and "
@@ -153,6 +175,15 @@ def lamp(work, solution):
             _("glLoadIdentity before the lamp goes back to the eye, and not to where the base "
               "began.")
         )  # fmt: skip
+    calls = work.frame(0).calls
+    pushed = left_open(calls[: calls.index(parts(work, 0, LAMP)[0].call)])
+    if pushed:
+        return hint(
+            _("The lamp is drawn in a frame of the arm: the glPushMatrix in line {line} still "
+              "waits for its glPopMatrix, {place}."),
+            line=pushed[0].line,
+            place=between(parts(work, 0, FINGER)[-1], parts(work, 0, LAMP)[0]),
+        )  # fmt: skip
     return hint(
         _("The lamp is drawn in a frame of the arm: glPopMatrix is missing {place}, or it belongs "
           "to another glPushMatrix."),
@@ -173,6 +204,27 @@ def balanced(work, solution):
               "full: GL_STACK_OVERFLOW."),
             count=depth,
         )  # fmt: skip
+    return None
+
+
+@test(
+    _("Only pushes and pops were added"),
+    _("A transformation that is taken back by its inverse adds its rounding errors in each frame."),
+    needs=lamp,
+)
+def unchanged(work, solution):
+    kinds = ("glTranslate", "glRotate", "glScale")
+    for kind in kinds:
+        ours, found = (each.frame(0).find(kind) for each in (solution, work))
+        known = {line.strip() for line in solution.source}
+        for call in found if len(found) > len(ours) else ():
+            if work.text(call.line) not in known:
+                return hint(
+                    _("{name} in line {line} takes a transformation back. The stack does that "
+                      "without computing: keep the matrix before, and take it back after."),
+                    name=call.name,
+                    line=call.line,
+                )  # fmt: skip
     return None
 
 

@@ -17,6 +17,12 @@ MUTANTS = {
         (PUSH + LEFT, LEFT)]),
     "identity": Mutant("goes back by glLoadIdentity", "fingers", [
         (PUSH + LEFT + POP, LEFT + "    glLoadIdentity()\n")]),
+    "inverse": Mutant("takes the finger's transformations back one by one", "unchanged", [
+        (PUSH + LEFT + POP, LEFT + "    glRotatef(-25, 0, 0, 1)\n    glTranslatef(0.35, 0, 0)\n")]),
+    "lamp_first": Mutant("draws the lamp first", "arm", [
+        (PUSH + ARM + POP + LAMP, LAMP + ARM)]),
+    "lamp_never_popped": Mutant("pushes before the arm and never pops", "lamp", [
+        (PUSH + ARM + POP, PUSH + ARM)]),
     "lamp_forgotten": Mutant("forgets the lamp", "lamp", [(PUSH + ARM + POP, ARM)]),
     "lamp_on_the_base": Mutant("pushes after the base's rotation", "lamp", [
         (PUSH + ARM, ARM), ("    glRotatef(turn, 0, 1, 0)\n",

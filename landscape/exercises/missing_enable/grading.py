@@ -49,14 +49,24 @@ def enabled(work, solution):
         return hint(
             _(
                 "GL_CULL_FACE in line {line} leaves out the faces that look away from the eye. "
-                "A box still does not hide what is behind it: that takes another capability."
+                "A box still does not hide what is behind it: something else must be turned on."
             ),
             line=found[0].line,
         )
+    towers, wanted = ([tuple(draw.vertices[0]) for draw in each.frame(0).draws]
+                      for each in (work, solution))  # fmt: skip
+    if towers != wanted and sorted(towers) == sorted(wanted):
+        return hint(
+            _(
+                "The boxes are drawn in another order than before. The board turns, and no order "
+                "is right from all sides: leave the list as it was. The depth test makes the "
+                "order indifferent."
+            )
+        )
     return hint(
         _(
-            "The call that turns the depth test on is missing {place}. The depth test is a "
-            "capability like GL_LIGHTING or GL_FOG, and one function turns all of them on."
+            "The call that turns the depth test on is missing {place}. One function turns on "
+            "whatever OpenGL can also do without, by its name; the lesson depth_buffer calls it."
         ),
         place=between(next(iter(work.find("glClearColor")), None), boxes[0]),
     )

@@ -17,6 +17,8 @@ MUTANTS = {
     "off_again": Mutant("turns it off after the board", "enabled", [
         ("    for x, z, height, color in TOWERS:", "    glDisable(GL_DEPTH_TEST)\n"
          "    for x, z, height, color in TOWERS:")]),
+    "sorted": Mutant("sorts the towers instead", "enabled", [
+        (ON, ""), ("in TOWERS:", "in sorted(TOWERS):")]),
     "no_clear": Mutant("no longer clears the depth", "cleared", [
         (" | GL_DEPTH_BUFFER_BIT", "")]),
     "always": Mutant("lets everything pass", "picture", [

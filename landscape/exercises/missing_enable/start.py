@@ -4,9 +4,9 @@ Five towers stand on a board that turns. They are drawn one after the other, in 
 list, wherever they stand. Each pixel should show what is nearest to the eye; but the towers that
 are drawn last cover those in front of them.
 
-OpenGL can keep the distance of what each pixel shows, and leave out what lies farther away. The
-window has the buffer for it, and glClear empties it in each frame; only one line is missing, which
-turns the comparison on. Write it in place of the comment. Change nothing else.
+OpenGL can keep the distance of what each pixel shows, and leave out what lies farther away: this is
+the depth test. The window has the buffer for it, and glClear empties it in each frame; only one
+line is missing, which turns the test on. Write it in place of the comment. Change nothing else.
 """
 # exercise: missing_enable
 # lessons: depth_buffer

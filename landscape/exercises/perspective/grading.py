@@ -48,7 +48,10 @@ def projected(work, solution):
         )
     if calls and np.allclose(projection, np.eye(4)):
         return hint(
-            _("glFrustum in line {line} has no effect: what loads another matrix after it?"),
+            _(
+                "glFrustum in line {line} multiplies the modelview matrix, which glLoadIdentity "
+                "sets anew later. glMatrixMode says which matrix is meant: GL_PROJECTION."
+            ),
             line=calls[-1].line,
         )
     if found := work.find("glOrtho"):
@@ -72,8 +75,8 @@ def fresh(work, solution):
     chosen = next(iter(work.last.find("glMatrixMode", "GL_PROJECTION")), None)
     return hint(
         _(
-            "In the first frame it is right, and later it is not: glFrustum multiplies the matrix "
-            "of the frame before. glLoadIdentity() is missing {place}."
+            "glFrustum multiplies the current matrix, which in the second frame is that of the "
+            "first one. glLoadIdentity() is missing {place}."
         ),
         place=between(chosen, made),
     )
@@ -88,6 +91,17 @@ def opening(work, solution):
     slope = 1 / matrices(work, 0)[0][1, 1]
     if near(slope, SLOPE):
         return None
+    if slope < 0:
+        return hint(
+            _("bottom and top are swapped: the third argument of glFrustum is the lower edge, and "
+              "the smaller number.")
+        )  # fmt: skip
+    if slope * NEAR >= 100:
+        return hint(
+            _("The edges are as far apart as the window has pixels. glFrustum wants them in units "
+              "of the scene, on the near plane, {near} away from the eye."),
+            near=NEAR,
+        )  # fmt: skip
     wrong = {
         math.tan(math.radians(40)): _(
             "The angle from edge to edge is now 80 degrees: above the middle there is only half "
@@ -128,6 +142,11 @@ def proportions(work, solution):
     wanted = [aspect(work, each) for each in FRAMES]
     if all(near(a, b) for a, b in zip(ratios, wanted, strict=True)):
         return None
+    if ratios[0] < 0:
+        return hint(
+            _("left and right are swapped: the first argument of glFrustum is the left edge, and "
+              "the smaller number.")
+        )  # fmt: skip
     if near(ratios[0], 1) and near(ratios[1], 1):
         return hint(
             _("right and top are equal, so that everything is stretched to the window's width: "

@@ -19,6 +19,9 @@ MUTANTS = {
     "no_identity": Mutant("forgets glLoadIdentity", "fresh", [
         ("    glLoadIdentity()\n    glFrustum", "    glFrustum")]),
     "ortho": Mutant("takes glOrtho", "projected", [("glFrustum(-right", "glOrtho(-right")]),
+    "upside_down": Mutant("swaps bottom and top", "opening", [("-top, top", "top, -top")]),
+    "mirrored": Mutant("swaps left and right", "proportions", [("-right, right", "right, -right")]),
+    "pixels": Mutant("gives pixels", "opening", [(TAN, "height / 2")]),
     "planes": Mutant("takes other planes", "depths", [
         ("top, NEAR, FAR)", "top, NEAR, FAR / 4)")]),
 }  # fmt: skip

@@ -107,7 +107,8 @@ def planet(work, solution):
             "In frame {frame} the planet is at ({x:.2f}, {y:.2f}, {z:.2f}), and not at "
             "({wanted_x:.2f}, 0, {wanted_z:.2f})."
         ),
-        frame=0, x=first[0], y=first[1], z=first[2], wanted_x=wanted[0][0], wanted_z=wanted[0][2],
+        frame=0, **dict(zip("xyz", np.round(first, 2) + 0.0, strict=True)),
+        wanted_x=wanted[0][0], wanted_z=wanted[0][2],
     )  # fmt: skip
 
 
@@ -147,15 +148,26 @@ def moon(work, solution):
         )  # fmt: skip
     if all(close(found[n], planets[n] + around(1.3, YEARS[n] - MONTHS[n])) for n in FRAMES):
         return hint(_("The moon goes round clockwise as seen from above: the sign of the angle."))
+    calls = work.frame(0).calls
+    before, own = (calls.index(draw.call) for draw in drawn(work, 0)[1:3])
+    loads = [call for call in calls[before:own] if call.name == "glLoadIdentity"]
+    if loads:
+        return hint(
+            _("glLoadIdentity in line {line} goes back to the eye: for the moon, it forgets where "
+              "the planet is and how the system is tilted."),
+            line=loads[0].line,
+        )  # fmt: skip
+    distance = np.linalg.norm(first - planets[0])
+    if abs(distance - 1.3) > NEAR:
+        return hint(
+            _("The moon is {distance:.1f} away from the planet, and not 1.3. Its translation "
+              "begins at the planet, and not at the sun."),
+            distance=distance,
+        )  # fmt: skip
     return hint(
-        _(
-            "In frame {frame} the moon is {distance:.2f} away from the planet, in the direction "
-            "({x:.2f}, {y:.2f}, {z:.2f}); it should be 1.3 away, at the angle year + month."
-        ),
-        frame=0,
-        distance=np.linalg.norm(first - planets[0]),
-        **dict(zip("xyz", first - planets[0], strict=True)),
-    )
+        _("The moon is at the right distance from the planet, and at the wrong angle: it should be "
+          "year + month, round the y axis.")
+    )  # fmt: skip
 
 
 @test(

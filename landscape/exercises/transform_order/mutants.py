@@ -13,6 +13,10 @@ MUTANTS = {
     "moon_order": Mutant("moves the moon, then rotates", "moon", [(MONTH + NEAR, NEAR + MONTH)]),
     "moon_of_the_sun": Mutant("pops the matrix before the moon", "moon", [
         (POP, ""), (MONTH, POP + MONTH)]),
+    "moon_identity": Mutant("loads the identity before the moon", "moon", [
+        (MONTH, "    glLoadIdentity()\n" + MONTH)]),
+    "moon_from_the_sun": Mutant("moves the moon from the sun", "moon", [
+        (NEAR, NEAR.replace("1.3", "5.5"))]),
     "sign": Mutant("rotates the planet clockwise", "planet", [("f(year,", "f(-year,")]),
     "radians": Mutant("converts to radians", "planet", [("f(year,", "f(math.radians(year),")]),
     "axis": Mutant("rotates round the z axis", "planet", [("year, 0, 1, 0", "year, 0, 0, 1")]),

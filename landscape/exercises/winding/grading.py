@@ -36,7 +36,14 @@ def corner_set(face):
     return frozenset(face.strip("()").split(", "))
 
 
-TO_MEND = {corner_set("(TOP, 2, 3)"), corner_set("(BOTTOM, 4, 5)")}
+AS_GIVEN = "(TOP, 3, 2)", "(BOTTOM, 4, 5)"
+TO_MEND = set(map(corner_set, AS_GIVEN))
+
+
+def whole(face):
+    """Return whether a face has one tip and two neighbouring points of the ring."""
+    ring = [int(corner) for corner in corner_set(face) if corner.isdigit()]
+    return len(corner_set(face)) == 3 and len(ring) == 2 and abs(ring[0] - ring[1]) in (1, 5)
 
 
 @test(
@@ -116,6 +123,20 @@ def order(work, solution):
     wrong = [corners(each) for each in triangles(work) if not outward(each)]
     if not wrong:
         return None
+    strange = [each for each in wrong if not whole(each)]
+    if strange:
+        return hint(
+            _("{face} is drawn, which is no face of the gem: each has one tip and two neighbouring "
+              "points of the ring."),
+            face=strange[0],
+        )  # fmt: skip
+    begun = [each for each in wrong if corner_set(each) in TO_MEND and each not in AS_GIVEN]
+    if begun and len(wrong) <= 2:
+        return hint(
+            _("{face} goes round as before and only begins at another corner. Two of its corners "
+              "must change places."),
+            face=begun[0],
+        )  # fmt: skip
     if len(wrong) == 1:
         return hint(_("One face is still clockwise as seen from outside: {face}."), face=wrong[0])
     if len(wrong) == 12:
@@ -131,9 +152,9 @@ def order(work, solution):
         )  # fmt: skip
     if len(wrong) == 2:
         return hint(
-            _("Two faces are clockwise as seen from outside. Stop the gem where one is missing, "
-              "and compare its line in FACES with its neighbours': TOP, then the ring "
-              "counter-clockwise; BOTTOM, then the ring clockwise.")
+            _("Two faces are clockwise as seen from outside. Each face in FACES is a tip and two "
+              "neighbouring points of the ring. Those of TOP go round the ring counter-clockwise, "
+              "those of BOTTOM clockwise: which of each six does not go on as the others do?")
         )  # fmt: skip
     others = [each for each in wrong if corner_set(each) not in TO_MEND]
     return hint(

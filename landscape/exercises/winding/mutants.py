@@ -13,6 +13,10 @@ MUTANTS = {
     "left_out": Mutant("leaves a wrong face out", "twelve", [(" (TOP, 2, 3),", "")]),
     "both_orders": Mutant("lists the wrong faces in both orders", "twelve", [
         ("(TOP, 2, 3),", "(TOP, 2, 3), (TOP, 3, 2),")]),
+    "begun_elsewhere": Mutant("begins a wrong face at another corner", "order", [
+        ("(TOP, 2, 3)", "(3, 2, TOP)")]),
+    "no_face": Mutant("names a point that the face does not have", "order", [
+        ("(TOP, 2, 3)", "(TOP, 2, 8)")]),
     "one_of_two": Mutant("finds one of the two", "order", [("(BOTTOM, 5, 4)", "(BOTTOM, 4, 5)")]),
     "other_half": Mutant("lists the lower faces like the upper ones", "order", [
         ("(BOTTOM, 1, 0), (BOTTOM, 2, 1), (BOTTOM, 3, 2), (BOTTOM, 4, 3), (BOTTOM, 5, 4), "
