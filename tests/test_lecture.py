@@ -6,16 +6,40 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import Shell, landscape, refused
+from commands import Shell, landscape, need_library, python, refused
 
 from landscape.course import lecture_texts as texts
 from landscape.course.ladder import NAMES, lesson, lessons
 from landscape.course.lecture import Step, course, new_lines, read
 from landscape.course.lecture_image import caption_image, code_image, steps_image
-from landscape.course.lecture_layout import BANDS, layout
+from landscape.course.lecture_layout import BANDS, arranged, layout
 from landscape.course.lecture_list import StepList
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "lecture.md"
+
+# Points to the middle of the area with the mouse of 2006, which looks to where it points: north and
+# level. Then opens the inspector, and asks whether its foot names the lecture's key.
+MOUSE = """
+import functools, sys
+from pathlib import Path
+from landscape.gl.context import GLFWContext
+GLFWContext.__init__ = functools.partialmethod(GLFWContext.__init__, headless=True)
+from landscape.course.lecture import read
+from landscape.course.lecture_stage import Stage
+from landscape.course.lecture_view import LectureWalk, planned
+from landscape.window.inspector_page import foot
+stage = Stage(read(Path(sys.argv[1])), 0, (400, 250), 1)
+stage.begin(0)
+with LectureWalk(stage, planned(stage, "fig5a", "en")) as walk:
+    walk.button(stage.glfw.MOUSE_BUTTON_LEFT, stage.glfw.PRESS, 0)
+    walk.listen()
+    across, down = stage.area()
+    stage.glfw.set_cursor_pos(stage.window, across / 2, 250 - down / 2)
+    walk.advance(walk.listen())
+    print(walk.walker.yaw, walk.walker.pitch)
+    walk.inspect()
+    print("F12" in foot(walk.inspection.model, "en", walk.inspection.letters)[-1])
+"""
 
 
 @pytest.fixture(scope="module")
@@ -154,6 +178,18 @@ def test_the_lines_that_matter_are_those_with_names_no_lesson_had_before() -> No
     assert any(new_lines(name) for name in NAMES[:5])
 
 
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (1024, 768)])
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_the_captions_of_the_course_fit_into_a_band_of_one_height(
+    monkeypatch: pytest.MonkeyPatch, language: str, size: tuple[int, int]
+) -> None:
+    monkeypatch.setenv("LANGUAGE", language)
+    for step in course().steps:
+        for code in (False, True) if step.file else (False,):
+            title, captions = texts.title(step), texts.captions(step)
+            assert arranged(size, code, 1.0, title, captions)[0] == layout(size, code), step.name
+
+
 @pytest.mark.parametrize("size", [(1920, 1080), (1024, 768), (2560, 1600), (320, 240)])
 def test_nothing_covers_the_area_and_all_of_the_window_is_used(size: tuple[int, int]) -> None:
     for code in (False, True):
@@ -179,6 +215,26 @@ def test_a_long_caption_is_cut_and_a_short_one_is_larger() -> None:
     edges = [np.flatnonzero(np.diff(rows.astype(int))) for rows in bright]
     assert edges[0][1] - edges[0][0] > edges[1][1] - edges[1][0], "letters of the first line"
     assert not bright[1][[0, -1]].any(), "no line is cut in its height"
+
+
+def test_a_caption_keeps_the_band_low_where_its_title_is_long() -> None:
+    title = "Listes d'affichage : une fleur compilée une fois, dessinée des centaines de fois"
+    size = (1024, 768)
+    found, caption = arranged(size, False, 1.0, title, ["Two words."])
+    assert found == layout(size, False) and caption == "Two words."
+    image = caption_image(found.caption, size[1], "1/2", title, caption)
+    words = (image[:-4, :900, :3].min(axis=2) > 100).any(axis=1)
+    assert words.any() and not words[[0, -1]].any(), "no line is cut in its height"
+    higher, _ = arranged(size, False, 1.0, title, ["A long sentence of the user. " * 14])
+    assert higher.area[1] < found.area[1], "what the user wrote is shown"
+
+
+def test_a_walk_in_a_lecture_has_its_mouse_in_its_area_and_names_the_lecture_s_key(
+    tmp_path: Path,
+) -> None:
+    need_library("OSMesa")
+    done = python(MOUSE, str(_written(tmp_path, "fig5a\n")))
+    assert (done.err, done.out) == ("", "0.0 0.0\nTrue\n")
 
 
 def test_the_code_shows_all_lines_that_matter_even_if_they_are_far_apart() -> None:

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from landscape.capture.program_events import KEYS as KEY_NAMES
-from landscape.course.ladder import LESSONS, NAMES, lesson, lessons
+from landscape.course.ladder import NAMES, lesson
 from landscape.errors import InputError, short
 from landscape.files.input import read_bounded
 from landscape.scene import find_view
@@ -76,11 +76,7 @@ def read(path: Path) -> Lecture:
 
 def course() -> Lecture:
     """Return the lecture that comes with the program, of the whole course."""
-    whole = read(COURSE)
-    there = {each.name for each in lessons()}
-    return Lecture(
-        whole.title, [step for step in whole.steps if step.kind != LESSON or step.name in there]
-    )
+    return read(COURSE)
 
 
 def texts(lecture: Lecture) -> Iterator[str]:
@@ -146,8 +142,8 @@ def _step(path: Path, block: Lines) -> Step:
 
 def _named(path: Path, line: int, name: str) -> Step:
     """Return the step that a block's first line names."""
-    if name in NAMES and (path == COURSE or (LESSONS / f"{name}.py").exists()):
-        return Step(name, LESSON, line, LESSONS / f"{name}.py")
+    if name in NAMES:
+        return Step(name, LESSON, line, lesson(name).file)
     if name.endswith(".py"):
         file = path.parent / name
         if not file.is_file():
@@ -222,9 +218,7 @@ def new_lines(name: str) -> frozenset[int]:
     """Return the lines of a lesson with names of OpenGL or GLFW that no lesson before it has."""
     before: set[str] = set()
     for each in NAMES[: NAMES.index(name)]:
-        file = LESSONS / f"{each}.py"
-        if file.exists():
-            before.update(CALLS.findall(file.read_text(encoding="utf-8")))
+        before.update(CALLS.findall(lesson(each).file.read_text(encoding="utf-8")))
     lines = lesson(name).file.read_text(encoding="utf-8").splitlines()
     texts = in_texts(lines)
     return frozenset(

@@ -1,7 +1,8 @@
 """The pictures of a lecture: the caption, the code with its lines, the list of the steps."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,8 @@ from landscape.window.list_image import wrapped
 # smallest can be read from the back row.
 LARGEST, SMALLEST, LEAST = 24, 42, 9
 SPACING = 1.3  # chosen: line height, in font sizes
-TITLE_PART = 0.27  # chosen: of a band's width
+# Chosen: of a band's width, the second where a long title would need more lines than the caption.
+TITLE_PARTS = 0.27, 0.36
 CODE_LETTERS = (44, 66)  # chosen: of the window's height, as above
 LIST_LETTERS = (32, 62)  # chosen: likewise
 TAB = 4  # columns
@@ -37,18 +39,14 @@ def caption_image(
     """
     image = Image.new("RGBA", size, (*BAND, 255))
     pen = ImageDraw.Draw(image)
-    beside = size[0] > 4 * size[1]
     title, text = writable(title, font(LEAST, True)), writable(text, font(LEAST))
-    for pixels in _sizes(height // LARGEST, max(height // SMALLEST, LEAST)):
-        parts = _caption(size, pixels, title, text, beside)
-        if all(_tall(lines, pixels) <= size[1] - pixels // 2 for _, lines in parts):
-            break
+    pixels, parts = _set(size, _sizes(height // LARGEST, _least(height)), title, text)
     for left, lines in parts:
         room = max(int((size[1] - pixels // 2) / (SPACING * pixels)), 1)
         if len(lines) > room:
             last = lines[room - 1]
             lines = [*lines[: room - 1], (f"{last[0]}…", *last[1:])]
-        y = (size[1] - _tall(lines, pixels)) / 2 if beside else pixels / 2
+        y = (size[1] - _tall(lines, pixels)) / 2 if _beside(size) else pixels / 2
         for words, colour, bold in lines:
             pen.text((left, y), words, colour, font(pixels, bold), "la")
             y += SPACING * pixels
@@ -68,30 +66,52 @@ def _sizes(largest: int, smallest: int) -> Iterator[int]:
     yield smallest
 
 
+def _least(height: int) -> int:
+    """Return the size of a caption's smallest letters in a window of this height, in pixels."""
+    return max(height // SMALLEST, LEAST)
+
+
 def caption_fits(size: tuple[int, int], height: int, title: str, text: str) -> bool:
     """Return whether a caption fits into a box in the smallest letters."""
-    pixels = max(height // SMALLEST, LEAST)
     title, text = writable(title, font(LEAST, True)), writable(text, font(LEAST))
-    parts = _caption(size, pixels, title, text, size[0] > 4 * size[1])
-    return all(_tall(lines, pixels) <= size[1] - pixels // 2 for _, lines in parts)
+    pixels, parts = _set(size, [_least(height)], title, text)
+    return _fits(size, pixels, parts)
 
 
 Written = list[tuple[str, tuple[int, int, int], bool]]
+Columns = list[tuple[int, Written]]
+"""The columns of a caption: where each begins, and its lines."""
 
 
-def _caption(
-    size: tuple[int, int], pixels: int, title: str, text: str, beside: bool
-) -> list[tuple[int, Written]]:
-    """Return the columns of a caption: where each begins, and its lines."""
+def _set(size: tuple[int, int], sizes: Iterable[int], title: str, text: str) -> tuple[int, Columns]:
+    """Return the first of these font sizes in which a caption fits, or the last; its columns."""
+    for part, pixels in product(TITLE_PARTS, sizes):
+        parts = _caption(size, pixels, title, text, part)
+        if _fits(size, pixels, parts):
+            return pixels, parts
+    return pixels, _caption(size, pixels, title, text, TITLE_PARTS[0])
+
+
+def _fits(size: tuple[int, int], pixels: int, parts: Columns) -> bool:
+    return all(_tall(lines, pixels) <= size[1] - pixels // 2 for _, lines in parts)
+
+
+def _beside(size: tuple[int, int]) -> bool:
+    """Return whether a box is so wide that its caption stands beside its title."""
+    return size[0] > 4 * size[1]
+
+
+def _caption(size: tuple[int, int], pixels: int, title: str, text: str, part: float) -> Columns:
+    """Return the columns; a title beside its caption has this part of the width."""
     bold, face = font(pixels, True), font(pixels)
     edge = pixels
-    if not beside:
+    if not _beside(size):
         inner = size[0] - 2 * edge
         titles = wrapped(title, bold, inner)
         lines = wrapped(text, face, inner) if text else []
         return [(edge, [(line, TITLE, True) for line in titles] +
                  [(line, WORDS, False) for line in lines])]  # fmt: skip
-    left = round(TITLE_PART * size[0])
+    left = round(part * size[0])
     titles = wrapped(title, bold, left - 2 * edge)
     lines = wrapped(text, face, size[0] - left - 4 * edge)
     return [

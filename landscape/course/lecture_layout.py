@@ -6,7 +6,10 @@ Sizes and boxes are in pixels.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+
+from landscape.course.lecture_image import caption_fits
 
 # Chosen: how many bands fill the window's height; the first in which the caption fits. With 9 of
 # 1080 pixels the area has 960, twice the 480 of the lessons.
@@ -42,6 +45,22 @@ def layout(
     across = _whole(width - round(CODE * width), scale)
     area = across, _whole(min(height - band, round(across / SHAPE)), scale)
     return Layout(area, (across, height - area[1]), (width - across, height))
+
+
+def arranged(
+    size: tuple[int, int], code: bool, scale: float, title: str, captions: Sequence[str]
+) -> tuple[Layout, str]:
+    """Return the layout for a step, and the first of its captions that fits.
+
+    The band grows only where even the last caption, the shortest, does not fit.
+    """
+    tried = [(BANDS[0], text) for text in captions]
+    tried += [(bands, captions[-1]) for bands in BANDS[1:]]
+    for bands, text in tried:
+        found = layout(size, code, scale, bands)
+        if caption_fits(found.caption, size[1], title, text):
+            break
+    return found, text
 
 
 def _whole(pixels: int, scale: float) -> int:

@@ -13,12 +13,8 @@ import numpy as np
 from landscape.capture import state
 from landscape.course import lecture_texts as texts
 from landscape.course.lecture import Lecture, Step
-from landscape.course.lecture_image import (
-    caption_fits,
-    caption_image,
-    code_image,
-)
-from landscape.course.lecture_layout import BANDS, Layout, layout
+from landscape.course.lecture_image import caption_image, code_image
+from landscape.course.lecture_layout import Layout, arranged
 from landscape.course.lecture_list import StepList
 from landscape.course.lecture_plates import Plates
 from landscape.gl.apart import apart
@@ -141,13 +137,7 @@ class Stage(GLFWContext):
         if self._layout is None or self._layout[0] != shows:
             size, scale, coded, _ = shows
             title, captions = texts.title(self.step), texts.captions(self.step)
-            tried = [(BANDS[0], text) for text in captions]
-            tried += [(bands, captions[-1]) for bands in BANDS[1:]]
-            for bands, text in tried:
-                found = layout(size, coded, scale, bands)
-                if caption_fits(found.caption, size[1], title, text):
-                    break
-            self._layout = shows, (found, text)
+            self._layout = shows, arranged(size, coded, scale, title, captions)
         return self._layout[1]
 
     # Steps.
@@ -338,6 +328,11 @@ class Stage(GLFWContext):
             self.to = -1
 
     # The mouse.
+
+    def cursor(self) -> tuple[tuple[float, float], tuple[int, int]]:
+        """Return where the cursor is in the area, and the area's size, in coordinates."""
+        x, y = self.glfw.get_cursor_pos(self.window)
+        return (x, y - self._top()), self.area()
 
     def _top(self) -> float:
         """Return how far the area's top is below the window's, in coordinates."""

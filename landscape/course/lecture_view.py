@@ -23,6 +23,10 @@ from landscape.window.recording import Plan
 class LectureWalk(Walk):
     """A walk on a stage, which plays the step."""
 
+    def __init__(self, stage: Stage, plan: Plan) -> None:
+        """Open the scene on the stage; InputError, NoOpenGLError as for a walk."""
+        super().__init__(plan, Assets(), fps=FPS, context=stage)
+
     def tape(self) -> Tape:
         """Return a frame of the scene as it is now, recorded."""
         assert self._scene is not None
@@ -51,6 +55,12 @@ class LectureWalk(Walk):
         """Take the mouse's wheel."""
         self.hands.wheel(y)
 
+    def obey(self, order: str) -> None:
+        """Carry out an order; the inspector names the key that opens it in any step."""
+        super().obey(order)
+        if order == "inspector":
+            self.inspection.letters["letter"] = "F12"
+
     def inspect(self) -> None:
         """Open or close the inspector."""
         self.obey("inspector")
@@ -71,9 +81,23 @@ class LectureWalk(Walk):
 
 def play(stage: Stage, name: str, keys: Sequence[str], language: str) -> None:
     """Walk a view until the user leaves; InputError, NoOpenGLError as for a walk."""
+    with LectureWalk(stage, planned(stage, name, language)) as walk:
+        stage.player = walk
+        for key in keys:
+            code = getattr(stage.glfw, f"KEY_{key}")
+            walk.key(code, stage.glfw.PRESS, 0)
+            walk.key(code, stage.glfw.RELEASE, 0)
+        while not stage.leaving:
+            if not walk.resting():
+                _frame(stage, walk, name, language)
+        walk.obey("release")
+
+
+def planned(stage: Stage, name: str, language: str) -> Plan:
+    """Return how the walk begins at a view, in the stage's area."""
     kind, begin = find_view(name)
     preset = kind.preset_of(begin)
-    plan = Plan(
+    return Plan(
         scene=kind.name,
         settings=kind.values(preset, begin.settings),
         view=begin.name,
@@ -86,16 +110,6 @@ def play(stage: Stage, name: str, keys: Sequence[str], language: str) -> None:
         language=language,
         preset=preset,
     )
-    with LectureWalk(plan, Assets(), fps=FPS, context=stage) as walk:
-        stage.player = walk
-        for key in keys:
-            code = getattr(stage.glfw, f"KEY_{key}")
-            walk.key(code, stage.glfw.PRESS, 0)
-            walk.key(code, stage.glfw.RELEASE, 0)
-        while not stage.leaving:
-            if not walk.resting():
-                _frame(stage, walk, name, language)
-        walk.obey("release")
 
 
 def _frame(stage: Stage, walk: LectureWalk, name: str, language: str) -> None:

@@ -40,12 +40,13 @@ def monospaced(size: int) -> Any:
 
 def writable(text: str, face: Any) -> str:
     """Return the text; characters that the font lacks lose their accents or become "?"."""
+    return "".join(_known(character, face) for character in text)
+
+
+@lru_cache(maxsize=2048)
+def _known(character: str, face: Any) -> str:
     missing = bytes(face.getmask("\uffff"))
-
-    def known(character: str) -> str:
-        for candidate in (character, unicodedata.normalize("NFKD", character)[0]):
-            if candidate == " " or bytes(face.getmask(candidate)) != missing:
-                return candidate
-        return "?"
-
-    return "".join(known(character) for character in text)
+    for candidate in (character, unicodedata.normalize("NFKD", character)[0]):
+        if candidate == " " or bytes(face.getmask(candidate)) != missing:
+            return candidate
+    return "?"

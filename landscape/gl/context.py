@@ -308,8 +308,7 @@ class GLFWContext:
         glfw.window_hint(glfw.STENCIL_BITS, 8)
         glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 1)
         glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 5)
-        self.size = self._enlarged(size) if enlarged else size
-        size = self.size
+        self.size = size = self._enlarged(size) if enlarged else size
         screens = glfw.get_monitors() if fullscreen else []
         screen = screens[min(max(monitor, 1), len(screens)) - 1] if screens else None
         if screen is not None:
@@ -351,10 +350,13 @@ class GLFWContext:
         size: tuple[int, int] = self.glfw.get_framebuffer_size(self.window)
         return size
 
+    def cursor(self) -> tuple[tuple[float, float], tuple[int, int]]:
+        """Return where the cursor is in the picture, and the picture's size, in coordinates."""
+        return self.glfw.get_cursor_pos(self.window), self.glfw.get_window_size(self.window)
+
     def scale(self) -> float:
         """Return how many pixels one of the window system's coordinates is."""
-        across: int = self.glfw.get_window_size(self.window)[0]
-        return self.pixels()[0] / max(across, 1)
+        return self.pixels()[0] / max(self.cursor()[1][0], 1)
 
     def show(self) -> None:
         """Show what was drawn."""

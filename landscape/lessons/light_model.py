@@ -1,9 +1,9 @@
 """Light model: ambient, diffuse and specular
 
-The colour of a vertex is a sum: ambient light from everywhere, diffuse light by the angle between
-the normal and the direction to the light, and specular light, ks times the nth power of the cosine
-of the angle between the normal and the halfway direction. Larger n makes the highlight smaller,
-larger ks makes it brighter. Leave out one term to see what it contributes.
+The colour of a vertex is a sum of three terms: ambient, diffuse and specular light. Ambient light
+comes from everywhere. Diffuse light depends on the angle between the normal and the direction to
+the light. Specular light is ks times the nth power of the cosine of the angle between the normal
+and the halfway direction: larger n makes the highlight smaller, larger ks makes it brighter.
 
 Keys: 1, 2 and 3 switch the ambient, the diffuse and the specular term.
 """

@@ -1,6 +1,6 @@
 """Sorting: transparent trees from far to near
 
-Blending mixes a fragment with what is already there, so what lies behind must be drawn first: the
+Blending mixes a fragment with what is already there, so what lies behind must be drawn first. The
 trees are sorted by their depth in eye coordinates, the third row of the modelview matrix times
 their place. Unsorted, the clear surround of a near tree writes depth too, and cuts a hole into
 the trees that come later. The alpha test drops clear fragments in any order, but its edge is hard.

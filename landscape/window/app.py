@@ -161,11 +161,10 @@ class Walk:
         now = glfw.get_time()
         seconds, self._last = now - self._last, now
         intent, switches = self.hands.take()
-        if self.hands.captured and not self.settings.walk.mouse_relative:
-            cursor, size = glfw.get_cursor_pos(self.window), glfw.get_window_size(self.window)
-            look = aimed(self.walker, cursor, size, self.settings.walk.mouse)
-            intent = replace(intent, look=look)
         assert self._context is not None
+        if self.hands.captured and not self.settings.walk.mouse_relative:
+            look = aimed(self.walker, *self._context.cursor(), self.settings.walk.mouse)
+            intent = replace(intent, look=look)
         if self._inspect(self._context.scale()):
             self._stood += seconds
             seconds, intent = 0.0, Intent()

@@ -71,7 +71,7 @@ class Inspection:
         self._recorded = self._changed = 0.0  # when
         self._read = False  # whether the effects have been read
         self.shown: Picture | None = None
-        self._letters: dict[str, str] = {}
+        self.letters: dict[str, str] = {}
         self._size = (0, 0)
 
     @property
@@ -93,7 +93,7 @@ class Inspection:
         model.open = not model.open
         self._language = language
         # The user may have changed the keyboard's layout.
-        self._letters = {
+        self.letters = {
             "letter": letter or labels(BY_ACTION["inspector"], language, system_name),
             "pixel": "O",
         }
@@ -262,10 +262,10 @@ class Inspection:
         size = self._size
 
         def make() -> Any:
-            self.shown = picture(self.model, size, dpi, self._language, self._letters)
+            self.shown = picture(self.model, size, dpi, self._language, self.letters)
             return self.shown.image
 
-        return (self.model.version, self._language, tuple(self._letters.items())), make
+        return (self.model.version, self._language, tuple(self.letters.items())), make
 
     def cross(self) -> tuple[int, int, Callable[[], Any]] | None:
         """Return where the cross-hair is, in pixels from the top left, and how to make it."""
