@@ -322,8 +322,8 @@ class Stage(GLFWContext):
             self.player.inspect()
 
     def _escape(self) -> None:
-        if self._busy:
-            self._list.open, self._strip = False, None
+        if self._busy or self.wants_strip:
+            self._list.open, self._strip, self.wants_strip = False, None, False
         elif self.player is None or not self.player.escape():
             self.to = -1
 
