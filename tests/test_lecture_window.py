@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from PIL import ImageGrab
 from test_window import _wait_for, screen, xdotool
 
 __all__ = ["screen"]  # the fixture
@@ -114,6 +115,11 @@ class Shown:
         count = len(self.told(program, "frame"))
         self.wait(lambda: len(self.told(program, "frame")) >= count + 2, "two more frames")
 
+    def draws(self) -> bool:
+        """Return whether a walk draws: until then the window is of one grey, with few words."""
+        picture = ImageGrab.grab(xdisplay=self._screen["DISPLAY"])
+        return len(picture.getcolors(1 << 24) or ()) > 1000
+
     def stands(self, program: str) -> None:
         """Wait until the program draws no more."""
         seen = [-1, -2]
@@ -220,7 +226,10 @@ def test_a_view_is_walked_and_taken_apart(screen: dict[str, str], tmp_path: Path
     text = "title: A lecture of tests\n\nfig13a\n\none.py\n"
     with _shown(screen, tmp_path, text, "--size", "480x320") as shown:
         shown.wait(lambda: "[1/2]" in shown.notes(), "the view")
-        for key in ("Up", "F3", "Escape", "F12", "Escape", "h", "Next"):
+        shown.press("Up")
+        # While the view is being opened, Escape would end the lecture.
+        shown.wait(shown.draws, "the view's first picture")
+        for key in ("F3", "Escape", "F12", "Escape", "h", "Next"):
             shown.press(key)
         shown.goes_on("one.py")
         shown.press("Prior")
