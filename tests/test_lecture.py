@@ -218,7 +218,7 @@ def test_a_long_caption_is_cut_and_a_short_one_is_larger() -> None:
 
 
 def test_a_caption_keeps_the_band_low_where_its_title_is_long() -> None:
-    title = "Listes d'affichage : une fleur compilée une fois, dessinée des centaines de fois"
+    title = "Listes d’affichage : une fleur compilée une fois, dessinée des centaines de fois"
     size = (1024, 768)
     found, caption = arranged(size, False, 1.0, title, ["Two words."])
     assert found == layout(size, False) and caption == "Two words."

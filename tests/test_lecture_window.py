@@ -214,9 +214,9 @@ def test_the_list_the_code_the_strip_and_the_inspector_open_and_close(
         assert ["65", "1"] not in shown.told("one.py", "key"), "the inspector had the keys"
         shown.press("F1", "w", "a", "Return")
         shown.wait(lambda: "[2/4] waiting.py" in shown.notes(), "the step from the list")
-        assert "C'est la dernière étape" not in shown.notes()
+        assert "C’est la dernière étape" not in shown.notes()
         shown.press("F1", "End", "Return")
-        shown.wait(lambda: "C'est la dernière étape" in shown.notes(), "the last step")
+        shown.wait(lambda: "C’est la dernière étape" in shown.notes(), "the last step")
         shown.press("F1", "Escape", "Escape")
         assert shown.process.wait(30) == 0
     assert shown.errors() == ""

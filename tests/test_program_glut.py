@@ -185,7 +185,7 @@ def test_events_reach_the_callbacks(watch: Watcher, write: Write) -> None:
 FAILURES = {
     "raises in a callback": (
         "def display():\n    1 / 0\nglutDisplayFunc(display)\nglutMainLoop()\n",
-        "line 19: the program raised ZeroDivisionError: division by zero",
+        "line 17: the program raised ZeroDivisionError: division by zero",
     ),
     "leaves": ("glutIdleFunc(glutLeaveMainLoop)\nglutMainLoop()\n", "ended after 1 frame; frame 3"),
     "two windows": ('glutCreateWindow("second")\n', "opens two windows; only programs with one"),
