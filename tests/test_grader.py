@@ -217,6 +217,22 @@ def test_what_is_refused_is_told_in_french_as_well(tmp_path: Path) -> None:
         assert done.err.translate(french_marks).startswith(f"landscape: {told}"), done.err
 
 
+def test_a_report_fits_the_terminal_and_paths_with_spaces(tmp_path: Path) -> None:
+    folder = tmp_path / "my work"
+    folder.mkdir()
+    begun = landscape("exercise", "start", "winding", "--out", str(folder), "--lang", "en")
+    mine = folder / "winding.py"
+    assert mine.is_file() and f"python '{mine}'" in begun.out
+    words = ("exercise", "check", str(mine), "--seconds", str(PATIENCE))
+    for language in ("en", "fr"):
+        done = landscape(*words, "--lang", language, env=environment(COLUMNS="72"))
+        *lines, command = done.out.splitlines()
+        assert done.status == 1 and 60 < max(map(len, lines)) <= 72
+        assert f"landscape exercise check '{mine}' --heat-map" in command
+    done = landscape(*words, "-q")
+    assert (done.status, done.out, done.err) == (1, "", "")
+
+
 def test_bad_input_is_refused_in_one_line(tmp_path: Path) -> None:
     lines = {
         "none.py": (b"import glfw\n", "# exercise: "),

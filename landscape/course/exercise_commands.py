@@ -3,6 +3,8 @@
 import argparse
 import json
 import os
+import shlex
+import shutil
 import textwrap
 from pathlib import Path
 from typing import Any
@@ -15,7 +17,7 @@ from landscape.errors import InputError
 from landscape.files.output import check_folder, check_writable, save_png, write_whole
 from landscape.languages import Translator, choose, translator
 
-COLUMNS = 96  # chosen: of a hint
+WIDTHS = 72, 100  # chosen: least and most columns of a report
 SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
 WRITTEN = _("{file}: your picture, where it differs, and the solution's")
 
@@ -60,8 +62,9 @@ def _start(options: argparse.Namespace, language: str) -> None:
     _ = translator(language, "course")
     if not options.quiet:
         print(path)
-        print(_("The task stands at the top of it. Run it: python {file}").format(file=path))
-        print(_("Check it: landscape exercise check {file}").format(file=path))
+        file = shlex.quote(str(path))
+        print(_("The task stands at the top of it. Run it: python {file}").format(file=file))
+        print(_("Check it: landscape exercise check {file}").format(file=file))
 
 
 def check(options: argparse.Namespace) -> int:
@@ -85,12 +88,14 @@ def _check(options: argparse.Namespace, language: str) -> int:
             save_png(heat_map(report.work, report.solution), options.heat_map)
         if options.json:
             print(json.dumps(as_json(report, _), indent=1, ensure_ascii=False))
-        elif report.error is None:
-            print("\n".join(as_text(report, _)))
+        elif report.error is None and not options.quiet:
+            columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
+            columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
+            print("\n".join(as_text(report, _, columns)))
             if options.heat_map is not None:
                 print(_(WRITTEN).format(file=options.heat_map))
             elif (report.difference or 0) > MOST:
-                print(_(SHOWN).format(file=options.file))
+                print(_(SHOWN).format(file=shlex.quote(str(options.file))))
         if report.error is not None:
             raise InputError(f"{options.file}: {sentence(report.error, _)}")
         return 0 if report.passed else 1
@@ -126,19 +131,25 @@ def as_json(report: Report, _: Translator) -> dict[str, Any]:
     return found
 
 
-def as_text(report: Report, _: Translator) -> list[str]:
+def as_text(report: Report, _: Translator, columns: int = WIDTHS[1]) -> list[str]:
     """Return the lines of a report: one for each test, and its hint below one that failed."""
     words = {True: _("passed"), False: _("failed"), None: _("not checked")}
     width = max(map(len, words.values()))
     indent = " " * (width + 2)
     lines = [_title(report.exercise, _)]
     for result in report.results:
-        lines.append(f"{words[result.passed]:{width}}  {_(result.test.name)}")
+        told = [_(result.test.name)]
         if result.hint is not None:
-            told = textwrap.wrap(
-                result.hint.written(_), COLUMNS, break_long_words=False, break_on_hyphens=False
+            told.append(result.hint.written(_))
+        for first, text in zip((f"{words[result.passed]:{width}}  ", indent), told, strict=False):
+            lines += textwrap.wrap(
+                text,
+                columns,
+                initial_indent=first,
+                subsequent_indent=indent,
+                break_long_words=False,
+                break_on_hyphens=False,
             )
-            lines += [indent + line for line in told]
     count = sum(result.passed is True for result in report.results)
     total = _("{passed} of {tests} tests passed")
     if count < 2:  # a singular in French

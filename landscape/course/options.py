@@ -52,7 +52,10 @@ def add_exercise(
     )
     begun.add_argument("name", metavar="NAME", help="see `landscape exercise list`")
     begun.add_argument(
-        "--out", type=Path, metavar="FILE", help="a file that is not there yet; default: NAME.py"
+        "--out",
+        type=Path,
+        metavar="FILE|DIR",
+        help="a file that is not there yet; default: NAME.py",
     )
     begun.add_argument("-q", "--quiet", action="store_true", help="print nothing")
     checked = command(
@@ -63,7 +66,11 @@ def add_exercise(
         actions,
     )
     checked.add_argument("file", type=Path, metavar="FILE", help="the program")
-    checked.add_argument("--json", action="store_true", help="print JSON")
+    what = checked.add_mutually_exclusive_group()
+    what.add_argument("--json", action="store_true", help="print JSON")
+    what.add_argument(
+        "-q", "--quiet", action="store_true", help="print nothing: the exit status says it"
+    )
     checked.add_argument(
         "--heat-map",
         type=Path,
