@@ -212,6 +212,7 @@ def _prepare(stack: contextlib.ExitStack) -> str:
     sys.dont_write_bytecode = True
     gc.collect()
     gc.freeze()
+    gc.set_threshold(50_000, 20, 100)  # calls are kept to the end: looking for garbage is in vain
     return ""
 
 
