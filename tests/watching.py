@@ -44,10 +44,14 @@ def colours(picture: Any) -> int:
 
 
 class Watch:
-    """An observer that counts each frame's calls, and reads the frame ``wanted``, or each."""
+    """An observer that counts each frame's calls, and reads the frame ``wanted``, or each.
 
-    def __init__(self, wanted: int | None = None) -> None:
-        self.wanted = wanted
+    With ``each``, ``pictures`` are the checksums of the frames up to it, too.
+    """
+
+    def __init__(self, wanted: int | None = None, each: bool = False) -> None:
+        self.wanted = None if each else wanted
+        self.pictures: list[str] = []
         self.calls: list[tuple[str, tuple[Any, ...]]] = []
         self.log: list[Any] = []
         self.notices: list[str] = []
@@ -90,7 +94,8 @@ class Watch:
         gl.glPixelStorei(gl.GL_PACK_ALIGNMENT, 1)
         self.read = gl.glReadPixels(0, 0, width, height, gl.GL_RGB, gl.GL_UNSIGNED_BYTE)
         picture = np.frombuffer(self.read, np.uint8).reshape(height, width, 3)[::-1]
-        return {"picture": hashlib.sha256(picture.tobytes()).hexdigest(), "size": [width, height],
+        self.pictures.append(hashlib.sha256(picture.tobytes()).hexdigest())
+        return {"picture": self.pictures[-1], "size": [width, height],
                 "colours": colours(picture), "calls": self.plain_calls(),
                 "centre": picture[height // 2, width // 2].tolist()}  # fmt: skip
 
@@ -140,7 +145,7 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
     from landscape.capture.program import run
     from landscape.errors import InputError, NoOpenGLError
 
-    observer = Watch(asked.get("frame"))
+    observer = Watch(asked.get("frame"), asked.pop("each", False))
     out, err = io.StringIO(), io.StringIO()
     reply: dict[str, Any] = {}
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
@@ -151,6 +156,7 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
     after = _process()
     left = [name for name in before if before[name] != after[name]]
     log = {"log": observer.log, "notices": observer.notices, "left": left}
+    log["pictures"] = observer.pictures
     return reply | log | {"out": out.getvalue(), "err": err.getvalue()}
 
 
