@@ -6,7 +6,7 @@
     The plane keeps what is above the water.
     code: glClipPlane, 40-48, "glDisable(GL_CLIP"
     keys: SPACE
-    note: Ask what happens if the call stands before the camera's matrix.
+    note: Ask what happens if it is called before the viewing transform.
 
 Blocks are separated by empty lines. The first line of a block names what the step shows.
 """

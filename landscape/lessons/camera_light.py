@@ -5,7 +5,7 @@ camera's transform, while the matrix is the identity, the position (0, 0, 0) is 
 goes where the viewer goes. Set after it, the same numbers name the world's origin, and the viewer
 stands in the dark.
 
-Keys: Up and Down walk; Left and Right turn; Space sets the position after the camera's transform.
+Keys: Up and Down walk; Left and Right turn; Space sets the position after the viewing transform.
 """
 # topic: light
 # needs: attenuation, frames
@@ -103,7 +103,7 @@ def main():
         if not carried:
             set_light()
         draw_hall()
-        write(16, 16, "light set before the camera" if carried else "light set after the camera")
+        write(16, 16, "light first, then the view" if carried else "view first, then the light")
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()

@@ -2,10 +2,10 @@
 
 A clip plane (a, b, c, d) keeps the points with a x + b y + c z + d >= 0 and cuts the rest away.
 glClipPlane takes the plane in the frame of the modelview matrix at the time of the call, and
-stores it in eye coordinates. Called after the camera's transform, the cut stays in the planet.
+stores it in eye coordinates. Called after the viewing transform, the cut stays in the planet.
 Called before it, the plane belongs to the eye, and the planet turns through the cut.
 
-Keys: Left and Right turn the plane, Up and Down move it; Space calls glClipPlane before the camera.
+Keys: Left and Right turn the plane, Up and Down move it; Space calls glClipPlane before that.
 """
 # topic: landscape
 # needs: frames, normals, light_model, display_list

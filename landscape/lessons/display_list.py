@@ -103,7 +103,7 @@ def main():
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_meadow(glfw.get_time())
         write(16, 40, "petals chosen: {petals}, in the list: {list}", petals=petals, list=recorded)
-        write(16, 16, "compiled: {count} times, called: 240 times a frame", count=compiled)
+        write(16, 16, "times compiled: {count}; called 240 times a frame", count=compiled)
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()

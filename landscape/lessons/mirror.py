@@ -97,7 +97,7 @@ def main():
         glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 30)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glTranslatef(0, -0.1, -12)
+        glTranslatef(0, -0.1, -13.5)
         glRotatef(20, 1, 0, 0)
         glRotatef(20 * glfw.get_time(), 0, 1, 0)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)

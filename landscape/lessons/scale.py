@@ -90,7 +90,7 @@ def main():
         for n, scale in enumerate(SCALES):
             x, y = place(n)
             label = "{}, {}, {}".format(*scale)
-            write(-5 * len(label), -8, label, at=(x, y - 1.05, 0))
+            write(-5 * len(label), -8, label, at=(x, y - 1.3, 0))
         write(16, 16, LABELS[mode])
         glfw.swap_buffers(window)
         glfw.poll_events()

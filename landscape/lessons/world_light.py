@@ -5,7 +5,7 @@ the camera's transform, which the modelview matrix then carries over to it. Set 
 direction is taken in the camera's frame: the light turns with the viewer, and the lit sides of the
 stones no longer face the sun.
 
-Keys: Left and Right move the camera around; Space sets the direction before the camera's transform.
+Keys: Left and Right move the camera around; Space sets the direction before the viewing transform.
 """
 # topic: light
 # needs: camera_light
@@ -102,7 +102,7 @@ def main():
             glLightfv(GL_LIGHT0, GL_POSITION, SUN)
         draw_sun()
         draw_place()
-        write(16, 16, "light set after the camera" if fixed else "light set before the camera")
+        write(16, 16, "view first, then the light" if fixed else "light first, then the view")
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()
