@@ -193,12 +193,15 @@ def test_the_list_names_every_lesson_in_both_languages(shell: Shell) -> None:
     assert "The matrix stack: a car" in english and "La pile de matrices" in french
     for name in names:
         assert f" {name} " in english and f" {name} " in french
+    advice = "landscape strip matrix_stack.py --frame 45"
+    assert english.endswith(f"{advice}\n") and french.endswith(f"{advice}\n")
 
 
 def test_a_lesson_as_json_has_what_a_script_needs(shell: Shell) -> None:
     found = shell("lesson", "matrix_stack", "--json").json()
     assert found == lesson("matrix_stack").as_json()
-    assert set(found) == {"name", "title", "file", "topic", "needs", "lines"}
+    assert {"name", "title", "file", "topic", "needs", "lines"} < set(found)
+    assert (found["frame"], found["pressed"]) == (45, [])
     assert Path(found["file"]).is_file()
 
 

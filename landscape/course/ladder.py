@@ -90,6 +90,8 @@ class Lesson:
             "topic": self.topic,
             "needs": list(self.needs),
             "lines": self.lines,
+            "frame": self.frame,
+            "pressed": list(self.pressed),
         }
 
 

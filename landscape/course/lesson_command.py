@@ -20,6 +20,10 @@ from landscape.gl import display
 from landscape.languages import Phrases, choose
 
 HEADING: Phrases = ("{topic}:",)
+ADVICE: Phrases = (
+    "The tools draw frame 0 of a copied lesson, unless told otherwise; its picture is of the frame "
+    "that its line `# picture:` names:",
+)
 WIDTH = 96  # chosen: columns of a docstring, at most
 PACKAGES = LESSONS.parents[1]  # the folder in which Python finds the package
 
@@ -72,6 +76,9 @@ def _list(options: argparse.Namespace) -> None:
             topic = each.topic
             print(translated(HEADING[0]).format(topic=translated(TOPICS[topic])))
         print(f"  {each.name:18} {translated(each.title)}")
+    shown = lesson("matrix_stack")
+    print(f"\n{wrapped('', translated(ADVICE[0]), WIDTH)}")
+    print(f"  landscape strip {shown.file.name} --frame {shown.frame}")
 
 
 def show(chosen: Lesson) -> int:

@@ -28,6 +28,8 @@ DOCUMENTS = (
     "docs/gate.md",
     "docs/frame.md",
     "docs/programs.md",
+    "docs/lecture.md",
+    "docs/exercises.md",
     "docs/assets.md",
     "docs/performance.md",
 )

@@ -8,8 +8,10 @@ from landscape.course.pages import as_markdown, blocks
 from landscape.languages import translator
 
 ROOT = Path(__file__).resolve().parents[2]
+TEACHING = ("lecture", "exercises")  # for who gives the course
 TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
 BUILT = ("performance", "assets")  # how the program is built
+ALL = (*TEACHING, *TOOLS, *BUILT)
 
 
 def pictures() -> Iterator[Path]:
@@ -20,14 +22,16 @@ def pictures() -> Iterator[Path]:
 
 
 def pages(language: str) -> dict[str, str]:
-    """Return the documents by their pages' names, and the two lists of them."""
+    """Return the documents by their pages' names, and the lists of them."""
     _ = translator(language, "site")
     found = {}
-    for name in (*TOOLS, *BUILT):
+    for name in ALL:
         translate = translator(language, f"docs/{name}")
         text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
         found[f"documents/{name}"] = _without_outside(as_markdown(blocks(text, translate)))
     lists = {
+        "teaching": (_("Teaching with it"), TEACHING, _("A lecture whose pictures run, and "
+                                                        "exercises that are graded by a program.")),
         "tools": (_("The tools"), TOOLS, _("They look into a frame of a view, of a lesson, or of "
                                            "any program that draws with PyOpenGL.")),
         "built": (_("How it is built"), BUILT, _("How fast the island is and why, and how its "
@@ -46,9 +50,7 @@ def _without_outside(text: str) -> str:
 
     def link(match: re.Match[str]) -> str:
         label, target = match[1], match[2].partition("#")[0]
-        known = target.removesuffix(".md") in (*TOOLS, *BUILT) or re.match(
-            r"\w+\.(png|jpg)$", target
-        )
+        known = target.removesuffix(".md") in ALL or re.match(r"\w+\.(png|jpg)$", target)
         return match[0] if known or target.startswith("http") or not target else f"`{label}`"
 
     return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)]+)\)", link, text)

@@ -64,8 +64,11 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
         f"## {_('The frame, step by step')}",
         _(
             "The picture grows with each function of the program that draws; its calls and draws "
-            "are counted below. `landscape strip` makes such a sheet of any program."
-        ),
+            "are counted below. `landscape strip` makes such a sheet of any program, of its frame "
+            "0 unless `--frame` names another one. This is frame {frame}:"
+        ).format(frame=each.frame),
+        f"```sh\nlandscape lesson {each.name} --copy\n"
+        f"landscape strip {each.name}.py --frame {each.frame}\n```",
         f"```{{image}} ../pictures/{each.name}-strip.webp\n:alt: {_('The frame, step by step')}\n"
         f":target: ../_images/{each.name}-strip.webp\n```",
     ]

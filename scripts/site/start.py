@@ -22,6 +22,8 @@ def pages(language: str) -> dict[str, str]:
          _("Small programs, one idea each, from the first window to the three fogs.")),
         ("exercises/index", "exercise-mirror-wanted.webp", _("Exercises"),
          _("Programs with a hole, and a grader that says what is missing and where.")),
+        ("documents/teaching", "mirror.webp", _("Teaching with it"),
+         _("A lecture on the whole screen, and how exercises are graded.")),
         ("figures/index", "fig35a.webp", _("Figures and fixes"),
          _("The 43 figures of 2006, their flaws, and what fixes them.")),
         ("calls/index", "matrix_stack.webp", _("Index of calls"),
