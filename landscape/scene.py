@@ -30,6 +30,7 @@ CLOSE = 4  # chosen: how many names like a wrong one an error lists
 # the default.
 SCENES: dict[str, str] = {
     "island": "landscape.island",
+    "hall": "landscape.effects.hall",
 }
 
 

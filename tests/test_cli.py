@@ -24,8 +24,13 @@ from landscape.files.assets import recording
 from landscape.fixes import FIXES
 from landscape.island import ELEMENTS
 from landscape.options import build_parser, parse
+from landscape.scene import SCENES, listed_views, scene
 from landscape.views import VIEWS
 
+# A key that several scenes share is listed once.
+EVERY_KEY = list(
+    dict.fromkeys(key for name in SCENES for key in keys.fields(type(scene(name).settings)))
+)
 NINE = [f"fig35{panel}" for panel in "abcdefghi"]
 SMALL = ("--preset", "2006", "--size", "48x36", "--samples", "0", "--only", "ground,water,sky,fog")
 MODULE = [sys.executable, "-m", "landscape"]
@@ -213,12 +218,14 @@ def test_views_json_lists_names_figures_poses_kt_and_presets(shell: Shell) -> No
 
 def test_views_prints_one_line_per_view(shell: Shell) -> None:
     lines = shell("views").out.splitlines()
-    assert [line.split()[0] for line in lines] == [*VIEWS, *(fix.name for fix in FIXES)]
+    island = [line.split()[0] for line in lines if line.split()[1] == "island"]
+    assert island == [*VIEWS, *(fix.name for fix in FIXES)]
+    assert [line.split()[0] for line in lines] == [view["name"] for view in listed_views()]
 
 
 def test_settings_json_lists_key_value_default_unit_and_source(shell: Shell) -> None:
     rows = shell("settings", "--json", "--preset", "2006", "--set", "fog.density=0.05").json()
-    assert [row["key"] for row in rows] == list(keys.fields(settings.Settings))
+    assert [row["key"] for row in rows] == EVERY_KEY
     for row in rows:
         assert {"key", "value", "default", "unit", "source"} <= set(row)
     density = next(row for row in rows if row["key"] == "fog.density")
@@ -229,7 +236,7 @@ def test_settings_prints_every_key_in_eighty_columns(shell: Shell) -> None:
     lines = shell("settings").out.splitlines()
     assert max(map(len, lines)) <= 80
     heads = [line.split()[0] for line in lines if re.match(r"  \S", line)]
-    assert heads == list(keys.fields(settings.Settings))
+    assert heads == EVERY_KEY
 
 
 def test_settings_says_value_range_presets_unit_source_and_what_a_key_does(shell: Shell) -> None:
@@ -237,7 +244,7 @@ def test_settings_says_value_range_presets_unit_source_and_what_a_key_does(shell
     assert re.fullmatch(r"  fog\.density +0\.042 per unit +\[section 10\.2\]", head)
     assert [line.strip() for line in rest[:2]] == [
         "how dense it is in the modes exp2 and exp",
-        "0 to 1000; 2006: 0.12, best: 0.042",
+        "0 to 1000; 2006: 0.12, best: 0.042; in the hall: 0.12",
     ]
     needs = " ".join(line.strip() for line in rest[2:])
     assert needs.startswith("needs fog shown or ")
@@ -254,7 +261,7 @@ def test_settings_says_value_range_presets_unit_source_and_what_a_key_does(shell
         ("fog", ["fog.enabled", "fog.mode", "fog.density", "fog.color", "fog.start", "fog.end"]),
         ("densit", ["fog.density"]),
         ("Breakers", ["water.foam"]),
-        ("", list(keys.fields(settings.Settings))),
+        ("", EVERY_KEY),
     ],
 )
 def test_settings_takes_a_group_part_of_a_key_or_a_word(

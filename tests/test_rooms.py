@@ -22,7 +22,7 @@ FLOORS = (
     ("scene",),
     ("views",),
     ("fixes",),
-    ("island",),
+    ("island", "effects"),
     ("render",),
     ("window", "tools", "gallery", "studio"),
     ("course",),

@@ -16,11 +16,19 @@ Row = dict[str, Any]
 def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list[Row]:
     """Return the settings of every scene; a change goes to the scenes that have its key.
 
+    A key that several scenes have is listed once, with the first; ``scenes`` are the values of the
+    others.
     ``word`` is a group, part of a key, or a word of what a setting does; "" means all. Raises
     InputError if it is none of these, and for a change that no scene accepts.
     """
     check_options(preset, changes, None)
-    found = [row for name in SCENES for row in _rows_of(scene(name), preset, changes)]
+    listed: dict[str, Row] = {}
+    for name in SCENES:
+        for row in _rows_of(scene(name), preset, changes):
+            first = listed.setdefault(row["key"], row)
+            if first is not row:
+                first["scenes"][name] = row["value"]
+    found = list(listed.values())
     groups = list(dict.fromkeys(row["key"].split(".")[0] for row in found))
     if word in groups:
         return [row for row in found if row["key"].split(".")[0] == word]
@@ -48,6 +56,7 @@ def _rows_of(kind: Scene, preset: str | None, changes: Mapping[str, Any]) -> Ite
             "needs": [words for words in needs if words],
             "ignored": ignored(values, key, (*kind.elements, WALK), kind.elements),
             "scene": kind.name,
+            "scenes": {},
         }
 
 
@@ -74,7 +83,9 @@ def _lines(row: Row, kind: type) -> Iterator[str]:
     room = WIDTH - len(head) - len(source)
     yield head + (" " * room + source if room > 0 else "")
     presets = ", ".join(f"{name}: {value_text(each)}" for name, each in row["presets"].items())
-    lines = [row["does"], f"{_accepted(row)}; {presets}"]
+    elsewhere = {name: each for name, each in row["scenes"].items() if each != value}
+    differs = "".join(f"; in the {name}: {value_text(each)}" for name, each in elsewhere.items())
+    lines = [row["does"], f"{_accepted(row)}; {presets}{differs}"]
     # What is shown is plain from the group's name.
     needs = keys.fields(kind)[row["key"]].metadata["needs"]
     told = [in_words(kind, each) for each in needs if any(t.is_setting for t in terms(each))]

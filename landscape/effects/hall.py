@@ -1,0 +1,120 @@
+"""The great hall: its elements, and the order in which a frame draws them, which is the lesson."""
+
+from typing import Any
+
+from landscape.effects import plan
+from landscape.effects.room import Room
+from landscape.effects.settings import PRESETS, Settings
+from landscape.effects.statue import Statue
+from landscape.effects.views import MAIN, VIEWS
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.geometry.obstacles import Obstacle, Tower, Wall
+from landscape.gl.calls import begin_pass, drawing
+from landscape.scene import Moment, Scene, begin_frame
+
+ELEMENTS = ("room", "floor", "statue")
+TALL = 10.0  # units: no obstacle of the hall can be flown over
+
+
+class Ground:
+    """What a walker stands on: the floor; needs no OpenGL."""
+
+    size = plan.SIZE
+
+    def height(self, x: float, z: float) -> float:
+        """Return the floor's height in units."""
+        return 0.0
+
+
+class Hall(Ground):
+    """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
+
+    def __init__(
+        self, settings: Settings, assets: Assets, seed: int, only: tuple[str, ...] = ELEMENTS
+    ) -> None:
+        """Build the elements in ``only``; InputError names a file that cannot be used."""
+        self.settings, self.shown = settings, set(only)
+        self._owned: list[Any] = []
+        try:
+            begin_pass("setup")
+            self.room = self._built(("room", "floor"), Room, settings, assets)
+            self.statue = self._built(("statue",), Statue, settings, assets)
+        except BaseException:
+            self.release()
+            raise
+        self.obstacles = obstacles()
+
+    def _built(self, names: tuple[str, ...], kind: type, *given: Any) -> Any:
+        """Build an element if any of its names may be shown; otherwise return None."""
+        if self.shown.isdisjoint(names):
+            return None
+        with drawing(*names):
+            element = kind(*given)
+        self._owned.append(element)
+        return element
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply settings; return False, changing nothing, if an element must be built again."""
+        taken: list[Any] = []
+        for element in self._owned:
+            if not element.apply(settings):
+                for each in taken:
+                    each.apply(self.settings)
+                return False
+            taken.append(element)
+        self.settings = settings
+        return True
+
+    def draw(self, moment: Moment) -> None:
+        """Draw one frame into the current framebuffer."""
+        values = self.settings
+        frame = begin_frame(moment, values.camera, values.sun, values.fog)
+        if "floor" in self.shown:
+            with drawing("floor"):
+                self.room.draw_floor()
+        self._draw("room", self.room, frame)
+        self._draw("statue", self.statue, frame)
+
+    def _draw(self, name: str, element: Any, frame: Frame) -> None:
+        """Draw an element if it was built and is shown now."""
+        if element is not None and name in self.shown:
+            with drawing(name):
+                element.draw(frame)
+
+    def release(self) -> None:
+        """Release the elements, last built first; may be called twice."""
+        while self._owned:
+            self._owned.pop().release()
+
+
+def obstacles() -> tuple[Obstacle, ...]:
+    """Return what the walker cannot pass: walls, pillars, plinth and pool."""
+    inside, half = plan.INSIDE, plan.WALL / 2
+    found: list[Obstacle] = [
+        Tower(x, z, plan.PILLAR + 0.01, TALL) for x in plan.ROWS for z in plan.BAYS[1:-1]
+    ]
+    found.append(Tower(*plan.STATUE, plan.PLINTH[0], TALL))
+    for area, outwards in ((inside, half), (plan.POOL, -half)):
+        x, z = (area.west + area.east) / 2, (area.north + area.south) / 2
+        long, wide = (area.south - area.north) / 2, (area.east - area.west) / 2
+        top = TALL if area is inside else 0.0
+        for side in (area.west - outwards, area.east + outwards):
+            found.append(Wall(side, z, half, long + half, 0.0, top))
+        for side in (area.north - outwards, area.south + outwards):
+            found.append(Wall(x, side, wide + half, half, 0.0, top))
+    return tuple(found)
+
+
+SCENE = Scene(
+    name="hall",
+    elements=ELEMENTS,
+    views=VIEWS,
+    settings=Settings(),
+    presets=PRESETS,
+    preset="best",
+    start="hall",
+    main=MAIN,
+    open=Hall,
+    terrain=lambda settings, assets: Ground(),
+)

@@ -1,0 +1,78 @@
+"""The room: everything of stone that stands still, but for the floor.
+
+Technique: surfaces as grids of triangles (architecture.py), one display list a material.
+State used: GL_TEXTURE_2D, GL_LIGHTING, GL_CULL_FACE.
+"""
+
+from collections.abc import Iterable
+
+from landscape.effects import architecture
+from landscape.effects.settings import Settings
+from landscape.effects.surfaces import charts, mesh
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.draw import draw_mesh
+from landscape.gl.state import attrib, front_faces
+from landscape.gl.texture import Texture
+
+TEXELS = 1024, 200.0  # chosen: side of the light map, and texels per unit
+TEXTURES = {"wall": "castle_brick.png", "alcove": "torch_stone.png", "vault": "torch_stone.png",
+            "pillar": "torch_stone.png", "plinth": "torch_stone.png", "pool": "torch_stone.png",
+            "floor": "torch_stone.png"}  # fmt: skip
+
+
+class Room:
+    """Walls, pillars, vault, plinth and the pool's basin; the floor is drawn on its own."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Read the textures and compile a display list for each material."""
+        surfaces = architecture.hall()
+        side, texels = TEXELS
+        placed = list(zip(surfaces, charts(surfaces, side, texels), strict=True))
+        self._textures = {
+            name: Texture(read_image(assets.path(name), "RGB"))
+            for name in sorted(set(TEXTURES.values()))
+        }
+
+        def compiled(material: str) -> DisplayList:
+            meshes = [mesh(s, chart, side) for s, chart in placed if s.material == material]
+
+            def send() -> None:
+                for each in meshes:
+                    draw_mesh(each)
+
+            return DisplayList(send)
+
+        self._lists = {name: compiled(name) for name in TEXTURES}
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; nothing depends on them."""
+        return True
+
+    def draw(self, frame: Frame) -> None:
+        """Draw all but the floor."""
+        self._draw(name for name in TEXTURES if name != "floor")
+
+    def draw_floor(self) -> None:
+        """Draw the floor."""
+        self._draw(["floor"])
+
+    def _draw(self, materials: Iterable[str]) -> None:
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), front_faces():
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glEnable(gl.GL_LIGHTING)
+            gl.glEnable(gl.GL_COLOR_MATERIAL)
+            for name in materials:
+                self._textures[TEXTURES[name]].bind()
+                self._lists[name].call()
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def release(self) -> None:
+        """Delete the lists and the textures; may be called twice."""
+        for compiled in self._lists.values():
+            compiled.release()
+        for texture in self._textures.values():
+            texture.release()

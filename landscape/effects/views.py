@@ -1,0 +1,13 @@
+"""The hall's named views. Poses are chosen."""
+
+from landscape.frame import Pose
+from landscape.scene import View
+
+VIEWS = {
+    view.name: view
+    for view in (
+        View("hall", "the great hall from its door", Pose(1.6, None, 2.62, 0.0, 4.0), 20.0),
+        View("hall_mirror", "the statue in the nave", Pose(1.42, None, 1.75, 20.0, 5.0), 20.0),
+    )
+}
+MAIN = tuple(VIEWS)
