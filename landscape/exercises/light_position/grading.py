@@ -20,7 +20,14 @@ def view(work, number):
 
 
 def position(draw):
-    return np.array(draw.state["GL_LIGHT0.GL_POSITION"])
+    """Return the light's position in eye coordinates, (4,); its last number is 1 or 0."""
+    found = np.array(draw.state["GL_LIGHT0.GL_POSITION"])
+    return found / found[3] if abs(found[3]) > NEAR else found
+
+
+def settings(work):
+    """Return the calls that set the position."""
+    return work.find("glLight", "GL_LIGHT0", "GL_POSITION")
 
 
 def near(a, b):
@@ -35,7 +42,13 @@ def light(work, solution):
     for number in FRAMES:
         if not lit(work, number) or not lit(work, number)[0].state["GL_LIGHT0"]:
             return hint(_("GL_LIGHTING or GL_LIGHT0 is off while the table is drawn."))
-        if not near(view(work, number), view(solution, number)):
+        moved = np.linalg.inv(view(solution, number)) @ view(work, number)
+        if near(moved[:3, :3], np.eye(3)) and near(moved[:3, 3], LAMP[:3]):
+            return hint(
+                _("The table is moved by LAMP as well, as what glTranslatef does holds for all "
+                  "that is drawn later: glPushMatrix and glPopMatrix limit it.")
+            )  # fmt: skip
+        if not near(moved, np.eye(4)):
             return hint(_("The eye is elsewhere than before: only the light is to be changed."))
     return None
 
@@ -46,12 +59,30 @@ def light(work, solution):
     needs=light,
 )
 def place(work, solution):
+    calls = settings(work)
+    if not calls:
+        others = [call for call in work.find("glLight") if call.args[1] == "GL_POSITION"]
+        if others:
+            return hint(
+                _("Line {line} sets the position of {light}, and it is GL_LIGHT0 that is on."),
+                line=others[-1].line,
+                light=others[-1].args[0],
+            )
+        return hint(_("There is no glLightfv(GL_LIGHT0, GL_POSITION, ...) any more."))
+    given = calls[-1].args[2]
+    if isinstance(given, list) and len(given) < 4:
+        return hint(
+            _("The position in line {line} has {count} numbers, and OpenGL reads four: the fourth "
+              "says whether it is a place, 1, or a direction, 0."),
+            line=calls[-1].line,
+            count=len(given),
+        )  # fmt: skip
     found = position(lit(work, FRAMES[-1])[-1])
     if abs(found[3]) < NEAR:
         return hint(
             _("The fourth number of the position is 0 in line {line}, so the light comes from "
               "infinitely far away: it must be 1."),
-            line=(work.find("glLight", "GL_LIGHT0", "GL_POSITION") or work.frame(0).top)[-1].line,
+            line=calls[-1].line,
         )  # fmt: skip
     return None
 
@@ -63,15 +94,19 @@ def place(work, solution):
     needs=place,
 )  # fmt: skip
 def at_the_lamp(work, solution):
-    calls = work.find("glLight", "GL_LIGHT0", "GL_POSITION")
-    if not calls:
-        return hint(_("There is no glLightfv(GL_LIGHT0, GL_POSITION, ...) any more."))
+    calls = settings(work)
     line = calls[-1].line
     last = FRAMES[-1]
     first, later = position(lit(work, 0)[-1]), position(lit(work, last)[-1])
     wanted = {number: view(work, number) @ LAMP for number in FRAMES}
     if near(first, LAMP) and near(later, LAMP):
         if work.frame(last).find("glLight", "GL_LIGHT0", "GL_POSITION"):
+            if identity := _emptied(work, calls):
+                return hint(
+                    _("Line {line} is called right after glLoadIdentity in line {identity}, which "
+                      "takes the eye's transformation away: so LAMP counts from the eye."),
+                    line=line, identity=identity,
+                )  # fmt: skip
             return hint(
                 _(
                     "Line {line} is called in each frame, but before the eye's transformation: "
@@ -108,6 +143,20 @@ def at_the_lamp(work, solution):
             line=line,
         )
     if set_at < drawn[0] and not _twice(work, first):
+        if identity := _left_over(order[set_at : drawn[0]]):
+            return hint(
+                _("Line {line} is called before glLoadIdentity in line {identity}: what is in the "
+                  "modelview matrix there is left from the frame before."),
+                line=line, identity=identity,
+            )  # fmt: skip
+        inside = [np.linalg.inv(view(work, n)) @ position(lit(work, n)[-1]) for n in FRAMES]
+        if near(inside[0], inside[1]):
+            x, y, z, _w = np.round(inside[0], 1) + 0.0
+            return hint(
+                _("Line {line} is called at the right moment, but puts the light at ({x:.1f}, "
+                  "{y:.1f}, {z:.1f}) of the table, and the lamp hangs at (1.2, 3.2, 0.6)."),
+                line=line, x=x, y=y, z=z,
+            )  # fmt: skip
         return hint(
             _(
                 "Line {line} is called while only a part of the eye's transformation holds: it "
@@ -130,6 +179,24 @@ def at_the_lamp(work, solution):
         ),
         line=line,
     )
+
+
+def _emptied(work, calls):
+    """Return the line of the glLoadIdentity that has taken the eye's transformation away, or 0."""
+    moved = identity = 0
+    for call in work.last.calls:
+        if call.base in ("glTranslate", "glRotate"):
+            moved, identity = call.line, 0
+        elif call.name == "glLoadIdentity" and moved:
+            identity = call.line
+        elif call in calls:
+            return identity
+    return 0
+
+
+def _left_over(calls):
+    """Return the line of the last glLoadIdentity among some calls; 0 without one."""
+    return next((call.line for call in calls[::-1] if call.name == "glLoadIdentity"), 0)
 
 
 def _twice(work, first):

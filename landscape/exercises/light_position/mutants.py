@@ -22,5 +22,20 @@ MUTANTS = {
     "twice": Mutant("moves the light twice", "at_the_lamp", [
         (CALL, "        glPushMatrix()\n        glTranslatef(*LAMP[:3])\n" + CALL
                + "        glPopMatrix()\n")]),
+    "before_the_identity": Mutant("sets it with the matrix of the frame before", "at_the_lamp", [
+        (CALL, ""), ("        glMatrixMode(GL_MODELVIEW)\n",
+                     "        glMatrixMode(GL_MODELVIEW)\n" + CALL)]),
+    "emptied": Mutant("empties the matrix before", "at_the_lamp", [
+        (CALL, "        glPushMatrix()\n        glLoadIdentity()\n" + CALL
+               + "        glPopMatrix()\n")]),
+    "origin": Mutant("puts the light into the table", "at_the_lamp", [
+        (CALL, CALL.replace("LAMP", "(0, 0, 0, 1)"))]),
+    "table_as_well": Mutant("moves the table to the lamp", "light", [
+        (CALL, "        glTranslatef(*LAMP[:3])\n" + CALL.replace("LAMP", "(0, 0, 0, 1)"))]),
+    "three_numbers": Mutant("gives three numbers", "place", [
+        (CALL, CALL.replace("LAMP", "LAMP[:3]"))]),
+    "left_out": Mutant("leaves the call out", "place", [(CALL, "")]),
+    "other_light": Mutant("places another light", "place", [
+        (CALL, CALL.replace("GL_LIGHT0", "GL_LIGHT1"))]),
     "no_light": Mutant("turns the light off", "light", [("    glEnable(GL_LIGHT0)\n", "")]),
 }  # fmt: skip

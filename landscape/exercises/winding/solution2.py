@@ -5,8 +5,9 @@ its vertices counter-clockwise as seen from outside: then OpenGL knows which sid
 glEnable(GL_CULL_FACE) leaves out the faces that look away.
 
 Two of the twelve triangles in FACES are listed clockwise, so that they are missing in front and
-shine through from behind. Find them, and put their vertices into the right order. Keep the culling,
-and change nothing but FACES.
+shine through from behind. Each entry names the colour of its face, then its vertices; the faces of
+BOTTOM are darker. Find the two, and put their vertices into the right order. Keep the culling, and
+change nothing but FACES.
 
 Keys: Left and Right turn the gem.
 """
@@ -17,10 +18,13 @@ import math
 import glfw
 from OpenGL.GL import *
 
+RED, ORANGE, CREAM = (0.85, 0.35, 0.2), (0.95, 0.62, 0.35), (0.95, 0.9, 0.8)
+GREEN, BLUE, VIOLET = (0.45, 0.7, 0.35), (0.3, 0.5, 0.8), (0.6, 0.4, 0.7)
 TOP, BOTTOM = 6, 7  # the ring has the points 0 to 5, counter-clockwise as seen from above
 RING = tuple((number, (number + 1) % 6) for number in range(6))
-FACES = tuple((a, b, TOP) for a, b in RING) + tuple((b, a, BOTTOM) for a, b in RING)
-COLORS = ((0.85, 0.35, 0.2), (0.95, 0.62, 0.35), (0.95, 0.9, 0.8))
+COLORS = RED, ORANGE, CREAM, GREEN, BLUE, VIOLET
+FACES = [(color, a, b, TOP) for color, (a, b) in zip(COLORS, RING)]
+FACES += [(color, b, a, BOTTOM) for color, (a, b) in zip(COLORS, RING)]
 turned = 0  # degrees, by the keys
 
 
@@ -36,9 +40,9 @@ def point(number):
 
 def draw_gem():
     glBegin(GL_TRIANGLES)
-    for index, face in enumerate(FACES):
-        shade = 1 if index < 6 else 0.62
-        glColor3f(*(shade * channel for channel in COLORS[index % 3]))
+    for color, *face in FACES:
+        shade = 0.62 if BOTTOM in face else 1
+        glColor3f(*(shade * channel for channel in color))
         for number in face:
             glVertex3f(*point(number))
     glEnd()
