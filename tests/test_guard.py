@@ -27,12 +27,10 @@ glfw.swap_buffers(window)
 # with limits in seconds for the program and for its end.
 RUN = """
 import sys
-from landscape.capture import guard
+from landscape.capture import guard, program
 from landscape.cli import main
-import landscape.capture.program_tape as tape
 
-limit, guard.GRACE = float(sys.argv[1]), float(sys.argv[2])
-tape.on_frame.__defaults__ = (*tape.on_frame.__defaults__[:-1], limit)
+program.LIMIT, guard.GRACE = float(sys.argv[1]), float(sys.argv[2])
 sys.argv[1:] = sys.argv[3:]
 sys.exit(main())
 """

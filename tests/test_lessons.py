@@ -48,7 +48,7 @@ def shell() -> Iterator[Shell]:
 
 @pytest.fixture(scope="module")
 def watcher() -> Iterator[Watcher]:
-    watcher = Watcher(LESSONS)
+    watcher = Watcher(LESSONS, prepared=True)
     yield watcher
     watcher.close()
 

@@ -298,7 +298,7 @@ def run(
     events: Any = None,
     arguments: Sequence[str] = (),
     backend: str = "auto",
-    limit: float = LIMIT,
+    limit: float | None = None,
     *,
     observer: Observer,
     live: Live | None = None,
@@ -308,13 +308,14 @@ def run(
 
     ``frame``: from 0; None runs the program until it ends. ``events``: a file or a list (see
     program_events.py). ``backend``: auto, osmesa, egl or glfw, as for our own drawing; GLUT needs a
-    screen. ``limit``: seconds that the program itself may take. ``live``: who uses the window
-    meanwhile. ``host``: a window to run it in, where it has none of its own; then its clock
-    is not held. Raises ProgramError, an InputError whose ``details`` hold the program's own
-    traceback, and NoOpenGLError.
+    screen. ``limit``: seconds that the program itself may take, LIMIT by default. ``live``: who
+    uses the window meanwhile. ``host``: a window to run it in, where it has none of its own; then
+    its clock is not held. Raises ProgramError, an InputError whose ``details`` hold the program's
+    own traceback, and NoOpenGLError.
     """
     if frame is not None and (type(frame) is not int or frame < 0):
         raise InputError(f"frame {frame}: expected a whole number from 0")
+    limit = LIMIT if limit is None else limit
     source = read_source(Path(path))
     state = Run(source, frame, read_events(events), backend, observer, live, host)
     if live is not None and source.toolkit != "glfw":

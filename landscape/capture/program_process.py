@@ -26,6 +26,8 @@ def as_main(source: Source, arguments: list[str]) -> Iterator[None]:
     thread: Any = threading.current_thread()
     end, stdin, us = os._exit, sys.stdin, os.getpid()
     tell = threading.excepthook
+    # What was there before is no garbage of the program: forget() need not look through all of it.
+    gc.freeze()
     try:
         sys.stdin = io.StringIO()  # exit() closes it
         sys.argv = arguments
@@ -40,6 +42,7 @@ def as_main(source: Source, arguments: list[str]) -> Iterator[None]:
     finally:
         if os.getpid() != us:
             end(0)  # a copy of the program, which it has made itself
+        gc.unfreeze()
         thread._daemonic = False
         threading.excepthook = tell
         os._exit = end

@@ -19,6 +19,7 @@ TOOLKITS = {
     "pygame": "pygame.display.set_mode",
     "glut": "glutCreateWindow",
 }
+WORDS = (b"ERROR_CHECKING", b"gluNewNurbsRenderer")
 MOST_BYTES = 4 << 20  # chosen: of a file of a program; Python takes 50 times that to compile it
 
 
@@ -74,14 +75,15 @@ def read_source(path: Path) -> Source:
     except (ValueError, RecursionError, MemoryError) as error:
         raise ProgramError(f"{path}: is not a Python program ({error})") from None
     modules: set[str] = set()
-    checked = _read(path, tree, modules, set())
+    checked = _read(path, text, tree, modules, set())
     return Source(path, code, frozenset(modules), checked)
 
 
-def _read(path: Path, tree: ast.Module, modules: set[str], seen: set[Path]) -> bool:
+def _read(path: Path, data: bytes, tree: ast.Module, modules: set[str], seen: set[Path]) -> bool:
     """Add what a file imports, and what the files beside it do; return whether errors count."""
     seen.add(path.resolve())
-    text = ast.unparse(tree)
+    # Without its comments, which takes as long as compiling it, so only where a word is there.
+    text = ast.unparse(tree) if any(word in data for word in WORDS) else ""
     checked = "ERROR_CHECKING = False" not in text
     if "gluNewNurbsRenderer" in text:
         modules.add("nurbs")
@@ -103,7 +105,8 @@ def _read(path: Path, tree: ast.Module, modules: set[str], seen: set[Path]) -> b
 
 def _read_other(path: Path, modules: set[str], seen: set[Path]) -> bool:
     try:
-        return _read(path, ast.parse(read_bounded(path, MOST_BYTES)), modules, seen)
+        data = read_bounded(path, MOST_BYTES)
+        return _read(path, data, ast.parse(data), modules, seen)
     except (OSError, ValueError, SyntaxError, RecursionError):
         return True  # importing it will say so
 

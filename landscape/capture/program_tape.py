@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 from landscape.capture import spec, state
 from landscape.capture.buffers import Buffers
 from landscape.capture.edits import Edits
-from landscape.capture.program import LIMIT, Window, run
+from landscape.capture.program import Window, run
 from landscape.capture.tape import Tape
 from landscape.gl.calls import begin_pass, edited, frame_begins, outermost, recording, unnoted
 
@@ -22,7 +22,7 @@ def on_frame(
     events: Any = None,
     edits: Edits | None = None,
     backend: str = "auto",
-    limit: float = LIMIT,
+    limit: float | None = None,
 ) -> T:
     """Run a program to the end of a frame; return what ``use`` makes of its tape, in its context.
 

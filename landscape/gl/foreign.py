@@ -101,7 +101,7 @@ def patched(make: Make) -> Iterator[None]:
         stack.callback(_patched.remove, names)
         stack.callback(setattr, vbo.Implementation, "CHOSEN", None)
         vbo.Implementation.CHOSEN = None  # holds functions, chosen at the first use
-        stack.enter_context(replaced(("OpenGL",), choose))
+        stack.enter_context(replaced(("OpenGL",), choose, prefix="gl"))
         for table in (getattr(OpenGL.GL.exceptional, table) for table in TABLES):
             stack.callback(table.update, dict(table))
             table.update({n: _replacement(make, f.__name__, f) for n, f in table.items()})

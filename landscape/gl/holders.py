@@ -17,18 +17,19 @@ Choose = Callable[[str, str, Any], Any]
 
 
 @contextmanager
-def replaced(packages: Sequence[str], choose: Choose) -> Iterator[None]:
+def replaced(packages: Sequence[str], choose: Choose, prefix: str = "") -> Iterator[None]:
     """Inside the block, the modules of ``packages`` hold what ``choose`` gives for their values.
 
-    A value is replaced by the same object wherever it is held, and put back afterwards.
+    A value is replaced by the same object wherever it is held, and put back afterwards. Only names
+    that begin with ``prefix`` are looked at: of PyOpenGL's 30,000 most are constants.
     """
     replacements: dict[int, Any] = {}  # by the identity of the value
     originals: dict[int, Any] = {}  # by the identity of the replacement
 
     def apply(module: ModuleType) -> None:
         held = vars(module)
-        for name, value in list(held.items()):
-            if name.startswith("__") or id(value) in originals:
+        for name, value in _held(held, prefix):
+            if id(value) in originals:
                 continue
             new = replacements.get(id(value))
             if new is None:
@@ -49,9 +50,14 @@ def replaced(packages: Sequence[str], choose: Choose) -> Iterator[None]:
         sys.meta_path.remove(hook)
         for module in _modules(packages):
             held = vars(module)
-            for name, value in list(held.items()):
+            for name, value in _held(held, prefix):
                 if id(value) in originals:
                     held[name] = originals[id(value)]
+
+
+def _held(held: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
+    names = [name for name in held if name.startswith(prefix) and not name.startswith("__")]
+    return [(name, held[name]) for name in names]
 
 
 def _belongs(name: str, packages: Sequence[str]) -> bool:

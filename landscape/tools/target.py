@@ -7,7 +7,6 @@ from typing import Any, TypeVar
 
 from landscape.capture.edit_files import read
 from landscape.capture.edits import Edits
-from landscape.capture.program import LIMIT
 from landscape.capture.program_tape import on_frame
 from landscape.capture.tape import Tape
 from landscape.errors import InputError, short
@@ -22,7 +21,7 @@ class Target:
     """A frame to look into: a view's name with what it is drawn with, or the path of a program.
 
     ``settings`` to ``seed`` are as of :class:`landscape.render.Offscreen`, for views; ``frame``
-    and ``events`` are for programs (capture/program.py), as is ``limit``, in seconds. ``edits``
+    and ``events`` are for programs, as is ``limit``, in seconds: see capture/program.py. ``edits``
     is a file of edits. ``tell`` is called with lines for the user: settings and edits that changed
     nothing.
     """
@@ -39,7 +38,7 @@ class Target:
     edits: Path | None = None
     frame: int = 0
     events: Path | None = None
-    limit: float = LIMIT
+    limit: float | None = None
     tell: Callable[[Sequence[str]], object] = lambda lines: None
 
     @property
