@@ -11,10 +11,12 @@ A text that is to be translated is either the argument of a call of ``_``, the n
 """
 
 import re
+import string
 from collections.abc import Mapping
 from functools import cache
+from numbers import Integral, Real
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from landscape.errors import InputError
 
@@ -93,6 +95,23 @@ def translator(language: str, *domains: str) -> Translator:
         return text
 
     return translated if language in LANGUAGES[1:] else unchanged
+
+
+class _Formatter(string.Formatter):
+    """Fills values into a text, fractions with a decimal mark of its own."""
+
+    def __init__(self, mark: str) -> None:
+        self._mark = mark
+
+    def format_field(self, value: Any, format_spec: str) -> Any:
+        text = super().format_field(value, format_spec)
+        fraction = isinstance(value, Real) and not isinstance(value, Integral)
+        return text.replace(".", self._mark) if fraction else text
+
+
+def filled(text: str, values: Mapping[str, Any], mark: str = ".") -> str:
+    """Return a text with {values} as str.format does; ``mark`` is the decimal mark."""
+    return _Formatter(mark).vformat(text, (), values)
 
 
 def reworded(sentence: str, phrases: Phrases, _: Translator) -> str:

@@ -7,7 +7,7 @@ import pytest
 
 from landscape.course.evidence import Call, Evidence, Frame
 from landscape.course.exercises import Grader
-from landscape.course.grading import LEVELS, Text, between, compare, differing
+from landscape.course.grading import LEVELS, Text, between, compare, differing, hint
 from landscape.languages import translator
 
 FRENCH = translator("fr", "course")
@@ -39,6 +39,15 @@ def test_a_hint_names_two_lines_of_one_function(
 ) -> None:
     assert between(first, second).written(str) == words
     assert between(first, second).written(FRENCH) != words
+
+
+def test_french_hints_have_a_decimal_comma_and_leave_names_and_whole_numbers() -> None:
+    told = hint(
+        Text("{size:.1f} {ratio:.2f} {file} {line}"),
+        size=2.24, ratio=np.float32(0.5), file="a.py", line=1500,
+    )  # fmt: skip
+    assert told.written(str) == "2.2 0.50 a.py 1500"
+    assert told.written(FRENCH) == "2,2 0,50 a.py 1500"
 
 
 def test_without_any_line_there_is_no_place() -> None:

@@ -209,15 +209,20 @@ def _copied(found: Lesson, folder: Path) -> list[Path]:
     return [folder / f"{found.name}.py", folder / "text.py", folder / "data" / "letters.png"]
 
 
-def test_a_copy_in_french_differs_only_in_its_docstring(shell: Shell, tmp_path: Path) -> None:
-    done = shell("lesson", "mirror", "--copy", tmp_path, "--lang", "fr")
+def test_a_copy_in_french_is_french_wherever_it_runs(
+    shell: Shell, watcher: Watcher, tmp_path: Path
+) -> None:
+    done = shell("lesson", "matrix_stack", "--copy", tmp_path, "--lang", "fr")
     assert done.status == 0, done.err
-    french, english = (
-        path.read_text(encoding="utf-8") for path in (tmp_path / "mirror.py", lesson("mirror").file)
-    )
-    assert french.startswith('"""Miroir\u00a0: un nœud dans un sol poli\n\n')
-    assert french.split('"""')[2] == english.split('"""')[2]
-    assert max(map(len, french.splitlines())) <= 100
+    french = (tmp_path / "matrix_stack.py").read_text(encoding="utf-8")
+    assert french.startswith('"""La pile de matrices\u00a0: une voiture, ')
+    assert '_("Pile de matrices")' in french and "# en degrés\n" in french
+    copied, original = tmp_path / "matrix_stack.py", lesson("matrix_stack").file
+    assert watcher(copied, 2).picture != watcher(original, 2).picture, "the texts are French"
+    assert "Écrit un texte" in (tmp_path / "text.py").read_text(encoding="utf-8")
+    done = shell("lesson", "mirror", "--copy", tmp_path, "--lang", "en")
+    assert done.status == 0, "what a lesson imports may be there in French"
+    assert "Écrit un texte" in (tmp_path / "text.py").read_text(encoding="utf-8")
 
 
 def test_a_copy_runs_in_its_folder_and_is_never_overwritten(

@@ -13,6 +13,7 @@ from pathlib import Path
 from runpy import run_path
 from typing import Any
 
+from landscape.course import program_texts
 from landscape.course.evidence import Evidence, load
 from landscape.course.grading import Result, Test, _, difference, grade, tests_of
 from landscape.course.sandbox import SECONDS, Job, Outcome, Sandbox
@@ -127,9 +128,9 @@ def start(found: Exercise, language: str) -> str:
     texts = [translated(text) for text in (found.title, *found.task)]
     texts.append(translated(LEAD).format(lessons=", ".join(found.lessons)))
     parts = [textwrap.fill(text, COLUMNS) for text in texts]
-    # The task is French, the code stays as it is: the language of OpenGL's names is English.
-    end = code.index('"""', 3)
-    return '"""' + "\n\n".join(parts) + "\n" + code[end:].replace(HOLE, translated(HOLE))
+    # The names stay as they are: the language of OpenGL's is English.
+    program = program_texts.translated(code[code.index('"""', 3) + 3 :], translated)
+    return '"""' + "\n\n".join(parts) + '\n"""' + program.replace(HOLE, translated(HOLE))
 
 
 def named_in(path: Path) -> Exercise:

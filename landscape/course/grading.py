@@ -30,6 +30,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from landscape.course.evidence import NO_LINE, Call, Draw, Evidence, Frame
+from landscape.languages import filled
 
 LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
 REACH = 1  # pixels by which an edge may be elsewhere: other ways to compute it round differently
@@ -47,6 +48,9 @@ def _(text: str) -> Text:
     return Text(text)
 
 
+DECIMAL_MARK = _(".")
+
+
 @dataclass(frozen=True)
 class Hint:
     """A text with its {values}; those that are hints or marked with ``_`` are translated, too."""
@@ -57,7 +61,7 @@ class Hint:
     def written(self, translate: Callable[[str], str]) -> str:
         """Return the hint in a language."""
         values = {name: _written(value, translate) for name, value in self.values.items()}
-        return translate(self.text).format(**values)
+        return filled(translate(self.text), values, translate(DECIMAL_MARK))
 
 
 def _written(value: Any, translate: Callable[[str], str]) -> Any:

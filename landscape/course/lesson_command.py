@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from landscape.course import program_texts
 from landscape.course.ladder import LESSONS, TOPICS, Lesson, lesson, lessons, presses
 from landscape.course.language import told_in, translated
 from landscape.course.pages import wrapped
@@ -17,7 +18,7 @@ from landscape.course.picture import pictures
 from landscape.errors import InputError, NoOpenGLError
 from landscape.files.output import check_output_folder, check_writable, save_png, write_all
 from landscape.gl import display
-from landscape.languages import Phrases, choose
+from landscape.languages import LANGUAGES, Phrases, choose, translator
 
 HEADING: Phrases = ("{topic}:",)
 ADVICE: Phrases = (
@@ -108,25 +109,38 @@ def copy(chosen: Lesson, folder: Path) -> list[Path]:
     """Copy a lesson and what it reads into a folder, which is made; return the copies.
 
     InputError, and nothing is copied, if one of the files is there already with another content.
+    What the lesson imports may be there in another language.
     """
     check_output_folder(folder)
-    copies = {folder / file.relative_to(LESSONS): file.read_bytes() for file in needed(chosen)}
-    copies[folder / chosen.file.name] = described(chosen).encode()
-    for path, content in copies.items():
-        if path.exists() and (not path.is_file() or path.read_bytes() != content):
+    language = choose(os.environ)
+    copies, known = {}, {}
+    for file in needed(chosen):
+        path = folder / file.relative_to(LESSONS)
+        copies[path] = _in_language(file, language)
+        others = () if file == chosen.file else LANGUAGES
+        known[path] = {copies[path], *(_in_language(file, other) for other in others)}
+    for path, contents in known.items():
+        if path.exists() and (not path.is_file() or path.read_bytes() not in contents):
             raise InputError(f"{path}: is there already, changed; expected a folder without it")
     write_all({path: content for path, content in copies.items() if not path.exists()})
     return list(copies)
 
 
-def described(chosen: Lesson) -> str:
-    """Return a lesson's source, with its docstring in the user's language."""
+def _in_language(file: Path, language: str) -> bytes:
+    """Return the content of a lesson's file; a program's texts are in a language."""
+    content = file.read_bytes()
+    return described(lesson(file.stem), language).encode() if file.suffix == ".py" else content
+
+
+def described(chosen: Lesson, language: str) -> str:
+    """Return a lesson's program with all of its texts in a language."""
     source = chosen.file.read_text(encoding="utf-8")
-    texts = [translated(text) for text in (chosen.title, *chosen.about)]
-    if texts == [chosen.title, *chosen.about]:
+    if language == "en":
         return source
+    own = translator(language, f"lessons/{chosen.name}")
+    about = [wrapped("", own(text), WIDTH) for text in (chosen.title, *chosen.about)]
     _before, _docstring, program = source.split('"""', 2)
-    return '"""' + "\n\n".join(wrapped("", text, WIDTH) for text in texts) + f'\n"""{program}'
+    return '"""' + "\n\n".join(about) + '\n"""' + program_texts.translated(program, own)
 
 
 def needed(chosen: Lesson) -> list[Path]:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from landscape.languages import Texts, Translator
+from landscape.languages import Texts, Translator, filled
 
 SENTENCES: Texts = {
     "raised": "line {line}: the program raised {error}",
@@ -48,7 +48,7 @@ LONGEST = 400  # chosen: characters of a sentence
 def sentence(error: Mapping[str, Any], _: Translator) -> str:
     """Return what went wrong in a language, on one line; ``error`` has the "word" and values."""
     word = str(error["word"])
-    return " ".join(_(SENTENCES[word], word).format(**error).split())[:LONGEST]
+    return " ".join(filled(_(SENTENCES[word], word), error, _(".")).split())[:LONGEST]
 
 
 def known(error: Any) -> bool:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from catalogue import Message
 
-from landscape.course import lecture
+from landscape.course import lecture, program_texts
 from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import SECTIONS, Lesson, lessons
 from landscape.course.pages import blocks, page
@@ -72,46 +72,21 @@ def _tables(code: ast.Module) -> Iterator[tuple[str, str]]:
 
 
 def in_lesson(lesson: Lesson) -> Iterator[Message]:
-    """Yield the texts of a lesson: its docstring, what it writes on the screen, and its page."""
+    """Yield the texts of a lesson: its docstring, its comments, what it shows, and its page."""
     source = lesson.file.relative_to(ROOT).as_posix()
-    for text in (lesson.title, *lesson.about):
+    own = program_texts.texts(lesson.file.read_text(encoding="utf-8"))
+    for text in (lesson.title, *lesson.about, *own):
         yield Message(text, source)
-    for node in ast.walk(ast.parse(lesson.file.read_text(encoding="utf-8"))):
-        for text in _written(node):
-            yield Message(text, source)
     for block in page(lesson):
         if not block.is_code and block.text not in SECTIONS:
             yield Message(block.text, lesson.page.relative_to(ROOT).as_posix())
 
 
-def _written(node: ast.AST) -> Iterator[str]:
-    """Yield the texts of a lesson's call of write(x, y, text) or _(text), or its table LABELS."""
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-        at = {"write": 2, "_": 0}.get(node.func.id, len(node.args))
-        yield from _strings(node.args[at : at + 1])
-    elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "LABELS":
-        yield from _strings([node.value])
-
-
-def _strings(nodes: Iterable[ast.AST]) -> Iterator[str]:
-    """Yield the strings that these expressions may be, or that tables hold as elements."""
-    for node in nodes:
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            yield node.value
-        elif isinstance(node, ast.IfExp):
-            yield from _strings((node.body, node.orelse))
-        elif isinstance(node, ast.Tuple | ast.List):
-            yield from _strings(node.elts)
-        elif isinstance(node, ast.Dict):
-            yield from _strings(node.values)
-        elif isinstance(node, ast.Subscript):
-            yield from _strings([node.value])
-
-
 def in_exercise(name: str) -> Iterator[Message]:
-    """Yield the texts of an exercise: its title, the paragraphs of its task, and its tests."""
+    """Yield the texts of an exercise: its title, its task, those of its program, and its tests."""
     found = exercise(name)
-    for text in (found.title, *found.task):
+    own = program_texts.texts((found.folder / "start.py").read_text(encoding="utf-8"))
+    for text in (found.title, *found.task, *own):
         yield Message(text, f"landscape/exercises/{name}/start.py")
     yield from in_code(f"landscape/exercises/{name}/grading.py")
 

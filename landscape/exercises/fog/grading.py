@@ -25,7 +25,8 @@ def same(color, other):
 
 
 def rounded(color):
-    return ", ".join(f"{channel:.2f}" for channel in color[:3])
+    red, green, blue = color[:3]
+    return hint(_("{red:.2f}, {green:.2f}, {blue:.2f}"), red=red, green=green, blue=blue)
 
 
 @test(

@@ -1,0 +1,146 @@
+"""The texts of a lesson or an exercise, a program: its comments and docstrings, and what it shows.
+
+Its first docstring, the task or what a lesson is about, is not among them, nor are the tags below.
+"""
+
+import ast
+import io
+import re
+import textwrap
+import tokenize
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+COLUMNS = 100  # of a line, as everywhere in the project
+_TAG = re.compile(r"# (topic|needs|picture|loop|keys|exercise|lessons|fmt): |# Your code goes here")
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A comment or a docstring: its text on one line; its first row, the one after it, its column.
+
+    A comment ``beside`` code takes one row; every other remark has its rows for itself.
+    """
+
+    text: str
+    row: int
+    end: int
+    column: int
+    is_docstring: bool = False
+    beside: bool = False
+
+
+def texts(source: str) -> list[str]:
+    """Return the comments and docstrings of a program, and then the texts that it shows."""
+    remarks = sorted(_remarks(source), key=lambda remark: remark.row)
+    return [*(remark.text for remark in remarks), *(str(node.value) for node in _shown(source))]
+
+
+def translated(source: str, translate: Callable[[str], str]) -> str:
+    """Return a program with its texts in the language of ``translate``.
+
+    A comment beside a line moves above it where both together would be too long.
+    """
+    source = _with_strings(source, translate)
+    lines = source.splitlines()
+    for remark in sorted(_remarks(source), key=lambda remark: remark.row, reverse=True):
+        text = translate(remark.text)
+        before = lines[remark.row][: remark.column]
+        indent = before[: len(before) - len(before.lstrip())]
+        if remark.beside:
+            code = before.rstrip()
+            new = [f"{code}  # {text}"]
+            if len(new[0]) > COLUMNS:
+                new = [*_wrapped(text, f"{indent}# "), code]
+        elif remark.is_docstring:
+            new = [f'{indent}"""{text}"""']
+            if len(new[0]) > COLUMNS:
+                new = _wrapped(f'"""{text}"""', indent)
+        else:
+            new = _wrapped(text, f"{indent}# ")
+        if text != remark.text:
+            lines[remark.row : remark.end] = new
+    return "\n".join(lines) + "\n"
+
+
+def _wrapped(text: str, mark: str) -> list[str]:
+    return textwrap.wrap(
+        text, COLUMNS, initial_indent=mark, subsequent_indent=mark, break_on_hyphens=False
+    )
+
+
+def _with_strings(source: str, translate: Callable[[str], str]) -> str:
+    """Return a program with the texts that it shows translated."""
+    data = source.encode()  # as the columns of a syntax tree are counted in bytes
+    starts = [0]
+    for row in data.splitlines(keepends=True):
+        starts.append(starts[-1] + len(row))
+    for node in sorted(_shown(source), key=lambda node: (node.lineno, node.col_offset))[::-1]:
+        begin = starts[node.lineno - 1] + node.col_offset
+        end = starts[(node.end_lineno or node.lineno) - 1] + (node.end_col_offset or 0)
+        text = translate(str(node.value))
+        if text != node.value:
+            quoted = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+            data = data[:begin] + f'"{quoted}"'.encode() + data[end:]
+    return data.decode()
+
+
+def _remarks(source: str) -> Iterator[Remark]:
+    """Yield the comments, and the docstrings of functions."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.FunctionDef) and (text := ast.get_docstring(node)):
+            place = node.body[0]
+            end = place.end_lineno or place.lineno
+            yield Remark(" ".join(text.split()), place.lineno - 1, end, place.col_offset, True)
+    block: list[tokenize.TokenInfo] = []
+    for token in tokenize.generate_tokens(io.StringIO(source).readline):
+        if token.type != tokenize.COMMENT or _TAG.match(token.string):
+            continue
+        row, column = token.start
+        beside = token.line[:column].strip() != ""
+        if block and (beside or block[-1].start != (row - 1, column)):
+            yield _joined(block)
+            block = []
+        if beside:
+            yield Remark(token.string[2:], row - 1, row, column, beside=True)
+        else:
+            block.append(token)
+    if block:
+        yield _joined(block)
+
+
+def _joined(block: list[tokenize.TokenInfo]) -> Remark:
+    text = " ".join(token.string[2:].strip() for token in block)
+    row, column = block[0].start
+    return Remark(text, row - 1, block[-1].start[0], column)
+
+
+def _shown(source: str) -> list[ast.Constant]:
+    """Return the strings that a program shows.
+
+    They are those of a call of write(x, y, text) or _(text), the title of a window, and those of
+    the table LABELS.
+    """
+    found: list[ast.Constant] = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call):
+            at = {"write": 2, "_": 0, "glfw.create_window": 2}.get(ast.unparse(node.func))
+            found += _strings(node.args[at : at + 1] if at is not None else ())
+        elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "LABELS":
+            found += _strings([node.value])
+    return found
+
+
+def _strings(nodes: Iterable[ast.AST]) -> Iterator[ast.Constant]:
+    """Yield the strings that these expressions may be, or that tables hold as elements."""
+    for node in nodes:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node
+        elif isinstance(node, ast.IfExp):
+            yield from _strings((node.body, node.orelse))
+        elif isinstance(node, ast.Tuple | ast.List):
+            yield from _strings(node.elts)
+        elif isinstance(node, ast.Dict):
+            yield from _strings(node.values)
+        elif isinstance(node, ast.Subscript):
+            yield from _strings([node.value])
