@@ -95,6 +95,14 @@ class Fix(Protocol):
         """Where to look at the flaw from, or at the fix; its y may be None."""
 
 
+@dataclass(frozen=True)
+class Toggle:
+    """What a digit key changes in a walk: a setting that is on or off, or has choices; its name."""
+
+    setting: str
+    name: str
+
+
 class OpenScene(Terrain, Protocol):
     """A scene whose elements are built, in the OpenGL context that was current then."""
 
@@ -153,6 +161,7 @@ class Scene:
     a walk begins, ``main`` the views that are measured when none is named. ``open`` builds the
     elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without OpenGL.
     ``overlay`` names elements that a walk shows even if it begins in a view without them.
+    ``digits`` says what the keys 1 to 9 do in a walk.
     """
 
     name: str
@@ -167,6 +176,7 @@ class Scene:
     terrain: Callable[[Any, Assets], Terrain]
     fixes: Sequence[Fix] = ()
     overlay: tuple[str, ...] = ()
+    digits: Mapping[str, Toggle] = field(default_factory=dict)
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
         """Return the settings of a preset (None: the default) with changes; later ones override.

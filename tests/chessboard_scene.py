@@ -6,7 +6,7 @@ from landscape.frame import Pose
 from landscape.geometry.obstacles import Tower
 from landscape.gl.calls import drawing, gl
 from landscape.keys import setting
-from landscape.scene import Scene, View, begin_frame
+from landscape.scene import Scene, Toggle, View, begin_frame
 from landscape.settings import Camera, Clock, Fog, Sun, Walk
 
 
@@ -66,4 +66,5 @@ SCENE = Scene(
     main=("board",),
     open=Chessboard,
     terrain=lambda settings, assets: Chessboard(settings, assets, 0, ()),
+    digits={"1": Toggle("fog.enabled", "haze"), "2": Toggle("fog.mode", "formula of the haze")},
 )

@@ -3,6 +3,7 @@
 from typing import Any
 
 from landscape.effects import plan
+from landscape.effects.keys import KEYS
 from landscape.effects.room import Room
 from landscape.effects.settings import PRESETS, Settings
 from landscape.effects.statue import Statue
@@ -117,4 +118,5 @@ SCENE = Scene(
     main=MAIN,
     open=Hall,
     terrain=lambda settings, assets: Ground(),
+    digits=KEYS,
 )

@@ -21,7 +21,8 @@ from landscape.gl.framebuffer import read_pixels
 from landscape.gl.glfw_library import glfw
 from landscape.scene import Moment, OpenScene, scene
 from landscape.window import words
-from landscape.window.bindings import BY_ACTION, SETTINGS, available, labels, system_name
+from landscape.window.bindings import BY_ACTION, SETTINGS, labels, system_name
+from landscape.window.digits import help_rows, pressed
 from landscape.window.hands import Hands
 from landscape.window.inspector_frame import Inspection
 from landscape.window.list_image import list_image
@@ -126,10 +127,7 @@ class Walk:
 
     def _key_rows(self) -> list[tuple[str, str]]:
         """Return the rows of the help, labelled as the keyboard is now."""
-        return [
-            (labels(binding, self._language, system_name), self._word(f"help.{binding.action}"))
-            for binding in available(self.settings, bool(self._kind.fixes))
-        ]
+        return help_rows(self._kind, self.settings, self._language, system_name)
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)
@@ -168,10 +166,12 @@ class Walk:
         if self._inspect(self._context.scale()):
             self._stood += seconds
             seconds, intent = 0.0, Intent()
-        note, self._note, size = self._note, "", self._context.pixels()
+        size = self._context.pixels()
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
         picks, self.hands.picks = self.hands.picks, []
         changes = self._chooser.follow(picks, self.settings)
+        switches, toggled, said = pressed(self._kind, self.settings, switches, self._language)
+        note, self._note, changes = self._note or said, "", changes | toggled
         return Tick(seconds, intent, switches, size, note, self._chooser.row, changes)
 
     def follow(self, tick: Tick) -> Tick | None:

@@ -68,6 +68,8 @@ POSITIONS = {key: b.action for b in BINDINGS if b.kind != HELD for key in b.keys
 LETTERS = {b.letter: b.action for b in BINDINGS if b.letter}
 BY_ACTION = {b.action: b for b in BINDINGS}
 SETTINGS = {b.action: b.setting for b in BINDINGS if b.setting}
+# A scene says what these do in it (Scene.digits); both rows of digits count.
+DIGITS = {key + n: str(n) for key in (glfw.KEY_0, glfw.KEY_KP_0) for n in range(1, 10)}
 WITH_SHIFT = {"next_fix": "previous_fix"}  # what a switch does while Shift is held
 
 # What keys do while the list of settings is open; those in REPEATED do it again while held.

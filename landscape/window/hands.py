@@ -7,6 +7,7 @@ from landscape.gl.glfw_library import glfw
 from landscape.window.bindings import (
     BACKWARD,
     BY_ACTION,
+    DIGITS,
     DOWN,
     FORWARD,
     INSPECTING_REPEATED,
@@ -95,7 +96,8 @@ class Hands:
                 return None if self.inspecting else self._pick(name)
             if name == "inspector" and self.listing:
                 self._pick("list")
-            to = self.orders if BY_ACTION[name].kind == ORDER else self._switches
+            order = name in BY_ACTION and BY_ACTION[name].kind == ORDER
+            to = self.orders if order else self._switches
             to.append(WITH_SHIFT.get(name, name) if mods & glfw.MOD_SHIFT else name)
 
     def _pick(self, picked: str) -> None:
@@ -104,9 +106,9 @@ class Hands:
             self.listing = not self.listing
 
     def _action(self, key: int) -> str:
-        """Return the switch or order of a key, "" if it has none."""
-        if key in POSITIONS:
-            return POSITIONS[key]
+        """Return the switch or order of a key, "" if it has none; that of a digit is the digit."""
+        if found := POSITIONS.get(key) or DIGITS.get(key):
+            return found
         letters = {place: letter for letter, place in layout(self._name).items()}
         return LETTERS[letters[key]] if key in letters else ""
 

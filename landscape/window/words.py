@@ -100,6 +100,7 @@ TEXTS: Texts = {
     "reflection.off": "reflection off",
     "sorting.on": "sorting on",
     "sorting.off": "sorting off",
+    "toggle": "{name}: {state}",
     "fix": "{name}  {title}: {state}",
     "fix.on": "on",
     "fix.off": "off",
@@ -128,6 +129,12 @@ def state(language: str, name: str, value: Value) -> str:
     """Return the message that a switch is on or off, or what it is set to."""
     found = ("on" if value else "off") if isinstance(value, bool) else value
     return text(language, f"{name}.{found}")
+
+
+def toggled(language: str, name: str, value: Value) -> str:
+    """Return the message that what is called ``name`` is on or off, or what it is set to."""
+    told = state(language, "list", value) if isinstance(value, bool) else str(value)
+    return text(language, "toggle", name=name, state=told)
 
 
 def fix_state(language: str, name: str, title: str, on: bool) -> str:

@@ -111,6 +111,13 @@ def settings() -> Iterator[Message]:
                 yield Message(row.item.metadata["unit"], source)
 
 
+def scenes() -> Iterator[Message]:
+    """Yield what each scene calls its own: what the digit keys change in it."""
+    for kind in map(scene, SCENES):
+        for toggle in kind.digits.values():
+            yield Message(toggle.name, SCENES[kind.name].replace(".", "/") + ".py", toggle.setting)
+
+
 def fixes() -> Iterator[Message]:
     """Yield the titles of each scene's fixes."""
     for kind in map(scene, SCENES):
@@ -144,6 +151,7 @@ def in_document(name: str) -> Iterator[Message]:
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "calls": lambda: in_code("landscape/capture/*.py"),
     "fixes": fixes,
+    "scenes": scenes,
     "settings": settings,
     "strip": lambda: in_code("landscape/tools/*.py"),
     "window": lambda: in_code("landscape/window/*.py"),

@@ -1,0 +1,49 @@
+"""The digit keys, which each scene uses as it likes, and the rows of the help. No OpenGL.
+
+What a digit does becomes a changed setting before a frame is recorded, so a recording does not
+depend on which digit stands for what.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from landscape import keys
+from landscape.keys import Value
+from landscape.languages import translator
+from landscape.scene import Scene, Toggle
+from landscape.window import words
+from landscape.window.bindings import Namer, available, labels
+
+
+def help_rows(kind: Scene, settings: Any, language: str, name: Namer) -> list[tuple[str, str]]:
+    """Return the rows of the help: keys as the keyboard labels them, and what they do.
+
+    Keys that do nothing in the scene are left out; ``name`` says what is printed on a key.
+    """
+    rows = [
+        (labels(binding, language, name), words.text(language, f"help.{binding.action}"))
+        for binding in available(settings, bool(kind.fixes))
+    ]
+    return rows + [(digit, named(toggle, language)) for digit, toggle in kind.digits.items()]
+
+
+def named(toggle: Toggle, language: str) -> str:
+    """Return what a digit changes, in a language."""
+    return translator(language, "scenes")(toggle.name, toggle.setting)
+
+
+def pressed(
+    kind: Scene, settings: Any, switches: Sequence[str], language: str
+) -> tuple[tuple[str, ...], dict[str, Value], str]:
+    """Return the switches that are no digits, and what the digits among them do.
+
+    That is the settings to change, by dotted key, and a message, "" if there was no digit.
+    """
+    changes: dict[str, Value] = {}
+    message = ""
+    for toggle in (kind.digits[name] for name in switches if name in kind.digits):
+        changed = keys.with_settings(settings, changes)
+        value = keys.next_value(changed, toggle.setting)
+        changes[toggle.setting] = value
+        message = words.toggled(language, named(toggle, language), value)
+    return tuple(name for name in switches if not name.isdigit()), changes, message
