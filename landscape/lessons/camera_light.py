@@ -85,11 +85,11 @@ def main():
     glLightfv(GL_LIGHT0, GL_DIFFUSE, (1.6, 1.4, 1.1, 1))
     glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.05)
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (0.06, 0.07, 0.1, 1))
-    glPointSize(9)
     glClearColor(0.03, 0.04, 0.06, 1)
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
+        glPointSize(height / 53)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
         glFrustum(-0.06 * width / height, 0.06 * width / height, -0.06, 0.06, 0.1, 50)

@@ -91,6 +91,7 @@ def main():
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
+        glLineWidth(height / 320)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
         glFrustum(-width / height / 5, width / height / 5, -0.2, 0.2, 1, 10)
@@ -98,7 +99,7 @@ def main():
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
         glLightfv(GL_LIGHT0, GL_POSITION, (-0.4, 0.5, 1, 0))
-        glTranslatef(0, 0.1, -7)
+        glTranslatef(0, 0.25, -7.8)
         if before_camera:
             cut()
         glRotatef(20, 1, 0, 0)

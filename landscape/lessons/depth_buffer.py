@@ -45,8 +45,8 @@ def draw_disc(radius, z, color):
 def draw_scene():
     glPushMatrix()
     glTranslatef(0, 0, -1.5)
-    draw_box(9, 5.6, 0.1, (0.32, 0.38, 0.45))
-    draw_disc(2.3, 0.06, (0.25, 0.6, 0.6))  # 0.01 above the wall
+    draw_box(22, 14, 0.1, (0.32, 0.38, 0.45))
+    draw_disc(2.15, 0.06, (0.25, 0.6, 0.6))  # 0.01 above the wall
     draw_disc(1.6, 0.07, (0.95, 0.9, 0.8))
     glPopMatrix()
     for n, color in enumerate(((0.85, 0.35, 0.2), (0.95, 0.62, 0.35), (0.3, 0.5, 0.8))):
@@ -84,7 +84,7 @@ def main():
         glFrustum(-top * width / height, top * width / height, -top, top, near, 100)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glTranslatef(0.3, 0, -7)
+        glTranslatef(0.3, 0.25, -7)
         glRotatef(25 * math.sin(glfw.get_time() * math.pi / 2), 0, 1, 0)
         glRotatef(-20, 1, 0, 0)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)

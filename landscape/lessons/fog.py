@@ -44,8 +44,8 @@ def draw_tree(x, d):
         glEnd()
 
 
-def draw_curve():
-    """Draw the factor over the distance, 0 to 40."""
+def draw_curve(height):
+    """Draw the factor over the distance, 0 to 40; ``height``: of the window, in pixels."""
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
     glOrtho(-75, 43, -0.75, 5, -1, 1)
@@ -57,7 +57,7 @@ def draw_curve():
         glVertex2f(d, factor(d))
     glEnd()
     glColor3f(0.95, 0.62, 0.35)
-    glPointSize(6)
+    glPointSize(height / 80)
     glBegin(GL_POINTS)
     for _x, d in TREES:
         glVertex2f(d, factor(d))
@@ -108,7 +108,7 @@ def main():
             draw_tree(x, d)
             draw_tree(0.5 - x, d)
         glDisable(GL_FOG)
-        draw_curve()
+        draw_curve(height)
         write(16, 16, LABELS[mode], c=round(density, 3), end=round(2 / density))
         glfw.swap_buffers(window)
         glfw.poll_events()

@@ -22,8 +22,9 @@ limited = True
 def draw():
     glClearColor(grey, grey, grey, 1)
     glClear(GL_COLOR_BUFFER_BIT)
-    write(16, 40, "grey {grey:.2f}", grey=grey)
-    write(16, 16, "limit on" if limited else "limit off")
+    color = (0, 0, 0) if grey > 0.6 else (1, 1, 1)
+    write(16, 40, "grey {grey:.2f}", color, grey=grey)
+    write(16, 16, "limit on" if limited else "limit off", color)
 
 
 def on_key(window, key, scancode, action, mods):

@@ -109,7 +109,7 @@ def main():
         glEnable(GL_BLEND)
         draw_flame(0.2)
         glDisable(GL_BLEND)
-        write(16, 16, LABELS[shown - 1])
+        write(16, 16, LABELS[shown - 1], (0, 0, 0) if shown == 1 else (1, 1, 1))
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()

@@ -50,7 +50,7 @@ def draw_scene():
 
 
 def draw(width, height):
-    bottom, middle = 116 * max(1, height // 480), width // 2  # the pictures are above the text
+    bottom, middle = int(116 * (height // 480 or height / 480)), width // 2  # above the text
     aspect = middle / (height - bottom)
     angle = np.radians(turn)
     eye = np.array((3 * np.sin(angle), altitude, 3 * np.cos(angle)))

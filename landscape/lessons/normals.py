@@ -29,9 +29,8 @@ def point(m, n):
     return radius * math.cos(angle), radius * math.sin(angle), 0.6 * math.sin(turn)
 
 
-def normalized(x, y, z):
-    length = math.hypot(x, y, z)
-    return x / length, y / length, z / length
+def normalized(*vector):
+    return [part / math.hypot(*vector) for part in vector]
 
 
 def face_normal(m, n):
@@ -95,6 +94,7 @@ def main():
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
+        glLineWidth(height / 320)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
         glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)

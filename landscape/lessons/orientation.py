@@ -53,7 +53,7 @@ def draw():
     glClear(GL_COLOR_BUFFER_BIT)
     glLoadIdentity()
     glScalef(0.54, 0.54 * width / height, 1)
-    glLineWidth(2 * max(1, height // 480))
+    glLineWidth(height / 240)
     # Front faces filled, back faces as lines: the next lesson says more.
     glPolygonMode(GL_FRONT, GL_FILL)
     glPolygonMode(GL_BACK, GL_LINE)

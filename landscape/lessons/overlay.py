@@ -109,7 +109,7 @@ def main():
         if not depth_test:
             glDisable(GL_DEPTH_TEST)
         draw_sword(sword)
-        write(16, 16, "depth test on" if depth_test else "depth test off")
+        write(16, 16, "depth test on" if depth_test else "depth test off", (0, 0, 0))
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()

@@ -54,7 +54,7 @@ def draw_volume(top, aspect):
 
 
 def draw(width, height):
-    bottom, half = 144 * max(1, height // 480), width // 2  # the pictures are above the text
+    bottom, half = int(144 * (height // 480 or height / 480)), width // 2  # above the text
     aspect = half / (height - bottom)
     reach = max(4.3, 4.3 / aspect)
     glMatrixMode(GL_PROJECTION)
@@ -68,6 +68,7 @@ def draw(width, height):
     top = math.tan(math.radians(angle / 2)) * (4 if parallel else near)  # 4: among the boxes
     glViewport(0, bottom, half, height - bottom)
     glPointSize(height / 60)
+    glLineWidth(height / 400)
     draw_scene()
     draw_volume(top, aspect)
     glMatrixMode(GL_PROJECTION)
@@ -92,8 +93,7 @@ def on_key(window, key, scancode, action, mods):
         return
     farther = (key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)  # 1, 0 or -1
     near = max(0.5, min(near + 0.5 * farther, 5))
-    wider = (key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT)
-    angle = max(20, min(angle + 5 * wider, 50))
+    angle = max(20, min(angle + 5 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT)), 50))
     if key == glfw.KEY_SPACE:
         parallel = not parallel
     if key == glfw.KEY_ESCAPE:

@@ -55,7 +55,8 @@ def draw():
     glScalef(height / width, 1, -0.5)  # minus: z points to us, and depth away from us
     glRotatef(tilt, 1, 0, 0)
     glEnable(GL_DEPTH_TEST)  # the nearest face is seen, in whatever order they are drawn
-    glPointSize(4 * max(1, height // 480))
+    glPointSize(height / 120)
+    glLineWidth(height / 400)
     glPolygonMode(GL_FRONT, MODES[front])
     glPolygonMode(GL_BACK, MODES[back])
     draw_vase()

@@ -18,17 +18,17 @@ import glfw
 from OpenGL.GL import *
 from text import _, write
 
-KINDS = (  # each with its name, in two lines, and its place in the grid
-    (GL_POINTS, "POINTS", "", 0, 2),
-    (GL_LINES, "LINES", "", 1, 2),
-    (GL_LINE_STRIP, "LINE", "_STRIP", 2, 2),
-    (GL_LINE_LOOP, "LINE", "_LOOP", 3, 2),
-    (GL_TRIANGLES, "TRIANGLES", "", 0, 1),
-    (GL_TRIANGLE_STRIP, "TRIANGLE", "_STRIP", 1, 1),
-    (GL_TRIANGLE_FAN, "TRIANGLE", "_FAN", 2, 1),
-    (GL_POLYGON, "POLYGON", "", 3, 1),
-    (GL_QUADS, "QUADS", "", 2, 0),
-    (GL_QUAD_STRIP, "QUAD", "_STRIP", 3, 0),
+KINDS = (  # each with its name and its place in the grid
+    (GL_POINTS, "POINTS", 0, 2),
+    (GL_LINES, "LINES", 1, 2),
+    (GL_LINE_STRIP, "LINE_STRIP", 2, 2),
+    (GL_LINE_LOOP, "LINE_LOOP", 3, 2),
+    (GL_TRIANGLES, "TRIANGLES", 0, 1),
+    (GL_TRIANGLE_STRIP, "TRIANGLE_STRIP", 1, 1),
+    (GL_TRIANGLE_FAN, "TRIANGLE_FAN", 2, 1),
+    (GL_POLYGON, "POLYGON", 3, 1),
+    (GL_QUADS, "QUADS", 2, 0),
+    (GL_QUAD_STRIP, "QUAD_STRIP", 3, 0),
 )
 # From left to right, below and above in turn; -1 to 1.
 ZIGZAG = (
@@ -54,23 +54,22 @@ def draw_kind(kind, vertices):
 
 def draw():
     width, height = glfw.get_framebuffer_size(glfw.get_current_context())
-    scale = max(1, height // 480)  # of the pixels that write counts in
-    glPointSize(6 * scale)
-    glLineWidth(2 * scale)
+    scale = height // 480 or height / 480  # of the pixels that write counts in
+    glPointSize(height / 80)
+    glLineWidth(height / 240)
     across, up = width / 4 / scale, height / 3 / scale  # a cell of the grid, as write counts
-    for kind, name, rest, column, row in KINDS:
+    for kind, name, column, row in KINDS:
         glViewport(column * width // 4, row * height // 3, width // 4, height // 3)
         glLoadIdentity()
         glOrtho(0, across, 0, up, -1, 1)
-        # An outline in the middle of the cell, above two lines of text, with room for the numbers.
-        x, y, right, top = across / 2, up / 2 + 20, across / 2 - 24, up / 2 - 44
+        # An outline in the middle of the cell, above its name, with room for the numbers.
+        x, y, right, top = across / 2, up / 2 + 10, across / 2 - 24, up / 2 - 36
         outline = [(x + u * right, y + v * top) for u, v in (AROUND if around else ZIGZAG)]
         draw_kind(kind, outline[:count])
         for number, (u, v) in enumerate(outline[:count]):
             out = 1 + 13 / math.hypot(u - x, v - y)
             write(x + out * (u - x) - 5, y + out * (v - y) - 10, "{number}", number=number)
-        write(8, 24, "{name}", (0.95, 0.9, 0.8), name=name)
-        write(8, 4, "{name}", (0.95, 0.9, 0.8), name=rest)
+        write(x - 5 * len(name), 4, "{name}", (0.95, 0.9, 0.8), name=name)
     glViewport(0, 0, width, height)
     write(16, 40, "{count} vertices", count=count)
     write(16, 16, "around" if around else "zigzag")

@@ -79,7 +79,7 @@ def main():
         glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glTranslatef(0, 0.1, -6.8)
+        glTranslatef(0, 0.3, -6.8)
         glRotatef(-25, 1, 0, 0)
         glClear(GL_COLOR_BUFFER_BIT)
         aim_lights(glfw.get_time())

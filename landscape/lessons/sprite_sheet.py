@@ -85,7 +85,7 @@ def main():
         glViewport(0, 0, width, height)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
-        glOrtho(-3.2 * width / height, 3.2 * width / height, -1.8, 4.6, -1, 1)
+        glOrtho(-3.4 * width / height, 3.4 * width / height, -2.3, 4.5, -1, 1)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
         glTranslatef(-1.4, 0, 0)
@@ -103,10 +103,10 @@ def main():
         glDisable(GL_BLEND)
         glDisable(GL_TEXTURE_2D)
         row, column = divmod(picture, 4)
-        glBegin(GL_LINE_LOOP)  # around the picture in the sheet
-        for across, up in ((0, 0), (1, 0), (1, 1), (0, 1)):
-            glVertex2f(2.4 + 0.75 * (column + across), 4.2 - 0.75 * (row + up))
-        glEnd()
+        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)  # around the picture in the sheet
+        glLineWidth(height / 400)
+        glRectf(2.4 + 0.75 * column, 4.2 - 0.75 * row, 3.15 + 0.75 * column, 3.45 - 0.75 * row)
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
         write(16, 40, "picture {k}: column {column}, row {row}", k=picture, column=column, row=row)
         write(16, 64, "pictures per second: {speed}", speed=speed)
         write(16, 16, LABELS[blending])

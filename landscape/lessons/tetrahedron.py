@@ -49,7 +49,7 @@ def draw():
     glScalef(0.85 * height / width, 0.85, -0.5)  # minus: z points to us, and depth away from us
     glRotatef(20, 1, 0, 0)
     glRotatef(angle, 0, 1, 0)
-    glLineWidth(3 * max(1, height // 480))
+    glLineWidth(height / 160)
     glEnable(GL_CULL_FACE)  # no face hides another: each that is left is turned to us
     draw_faces()
     glDisable(GL_CULL_FACE)

@@ -92,7 +92,7 @@ def main():
         glFrustum(-width / height / 50, width / height / 50, -0.02, 0.02, 0.04, 10)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glRotatef(16, 1, 0, 0)
+        glRotatef(9, 1, 0, 0)
         glTranslatef(0, -0.25, -0.7)
         glRotatef(-6 * glfw.get_time(), 0, 1, 0)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)

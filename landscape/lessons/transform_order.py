@@ -87,11 +87,11 @@ def main():
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
-    glLineWidth(2)
     glClearColor(0.13, 0.16, 0.21, 1)
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
+        glLineWidth(height / 240)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
         glFrustum(-width / height / 2, width / height / 2, -0.5, 0.5, 1, 50)

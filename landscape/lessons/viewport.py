@@ -37,7 +37,7 @@ def draw_wheel():
 
 def draw():
     width, height = glfw.get_framebuffer_size(glfw.get_current_context())
-    scale = max(1, height // 480)  # write counts in larger pixels in a large window
+    scale = height // 480 or height / 480  # of the pixels that write counts in
     w, h = int(across * width), int(up * height)
     x0, y0 = (width - w) // 2, int(0.38 * height)
 
@@ -50,7 +50,7 @@ def draw():
     draw_wheel()
 
     glLoadIdentity()
-    glPointSize(9 * scale)
+    glPointSize(height / 53)
     glColor3f(0.95, 0.9, 0.8)
     glBegin(GL_POINTS)
     glVertex2f(*POINT)

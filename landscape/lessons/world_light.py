@@ -82,11 +82,11 @@ def main():
         glEnable(capability)
     glLightfv(GL_LIGHT0, GL_DIFFUSE, (1, 0.95, 0.85, 1))
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (0.3, 0.34, 0.42, 1))
-    glPointSize(40)
     glClearColor(0.13, 0.16, 0.21, 1)
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
+        glPointSize(height / 12)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
         glFrustum(-width / height / 2, width / height / 2, -0.5, 0.5, 1, 50)
