@@ -156,6 +156,26 @@ def test_each_key_of_a_lesson_changes_its_picture(name: str, watcher: Watcher) -
     assert [key for key in idle if seen(1, presses((key,)))[1] == without] == []
 
 
+SIZED = [
+    name
+    for name in NAMES
+    if re.search(r"glPointSize|glLineWidth|/ 480", lesson(name).file.read_text(encoding="utf-8"))
+]
+
+
+@pytest.mark.parametrize("name", SIZED)
+def test_lines_points_and_what_is_measured_in_letters_grow_with_the_window(
+    name: str, watcher: Watcher
+) -> None:
+    found = lesson(name)
+    sizes = [{"frame": at, "resize": size} for at, size in ((2, [320, 240]), (3, [1280, 960]))]
+    grids = watcher(found.file, 3, events=[*presses(found.pressed), *sizes], each=True).grids
+    as_made, small, large = (np.array(grids[at]) for at in (1, 2, 3))
+    # In a small window no line is thinner than a pixel, so there is a little more of some.
+    assert np.abs(small - as_made).max() < 24
+    assert np.abs(large - as_made).max() < 12.5
+
+
 def test_a_drag_of_the_mouse_changes_the_lesson_mouse(watcher: Watcher) -> None:
     drag = [
         {"frame": 1, "move": [320, 240]},

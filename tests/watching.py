@@ -35,6 +35,14 @@ with prepare(bool(sys.argv[2:])):
 """
 
 
+def grid(picture: Any) -> Any:
+    """Return the mean colours of 16 by 12 parts of a picture, uint8 (h, w, 3): a list of them."""
+    height, width = picture.shape[:2]
+    rows = picture[: height // 12 * 12, : width // 16 * 16]
+    parts = rows.reshape(12, height // 12, 16, width // 16, 3)
+    return parts.mean((1, 3)).round(1).reshape(-1, 3).tolist()
+
+
 def colours(picture: Any) -> int:
     """Return how many colours there are in a picture, uint8 (h, w, 3)."""
     import numpy as np
@@ -56,12 +64,14 @@ def _every_colour() -> Any:
 class Watch:
     """An observer that counts each frame's calls, and reads the frame ``wanted``, or each.
 
-    With ``each``, ``pictures`` are the checksums of the frames up to it, and no call is counted.
+    With ``each``, ``pictures`` are the checksums of the frames up to it, ``grids`` what ``grid``
+    makes of them, and no call is counted.
     """
 
     def __init__(self, wanted: int | None = None, each: bool = False) -> None:
         self.each, self.wanted = each, wanted
         self.pictures: list[str] = []
+        self.grids: list[Any] = []
         self.calls: list[tuple[str, tuple[Any, ...]]] = []
         self.log: list[Any] = []
         self.notices: list[str] = []
@@ -108,6 +118,8 @@ class Watch:
         self.read = gl.glReadPixels(0, 0, width, height, gl.GL_RGB, gl.GL_UNSIGNED_BYTE)
         picture = np.frombuffer(self.read, np.uint8).reshape(height, width, 3)[::-1]
         self.pictures.append(hashlib.sha256(picture.tobytes()).hexdigest())
+        if self.each:
+            self.grids.append(grid(picture))
         if self.wanted is not None and number != self.wanted:
             return None
         return {"picture": self.pictures[-1], "size": [width, height],
@@ -184,7 +196,7 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
     after = _process()
     left = [name for name in before if before[name] != after[name]]
     log = {"log": observer.log, "notices": observer.notices, "left": left}
-    log["pictures"] = observer.pictures
+    log |= {"pictures": observer.pictures, "grids": observer.grids}
     return reply | log | {"out": out.getvalue(), "err": err.getvalue()}
 
 
