@@ -45,7 +45,7 @@ def draw_tree(x, d):
 
 
 def draw_curve(height):
-    """Draw the factor over the distance, 0 to 40; ``height``: of the window, in pixels."""
+    """Draw the factor over the distance, 0 to 40; ``height`` is that of the window."""
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
     glOrtho(-75, 43, -0.75, 5, -1, 1)
