@@ -30,7 +30,7 @@ import numpy as np
 from landscape.capture import program, spec, state
 from landscape.capture.program import Window
 from landscape.capture.program_source import ProgramError
-from landscape.course.guard import Guard
+from landscape.course.refusals import Refusals
 from landscape.course.troubles import SENTENCES
 from landscape.errors import InputError
 from landscape.gl.calls import begin_pass, frame_begins, gl, outermost, recording, unnoted
@@ -47,8 +47,8 @@ MATRICES = ("GL_MODELVIEW_MATRIX", "GL_PROJECTION_MATRIX", "GL_TEXTURE_MATRIX")
 
 def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
     """Run a program and write the evidence; ``leave`` ends the process."""
-    guard = Guard(job["path"], job["folder"])
-    sys.addaudithook(guard)
+    refusals = Refusals(job["path"], job["folder"])
+    sys.addaudithook(refusals)
     witness = Witness(job["frames"], answer.parent)
 
     def end(found: dict[str, Any]) -> None:
@@ -64,20 +64,22 @@ def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
             )  # fmt: skip
     except ProgramError as error:
         late = f"within {job['seconds']:g} s" in str(error)
-        end({"error": _trouble(error, witness, guard, late)})
+        end({"error": _trouble(error, witness, refusals, late)})
     except InputError as error:
         end({"error": {"word": "refused", "reason": str(error)}})
 
 
-def _trouble(error: ProgramError, witness: "Witness", guard: Guard, late: bool) -> dict[str, Any]:
+def _trouble(
+    error: ProgramError, witness: "Witness", refusals: Refusals, late: bool
+) -> dict[str, Any]:
     """Return what went wrong as a word of troubles.py, and the values of its message."""
     if package := str(error).partition("needs the Python package ")[2]:
         return {"word": "package", "reason": package.partition(",")[0].partition(":")[0]}
     raised = error.details.strip().splitlines()
     if raised:
         line = _line_of(str(error))
-        if guard.refused and raised[-1].startswith("PermissionError"):
-            return {"word": guard.refused, "line": line}
+        if refusals.refused and raised[-1].startswith("PermissionError"):
+            return {"word": refusals.refused, "line": line}
         if "MemoryError" in raised[-1]:
             return {"word": "memory", "line": line}
         return {"line": line, **_exception(error.details)}

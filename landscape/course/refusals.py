@@ -22,7 +22,7 @@ STARTING = {
 CONNECTING = {"socket.__new__", "socket.connect", "socket.bind", "socket.getaddrinfo"}
 
 
-class Guard:
+class Refusals:
     """The hook; ``refused`` is the last thing it refused: network, start, write, or ""."""
 
     def __init__(self, path: str, folder: str) -> None:
