@@ -73,6 +73,69 @@ def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
         told |= {hint.text: mistake, hint.written(str): mistake}
 
 
+EMPTY = """# exercise: {name}
+import glfw
+from OpenGL.GL import *
+glfw.init()
+window = glfw.create_window(640, 480, "", None, None)
+glfw.make_context_current(window)
+while not glfw.window_should_close(window):
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glBegin(GL_TRIANGLES)
+    glEnd()
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+"""
+LOOP = "    while not glfw.window_should_close(window):\n"
+ONLY_FIRST = """        if glfw.get_time() > 0:
+            glfw.swap_buffers(window)
+            glfw.poll_events()
+            continue
+"""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame(
+    name: str, grader: Grader, tmp_path: Path
+) -> None:
+    once = solution(name).replace(LOOP, LOOP + ONLY_FIRST)
+    assert once != solution(name)
+    for code in (EMPTY.format(name=name), once):
+        report = checked(grader, tmp_path, code)
+        assert report.error is None and report.results
+        assert not any(result.passed for result in report.results)
+        assert "nothing is drawn" in hints(report)[0].written(str)
+
+
+DARK = "    glColorMask(0, 0, 1, 1)\n"
+REGIONS = {
+    "the map": ("second_viewport", ("    draw_maze()\n    glViewport", DARK
+                                    + "    draw_maze()\n"
+                                    + DARK.replace("0", "1") + "    glViewport")),
+    "in the water": ("mirror", ("glColor4f(0.12", "glColor4f(0.5")),
+    "what is far, around the horizon": ("fog", ("(0.95, 0.3, 0.15)",
+                                                "((0.95, 0.3, 0.15) if z > -10 else (0, 0, 1))")),
+    "the tree at x = -1.8, z = -1.6": ("billboard", ("    glBegin(GL_QUADS)\n",
+                                       "    glColor3f(1, 0.5 if x == -1.8 else 1, 1)\n"
+                                       "    glBegin(GL_QUADS)\n")),
+    "the lamp": ("light_position", ("    draw_ball(0.16)\n", "")),
+    "the stair": ("clip_plane", ("(0.25, 0.6, 0.6)", "(0.9, 0.6, 0.6)")),
+    "the vase": ("vertex_arrays", ("TWO_SIDE, GL_TRUE", "TWO_SIDE, GL_FALSE")),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("region", REGIONS)
+def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
+    region: str, grader: Grader, tmp_path: Path
+) -> None:
+    name, (old, new) = REGIONS[region]
+    code = solution(name).replace(old, new, 1)
+    assert code != solution(name)
+    report = checked(grader, tmp_path, code)
+    assert failures(report) == ["picture"]
+    assert f": {region}. " in hints(report)[0].written(str)
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> None:
     found = exercise(name)

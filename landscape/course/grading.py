@@ -29,11 +29,13 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from landscape.capture import spec
 from landscape.course.evidence import NO_LINE, Call, Draw, Evidence, Frame
 from landscape.languages import filled
 
 LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
 REACH = 1  # pixels by which an edge may be elsewhere: other ways to compute it round differently
+FEWEST = 20  # chosen: pixels of a region that may differ, however small it is
 MOST = 0.0015  # chosen: the fraction of the pixels that may differ by more
 
 
@@ -56,7 +58,7 @@ class Hint:
     """A text with its {values}; those that are hints or marked with ``_`` are translated, too."""
 
     text: str
-    values: Mapping[str, Any] = field(default_factory=dict)
+    values: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def written(self, translate: Callable[[str], str]) -> str:
         """Return the hint in a language."""
@@ -155,11 +157,14 @@ def tests_of(module: Mapping[str, Any]) -> list[Test]:
 
 
 def grade(tests: Iterable[Test], work: Evidence, solution: Evidence) -> list[Result]:
-    """Make the tests and return what they found; none after a picture of another size."""
+    """Make the tests and return what they found; all fail where there is nothing to check.
+
+    That is where a frame has another size, or nothing is drawn in it.
+    """
     found: dict[str, Result] = {}
     for each in tests:
         if all(found[needed.key].passed for needed in each.needs):
-            told = _other_size(work, solution) or _checked(each, work, solution)
+            told = _nothing_to_check(work, solution) or _checked(each, work, solution)
             if told is not None and work.early is not None:
                 told = _without_context(*work.early)
             found[each.key] = Result(each, told is None, told)
@@ -194,7 +199,7 @@ def _without_context(name: str, line: int) -> Hint:
     )
 
 
-def _other_size(work: Evidence, solution: Evidence) -> Hint | None:
+def _nothing_to_check(work: Evidence, solution: Evidence) -> Hint | None:
     for number, frame in solution.frames.items():
         height, width = frame.picture.shape[:2]
         if work.frame(number).picture.shape != frame.picture.shape:
@@ -206,13 +211,29 @@ def _other_size(work: Evidence, solution: Evidence) -> Hint | None:
                 width=width,
                 height=height,
             )
+        if _empty(work.frame(number)):
+            return hint(_("In frame {frame} nothing is drawn."), frame=number)
     return None
+
+
+def _empty(frame: Frame) -> bool:
+    """Return whether nothing is drawn in a frame; it may be cleared."""
+    others = [c for c in frame.calls if spec.draws(c.name) and c.name not in ("glBegin", "glClear")]
+    return not others and vertices(frame) == 0
+
+
+def vertices(frame: Frame) -> int:
+    """Return how many vertices are drawn in a frame."""
+    return sum(len(draw.vertices) for draw in frame.draws)
 
 
 # Pictures.
 
 Box = tuple[float, float, float, float]
 """A part of the picture: left, top, right, bottom, each from 0 to 1, from the top left."""
+
+Regions = Mapping[Any, Box | np.ndarray]
+"""Parts of the picture by name, a text or a hint: boxes, or masks, bool (h, w), top row first."""
 
 
 @lru_cache(maxsize=16)  # the frames of one program
@@ -278,28 +299,31 @@ def compare(
     box: Box = (0, 0, 1, 1),
     most: float = MOST,
     frames: Sequence[int] | None = None,
-    regions: Mapping[Text, Box] | None = None,
+    regions: Regions | Callable[[int], Regions] | None = None,
 ) -> Hint | None:
     """Compare the pictures of some frames, of all by default, with the solution's.
 
     ``most``: the fraction of the pixels in the ``box`` that may differ, and of those in each of the
-    ``regions``, which have names such as _("the second column"). ``told`` is the hint where more
-    do; the default names the region with the largest fraction, and the place in the picture.
+    ``regions``, which have names such as _("the second column"); where they lie elsewhere in each
+    frame, a function of its number returns them. ``told`` is the hint where more differ; the
+    default names the region with the largest fraction, and the place in the picture.
     """
     for number in solution.frames if frames is None else frames:
         found = differing(work.frame(number), solution.frame(number))
-        parts = {name: float(_part(found, each).mean()) for name, each in (regions or {}).items()}
-        worst = max(parts, key=lambda name: parts[name], default=None)
-        if worst is not None and regions is not None and parts[worst] > most:
+        named = (regions(number) if callable(regions) else regions or {}) if found.any() else {}
+        parts = {name: _mask(area, found) for name, area in named.items()}
+        shares = {name: _share(found, part, most) for name, part in parts.items()}
+        worst = max(shares, key=lambda name: shares[name], default=None)
+        if worst is not None and shares[worst] > most:
             return told or hint(
                 _(
                     "In frame {frame} the difference is {where}: {region}. {percent:.1f} % of the "
                     "pixels there are not as they should be. --heat-map FILE.png shows which."
                 ),
                 frame=number,
-                where=_where(found, regions[worst]),
+                where=_where(found & parts[worst]),
                 region=worst,
-                percent=100 * parts[worst],
+                percent=100 * shares[worst],
             )
         fraction = float(_part(found, box).mean())
         if fraction > most:
@@ -310,9 +334,23 @@ def compare(
                 ),
                 frame=number,
                 percent=100 * fraction,
-                where=_where(found, box),
+                where=_where(found & _mask(box, found)),
             )
     return None
+
+
+def _mask(area: Box | np.ndarray, like: np.ndarray) -> np.ndarray:
+    if isinstance(area, np.ndarray):
+        return area
+    mask = np.zeros_like(like)
+    _part(mask, area)[:] = True
+    return mask
+
+
+def _share(found: np.ndarray, region: np.ndarray, most: float) -> float:
+    """Return the fraction of a region that differs; 0 where it may be rounding at its edges."""
+    count = int((found & region).sum())
+    return count / int(region.sum()) if count > FEWEST or most == 0 else 0.0
 
 
 PLACES = (
@@ -322,12 +360,10 @@ PLACES = (
 )
 
 
-def _where(mask: np.ndarray, box: Box = (0, 0, 1, 1)) -> Text:
-    """Return in which ninth of the picture most pixels of a mask are, of those in a box."""
-    inside = np.zeros_like(mask)
-    _part(inside, box)[:] = _part(mask, box)
+def _where(mask: np.ndarray) -> Text:
+    """Return in which ninth of the picture most pixels of a mask are."""
     counts = [
-        [_part(inside, (x / 3, y / 3, (x + 1) / 3, (y + 1) / 3)).sum() for x in range(3)]
+        [_part(mask, (x / 3, y / 3, (x + 1) / 3, (y + 1) / 3)).sum() for x in range(3)]
         for y in range(3)
     ]
     row, column = divmod(int(np.argmax(counts)), 3)

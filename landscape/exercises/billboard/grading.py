@@ -3,6 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
+from landscape.course.triangles import covered
 
 FRAMES = (0, 2, 4)
 EVENTS = [
@@ -208,6 +209,17 @@ def facing(work, solution):
     )  # fmt: skip
 
 
+def regions(solution, number):
+    """Return the parts of a frame's picture: each tree, and the ground with the sky."""
+    height, width = solution.frame(number).picture.shape[:2]
+    drawn = [d for d in solution.frame(number).draws if d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
+    found = {}
+    for draw, foot in zip(drawn, feet(trees(solution, solution, number)), strict=True):
+        x, z = np.round(foot[[0, 2]], 1) + 0.0
+        found[hint(_("the tree at x = {x}, z = {z}"), x=x, z=z)] = covered([draw], height, width)
+    return {**found, _("the ground and the sky"): ~covered(drawn, height, width)}
+
+
 @test(
     _("The picture is right"),
     _("From three sides, and from above."),
@@ -219,4 +231,4 @@ def picture(work, solution):
         sizes = np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1)
         if abs(sizes.max() - HEIGHT) > NEAR:
             return hint(_("The trees are {size:.1f} units wide, and not 2.2."), size=sizes.max())
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))

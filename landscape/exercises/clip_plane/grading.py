@@ -3,6 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
+from landscape.course.triangles import covered
 
 FRAMES = (0, 2)
 EVENTS = [{"frame": 2, "key": "RIGHT"} for _press in range(5)]
@@ -168,10 +169,20 @@ def whole(work, solution):
     return None
 
 
+def regions(solution, number):
+    """Return the parts of a frame's picture; those of the tower overlap."""
+    height, width = solution.frame(number).picture.shape[:2]
+    names = {"stair": _("the stair"), "wall": _("the wall and the roof")}
+    found = {
+        text: covered(parts(solution, number, name), height, width) for name, text in names.items()
+    }
+    return {**found, _("beside the tower"): ~np.any(list(found.values()), axis=0)}
+
+
 @test(
     _("The picture is right"),
     _("From two sides, one looks into the tower."),
     needs=whole,
 )
 def picture(work, solution):
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from landscape.course.grading import _, compare, hint, test
+from landscape.course.grading import _, compare, hint, test, vertices
 
 FRAMES = (0, 1)
 FOG = (0.82, 0.78, 0.72)
@@ -35,6 +35,12 @@ def rounded(color):
 )
 def fogged(work, solution):
     for number in FRAMES:
+        if vertices(work.frame(number)) < vertices(solution.frame(number)):
+            return hint(
+                _("In frame {frame} a part of the bay is not drawn: fog hides it, and nothing is "
+                  "to be left out."),
+                frame=number,
+            )  # fmt: skip
         draws = work.frame(number).draws
         clear = [draw for draw in draws if not draw.state["GL_FOG"]]
         if not clear:
@@ -180,10 +186,19 @@ def sky(work, solution):
     return None
 
 
+def regions(solution, number):
+    """Return the parts of the picture, from top to bottom."""
+    return {
+        _("the sky"): (0, 0, 1, 0.3),
+        _("what is far, around the horizon"): (0, 0.3, 1, 0.5),
+        _("what is near"): (0, 0.5, 1, 1),
+    }
+
+
 @test(
     _("The picture is right"),
     _("The jetty ends in the fog, and the water's edge cannot be told from the sky."),
     needs=sky,
 )
 def picture(work, solution):
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))

@@ -3,6 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
+from landscape.course.triangles import covered
 
 FRAMES = (0, 15)
 LAMP = np.array((1.2, 3.2, 0.6, 1))
@@ -204,10 +205,20 @@ def _twice(work, first):
     return near((np.linalg.inv(view(work, 0)) @ first)[:3], 2 * LAMP[:3])
 
 
+def regions(solution, number):
+    """Return the parts of a frame's picture."""
+    height, width = solution.frame(number).picture.shape[:2]
+    draws = solution.frame(number).draws
+    lamp = covered([draw for draw in draws if not draw.state["GL_LIGHTING"]], height, width)
+    pieces = [draw for draw in lit(solution, number) if draw.mode == "GL_QUAD_STRIP"]
+    pieces = covered(pieces, height, width) & ~lamp
+    return {_("the lamp"): lamp, _("the pieces"): pieces, _("the table"): ~pieces & ~lamp}
+
+
 @test(
     _("The picture is right"),
     _("From two sides, the light falls from where the lamp is drawn."),
     needs=at_the_lamp,
 )
 def picture(work, solution):
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))

@@ -3,6 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
+from landscape.course.triangles import covered
 
 FRAMES = (0, 2)
 EVENTS = [{"frame": 2, "key": "LEFT"} for _press in range(4)]
@@ -281,10 +282,24 @@ def restored(work, solution):
     return None
 
 
+def regions(solution, number):
+    """Return the parts of a frame's picture."""
+    height, width = solution.frame(number).picture.shape[:2]
+    water = [draw for draw in later(solution, number) if draw.mode == "GL_TRIANGLE_FAN"]
+    drawn = later(solution, number)
+    things = covered(drawn[drawn.index(water[-1]) + 1 :], height, width)
+    surface = covered(water, height, width) & ~things
+    return {
+        _("in the water"): surface,
+        _("the lighthouse and the boat"): things,
+        _("the shore"): ~surface & ~things,
+    }
+
+
 @test(
     _("The picture is right"),
     _("From two sides."),
     needs=restored,
 )
 def picture(work, solution):
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))

@@ -1,6 +1,6 @@
 """The tests of the exercise missing_enable."""
 
-from landscape.course.grading import _, between, compare, hint, test
+from landscape.course.grading import _, between, compare, hint, test, vertices
 
 FRAMES = (0, 8)
 
@@ -10,6 +10,13 @@ FRAMES = (0, 8)
     _("Only then does OpenGL compare the depth of each pixel with what is there already."),
 )
 def enabled(work, solution):
+    for number in FRAMES:
+        if vertices(work.frame(number)) < vertices(solution.frame(number)):
+            return hint(
+                _("In frame {frame} a part of the boxes is not drawn: it is the depth test that "
+                  "is to decide what is hidden."),
+                frame=number,
+            )  # fmt: skip
     boxes = [draw for number in FRAMES for draw in work.frame(number).draws]
     without = [draw for draw in boxes if not draw.state["GL_DEPTH_TEST"]]
     if not without:

@@ -19,6 +19,7 @@ MUTANTS = {
          "    for x, z, height, color in TOWERS:")]),
     "sorted": Mutant("sorts the towers instead", "enabled", [
         (ON, ""), ("in TOWERS:", "in sorted(TOWERS):")]),
+    "left_out": Mutant("leaves a tower out", "enabled", [("in TOWERS:", "in TOWERS[1:]:")]),
     "no_clear": Mutant("no longer clears the depth", "cleared", [
         (" | GL_DEPTH_BUFFER_BIT", "")]),
     "always": Mutant("lets everything pass", "picture", [

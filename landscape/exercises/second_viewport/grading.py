@@ -256,10 +256,19 @@ def restored(work, solution):
     return None
 
 
+def regions(solution, number):
+    """Return the parts of a frame's picture."""
+    width, height = size(solution, number)
+    x, y, side, _side = square(solution, number)
+    inside = np.zeros((height, width), bool)
+    inside[height - y - side : height - y, x : x + side] = True
+    return {_("the map"): inside, _("the large picture"): ~inside}
+
+
 @test(
     _("The picture is right"),
     _("In two sizes of the window."),
     needs=restored,
 )
 def picture(work, solution):
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))

@@ -3,6 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, between, compare, hint, test
+from landscape.course.triangles import covered
 
 FRAMES = (0, 10)
 YEARS = {number: 200 + 90 * number / 60 for number in FRAMES}  # degrees
@@ -170,10 +171,19 @@ def moon(work, solution):
     )  # fmt: skip
 
 
+def regions(solution, number):
+    """Return the parts of a frame's picture."""
+    height, width = solution.frame(number).picture.shape[:2]
+    names = (_("the sun"), _("the planet"), _("the moon"))
+    draws = drawn(solution, number)
+    found = {name: covered([draw], height, width) for name, draw in zip(names, draws, strict=True)}
+    return {**found, _("beside sun, planet and moon"): ~covered(draws, height, width)}
+
+
 @test(
     _("The picture is right"),
     _("At the beginning and 10 frames later."),
     needs=moon,
 )
 def picture(work, solution):
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))

@@ -3,6 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
+from landscape.course.triangles import covered
 
 FRAMES = (0, 20)
 FROM_ARRAYS = (
@@ -212,10 +213,18 @@ def whole(work, solution):
     return None
 
 
+def regions(solution, number):
+    """Return the parts of a frame's picture."""
+    height, width = solution.frame(number).picture.shape[:2]
+    draws = solution.frame(number).draws
+    vase = covered([d for d in draws if d.call.name != "glBegin"], height, width)
+    return {_("the vase"): vase, _("the table, and what is behind it"): ~vase}
+
+
 @test(
     _("The picture is as it was"),
     _("The vase, lit and coloured as before, and the table."),
     needs=whole,
 )
 def picture(work, solution):
-    return compare(work, solution)
+    return compare(work, solution, regions=lambda number: regions(solution, number))
