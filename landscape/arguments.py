@@ -60,9 +60,9 @@ def pose(value: Any, given: str = "") -> Pose:
     """Return a pose from x, y, z and perhaps yaw and pitch; a y of "ground" becomes None."""
     numbers = value
     if isinstance(value, Pose):
-        numbers = (value.x, value.y, value.z, value.yaw, value.pitch)
+        numbers = (value.x, value.y, value.z, value.yaw, value.pitch, value.roll)
     numbers = plain(numbers)
-    if isinstance(numbers, (list, tuple)) and 3 <= len(numbers) <= 5:
+    if isinstance(numbers, (list, tuple)) and 3 <= len(numbers) <= 5 + isinstance(value, Pose):
         y = numbers[1]
         grounded = y is None or (isinstance(y, str) and y == "ground")
         # In place of a y on the ground, which need not be checked, any number will do.

@@ -174,16 +174,18 @@ def _render(options: argparse.Namespace) -> int:
     places = [find_view(name) for name in options.views]
     if options.pose is not None:
         views.append(("pose", options.pose))
-        places.append((scene(), View("pose", "", options.pose)))
+        places.append((scene(options.scene), View("pose", "", options.pose)))
     if not views:
         raise InputError("render: expected a VIEW or --pose; `landscape views` lists the views")
     paths = output_paths(options.out, [name for name, _ in views])
     jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
     changes = _changes(options, *(kind for kind, _ in places))
-    arguments = {"size": options.size, "settings": changes, **_offscreen_options(options)}
-    edits = _edits(options)
+    drawing = {**_offscreen_options(options), "place": options.scene}
+    arguments = {"size": options.size, "settings": changes, **drawing}
     with Progress(len(jobs), options.quiet) as progress:
-        missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
+        missed = render_all(
+            jobs, arguments, options.kt, options.wireframe, progress.step, _edits(options)
+        )
     _notify(options, missed)
     _tell_of_no_effect(options, places, changes)
     if not options.quiet:

@@ -12,6 +12,7 @@ class Pose:
     """Where the eye is: x, y, z in units; yaw 0 looks north (-z), 90 east (+x); pitch up.
 
     Angles in degrees. ``y`` may be None in a pose to move to: eye height above the ground there.
+    A walker's head has no ``roll``, which tips it to the right; a flying camera may.
     """
 
     x: float
@@ -19,6 +20,7 @@ class Pose:
     z: float
     yaw: float = 0.0
     pitch: float = 0.0
+    roll: float = 0.0
 
     @property
     def forward(self) -> tuple[float, float, float]:

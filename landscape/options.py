@@ -10,13 +10,15 @@ from landscape import __version__, arguments
 from landscape.course import options as course_options
 from landscape.errors import InputError
 from landscape.languages import LANGUAGES
-from landscape.scene import SEED, scene
+from landscape.scene import SCENES, SEED, scene
 from landscape.tools import frame_options
 from landscape.window.pace import FPS
 
 Commands = Mapping[str, Callable[[argparse.Namespace], int]]
 
 POSE = "where the eye is; angles in degrees; Y may be `ground`: eye height above the ground"
+KT = "animation time; default: the view's own"
+SCENE = "the scene that --pose is in; default: the island"
 JSON = "print JSON"
 OWN_FILES = "a folder of your own images and meshes, used first; default: only the shipped ones"
 QUIET = "print neither progress, notices nor file names"
@@ -150,10 +152,9 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
         "views", nargs="*", metavar="VIEW", help="views or fixes; see `landscape views`"
     )
     render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
+    render.add_argument("--scene", choices=tuple(SCENES), default="", help=SCENE)
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
-    render.add_argument(
-        "--kt", type=_number, metavar="N", help="animation time; default: the view's own"
-    )
+    render.add_argument("--kt", type=_number, metavar="N", help=KT)
     frame_options.edits_option(render)
     _size_option(render, (800, 600), "size of the pictures")
     _common(render, samples=4)

@@ -20,6 +20,7 @@ from landscape.gl.calls import Edits, edited, gl, recording, unnoted
 from landscape.gl.framebuffer import Framebuffer
 from landscape.gl.ownership import OwnedContext
 from landscape.scene import (
+    SCENES,
     SEED,
     Moment,
     OpenScene,
@@ -43,9 +44,9 @@ class Offscreen:
     ``size`` is in pixels; ``preset`` is "best", "2006" or None for each view's own; ``settings``
     maps dotted keys to values, or groups to mappings; ``backend`` is "auto", "osmesa", "egl" or
     "glfw"; ``samples`` is 0 or 4; ``only`` names elements, None means all; ``seed`` is a whole
-    number; ``edits`` change single OpenGL calls. ``scene`` is what is drawn, once there is one;
-    ``notices`` has a line for each of the ``settings`` that changes nothing there, or whose key has
-    another name now.
+    number; ``edits`` change single OpenGL calls; ``place`` is the scene that a pose is in, by name.
+    The attribute ``scene`` is what is drawn, once there is one; ``notices`` has a line for each of
+    the ``settings`` that changes nothing there, or whose key has another name now.
 
     Several may be open at once, each used in the thread that opened it; one thread draws at a time.
     The memory of one that is dropped without :meth:`close` is freed when the next is opened or used
@@ -64,6 +65,7 @@ class Offscreen:
         only: str | Iterable[str] | None = None,
         seed: int = SEED,
         edits: Edits | None = None,
+        place: str = "",
     ) -> None:
         self._owned: OwnedContext | None = None
         self._target: Framebuffer | None = None
@@ -75,6 +77,7 @@ class Offscreen:
         self._given = {} if settings is None else keys.flattened(settings)
         self._only = None if only is None else arguments.names(only, "only")
         check_options(preset, self._given, self._only)
+        self._place = scene(arguments.choice(place, "place", ("", *SCENES)))
         self._seed = arguments.whole(seed, "seed")
         self._edits = edits
         samples = arguments.choice(samples, "samples", arguments.SAMPLES)
@@ -92,10 +95,11 @@ class Offscreen:
     def look(self, view: Place, kt: float | None = None, wireframe: bool = False) -> None:
         """Move to a named view, with its switches, or to a pose (x, y, z, yaw, pitch).
 
-        A pose is in the first scene; yaw and pitch may be left out, and its y may be "ground" or
-        None: eye height above the ground. ``kt`` is the view's own by default.
+        A pose is in the scene ``place``, by default the first; yaw and pitch may be left out, and
+        its y may be "ground" or None: eye height above the ground. ``kt`` is the view's own by
+        default.
         """
-        kind, named = found(view)
+        kind, named = found(view, self._place)
         kt = named.kt if kt is None else arguments.number(kt, "kt")
         wireframe = arguments.flag(wireframe, "wireframe") or named.wireframe
         with self._current():
@@ -132,7 +136,7 @@ class Offscreen:
         """Send the frame's calls to OpenGL, without reading the picture back."""
         moment = self.moment if kt is None else replace(self.moment, kt=arguments.number(kt, "kt"))
         with self._current():
-            opened = self.scene or self._open(scene(), View("pose", "", moment.pose))
+            opened = self.scene or self._open(self._place, View("pose", "", moment.pose))
             opened.draw(moment)
 
     @contextmanager
@@ -204,12 +208,15 @@ class Offscreen:
         self.close()
 
 
-def found(view: Any) -> tuple[Scene, View]:
-    """Return a named view and its scene, or a pose as a view of the first scene; InputError."""
+def found(view: Any, place: Scene | None = None) -> tuple[Scene, View]:
+    """Return a named view and its scene, or a pose as a view of a scene, by default the first.
+
+    InputError if it is neither.
+    """
     if isinstance(view, str):
         return find_view(view)
     if isinstance(view, (Pose, tuple, list, np.ndarray)):
-        return scene(), View("pose", "", arguments.pose(view))
+        return place or scene(), View("pose", "", arguments.pose(view))
     raise InputError(f"view {short(view)}: expected a view's name or a pose (x, y, z, yaw, pitch)")
 
 

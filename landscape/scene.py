@@ -366,6 +366,8 @@ def begin_frame(
     gl.glFrustum(*_near_plane(moment, camera), camera.near, far)
     gl.glMatrixMode(gl.GL_MODELVIEW)
     gl.glLoadIdentity()
+    if pose.roll:
+        gl.glRotatef(-pose.roll, 0.0, 0.0, 1.0)
     gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
     gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
     gl.glTranslatef(-pose.x, -pose.y, -pose.z)

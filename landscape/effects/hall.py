@@ -1,12 +1,15 @@
 """The great hall: its elements, and the order in which a frame draws them, which is the lesson."""
 
+from dataclasses import replace
 from typing import Any
 
 from landscape.effects import plan
+from landscape.effects.flight import Flight
 from landscape.effects.keys import KEYS
 from landscape.effects.room import Room
 from landscape.effects.settings import PRESETS, Settings
 from landscape.effects.statue import Statue
+from landscape.effects.tone import Tone
 from landscape.effects.views import MAIN, VIEWS
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -14,7 +17,7 @@ from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing
 from landscape.scene import Moment, Scene, begin_frame
 
-ELEMENTS = ("room", "floor", "statue")
+ELEMENTS = ("room", "floor", "statue", "tone", "flight")
 TALL = 10.0  # units: no obstacle of the hall can be flown over
 
 
@@ -41,6 +44,9 @@ class Hall(Ground):
             begin_pass("setup")
             self.room = self._built(("room", "floor"), Room, settings, assets)
             self.statue = self._built(("statue",), Statue, settings, assets)
+            mark = self.statue.send if self.statue else lambda: None
+            self.tone = self._built(("tone",), Tone, settings, assets, mark)
+            self.flight = self._built(("flight",), Flight, settings, assets)
         except BaseException:
             self.release()
             raise
@@ -70,12 +76,20 @@ class Hall(Ground):
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
         values = self.settings
+        if values.flight.enabled and "flight" in self.shown:
+            moment = replace(moment, pose=self.flight.pose(moment.kt))
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
         if "floor" in self.shown:
             with drawing("floor"):
                 self.room.draw_floor()
         self._draw("room", self.room, frame)
         self._draw("statue", self.statue, frame)
+        if values.flight.path and not values.flight.enabled:
+            self._draw("flight", self.flight, frame)
+
+        # What has been drawn so far is the picture that these change.
+        begin_pass("picture")
+        self._draw("tone", self.tone, frame)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:
         """Draw an element if it was built and is shown now."""

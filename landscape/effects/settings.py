@@ -5,8 +5,70 @@ A safeguard is a setting that is on: turned off, it shows the artefact that it p
 
 from dataclasses import dataclass
 
-from landscape.keys import Value
+from landscape.keys import Value, setting
 from landscape.settings import Camera, Clock, Fog, Sun, Walk
+
+
+@dataclass(frozen=True)
+class Tone:
+    """Brightness and contrast of the picture, or of a part of it."""
+
+    brightness: float = setting(
+        0.0, "glSkel, scale and bias", "what is added to each colour", -1, 1, unit="of white"
+    )
+    contrast: float = setting(
+        1.0, "glSkel, scale and bias", "what each colour is multiplied by", 0, 4, unit="times"
+    )
+    area: str = setting(
+        "picture",
+        "glSkel, scale and bias",
+        "what is changed",
+        choices=("picture", "statue", "surroundings"),
+    )
+    method: str = setting(
+        "blend",
+        "glSkel, scale and bias",
+        "by blending quads, or by copying pixels through glPixelTransfer",
+        choices=("blend", "pixels"),
+    )
+    doubling: bool = setting(
+        True,
+        "chosen",
+        "a contrast above 1 by passes that multiply by up to 2; off, blending stops at 1",
+        needs=("tone.method=blend", "tone.contrast>1"),
+    )
+
+
+@dataclass(frozen=True)
+class Flight:
+    """The camera's flight around the statue."""
+
+    enabled: bool = setting(False, "glSkel, quaternions", "the camera flies along its keyframes")
+    interpolation: str = setting(
+        "slerp",
+        "glSkel, quaternions",
+        "how it turns from key to key: quaternions by SLERP, or each Euler angle on its own",
+        choices=("slerp", "euler"),
+        needs=("flight.enabled or flight.path",),
+    )
+    short: bool = setting(
+        True,
+        "Shoemake 1985",
+        "SLERP takes the shorter of two arcs; off, it may turn the long way around",
+        needs=("flight.enabled or flight.path", "flight.interpolation=slerp"),
+    )
+    path: bool = setting(
+        False, "chosen", "draw the camera's axes along its path", needs=("not flight.enabled",)
+    )
+    kt_per_key: float = setting(
+        70.0,
+        "chosen",
+        "how long it flies from key to key",
+        1,
+        10000,
+        unit="kt",
+        needs=("flight.enabled",),
+    )
 
 
 @dataclass(frozen=True)
@@ -19,6 +81,8 @@ class Settings:
     # Chosen: in the south-east, so that the windows' light falls across the nave.
     sun: Sun = Sun(azimuth=103.0, elevation=36.0, diffuse=(1.0, 0.92, 0.78), ambient=(0.3,) * 3)
     fog: Fog = Fog(enabled=False)
+    tone: Tone = Tone()
+    flight: Flight = Flight()
 
 
 PRESETS: dict[str, dict[str, Value]] = {"best": {}}

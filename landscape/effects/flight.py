@@ -1,0 +1,122 @@
+"""The flight: a camera that flies around the statue along keyframes (glSkel, quaternions).
+
+Technique: each keyframe is a place and an orientation. Places are joined by a closed Catmull-Rom
+spline; orientations by SLERP of unit quaternions, which turns at constant speed about one axis from
+key to key, or, to compare, by their Euler angles yaw, pitch and roll, each on its own.
+What is wrong with Euler angles: near the key that looks straight down at the statue, yaw and roll
+turn about the same axis. A small turn of the camera is then a large one of both angles, and on the
+way between two keys the camera whirls: gimbal lock (switch ``flight.interpolation``). A quaternion
+and its opposite are the same orientation: without ``flight.short`` SLERP may take the long way
+around. ``flight.path`` draws the camera along its path, as three axes: right in red, up in green,
+back in blue.
+State used: for the path GL_LINES with a colour array and the line width; no texture, no lighting.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from landscape.effects import plan
+from landscape.effects.settings import Flight as FlightSettings
+from landscape.effects.settings import Settings
+from landscape.files.assets import Assets
+from landscape.frame import Frame, Pose
+from landscape.geometry.quaternion import from_angles, looking, slerp, to_angles, turned
+from landscape.geometry.splines import SPLINES
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib, client_arrays
+
+# Chosen: eye, what it looks at, and what is up in its picture, in the order of the flight. The
+# camera flies over the statue's back with its nose down, is upside down behind it, and rolls out.
+STATUE = (plan.AXIS, 0.22, plan.STATUE[1])
+VIEWPOINTS = (
+    ((1.60, 0.13, 1.80), STATUE, (0.0, 1.0, 0.0)),
+    ((1.72, 0.34, 1.66), STATUE, (0.1, 1.0, 0.0)),
+    ((1.63, 0.60, 1.38), STATUE, (0.0, 1.0, -0.4)),
+    ((1.58, 0.60, 1.02), STATUE, (0.0, -0.4, -1.0)),
+    ((1.45, 0.42, 0.82), STATUE, (-1.0, -0.1, -0.4)),
+    ((1.42, 0.22, 0.70), STATUE, (-0.4, 1.0, 0.0)),
+    ((1.76, 0.12, 0.66), STATUE, (0.2, 1.0, 0.0)),
+    ((1.84, 0.10, 1.10), (1.6, 0.28, 1.24), (0.0, 1.0, 0.0)),
+)
+AXIS_LENGTH = 0.045  # chosen: units
+COLORS = np.array([(230, 60, 40), (70, 200, 80), (80, 130, 255)], np.uint8)  # right, up, back
+STEPS = 6  # chosen: cameras drawn from key to key
+
+
+class Key(NamedTuple):
+    """A keyframe: the eye's place (3,), its orientation as a quaternion (4,) and in degrees (3,).
+
+    The degrees are yaw, pitch and roll.
+    """
+
+    place: np.ndarray
+    turn: np.ndarray
+    angles: np.ndarray
+
+
+def keyframes() -> list[Key]:
+    """Return the keys of the flight.
+
+    Of each orientation's two quaternions one is taken at random, as a file of keys may have either.
+    """
+    signs = np.random.default_rng(1997).choice([-1.0, 1.0], len(VIEWPOINTS))
+    keys = []
+    for sign, (eye, target, up) in zip(signs, VIEWPOINTS, strict=True):
+        turn = looking(*(np.array(each, np.float64) for each in (eye, target, up)))
+        keys.append(Key(np.array(eye), sign * turn, np.array(to_angles(turn))))
+    return keys
+
+
+def orientation(flight: FlightSettings, here: Key, there: Key, t: float) -> np.ndarray:
+    """Return the camera's orientation (4,) between two keys, at t in 0..1."""
+    if flight.interpolation == "slerp":
+        return slerp(here.turn, there.turn, t, flight.short)
+    # Each angle takes its short way: from 350 to 10 degrees is 20 degrees.
+    change = (there.angles - here.angles + 180.0) % 360.0 - 180.0
+    return from_angles(*(here.angles + t * change))
+
+
+class Flight:
+    """The camera's path around the statue."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Place the keys."""
+        self._settings, self._keys = settings, keyframes()
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; nothing is built from them."""
+        self._settings = settings
+        return True
+
+    def camera(self, kt: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return the eye's place (3,) and the camera's orientation (4,) at a time."""
+        flight, keys = self._settings.flight, self._keys
+        number, t = divmod(kt / flight.kt_per_key, 1.0)
+        four = [keys[(int(number) + k) % len(keys)] for k in (-1, 0, 1, 2)]
+        weights = np.array([t**3, t**2, t, 1.0]) @ SPLINES["catmull_rom"]
+        place = weights @ np.stack([key.place for key in four])
+        return place, orientation(flight, four[1], four[2], t)
+
+    def pose(self, kt: float) -> Pose:
+        """Return where the camera is at a time."""
+        (x, y, z), turn = self.camera(kt)
+        return Pose(float(x), float(y), float(z), *to_angles(turn))
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the camera's axes at STEPS places from key to key, and its way."""
+        span = self._settings.flight.kt_per_key
+        cameras = [self.camera(k * span / STEPS) for k in range(STEPS * len(self._keys))]
+        places = np.stack([place for place, _ in cameras])
+        tips = np.stack([turned(turn, np.eye(3) * AXIS_LENGTH) for _, turn in cameras])
+        axes = np.stack([np.broadcast_to(places[:, None], tips.shape), places[:, None] + tips], 2)
+        way = np.stack([places, np.roll(places, -1, axis=0)], axis=1)
+        points = np.concatenate([axes.reshape(-1, 3), way.reshape(-1, 3)]).astype(np.float32)
+        colors = np.full((len(points), 3), 220, np.uint8)
+        colors[: axes.size // 3] = np.tile(np.repeat(COLORS, 2, axis=0), (len(cameras), 1))
+        with attrib(gl.GL_LINE_BIT | gl.GL_CURRENT_BIT), client_arrays(points, colors=colors):
+            gl.glLineWidth(max(frame.size[1] / 300, 1.0))
+            gl.glDrawArrays(gl.GL_LINES, 0, len(points))
+
+    def release(self) -> None:
+        """Nothing was made in OpenGL."""

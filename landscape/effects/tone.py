@@ -1,0 +1,125 @@
+"""Brightness and contrast of the picture, or of a part of it (glSkel, scale and bias).
+
+Each colour becomes scale * colour + bias: ``tone.contrast`` is the scale, ``tone.brightness`` the
+bias. Two ways, by ``tone.method``:
+- blend: quads over the whole window whose blending does the arithmetic in the frame buffer. With
+  (GL_ONE, GL_SRC_ALPHA) the colour's alpha is the scale and its RGB the bias, both in 0..1. A
+  negative bias needs GL_FUNC_REVERSE_SUBTRACT (OpenGL 1.4); a scale above 1 needs further passes
+  of (GL_DST_COLOR, GL_ONE), which multiply by 1 + colour, at most by 2: doubling.
+- pixels: glCopyPixels of the window onto itself, with scale and bias by glPixelTransfer.
+A part of the picture (``tone.area``) is marked in the stencil buffer by drawing the statue again.
+What is wrong with blending: the frame buffer holds 0..1 in 8 bits and clamps after each pass, so
+the bias comes before a scale above 1, and its rounding is then enlarged. Without ``tone.doubling``
+alpha stops at 1 and so does the contrast.
+State used: GL_BLEND and its equation, the stencil test, pixel transfer, raster position.
+"""
+
+from collections.abc import Callable
+
+from landscape.effects.settings import Settings
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib, flat_projection
+
+MARK = 1  # the stencil's value where the statue is
+
+
+def doublings(scale: float) -> list[float]:
+    """Return the factors, each above 1 and at most 2, whose product is a scale above 1."""
+    factors = []
+    while scale > 2.0:
+        factors.append(2.0)
+        scale /= 2.0
+    return [*factors, scale]
+
+
+class Tone:
+    """Brightness and contrast, applied to what has been drawn."""
+
+    def __init__(self, settings: Settings, assets: Assets, mark: Callable[[], None]) -> None:
+        """Take the function that draws the statue, to mark it."""
+        self._settings, self._mark = settings, mark
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; nothing is built from them."""
+        self._settings = settings
+        return True
+
+    def draw(self, frame: Frame) -> None:
+        """Change the picture drawn so far, if there is anything to change."""
+        tone = self._settings.tone
+        if (tone.brightness, tone.contrast) == (0.0, 1.0):
+            return
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
+        groups |= gl.GL_STENCIL_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_PIXEL_MODE_BIT
+        with attrib(groups):
+            if tone.area != "picture":
+                self._mark_statue(outside=tone.area == "surroundings")
+            gl.glDisable(gl.GL_DEPTH_TEST)
+            gl.glDepthMask(gl.GL_FALSE)
+            with flat_projection():
+                # With antialiasing there is no single pixel to copy: it is an error of OpenGL.
+                if tone.method == "pixels" and not gl.glGetIntegerv(gl.GL_SAMPLE_BUFFERS):
+                    self._copy(frame)
+                else:
+                    self._blend()
+
+    def _mark_statue(self, outside: bool) -> None:
+        """Let what follows pass only where the statue shows, or only outside of it."""
+        gl.glClear(gl.GL_STENCIL_BUFFER_BIT)
+        gl.glEnable(gl.GL_STENCIL_TEST)
+        gl.glStencilFunc(gl.GL_ALWAYS, MARK, ~0)
+        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
+        gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
+        gl.glDepthFunc(gl.GL_LEQUAL)
+        self._mark()
+        gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
+        gl.glStencilFunc(gl.GL_NOTEQUAL if outside else gl.GL_EQUAL, MARK, ~0)
+        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
+
+    def _blend(self) -> None:
+        tone = self._settings.tone
+        bias, scale = tone.brightness, tone.contrast
+        gl.glEnable(gl.GL_BLEND)
+        if scale <= 1.0 and bias >= 0.0:
+            # RGB = bias * 1 + previous RGB * scale, in one pass.
+            gl.glBlendFunc(gl.GL_ONE, gl.GL_SRC_ALPHA)
+            cover(bias, bias, bias, scale)
+            return
+        if scale <= 1.0:
+            gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_ALPHA)
+            cover(0.0, 0.0, 0.0, scale)
+            self._add(bias)
+            return
+        # A scale above 1 comes last: what it makes too bright or too dark, it makes so in the end.
+        self._add(bias / scale)
+        gl.glBlendFunc(gl.GL_DST_COLOR, gl.GL_ONE)
+        for factor in doublings(scale) if tone.doubling else ():
+            more = factor - 1.0
+            cover(more, more, more, 1.0)
+
+    def _add(self, bias: float) -> None:
+        """Add a number in -1..1 to all colours."""
+        gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
+        if bias < 0.0:
+            gl.glBlendEquation(gl.GL_FUNC_REVERSE_SUBTRACT)
+        cover(abs(bias), abs(bias), abs(bias), 1.0)
+        gl.glBlendEquation(gl.GL_FUNC_ADD)
+
+    def _copy(self, frame: Frame) -> None:
+        tone = self._settings.tone
+        for name in ("RED", "GREEN", "BLUE"):
+            gl.glPixelTransferf(getattr(gl, f"GL_{name}_SCALE"), tone.contrast)
+            gl.glPixelTransferf(getattr(gl, f"GL_{name}_BIAS"), tone.brightness)
+        gl.glRasterPos2f(-1.0, -1.0)
+        gl.glCopyPixels(0, 0, *frame.viewport, gl.GL_COLOR)
+
+    def release(self) -> None:
+        """Nothing was made in OpenGL."""
+
+
+def cover(*color: float) -> None:
+    """Draw a quad of one colour (RGBA) over the window."""
+    gl.glColor4f(*color)
+    gl.glRectf(-1.0, -1.0, 1.0, 1.0)

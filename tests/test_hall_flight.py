@@ -1,0 +1,79 @@
+"""The hall's flying camera: closed, steady by SLERP, whirling by Euler angles."""
+
+import numpy as np
+import pytest
+
+from landscape.effects.flight import Flight, keyframes
+from landscape.effects.settings import Settings
+from landscape.files.assets import Assets
+from landscape.geometry.quaternion import from_angles
+from landscape.keys import with_settings
+from landscape.render import Offscreen
+
+SPAN = Settings().flight.kt_per_key
+KEYS = len(keyframes())
+
+
+def flight(**changes: object) -> Flight:
+    settings = with_settings(Settings(), {f"flight.{name}": v for name, v in changes.items()})
+    return Flight(settings, Assets())
+
+
+def turns(camera: Flight) -> np.ndarray:
+    """Return by how many degrees it turns on the way from each key to the next."""
+    found = []
+    for key in range(KEYS):
+        ways = [camera.camera((key + t) * SPAN)[1] for t in np.linspace(0, 1 - 1e-9, 200)]
+        steps = [2 * np.arccos(min(abs(p @ q), 1.0)) for p, q in zip(ways, ways[1:], strict=False)]
+        found.append(np.degrees(sum(steps)))
+    return np.array(found)
+
+
+def test_it_passes_its_keys_and_comes_back_to_the_first() -> None:
+    camera = flight()
+    for number, key in enumerate(keyframes()):
+        place, turn = camera.camera(number * SPAN)
+        assert place == pytest.approx(key.place) and abs(turn @ key.turn) == pytest.approx(1.0)
+    assert camera.pose(KEYS * SPAN) == camera.pose(0.0)
+    assert camera.pose(-SPAN) == camera.pose((KEYS - 1) * SPAN)
+
+
+def test_euler_angles_whirl_where_the_camera_passes_over_the_statue() -> None:
+    """Gimbal lock: from nose down to beyond, a turn of 50 degrees becomes a full one."""
+    by_slerp, by_euler = turns(flight()), turns(flight(interpolation="euler"))
+    worst = int((by_euler - by_slerp).argmax())
+    assert by_slerp.max() < 130
+    assert by_euler[worst] > 300 and by_slerp[worst] < 60
+    assert (np.delete(by_euler - by_slerp, worst) < 10).all()
+
+
+def test_without_the_short_arc_slerp_turns_the_long_way() -> None:
+    short, any_ = turns(flight()), turns(flight(short=False))
+    assert (any_ > short + 90).any() and (any_ > short - 1e-3).all()
+
+
+def test_its_pose_has_its_orientation() -> None:
+    camera = flight()
+    for kt in np.linspace(0, KEYS * SPAN, 37):
+        pose = camera.pose(kt)
+        turn = from_angles(pose.yaw, pose.pitch, pose.roll)
+        assert abs(turn @ camera.camera(kt)[1]) == pytest.approx(1.0)
+
+
+def test_the_scene_is_seen_from_the_flight_and_its_path_from_outside() -> None:
+    pictures = {}
+    for name, changes in (
+        ("walk", {}),
+        ("path", {"flight.path": True}),
+        ("flight", {"flight.enabled": True}),
+        ("later", {"flight.enabled": True}),
+        ("pose", {}),
+    ):
+        kt = 2.2 * SPAN if name in ("later", "pose") else 0.0
+        with Offscreen((80, 60), settings=changes, samples=0, place="hall") as view:
+            view.look(flight().pose(kt) if name == "pose" else "hall", kt)
+            pictures[name] = view.draw()
+    assert (pictures["walk"] != pictures["path"]).any()
+    assert (pictures["walk"] != pictures["flight"]).mean() > 0.3
+    assert (pictures["later"] != pictures["flight"]).mean() > 0.3
+    np.testing.assert_array_equal(pictures["later"], pictures["pose"])

@@ -1,0 +1,72 @@
+"""The hall's brightness and contrast: each pixel against scale * colour + bias."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from landscape.effects.tone import doublings
+from landscape.render import Offscreen
+
+SIZE = (120, 90)
+SHOWN = ("room", "floor", "statue", "tone")
+
+
+def picture(**tone: object) -> np.ndarray:
+    """Draw the hall with some settings of the group tone; signed, so that differences are."""
+    settings = {f"tone.{name}": value for name, value in tone.items()}
+    with Offscreen(SIZE, settings=settings, samples=0, only=SHOWN) as view:
+        view.look("hall")
+        return view.draw().astype(np.int16)
+
+
+@pytest.fixture(scope="module")
+def plain() -> Iterator[np.ndarray]:
+    yield picture()
+
+
+def expected(plain: np.ndarray, brightness: float, contrast: float) -> np.ndarray:
+    return np.clip(np.round(plain * contrast + 255 * brightness), 0, 255)
+
+
+@pytest.mark.parametrize("method", ["blend", "pixels"])
+@pytest.mark.parametrize(
+    ("brightness", "contrast"),
+    [(0.3, 0.5), (-0.2, 0.8), (0.25, 1.0), (0.0, 1.6), (-0.3, 2.0), (0.2, 1.3), (1.0, 0.0)],
+)
+def test_each_pixel_is_scaled_and_biased(
+    plain: np.ndarray, method: str, brightness: float, contrast: float
+) -> None:
+    found = picture(method=method, brightness=brightness, contrast=contrast)
+    assert np.abs(found - expected(plain, brightness, contrast)).max() <= 1.0
+    assert np.abs(found - plain).max() > 20
+
+
+def test_above_a_contrast_of_2_the_bias_s_rounding_is_enlarged_by_the_contrast(
+    plain: np.ndarray,
+) -> None:
+    error = np.abs(picture(brightness=-0.25, contrast=4.0) - expected(plain, -0.25, 4.0))
+    assert error.max() <= 2.0
+
+
+def test_without_doubling_contrast_stops_at_1(plain: np.ndarray) -> None:
+    np.testing.assert_array_equal(picture(contrast=1.8, doubling=False), plain)
+
+
+@pytest.mark.parametrize("method", ["blend", "pixels"])
+def test_a_part_of_the_picture_is_the_statue_or_all_else(plain: np.ndarray, method: str) -> None:
+    with Offscreen(SIZE, samples=0, only=("room", "floor", "tone")) as view:
+        view.look("hall")
+        statue = (view.draw() != plain).any(axis=2)
+    assert 100 < statue.sum() < statue.size / 4
+    for area, part in (("statue", statue), ("surroundings", ~statue)):
+        found = picture(area=area, method=method, contrast=0.4)
+        changed = np.abs(found - expected(plain, 0.0, 0.4)).max(axis=2) <= 1
+        kept = (found == plain).all(axis=2)
+        assert changed[part].all() and kept[~part].mean() > 0.98
+
+
+def test_doublings_multiply_to_the_contrast_and_none_is_above_2() -> None:
+    for scale in (1.0, 1.4, 2.0, 3.0, 4.0):
+        assert np.prod(doublings(scale)) == pytest.approx(scale)
+        assert max(doublings(scale)) <= 2.0
