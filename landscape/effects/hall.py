@@ -6,6 +6,7 @@ from typing import Any
 from landscape.effects import plan
 from landscape.effects.flight import Flight
 from landscape.effects.keys import KEYS
+from landscape.effects.mirror import Mirror
 from landscape.effects.room import Room
 from landscape.effects.settings import PRESETS, Settings
 from landscape.effects.statue import Statue
@@ -17,7 +18,7 @@ from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing
 from landscape.scene import Moment, Scene, begin_frame
 
-ELEMENTS = ("room", "floor", "statue", "tone", "flight")
+ELEMENTS = ("room", "floor", "mirror", "statue", "tone", "flight")
 TALL = 10.0  # units: no obstacle of the hall can be flown over
 
 
@@ -43,6 +44,7 @@ class Hall(Ground):
         try:
             begin_pass("setup")
             self.room = self._built(("room", "floor"), Room, settings, assets)
+            self.mirror = self._built(("mirror",), Mirror, settings)
             self.statue = self._built(("statue",), Statue, settings, assets)
             mark = self.statue.send if self.statue else lambda: None
             self.tone = self._built(("tone",), Tone, settings, assets, mark)
@@ -79,17 +81,47 @@ class Hall(Ground):
         if values.flight.enabled and "flight" in self.shown:
             moment = replace(moment, pose=self.flight.pose(moment.kt))
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
-        if "floor" in self.shown:
-            with drawing("floor"):
-                self.room.draw_floor()
-        self._draw("room", self.room, frame)
-        self._draw("statue", self.statue, frame)
-        if values.flight.path and not values.flight.enabled:
-            self._draw("flight", self.flight, frame)
+        self._draw_hall(frame)
+        self._draw_image(frame)
+        self._draw_floor(frame)
 
         # What has been drawn so far is the picture that these change.
         begin_pass("picture")
         self._draw("tone", self.tone, frame)
+
+    def _draw_hall(self, frame: Frame) -> None:
+        """Draw what stands in the hall: in the frame itself, and mirrored in the floor."""
+        self._draw("room", self.room, frame)
+        self._draw("statue", self.statue, frame)
+        values = self.settings
+        if values.flight.path and not values.flight.enabled:
+            self._draw("flight", self.flight, frame)
+
+    def _draw_image(self, frame: Frame) -> None:
+        """Draw the mirror image where the floor is visible, before the floor covers it."""
+        if not self._polished or not self.mirror.shows(frame):
+            return
+        begin_pass("reflection")
+        with self.mirror.image(self.room.send_floor):
+            self._draw_hall(replace(frame, mirrored=True))
+        begin_pass("main")
+
+    def _draw_floor(self, frame: Frame) -> None:
+        """Draw the floor: over its mirror image, plain without one, or its underside."""
+        if "floor" not in self.shown:
+            return
+        with drawing("floor"):
+            if self._polished and frame.eye_y <= 0.0:
+                self.mirror.draw_underside(self.room.send_foundation)
+            elif self._polished and self.mirror.shows(frame):
+                self.mirror.draw_floor(frame, self.room.draw_floor)
+            else:
+                self.room.draw_floor()
+
+    @property
+    def _polished(self) -> bool:
+        """Whether the floor is shown as a mirror."""
+        return self.mirror is not None and {"floor", "mirror"} <= self.shown
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:
         """Draw an element if it was built and is shown now."""

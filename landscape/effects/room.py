@@ -57,11 +57,21 @@ class Room:
         self._draw(name for name in TEXTURES if name != "floor")
 
     def draw_floor(self) -> None:
-        """Draw the floor."""
+        """Draw the floor, in the current colour."""
         self._draw(["floor"])
 
+    def send_floor(self) -> None:
+        """Send the floor's triangles that face the viewer, without any texture."""
+        with attrib(gl.GL_ENABLE_BIT), front_faces():
+            self._lists["floor"].call()
+
+    def send_foundation(self) -> None:
+        """Send the triangles of floor and basin as they are."""
+        for name in ("floor", "pool"):
+            self._lists[name].call()
+
     def _draw(self, materials: Iterable[str]) -> None:
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), front_faces():
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT), front_faces():
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_LIGHTING)
             gl.glEnable(gl.GL_COLOR_MATERIAL)

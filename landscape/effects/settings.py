@@ -4,9 +4,47 @@ A safeguard is a setting that is on: turned off, it shows the artefact that it p
 """
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from landscape.keys import Value, setting
 from landscape.settings import Camera, Clock, Fog, Sun, Walk
+
+GLSKEL_MIRROR = "glSkel, reflection"
+IMAGE = ("mirror.enabled",)
+
+
+@dataclass(frozen=True)
+class Mirror:
+    """The mirror image in the polished floor."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("mirror",)
+
+    enabled: bool = setting(True, GLSKEL_MIRROR, "the floor mirrors the hall")
+    strength: float = setting(
+        0.3, GLSKEL_MIRROR, "fraction of the mirror image in the floor's colour", 0, 1, needs=IMAGE
+    )
+    fresnel: bool = setting(True, "chosen", "the floor mirrors more at grazing angles", needs=IMAGE)
+    stencil: bool = setting(
+        True, GLSKEL_MIRROR, "the image shows only where the floor is visible", needs=IMAGE
+    )
+    winding: bool = setting(
+        True, GLSKEL_MIRROR, "the front face is swapped under the mirror", needs=IMAGE
+    )
+    normals: bool = setting(
+        True,
+        GLSKEL_MIRROR,
+        "normals that glScalef made longer are normalized, in the image of the statue",
+        needs=("mirror.enabled", "statue"),
+    )
+    lights: bool = setting(
+        True, GLSKEL_MIRROR, "the lights are placed again under the mirror", needs=IMAGE
+    )
+    clip: bool = setting(
+        True, "chosen", "what lies under the floor is clipped from the image", needs=IMAGE
+    )
+    underside: bool = setting(
+        True, GLSKEL_MIRROR, "from below, the floor shows a side of another colour"
+    )
 
 
 @dataclass(frozen=True)
@@ -83,6 +121,7 @@ class Settings:
     fog: Fog = Fog(enabled=False)
     tone: Tone = Tone()
     flight: Flight = Flight()
+    mirror: Mirror = Mirror()
 
 
 PRESETS: dict[str, dict[str, Value]] = {"best": {}}
