@@ -180,12 +180,11 @@ def _render(options: argparse.Namespace) -> int:
     paths = output_paths(options.out, [name for name, _ in views])
     jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
     changes = _changes(options, *(kind for kind, _ in places))
-    drawing = {**_offscreen_options(options), "place": options.scene}
-    arguments = {"size": options.size, "settings": changes, **drawing}
+    arguments = {"size": options.size, "settings": changes, "place": options.scene}
+    arguments |= _offscreen_options(options)
+    edits = _edits(options)
     with Progress(len(jobs), options.quiet) as progress:
-        missed = render_all(
-            jobs, arguments, options.kt, options.wireframe, progress.step, _edits(options)
-        )
+        missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
     _notify(options, missed)
     _tell_of_no_effect(options, places, changes)
     if not options.quiet:

@@ -148,9 +148,7 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     )
 
     render = command("render", "render views to PNG files", "fig35e --out castle.png")
-    render.add_argument(
-        "views", nargs="*", metavar="VIEW", help="views or fixes; see `landscape views`"
-    )
+    render.add_argument("views", nargs="*", metavar="VIEW", help="see `landscape views`")
     render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
     render.add_argument("--scene", choices=tuple(SCENES), default="", help=SCENE)
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
