@@ -3,7 +3,7 @@
 Each function takes a value of any type and returns it as the program uses it, or raises an
 InputError that names the argument and says what was expected. Numbers may be numpy's; a bool is not
 a number. ``given`` is how the error names the value: by default the argument's name and the value,
-on the command line the text that was typed.
+on the command line the text that was typed. The last two functions read numbers from such a text.
 """
 
 import math
@@ -132,3 +132,17 @@ def _number(value: Any) -> float | None:
     except (OverflowError, ValueError, TypeError):
         return None
     return found if math.isfinite(found) and abs(found) < FARTHEST else None
+
+
+def digits(text: str) -> int | str:
+    """Return a text of ASCII digits as a number; it stays a text if there is anything else."""
+    # No number of 20 digits is allowed anywhere, and Python converts none of thousands.
+    return int(text.lstrip("0")[:20] or 0) if text.isascii() and text.isdigit() else text
+
+
+def real(text: str) -> float | str:
+    """Return a text as a number; it stays a text if it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return text

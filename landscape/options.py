@@ -2,12 +2,15 @@
 
 import argparse
 import re
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from landscape import __version__, arguments
+from landscape.course import help as course_help
 from landscape.course import options as course_options
+from landscape.course.language import told_in
 from landscape.errors import InputError
 from landscape.languages import LANGUAGES
 from landscape.scene import SCENES, SEED, scene
@@ -42,13 +45,15 @@ def parse(argv: Sequence[str] | None, commands: Commands) -> argparse.Namespace:
 
     ``commands`` maps each command's name to the function that runs it.
     """
-    parser = build_parser(commands)
-    options, rest = parser.parse_known_args(argv)
-    if rest:
-        # argparse itself takes only the views before the first option.
-        if "views" not in options or any(word.startswith("-") for word in rest):
-            parser.error(f"unrecognized arguments: {' '.join(rest)}")
-        options.views = [*options.views, *rest]
+    language = course_help.language(sys.argv[1:] if argv is None else argv)
+    with told_in(language):
+        parser = build_parser(commands, language)
+        options, rest = parser.parse_known_args(argv)
+        if rest:
+            # argparse itself takes only the views before the first option.
+            if "views" not in options or any(word.startswith("-") for word in rest):
+                parser.error(f"unrecognized arguments: {' '.join(rest)}")
+            options.views = [*options.views, *rest]
     return options
 
 
@@ -78,8 +83,11 @@ def _explain(option: Any, text: str) -> None:
     option.elements, option.help = _Elements(), text
 
 
-def build_parser(run: Commands) -> argparse.ArgumentParser:
-    """Return the parser of all commands; without a command it prints the help."""
+def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser:
+    """Return the parser of all commands; without a command it prints the help.
+
+    ``language``: of the help of the course's commands; the others' is English.
+    """
     parser = _Parser(
         prog="landscape",
         description="The landscape of the 2006 report, in fixed-function OpenGL.",
@@ -174,6 +182,8 @@ def build_parser(run: Commands) -> argparse.ArgumentParser:
     course_options.add_lesson(command, _language, _backend_option)
     course_options.add_exercise(command, group, _language)
     course_options.add_lecture(command, _language, _size, _count)
+    if language != "en":
+        course_help.put(commands, language)
 
     actions = group("assets", "make, show or fetch assets", "assets fetch-stanford")
     build = command(
@@ -337,21 +347,15 @@ def _checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> An
         raise argparse.ArgumentTypeError(str(error)) from None
 
 
-def _digits(text: str) -> int | str:
-    """Return a text of ASCII digits as a number; it stays a text if there is anything else."""
-    # No number of 20 digits is allowed anywhere, and Python converts none of thousands.
-    return int(text.lstrip("0")[:20] or 0) if text.isascii() and text.isdigit() else text
-
-
 def _size(text: str) -> Any:
-    sides = [_digits(side) for side in text.lower().split("x")]
+    sides = [arguments.digits(side) for side in text.lower().split("x")]
     if len(sides) != 2 or not all(isinstance(side, int) for side in sides):
         raise argparse.ArgumentTypeError(f"{text!r}: expected WxH such as 800x600")
     return _checked(arguments.size, text, sides)
 
 
 def _count(text: str) -> Any:
-    return _checked(arguments.whole, text, _digits(text), "")
+    return _checked(arguments.whole, text, arguments.digits(text), "")
 
 
 def _rate(text: str) -> Any:
@@ -362,23 +366,15 @@ def _rate(text: str) -> Any:
 
 
 def _samples(text: str) -> Any:
-    return _checked(arguments.choice, text, _digits(text), "", arguments.SAMPLES)
+    return _checked(arguments.choice, text, arguments.digits(text), "", arguments.SAMPLES)
 
 
 def _backend(text: str) -> Any:
     return _checked(arguments.choice, text, text, "", arguments.BACKENDS)
 
 
-def _real(text: str) -> float | str:
-    """Return a text as a number; it stays a text if it is none."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
 def _number(text: str) -> Any:
-    return _checked(arguments.number, text, _real(text), "")
+    return _checked(arguments.number, text, arguments.real(text), "")
 
 
 def _pair(text: str) -> tuple[str, str]:
@@ -393,7 +389,7 @@ def _elements(text: str) -> tuple[str, ...]:
 
 
 def _pose(text: str) -> Any:
-    parts = tuple(_real(part.strip()) for part in text.split(","))
+    parts = tuple(arguments.real(part.strip()) for part in text.split(","))
     if len(parts) != 5:
         raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y,Z,YAW,PITCH")
     return _checked(arguments.pose, text, parts)

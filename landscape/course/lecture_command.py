@@ -6,6 +6,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from landscape.course import lecture_texts as texts
+from landscape.course.language import told_in
 from landscape.course.lecture import VIEW, Lecture, course, read
 from landscape.course.lesson_command import speaking
 from landscape.errors import InputError, NoOpenGLError, short
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
-    with speaking(options.lang):
+    with speaking(options.lang), told_in(options.lang or choose(os.environ)):
         lecture = read(options.file) if options.file else course()
         if options.list:
             for number, title, name in texts.listed(lecture):

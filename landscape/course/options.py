@@ -8,9 +8,16 @@ from typing import Any
 from landscape.course.sandbox import SECONDS
 
 MOST_SECONDS = 600.0  # chosen
-LESSON = "a lesson; without one, the lessons are listed"
-LECTURE = "a text file, see docs/lecture.md; default: the whole course"
-COPY = "copy it, with what it reads, into a folder to be changed there; default: the current one"
+
+
+def _(text: str) -> str:
+    """Mark a text for the catalogue; help.py translates it."""
+    return text
+
+
+LESSON = _("a lesson; without one, the lessons are listed")
+LECTURE = _("a text file, see docs/lecture.md; default: the whole course")
+COPY = _("copy it, with what it reads, into a folder to be changed there; default: the current one")
 
 
 def add_lesson(
@@ -20,16 +27,16 @@ def add_lesson(
 ) -> None:
     """Add `landscape lesson`; ``language`` adds --lang, ``backend`` --backend."""
     lesson = command(
-        "lesson", "list the lessons of the course; run one, draw it or copy it", "matrix_stack"
+        "lesson", _("list the lessons of the course; run one, draw it or copy it"), "matrix_stack"
     )
     lesson.add_argument("name", nargs="?", default="", metavar="NAME", help=LESSON)
     what = lesson.add_mutually_exclusive_group()
     what.add_argument(
-        "--out", type=Path, metavar="FILE.png", help="draw it to a file, without a screen"
+        "--out", type=Path, metavar="FILE.png", help=_("draw it to a file, without a screen")
     )
     what.add_argument("--copy", type=Path, nargs="?", const=Path(), metavar="DIR", help=COPY)
-    what.add_argument("--inspect", action="store_true", help="run it under the inspector (F12)")
-    what.add_argument("--json", action="store_true", help="print what is known of it as JSON")
+    what.add_argument("--inspect", action="store_true", help=_("run it under the inspector (F12)"))
+    what.add_argument("--json", action="store_true", help=_("print what is known of it as JSON"))
     language(lesson, "language of the texts")
     backend(lesson)
 
@@ -40,49 +47,51 @@ def add_exercise(
     language: Callable[[argparse.ArgumentParser, str], None],
 ) -> None:
     """Add `landscape exercise` and its actions; ``group`` adds a command that has actions."""
-    help_ = "exercises for students: list them, start one, check what was written"
+    help_ = _("exercises for students: list them, start one, check what was written")
     actions = group("exercise", help_, "exercise start winding")
-    listed = command("exercise list", "list the exercises, the easiest first", "--json", actions)
-    listed.add_argument("--json", action="store_true", help="print JSON, with the tasks")
+    listed = command("exercise list", _("list the exercises, the easiest first"), "--json", actions)
+    listed.add_argument("--json", action="store_true", help=_("print JSON, with the tasks"))
     begun = command(
         "exercise start",
-        "write the program of an exercise, with its task and a hole to fill",
+        _("write the program of an exercise, with its task and a hole to fill"),
         "winding --out mine.py",
         actions,
     )
-    begun.add_argument("name", metavar="NAME", help="see `landscape exercise list`")
+    begun.add_argument("name", metavar="NAME", help=_("see `landscape exercise list`"))
     begun.add_argument(
         "--out",
         type=Path,
         metavar="FILE|DIR",
-        help="a file that is not there yet; default: NAME.py",
+        help=_("a file that is not there yet; default: NAME.py"),
     )
-    begun.add_argument("-q", "--quiet", action="store_true", help="print nothing")
+    begun.add_argument("-q", "--quiet", action="store_true", help=_("print nothing"))
     checked = command(
         "exercise check",
-        "run a program that was written for an exercise, and grade it: exit status 0 if it passes, "
-        "1 if not, 2 if it cannot be run",
+        _(
+            "run a program that was written for an exercise, and grade it: exit status 0 if it "
+            "passes, 1 if not, 2 if it cannot be run"
+        ),
         "winding.py --heat-map difference.png",
         actions,
     )
-    checked.add_argument("file", type=Path, metavar="FILE", help="the program")
+    checked.add_argument("file", type=Path, metavar="FILE", help=_("the program"))
     what = checked.add_mutually_exclusive_group()
-    what.add_argument("--json", action="store_true", help="print JSON")
+    what.add_argument("--json", action="store_true", help=_("print JSON"))
     what.add_argument(
-        "-q", "--quiet", action="store_true", help="print nothing: the exit status says it"
+        "-q", "--quiet", action="store_true", help=_("print nothing: the exit status says it")
     )
     checked.add_argument(
         "--heat-map",
         type=Path,
         metavar="FILE.png",
-        help="write your picture, where it differs, and the solution's, side by side",
+        help=_("write your picture, where it differs, and the solution's, side by side"),
     )
     checked.add_argument(
         "--seconds",
         type=_seconds,
         default=SECONDS,
         metavar="N",
-        help="how long the program may take; default: %(default)g",
+        help=_("how long the program may take; default: %(default)g"),
     )
     for sub in (listed, begun, checked):
         language(sub, "language of the texts")
@@ -107,20 +116,25 @@ def add_lecture(
     count: Callable[[str], Any],
 ) -> None:
     """Add `landscape lecture`; ``language`` adds --lang, ``size`` and ``count`` read values."""
-    lecture = command("lecture", "show lessons and views one after another, full screen", "a.txt")
+    lecture = command(
+        "lecture", _("show lessons and views one after another, full screen"), "a.txt"
+    )
     lecture.add_argument("file", nargs="?", type=Path, metavar="FILE", help=LECTURE)
     lecture.add_argument(
-        "--from", dest="begin", default="", metavar="NAME", help="begin at this step, or number"
+        "--from", dest="begin", default="", metavar="NAME", help=_("begin at this step, or number")
     )
-    lecture.add_argument("--list", action="store_true", help="only print the steps")
+    lecture.add_argument("--list", action="store_true", help=_("only print the steps"))
     lecture.add_argument(
-        "--size", type=size, metavar="WxH", help="in a window of this size, not on the whole screen"
+        "--size",
+        type=size,
+        metavar="WxH",
+        help=_("in a window of this size, not on the whole screen"),
     )
     lecture.add_argument(
         "--screen",
         type=count,
         default=1,
         metavar="N",
-        help="which screen, if there are several; default: 1, the primary one",
+        help=_("which screen, if there are several; default: 1, the primary one"),
     )
     language(lecture, "language of the texts")

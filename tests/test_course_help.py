@@ -1,0 +1,65 @@
+"""Help and errors of `landscape lesson`, `exercise` and `lecture` in the user's language."""
+
+import re
+from collections.abc import Iterator
+
+import pytest
+from commands import Done, Shell, environment, landscape, refused
+
+COMMANDS = ("lesson", "exercise", "exercise list", "exercise start", "exercise check", "lecture")
+
+
+@pytest.fixture(scope="module")
+def shell() -> Iterator[Shell]:
+    process = Shell(environment(LANGUAGE="en"))
+    yield process
+    process.close()
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_help_is_french_where_the_user_asks_for_it(command: str, shell: Shell) -> None:
+    words = command.split()
+    english, french = (shell(*words, "--help"), shell(*words, "--lang", "fr", "--help"))
+    if command == "exercise":  # has no --lang of its own
+        french = landscape("exercise", "--help", env=environment(LANGUAGE="fr"))
+    assert english.out.startswith(f"usage: landscape {command} [-h]")
+    assert french.out.startswith(f"utilisation\u00a0: landscape {command} [-h]")
+    assert explained(english) and not explained(english) & explained(french)
+    assert f"\nexemple\u00a0: landscape {command}" in french.out
+
+
+def explained(done: Done) -> set[str]:
+    """Return what a help says of options and arguments, without their names."""
+    text = re.sub(r"\n {10,}", " ", done.out)
+    found = {re.split(r" {2,}", line.strip())[-1] for line in text.splitlines()}
+    return {line for line in found if len(line.split()) > 1 and "landscape" not in line}
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("exercise", "start"), "il manque les arguments suivants: NAME"),
+        (("lesson", "a", "b"), "arguments inconnus: b (voir `landscape --help`)"),
+        (("lesson", "fog", "--out"), "argument --out: une valeur est attendue"),
+        (("lesson", "fog", "--out", "a.png", "--copy"), "incompatible avec l\u2019argument --out"),
+        (("exercise", "check", "a.py", "--seconds", "0"), "'0': donnez un nombre entre 0,1 et 600"),
+        (("lesson", "fog", "--backend", "x"), "donnez une valeur parmi auto, osmesa, egl, glfw"),
+        (("lecture", "--from", "nowhere"), "donnez le nom d\u2019une étape, ou un numéro de 1 à "),
+        (("lecture", "no_such.txt"), "no_such.txt: ne peut pas être lu"),
+    ],
+)
+def test_errors_are_in_the_language_asked_for(
+    words: tuple[str, ...], said: str, shell: Shell
+) -> None:
+    refused(shell(*words, "--lang=fr"), said)
+    done = shell(*words, "--lang=en")
+    refused(done)
+    assert said not in done.err
+
+
+def test_other_commands_speak_english() -> None:
+    done = landscape("walk", "--no-such", env=environment(LANGUAGE="fr"))
+    refused(done, "unrecognized arguments: --no-such")
+    assert landscape("views", "--help", env=environment(LANGUAGE="fr")).out.startswith(
+        "usage: landscape views"
+    )
