@@ -155,7 +155,8 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
 ) -> None:
     import readme
 
-    monkeypatch.setattr(readme, "README", tmp_path / "README.md")
+    monkeypatch.setattr(readme, "ROOT", tmp_path)
+    monkeypatch.setattr(readme, "page", lambda language: f"the gallery in {language}")
     monkeypatch.setattr(readme, "WIDTH", 24)
     french = {
         "Fog": "Brouillard",
@@ -167,13 +168,16 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     entries = (f'msgid "{text}"\nmsgstr "{other}"\n\n' for text, other in french.items())
     (locale / "docs").mkdir()
     (locale / "docs" / "README.po").write_text(HEAD + "".join(entries), encoding="utf-8")
-    readme.README.write_text(README)
-    path = tmp_path / "README.fr.md"
-    assert list(readme.stale("fr")) == [f"{path}: stale: scripts/catalogues update writes it"]
+    (tmp_path / "README.md").write_text(README)
+    (tmp_path / "screenshots").mkdir()
+    path, gallery = tmp_path / "README.fr.md", tmp_path / "screenshots" / "README.fr.md"
+    told = "stale: scripts/catalogues update writes it"
+    assert list(readme.stale("fr")) == [f"{path}: {told}", f"{gallery}: {told}"]
     readme.write("fr")
+    assert gallery.read_text(encoding="utf-8") == "the gallery in fr"
     assert path.read_text(encoding="utf-8") == LISEZMOI.replace("_", "\u00a0")
     assert list(readme.stale("fr")) == []
-    readme.README.write_text(README.replace("Thin", "Light"))
+    (tmp_path / "README.md").write_text(README.replace("Thin", "Light"))
     assert len(list(readme.stale("fr"))) == 1
 
 

@@ -104,11 +104,29 @@ def test_a_pose_s_height_is_a_number_or_the_word_ground() -> None:
 
 
 def test_the_committed_page_is_up_to_date() -> None:
-    assert (KEPT / "README.md").read_text(encoding="utf-8") == page(), "landscape figures --update"
+    for language, name in (("en", "README.md"), ("fr", "README.fr.md")):
+        text = (KEPT / name).read_text(encoding="utf-8")
+        assert text == page(language), "landscape figures --update"
+
+
+def test_the_page_in_french_has_the_pictures_and_commands_of_the_english_one() -> None:
+    english, french = page(), page("fr")
+    for pattern in (r"\]\((\w+\.png)\)", r"(?m)^    .+$"):
+        assert re.findall(pattern, french) == re.findall(pattern, english)
+    paragraphs = [set(text.split("\n\n")) for text in (english, french)]
+    both = [text for text in set.intersection(*paragraphs) if text[:4] not in ("    ", "### ")]
+    assert both == []
 
 
 @pytest.mark.parametrize(
-    "path", ["screenshots/README.md", "README.md", "README.fr.md", "CHANGELOG.md"]
+    "path",
+    [
+        "screenshots/README.md",
+        "screenshots/README.fr.md",
+        "README.md",
+        "README.fr.md",
+        "CHANGELOG.md",
+    ],
 )
 def test_every_link_of_a_page_leads_somewhere(path: str) -> None:
     text = (ROOT / path).read_text(encoding="utf-8")

@@ -12,6 +12,7 @@ from landscape.files.progress import Progress
 from landscape.gallery.compare import agree, amplified
 from landscape.gallery.page import page
 from landscape.gallery.panels import FigurePanel, PanelRenderer, named_panels
+from landscape.languages import LANGUAGES
 
 RENDERER = "renderer.txt"  # names the OpenGL that drew the committed pictures
 
@@ -27,7 +28,7 @@ def make(names: list[str], out: Path, options: Mapping[str, Any], quiet: bool) -
 
 
 def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bool) -> None:
-    """Rewrite the committed pictures that differ, the renderer's name, and the page."""
+    """Rewrite the committed pictures that differ, the renderer's name, and the pages."""
     renderer = ""
     for panel, picture, opengl in drawn(named_panels(names), options, quiet):
         path, renderer = folder / f"{panel.name}.png", opengl or renderer
@@ -35,7 +36,9 @@ def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bo
             save_png(picture, path, small=True)
     if renderer:
         write_whole(folder / RENDERER, (renderer + "\n").encode())
-    write_whole(folder / "README.md", page().encode())
+    for language in LANGUAGES:
+        name = "README.md" if language == "en" else f"README.{language}.md"
+        write_whole(folder / name, page(language).encode())
 
 
 def check(

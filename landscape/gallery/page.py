@@ -1,21 +1,23 @@
-"""The gallery as Markdown: the report's figures part by part, then the fixes in pairs."""
+"""The gallery as Markdown, in each language: the report's figures, then the fixes in pairs."""
 
 import re
 from dataclasses import dataclass
 
 from landscape.fixes import FIXES, Fix
 from landscape.gallery.panels import FigurePanel, panels
+from landscape.languages import Phrases, Translator, translator
 
 CODE = "../landscape"  # from the page's folder
 
 INTRODUCTION = (
     "# The figures of 2006, and the fixes",
     "",
+    "[Français](README.fr.md)",
+    "",
     "[landscape](../README.md) is a Python program that draws an island with classic"
-    " fixed-function OpenGL, without shaders, and lets you walk around it ([quick"
-    " start](../README.md#quick-start)). It follows a student's report of December 2006, Damien"
-    " Rohmer's *TP OpenGL: Rendu de paysage naturel* (CPE Lyon), which explains its techniques"
-    " one by one in 43 figures.",
+    " fixed-function OpenGL, without shaders, and lets you walk around it. It follows a student's"
+    " report of December 2006, Damien Rohmer's *TP OpenGL: Rendu de paysage naturel* (CPE Lyon),"
+    " which explains its techniques one by one in 43 figures.",
     "",
     "This page shows those figures again: 87 pictures, made with our own images and meshes"
     " instead of the borrowed ones of 2006. The fixes follow: for each improvement that the"
@@ -46,6 +48,12 @@ INTRODUCTION = (
     "",
     "**Contents.**",
     "",
+)
+
+CONTENTS: Phrases = (
+    "{part}: figures {first} to {last}",
+    "{part}: figure {first}",
+    "{part}: {fixes}",
 )
 
 
@@ -141,71 +149,76 @@ FIXES_TEXT = {
 }
 
 
-def page() -> str:
-    """Return the whole page."""
+def page(language: str = "en") -> str:
+    """Return the whole page in a language."""
+    _ = translator(language, "gallery", "fixes")
     every = panels()
-    lines = introduction()
+    lines = introduction(_)
     for part in PARTS:
-        lines += [f"## {part.heading}", "", part.text, ""]
+        lines += [f"## {_(part.heading)}", "", _(part.text), ""]
         for figure in range(part.first, part.last + 1):
-            lines += [f"### Figure {figure}", ""]
+            lines += [f"### {_('Figure {number}').format(number=figure)}", ""]
             for panel in every:
                 if panel.figure == str(figure):
-                    lines += figure_entry(panel)
+                    lines += figure_entry(panel, _)
     by_name = {panel.name: panel for panel in every}
     heading = ""
     for fix in FIXES:
         wanted = FIXED if fix.name.startswith("R") else ADDED
         if wanted != heading:
             heading = wanted
-            lines += [f"## {heading}", "", FIXES_TEXT[heading], ""]
-        lines += fix_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"])
+            lines += [f"## {_(heading)}", "", _(FIXES_TEXT[heading]), ""]
+        lines += fix_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)
     return "\n".join(lines)
 
 
-def introduction() -> list[str]:
+def introduction(_: Translator) -> list[str]:
     """Return the lines before the first figure: what the page shows, terms, contents."""
-    lines = list(INTRODUCTION)
+    lines = [_(line) if line else "" for line in INTRODUCTION]
     for part in PARTS:
-        figures = f"figures {part.first} to {part.last}"
-        if part.first == part.last:
-            figures = f"figure {part.first}"
-        lines.append(f"- [{part.heading}](#{anchor(part.heading)}): {figures}")
+        line = _(CONTENTS[part.first == part.last])
+        line = line.format(part=_link(_(part.heading)), first=part.first, last=part.last)
+        lines.append(f"- {line}")
     for heading in (FIXED, ADDED):
         names = [fix.name for fix in FIXES if fix.name.startswith("R") == (heading == FIXED)]
-        links = ", ".join(f"[{name}](#{anchor(name)})" for name in names)
-        lines.append(f"- [{heading}](#{anchor(heading)}): {links}")
+        line = _(CONTENTS[2]).format(part=_link(_(heading)), fixes=", ".join(map(_link, names)))
+        lines.append(f"- {line}")
     return [*lines, ""]
 
 
-def figure_entry(panel: FigurePanel) -> list[str]:
+def _link(heading: str) -> str:
+    """Return a link to a heading of the page."""
+    return f"[{heading}](#{anchor(heading)})"
+
+
+def figure_entry(panel: FigurePanel, _: Translator) -> list[str]:
     """Return the lines of one panel of a figure."""
     return [
-        f"**{panel.name}**: {panel.title}.",
+        _("**{name}**: {title}.").format(name=panel.name, title=_(panel.title)),
         "",
-        f"![{panel.seen}]({panel.name}.png)",
+        f"![{_(panel.seen)}]({panel.name}.png)",
         "",
-        linked(panel.look, panel.figure),
+        linked(_(panel.look), panel.figure),
         "",
         f"    {panel.command}",
         "",
     ]
 
 
-def fix_entry(fix: Fix, before: FigurePanel, after: FigurePanel) -> list[str]:
+def fix_entry(fix: Fix, before: FigurePanel, after: FigurePanel, _: Translator) -> list[str]:
     """Return the lines of one fix: the flaw, the two pictures side by side, and what changed."""
     return [
         f"### {fix.name}",
         "",
-        f"**{fix.title}.** {linked(fix.flaw)}",
+        f"**{_(fix.title, fix.name)}.** {linked(_(fix.flaw))}",
         "",
-        "| before | after |",
+        f"| {_('before')} | {_('after')} |",
         "|---|---|",
-        f"| ![{before.seen}]({before.name}.png) | ![{after.seen}]({after.name}.png) |",
+        f"| ![{_(before.seen)}]({before.name}.png) | ![{_(after.seen)}]({after.name}.png) |",
         "",
-        linked(fix.look),
+        linked(_(fix.look)),
         "",
-        f"How: {linked(fix.how)}",
+        linked(_("How: {how}").format(how=_(fix.how))),
         "",
         f"    {before.command}",
         f"    {after.command}",

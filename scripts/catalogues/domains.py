@@ -16,7 +16,7 @@ from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import SECTIONS, Lesson, lessons
 from landscape.course.pages import blocks, page
 from landscape.fixes import FIXES
-from landscape.gallery.page import FIXES_TEXT, PARTS
+from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels
 from landscape.scene import SCENES, scene
 from landscape.window.settings_list import rows
@@ -127,8 +127,10 @@ def fixes() -> Iterator[Message]:
 
 
 def gallery() -> Iterator[Message]:
-    """Yield the captions of the report's figures and of the fixes; not the titles of the fixes."""
+    """Yield the texts of the gallery, except the titles of the fixes."""
     source = "landscape/gallery"
+    yield from in_code("landscape/gallery/page.py")
+    yield from (Message(line, source) for line in INTRODUCTION if line)
     for part in PARTS:
         yield from (Message(text, source) for text in (part.heading, part.text))
     for pair in FIXES_TEXT.items():

@@ -1,33 +1,43 @@
-"""README.md in the other languages: README.LANGUAGE.md, written from its catalogue, docs/README."""
+"""The pages that GitHub shows, in the other languages: README.LANGUAGE.md, and that of the gallery.
+
+The first is written from README.md and its catalogue, docs/README; the other by the gallery.
+"""
 
 from collections.abc import Iterator
 from pathlib import Path
 
 from landscape.course.pages import as_markdown, blocks
+from landscape.gallery.page import page
 from landscape.languages import translator
 
-README = Path(__file__).resolve().parents[2] / "README.md"
+ROOT = Path(__file__).resolve().parents[2]
 WIDTH = 100  # chosen: columns of its prose, as in README.md
 
 
 def write(language: str) -> None:
-    """Write it, if it is not what it should be."""
-    if any(stale(language)):
-        _path(language).write_text(translated(language), encoding="utf-8")
+    """Write those that are not what they should be."""
+    for path, text in translated(language).items():
+        if not _is(path, text):
+            path.write_text(text, encoding="utf-8")
 
 
 def stale(language: str) -> Iterator[str]:
-    """Yield a line if it is not what README.md and the catalogue say."""
-    path = _path(language)
-    if not path.exists() or path.read_text(encoding="utf-8") != translated(language):
-        yield f"{path}: stale: scripts/catalogues update writes it"
+    """Yield a line for each that is not what its source and the catalogues say."""
+    for path, text in translated(language).items():
+        if not _is(path, text):
+            yield f"{path}: stale: scripts/catalogues update writes it"
 
 
-def translated(language: str) -> str:
-    """Return README.md in a language."""
+def translated(language: str) -> dict[Path, str]:
+    """Return the pages in a language."""
     _ = translator(language, "docs/README")
-    return as_markdown(blocks(README.read_text(encoding="utf-8"), _), WIDTH)
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    name = f"README.{language}.md"
+    return {
+        ROOT / name: as_markdown(blocks(readme, _), WIDTH),
+        ROOT / "screenshots" / name: page(language),
+    }
 
 
-def _path(language: str) -> Path:
-    return README.with_name(f"README.{language}.md")
+def _is(path: Path, text: str) -> bool:
+    return path.exists() and path.read_text(encoding="utf-8") == text
