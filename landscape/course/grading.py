@@ -250,10 +250,26 @@ def differing(work: Frame, solution: Frame) -> np.ndarray:
 def _differing(work: Frame, solution: Frame) -> np.ndarray:
     if work.picture.shape != solution.picture.shape:
         return np.ones(work.picture.shape[:2], bool)
-    ours, theirs = solution.picture, work.picture
+    # Only the part around all pixels that are not the same: often it is small.
+    other = _any_channel(work.picture != solution.picture)
+    inside = tuple(_extent(np.logical_or.reduce(other, axis)) for axis in (1, 0))
+    if other.any():
+        around = tuple(slice(part.start, part.stop + 2 * REACH) for part in inside)
+        padded = np.pad(solution.picture, ((REACH, REACH), (REACH, REACH), (0, 0)), mode="edge")
+        other[inside] = _beyond(work.picture[inside], solution.picture[inside], padded[around])
+    return other
+
+
+def _extent(mask: np.ndarray) -> slice:
+    """Return the part of a row from its first True to its last."""
+    places = np.flatnonzero(mask)
+    return slice(places[0], places[-1] + 1) if len(places) else slice(0)
+
+
+def _beyond(theirs: np.ndarray, ours: np.ndarray, padded: np.ndarray) -> np.ndarray:
+    """Return which pixels of a part differ; ``padded`` is ours with REACH more on each side."""
     found = _any_channel(np.maximum(ours, theirs) - np.minimum(ours, theirs) > LEVELS)
     # Most pixels that differ are beyond all of their neighbours; only for the others look at each.
-    padded = np.pad(ours, ((REACH, REACH), (REACH, REACH), (0, 0)), mode="edge")
     low, high = _extreme(np.minimum, padded), _extreme(np.maximum, padded)
     beyond = (theirs > high) & (theirs - high > LEVELS) | (theirs < low) & (low - theirs > LEVELS)
     rows, columns = np.nonzero(found & ~_any_channel(beyond))

@@ -232,12 +232,13 @@ class Witness(ExitStack):
         return len(self._states) - 1
 
     def _written(self, call: Call) -> dict[str, Any]:
+        site = call.site
         found: dict[str, Any] = {
             "name": call.name,
             "args": _arguments(call.name, call.args) if call.args else [],
-            "line": call.site.line,
-            "function": call.site.function,
-            "own": _program() == call.site.path,
+            "line": site.line,
+            "function": site.function,
+            "own": _program() == site.path,
         }
         if id(call) in self._ways:
             found["way"] = self._ways[id(call)]
@@ -284,7 +285,7 @@ def _arguments(name: str, args: tuple[Any, ...]) -> list[Any]:
 
 
 def _argument(value: Any) -> Any:
-    if type(value) is float:
+    if type(value) in (float, int):
         return value
     if isinstance(value, (bytes, bytearray)):
         return {"bytes": len(value)}

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from landscape.gl.client import ClientArrays, frozen, list_base
+from landscape.gl.client import ClientArrays, concerns_arrays, frozen, list_base
 from landscape.gl.notes import Call, Edits, Site, caller, shown
 
 __all__ = [
@@ -279,7 +279,7 @@ def noting_function(
 
     ``by_function`` calls elements what a program's own functions draw: it names none itself.
     """
-    follow = _FOLLOW.get(name)
+    follow, to_client = _FOLLOW.get(name), concerns_arrays(name)
 
     def noted(*args: Any, **named: Any) -> Any:
         given = None
@@ -298,7 +298,8 @@ def noting_function(
         arrays: Sequence[Any] = ()
         if _recorder is not None:
             if _recorder.complete:
-                arrays = _recorder.client.see(name, values)
+                if to_client:
+                    arrays = _recorder.client.see(name, values)
                 values = frozen(values)
             elif any(isinstance(value, (np.ndarray, list)) for value in values):
                 kept = shown(name, values)  # now: the caller may overwrite an array later

@@ -54,15 +54,29 @@ def list_base(name: str, calls: Sequence[Call]) -> int:
     return int(base[0])
 
 
+SEEN = READS_ARRAYS | {
+    *("glEnableClientState", "glDisableClientState", "glClientActiveTexture"),
+    *("glPushClientAttrib", "glPopClientAttrib"),
+}
+FIXED = {int, float, bool, str, bytes, type(None)}  # most arguments
+
+
+def concerns_arrays(name: str) -> bool:
+    """Return whether :class:`ClientArrays` must see the calls of a function."""
+    return name in SEEN or pointer_kind(name) is not None
+
+
 def frozen(args: Arguments) -> Arguments:
     """Return arguments with a copy of each array that the program could change later.
 
     Of a pointer call that is the array itself: what matters is what it holds at a draw call.
     """
-    return tuple(map(_frozen, args))
+    return tuple([each if type(each) in FIXED else _frozen(each) for each in args])
 
 
 def _frozen(value: Any) -> Any:
+    if isinstance(value, int):  # an enumerant
+        return value
     if isinstance(value, np.ndarray):
         return value.copy()
     if isinstance(value, bytearray):
