@@ -11,6 +11,7 @@ from commands import TESTS
 from landscape.capture import spec
 from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import lessons
+from landscape.course.lesson_command import described
 from landscape.course.pages import as_markdown, blocks
 from landscape.languages import LANGUAGES
 
@@ -88,11 +89,15 @@ def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
     assert "[`glFog`](glFog.md)" in found["calls/index"]
 
 
-def test_the_page_of_a_lesson_holds_its_whole_program(site: Any, tmp_path: Path) -> None:
-    found = pages(site, "fr", tmp_path)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_of_a_lesson_holds_its_whole_program(
+    language: str, site: Any, tmp_path: Path
+) -> None:
+    found = pages(site, language, tmp_path)
     for lesson in lessons():
         page = found[f"lessons/{lesson.name}"]
-        assert lesson.file.read_text(encoding="utf-8") in page
+        assert described(lesson, language) in page
+        assert f"landscape strip {lesson.name}.py --frame {lesson.frame}\n" in page
         assert f"../pictures/{lesson.name}-strip.webp" in page
 
 

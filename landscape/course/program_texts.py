@@ -39,13 +39,14 @@ def texts(source: str) -> list[str]:
 def translated(source: str, translate: Callable[[str], str]) -> str:
     """Return a program with its texts in the language of ``translate``.
 
-    A comment beside a line moves above it where both together would be too long.
+    Where a line would be too long, a comment beside it moves above it, and a call's arguments to a
+    line of their own.
     """
-    source = _with_strings(source, translate)
-    lines = source.splitlines()
+    source = _broken(_with_strings(source, translate))
+    rows = source.splitlines()
     for remark in sorted(_remarks(source), key=lambda remark: remark.row, reverse=True):
         text = translate(remark.text)
-        before = lines[remark.row][: remark.column]
+        before = rows[remark.row][: remark.column]
         indent = before[: len(before) - len(before.lstrip())]
         if remark.beside:
             code = before.rstrip()
@@ -59,8 +60,18 @@ def translated(source: str, translate: Callable[[str], str]) -> str:
         else:
             new = _wrapped(text, f"{indent}# ")
         if text != remark.text:
-            lines[remark.row : remark.end] = new
-    return "\n".join(lines) + "\n"
+            rows[remark.row : remark.end] = new
+    return "\n".join(rows) + "\n"
+
+
+def lines(source: str, other: str) -> dict[int, int]:
+    """Return which line of a program, from 1, is which of the same program in another language."""
+    pairs = zip(ast.walk(ast.parse(source)), ast.walk(ast.parse(other)), strict=True)
+    return {
+        one.lineno: same.lineno
+        for one, same in pairs
+        if isinstance(one, ast.expr | ast.stmt) and isinstance(same, ast.expr | ast.stmt)
+    }
 
 
 def _wrapped(text: str, mark: str) -> list[str]:
@@ -83,6 +94,23 @@ def _with_strings(source: str, translate: Callable[[str], str]) -> str:
             quoted = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
             data = data[:begin] + f'"{quoted}"'.encode() + data[end:]
     return data.decode()
+
+
+def _broken(source: str) -> str:
+    """Return a program whose calls have their arguments on lines below where one is too long."""
+    rows = source.splitlines()
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Expr) or not isinstance(node.value, ast.Call):
+            continue
+        if node.end_lineno == node.lineno and len(rows[node.lineno - 1]) > COLUMNS:
+            call, indent = node.value, " " * node.col_offset
+            each = [ast.get_source_segment(source, a) for a in (*call.args, *call.keywords)]
+            inside = [f"{indent}    {', '.join(map(str, each))}"]
+            if len(inside[0]) > COLUMNS:
+                inside = [f"{indent}    {argument}," for argument in each]
+            name = ast.get_source_segment(source, call.func)
+            rows[node.lineno - 1] = "\n".join([f"{indent}{name}(", *inside, f"{indent})"])
+    return "\n".join(rows) + "\n"
 
 
 def _remarks(source: str) -> Iterator[Remark]:

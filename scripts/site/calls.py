@@ -2,14 +2,17 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 
 from drawn import Drawn
 from lesson_pages import title_link
 
 from landscape.capture import spec
 from landscape.capture.names import element
+from landscape.course import program_texts
 from landscape.course.ladder import NAMES, lesson
-from landscape.languages import translator
+from landscape.course.lesson_command import described
+from landscape.languages import LANGUAGES, translator
 
 
 @dataclass
@@ -103,7 +106,8 @@ def _page(entry: Entry, language: str) -> str:
             f":target: ../lessons/{shown}.html\n:width: 320px\n\n{_(lesson(shown).title)}\n```"
         ]
         lines = []
-        for name, numbers in entry.lessons.items():
+        for name, seen in entry.lessons.items():
+            numbers = [_same_lines(name, language).get(number, number) for number in seen]
             at = ", ".join(f'<a href="../lessons/{name}.html#line-{n}">{n}</a>' for n in numbers)
             which = _("line {numbers}") if len(numbers) == 1 else _("lines {numbers}")
             title = title_link(lesson(name), language, "../lessons/")
@@ -117,6 +121,14 @@ def _page(entry: Entry, language: str) -> str:
             lines.append(_("{name}: {text}").format(name=what, text=at))
         parts += [f"## {_('On the island')}", _list(lines)]
     return "\n\n".join(parts) + "\n"
+
+
+@cache
+def _same_lines(name: str, language: str) -> dict[int, int]:
+    """Return which line of a lesson is which in a language."""
+    return program_texts.lines(
+        *(described(lesson(name), each) for each in (LANGUAGES[0], language))
+    )
 
 
 def _list(lines: Iterable[str]) -> str:

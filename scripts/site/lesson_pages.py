@@ -4,6 +4,7 @@ from drawn import Drawn
 from exercise_pages import of_lesson
 
 from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons
+from landscape.course.lesson_command import described
 from landscape.course.pages import Block, as_markdown, page
 from landscape.languages import translator
 
@@ -60,7 +61,7 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
         as_markdown([_folded(block, language) for block in page(each, _)]).strip(),
         f"## {_('The program')}",
         f"`landscape lesson {each.name}`",
-        f"```{{code-block}} python\n:linenos:\n\n{each.file.read_text(encoding='utf-8')}```",
+        f"```{{code-block}} python\n:linenos:\n\n{described(each, language)}```",
         f"## {_('The frame, step by step')}",
         _(
             "The picture grows with each function of the program that draws; its calls and draws "
