@@ -12,10 +12,11 @@ from landscape.effects.settings import PRESETS, Settings
 from landscape.effects.statue import Statue
 from landscape.effects.tone import Tone
 from landscape.effects.views import MAIN, VIEWS
+from landscape.elements import sun
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.obstacles import Obstacle, Tower, Wall
-from landscape.gl.calls import begin_pass, drawing
+from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import Moment, Scene, begin_frame
 
 ELEMENTS = ("room", "floor", "mirror", "statue", "tone", "flight")
@@ -49,6 +50,9 @@ class Hall(Ground):
             mark = self.statue.send if self.statue else lambda: None
             self.tone = self._built(("tone",), Tone, settings, assets, mark)
             self.flight = self._built(("flight",), Flight, settings, assets)
+            if self.statue and self.room:
+                with drawing("statue"):
+                    self.statue.gild(self._draw_surroundings)
         except BaseException:
             self.release()
             raise
@@ -96,6 +100,14 @@ class Hall(Ground):
         values = self.settings
         if values.flight.path and not values.flight.enabled:
             self._draw("flight", self.flight, frame)
+
+    def _draw_surroundings(self, frame: Frame) -> None:
+        """Draw what the gilded statue mirrors."""
+        gl.glClearColor(*self.settings.fog.color, 1.0)
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+        sun.shine(self.settings.sun)
+        self._draw("room", self.room, frame)
+        self.room.draw_floor()
 
     def _draw_image(self, frame: Frame) -> None:
         """Draw the mirror image where the floor is visible, before the floor covers it."""

@@ -48,6 +48,35 @@ class Mirror:
 
 
 @dataclass(frozen=True)
+class Statue:
+    """The statue's gilding, which mirrors the hall."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("statue",)
+
+    environment: str = setting(
+        "sphere",
+        "glSkel, environment mapping",
+        "how the statue mirrors the hall: by a sphere map, a cube map, or not at all",
+        choices=("sphere", "cube", "none"),
+    )
+    fresh: bool = setting(
+        True,
+        "chosen",
+        "the sphere map is made anew for each line of sight; off, it turns with the viewer",
+        needs=("statue.environment=sphere",),
+    )
+    gold: tuple[float, ...] = setting(
+        (1.0, 0.78, 0.40),
+        "chosen",
+        "colour of the gilding, which multiplies what it mirrors",
+        0,
+        1,
+        unit="RGB",
+        needs=("statue.environment!=none",),
+    )
+
+
+@dataclass(frozen=True)
 class Tone:
     """Brightness and contrast of the picture, or of a part of it."""
 
@@ -119,6 +148,7 @@ class Settings:
     # Chosen: in the south-east, so that the windows' light falls across the nave.
     sun: Sun = Sun(azimuth=103.0, elevation=36.0, diffuse=(1.0, 0.92, 0.78), ambient=(0.3,) * 3)
     fog: Fog = Fog(enabled=False)
+    statue: Statue = Statue()
     tone: Tone = Tone()
     flight: Flight = Flight()
     mirror: Mirror = Mirror()

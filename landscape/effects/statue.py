@@ -1,13 +1,18 @@
 """The statue: the sea dragon, in bronze, on its plinth.
 
-Technique: a lit mesh in a display list. Later effects draw the same list: its shadows, its
-reflections of the hall. Its mirror image is a coarser mesh (vertex clustering) of side 2, which
-glScalef brings to its size: that scales the normals, too, and GL_NORMALIZE makes them unit vectors
-again.
-State used: GL_LIGHTING, GL_CULL_FACE, GL_NORMALIZE.
+Technique: a lit mesh in a display list. Later effects draw the same list: its shadows, its mask for
+a change of tone. It is gilded: environment.py draws what it mirrors. Its mirror image is a coarser
+mesh (vertex clustering) of side 2, which glScalef brings to its size: that scales the normals, too,
+and GL_NORMALIZE makes them unit vectors again.
+State used: lighting, the material, culling, GL_NORMALIZE.
 """
 
+from collections.abc import Callable
+
+import numpy as np
+
 from landscape.effects import plan
+from landscape.effects.environment import NEEDS, Environment
 from landscape.effects.settings import Settings
 from landscape.elements.animal import read_animal
 from landscape.files.assets import Assets
@@ -17,10 +22,13 @@ from landscape.geometry.mesh import gathered, scaled
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
+from landscape.gl.extensions import first_missing, tell_off
 from landscape.gl.state import attrib, front_faces, matrix
 
 YAW = -62.0  # degrees, chosen: the head looks past the viewer at the door
 BRONZE = (0.72, 0.50, 0.22)  # chosen
+GLOW = 0.5  # chosen: fraction of the gold's colour that mirrors in the dark
+GLINT, SHININESS = (0.5, 0.42, 0.26, 1.0), 60.0  # chosen
 COARSE = 0.02  # chosen: side of the cubes whose vertices are merged, of a mesh of 2
 
 
@@ -35,26 +43,57 @@ class Statue:
         lowest = float(mesh.vertices[:, 1].min())
         (x, z), (_, top) = plan.STATUE, plan.PLINTH
         self._place = x, top - lowest, z
+        self.middle = x, top - lowest, z
+        self._environment: Environment | None = None
         self._list = DisplayList(lambda: draw_mesh(mesh))
         self._coarse = DisplayList(lambda: draw_mesh(coarse))
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing built depends on them."""
         self._settings = settings
+        if self._environment is not None:
+            self._environment.apply(settings)
         return True
+
+    def gild(self, draw: Callable[[Frame], None]) -> None:
+        """Let the statue mirror what ``draw`` draws around it, where this OpenGL can."""
+        if need := first_missing(NEEDS):
+            tell_off("statue.environment", need)
+        else:
+            self._environment = Environment(self._settings, self.middle, draw)
 
     def draw(self, frame: Frame) -> None:
         """Draw the statue, lit."""
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT), front_faces():
+        if self._environment is not None:
+            self._environment.prepare(frame)
+        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
+        gilded = self._environment is not None and self._settings.statue.environment != "none"
+        with attrib(groups), front_faces():
             gl.glEnable(gl.GL_LIGHTING)
             gl.glEnable(gl.GL_COLOR_MATERIAL)
-            gl.glColor3f(*BRONZE)
-            if frame.mirrored:
-                if self._settings.mirror.normals:
-                    gl.glEnable(gl.GL_NORMALIZE)
-                self.send_coarse()
+            gl.glColor3f(*(self._settings.statue.gold if gilded else BRONZE))
+            if frame.mirrored and self._settings.mirror.normals:
+                gl.glEnable(gl.GL_NORMALIZE)
+            send = self.send_coarse if frame.mirrored else self.send
+            if gilded and self._environment is not None:
+                self._polish()
+                with self._environment.mirrored_by(frame):
+                    send()
             else:
-                self.send()
+                send()
+        # In Mesa glPopAttrib does not restore the colour here.
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+    def _polish(self) -> None:
+        """Set a metal's material: what it mirrors shows without direct light, too, and it glints.
+
+        The glint is added after the texture, by GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2).
+        """
+        glow = np.array([GLOW * each for each in self._settings.statue.gold] + [1.0], np.float32)
+        gl.glMaterialfv(gl.GL_FRONT, gl.GL_EMISSION, glow)
+        gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
+        gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, np.array(GLINT, np.float32))
+        gl.glMaterialf(gl.GL_FRONT, gl.GL_SHININESS, SHININESS)
 
     def send(self) -> None:
         """Send the mesh at its place, whatever the state."""
@@ -72,6 +111,8 @@ class Statue:
             self._coarse.call()
 
     def release(self) -> None:
-        """Delete the lists; may be called twice."""
+        """Delete the lists and the maps; may be called twice."""
         self._list.release()
         self._coarse.release()
+        if self._environment is not None:
+            self._environment.release()

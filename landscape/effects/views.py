@@ -8,6 +8,8 @@ VIEWS = {
     for view in (
         View("hall", "the great hall from its door", Pose(1.6, None, 2.62, 0.0, 4.0), 20.0),
         View("hall_mirror", "the statue in the nave", Pose(1.42, None, 1.75, 20.0, 5.0), 20.0),
+        View("hall_sphere", "the gilded statue mirrors the hall",
+             Pose(1.80, 0.20, 1.50, 325.0, 4.0), 20.0),
         View("hall_contrast", "the statue in full contrast, all else dimmed",
              Pose(1.78, None, 1.62, 337.0, 6.0), 20.0,
              settings={"tone.area": "surroundings", "tone.contrast": 0.5}),

@@ -1,0 +1,241 @@
+"""What the statue mirrors: the hall around it, as a cube map or a sphere map (glSkel, environment).
+
+Technique: the hall is drawn once from the statue's place into the six faces of a cube map
+(GL_ARB_texture_cube_map, OpenGL 1.3). A gilded surface is drawn with coordinates that OpenGL
+generates from the reflection vector r of the line of sight at each vertex:
+- ``statue.environment=cube``: GL_REFLECTION_MAP takes r itself as the direction in the cube map. r
+  is in eye space; the texture matrix, the camera's rotation backwards, turns it into the hall's.
+- sphere: GL_SPHERE_MAP (OpenGL 1.0) looks r up in the picture of a small mirror ball. That picture
+  belongs to one line of sight: here it is made again in every frame, as a disc drawn with the
+  directions that a ball mirrors, from the cube map.
+What is wrong with a sphere map: without ``statue.fresh`` the picture stays that of the first line
+of sight, as in 1997, and what the statue mirrors turns with whoever walks around it. All that is
+behind the ball lies on the picture's rim, in few texels; and both maps show the hall from one
+point, so that no part of the statue mirrors another.
+State used: GL_TEXTURE_CUBE_MAP or GL_TEXTURE_2D with generated coordinates, the texture matrix,
+GL_COMBINE; while the maps are made, framebuffer objects.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.effects.settings import Settings
+from landscape.frame import Frame, Pose
+from landscape.gl.calls import gl
+from landscape.gl.extensions import Need
+from landscape.gl.state import attrib, combine, flat_projection
+from landscape.gl.texture_target import TextureTarget
+
+NEEDS = (
+    Need((1, 3), ("GL_ARB_texture_cube_map",)),
+    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
+    Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
+)
+FACE, BALL = 128, 256  # chosen: sides of a face of the cube map and of the sphere map, in texels
+NEAR, FAR = 0.02, 40.0  # chosen: units
+RINGS, SIDES = 24, 48  # chosen: of the disc that the sphere map is drawn with
+
+# The camera of each face, in OpenGL's order: a face's picture has its first row at t = 0, so that
+# the cameras of the sides are upside down.
+FACES = {
+    "POSITIVE_X": (90.0, 0.0, 180.0),
+    "NEGATIVE_X": (270.0, 0.0, 180.0),
+    "POSITIVE_Y": (0.0, 90.0, 0.0),
+    "NEGATIVE_Y": (0.0, -90.0, 0.0),
+    "POSITIVE_Z": (180.0, 0.0, 180.0),
+    "NEGATIVE_Z": (0.0, 0.0, 180.0),
+}
+
+
+def sphere_coordinates(normals: np.ndarray, sight: np.ndarray) -> np.ndarray:
+    """Return GL_SPHERE_MAP's s and t (n, 2) for unit normals and lines of sight (n, 3), eye space.
+
+    With r = u - 2 n (n . u) and m = 2 sqrt(rx^2 + ry^2 + (rz + 1)^2): s = rx/m + 1/2 and
+    t = ry/m + 1/2 (OpenGL 1.5, section 2.11.4).
+    """
+    mirrored = sight - 2 * normals * (normals * sight).sum(axis=1, keepdims=True)
+    m = 2 * np.linalg.norm(mirrored + (0.0, 0.0, 1.0), axis=1, keepdims=True)
+    return np.asarray(mirrored[:, :2] / m + 0.5)
+
+
+def ball_directions(places: np.ndarray) -> np.ndarray:
+    """Return what a mirror ball of radius 1 mirrors at places x, y (n, 2) of its picture, (n, 3).
+
+    Eye space, seen from far away: the inverse of GL_SPHERE_MAP. The rim mirrors what is behind.
+    """
+    x, y = places.T
+    z = np.sqrt(np.maximum(1 - x * x - y * y, 0.0))
+    return np.stack([2 * z * x, 2 * z * y, 2 * z * z - 1], axis=1)
+
+
+def disc() -> tuple[np.ndarray, np.ndarray]:
+    """Return the places (n, 2) and the triangles (m, 3) of a disc that reaches beyond radius 1.
+
+    Its rings are closer to each other near the rim, where the directions change fastest.
+    """
+    radius = np.append(np.sin(np.linspace(0, np.pi / 2, RINGS)), 1.5)
+    angle = np.arange(SIDES + 1) / SIDES * 2 * np.pi
+    places = radius[:, None, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    ring, side = np.mgrid[:RINGS, :SIDES].reshape(2, -1)
+    corner = ring * (SIDES + 1) + side
+    beyond = corner + SIDES + 1
+    quads = np.stack([corner, beyond, beyond + 1, corner, beyond + 1, corner + 1], axis=1)
+    return places.reshape(-1, 2), quads.reshape(-1, 3).astype(np.uint32)
+
+
+class Environment:
+    """The maps of what is around a place, and their use."""
+
+    def __init__(
+        self, settings: Settings, place: tuple[float, float, float], draw: Callable[[Frame], None]
+    ) -> None:
+        """Draw the surroundings of ``place`` into the cube map; ``draw`` draws all but the statue.
+
+        It needs what NEEDS lists.
+        """
+        self._settings, self._drawn_for = settings, np.zeros(0)
+        target = TextureTarget((FACE, FACE))
+        self.cube = self._empty_cube()
+        self._ball = TextureTarget((BALL, BALL))
+        places, self._triangles = disc()
+        self._points = np.zeros((len(places), 3), np.float32)
+        self._points[:, :2] = places
+        within = places / np.maximum(np.linalg.norm(places, axis=1, keepdims=True), 1.0)
+        self._directions = np.ascontiguousarray(ball_directions(within), np.float32)
+        for name, angles in FACES.items():
+            with target.drawing(clear=False):
+                draw(self._camera(Pose(*place, *angles)))
+                gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, self.cube)
+                face = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{name}")
+                gl.glCopyTexSubImage2D(face, 0, 0, 0, 0, 0, FACE, FACE)
+                gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
+        target.release()
+
+    @staticmethod
+    def _empty_cube() -> int:
+        """Return the name of a cube map without mip levels: a statue bends what it mirrors."""
+        name = int(gl.glGenTextures(1))
+        gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, name)
+        for parameter, value in (
+            ("MIN_FILTER", gl.GL_LINEAR),
+            ("MAG_FILTER", gl.GL_LINEAR),
+            ("WRAP_S", gl.GL_CLAMP_TO_EDGE),
+            ("WRAP_T", gl.GL_CLAMP_TO_EDGE),
+        ):
+            gl.glTexParameteri(
+                gl.GL_TEXTURE_CUBE_MAP, getattr(gl, f"GL_TEXTURE_{parameter}"), value
+            )
+        for face in FACES:
+            target = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{face}")
+            form = gl.GL_RGB, gl.GL_UNSIGNED_BYTE, None
+            gl.glTexImage2D(target, 0, gl.GL_RGB8, FACE, FACE, 0, *form)
+        gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
+        return name
+
+    @staticmethod
+    def _camera(pose: Pose) -> Frame:
+        """Set a camera whose view is one face of the cube, 90 degrees wide; return its frame."""
+        gl.glEnable(gl.GL_DEPTH_TEST)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glLoadIdentity()
+        gl.glFrustum(-NEAR, NEAR, -NEAR, NEAR, NEAR, FAR)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glLoadIdentity()
+        gl.glRotatef(-pose.roll, 0.0, 0.0, 1.0)
+        gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
+        gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
+        assert pose.y is not None
+        gl.glTranslatef(-pose.x, -pose.y, -pose.z)
+        modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
+        return Frame(pose, (FACE, FACE), 0.0, modelview, 90.0)
+
+    def apply(self, settings: Settings) -> None:
+        """Take other settings; the maps stay."""
+        self._settings = settings
+
+    def prepare(self, frame: Frame) -> None:
+        """Make the sphere map of a frame's line of sight, if it is wanted and not there yet.
+
+        What is mirrored in the floor is seen along a mirrored line of sight.
+        """
+        statue = self._settings.statue
+        if statue.environment != "sphere" or (self._drawn_for.size and not statue.fresh):
+            return
+        turn = backwards(frame)
+        if np.array_equal(turn, self._drawn_for):
+            return
+        self._drawn_for = turn
+        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT
+        groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT | gl.GL_STENCIL_BUFFER_BIT
+        with self._ball.drawing(clear=False), attrib(groups), flat_projection():
+            for name in ("DEPTH_TEST", "STENCIL_TEST", "LIGHTING", "CULL_FACE", "CLIP_PLANE0"):
+                gl.glDisable(getattr(gl, f"GL_{name}"))
+            gl.glColor3f(1.0, 1.0, 1.0)
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
+            gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
+            gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, self.cube)
+            with texture_matrix(turn):
+                self._send_disc()
+
+    def _send_disc(self) -> None:
+        gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
+        gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+        gl.glVertexPointer(3, gl.GL_FLOAT, 0, self._points)
+        gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+        gl.glTexCoordPointer(3, gl.GL_FLOAT, 0, self._directions)
+        count = self._triangles.size
+        gl.glDrawElements(gl.GL_TRIANGLES, count, gl.GL_UNSIGNED_INT, self._triangles)
+        gl.glPopClientAttrib()
+
+    @contextmanager
+    def mirrored_by(self, frame: Frame) -> Iterator[None]:
+        """Let the block's surfaces mirror the hall, times twice their lit colour.
+
+        The frame must be prepared.
+        """
+        cube = self._settings.statue.environment == "cube"
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
+            kind = gl.GL_TEXTURE_CUBE_MAP if cube else gl.GL_TEXTURE_2D
+            gl.glBindTexture(kind, self.cube if cube else self._ball.name)
+            gl.glEnable(kind)
+            for name in "STR" if cube else "ST":
+                mode = gl.GL_REFLECTION_MAP if cube else gl.GL_SPHERE_MAP
+                gl.glTexGeni(getattr(gl, f"GL_{name}"), gl.GL_TEXTURE_GEN_MODE, mode)
+                gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+            combine({"COMBINE_RGB": "MODULATE", "SOURCE0_RGB": "TEXTURE",
+                     "SOURCE1_RGB": "PRIMARY_COLOR"})  # fmt: skip
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+            with texture_matrix(backwards(frame) if cube else np.eye(3)):
+                yield
+
+    def release(self) -> None:
+        """Delete the maps; may be called twice."""
+        if self.cube:
+            gl.glDeleteTextures(np.array([self.cube], np.uint32))
+            self.cube = 0
+        self._ball.release()
+
+
+def backwards(frame: Frame) -> np.ndarray:
+    """Return the rotation (3, 3) from eye space to the hall's, through the floor if mirrored."""
+    turn = np.stack([frame.right, frame.up, frame.back], axis=1)
+    return np.diag([1.0, -1.0, 1.0]) @ turn if frame.mirrored else turn
+
+
+@contextmanager
+def texture_matrix(turn: np.ndarray) -> Iterator[None]:
+    """Multiply the block's texture coordinates by a rotation (3, 3)."""
+    wide = np.eye(4, dtype=np.float32)
+    wide[:3, :3] = turn
+    gl.glMatrixMode(gl.GL_TEXTURE)
+    gl.glPushMatrix()
+    gl.glLoadMatrixf(np.ascontiguousarray(wide.T))
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    try:
+        yield
+    finally:
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        gl.glPopMatrix()
+        gl.glMatrixMode(gl.GL_MODELVIEW)

@@ -1,0 +1,134 @@
+"""What the gilded statue mirrors: generated coordinates, maps, what sticks to the eye."""
+
+import numpy as np
+import pytest
+from stage import Stage
+
+from landscape.effects import environment
+from landscape.effects.environment import (
+    BALL,
+    ball_directions,
+    disc,
+    sphere_coordinates,
+)
+from landscape.gl import extensions
+from landscape.gl.calls import gl
+from landscape.gl.extensions import Need, first_missing
+from landscape.gl.texture import Texture
+from landscape.render import Offscreen
+
+SIZE = (120, 90)
+ROUND = {"statue.environment": "cube"}, {"statue.environment": "sphere"}
+
+
+def unit(rng: np.random.Generator, count: int) -> np.ndarray:
+    vectors = rng.normal(size=(count, 3))
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+
+
+def generated(normals: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Return the s and t (n, 2) that OpenGL generates by GL_SPHERE_MAP, by feedback.
+
+    The context is its own, as a feedback buffer cannot be taken back.
+    """
+    with Offscreen((8, 8), samples=0) as view, view._current():
+        from OpenGL import GL  # after the context has chosen its platform
+
+        Texture(np.zeros((2, 2, 3), np.uint8)).bind()
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glMatrixMode(gl.GL_PROJECTION)
+        gl.glOrtho(-10, 10, -10, 10, -20, 20)
+        for name in "ST":
+            mode = gl.GL_SPHERE_MAP
+            gl.glTexGeni(getattr(gl, f"GL_{name}"), gl.GL_TEXTURE_GEN_MODE, mode)
+            gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+        GL.glFeedbackBuffer(20 * len(normals), GL.GL_4D_COLOR_TEXTURE)
+        GL.glRenderMode(GL.GL_FEEDBACK)
+        gl.glBegin(gl.GL_POINTS)
+        for normal, place in zip(normals.tolist(), places.tolist(), strict=True):
+            gl.glNormal3f(*normal)
+            gl.glVertex3f(*place)
+        gl.glEnd()
+        points = GL.glRenderMode(GL.GL_RENDER)
+    return np.array([point[1].texture[:2] for point in points])
+
+
+def test_opengl_generates_the_specification_s_sphere_coordinates() -> None:
+    rng = np.random.default_rng(6)
+    normals, places = unit(rng, 60), rng.uniform(-8, 8, (60, 3))
+    sight = places / np.linalg.norm(places, axis=1, keepdims=True)
+    wanted = sphere_coordinates(normals, sight)
+    np.testing.assert_allclose(generated(normals, places), wanted, atol=1e-5)
+
+
+def test_a_mirror_ball_s_picture_is_the_inverse_of_the_sphere_coordinates() -> None:
+    rng = np.random.default_rng(7)
+    normals = unit(rng, 200)
+    normals[:, 2] = np.abs(normals[:, 2])
+    ahead = np.broadcast_to((0.0, 0.0, -1.0), normals.shape)
+    places = 2 * sphere_coordinates(normals, ahead) - 1
+    mirrored = ahead - 2 * normals * (normals * ahead).sum(axis=1, keepdims=True)
+    np.testing.assert_allclose(ball_directions(places), mirrored, atol=1e-9)
+
+
+def test_the_disc_faces_the_viewer_and_covers_the_sphere_map() -> None:
+    places, triangles = disc()
+    a, b, c = (places[triangles[:, k]] for k in range(3))
+    (ax, ay), (bx, by) = (b - a).T, (c - a).T
+    areas = (ax * by - ay * bx) / 2
+    assert (areas >= -1e-12).all() and areas.sum() == pytest.approx(np.pi * 1.5**2, rel=0.01)
+
+
+def picture(view: Offscreen, place: tuple[float, ...]) -> np.ndarray:
+    view.look(place, 20.0)
+    return view.draw().astype(np.int16)
+
+
+AROUND = [(1.78, 0.2, 1.5, 329, 3), (1.3, 0.25, 1.36, 62, 0), (1.62, 0.3, 0.8, 183, -4)]
+
+
+def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides() -> None:
+    pictures = []
+    for settings in ROUND:
+        with Offscreen(SIZE, settings=settings, samples=0, place="hall") as view:
+            pictures.append([picture(view, place) for place in AROUND])
+    for cube, sphere in zip(*pictures, strict=True):
+        assert np.abs(cube - sphere).mean() < 2.0
+
+
+def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer() -> None:
+    with Offscreen(SIZE, settings=ROUND[1], samples=0, place="hall") as view:
+        right = [picture(view, place) for place in AROUND]
+    stale = {**ROUND[1], "statue.fresh": False}
+    with Offscreen(SIZE, settings=stale, samples=0, place="hall") as view:
+        stuck = [picture(view, place) for place in AROUND]
+    changes = [np.abs(a - b).mean() for a, b in zip(right, stuck, strict=True)]
+    assert changes[0] == 0.0 and min(changes[1:]) > 0.5
+
+
+def test_without_cube_maps_the_statue_stays_bronze_and_one_line_says_why(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with Offscreen(SIZE, settings={"statue.environment": "none"}, samples=0, place="hall") as view:
+        bronze = picture(view, AROUND[0])
+    monkeypatch.setattr(extensions, "version", lambda: (1, 2))
+    monkeypatch.setattr(extensions, "_told", set())
+    every = extensions.extensions
+    monkeypatch.setattr(extensions, "extensions", lambda: every() - {"GL_ARB_texture_cube_map"})
+    for _ in range(2):
+        with Offscreen(SIZE, samples=0, place="hall") as view:
+            np.testing.assert_array_equal(picture(view, AROUND[0]), bronze)
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1
+    assert told.startswith("landscape: statue.environment: off, for this OpenGL has no OpenGL 1.3")
+
+
+def test_what_is_missing_is_what_neither_version_nor_extension_has(
+    monkeypatch: pytest.MonkeyPatch, stage: Stage
+) -> None:
+    stage.enter()
+    assert first_missing(environment.NEEDS) is None and BALL >= 2
+    monkeypatch.setattr(extensions, "version", lambda: (1, 4))
+    monkeypatch.setattr(extensions, "extensions", lambda: frozenset({"GL_EXT_fog_coord"}))
+    assert extensions.has(Need((1, 4))) and extensions.has(Need((1, 5), ("GL_EXT_fog_coord",)))
+    assert first_missing([Need((1, 3)), Need((3, 0), ("GL_x",))]) == Need((3, 0), ("GL_x",))
