@@ -20,7 +20,7 @@ from typing import Any
 import glfw
 import numpy as np
 import pytest
-from commands import SECONDS, environment, landscape, need_library, python, running
+from commands import SECONDS, TESTS, environment, landscape, need_library, python, running
 from PIL import Image
 
 from landscape.files.assets import Assets
@@ -53,6 +53,8 @@ from landscape.gl.calls import gl
 from landscape.window.recording import Plan, Writer, read
 from landscape.settings import preset
 from landscape.keys import with_settings
+sys.path.insert(0, sys.argv[3])
+from watching import colours
 
 class Watched(Walk):
     script, seen, rested = {}, [], 0
@@ -72,7 +74,7 @@ class Watched(Walk):
         pixels = self.pixels()
         self.seen.append({
             "size": self._size, "shape": pixels.shape, "hash": hashlib.sha256(pixels).hexdigest(),
-            "colours": len(set(map(tuple, pixels.reshape(-1, 3).tolist()))),
+            "colours": colours(pixels),
             "pose": [self.walker.x, self.walker.y, self.walker.z, self.walker.yaw],
             "stroke": self.walker.stroke, "kt": self.kt, "error": int(gl.glGetError()),
         })
@@ -129,7 +131,8 @@ def scripted(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """Two walks on the null platform: a scripted one, and its replay."""
     folder = tmp_path_factory.mktemp("scripted")
     code = f"import os; os.chdir({str(folder)!r})\n{SCRIPTED}"
-    done = python(code, str(folder / "a.jsonl"), json.dumps(SMALL), env=environment(LANG="C"))
+    words = (str(folder / "a.jsonl"), json.dumps(SMALL), str(TESTS))
+    done = python(code, *words, env=environment(LANG="C"))
     assert done.status == 0, done.err
     plan, ticks = recording.read(folder / "a.jsonl")
     return json.loads(done.out) | {"folder": folder, "plan": plan, "ticks": ticks}
