@@ -552,3 +552,33 @@ def test_a_window_that_is_closed_or_has_an_impossible_size_is_refused(
     for size in ("-5, 48", "20000, 20000"):
         seen = watch(write("", BEGIN.replace("64, 48", size)))
         assert "opens a window of " in seen.error and "expected from 1x1 to" in seen.error
+
+
+FANS = """
+def fan(size, *colour):
+    glBegin(GL_TRIANGLE_FAN)
+    if colour:
+        glColor3f(*colour)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        glVertex2f(size * x, size * y)
+    glEnd()
+thing = 1
+"""
+DRAWN = """
+glClear(GL_COLOR_BUFFER_BIT)
+fan(0.8)
+fan(0.4, 1, 0, 0)
+"""
+
+
+def test_a_display_list_that_is_executed_while_it_is_compiled_is_seen_as_a_list_and_a_call(
+    watch: Watcher, write: Write
+) -> None:
+    # Mesa 22 ends such a list with an error: its second part has a colour, and the first has none.
+    listed = "glNewList(thing, GL_COMPILE_AND_EXECUTE)" + DRAWN + "glEndList()\n"
+    plain = watch(write(FANS + DRAWN + "glfw.swap_buffers(window)\n"), 0)
+    seen = watch(write(FANS + listed + "glfw.swap_buffers(window)\n"), 0)
+    assert seen.error == "" and seen.picture == plain.picture and seen.colours == 3
+    names = [call[0] for call in seen.calls]
+    assert names[0] == "glNewList" and names[-2:] == ["glEndList", "glCallList"]
+    assert watch(write(FANS + listed * 2 + "glfw.swap_buffers(window)\n"), 0).error == ""

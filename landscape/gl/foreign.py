@@ -78,8 +78,10 @@ def patched(make: Make) -> Iterator[None]:
     import OpenGL.GL
     from OpenGL.arrays import vbo
 
+    from landscape.gl.executed_lists import taken_apart
     from landscape.gl.glu import FUNCTIONS
 
+    make = taken_apart(make, _unwrapped(OpenGL.GL.glCallList))
     names: dict[str, Callable[..., Any]] = {}
 
     def choose(module: str, name: str, value: Any) -> Any:
