@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape import keys
+from landscape.capture.guard import guarded
 from landscape.errors import InputError, NoOpenGLError, short
 from landscape.files.processes import end_tidily
 from landscape.frame import Pose
@@ -255,13 +256,9 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
             events=options.events,
             tell=partial(_notify, options),
         )
-        work = partial(frame_commands.RUN[name], target, options)
+        work = partial(_reported, partial(frame_commands.RUN[name], target, options))
         programs = [path for path in (options.target, other) if path and path.endswith(".py")]
-        if programs and options.own_process:
-            from landscape.capture.guard import guarded
-
-            return guarded(" and ".join(programs), lambda: _reported(work))
-        return work()
+        return guarded(" and ".join(programs), work) if programs and options.own_process else work()
 
     return run
 
@@ -274,8 +271,12 @@ def _inspect(options: argparse.Namespace) -> int:
             f"{short(options.target)}: expected the path of a .py program; in `landscape walk`, "
             "I opens the inspector"
         )
-    _notify(options, inspect(options.target, options.edits, options.lang))
-    return 0
+
+    def work() -> int:
+        _notify(options, inspect(options.target, options.edits, options.lang))
+        return 0
+
+    return guarded(options.target, lambda: _reported(work)) if options.own_process else work()
 
 
 def _course(name: str) -> Callable[[argparse.Namespace], int]:

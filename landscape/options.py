@@ -256,19 +256,19 @@ def _print_help(parser: argparse.ArgumentParser) -> Callable[[argparse.Namespace
 
 
 def _size_option(parser: argparse.ArgumentParser, size: tuple[int, int], what: str) -> None:
-    width, height = size
     parser.add_argument(
         "--size",
         type=_size,
         default=size,
         metavar="WxH",
-        help=f"{what} in pixels; default: {width}x{height}",
+        help=f"{what} in pixels; default: {size[0]}x{size[1]}",
     )
 
 
 def _of_a_frame(parser: argparse.ArgumentParser) -> None:
     """Add the options of a command that draws a frame to look into it."""
-    _size_option(parser, (800, 600), "size of the frame")
+    _size_option(parser, (800, 600), "for a view: size of the frame")
+    parser.set_defaults(size=None)
     _common(parser, samples=0)
 
 

@@ -268,6 +268,9 @@ BAD = {
     "not JSON": "{",
     "another file": '{"version": 1}',
     "another version": '{"version": 9, "edits": []}',
+    "a version that is no number": '{"version": true, "edits": []}',
+    "a truth value in a vector": '{"version": 1, "edits": [{"call": {CALL}, "argument": 1, '
+    '"value": [true, 0, 0, 1]}]}',
     "no call": '{"version": 1, "edits": [{"argument": 0, "value": 1}]}',
     "no value": '{"version": 1, "edits": [{"call": {CALL}, "argument": 0}]}',
     "an unknown enumerant": '{"version": 1, "edits": [{"call": {CALL}, "argument": 0, '

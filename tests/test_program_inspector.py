@@ -1,8 +1,11 @@
 """The inspector over a program that knows nothing of it, with real keys under Xvfb."""
 
 import json
+import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +21,7 @@ LANTERN = TESTS / "programs" / "lantern.py"
 # A program that tells what is in its window's middle, and every key that it gets.
 TELLING = """
 import sys
+import time
 import glfw
 from OpenGL.GL import *
 
@@ -89,6 +93,7 @@ def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
 
 CLEARING = """
 import sys
+import time
 import glfw
 from OpenGL.GL import *
 
@@ -137,3 +142,48 @@ def test_a_view_and_a_program_of_another_toolkit_are_refused_in_one_line(tmp_pat
     path.write_text("from OpenGL.GLUT import *\n")
     refused(landscape("inspect", path), "glut.py", "the inspector show GLFW programs")
     refused(landscape("inspect", tmp_path / "none.py"), "none.py")
+
+
+HOSTILE = """
+import ctypes, sys
+import glfw
+from OpenGL.GL import *
+glfw.init()
+window = glfw.create_window(64, 48, "Hostile", None, None)
+glfw.make_context_current(window)
+open(sys.path[0] + "/begun.txt", "w").close()
+"""
+ENDS = {
+    "crashes": ("ctypes.string_at(0)", "crashed (SIGSEGV), as OpenGL does where"),
+    "takes too much memory": ("b'x' * (10 << 30)", "raised MemoryError (it may take 4096 MB)"),
+    "is held up in C until Ctrl-C": ("sum(range(10**13))", "was ended within one call that no"),
+}
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_a_program_that_cannot_go_on_ends_the_inspector_in_one_line(
+    screen: dict[str, str], tmp_path: Path, name: str
+) -> None:
+    rest, words = ENDS[name]
+    program, begun = tmp_path / "hostile.py", tmp_path / "begun.txt"
+    program.write_text(HOSTILE + rest)
+    code = "from landscape.capture import guard\nfrom landscape.cli import main\n"
+    code += "guard.GRACE = 0.3\nraise SystemExit(main())"
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, "inspect", str(program)],
+        env=screen,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        if "Ctrl-C" in name:
+            _wait_for(begun.exists, process, "the program")
+            time.sleep(0.2)  # until it is within the call
+            os.killpg(process.pid, signal.SIGINT)
+        told = process.communicate(timeout=60)[1]
+    finally:
+        process.kill()
+        process.wait()
+    first = told.splitlines()[0]
+    assert process.returncode == 2 and first.startswith("landscape: ") and words in first

@@ -52,6 +52,7 @@ def test_the_commands_look_into_programs(tmp_path: Path) -> None:
     done = landscape("pixel", LANTERN, "200,150", "--frame", "2")
     assert done.status == 0 and "make_lantern: glBegin(GL_QUAD_STRIP)" in done.out, done.err
     refused(landscape("trace", LANTERN, "--preset", "2006"), "--preset", "program")
+    refused(landscape("trace", LANTERN, "--size", "320x240"), "--size", "program")
     refused(landscape("trace", LANTERN, "--element", "fog"), "'fog'", "make_lantern")
     refused(landscape("trace", "fig35a", "--frame", "2"), "--frame", "view")
     path = tmp_path / "raises.py"

@@ -137,6 +137,7 @@ DAMAGES = {
     "cut between lines": (8, lambda lines: lines[:-2]),
     "a line lost": (9, lambda lines: lines[:2] + lines[3:]),
     "another version": (1, _with(0, **{"landscape walk": 99})),
+    "a version that is no number": (1, _with(0, **{"landscape walk": True})),
     "no such setting": (1, _with(0, settings={"fog.colour": 1})),
     "setting of the wrong type": (1, _with(0, settings={"fog.density": "thick"})),
     "size of nothing": (1, _with(0, size=[0, 5])),

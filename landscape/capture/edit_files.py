@@ -65,7 +65,8 @@ def read(path: Path, sources: Path | None = None) -> list[Edit]:
         raise
     except (ValueError, RecursionError) as error:
         raise InputError(f"{path}: expected edits as JSON ({error})") from None
-    if not isinstance(found, dict) or found.get("version") != VERSION:
+    version = found.get("version") if isinstance(found, dict) else None
+    if version != VERSION or not _is_number(version):
         raise InputError(f'{path}: expected {{"version": {VERSION}, "edits": [...]}}')
     entries = found.get("edits")
     if not isinstance(entries, list) or len(entries) > MOST:
@@ -156,7 +157,8 @@ def _enumerants() -> frozenset[str]:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and abs(value) < 1e30
+    # A bool is an int of Python.
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e30
 
 
 def _settled(edit: Edit, sources: Path | None) -> Edit:

@@ -19,6 +19,8 @@ from landscape.errors import InputError
 
 GRACE = 2.0  # chosen: seconds that a program has to end by itself, once its time is over
 MEMORY = 1 << 30  # chosen: bytes that a program may take
+# Chosen: with a window on a screen. The driver of a graphics card takes its part of it.
+MEMORY_ON_SCREEN = 4 << 30
 RESERVE = 1 << 20  # chosen: bytes
 PAUSE = 0.01  # chosen: seconds between two looks at the process
 PR_SET_PDEATHSIG = 1  # from sys/prctl.h
@@ -28,6 +30,7 @@ _deadline: mmap.mmap = mmap.mmap(-1, 8)  # when the process will be ended; both 
 _alone = False  # whether this process is the program's own
 _reserve = b""  # memory for what is done when the program has none left
 _most: int | None = None  # bytes that the process may have while the program goes on
+_given = MEMORY  # bytes that the program may take
 
 
 def guarded(path: str, work: Callable[[], int]) -> int:
@@ -58,9 +61,12 @@ def guarded(path: str, work: Callable[[], int]) -> int:
         os._exit(status)
 
 
-def go_on(seconds: float, memory: bool = False) -> None:
-    """Say that the program goes on, for so many seconds at most, and maybe with limited memory."""
-    global _most, _reserve
+def go_on(seconds: float, memory: int = 0) -> None:
+    """Say that the program goes on, for so many seconds at most.
+
+    It may take so many bytes of memory; 0 is without limit.
+    """
+    global _given, _most, _reserve
     if not _alone:
         return
     _deadline[:] = struct.pack("d", _now() + seconds + GRACE)
@@ -68,7 +74,8 @@ def go_on(seconds: float, memory: bool = False) -> None:
         _reserve = _reserve or bytes(RESERVE)
         if _most is None:
             with open("/proc/self/statm") as file:
-                _most = int(file.read().split()[5]) * mmap.PAGESIZE + MEMORY
+                _most = int(file.read().split()[5]) * mmap.PAGESIZE + memory
+            _given = memory
         _limit(_most)
 
 
@@ -83,7 +90,7 @@ def stand_by() -> None:
 
 def memory() -> str:
     """Return the limit in words, for a program that has run out of memory."""
-    return f" (it may take {MEMORY >> 20} MB)" if _alone else ""
+    return f" (it may take {_given >> 20} MB)" if _alone else ""
 
 
 def _limit(most: int | None) -> None:
@@ -105,12 +112,13 @@ def _print_apart() -> None:
 
 def _await(child: int, path: str) -> int:
     """Return the exit status of the process."""
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches both; it will say so
+    # Ctrl-C reaches both, and the process says so; if nothing can interrupt it, it is ended.
+    before = signal.signal(signal.SIGINT, lambda *_: _end_soon())
     try:
         ended, late = _watch(child)
     except SystemExit:  # we are to end
         os.kill(child, signal.SIGTERM)
-        _deadline[:] = struct.pack("d", _now() + GRACE)
+        _end_soon()
         _watch(child)
         raise
     finally:
@@ -125,6 +133,10 @@ def _await(child: int, path: str) -> int:
         f"{path}: crashed ({signal.Signals(-ended).name}), as OpenGL does where an array is "
         "shorter than it was told"
     )
+
+
+def _end_soon() -> None:
+    _deadline[:] = struct.pack("d", _now() + GRACE)
 
 
 def _watch(child: int) -> tuple[int, bool]:

@@ -59,7 +59,7 @@ class Watchdog:
     def _start(self) -> None:
         self._since, self._watching = _now(), True
         left = max(self._left, 0.001)
-        guard.go_on(left, memory=left < UNWATCHED)
+        guard.go_on(left, guard.MEMORY if left < UNWATCHED else guard.MEMORY_ON_SCREEN)
         if self._by_signal:
             signal.setitimer(signal.ITIMER_REAL, left, AGAIN)
         else:

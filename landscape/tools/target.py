@@ -27,7 +27,7 @@ class Target:
     """
 
     name: str
-    size: tuple[int, int] = SIZE
+    size: tuple[int, int] | None = None
     backend: str = "auto"
     preset: str | None = None
     settings: Mapping[str, Any] = field(default_factory=dict)
@@ -79,7 +79,7 @@ class Target:
             "only": self.only,
             "seed": self.seed,
         }
-        with Offscreen(self.size, samples=0, edits=edits, **options) as offscreen:
+        with Offscreen(self.size or SIZE, samples=0, edits=edits, **options) as offscreen:
             with offscreen.taped(self.name, wireframe=self.wireframe) as tape:
                 return look(tape)
 
@@ -92,6 +92,11 @@ class Target:
             "--assets": self.assets,
             "--wireframe": self.wireframe,
         }
+        if self.size is not None:
+            raise InputError(
+                f"--size: it is for views; the window of the program {short(self.name)} has the "
+                "size that the program gives it"
+            )
         for option, value in given.items():
             if value:
                 raise InputError(f"{option}: it is for views; {short(self.name)} is a program")

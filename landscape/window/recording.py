@@ -163,10 +163,11 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
         raise InputError(f"{path}: too long, expected at most {MOST_FRAMES} frames")
     lines = data.splitlines()
     first = _object(path, 1, lines[0]) if lines else {}
-    if first.get("landscape walk") != VERSION:
+    if not _is_count(first.get("landscape walk"), VERSION):
         raise InputError(f'{path}:1: expected a line with "landscape walk": {VERSION}')
     last = len(lines)
-    if last < 2 or _object(path, last, lines[-1]) != {"frames": last - 2}:
+    end = _object(path, last, lines[-1]) if last > 1 else {}
+    if list(end) != ["frames"] or not _is_count(end["frames"], last - 2):
         raise InputError(f"{path}:{last}: truncated: expected a last line that counts the frames")
     try:
         plan = _plan(first)
@@ -181,6 +182,11 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
             raise InputError(f"{path}:{number}: {_reason(error)}") from None
         ticks.append(before)
     return plan, ticks
+
+
+def _is_count(value: Any, wanted: int) -> bool:
+    """Whether a value is a number; true is not 1."""
+    return not isinstance(value, bool) and bool(value == wanted)
 
 
 def _object(path: Path, number: int, line: bytes) -> dict[str, Any]:
