@@ -1,12 +1,15 @@
 """The great hall: its elements, and the order in which a frame draws them, which is the lesson."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any
 
 from landscape.effects import plan
+from landscape.effects.caustics import Caustics
 from landscape.effects.flight import Flight
 from landscape.effects.keys import KEYS
 from landscape.effects.mirror import Mirror
+from landscape.effects.pool import Pool
 from landscape.effects.room import Room
 from landscape.effects.settings import PRESETS, Settings
 from landscape.effects.statue import Statue
@@ -19,7 +22,7 @@ from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import Moment, Scene, begin_frame
 
-ELEMENTS = ("room", "floor", "mirror", "statue", "tone", "flight")
+ELEMENTS = ("room", "floor", "mirror", "statue", "caustics", "pool", "tone", "flight")
 TALL = 10.0  # units: no obstacle of the hall can be flown over
 
 
@@ -44,7 +47,9 @@ class Hall(Ground):
         self._owned: list[Any] = []
         try:
             begin_pass("setup")
-            self.room = self._built(("room", "floor"), Room, settings, assets)
+            self.room = self._built(("room", "floor", "caustics"), Room, settings, assets)
+            self.caustics = self._built(("caustics",), Caustics, settings, assets, self.room)
+            self.pool = self._built(("pool",), Pool, settings, assets)
             self.mirror = self._built(("mirror",), Mirror, settings)
             self.statue = self._built(("statue",), Statue, settings, assets)
             mark = self.statue.send if self.statue else lambda: None
@@ -88,6 +93,7 @@ class Hall(Ground):
         self._draw_hall(frame)
         self._draw_image(frame)
         self._draw_floor(frame)
+        self._draw("pool", self.pool, frame)  # blended over its bed
 
         # What has been drawn so far is the picture that these change.
         begin_pass("picture")
@@ -96,10 +102,21 @@ class Hall(Ground):
     def _draw_hall(self, frame: Frame) -> None:
         """Draw what stands in the hall: in the frame itself, and mirrored in the floor."""
         self._draw("room", self.room, frame)
+        self._draw_basin(frame)
         self._draw("statue", self.statue, frame)
+        # The net of light is blended over the stone.
+        self._draw("caustics", self.caustics, frame)
         values = self.settings
         if values.flight.path and not values.flight.enabled:
             self._draw("flight", self.flight, frame)
+
+    def _draw_basin(self, frame: Frame) -> None:
+        """Draw the pool's bed and sides, with the caustics on them if that takes one pass."""
+        if "room" not in self.shown:
+            return
+        shine = self.caustics if "caustics" in self.shown else None
+        with drawing("room"), shine.while_drawn(frame) if shine else nullcontext():
+            self.room.draw_pool()
 
     def _draw_surroundings(self, frame: Frame) -> None:
         """Draw what the gilded statue mirrors."""
@@ -107,6 +124,7 @@ class Hall(Ground):
         gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
         sun.shine(self.settings.sun)
         self._draw("room", self.room, frame)
+        self.room.draw_pool()
         self.room.draw_floor()
 
     def _draw_image(self, frame: Frame) -> None:

@@ -20,7 +20,7 @@ from landscape.gl.texture import Texture
 
 TEXELS = 1024, 200.0  # chosen: side of the light map, and texels per unit
 TEXTURES = {"wall": "castle_brick.png", "alcove": "torch_stone.png", "vault": "torch_stone.png",
-            "pillar": "torch_stone.png", "plinth": "torch_stone.png", "pool": "torch_stone.png",
+            "pillar": "torch_stone.png", "plinth": "torch_stone.png", "pool": "mosaic.png",
             "floor": "torch_stone.png"}  # fmt: skip
 
 
@@ -53,8 +53,8 @@ class Room:
         return True
 
     def draw(self, frame: Frame) -> None:
-        """Draw all but the floor."""
-        self._draw(name for name in TEXTURES if name != "floor")
+        """Draw all but the floor and the pool's basin."""
+        self._draw(name for name in TEXTURES if name not in ("floor", "pool"))
 
     def draw_floor(self) -> None:
         """Draw the floor, in the current colour."""
@@ -69,6 +69,18 @@ class Room:
         """Send the triangles of floor and basin as they are."""
         for name in ("floor", "pool"):
             self._lists[name].call()
+
+    def draw_pool(self) -> None:
+        """Draw the pool's bed and sides."""
+        self._draw(["pool"])
+
+    def send(self, material: str) -> None:
+        """Send what is of a material, whatever the state."""
+        self._lists[material].call()
+
+    def texture(self, material: str) -> Texture:
+        """Return the texture of a material."""
+        return self._textures[TEXTURES[material]]
 
     def _draw(self, materials: Iterable[str]) -> None:
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT), front_faces():

@@ -7,7 +7,70 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from landscape.keys import Value, setting
-from landscape.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.settings import UNITS, Camera, Clock, Fog, Sun, Walk
+
+
+@dataclass(frozen=True)
+class Pool:
+    """The pool's water (pool.py)."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("pool",)
+
+    absorbs: bool = setting(True, "chosen", "let the water dim the light from the bed")
+    clear: tuple[float, ...] = setting(
+        (0.16, 0.46, 0.5),
+        "chosen",
+        "the way through water on which a third of the light is left; red, green, blue",
+        0.001,
+        1000,
+        unit=UNITS,
+        needs=("pool.absorbs",),
+    )
+    mirrors: float = setting(
+        1.0, "chosen", "what the surface mirrors; 1 is as much as water does", 0, 10
+    )
+
+
+@dataclass(frozen=True)
+class Caustics:
+    """The light that the pool's surface focuses (caustics.py)."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("caustics",)
+
+    passes: str = setting(
+        "two",
+        "glSkel, caustics",
+        "how the net multiplies the bed: by a second, blended pass, or by texture units in one",
+        choices=("two", "one"),
+    )
+    doubled: bool = setting(
+        True, "chosen", "multiply by twice the net; off, as printed, it can only darken"
+    )
+    planes: str = setting(
+        "object",
+        "glSkel, caustics",
+        "how coordinates are generated: object-linear, eye-linear, or eye-linear with the planes "
+        "given before the camera is set",
+        choices=("object", "eye", "eye_before_camera"),
+    )
+    own_t: bool = setting(
+        True, "chosen", "give t a plane of its own; off, as printed, it has the plane of s"
+    )
+    pattern: str = setting(
+        "net",
+        "chosen",
+        "the film: a net of refracted light, or a product of sines",
+        choices=("net", "sines"),
+    )
+    smooth: bool = setting(True, "chosen", "mix two frames of the film; off, it jumps")
+    scale: float = setting(
+        6.5, "chosen", "how often the net is repeated", 0.001, 1000, unit="nets per unit"
+    )
+    period: float = setting(220.0, "chosen", "length of the film", 1, 100000, unit="kt")
+    reflected: float = setting(
+        1.0, "chosen", "how much light the pool throws on pillars, walls and vault", 0, 4
+    )
+
 
 GLSKEL_MIRROR = "glSkel, reflection"
 IMAGE = ("mirror.enabled",)
@@ -152,6 +215,8 @@ class Settings:
     tone: Tone = Tone()
     flight: Flight = Flight()
     mirror: Mirror = Mirror()
+    pool: Pool = Pool()
+    caustics: Caustics = Caustics()
 
 
 PRESETS: dict[str, dict[str, Value]] = {"best": {}}

@@ -13,6 +13,8 @@ VIEWS = {
         View("hall_contrast", "the statue in full contrast, all else dimmed",
              Pose(1.78, None, 1.62, 337.0, 6.0), 20.0,
              settings={"tone.area": "surroundings", "tone.contrast": 0.5}),
+        View("hall_caustics", "light in the pool, and thrown on the stone around it",
+             Pose(1.72, 0.13, 2.44, 336.0, -19.0), 20.0),
     )
 }  # fmt: skip
 MAIN = tuple(VIEWS)

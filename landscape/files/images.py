@@ -18,7 +18,7 @@ MAX_SIZE = 4096  # chosen: more texels than the largest window has pixels are of
 
 
 def read_image(path: Path, mode: str = "RGBA", largest: int = MAX_SIZE) -> np.ndarray:
-    """Read an image file as uint8 of shape (h, w, 3 or 4), by mode "RGB" or "RGBA".
+    """Read an image file as uint8, (h, w, 3 or 4) by mode "RGB" or "RGBA", (h, w) by "L".
 
     16-bit, grey and palette images are converted; an image with a side of more than ``largest``
     texels is reduced. InputError names a file that is missing, truncated, or not an image.

@@ -44,6 +44,12 @@ def levels_to_load(image: np.ndarray) -> list[np.ndarray]:
     return mip_levels(image) if halves_evenly(image) else [image]
 
 
+def _format(channels: int) -> int:
+    """Return the format of an image of 1, 3 or 4 channels."""
+    formats = {1: gl.GL_LUMINANCE, 3: gl.GL_RGB, 4: gl.GL_RGBA}
+    return int(formats[channels])
+
+
 class Texture:
     """Owner of one 2D texture object (Texture in 2006)."""
 
@@ -55,8 +61,9 @@ class Texture:
         lod_bias: float = 0.0,
         mipmaps: bool = True,
     ) -> None:
-        """Upload an image, uint8 (h, w, 3 or 4), or a list of its mip levels.
+        """Upload an image, uint8 (h, w, 1, 3 or 4), or a list of its mip levels.
 
+        One channel is both colour and alpha (GL_INTENSITY).
         Row 0 of the image is t = 0. ``repeat`` chooses GL_REPEAT or GL_CLAMP_TO_EDGE.
         Without ``trilinear`` only the nearer of two mip levels is sampled, which is a third
         cheaper. Without ``mipmaps`` there are none: in the mip levels of an atlas, neighbouring
@@ -92,9 +99,10 @@ class Texture:
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for level, image in enumerate(images):
             height, width, channels = image.shape
-            form = gl.GL_RGB if channels == 3 else gl.GL_RGBA
+            form = _format(channels)
+            kept = gl.GL_INTENSITY if channels == 1 else form
             gl.glTexImage2D(
-                gl.GL_TEXTURE_2D, level, form, width, height, 0, form, gl.GL_UNSIGNED_BYTE, image
+                gl.GL_TEXTURE_2D, level, kept, width, height, 0, form, gl.GL_UNSIGNED_BYTE, image
             )
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
         gl.glBindTexture(gl.GL_TEXTURE_2D, previous)
@@ -106,10 +114,8 @@ class Texture:
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for level, part in enumerate(levels_to_load(image)):
             height, width, channels = part.shape
-            form = gl.GL_RGB if channels == 3 else gl.GL_RGBA
-            gl.glTexSubImage2D(
-                gl.GL_TEXTURE_2D, level, 0, 0, width, height, form, gl.GL_UNSIGNED_BYTE, part
-            )
+            kind = _format(channels), gl.GL_UNSIGNED_BYTE
+            gl.glTexSubImage2D(gl.GL_TEXTURE_2D, level, 0, 0, width, height, *kind, part)
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
         gl.glBindTexture(gl.GL_TEXTURE_2D, previous)
 

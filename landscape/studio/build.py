@@ -23,7 +23,8 @@ from landscape.files.progress import Progress
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
-    "masonry", "gate", "trees", "deer", "plants", "herbs", "rabbit", "dragon", "sword",
+    "caustics", "mosaic", "masonry", "gate", "trees", "deer", "plants", "herbs", "rabbit",
+    "dragon", "sword",
 )  # fmt: skip
 
 PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte
@@ -34,6 +35,7 @@ PALETTES = {
     "ground_sand.png": 256,
     "ground_rock.png": 128,
     "castle_brick.png": 256,
+    "mosaic.png": 64,
 }
 
 

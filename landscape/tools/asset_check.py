@@ -51,6 +51,8 @@ SIZES = {
     "clouds.png": (512, 512, "RGBA"),
     "water.png": (512, 512, "RGB"),
     "fire.png": (512, 512, "RGBA"),
+    "caustics.png": (1024, 512, "L"),
+    "mosaic.png": (256, 256, "RGB"),
     "castle_brick.png": (512, 512, "RGB"),
     "castle_door.png": (1024, 1024, "RGBA"),
     "castle_light.png": (256, 256, "RGB"),
@@ -64,7 +66,7 @@ SIZES = {
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998}  # the report's vertex counts
 TILES = (
     "ground_detail.png", "ground_sand.png", "ground_rock.png", "clouds.png", "water.png",
-    "castle_brick.png", "torch_stone.png", "animal.png",
+    "castle_brick.png", "torch_stone.png", "mosaic.png", "animal.png",
 )  # fmt: skip
 MID_GREY = ("ground_detail.png", "ground_sand.png", "ground_rock.png")
 SHEETS = {"fire.png": 4}  # sprite sheets: frames per side

@@ -1,0 +1,189 @@
+"""The caustics: sunlight that the water focuses on the pool's bed, and throws on the hall.
+
+Technique: a film of the net of light (elements/caustic_film.py), laid over the stone by generated
+texture coordinates (glTexGen; glSkel, caustics): s and t are linear in the place, so that nothing
+needs coordinates of its own. The planes have a part of y, or the net would be drawn out to stripes
+on the upright sides.
+On the bed the net multiplies what is there. ``caustics.passes`` chooses how. ``two``: the bed is
+drawn again, blended. The document's glBlendFunc(GL_ZERO, GL_SRC_COLOR) can only darken, as no
+colour exceeds 1; GL_DST_COLOR, GL_ONE adds the product to what is there, a factor of 1 to 2;
+GL_DST_COLOR, GL_SRC_COLOR adds it twice, a factor of 0 to 2, which keeps the mean: that is used.
+``one``: two further texture units do it while the bed is drawn. The first mixes two frames, into
+alpha, and the second multiplies the colour by that alpha and by GL_RGB_SCALE 2.
+What the water throws on pillars, walls and vault is new light, so there stone times net is added
+(GL_ONE, GL_ONE). It fades with distance and angle by vertex colours (reflected_light.py).
+What is wrong without its safeguards: ``caustics.doubled`` off, as printed, the pool only darkens;
+``caustics.planes=eye_before_camera`` gives the planes under the identity matrix, so that the net
+sticks to the eye; ``caustics.own_t`` off gives both coordinates the same plane, as printed, and the
+net becomes stripes; ``caustics.pattern=sines`` shows dots; without ``caustics.smooth`` it jumps.
+State used: up to four texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4), generated
+texture coordinates, GL_BLEND, depth test, polygon offset.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.effects.reflected_light import lit_meshes
+from landscape.effects.room import Room
+from landscape.effects.settings import Settings
+from landscape.elements.caustic_film import CausticFilm, sines
+from landscape.elements.sun import direction
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.draw import draw_mesh
+from landscape.gl.state import attrib, combine, front_faces, matrix
+from landscape.gl.texture import Texture
+
+FIRST_FREE = 2  # the texture unit after those of the stone and of the light on it
+FRAMES = 32  # of the product of sines
+SLANT = 0.6  # of y in both coordinates: glSkel, caustics, whose planes are 0.05, 0.03, 0
+LARGER = 2.5  # chosen: the net is blurred and enlarged on the way to the walls
+
+
+def planes(settings: Settings, larger: float = 1.0) -> np.ndarray:
+    """Return the planes of s and t, float32 (2, 4); s is the first times (x, y, z, 1)."""
+    scale = settings.caustics.scale / larger
+    s, t = (scale, SLANT * scale, 0.0, 0.0), (0.0, SLANT * scale, scale, 0.0)
+    return np.array([s, t if settings.caustics.own_t else s], np.float32)
+
+
+def generate(both: np.ndarray, how: str) -> None:
+    """Let the active unit generate s and t by planes (2, 4), in the way ``caustics.planes`` says.
+
+    GL_EYE_LINEAR multiplies an eye plane by the inverse of the modelview matrix that is current
+    when the plane is given. Under the camera's that undoes the camera, and the plane is in the
+    world; under the identity it stays in the eye's coordinates.
+    """
+    mode, name = gl.GL_EYE_LINEAR, gl.GL_EYE_PLANE
+    if how == "object":
+        mode, name = gl.GL_OBJECT_LINEAR, gl.GL_OBJECT_PLANE
+    with matrix():
+        if how == "eye_before_camera":
+            gl.glLoadIdentity()
+        for coordinate, plane in zip((gl.GL_S, gl.GL_T), both, strict=True):
+            gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, mode)
+            gl.glTexGenfv(coordinate, name, plane)
+    gl.glEnable(gl.GL_TEXTURE_GEN_S)
+    gl.glEnable(gl.GL_TEXTURE_GEN_T)
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return the values that the constructor uses."""
+    return settings.caustics.pattern, settings.sun
+
+
+class Caustics:
+    """The net of light on the pool's basin, and on the stone around it."""
+
+    def __init__(self, settings: Settings, assets: Assets, room: Room) -> None:
+        """Upload the film and compile what the pool's light reaches; ``room`` draws the stone."""
+        self._settings, self._room = settings, room
+        if settings.caustics.pattern == "sines":
+            self._film = CausticFilm(sines(FRAMES))
+        else:
+            self._film = CausticFilm.shipped(assets)
+        self._lists: list[tuple[Texture, DisplayList]] = []
+        for material, mesh in lit_meshes(direction(settings.sun)):
+            compiled = DisplayList(lambda mesh=mesh: draw_mesh(mesh))  # type: ignore[misc]
+            self._lists.append((room.texture(material), compiled))
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; return False, changing nothing, if film or meshes would differ."""
+        if built_from(settings) != built_from(self._settings):
+            return False
+        self._settings = settings
+        return True
+
+    @contextmanager
+    def while_drawn(self, frame: Frame) -> Iterator[None]:
+        """Let the block draw the basin with the net on it, if that takes no second pass."""
+        if self._settings.caustics.passes == "two":
+            yield
+            return
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
+            mix, after = FIRST_FREE, FIRST_FREE + 1
+            self._units(frame, mix)
+            combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
+            combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{after}"})
+            combine({"SRC1_ALPHA": "TEXTURE", "SRC2_ALPHA": "CONSTANT"})
+            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{after}"))
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
+            combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
+            if self._settings.caustics.doubled:
+                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+            gl.glActiveTexture(gl.GL_TEXTURE0)
+            yield
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the second pass over the basin, and the light on the stone around the pool."""
+        values = self._settings.caustics
+        groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
+        groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
+        with attrib(groups), front_faces():
+            gl.glEnable(gl.GL_BLEND)
+            gl.glDepthFunc(gl.GL_LEQUAL)
+            gl.glDepthMask(gl.GL_FALSE)
+            gl.glDisable(gl.GL_FOG)  # what is there is fogged already
+            if values.passes == "two" and not frame.mirrored:
+                self._second_pass(frame)
+            if values.reflected > 0:
+                self._reflected(frame)
+
+    def _second_pass(self, frame: Frame) -> None:
+        """Multiply the basin by the net."""
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
+            doubled = self._settings.caustics.doubled
+            gl.glBlendFunc(gl.GL_DST_COLOR if doubled else gl.GL_ZERO, gl.GL_SRC_COLOR)
+            self._units(frame, 0)
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
+            gl.glActiveTexture(gl.GL_TEXTURE1)
+            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
+            combine({"SRC2_RGB": "CONSTANT"})
+            gl.glActiveTexture(gl.GL_TEXTURE0)
+            self._room.send("pool")
+
+    def _reflected(self, frame: Frame) -> None:
+        """Add stone times net times the light that reaches it from the pool."""
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
+            gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
+            gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
+            gl.glPolygonOffset(-1.0, -1.0)  # the meshes are finer than those drawn before
+            self._units(frame, 1, LARGER)
+            # Unit 0: the stone times the vertex's light; units 1 and 2: the net, into alpha.
+            combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
+            combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE2"})
+            combine({"SRC1_ALPHA": "TEXTURE", "SRC2_ALPHA": "CONSTANT"})
+            gl.glActiveTexture(gl.GL_TEXTURE2)
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
+            combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 4.0)
+            gl.glActiveTexture(gl.GL_TEXTURE0)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glDisable(gl.GL_LIGHTING)
+            for texture, compiled in self._lists:
+                texture.bind()
+                compiled.call()
+
+    def _units(self, frame: Frame, unit: int, larger: float = 1.0) -> None:
+        """Bind the two frames of the moment to ``unit`` and the next, with their coordinates.
+
+        ``unit`` is active then, and its environment's alpha is the share of the second frame.
+        """
+        values = self._settings.caustics
+        mix = self._film.bind(frame.kt / values.period, values.smooth, unit)
+        colour = np.array([0.0, 0.0, 0.0, mix], np.float32)
+        for number in (unit + 1, unit):
+            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{number}"))
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
+            generate(planes(self._settings, larger), values.planes)
+
+    def release(self) -> None:
+        """Delete the film and the lists; may be called twice."""
+        self._film.release()
+        for _, compiled in self._lists:
+            compiled.release()

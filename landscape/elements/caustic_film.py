@@ -1,0 +1,85 @@
+"""The film of caustics: frames of the net of light on the bed of shallow water, one texture each.
+
+The frames are periodic, in space and in time (studio/caustics.py). Shown one after the other they
+jump; so two of them are bound at a time, to two texture units, and a unit mixes them by the alpha
+of its environment colour (GL_INTERPOLATE, OpenGL 1.3). Each texel is both colour and alpha
+(GL_INTENSITY): an alpha can be computed beside the colour of the same unit, and so be carried past
+it to the next.
+Drawn by effects/caustics.py in the hall, and by best/terrain/bed_light.py on the island.
+State used: the 2D textures of two units.
+"""
+
+import math
+
+import numpy as np
+
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.gl.calls import gl
+from landscape.gl.texture import Texture
+
+SIDE = 128  # texels of a frame
+SHEET = "caustics.png"
+LOD_BIAS = -0.5  # chosen: the net stays sharp where the bed is seen at a slant
+
+
+def cut(sheet: np.ndarray) -> np.ndarray:
+    """Cut a sheet, uint8 (h, w), into its frames (n, SIDE, SIDE), row by row."""
+    rows, columns = sheet.shape[0] // SIDE, sheet.shape[1] // SIDE
+    frames = sheet[: rows * SIDE, : columns * SIDE].reshape(rows, SIDE, columns, SIDE)
+    return np.ascontiguousarray(frames.swapaxes(1, 2).reshape(-1, SIDE, SIDE))
+
+
+def sines(count: int) -> np.ndarray:
+    """Return a film of ``count`` frames that is a product of sines, uint8 (count, SIDE, SIDE).
+
+    It is what is often drawn for caustics. It moves and is periodic, but shows dots: a product of
+    sines has no lines.
+    """
+    time = np.arange(count)[:, None, None] / count
+    at = (np.arange(SIDE) + 0.5) / SIDE
+    across = 0.5 + 0.5 * np.sin(2 * np.pi * (4 * at[None, None, :] - time))
+    down = 0.5 + 0.5 * np.sin(2 * np.pi * (4 * at[None, :, None] + time))
+    return np.asarray(255 * across * down + 0.5, np.uint8)
+
+
+def between(films: float, count: int, smooth: bool) -> tuple[int, int, float]:
+    """Return the numbers of the frames before and after a time, and how far it is between them.
+
+    ``films`` is the time in lengths of the film, which has ``count`` frames. Without ``smooth``
+    only the frame before counts.
+    """
+    at = films % 1.0 * count
+    first = int(at) % count
+    return first, (first + 1) % count, at - math.floor(at) if smooth else 0.0
+
+
+class CausticFilm:
+    """Owner of the frames' textures."""
+
+    def __init__(self, frames: np.ndarray) -> None:
+        """Upload frames, uint8 (n, h, w)."""
+        self._textures = [
+            Texture(np.ascontiguousarray(each[..., None]), lod_bias=LOD_BIAS) for each in frames
+        ]
+
+    @classmethod
+    def shipped(cls, assets: Assets) -> "CausticFilm":
+        """Return the film in the assets; InputError names a file that cannot be used."""
+        return cls(cut(read_image(assets.path(SHEET), "L")))
+
+    def bind(self, films: float, smooth: bool = True, unit: int = 0) -> float:
+        """Bind the frames before and after a time to ``unit`` and the next; return the mix, 0..1.
+
+        Unit ``unit`` is active then. ``films`` is the time in lengths of the film.
+        """
+        first, second, mix = between(films, len(self._textures), smooth)
+        for number, texture in ((unit + 1, second), (unit, first)):
+            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{number}"))
+            self._textures[texture].bind()
+        return mix
+
+    def release(self) -> None:
+        """Delete the textures; may be called twice."""
+        for texture in self._textures:
+            texture.release()
