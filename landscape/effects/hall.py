@@ -9,6 +9,8 @@ from landscape.effects.caustics import Caustics
 from landscape.effects.flight import Flight
 from landscape.effects.keys import KEYS
 from landscape.effects.mirror import Mirror
+from landscape.effects.mist import Mist
+from landscape.effects.moving_sky import MovingSky
 from landscape.effects.pool import Pool
 from landscape.effects.room import Room
 from landscape.effects.settings import PRESETS, Settings
@@ -22,7 +24,9 @@ from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import Moment, Scene, begin_frame
 
-ELEMENTS = ("room", "floor", "mirror", "statue", "caustics", "pool", "tone", "flight")
+ELEMENTS = (
+    "room", "floor", "mirror", "statue", "sky", "caustics", "pool", "mist", "tone", "flight",
+)  # fmt: skip
 TALL = 10.0  # units: no obstacle of the hall can be flown over
 
 
@@ -53,6 +57,8 @@ class Hall(Ground):
             self.mirror = self._built(("mirror",), Mirror, settings)
             self.statue = self._built(("statue",), Statue, settings, assets)
             mark = self.statue.send if self.statue else lambda: None
+            self.sky = self._built(("sky",), MovingSky, settings, assets)
+            self.mist = self._built(("mist",), Mist, settings, assets)
             self.tone = self._built(("tone",), Tone, settings, assets, mark)
             self.flight = self._built(("flight",), Flight, settings, assets)
             if self.statue and self.room:
@@ -95,6 +101,8 @@ class Hall(Ground):
         self._draw_floor(frame)
         self._draw("pool", self.pool, frame)  # blended over its bed
 
+        self._draw("mist", self.mist, frame)
+
         # What has been drawn so far is the picture that these change.
         begin_pass("picture")
         self._draw("tone", self.tone, frame)
@@ -106,6 +114,7 @@ class Hall(Ground):
         self._draw("statue", self.statue, frame)
         # The net of light is blended over the stone.
         self._draw("caustics", self.caustics, frame)
+        self._draw("sky", self.sky, frame)
         values = self.settings
         if values.flight.path and not values.flight.enabled:
             self._draw("flight", self.flight, frame)
@@ -126,6 +135,7 @@ class Hall(Ground):
         self._draw("room", self.room, frame)
         self.room.draw_pool()
         self.room.draw_floor()
+        self._draw("sky", self.sky, frame)
 
     def _draw_image(self, frame: Frame) -> None:
         """Draw the mirror image where the floor is visible, before the floor covers it."""

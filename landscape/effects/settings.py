@@ -140,6 +140,38 @@ class Statue:
 
 
 @dataclass(frozen=True)
+class Sky:
+    """The moving sky outside the windows."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("sky",)
+
+    layers: int = setting(2, "glSkel, Quake's sky", "layers of cloud", 0, 2, unit="layers")
+    sorted: bool = setting(
+        True,
+        "glSkel, Quake's sky",
+        "the low clouds are laid over the high ones",
+        needs=("sky.layers>1",),
+    )
+
+
+@dataclass(frozen=True)
+class Mist:
+    """Mist over the floor, in transparent sheets."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("mist", "mist.enabled")
+
+    enabled: bool = setting(False, "glSkel, transparent textures", "mist lies over the floor")
+    sheets: int = setting(7, "chosen", "how many sheets it is made of", 1, 30, unit="sheets")
+    density: float = setting(0.42, "chosen", "opacity of a sheet where it is densest", 0, 1)
+    sorted: bool = setting(
+        True, "glSkel, transparent textures", "the sheets are blended from far to near"
+    )
+    mask: bool = setting(
+        True, "glSkel, transparent textures", "the sheets do not write their depth"
+    )
+
+
+@dataclass(frozen=True)
 class Tone:
     """Brightness and contrast of the picture, or of a part of it."""
 
@@ -212,6 +244,8 @@ class Settings:
     sun: Sun = Sun(azimuth=103.0, elevation=36.0, diffuse=(1.0, 0.92, 0.78), ambient=(0.3,) * 3)
     fog: Fog = Fog(enabled=False)
     statue: Statue = Statue()
+    sky: Sky = Sky()
+    mist: Mist = Mist()
     tone: Tone = Tone()
     flight: Flight = Flight()
     mirror: Mirror = Mirror()

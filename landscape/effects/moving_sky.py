@@ -1,0 +1,126 @@
+"""The moving sky of Quake: two layers of cloud, one faster than the other (glSkel, Quake's sky).
+
+Technique: a dome around the viewer, with the sky's gradient as vertex colours. The clouds' texture
+coordinates are those of a flat ceiling, so that clouds near the horizon are small; the texture
+matrix moves them with kt. Two texture units (GL_ARB_multitexture, OpenGL 1.3) lay the layers over
+the gradient in one pass: unit 0 the high, slow one, unit 1 the low, fast one, each by its alpha.
+The dome has the greatest depth (glDepthRange) and is drawn after the walls: it costs only the
+windows' pixels.
+State used: two texture units with their matrices and environments, depth range, no depth writes.
+What is wrong without its safeguards: with one layer (``sky.layers``) the sky moves like a painted
+ceiling. Without ``sky.sorted`` the high clouds are laid over the low ones.
+"""
+
+import numpy as np
+
+from landscape.effects.settings import Settings
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.geometry.mesh import grid_triangles
+from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
+from landscape.gl.extensions import Need, has
+from landscape.gl.state import attrib, client_arrays, combine, matrix
+from landscape.gl.texture import Texture
+
+TWO_UNITS = Need((1, 3), ("GL_ARB_multitexture",))
+RADIUS = 20.0  # chosen: units, within the far plane
+RINGS, SIDES = 12, 24  # chosen: of the dome
+LOWEST = -0.12  # chosen: radians below the horizon, where the walls hide the dome's edge
+FLATNESS = 0.22  # chosen: height of the horizon under the clouds' ceiling, which is 1 high
+ZENITH, HORIZON = (0.20, 0.42, 0.78), (0.78, 0.87, 0.95)  # chosen: RGB
+# Of the high and the low layer: textures per unit of the ceiling, textures per kt, RGB; chosen.
+HIGH = 0.16, (0.00008, 0.00002), (1.0, 0.99, 0.97)
+LOW = 0.37, (0.0004, 0.00012), (0.72, 0.76, 0.82)
+Layer = tuple[float, tuple[float, float], tuple[float, float, float]]
+
+
+def dome() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return vertices (n, 3), colours (n, 4) uint8, places on the ceiling (n, 2), triangles (m, 3).
+
+    Triangles are counter-clockwise from below.
+    """
+    height = np.linspace(np.pi / 2, LOWEST, RINGS + 1)
+    turn = np.arange(SIDES + 1) * 2 * np.pi / SIDES
+    up, around = (grid.ravel() for grid in np.meshgrid(height, turn, indexing="ij"))
+    level = np.cos(up)
+    out = np.stack([level * np.cos(around), np.sin(up), level * np.sin(around)], axis=1)
+    ceiling = out[:, [0, 2]] / (np.maximum(out[:, 1], 0.0) + FLATNESS)[:, None]
+    share = np.clip(out[:, 1:2], 0.0, 1.0) ** 0.6
+    colors = np.full((len(out), 4), 255, np.uint8)
+    colors[:, :3] = 255 * (np.array(HORIZON) * (1 - share) + np.array(ZENITH) * share)
+    vertices = np.ascontiguousarray(RADIUS * out, np.float32)
+    places = np.ascontiguousarray(ceiling, np.float32)
+    return vertices, colors, places, grid_triangles(SIDES + 1, RINGS + 1)
+
+
+class MovingSky:
+    """The sky over the hall."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Read the clouds and compile the dome."""
+        self._settings = settings
+        self._clouds = Texture(read_image(assets.path("clouds.png")), trilinear=False)
+        self._units = 2 if has(TWO_UNITS) else 1
+        vertices, colors, places, triangles = dome()
+
+        def send() -> None:
+            with client_arrays(vertices, None, colors, [places] * self._units):
+                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+
+        self._list = DisplayList(send)
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; nothing is built from them."""
+        self._settings = settings
+        return True
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the sky around the viewer, where nothing else is."""
+        sky = self._settings.sky
+        layers = [HIGH, LOW] if sky.sorted else [LOW, HIGH]
+        layers = layers[: min(sky.layers, self._units)]
+        groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT
+        with attrib(groups | gl.GL_CURRENT_BIT), matrix():
+            gl.glDisable(gl.GL_CLIP_PLANE0)
+            gl.glDepthRange(1.0, 1.0)
+            gl.glDepthFunc(gl.GL_LEQUAL)
+            gl.glDepthMask(gl.GL_FALSE)
+            x, y, z = frame.eye.tolist()
+            # The mirror matrix puts this at the eye's own height again.
+            gl.glTranslatef(x, -y if frame.mirrored else y, z)
+            for unit, layer in enumerate(layers):
+                self._lay(unit, layer, frame.kt)
+            self._list.call()
+            for unit in reversed(range(len(layers))):
+                self._take_off(unit)
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+    def _lay(self, unit: int, layer: Layer, kt: float) -> None:
+        """Let a texture unit lay a layer over what the units before it made."""
+        repeat, (along, across), color = layer
+        gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._clouds.bind()
+        cloud = np.array([*color, 1.0], np.float32)
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, cloud)
+        combine({"COMBINE_RGB": "INTERPOLATE", "SOURCE0_RGB": "CONSTANT", "SOURCE1_RGB": "PREVIOUS",
+                 "SOURCE2_RGB": "TEXTURE", "OPERAND2_RGB": "SRC_ALPHA"})  # fmt: skip
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        gl.glPushMatrix()
+        gl.glTranslatef(along * kt, across * kt, 0.0)
+        gl.glScalef(repeat, repeat, 1.0)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    def _take_off(self, unit: int) -> None:
+        gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        gl.glPopMatrix()
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def release(self) -> None:
+        """Delete the list and the texture; may be called twice."""
+        self._list.release()
+        self._clouds.release()
