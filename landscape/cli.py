@@ -267,10 +267,8 @@ def _inspect(options: argparse.Namespace) -> int:
     from landscape.window.program_inspector import inspect
 
     if not options.target.endswith(".py"):
-        raise InputError(
-            f"{short(options.target)}: expected the path of a .py program; in `landscape walk`, "
-            "I opens the inspector"
-        )
+        walk = "in `landscape walk`, I opens the inspector"
+        raise InputError(f"{short(options.target)}: expected the path of a .py program; {walk}")
 
     def work() -> int:
         _notify(options, inspect(options.target, options.edits, options.lang))
