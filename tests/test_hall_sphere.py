@@ -93,7 +93,7 @@ def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides() -> None:
         with Offscreen(SIZE, settings=settings, samples=0, place="hall") as view:
             pictures.append([picture(view, place) for place in AROUND])
     for cube, sphere in zip(*pictures, strict=True):
-        assert np.abs(cube - sphere).mean() < 2.0
+        assert np.abs(cube - sphere).mean() < 3.0
 
 
 def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer() -> None:

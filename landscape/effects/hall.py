@@ -11,6 +11,7 @@ from landscape.effects.keys import KEYS
 from landscape.effects.mirror import Mirror
 from landscape.effects.mist import Mist
 from landscape.effects.moving_sky import MovingSky
+from landscape.effects.planar_shadow import FLOOR_PLANE, NORTH_PLANE, PlanarShadow, Receiver
 from landscape.effects.pool import Pool
 from landscape.effects.room import Room
 from landscape.effects.settings import PRESETS, Settings
@@ -25,8 +26,9 @@ from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import Moment, Scene, begin_frame
 
 ELEMENTS = (
-    "room", "floor", "mirror", "statue", "sky", "caustics", "pool", "mist", "tone", "flight",
-)  # fmt: skip
+    *("room", "floor", "mirror", "statue", "shadow", "sky", "caustics", "pool", "mist"),
+    *("tone", "flight"),
+)
 TALL = 10.0  # units: no obstacle of the hall can be flown over
 
 
@@ -56,6 +58,7 @@ class Hall(Ground):
             self.pool = self._built(("pool",), Pool, settings, assets)
             self.mirror = self._built(("mirror",), Mirror, settings)
             self.statue = self._built(("statue",), Statue, settings, assets)
+            self.shadow = self._built(("shadow",), PlanarShadow, settings, self._cast)
             mark = self.statue.send if self.statue else lambda: None
             self.sky = self._built(("sky",), MovingSky, settings, assets)
             self.mist = self._built(("mist",), Mist, settings, assets)
@@ -99,6 +102,7 @@ class Hall(Ground):
         self._draw_hall(frame)
         self._draw_image(frame)
         self._draw_floor(frame)
+        self._draw_shadow(frame, "floor")
         self._draw("pool", self.pool, frame)  # blended over its bed
 
         self._draw("mist", self.mist, frame)
@@ -112,6 +116,7 @@ class Hall(Ground):
         self._draw("room", self.room, frame)
         self._draw_basin(frame)
         self._draw("statue", self.statue, frame)
+        self._draw_shadow(frame, "room")
         # The net of light is blended over the stone.
         self._draw("caustics", self.caustics, frame)
         self._draw("sky", self.sky, frame)
@@ -157,6 +162,25 @@ class Hall(Ground):
                 self.mirror.draw_floor(frame, self.room.draw_floor)
             else:
                 self.room.draw_floor()
+
+    def _draw_shadow(self, frame: Frame, where: str) -> None:
+        """Draw the statue's shadows on the floor, or on the north wall of the room."""
+        if (
+            self.shadow is None
+            or self.statue is None
+            or not {"shadow", "statue", where} <= self.shown
+        ):
+            return
+        with drawing("shadow"):
+            if where == "floor":
+                self.shadow.draw(frame, Receiver(FLOOR_PLANE, self.room.send_floor))
+            else:
+                self.shadow.draw(frame, Receiver(NORTH_PLANE, self.room.send_north))
+
+    def _cast(self) -> None:
+        """Send what casts shadows: the statue and, as it stands on it, the plinth."""
+        self.statue.send_coarse()
+        self.room.send_plinth()
 
     @property
     def _polished(self) -> bool:

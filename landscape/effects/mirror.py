@@ -24,17 +24,18 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from landscape.effects.settings import Mirror as MirrorSettings
 from landscape.effects.settings import Settings
 from landscape.elements import sun
 from landscape.elements.reflection import MIRROR
 from landscape.frame import Frame
 from landscape.gl.calls import drawing, drawn_now, gl
+from landscape.gl.extensions import Need, has, tell_off
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 
 FLOOR = 1  # the stencil bit of the visible floor
 UNDERSIDE = (0.10, 0.12, 0.30)  # chosen, as the document's blue
+UNITS = Need((1, 3), ("GL_ARB_multitexture",))
 UNIT = 3  # texture unit of the alpha; units before it are the floor's own
 TEXELS, REACH = 128, 16.0  # chosen: side of its texture; tangent of the angle at its edge
 GRAZING, POWER = 0.62, 4.0  # chosen: reflectance at grazing angles, and how late it rises
@@ -66,12 +67,12 @@ class Mirror:
         """Make the texture of the floor's opacity, where there are texture units for it."""
         self._values = settings.mirror
         self._sun = settings.sun
-        enough = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS)) > UNIT
-        self._opacity = self._texture(self._values) if enough else None
-
-    @staticmethod
-    def _texture(values: MirrorSettings) -> Texture:
-        return Texture(alpha_image(values.strength), repeat=False, mipmaps=False)
+        self._opacity: Texture | None = None
+        if not has(UNITS):
+            tell_off("mirror.fresnel", UNITS)
+        elif int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS)) > UNIT:
+            image = alpha_image(self._values.strength)
+            self._opacity = Texture(image, repeat=False, trilinear=False, mipmaps=False)
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the floor's opacity differs."""

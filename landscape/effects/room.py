@@ -4,14 +4,15 @@ Technique: surfaces as grids of triangles (architecture.py), one display list a 
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_CULL_FACE.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-from landscape.effects import architecture
+from landscape.effects import architecture, plan
 from landscape.effects.settings import Settings
-from landscape.effects.surfaces import charts, mesh
+from landscape.effects.surfaces import Surface, charts, mesh
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
@@ -22,6 +23,17 @@ TEXELS = 1024, 200.0  # chosen: side of the light map, and texels per unit
 TEXTURES = {"wall": "castle_brick.png", "alcove": "torch_stone.png", "vault": "torch_stone.png",
             "pillar": "torch_stone.png", "plinth": "torch_stone.png", "pool": "mosaic.png",
             "floor": "torch_stone.png"}  # fmt: skip
+
+
+def is_north(surface: Surface) -> bool:
+    """Return whether a surface is a part of the north wall's inner face."""
+    return bool((surface.points[..., 2] == plan.INSIDE.north).all())
+
+
+def send(meshes: Sequence[Mesh]) -> None:
+    """Send several meshes."""
+    for each in meshes:
+        draw_mesh(each)
 
 
 class Room:
@@ -40,13 +52,13 @@ class Room:
         def compiled(material: str) -> DisplayList:
             meshes = [mesh(s, chart, side) for s, chart in placed if s.material == material]
 
-            def send() -> None:
-                for each in meshes:
-                    draw_mesh(each)
-
-            return DisplayList(send)
+            return DisplayList(lambda: send(meshes))
 
         self._lists = {name: compiled(name) for name in TEXTURES}
+        north = [mesh(s, chart, side) for s, chart in placed if is_north(s)]
+        plinth = [mesh(s, chart, side) for s, chart in placed if s.material == "plinth"]
+        self._north = DisplayList(lambda: send(north))
+        self._plinth = DisplayList(lambda: send(plinth))
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing depends on them."""
@@ -64,6 +76,15 @@ class Room:
         """Send the floor's triangles that face the viewer, without any texture."""
         with attrib(gl.GL_ENABLE_BIT), front_faces():
             self._lists["floor"].call()
+
+    def send_north(self) -> None:
+        """Send the north wall's triangles that face the viewer, without any texture."""
+        with attrib(gl.GL_ENABLE_BIT), front_faces():
+            self._north.call()
+
+    def send_plinth(self) -> None:
+        """Send the plinth's triangles as they are."""
+        self._plinth.call()
 
     def send_foundation(self) -> None:
         """Send the triangles of floor and basin as they are."""
@@ -94,7 +115,7 @@ class Room:
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for compiled in self._lists.values():
+        for compiled in (*self._lists.values(), self._north, self._plinth):
             compiled.release()
         for texture in self._textures.values():
             texture.release()

@@ -84,7 +84,7 @@ class Mirror:
 
     enabled: bool = setting(True, GLSKEL_MIRROR, "the floor mirrors the hall")
     strength: float = setting(
-        0.3, GLSKEL_MIRROR, "fraction of the mirror image in the floor's colour", 0, 1, needs=IMAGE
+        0.38, GLSKEL_MIRROR, "fraction of the mirror image in the floor's colour", 0, 1, needs=IMAGE
     )
     fresnel: bool = setting(True, "chosen", "the floor mirrors more at grazing angles", needs=IMAGE)
     stencil: bool = setting(
@@ -107,6 +107,39 @@ class Mirror:
     )
     underside: bool = setting(
         True, GLSKEL_MIRROR, "from below, the floor shows a side of another colour"
+    )
+
+
+GLSKEL_SHADOW = "glSkel, cast shadows"
+
+
+@dataclass(frozen=True)
+class Shadow:
+    """The statue's shadows on floor and north wall."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("shadow", "statue", "floor or room")
+
+    light: str = setting(
+        "torch", "chosen", "what casts them: torch, sun or both", choices=("torch", "sun", "both")
+    )
+    strength: float = setting(0.6, GLSKEL_SHADOW, "how much light they take away", 0, 1)
+    flicker: float = setting(
+        0.004,
+        "chosen",
+        "how far the torch's flame wavers",
+        0,
+        0.1,
+        unit="units",
+        needs=("shadow.light!=sun",),
+    )
+    stencil: bool = setting(
+        True, GLSKEL_SHADOW, "only the surface is darkened, and no pixel twice by one light"
+    )
+    offset: bool = setting(
+        True, GLSKEL_SHADOW, "glPolygonOffset keeps surface and shadow from fighting"
+    )
+    behind: bool = setting(
+        True, "chosen", "what is beyond the light, or lit from behind the plane, casts no shadow"
     )
 
 
@@ -251,6 +284,7 @@ class Settings:
     mirror: Mirror = Mirror()
     pool: Pool = Pool()
     caustics: Caustics = Caustics()
+    shadow: Shadow = Shadow()
 
 
 PRESETS: dict[str, dict[str, Value]] = {"best": {}}

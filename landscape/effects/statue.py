@@ -25,7 +25,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.gl.extensions import first_missing, tell_off
 from landscape.gl.state import attrib, front_faces, matrix
 
-YAW = -62.0  # degrees, chosen: the head looks past the viewer at the door
+YAW = -165.0  # degrees, chosen: in profile from the door, so that its shadow shows the open jaws
 BRONZE = (0.72, 0.50, 0.22)  # chosen
 GLOW = 0.5  # chosen: fraction of the gold's colour that mirrors in the dark
 GLINT, SHININESS = (0.5, 0.42, 0.26, 1.0), 60.0  # chosen

@@ -7,11 +7,14 @@ VIEWS = {
     view.name: view
     for view in (
         View("hall", "the great hall from its door", Pose(1.6, None, 2.62, 0.0, 4.0), 20.0),
-        View("hall_mirror", "the statue in the nave", Pose(1.42, None, 1.75, 20.0, 5.0), 20.0),
         View("hall_sphere", "the gilded statue mirrors the hall",
              Pose(1.80, 0.20, 1.50, 325.0, 4.0), 20.0),
         View("hall_mist", "mist over the floor, and clouds beyond the windows",
              Pose(1.40, 0.17, 2.30, 28.0, 2.0), 20.0, settings={"mist.enabled": True}),
+        View("hall_mirror", "the statue and its image in the polished floor",
+             Pose(1.60, 0.13, 2.0, 3.0, -6.0), 20.0),
+        View("hall_shadow", "the torch throws the dragon's shadow on the north wall",
+             Pose(1.84, 0.1, 1.06, 320.0, 11.0), 20.0),
         View("hall_contrast", "the statue in full contrast, all else dimmed",
              Pose(1.78, None, 1.62, 337.0, 6.0), 20.0,
              settings={"tone.area": "surroundings", "tone.contrast": 0.5}),

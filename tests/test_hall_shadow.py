@@ -1,0 +1,247 @@
+"""The statue's planar shadows: where projection puts them, no pixel darkened twice, safeguards."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from gl_state import changes, snapshot
+from PIL import Image, ImageDraw
+from stage import SIZE, Stage, project
+
+from landscape.effects import plan
+from landscape.effects.hall import SCENE, Hall
+from landscape.effects.planar_shadow import FLOOR_PLANE, NORTH_PLANE, flame
+from landscape.effects.statue import COARSE, YAW
+from landscape.elements import sun
+from landscape.elements.animal import read_animal
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.geometry.clustering import clustered
+from landscape.geometry.planar import shadows_of
+from landscape.gl.calls import recording
+from landscape.keys import with_settings
+from landscape.scene import Moment, begin_frame
+
+FOV = SCENE.settings.camera.fov
+STEADY: dict[str, Any] = {
+    "shadow.flicker": 0.0,
+    "shadow.light": "torch",
+    "shadow.strength": 0.5,
+    "mirror.enabled": False,
+}
+AT_WALL = Pose(1.6, 0.2, 1.0, 0.0, 2.0)  # between the statue and the north wall
+AT_FLOOR = Pose(1.6, 0.42, 0.95, 0.0, -70.0)  # upon the floor behind the plinth
+SOUTH = Pose(1.62, 0.42, 2.5, 0.0, -80.0)  # upon the floor between pool and door
+SLANTED = Pose(1.55, 0.1, 1.02, 335.0, -12.0)  # along the floor behind the plinth, to the wall
+# A frame of 4 by 3 sees this much of each plane from there with nothing in front of it.
+WALL_SEEN = (1.36, 1.84), (0.02, 0.38)  # x, y
+FLOOR_SEEN = (1.36, 1.84), (0.5, 0.98)  # x, z
+
+
+@pytest.fixture(scope="module")
+def hall(the_stage: Stage) -> Iterator[Hall]:
+    the_stage.enter()
+    with the_stage.borrowed():
+        opened = Hall(with_settings(SCENE.settings, STEADY), Assets(), 0)
+    yield opened
+    the_stage.enter()
+    opened.release()
+
+
+def drawn(stage: Stage, hall: Hall, pose: Pose, changed: dict[str, Any] | None = None):
+    """Return the picture, int64 (h, w, 3), with settings changed."""
+    assert hall.apply(with_settings(SCENE.settings, {**STEADY, **(changed or {})}))
+    with stage.borrowed():
+        hall.draw(Moment(pose, SIZE))
+        return stage.read()
+
+
+def statue_triangles() -> np.ndarray:
+    """Return the triangles (m, 3, 3) of the mesh that casts the shadow, where it stands."""
+    unit = read_animal(Assets(), "dragon.ply", "dragon.mesh")
+    mesh = clustered(unit, COARSE)
+    turn = math.radians(YAW)
+    x, y, z = (mesh.vertices.astype(np.float64) * plan.STATUE_SCALE).T
+    (east, south), (_, top) = plan.STATUE, plan.PLINTH
+    lift = top - float(unit.vertices[:, 1].min()) * plan.STATUE_SCALE
+    placed = [east + x * math.cos(turn) + z * math.sin(turn), y + lift,
+              south - x * math.sin(turn) + z * math.cos(turn)]  # fmt: skip
+    return np.stack(placed, axis=1)[mesh.triangles]
+
+
+def plinth_triangles() -> np.ndarray:
+    """Return two triangles for each of three sides of the plinth: they cast all of its shadow."""
+    (x, z), (half, top) = plan.STATUE, plan.PLINTH
+    corner = {(a, b, c): (x + a * half, top * b, z + c * half)
+              for a in (-1, 1) for b in (0, 1) for c in (-1, 1)}  # fmt: skip
+    quads = [[(a, b, c) for b, c in ((0, -1), (0, 1), (1, 1), (1, -1))] for a in (-1, 1)]
+    quads += [[(a, b, c) for b, a in ((0, -1), (0, 1), (1, 1), (1, -1))] for c in (-1, 1)]
+    quads += [[(a, 1, c) for a, c in ((-1, -1), (-1, 1), (1, 1), (1, -1))]]
+    found = [[corner[q[k]] for k in three] for q in quads for three in ((0, 1, 2), (0, 2, 3))]
+    return np.array(found)
+
+
+def filled(pose: Pose, shadows: np.ndarray) -> np.ndarray:
+    """Return the pixels, bool (h, w), that triangles (m, 3, 3) cover, drawn four times as large."""
+    image = Image.new("1", (SIZE[0] * 4, SIZE[1] * 4))
+    draw = ImageDraw.Draw(image)
+    for triangle in shadows[~np.isnan(shadows).any(axis=(1, 2))]:
+        corners = [project(pose, tuple(corner), FOV) for corner in triangle]
+        draw.polygon([(4 * c, 4 * r) for c, r in corners], fill=1)
+    return np.asarray(image)[2::4, 2::4]
+
+
+def seen(pose: Pose, plane: np.ndarray) -> np.ndarray:
+    """Return the pixels, bool (h, w), of the part of a plane that nothing hides."""
+    wall = plane is NORTH_PLANE
+    (low, high), (first, last) = WALL_SEEN if wall else FLOOR_SEEN
+    area = [(low, first), (high, first), (high, last), (low, last)]
+    corners = [(a, b, plan.INSIDE.north) if wall else (a, 0.0, b) for a, b in area]
+    return filled(pose, np.array([[corners[0], corners[1], corners[2]],
+                                  [corners[0], corners[2], corners[3]]]))  # fmt: skip
+
+
+LIGHTS = {
+    "torch": flame(0.0, 0.0),
+    "sun": np.append(sun.direction(SCENE.settings.sun), 0.0),
+}
+
+
+@pytest.mark.parametrize(
+    ("light", "plane", "pose"),
+    [
+        ("torch", NORTH_PLANE, AT_WALL),
+        ("torch", FLOOR_PLANE, AT_FLOOR),
+        ("sun", FLOOR_PLANE, Pose(1.32, 0.42, 1.2, 0.0, -88.0)),
+    ],
+    ids=["torch on the wall", "torch on the floor", "sun on the floor"],
+)
+def test_the_shadow_covers_what_projection_covers(stage, hall, light, plane, pose) -> None:
+    unlit = drawn(stage, hall, pose, {"shadow.light": light, "shadow.strength": 0.0})
+    dark = drawn(stage, hall, pose, {"shadow.light": light, "shadow.strength": 1.0})
+    triangles = np.concatenate([statue_triangles(), plinth_triangles()])
+    shadows = shadows_of(triangles.reshape(-1, 3), plane, LIGHTS[light]).reshape(-1, 3, 3)
+    where = seen(pose, plane) if light == "torch" else np.ones(SIZE[::-1], bool)
+    if light == "sun":
+        # West of the plinth, east of the pillars; nothing hides the floor from above there.
+        corners = [(1.35, 0, 1.0), (1.44, 0, 1.0), (1.44, 0, 1.4), (1.35, 0, 1.4)]
+        where = filled(pose, np.array([[corners[k] for k in t] for t in ((0, 1, 2), (0, 2, 3))]))
+    got, wanted = (dark != unlit).any(axis=2) & where, filled(pose, shadows) & where
+    assert wanted.sum() > 500 and (where & ~wanted).sum() > 200
+    assert (got & wanted).sum() / (got | wanted).sum() > 0.98
+
+
+@pytest.mark.parametrize("pose", [AT_WALL, AT_FLOOR], ids=["wall", "floor"])
+def test_no_pixel_is_darkened_twice_by_one_light(stage, hall, pose) -> None:
+    plain = drawn(stage, hall, pose, {"shadow.strength": 0.0})
+    once = drawn(stage, hall, pose)
+    darkened = (once != plain).any(axis=2)
+    assert darkened.sum() > 2000
+    assert np.abs(once - plain * 0.5)[darkened].max() <= 1
+    twice = drawn(stage, hall, pose, {"shadow.stencil": False})
+    assert (twice < plain * 0.3 - 1).any(axis=2).sum() > 500
+
+
+def test_two_lights_darken_what_neither_reaches_once_each(stage, hall) -> None:
+    pose = Pose(1.42, 0.3, 1.05, 0.0, -60.0)
+    plain = drawn(stage, hall, pose, {"shadow.strength": 0.0})
+    both = drawn(stage, hall, pose, {"shadow.light": "both"})
+    factor = np.full(plain.shape[:2], np.nan)
+    for times in (1.0, 0.5, 0.25):
+        factor[np.abs(both - plain * times).max(axis=2) <= 1.5] = times
+    assert not np.isnan(factor).any()
+    assert all((factor == times).sum() > 300 for times in (1.0, 0.5, 0.25))
+
+
+def test_without_the_stencil_the_shadow_hangs_in_the_rose_window(stage, hall) -> None:
+    pose = Pose(1.6, plan.ROSE[0], 0.62, 0.0, 0.0)
+    middle = slice(40, 80), slice(60, 100)
+    plain = drawn(stage, hall, pose, {"shadow.strength": 0.0})
+    assert (drawn(stage, hall, pose)[middle] == plain[middle]).all()
+    assert (drawn(stage, hall, pose, {"shadow.stencil": False}) != plain)[middle].any(axis=2).any()
+
+
+def test_without_the_offset_wall_and_shadow_fight_pixel_by_pixel(stage, hall) -> None:
+    plain = drawn(stage, hall, SLANTED, {"shadow.strength": 0.0})
+    whole = (drawn(stage, hall, SLANTED) != plain).any(axis=2)
+    torn = (drawn(stage, hall, SLANTED, {"shadow.offset": False}) != plain).any(axis=2)
+    assert 0.05 * whole.sum() < torn.sum() < 0.95 * whole.sum()
+
+    def edges(mask: np.ndarray) -> int:
+        return int((mask[:, 1:] != mask[:, :-1]).sum())
+
+    assert edges(torn) > 3 * edges(whole)
+
+
+def test_without_its_safeguard_what_is_higher_than_the_torch_has_an_anti_shadow(
+    stage, hall
+) -> None:
+    plain = drawn(stage, hall, SOUTH, {"shadow.strength": 0.0})
+    assert (drawn(stage, hall, SOUTH) == plain).all(), "no light is taken away before the statue"
+    anti = drawn(stage, hall, SOUTH, {"shadow.behind": False})
+    assert ((anti != plain).any(axis=2)).sum() > 300
+
+
+def test_a_sun_behind_the_north_wall_casts_nothing_on_its_inside(stage, hall) -> None:
+    # A hall of its own: caustics are built for one place of the sun.
+    with stage.borrowed():
+        elements = ("room", "floor", "statue", "shadow")
+        hall = Hall(with_settings(SCENE.settings, STEADY), Assets(), 0, elements)
+    low = {"sun.azimuth": 3.0, "sun.elevation": 6.0, "shadow.light": "sun"}
+    plain = drawn(stage, hall, AT_WALL, {**low, "shadow.strength": 0.0})
+    got, anti = (drawn(stage, hall, AT_WALL, {**low, "shadow.behind": b}) for b in (True, False))
+    hall.release()
+    wall = seen(AT_WALL, NORTH_PLANE)
+    assert (got == plain)[wall].all()
+    assert (anti != plain)[wall].any(axis=1).sum() > 300
+
+
+def test_the_torch_s_flame_wavers_with_kt_and_stays_near(stage, hall) -> None:
+    places = np.array([flame(kt, 0.004) for kt in np.linspace(0, 300, 500)])
+    assert np.abs(places - flame(0.0, 0.0)).max() <= 0.004
+    assert (places[:, 3] == 1.0).all() and np.ptp(places[:, :3], axis=0).min() > 0.003
+    steps = np.abs(np.diff(np.array([flame(kt, 0.004) for kt in range(90)]), axis=0))
+    assert steps.max() < 0.004, "it does not jump"
+
+
+def test_the_shadow_on_the_wall_shows_in_the_floor_s_mirror_image(stage, hall) -> None:
+    pose = Pose(1.6, 0.14, 0.9, 0.0, -22.0)
+    image = {"mirror.enabled": True, "mirror.strength": 1.0}
+    rebuilt = with_settings(SCENE.settings, {**STEADY, **image})
+    with stage.borrowed():
+        other = Hall(rebuilt, Assets(), 0)
+        pictures = []
+        for strength in (0.0, 0.5):
+            assert other.apply(with_settings(rebuilt, {"shadow.strength": strength}))
+            other.draw(Moment(pose, SIZE))
+            pictures.append(stage.read())
+        other.release()
+    floor = slice(75, 115), slice(40, 120)
+    plain, dark = (picture[floor] for picture in pictures)
+    assert (dark < plain * 0.3 - 1).all(axis=2).sum() > 300
+    assert (dark >= plain * 0.25 - 1.5).all(), "by the wall's shadow and by the floor's, once each"
+
+
+def test_the_shadows_leave_the_state_as_a_frame_begins_it(stage, hall) -> None:
+    for changed in (
+        {},
+        {"shadow.light": "both", "mirror.enabled": True},
+        {"shadow.stencil": False},
+    ):
+        drawn(stage, hall, AT_WALL, changed)
+        values = hall.settings
+        with stage.borrowed():
+            begin_frame(Moment(AT_WALL, SIZE), values.camera, values.sun, values.fog)
+            before = snapshot()
+            hall.draw(Moment(AT_WALL, SIZE))
+            assert not changes(before, snapshot())
+
+
+def test_a_trace_names_the_shadow_s_calls(stage, hall) -> None:
+    drawn(stage, hall, AT_WALL)
+    with stage.borrowed(), recording() as recorder:
+        hall.draw(Moment(AT_WALL, SIZE))
+    own = [call.name for call in recorder.calls if call.element == "shadow"]
+    assert own.count("glMultMatrixf") == 2 and "glPolygonOffset" in own
