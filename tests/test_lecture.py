@@ -56,7 +56,7 @@ def _written(tmp_path: Path, text: str) -> Path:
 
 
 def test_the_lecture_in_the_documentation_is_read_as_it_says(tmp_path: Path) -> None:
-    found = re.search(r"```\n(title: .*?)```", DOCS.read_text(encoding="utf-8"), re.DOTALL)
+    found = re.search(r"```text\n(title: .*?)```", DOCS.read_text(encoding="utf-8"), re.DOTALL)
     assert found
     lecture = read(_written(tmp_path, found[1]))
     assert lecture.title == "Mirrors in OpenGL 1.x"
