@@ -25,6 +25,7 @@ from landscape.scene import SEED, Moment, OpenScene, find_view
 from landscape.settings import preset
 from landscape.tools import bench
 from landscape.tools.bench_grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
+from landscape.tools.bench_tone import CASES
 from landscape.tools.timing import Layer, clear
 
 LIGHT = {**SMALL, "deer.count": 4}
@@ -326,3 +327,16 @@ def test_a_view_below_the_ground_of_another_island_is_measured_above_it() -> Non
     hill = SimpleNamespace(settings=preset("2006"), height=lambda x, z: 9.0, draw=drawn.append)
     bench.draw_view(find_view("fig35a")[1], cast(OpenScene, hill), set(), bench.Options())
     assert drawn[0].pose.y == 9.0 + preset("2006").walk.eye
+
+
+def test_brightness_and_contrast_are_timed_both_ways_in_the_hall_alone() -> None:
+    options = bench.Options(("hall_contrast",), (64, 48), rounds=1, starts=0)
+    names: list[str] = []
+    result = bench.measure(options, names.append)
+    assert len(names) == bench.steps(options)
+    rows = result["tone"]
+    assert [(row["brightness"], row["contrast"], row["area"]) for row in rows] == [*CASES]
+    for row in rows:
+        assert row["blend_ms"] > 0 and row["pixels_ms"] > 0
+        assert row["ratio"] == row["pixels_ms"] / row["blend_ms"]
+    assert "times as long" in bench.report(result) and result["grass"] == []

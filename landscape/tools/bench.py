@@ -36,7 +36,7 @@ from landscape.scene import (
     raised,
     scene,
 )
-from landscape.tools import bench_blades
+from landscape.tools import bench_blades, bench_tone
 from landscape.tools.timing import Layer, in_turns
 
 STARTS = 3  # chosen: starts that count; one more comes first, to fill the disk caches
@@ -92,6 +92,11 @@ class Options:
         """Whether the scene of the first view has grass, which is then measured too."""
         return "grass" in _kind(self).elements
 
+    @property
+    def toned(self) -> bool:
+        """Whether the first view's scene changes brightness and contrast, which is then timed."""
+        return "tone" in _kind(self).elements and not self.samples
+
 
 def _kind(options: Options) -> Scene:
     return find_view(options.views[0])[0] if options.views else scene()
@@ -108,6 +113,7 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
       ``gl_calls``, how many calls the program makes in the frame.
     - ``grass`` and ``ways``: see :mod:`landscape.tools.bench_blades`; empty for a scene without
       grass.
+    - ``tone``: see :mod:`landscape.tools.bench_tone`; empty for a scene without it.
     - ``startup_ms``: see :func:`measure_startup`; null if no start was asked for.
     """
     context = open_context(options.backend)
@@ -122,6 +128,7 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
             }
             result |= measure_views(options, done)
             result |= measure_blades(options, done)
+            result["tone"] = measure_tone(options, done)
         finally:
             target.release()
     finally:
@@ -135,7 +142,8 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
 def steps(options: Options) -> int:
     """Return how often :func:`measure` will call ``done``."""
     blades = len(options.grass) + bool(options.ways) if options.grassy else 0
-    return len(options.views) + blades + bool(options.starts)
+    tones = len(bench_tone.CASES) if options.toned else 0
+    return len(options.views) + blades + tones + bool(options.starts)
 
 
 def _told(value: Any, name: str, done: Callable[[str], None]) -> Any:
@@ -254,6 +262,16 @@ def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, A
     return {"grass": grass, "ways": ways}
 
 
+def measure_tone(options: Options, done: Callable[[str], None]) -> list[dict[str, Any]]:
+    """Return ``tone``, if there is any."""
+    if not options.toned:
+        return []
+    values = keys.with_settings(_kind(options).values(options.preset), options.settings)
+    return bench_tone.measure_tone(
+        values, options.size, Assets(options.assets), options.rounds, done
+    )
+
+
 def measure_startup(options: Options) -> float:
     """Return the median time in milliseconds from the command to the first drawn frame.
 
@@ -304,7 +322,7 @@ def report(result: Mapping[str, Any]) -> str:
             f"{name:9} {view['frame_ms']:9.1f} {view['layers']:7.1f} {view['replay_ms']:10.1f}"
             f" {view['python_ms']:10.1f} {view['python_tax']:5.2f} {view['gl_calls']:7d}"
         )
-    lines += bench_blades.report(result)
+    lines += bench_blades.report(result) + bench_tone.report(result["tone"])
     if result["startup_ms"] is not None:
         lines += ["", f"from the command to the first frame: {result['startup_ms']:.0f} ms"]
     return "\n".join(lines)
