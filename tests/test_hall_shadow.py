@@ -156,11 +156,13 @@ def test_two_lights_darken_what_neither_reaches_once_each(stage, hall) -> None:
 
 
 def test_without_the_stencil_the_shadow_hangs_in_the_rose_window(stage, hall) -> None:
+    hall.shown.remove("sky")
     pose = Pose(1.6, plan.ROSE[0], 0.62, 0.0, 0.0)
     middle = slice(40, 80), slice(60, 100)
     plain = drawn(stage, hall, pose, {"shadow.strength": 0.0})
     assert (drawn(stage, hall, pose)[middle] == plain[middle]).all()
     assert (drawn(stage, hall, pose, {"shadow.stencil": False}) != plain)[middle].any(axis=2).any()
+    hall.shown.add("sky")
 
 
 def test_without_the_offset_wall_and_shadow_fight_pixel_by_pixel(stage, hall) -> None:

@@ -14,6 +14,7 @@ from landscape.effects.moving_sky import MovingSky
 from landscape.effects.planar_shadow import FLOOR_PLANE, NORTH_PLANE, PlanarShadow, Receiver
 from landscape.effects.pool import Pool
 from landscape.effects.room import Room
+from landscape.effects.safeguards import SAFEGUARDS
 from landscape.effects.settings import PRESETS, Settings
 from landscape.effects.statue import Statue
 from landscape.effects.tone import Tone
@@ -165,11 +166,9 @@ class Hall(Ground):
 
     def _draw_shadow(self, frame: Frame, where: str) -> None:
         """Draw the statue's shadows on the floor, or on the north wall of the room."""
-        if (
-            self.shadow is None
-            or self.statue is None
-            or not {"shadow", "statue", where} <= self.shown
-        ):
+        if self.shadow is None or not {"shadow", "statue", where} <= self.shown:
+            return
+        if where == "floor" and frame.eye_y <= 0.0:
             return
         with drawing("shadow"):
             if where == "floor":
@@ -228,5 +227,6 @@ SCENE = Scene(
     main=MAIN,
     open=Hall,
     terrain=lambda settings, assets: Ground(),
+    fixes=SAFEGUARDS,
     digits=KEYS,
 )

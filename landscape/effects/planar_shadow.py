@@ -9,11 +9,11 @@ over them, and clears each mark as it does.
 State used: modelview, stencil bit RECEIVER, blending, polygon offset, depth function and mask.
 What is wrong without its safeguards: without ``shadow.stencil`` each layer of the flattened statue
 darkens again what another has darkened, and the shadow hangs in the air where the plane has no
-surface, as in the rose window. Without ``shadow.offset`` surface and shadow have nearly the same
-depth and fight pixel by pixel; glPolygonOffset brings the shadow a little nearer. Without
-``shadow.behind`` the matrix is drawn with both signs, as by a program that divides by w' itself and
-forgets its sign: what is higher than the torch then has an anti-shadow on the floor, on the torch's
-other side, and a sun behind the wall casts shadows onto its inside.
+surface, as in the rose window until the sky covers it. Without ``shadow.offset`` surface and shadow
+have nearly the same depth and fight pixel by pixel; glPolygonOffset brings the shadow a little
+nearer. Without ``shadow.behind`` the matrix is drawn with both signs, as by a program that divides
+by w' itself and forgets its sign: what is higher than the torch then has an anti-shadow on the
+floor, on the torch's other side, and a sun behind the wall casts shadows onto its inside.
 A planar shadow has hard edges and falls on planes alone: pillars and vault receive none.
 """
 

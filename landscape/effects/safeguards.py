@@ -1,0 +1,199 @@
+"""The safeguards of the hall's effects, as pairs of pictures: without each one, and with it.
+
+Their names are views (`landscape render mirror_stencil`), and keys switch them in the walk.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from landscape.effects.views import VIEWS
+from landscape.frame import Pose
+from landscape.scene import View
+
+
+@dataclass(frozen=True)
+class Safeguard:
+    """One safeguard: where to see it, the settings without and with it, and its captions.
+
+    ``view`` is a pose, or the name of the view whose pose to take. ``flaw`` says what goes wrong,
+    ``look`` what to compare, ``how`` what the safeguard does in OpenGL; ``seen`` describes the two
+    pictures for readers who cannot see them.
+    """
+
+    name: str
+    title: str
+    view: str | Pose
+    kt: float
+    off: Mapping[str, Any]
+    on: Mapping[str, Any]
+    flaw: str
+    look: str
+    how: str
+    seen: tuple[str, str]
+
+    def settings(self, after: bool) -> Mapping[str, Any]:
+        """Return the settings of one picture: without the safeguard, or with it."""
+        return self.on if after else self.off
+
+    def pose(self, after: bool) -> Pose:
+        """Return the pose of both pictures; its y may be None."""
+        return VIEWS[self.view].pose if isinstance(self.view, str) else self.view
+
+    def as_view(self) -> View:
+        """Return the view with the safeguard, under its name."""
+        return View(self.name, self.title, self.pose(True), self.kt, settings=self.on)
+
+
+def pair(key: str, **beside: Any) -> dict[str, dict[str, Any]]:
+    """Return the settings without and with a safeguard; groups of ``beside`` hold others."""
+    others = {f"{group}.{k}": v for group, values in beside.items() for k, v in values.items()}
+    return {"off": {**others, key: False}, "on": {**others, key: True}}
+
+
+BRONZE = {"environment": "none"}
+LOW_SUN = {"azimuth": 4.0, "elevation": 7.0}  # degrees: beyond the north wall
+
+SAFEGUARDS: tuple[Safeguard, ...] = (
+    Safeguard(
+        "mirror_stencil",
+        "The mirror image ends where the floor ends",
+        Pose(0.06, 0.95, 1.6, 90.0, -33.0),
+        20.0,
+        **pair("mirror.stencil"),
+        flaw="The image is a second hall upside down under the floor. From outside it hangs out "
+        "below the floor's edge.",
+        look="Look below the near edge of the floor. Before, there is a mirrored vault; after, "
+        "nothing.",
+        how="The floor is drawn into the stencil buffer first (GL_REPLACE), and the image only "
+        "where that is 1 (GL_EQUAL).",
+        seen=(
+            "the hall cut open, and a second one upside down hanging below it",
+            "the hall cut open, mirrored in its floor alone",
+        ),
+    ),
+    Safeguard(
+        "mirror_winding",
+        "Front faces that stay in front under the mirror",
+        "hall_mirror",
+        20.0,
+        **pair("mirror.winding"),
+        flaw="A mirror turns the order of every triangle's corners around, so that culling removes "
+        "the near sides and keeps the far ones.",
+        look="Compare plinth and pillars with their images in the floor.",
+        how="glFrontFace(GL_CW) while the image is drawn.",
+        seen=(
+            "a floor that mirrors the dragon's inside, and walls that are not there",
+            "a floor that mirrors dragon, pillars and walls as they are",
+        ),
+    ),
+    Safeguard(
+        "mirror_normals",
+        "Normals of length 1 in the image",
+        "hall_mirror",
+        20.0,
+        **pair("mirror.normals", statue=BRONZE),
+        flaw="The image's dragon is scaled by glScalef, which makes normals too long: here the "
+        "light on it is four times as strong.",
+        look="Compare the dragon in the floor with the one on the plinth.",
+        how="GL_NORMALIZE makes each normal a unit vector after the modelview matrix.",
+        seen=(
+            "a bronze dragon whose image in the floor glares",
+            "a bronze dragon whose image in the floor has its own shading",
+        ),
+    ),
+    Safeguard(
+        "mirror_lights",
+        "Lights that are mirrored, too",
+        "hall_mirror",
+        20.0,
+        **pair("mirror.lights", statue=BRONZE),
+        flaw="OpenGL keeps a light where it was when its position was set. The mirrored dragon "
+        "then turns its lit side away from the sun, and its belly is bright.",
+        look="Compare where the light falls on the dragon and on its image.",
+        how="glLightfv(GL_POSITION) is called again under the mirror matrix.",
+        seen=(
+            "a bronze dragon whose image is lit from the wrong side",
+            "a bronze dragon whose image is lit as itself",
+        ),
+    ),
+    Safeguard(
+        "mirror_clip",
+        "Nothing from under the floor in the image",
+        Pose(1.74, 0.3, 2.66, 348.0, -24.0),
+        20.0,
+        **pair("mirror.clip"),
+        flaw="The pool's basin lies under the floor, so that its mirror image stands above it.",
+        look="Look at the floor behind the pool and beside it.",
+        how="glClipPlane keeps what is above the floor; it is placed under the mirror matrix.",
+        seen=(
+            "a pool with a ghostly wall around its far edge",
+            "a pool in an even, polished floor",
+        ),
+    ),
+    Safeguard(
+        "mirror_underside",
+        "A floor with an underside",
+        Pose(0.5, -0.55, 3.1, 42.0, 24.0),
+        20.0,
+        **pair("mirror.underside"),
+        flaw="The floor's triangles face upwards and are culled from below: one looks up into the "
+        "hall.",
+        look="We hover below the hall and look up.",
+        how="With glFrontFace(GL_CW) the other side of the same triangles is drawn, in a colour.",
+        seen=("the hall seen through its missing floor", "the dark blue underside of the floor"),
+    ),
+    Safeguard(
+        "shadow_stencil",
+        "No pixel darkened twice",
+        "hall_shadow",
+        20.0,
+        **pair("shadow.stencil"),
+        flaw="The flattened dragon has at least two layers, and each darkens again.",
+        look="Look at the dragon's neck and body on the wall.",
+        how="The wall is marked in the stencil buffer; each pixel of the shadow clears its mark.",
+        seen=(
+            "a black, blotched shadow of a dragon on the wall",
+            "a dragon's shadow of one even tone on the wall",
+        ),
+    ),
+    Safeguard(
+        "shadow_offset",
+        "A shadow that does not fight with its floor",
+        Pose(1.66, 0.1, 1.02, 318.0, -9.0),
+        20.0,
+        **pair("shadow.offset"),
+        flaw="Shadow and floor lie in one plane. Rounding decides for each pixel which is nearer.",
+        look="Look at the shadow on the floor.",
+        how="GL_POLYGON_OFFSET_FILL brings the shadow a little nearer to the eye.",
+        seen=("a shadow torn into stripes and specks", "an unbroken shadow"),
+    ),
+    Safeguard(
+        "shadow_behind",
+        "What is higher than the torch casts nothing down",
+        Pose(1.92, 0.42, 2.66, 322.0, -24.0),
+        20.0,
+        **pair("shadow.behind"),
+        flaw="Lines from the dragon's head through the torch meet the floor, too, on this side of "
+        "the torch. They are no rays of its light: an anti-shadow.",
+        look="Look at the floor around the pool.",
+        how="The matrix gives such points a negative w, and OpenGL clips them. The flaw is drawn "
+        "by the same matrix with the opposite sign.",
+        seen=(
+            "a dark shape on the near floor, in full light of the torch",
+            "a near floor without shadows",
+        ),
+    ),
+    Safeguard(
+        "shadow_sun",
+        "A sun behind the wall casts nothing on its inside",
+        Pose(1.72, 0.1, 1.04, 336.0, 9.0),
+        20.0,
+        **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun"}),
+        flaw="The morning sun stands beyond the north wall. Its rays never reach the wall's "
+        "inside, but the matrix has a point there for every point of the dragon.",
+        look="Look at the wall below the window.",
+        how="p . l is negative, and with it every w: OpenGL clips all of it.",
+        seen=("a dragon's shadow that the sun behind the wall casts on it", "a wall without one"),
+    ),
+)

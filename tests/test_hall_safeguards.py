@@ -1,0 +1,65 @@
+"""The hall's safeguards: each has a view, and its two pictures differ where its caption says."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from stage import SIZE, Stage
+
+from landscape.effects.hall import SCENE, Hall
+from landscape.effects.safeguards import SAFEGUARDS, Safeguard
+from landscape.files.assets import Assets
+from landscape.keys import fields, get, with_settings
+from landscape.scene import Moment, find_view, placed
+
+LEAST = 150  # pixels of 160 x 120 that differ clearly between the two pictures
+
+
+@pytest.fixture(scope="module")
+def opened(the_stage: Stage) -> Iterator[list[Hall]]:
+    """The hall that was opened last, in a list."""
+    kept: list[Hall] = []
+    yield kept
+    the_stage.enter()
+    for hall in kept:
+        hall.release()
+
+
+def picture(stage: Stage, opened: list[Hall], safeguard: Safeguard, after: bool) -> np.ndarray:
+    """Return one picture of a pair, int64 (h, w, 3)."""
+    settings = with_settings(SCENE.settings, safeguard.settings(after))
+    with stage.borrowed():
+        if not opened or not opened[0].apply(settings):
+            while opened:
+                opened.pop().release()
+            opened.append(Hall(settings, Assets(), 0))
+        pose = placed(safeguard.pose(after), opened[0], settings.walk.eye)
+        opened[0].draw(Moment(pose, SIZE, safeguard.kt))
+        return stage.read()
+
+
+@pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
+def test_a_safeguard_s_two_pictures_differ(
+    stage: Stage, opened: list[Hall], safeguard: Safeguard
+) -> None:
+    before, after = (picture(stage, opened, safeguard, each) for each in (False, True))
+    assert (np.abs(before - after).max(axis=2) > 15).sum() > LEAST
+
+
+@pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
+def test_a_safeguard_s_name_is_a_view_with_it(safeguard: Safeguard) -> None:
+    kind, view = find_view(safeguard.name)
+    assert kind is SCENE and view.pose == safeguard.pose(True)
+    assert view.settings == safeguard.on
+    assert safeguard.on.keys() == safeguard.off.keys() and safeguard.on != safeguard.off
+    for text in (safeguard.flaw, safeguard.look, safeguard.how, *safeguard.seen):
+        assert text.strip()
+
+
+def test_every_safeguard_of_mirror_and_shadow_has_a_pair() -> None:
+    kinds = fields(type(SCENE.settings))
+    groups = ("mirror.", "shadow.")
+    switches = {key for key in kinds if key.startswith(groups)
+                and isinstance(get(SCENE.settings, key), bool)}  # fmt: skip
+    paired = {key for each in SAFEGUARDS for key in each.on if each.on[key] != each.off[key]}
+    assert switches - paired == {"mirror.enabled", "mirror.fresnel"}
