@@ -136,7 +136,7 @@ def test_the_floor_is_blended_over_its_image_by_the_reflectance(stage, halls, fr
     changed = {"mirror.strength": strength, "mirror.fresnel": fresnel}
     plain, _ = drawn(stage, halls, NAVE, {"mirror.enabled": False}, STONE)
     mixed, _ = drawn(stage, halls, NAVE, changed, STONE)
-    for column, row in ((80, 90), (40, 110), (80, 115)):
+    for column, row in ((80, 90), (20, 105), (80, 115)):
         assert floor[row, column]
         across, up = np.array([column + 0.5 - SIZE[0] / 2, SIZE[1] / 2 - row - 0.5]) / (
             SIZE[1] / 2 / math.tan(math.radians(SCENE.settings.camera.fov / 2))
@@ -175,7 +175,7 @@ def test_without_normalized_normals_the_statue_s_image_is_too_bright(stage, hall
 def test_without_mirrored_lights_the_image_is_lit_from_below(stage, halls) -> None:
     on, floor = drawn(stage, halls, NAVE)
     off, _ = drawn(stage, halls, NAVE, {"mirror.lights": False})
-    assert (difference(on, off) > 20)[floor].sum() > 200
+    assert (difference(on, off) > 20)[floor].sum() > 100
     assert difference(on, off)[~floor].max() == 0
 
 

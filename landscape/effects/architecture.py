@@ -1,246 +1,92 @@
-"""The hall's stone as surfaces: floor, walls with their openings, pillars and vault. No OpenGL."""
+"""The hall's shell as surfaces: floor, pool, walls with their openings, and vault. No OpenGL.
 
-from collections.abc import Callable
-from dataclasses import replace
+Mouldings, tracery, pillars and what else stands against the shell are in ornaments.py.
+"""
 
 import numpy as np
 
 from landscape.effects import plan
+from landscape.effects.ornaments import ornaments
+from landscape.effects.shapes import (
+    STEPS,
+    Place,
+    across_x,
+    across_z,
+    arch,
+    around,
+    bay_arch,
+    circle,
+    flat,
+    halves,
+    level,
+    outline,
+    pointed,
+    seen_from,
+    upright,
+)
 from landscape.effects.surfaces import Surface
 
-POINTED = 1.3  # chosen: radius of the arcs of a pointed arch, in half spans; 1 is a round arch
-FINE = 12  # chosen: points along half an arch
-SIDES = 12  # chosen: of a pillar
-
-Curve = Callable[[np.ndarray], np.ndarray]
-Place = Callable[[np.ndarray, np.ndarray], np.ndarray]
+Opening = tuple[float, float, float, float]  # half width, sill, springing, top
 
 
-def arch(fraction: np.ndarray) -> np.ndarray:
-    """Return the height of a pointed arch, 0..1, at ``fraction`` of half its span, -1..1."""
-    top = np.sqrt(POINTED**2 - (POINTED - 1) ** 2)
-    from_centre = np.minimum(np.abs(fraction), 1.0) + POINTED - 1
-    return np.asarray(np.sqrt(np.maximum(POINTED**2 - from_centre**2, 0.0)) / top)
+def bay_columns(bay: tuple[float, float], low: float, high: float) -> np.ndarray:
+    """Return the distances along a bay's wall from ``low`` to ``high`` where the vault bends."""
+    inside = halves(*bay)
+    inside = inside[(inside > low + 1e-6) & (inside < high - 1e-6)]
+    return np.concatenate([[low], inside, [high]])
 
 
-def level(height: float) -> Curve:
-    """Return the curve of a constant height."""
-    return lambda along: np.full_like(along, height)
+def wall_with_opening(bay: tuple[float, float], opening: Opening, to: Place) -> list[Surface]:
+    """Return a bay's wall around a pointed opening in its middle.
 
-
-def pointed(middle: float, half: float, springing: float, top: float) -> Curve:
-    """Return a pointed arch over ``middle``, the head of an opening or a bay."""
-    return lambda along: springing + (top - springing) * arch((along - middle) / half)
-
-
-def bay_arch(low: float, high: float) -> Curve:
-    """Return where the vault over a bay from ``low`` to ``high`` meets the wall."""
-    return pointed((low + high) / 2, (high - low) / 2, plan.SPRINGING, plan.CROWN)
-
-
-def across_x(x: float) -> Place:
-    """Return the places of a wall at ``x`` that runs along z."""
-    return lambda along, height: np.stack([np.full_like(along, x), height, along], axis=-1)
-
-
-def across_z(z: float) -> Place:
-    """Return the places of a wall at ``z`` that runs along x."""
-    return lambda along, height: np.stack([along, height, np.full_like(along, z)], axis=-1)
-
-
-def upright(
-    along: np.ndarray,
-    low: Curve,
-    high: Curve,
-    to: Place,
-    rows: int = 5,
-    material: str = "wall",
-) -> Surface:
-    """Return the part of a wall between two curves, at distances ``along`` (n,).
-
-    ``to`` gives the points of distances along the wall and heights.
-    """
-    t = np.linspace(1.0, 0.0, rows)[:, None]
-    heights = low(along) * (1 - t) + high(along) * t
-    return Surface(to(np.broadcast_to(along, heights.shape), heights), material)
-
-
-def reveal(outline: np.ndarray, depth: np.ndarray, material: str = "wall") -> Surface:
-    """Return the sides of an opening: an outline (n, 3) in the wall's face, moved by ``depth``."""
-    return Surface(np.stack([outline, outline + depth]), material)
-
-
-def seen_from(surface: Surface, eye: np.ndarray) -> Surface:
-    """Return a surface with its columns reversed if it would turn its back to a point (3,)."""
-    p = surface.points
-    across, down = p[:-1, 1:] - p[:-1, :-1], p[1:, :-1] - p[:-1, :-1]
-    facing = np.cross(down, across) * (eye - p[:-1, :-1])
-    return surface if facing.sum() > 0 else replace(surface, points=p[:, ::-1])
-
-
-def spaced(low: float, high: float, step: float = 0.03) -> np.ndarray:
-    """Return numbers from ``low`` to ``high``, at most ``step`` apart."""
-    return np.linspace(low, high, max(int(np.ceil(abs(high - low) / step)), 1) + 1)
-
-
-def halves(low: float, high: float) -> np.ndarray:
-    """Return numbers from ``low`` to ``high``, closer where an arch over them is steep."""
-    turn = np.linspace(-np.pi / 2, np.pi / 2, 2 * FINE + 1)
-    return np.asarray((low + high) / 2 + (high - low) / 2 * np.sin(turn))
-
-
-def wall_with_opening(
-    bay: tuple[float, float], opening: tuple[float, float, float, float], to: Place
-) -> list[Surface]:
-    """Return a bay's wall around a pointed opening: (half width, sill, springing, top).
-
-    ``bay`` is where the bay begins and ends along the wall; the opening is in its middle.
+    ``bay`` is where the bay begins and ends along the wall.
     """
     (low, high), (half, sill, springing, top) = bay, opening
     middle = (low + high) / 2
     vault = bay_arch(low, high)
     head = pointed(middle, half, springing, top)
     between = halves(middle - half, middle + half)
+    both = np.union1d(between, bay_columns(bay, middle - half, middle + half))
     parts = [
-        upright(spaced(low, middle - half), level(0.0), vault, to, 9),
-        upright(spaced(middle + half, high), level(0.0), vault, to, 9),
-        upright(between, head, vault, to, 5),
+        upright(bay_columns(bay, low, middle - half), level(0.0), vault, to),
+        upright(bay_columns(bay, middle + half, high), level(0.0), vault, to),
+        upright(both, head, vault, to),
     ]
-    return parts + ([upright(between, level(0.0), level(sill), to, 5)] if sill > 0 else [])
+    return parts + ([upright(between[[0, -1]], level(0.0), level(sill), to)] if sill > 0 else [])
 
 
-def outline(middle: float, opening: tuple[float, float, float, float], to: Place) -> np.ndarray:
-    """Return the outline (n, 3) of a pointed opening, from sill to sill over its head."""
+def embrasure(
+    middle: float, opening: Opening, to: Place, depth: np.ndarray, splay: float
+) -> list[Surface]:
+    """Return the sides of an opening, ``depth`` (3,) deep; outside it is narrower by ``splay``."""
     half, sill, springing, top = opening
-    along = halves(middle - half, middle + half)
-    heights = pointed(middle, half, springing, top)(along)
-    along = np.concatenate([along[:1], along, along[-1:]])
-    return to(along, np.concatenate([[sill], heights, [sill]]))
+    inner = outline(middle, opening, to)
+    narrow = half - splay, sill + 2 * splay * (sill > 0), springing, top - splay
+    outer = outline(middle, narrow, to) + depth
+    centre = (inner.mean(axis=0) + outer.mean(axis=0)) / 2
+    sides = [Surface(np.stack([inner, outer]), "wall")]
+    if sill > 0:
+        ends = np.stack([inner[[0, -1]], outer[[0, -1]]])
+        sides.append(Surface(ends, "stone"))
+    return [seen_from(side, centre) for side in sides]
 
 
 def vault_web(x: tuple[float, float], z: tuple[float, float], side: int) -> Surface:
     """Return one of the four webs of a groin vault over a bay: two pointed tunnels that cross.
 
-    The web of ``side`` 0 to 3 begins at the bay's edge and ends in a point under the crown; on it
-    the ceiling is the tunnel that runs across that edge.
+    The web of ``side`` 0 to 3 lies between the bay's edge and the two groins; on it the ceiling is
+    the tunnel that runs across that edge, straight from the edge to the groin.
     """
-    from_edge = np.linspace(0.0, 1.0, FINE + 1)[:, None]
-    along = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 2 * FINE + 1))[None, :] * (1 - from_edge)
-    outwards = np.broadcast_to(1 - from_edge, along.shape) * (1 if side % 2 else -1)
+    half_x, half_z = (x[1] - x[0]) / 2, (z[1] - z[0]) / 2
+    along = np.stack([STEPS, STEPS])
+    outwards = np.stack([np.ones_like(STEPS), np.abs(STEPS)]) * (1 if side % 2 else -1)
     u, v = (outwards, along) if side < 2 else (along, outwards)
     height = plan.SPRINGING + (plan.CROWN - plan.SPRINGING) * arch(along)
-    px, pz = sum(x) / 2 + (x[1] - x[0]) / 2 * u, sum(z) / 2 + (z[1] - z[0]) / 2 * v
-    return Surface(np.stack([px, height, pz], axis=-1), "vault")
-
-
-def pillar(x: float, z: float) -> list[Surface]:
-    """Return a pillar as surfaces of revolution: base, shaft and capital."""
-    r, top = plan.PILLAR, plan.SPRINGING
-    parts = [
-        [(r + 0.022, 0.03), (r + 0.022, 0.0)],
-        [(r, 0.055), (r + 0.006, 0.045), (r + 0.022, 0.03)],
-        [(r, top - 0.05), (r, top / 2), (r, 0.055)],
-        [(r + 0.028, top + 0.02), (r + 0.028, top), (r + 0.012, top - 0.03), (r, top - 0.05)],
-    ]
-    turn = np.linspace(0.0, 2 * np.pi, SIDES + 1)[None, ::-1]
-    surfaces = []
-    for profile in parts:
-        radius, height = (np.array(each)[:, None] for each in zip(*profile, strict=True))
-        ring = [x + radius * np.cos(turn), height + 0 * turn, z + radius * np.sin(turn)]
-        surfaces.append(Surface(np.stack(ring, axis=-1), "pillar"))
-    return surfaces
-
-
-def box(west: float, east: float, north: float, south: float, low: float, high: float,
-        material: str) -> list[Surface]:  # fmt: skip
-    """Return the four sides and the top of a box."""
-    middle = np.array([(west + east) / 2, (low + high) / 2, (north + south) / 2])
-    sides = [(west, north, east, north), (east, north, east, south), (east, south, west, south),
-             (west, south, west, north)]  # fmt: skip
-    found = []
-    for x0, z0, x1, z1 in sides:
-        side = np.array([[(x0, high, z0), (x1, high, z1)], [(x0, low, z0), (x1, low, z1)]])
-        away = 2 * side.reshape(-1, 3).mean(axis=0) - middle
-        found.append(seen_from(Surface(side, material), away))
-    return [*found, flat(plan.Rectangle(west, east, north, south), high, material)]
-
-
-def flat(area: plan.Rectangle, y: float, material: str) -> Surface:
-    """Return a level rectangle, seen from above."""
-    x, z = np.meshgrid(spaced(area.west, area.east, 0.1), spaced(area.north, area.south, 0.1))
-    return Surface(np.stack([x, np.full_like(x, y), z], axis=-1), material)
-
-
-def floor() -> list[Surface]:
-    """Return the floor around the pool, in four parts."""
-    inside, pool = plan.INSIDE, plan.POOL
-    parts = [
-        inside._replace(south=pool.north),
-        plan.Rectangle(inside.west, pool.west, pool.north, pool.south),
-        plan.Rectangle(pool.east, inside.east, pool.north, pool.south),
-        inside._replace(north=pool.south),
-    ]
-    return [flat(part, 0.0, "floor") for part in parts]
-
-
-def pool() -> list[Surface]:
-    """Return the pool's bed and its sides, seen from within."""
-    area, bed = plan.POOL, plan.POOL_BED
-    middle = np.array([(area.west + area.east) / 2, bed / 2, (area.north + area.south) / 2])
-    sides = box(*area, bed, 0.0, "pool")[:4]
-    return [seen_from(side, middle) for side in sides] + [flat(area, bed, "pool")]
-
-
-def walls() -> list[Surface]:
-    """Return the four walls, their openings' sides, and the alcoves."""
-    inside, centre = plan.INSIDE, np.array([plan.AXIS, 0.3, (plan.INSIDE.north + 2.8) / 2])
-    window = plan.WINDOW_HALF, plan.WINDOW_SILL, plan.WINDOW_SPRINGING, plan.WINDOW_TOP
-    alcove = plan.ALCOVE_HALF, 0.0, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP
-    door = plan.DOOR_HALF, 0.0, plan.DOOR_SPRINGING, plan.DOOR_TOP
-    found: list[Surface] = []
-    openings: list[Surface] = []
-    for bay in zip(plan.BAYS, plan.BAYS[1:], strict=False):
-        middle = sum(bay) / 2
-        for x, opening, outside in (
-            (inside.east, window, plan.WALL),
-            (inside.west, alcove, -plan.ALCOVE_DEPTH),
-        ):
-            to = across_x(x)
-            found += wall_with_opening(bay, opening, to)
-            sides = reveal(outline(middle, opening, to), np.array([outside, 0.0, 0.0]))
-            openings.append(seen_from(sides, np.array([x + outside / 2, 0.25, middle])))
-        back = across_x(inside.west - plan.ALCOVE_DEPTH)
-        between = halves(middle - plan.ALCOVE_HALF, middle + plan.ALCOVE_HALF)
-        head = pointed(middle, plan.ALCOVE_HALF, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP)
-        found.append(upright(between, level(0.0), head, back))
-        area = (inside.west - plan.ALCOVE_DEPTH, inside.west)
-        edges = middle - plan.ALCOVE_HALF, middle + plan.ALCOVE_HALF
-        openings.append(flat(plan.Rectangle(*area, *edges), 0.0, "alcove"))
-    spans = [(inside.west, plan.ROWS[0]), plan.ROWS, (plan.ROWS[1], inside.east)]
-    for z in (inside.north, inside.south):
-        to = across_z(z)
-        for low, high in (spans[0], spans[2]):
-            found.append(upright(halves(low, high), level(0.0), bay_arch(low, high), to, 9))
-    found += wall_with_opening(spans[1], door, across_z(inside.south))
-    found += rose_wall(*spans[1])
-    return [seen_from(each, centre) for each in found] + openings
-
-
-def rose_wall(low: float, high: float) -> list[Surface]:
-    """Return the nave's north wall around its round window, without the window's sides."""
-    (height, radius), to = plan.ROSE, across_z(plan.INSIDE.north)
-    vault = bay_arch(low, high)
-    between = halves(plan.AXIS - radius, plan.AXIS + radius)
-
-    def half_height(along: np.ndarray) -> np.ndarray:
-        return np.asarray(np.sqrt(np.maximum(radius**2 - (along - plan.AXIS) ** 2, 0.0)))
-
-    return [
-        upright(spaced(low, plan.AXIS - radius), level(0.0), vault, to, 9),
-        upright(spaced(plan.AXIS + radius, high), level(0.0), vault, to, 9),
-        upright(between, level(0.0), lambda s: height - half_height(s), to),
-        upright(between, lambda s: height + half_height(s), vault, to),
-    ]
+    points = np.stack([sum(x) / 2 + half_x * u, height, sum(z) / 2 + half_z * v], axis=-1)
+    bent = np.linalg.norm(np.diff(points[0], axis=0), axis=1)
+    course = np.broadcast_to(np.concatenate([[0.0], np.cumsum(bent)]), along.shape)
+    straight = outwards * (half_x if side < 2 else half_z)
+    return Surface(points, "vault", np.stack([straight, course], axis=-1), 0.8)
 
 
 def vault() -> list[Surface]:
@@ -255,13 +101,131 @@ def vault() -> list[Surface]:
     ]
 
 
-def plinth() -> list[Surface]:
-    """Return the plinth of the statue."""
-    (x, z), (half, top) = plan.STATUE, plan.PLINTH
-    return box(x - half, x + half, z - half, z + half, 0.0, top, "plinth")
+def floor() -> list[Surface]:
+    """Return the floor: slabs, a dark band along each row of pillars, and the medallion."""
+    inside, pool = plan.INSIDE, plan.POOL
+    band, (x, z) = plan.FLOOR_BAND, plan.STATUE
+    medallion = plan.Rectangle(
+        x - plan.MEDALLION, x + plan.MEDALLION, z - plan.MEDALLION, z + plan.MEDALLION
+    )
+    west, east = plan.ROWS[0] + band, plan.ROWS[1] - band
+    nave = inside._replace(west=west, east=east)
+    slabs = [
+        inside._replace(east=plan.ROWS[0] - band),
+        inside._replace(west=plan.ROWS[1] + band),
+        nave._replace(south=medallion.north),
+        plan.Rectangle(west, medallion.west, medallion.north, medallion.south),
+        plan.Rectangle(medallion.east, east, medallion.north, medallion.south),
+        nave._replace(north=medallion.south, south=pool.north),
+        plan.Rectangle(west, pool.west, pool.north, pool.south),
+        plan.Rectangle(pool.east, east, pool.north, pool.south),
+        nave._replace(north=pool.south),
+    ]
+    bands = [inside._replace(west=row - band, east=row + band) for row in plan.ROWS]
+    found = [flat(part, 0.0, "floor", "floor", 0.1) for part in slabs]
+    found += [flat(part, 0.0, "band", "floor", 0.1) for part in bands]
+    picture = flat(medallion, 0.0, "medallion", "floor", 0.1)
+    u = (picture.points[..., [0, 2]] - (medallion.west, medallion.north)) / (2 * plan.MEDALLION)
+    return [*found, Surface(picture.points, "medallion", u, 1.0, "floor")]
+
+
+def pool() -> list[Surface]:
+    """Return the pool's bed and its sides, seen from within."""
+    area, bed = plan.POOL, plan.POOL_BED
+    sides = [side.reversed() for side in around(area, [(0.0, 0.0), (0.0, bed)], "pool")]
+    return [*sides, flat(area, bed, "pool")]
+
+
+def alcove(middle: float, to_wall: float) -> list[Surface]:
+    """Return the sides, the back and the floor of the alcove whose middle is at z ``middle``."""
+    opening = plan.ALCOVE_HALF, 0.0, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP
+    depth = np.array([-plan.ALCOVE_DEPTH, 0.0, 0.0])
+    found = embrasure(middle, opening, across_x(to_wall), depth, 0.0)
+    edges = middle - plan.ALCOVE_HALF, middle + plan.ALCOVE_HALF
+    head = pointed(middle, plan.ALCOVE_HALF, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP)
+    back = across_x(to_wall - plan.ALCOVE_DEPTH)
+    seen = np.array([to_wall, 0.1, middle])
+    found.append(seen_from(upright(halves(*edges), level(0.0), head, back), seen))
+    area = plan.Rectangle(to_wall - plan.ALCOVE_DEPTH, to_wall, *edges)
+    return [*found, flat(area, 0.0, "alcove")]
+
+
+def walls() -> list[Surface]:
+    """Return the four walls, their openings' sides, and the alcoves."""
+    inside, centre = plan.INSIDE, np.array([plan.AXIS, 0.3, (plan.INSIDE.north + 2.8) / 2])
+    window = plan.WINDOW_HALF, plan.WINDOW_SILL, plan.WINDOW_SPRINGING, plan.WINDOW_TOP
+    recess = plan.ALCOVE_HALF, 0.0, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP
+    door = plan.DOOR_HALF, 0.0, plan.DOOR_SPRINGING, plan.DOOR_TOP
+    found: list[Surface] = []
+    openings: list[Surface] = []
+    outside = np.array([plan.WALL, 0.0, 0.0])
+    for bay in zip(plan.BAYS, plan.BAYS[1:], strict=False):
+        middle = sum(bay) / 2
+        to = across_x(inside.east)
+        found += wall_with_opening(bay, window, to)
+        openings += embrasure(middle, window, to, outside, plan.WINDOW_SPLAY)
+        found += wall_with_opening(bay, recess, across_x(inside.west))
+        openings += alcove(middle, inside.west)
+    spans = [(inside.west, plan.ROWS[0]), plan.ROWS, (plan.ROWS[1], inside.east)]
+    for z, sheet in ((inside.north, "north"), (inside.south, "hall")):
+        for span in (spans[0], spans[2]):
+            part = upright(halves(*span), level(0.0), bay_arch(*span), across_z(z))
+            found.append(Surface(part.points, part.material, part.plain, 1.0, sheet))
+    to = across_z(inside.south)
+    found += wall_with_opening(spans[1], door, to)
+    outside = np.array([0.0, 0.0, plan.WALL])
+    openings += embrasure(plan.AXIS, door, to, outside, 0.0)
+    step = plan.Rectangle(plan.AXIS - plan.DOOR_HALF, plan.AXIS + plan.DOOR_HALF,
+                          inside.south, inside.south + plan.WALL)  # fmt: skip
+    openings.append(flat(step, 0.0, "stone"))
+    found += rose_wall(*spans[1])
+    return [seen_from(each, centre) for each in found] + openings + rose_sides()
+
+
+def rose_turn() -> np.ndarray:
+    """Return the angles, in radians, of the points of the round window's outline."""
+    return np.linspace(0.0, 2 * np.pi, 49)
+
+
+def rose_wall(low: float, high: float) -> list[Surface]:
+    """Return the nave's north wall around its round window."""
+    (height, radius), to = plan.ROSE, across_z(plan.INSIDE.north)
+    bay, vault = (low, high), bay_arch(low, high)
+    turn = rose_turn()
+    round_x = np.sort(plan.AXIS + radius * np.cos(turn[:25]))
+    round_y = radius * np.abs(np.sin(np.arccos((round_x - plan.AXIS) / radius)))
+
+    def half_height(along: np.ndarray) -> np.ndarray:
+        return np.interp(along, round_x, round_y)
+
+    west, east = plan.AXIS - radius, plan.AXIS + radius
+    over = np.union1d(round_x, bay_columns(bay, west, east))
+    parts = [
+        upright(bay_columns(bay, low, west), level(0.0), vault, to),
+        upright(bay_columns(bay, east, high), level(0.0), vault, to),
+        upright(round_x, level(0.0), lambda s: height - half_height(s), to),
+        upright(over, lambda s: height + half_height(s), vault, to),
+    ]
+    return [Surface(each.points, each.material, each.plain, 1.0, "north") for each in parts]
+
+
+def rose_sides() -> list[Surface]:
+    """Return the sides of the round window, splayed outwards."""
+    height, radius = plan.ROSE
+    centre = np.array([plan.AXIS, height, plan.INSIDE.north])
+    right, up = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
+    inner = circle(centre, right, up, radius, rose_turn())
+    back = np.array([0.0, 0.0, -plan.WALL])
+    outer = circle(centre + back, right, up, radius - plan.WINDOW_SPLAY, rose_turn())
+    middle = centre + back / 2
+    return [seen_from(Surface(np.stack([inner, outer]), "wall"), middle)]
+
+
+def shell() -> list[Surface]:
+    """Return what closes the hall: floor, pool, walls and vault."""
+    return [*floor(), *pool(), *walls(), *vault()]
 
 
 def hall() -> list[Surface]:
     """Return all surfaces of the hall that stand still, the floor's first."""
-    pillars = [part for x in plan.ROWS for z in plan.BAYS[1:-1] for part in pillar(x, z)]
-    return [*floor(), *pool(), *walls(), *pillars, *vault(), *plinth()]
+    return [*shell(), *ornaments()]

@@ -31,12 +31,14 @@ SPRINGING, CROWN = 0.44, 0.74  # heights where the vault begins, and of its top
 
 # East wall: a lancet window in the middle of each bay.
 WINDOW_HALF = 0.07
-WINDOW_SILL, WINDOW_SPRINGING, WINDOW_TOP = 0.17, 0.40, 0.50
+WINDOW_SILL, WINDOW_SPRINGING, WINDOW_TOP = 0.17, 0.46, 0.58
+WINDOW_SPLAY = 0.012  # how much narrower windows are outside than inside, on each side
 # North wall: a round window.
 ROSE = (0.52, 0.13)  # height of its centre, and radius
 # South wall: the door.
 DOOR_HALF = 0.075
 DOOR_SPRINGING, DOOR_TOP = 0.15, 0.22
+DOOR_OPEN = 74.0  # degrees
 WALL = 0.05  # thickness
 
 # West wall: an alcove in the middle of each bay.
@@ -47,6 +49,9 @@ ALCOVES = tuple((north + south) / 2 for north, south in zip(BAYS, BAYS[1:], stri
 POOL = Rectangle(1.44, 1.76, 1.86, 2.34)
 POOL_BED, POOL_WATER = -0.05, -0.008
 RIM = 0.02  # width of the stone around the pool
+
+FLOOR_BAND = 0.045  # half the width of the dark band along a row of pillars
+MEDALLION = 0.225  # half the side of the medallion in the floor that the statue stands on
 
 STATUE = (AXIS, 1.2)  # x, z of the plinth's centre
 PLINTH = (0.15, 0.08)  # half its side, and height

@@ -10,10 +10,11 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.effects import architecture, plan
-from landscape.effects.surfaces import Chart, Surface, at, mesh
+from landscape.effects.materials import MATERIALS
+from landscape.effects.surfaces import Surface, at, mesh
 from landscape.geometry.mesh import Mesh
 
-LIT = ("wall", "alcove", "pillar", "vault")  # materials that face the pool
+LIT = ("wall", "alcove", "stone", "vault")  # materials that face the pool
 STEP = 0.03  # chosen: units between vertices of what is lit
 SPREAD = 3.0  # chosen: exponent of the cosine around the mirrored sun
 ALL_AROUND = 0.16  # chosen: light in all directions, beside the mirrored sun's
@@ -53,26 +54,22 @@ def thrown(points: np.ndarray, normals: np.ndarray, towards: np.ndarray) -> np.n
 
 
 def finer(surface: Surface) -> Surface:
-    """Return a surface with each interval of its grid divided, to steps of about STEP.
-
-    Only of plane facets, whose places the division does not change.
-    """
-    if surface.material == "vault":
-        return surface
+    """Return a surface with each interval of its grid divided, to steps of about STEP."""
     wide = [np.linalg.norm(np.diff(surface.points, axis=a), axis=2).max() for a in (0, 1)]
     times = [max(int(np.ceil(each / STEP)), 1) for each in wide]
-    if surface.material == "pillar":
-        times[1] = 1
     parts = [
         np.linspace(0, 1, (count - 1) * each + 1)
         for count, each in zip(surface.points.shape[:2], times, strict=True)
     ]
-    return replace(surface, points=at(surface.points, *np.meshgrid(*parts, indexing="ij")))
+    rows, columns = np.meshgrid(*parts, indexing="ij")
+    points = at(surface.points, rows, columns)
+    return replace(surface, points=points, plain=at(surface.on_material, rows, columns))
 
 
 def lit(surface: Surface, towards: np.ndarray) -> Mesh | None:
     """Return the part of a surface that the pool's light reaches, its light as colours, or None."""
-    fine = mesh(finer(surface), Chart(0, 0, 1, 1), 1)
+    divided = finer(surface)
+    fine = mesh(divided, MATERIALS[surface.material][1], divided.on_material)
     light = thrown(fine.vertices, fine.normals, towards)
     reached = (light[fine.triangles] > LEAST).any(axis=1)
     if not reached.any():

@@ -1,14 +1,23 @@
-"""The room: everything of stone that stands still, but for the floor.
+"""The room: everything of stone, wood and iron that stands still, lit by light that was baked.
 
-Technique: surfaces as grids of triangles (architecture.py), one display list a material.
-State used: GL_TEXTURE_2D, GL_LIGHTING, GL_CULL_FACE.
+Technique: surfaces as grids of triangles (architecture.py), one display list for each material and
+light map. Texture unit 0 holds the material, unit 1 the light map, a texture that is not repeated:
+GL_COMBINE multiplies the two, and GL_RGB_SCALE doubles the product, so that light can also brighten
+(OpenGL 1.3). No light of OpenGL is on.
+Floor and north wall have light maps of their own, from which the direct light of the sun or of the
+torch in front of the statue can be left out: see light.py, and ``without`` of :meth:`draw_floor`.
+State used: texture units 0 and 1, GL_CULL_FACE.
 """
 
 from collections.abc import Iterable, Sequence
 
-from landscape.effects import architecture, plan
+import numpy as np
+
+from landscape.effects.architecture import hall
+from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
+from landscape.effects.materials import MATERIALS
 from landscape.effects.settings import Settings
-from landscape.effects.surfaces import Surface, charts, mesh
+from landscape.effects.surfaces import mesh
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -16,49 +25,61 @@ from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import attrib, front_faces
+from landscape.gl.state import attrib, combine, front_faces
 from landscape.gl.texture import Texture
 
-TEXELS = 1024, 200.0  # chosen: side of the light map, and texels per unit
-TEXTURES = {"wall": "castle_brick.png", "alcove": "torch_stone.png", "vault": "torch_stone.png",
-            "pillar": "torch_stone.png", "plinth": "torch_stone.png", "pool": "mosaic.png",
-            "floor": "torch_stone.png"}  # fmt: skip
+FLOOR = "floor", "band", "medallion"
+BASIN = ("pool",)
+APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "torch"): (0.0, 0.0)}
+
+Key = tuple[str, str]  # sheet and material
 
 
-def is_north(surface: Surface) -> bool:
-    """Return whether a surface is a part of the north wall's inner face."""
-    return bool((surface.points[..., 2] == plan.INSIDE.north).all())
+def joined(parts: Sequence[Mesh]) -> Mesh:
+    """Return meshes with two texture units as one."""
+    starts = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])]).astype(np.uint32)
+    triangles = [part.triangles + start for part, start in zip(parts, starts, strict=True)]
+    units = zip(*(part.coordinates for part in parts), strict=True)
+    return Mesh(
+        np.concatenate([part.vertices for part in parts]),
+        np.concatenate([part.normals for part in parts]),
+        np.concatenate(triangles),
+        tuple(np.concatenate(unit) for unit in units),
+    )
 
 
-def send(meshes: Sequence[Mesh]) -> None:
-    """Send several meshes."""
-    for each in meshes:
-        draw_mesh(each)
+def meshes() -> dict[Key, Mesh]:
+    """Return all triangles of the hall by sheet and material, with coordinates for both units."""
+    found: dict[Key, list[Mesh]] = {}
+    for each in placed(hall()):
+        surface = each.surface
+        light = each.light / SIZES[surface.sheet]
+        part = mesh(surface, MATERIALS[surface.material][1], light)
+        found.setdefault((surface.sheet, surface.material), []).append(part)
+    return {key: joined(parts) for key, parts in found.items()}
 
 
 class Room:
     """Walls, pillars, vault, plinth and the pool's basin; the floor is drawn on its own."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Read the textures and compile a display list for each material."""
-        surfaces = architecture.hall()
-        side, texels = TEXELS
-        placed = list(zip(surfaces, charts(surfaces, side, texels), strict=True))
+        """Read the textures and compile a display list for each material and sheet."""
         self._textures = {
             name: Texture(read_image(assets.path(name), "RGB"))
-            for name in sorted(set(TEXTURES.values()))
+            for name in sorted({name for name, _ in MATERIALS.values()})
         }
-
-        def compiled(material: str) -> DisplayList:
-            meshes = [mesh(s, chart, side) for s, chart in placed if s.material == material]
-
-            return DisplayList(lambda: send(meshes))
-
-        self._lists = {name: compiled(name) for name in TEXTURES}
-        north = [mesh(s, chart, side) for s, chart in placed if is_north(s)]
-        plinth = [mesh(s, chart, side) for s, chart in placed if s.material == "plinth"]
-        self._north = DisplayList(lambda: send(north))
-        self._plinth = DisplayList(lambda: send(plinth))
+        picture = read_image(assets.path(FILE), "RGB")
+        self._light: dict[tuple[str, tuple[str, ...]], Texture] = {}
+        for sheet in SIZES:
+            for without, (sun, torch) in APART.items():
+                if sheet == "hall" and without:
+                    continue
+                image = light_map(picture, sheet, sun, torch)
+                self._light[sheet, without] = Texture(image, repeat=False, mipmaps=False)
+        self._lists = {
+            key: DisplayList(lambda part=part: draw_mesh(part))  # type: ignore[misc]
+            for key, part in meshes().items()
+        }
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing depends on them."""
@@ -66,56 +87,83 @@ class Room:
 
     def draw(self, frame: Frame) -> None:
         """Draw all but the floor and the pool's basin."""
-        self._draw(name for name in TEXTURES if name not in ("floor", "pool"))
+        self._draw(name for name in MATERIALS if name not in (*FLOOR, *BASIN))
 
-    def draw_floor(self) -> None:
-        """Draw the floor, in the current colour."""
-        self._draw(["floor"])
+    def draw_floor(self, *without: str) -> None:
+        """Draw the floor, in the current colour; ``without`` the light of "sun", "torch" or both.
+
+        Where a live shadow lies, the floor without that light is what is seen.
+        """
+        self._draw(FLOOR, without, ("floor", "hall"))
+
+    def draw_north(self, *without: str) -> None:
+        """Draw the north wall, as :meth:`draw_floor`."""
+        self._draw(("wall",), without, ("north",))
 
     def send_floor(self) -> None:
         """Send the floor's triangles that face the viewer, without any texture."""
         with attrib(gl.GL_ENABLE_BIT), front_faces():
-            self._lists["floor"].call()
+            self._send(FLOOR)
+
+    def draw_pool(self) -> None:
+        """Draw the pool's bed and sides."""
+        self._draw(BASIN)
+
+    def send(self, material: str) -> None:
+        """Send what is of a material, whatever the state."""
+        self._send([material])
+
+    def texture(self, material: str) -> Texture:
+        """Return the texture of a material."""
+        return self._textures[MATERIALS[material][0]]
 
     def send_north(self) -> None:
         """Send the north wall's triangles that face the viewer, without any texture."""
         with attrib(gl.GL_ENABLE_BIT), front_faces():
-            self._north.call()
+            self._lists["north", "wall"].call()
 
     def send_plinth(self) -> None:
         """Send the plinth's triangles as they are."""
-        self._plinth.call()
+        self._send(["plinth"])
 
     def send_foundation(self) -> None:
         """Send the triangles of floor and basin as they are."""
-        for name in ("floor", "pool"):
-            self._lists[name].call()
+        self._send((*FLOOR, *BASIN))
 
-    def draw_pool(self) -> None:
-        """Draw the pool's bed and sides."""
-        self._draw(["pool"])
+    def _send(self, materials: Iterable[str]) -> None:
+        for name in materials:
+            for sheet in SIZES:
+                if (sheet, name) in self._lists:
+                    self._lists[sheet, name].call()
 
-    def send(self, material: str) -> None:
-        """Send what is of a material, whatever the state."""
-        self._lists[material].call()
-
-    def texture(self, material: str) -> Texture:
-        """Return the texture of a material."""
-        return self._textures[TEXTURES[material]]
-
-    def _draw(self, materials: Iterable[str]) -> None:
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT), front_faces():
+    def _draw(
+        self,
+        materials: Iterable[str],
+        without: tuple[str, ...] = (),
+        sheets: Sequence[str] = tuple(SIZES),
+    ) -> None:
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT), front_faces():
+            gl.glDisable(gl.GL_LIGHTING)
+            gl.glActiveTexture(gl.GL_TEXTURE1)
             gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glEnable(gl.GL_LIGHTING)
-            gl.glEnable(gl.GL_COLOR_MATERIAL)
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, SCALE)
+            gl.glActiveTexture(gl.GL_TEXTURE0)
+            gl.glEnable(gl.GL_TEXTURE_2D)
             for name in materials:
-                self._textures[TEXTURES[name]].bind()
-                self._lists[name].call()
-            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+                self._textures[MATERIALS[name][0]].bind()
+                for sheet in sheets:
+                    if (sheet, name) not in self._lists:
+                        continue
+                    gl.glActiveTexture(gl.GL_TEXTURE1)
+                    self._light[sheet, without if sheet != "hall" else ()].bind()
+                    gl.glActiveTexture(gl.GL_TEXTURE0)
+                    self._lists[sheet, name].call()
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for compiled in (*self._lists.values(), self._north, self._plinth):
+        for compiled in self._lists.values():
             compiled.release()
-        for texture in self._textures.values():
+        for texture in (*self._textures.values(), *self._light.values()):
             texture.release()

@@ -5,11 +5,11 @@ rectangle of texels, its chart. All charts together fill one texture.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from landscape.geometry.mesh import Mesh, grid_triangles, vertex_normals
+from landscape.geometry.mesh import Mesh, grid_triangles
 
 BORDER = 1  # texels around a chart, so that filtering never reads its neighbours
 
@@ -18,15 +18,17 @@ BORDER = 1  # texels around a chart, so that filtering never reads its neighbour
 class Surface:
     """A grid of points (rows, columns, 3), counter-clockwise seen from where it shows.
 
-    Columns run to the right and rows downwards, seen from there. ``material`` names its texture,
-    ``repeats`` says how often that is repeated per unit. ``density`` multiplies the light map's
-    texels per unit.
+    Columns run to the right and rows downwards, seen from there. ``material`` names its texture;
+    ``plain`` (rows, columns, 2) is where each point lies in it, in units, by default the distances
+    along the grid. ``sheet`` names the light map it is in, ``density`` multiplies that map's texels
+    per unit.
     """
 
     points: np.ndarray
     material: str
-    repeats: float = 4.0
+    plain: np.ndarray | None = None
     density: float = 1.0
+    sheet: str = "hall"
 
     @property
     def lengths(self) -> tuple[float, float]:
@@ -34,6 +36,21 @@ class Surface:
         down = np.linalg.norm(np.diff(self.points, axis=0), axis=2).sum(axis=0).mean()
         across = np.linalg.norm(np.diff(self.points, axis=1), axis=2).sum(axis=1).mean()
         return float(down), float(across)
+
+    @property
+    def on_material(self) -> np.ndarray:
+        """Where each point lies in its material, (rows, columns, 2) in units."""
+        if self.plain is not None:
+            return self.plain
+        height, width = self.lengths
+        both = (fractions(self.points, axis) for axis in (0, 1))
+        v, u = np.meshgrid(*both, indexing="ij")
+        return np.stack([u * width, v * height], axis=-1)
+
+    def reversed(self) -> "Surface":
+        """Return it with its columns in the other order, so that it shows on the other side."""
+        plain = None if self.plain is None else self.plain[:, ::-1]
+        return replace(self, points=self.points[:, ::-1], plain=plain)
 
 
 @dataclass(frozen=True)
@@ -70,35 +87,80 @@ def charts(surfaces: Sequence[Surface], side: int, texels: float) -> list[Chart]
     return [found[index] for index in range(len(sizes))]
 
 
-def at(points: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
-    """Return points of a grid (r, c, 3) between its own, bilinearly, at fractions 0..1."""
-    r = np.clip(rows, 0, 1) * (points.shape[0] - 1)
-    c = np.clip(columns, 0, 1) * (points.shape[1] - 1)
-    top = np.minimum(r.astype(int), points.shape[0] - 2)
-    left = np.minimum(c.astype(int), points.shape[1] - 2)
+def at(grid: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """Return values of a grid (r, c, n) between its own, bilinearly, at fractions 0..1."""
+    r = np.clip(rows, 0, 1) * (grid.shape[0] - 1)
+    c = np.clip(columns, 0, 1) * (grid.shape[1] - 1)
+    top = np.minimum(r.astype(int), grid.shape[0] - 2)
+    left = np.minimum(c.astype(int), grid.shape[1] - 2)
     v, u = (r - top)[..., None], (c - left)[..., None]
-    upper = points[top, left] * (1 - u) + points[top, left + 1] * u
-    lower = points[top + 1, left] * (1 - u) + points[top + 1, left + 1] * u
+    upper = grid[top, left] * (1 - u) + grid[top, left + 1] * u
+    lower = grid[top + 1, left] * (1 - u) + grid[top + 1, left + 1] * u
     return np.asarray(upper * (1 - v) + lower * v)
 
 
-def mesh(surface: Surface, chart: Chart, side: int) -> Mesh:
-    """Return a surface as triangles: material coordinates in unit 0, the light map's in unit 1."""
-    rows, columns = surface.points.shape[:2]
-    vertices = np.ascontiguousarray(surface.points.reshape(-1, 3), np.float32)
-    triangles = grid_triangles(columns, rows)
-    v, u = np.meshgrid(np.linspace(0, 1, rows), np.linspace(0, 1, columns), indexing="ij")
-    height, width = surface.lengths
-    plain = np.stack([u * width, v * height], axis=-1) * surface.repeats
+def fractions(points: np.ndarray, axis: int) -> np.ndarray:
+    """Return how far along a grid its rows (``axis`` 0) or columns (1) lie, from 0 to 1."""
+    steps = np.linalg.norm(np.diff(points, axis=axis), axis=2).mean(axis=1 - axis)
+    along = np.concatenate([[0.0], np.cumsum(steps)])
+    return np.asarray(along / along[-1])
+
+
+def normals(points: np.ndarray) -> np.ndarray:
+    """Return the unit normals (rows, columns, 3) of a grid; it may close upon itself."""
+    down, across = np.gradient(points, axis=0), np.gradient(points, axis=1)
+    if points.shape[1] > 3 and np.allclose(points[:, 0], points[:, -1]):
+        across[:, 0] = across[:, -1] = points[:, 1] - points[:, -2]
+    found = np.cross(down, across)
+    length = np.linalg.norm(found, axis=2, keepdims=True)
+    mean = found.sum(axis=(0, 1))
+    # Where rows or columns meet in a point, the surface's mean normal stands in.
+    return np.where(length > 1e-9, found / np.maximum(length, 1e-12), mean / np.linalg.norm(mean))
+
+
+def cells(surface: Surface, chart: Chart) -> tuple[np.ndarray, np.ndarray]:
+    """Return place and normal, (height, width, 3) each, at the centre of each texel of a chart.
+
+    They are interpolated in the two triangles of each cell of the grid, as OpenGL does it.
+    """
+    points, facing = surface.points, normals(surface.points)
+    found, corner = [], []
+    for axis, count in ((0, chart.height), (1, chart.width)):
+        at = fractions(points, axis)
+        wanted = np.linspace(0.0, 1.0, count)
+        first = np.clip(np.searchsorted(at, wanted, "right") - 1, 0, len(at) - 2)
+        corner.append(first)
+        found.append((wanted - at[first]) / np.maximum(at[first + 1] - at[first], 1e-12))
+    b, a = found[0][:, None, None], found[1][None, :, None]
+    r, c = corner[0][:, None], corner[1][None, :]
+
+    def between(grid: np.ndarray) -> np.ndarray:
+        here, right, below, across = grid[r, c], grid[r, c + 1], grid[r + 1, c], grid[r + 1, c + 1]
+        lower = here + b * (below - here) + a * (across - below)
+        upper = here + a * (right - here) + b * (across - right)
+        return np.where(b >= a, lower, upper)
+
+    place, normal = between(points), between(facing)
+    return place, normal / np.maximum(np.linalg.norm(normal, axis=2, keepdims=True), 1e-9)
+
+
+def in_chart(surface: Surface, chart: Chart) -> np.ndarray:
+    """Return where each point of a surface lies in the light map, (rows, columns, 2) texels."""
+    v, u = np.meshgrid(fractions(surface.points, 0), fractions(surface.points, 1), indexing="ij")
     # The first and last points are at the centres of the first and last texels.
-    light = np.stack(
-        [
-            (chart.x + 0.5 + u * (chart.width - 1)) / side,
-            (chart.y + 0.5 + v * (chart.height - 1)) / side,
-        ],
-        axis=-1,
+    x = chart.x + 0.5 + u * (chart.width - 1)
+    return np.stack([x, chart.y + 0.5 + v * (chart.height - 1)], axis=-1)
+
+
+def mesh(surface: Surface, repeats: float, light: np.ndarray) -> Mesh:
+    """Return a surface as triangles, with its material's coordinates and those of its light.
+
+    The material's texture is repeated ``repeats`` times per unit (texture unit 0); ``light``
+    (rows, columns, 2) is used as it is (unit 1).
+    """
+    rows, columns = surface.points.shape[:2]
+    arrays = surface.points, normals(surface.points), surface.on_material * repeats, light
+    vertices, facing, *coordinates = (
+        np.ascontiguousarray(each.reshape(rows * columns, -1), np.float32) for each in arrays
     )
-    coordinates = tuple(
-        np.ascontiguousarray(each.reshape(-1, 2), np.float32) for each in (plain, light)
-    )
-    return Mesh(vertices, vertex_normals(vertices, triangles), triangles, coordinates)
+    return Mesh(vertices, facing, grid_triangles(columns, rows), tuple(coordinates))

@@ -1,0 +1,117 @@
+"""The hall's baked light: which part of which light map each surface has, and how maps are coded.
+
+There are three maps, named sheets: ``floor`` and ``north`` (the north wall) lie flat over their
+plane, everything else has charts in ``hall``. Two lights are kept apart on floor and north wall,
+because shadows that are drawn live must be able to take them away: the sun (``sun``) and the torch
+in front of the statue (``torch``). No OpenGL.
+
+A map holds the square root of the light, as the textures hold that of their colour, so that their
+product in texture unit 1 is the square root of the light that is reflected. With GL_RGB_SCALE 2 the
+brightest texel multiplies a texture's linear colour by about 4.6.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from landscape.effects import plan
+from landscape.effects.surfaces import Chart, Surface, charts, in_chart
+
+SIDE, TEXELS = 1024, 200.0  # chosen: of the sheet ``hall``: texels, and texels per unit
+SIZES = {"hall": (SIDE, SIDE), "floor": (512, 1024), "north": (512, 256)}  # chosen: width, height
+SCALE = 2.0  # GL_RGB_SCALE of texture unit 1
+GAMMA = 2.2  # of the textures' coding
+
+FILE = "hall_light.png"
+# Where the picture in FILE holds what: x and y. In the parts red is the sun, green the torch.
+PICTURE = 2048
+HALL, FLOOR, NORTH = (0, 0), (1024, 0), (1024, 1024)
+PARTS = {"floor": (1536, 0), "north": (1536, 1024)}
+BASES = {"floor": FLOOR, "north": NORTH}
+BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for
+# Chosen: colour and strength of the lights that are kept apart.
+SUN_COLOUR = (7.0, 5.9, 4.3)
+TORCH_COLOUR = (0.034, 0.0165, 0.0058)
+
+
+@dataclass(frozen=True)
+class Lit:
+    """A surface and its place in its sheet: (rows, columns, 2) in texels, and the chart if any."""
+
+    surface: Surface
+    light: np.ndarray
+    chart: Chart | None
+
+
+def on_plane(sheet: str, points: np.ndarray) -> np.ndarray:
+    """Return where points (..., 3) lie in the sheet ``floor`` or ``north``, (..., 2) in texels."""
+    (width, height), inside = SIZES[sheet], plan.INSIDE
+    s = (points[..., 0] - inside.west) / (inside.east - inside.west)
+    if sheet == "floor":
+        t = (points[..., 2] - inside.north) / (inside.south - inside.north)
+    else:
+        t = 1.0 - points[..., 1] / plan.CROWN
+    return np.stack([s * width, t * height], axis=-1)
+
+
+def of_plane(sheet: str) -> np.ndarray:
+    """Return the place (height, width, 3) at the centre of each texel of ``floor`` or ``north``."""
+    (width, height), inside = SIZES[sheet], plan.INSIDE
+    s, t = np.meshgrid((np.arange(width) + 0.5) / width, (np.arange(height) + 0.5) / height)
+    x = inside.west + s * (inside.east - inside.west)
+    if sheet == "floor":
+        return np.stack([x, 0 * x, inside.north + t * (inside.south - inside.north)], axis=-1)
+    return np.stack([x, (1.0 - t) * plan.CROWN, 0 * x + inside.north], axis=-1)
+
+
+def placed(surfaces: Sequence[Surface]) -> list[Lit]:
+    """Return each surface with its place in its sheet."""
+    own = iter(charts([each for each in surfaces if each.sheet == "hall"], SIDE, TEXELS))
+    found = []
+    for surface in surfaces:
+        if surface.sheet == "hall":
+            chart = next(own)
+            found.append(Lit(surface, in_chart(surface, chart), chart))
+        else:
+            found.append(Lit(surface, on_plane(surface.sheet, surface.points), None))
+    return found
+
+
+def coded(light: np.ndarray) -> np.ndarray:
+    """Return linear light (h, w, 3) as the bytes of a light map; 1 leaves a texture as it is."""
+    half = np.maximum(light, 0.0) ** (1 / GAMMA) / SCALE
+    # The brightest are compressed, so that patches of sun keep their shape.
+    soft = np.where(half < 0.75, half, 0.75 + 0.25 * (1.0 - np.exp(-(half - 0.75) / 0.25)))
+    return np.asarray(soft * 255.0 + 0.5, np.uint8)
+
+
+def packed(light: np.ndarray, most: float) -> np.ndarray:
+    """Return linear light of up to ``most`` as bytes, finest where it is dark."""
+    return np.asarray(np.sqrt(np.clip(light / most, 0.0, 1.0)) * 255.0 + 0.5, np.uint8)
+
+
+def unpacked(image: np.ndarray, most: float) -> np.ndarray:
+    """Return the linear light of bytes from :func:`packed`, float32."""
+    return np.asarray((image.astype(np.float32) / 255.0) ** 2 * most)
+
+
+def light_map(picture: np.ndarray, sheet: str, sun: float = 1.0, torch: float = 1.0) -> np.ndarray:
+    """Return the light map of a sheet, uint8 (h, w, 3), from the picture in FILE.
+
+    On ``floor`` and ``north``, ``sun`` and ``torch`` (the one in front of the statue) multiply
+    the direct light of these two, so that 0 gives what a shadow leaves.
+    """
+    width, height = SIZES[sheet]
+
+    def part(place: tuple[int, int]) -> np.ndarray:
+        x, y = place
+        return picture[y : y + height, x : x + width]
+
+    if sheet == "hall":
+        return np.ascontiguousarray(part(HALL))
+    light = unpacked(part(BASES[sheet]), BASE_MOST)
+    apart = part(PARTS[sheet])
+    light += sun * unpacked(apart[..., :1], SUN_MOST) * np.array(SUN_COLOUR, np.float32)
+    light += torch * unpacked(apart[..., 1:2], TORCH_MOST) * np.array(TORCH_COLOUR, np.float32)
+    return coded(light)
