@@ -899,6 +899,12 @@ class Fog:
     color: tuple[float, ...] = setting(
         (0.4, 0.6, 0.7), "section 10.2", "colour of the fog and of the background", 0, 1, unit="RGB"
     )
+    radial: bool = setting(
+        False,
+        "chosen",
+        "it thickens with the distance from the eye; off, with the depth, less towards the sides",
+        needs=("fog", "fog.enabled"),
+    )
     start: float = setting(
         1.0,
         "chosen",
@@ -1052,6 +1058,7 @@ BEST: dict[str, Value] = {
     "grass.arch": 4.0,
     "grass.radius": 7.0,
     "fog.density": 0.042,
+    "fog.radial": True,
     "fog.color": (0.66, 0.76, 0.84),
 }
 

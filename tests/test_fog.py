@@ -8,6 +8,7 @@ from stage import Stage, close, quad, small
 
 from landscape.elements.fog import visibility
 from landscape.frame import Pose
+from landscape.gl import extensions
 from landscape.gl.calls import gl
 
 FOG = np.array([0.4, 0.6, 0.7]) * 255
@@ -64,3 +65,29 @@ def test_a_new_colour_and_density_are_applied(stage: Stage) -> None:
 def test_without_fog_the_colour_is_unchanged(stage: Stage) -> None:
     assert close(at_depth(stage, 12.0, fog=False), COLOUR * 255)
     assert close(at_depth(stage, 12.0, enabled=False), COLOUR * 255)
+
+
+@pytest.mark.parametrize("radial", [False, True])
+def test_to_the_side_fog_goes_by_the_depth_or_by_the_distance(stage: Stage, radial: bool) -> None:
+    settings = small({"fog.radial": radial})
+    depth, aside, half = 8.0, 4.0, 0.2
+    with stage.frame(settings, Pose(0.0, 0.0, 0.0), fog=True):
+        gl.glColor4f(*COLOUR, 1.0)
+        corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
+        quad(np.array([(aside + x, y, -depth) for x, y in corners]))
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+        column = round(80 + 60 / math.tan(math.radians(30)) * aside / depth)
+        got = np.asarray(stage.read()[60, column])
+    distance = math.hypot(depth, aside) if radial else depth
+    assert close(got, mixed(math.exp(-((0.12 * distance) ** 2))), 2)
+
+
+def test_where_the_distance_cannot_be_chosen_fog_goes_by_the_depth_and_one_line_says_so(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fog = at_depth(stage, 5.0)
+    monkeypatch.setattr(extensions, "extensions", frozenset)
+    monkeypatch.setattr(extensions, "_told", set())
+    assert close(at_depth(stage, 5.0, radial=True), fog, 1)
+    told = capsys.readouterr().err
+    assert told == "landscape: fog.radial: off, for this OpenGL has no GL_NV_fog_distance\n"

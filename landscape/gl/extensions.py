@@ -9,36 +9,58 @@ import sys
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from landscape.gl.calls import gl
+from landscape.gl.calls import gl, unnoted
 
 
 class Need(NamedTuple):
-    """What an effect needs: in OpenGL since ``version``, before that by one of ``extensions``."""
+    """What an effect needs: in OpenGL since ``version``, without that by one of ``extensions``."""
 
-    version: tuple[int, int]
+    version: tuple[int, int] | None
     extensions: tuple[str, ...] = ()
 
     @property
     def text(self) -> str:
         """The need in words."""
-        return " or ".join([f"OpenGL {self.version[0]}.{self.version[1]}", *self.extensions])
+        core = ["OpenGL {}.{}".format(*self.version)] if self.version else []
+        return " or ".join([*core, *self.extensions])
 
 
 def version() -> tuple[int, int]:
     """Return the version of the current OpenGL."""
-    found = re.match(rb"(\d+)\.(\d+)", gl.glGetString(gl.GL_VERSION))
+    found = re.match(r"(\d+)\.(\d+)", _strings()[0])
     assert found is not None
     return int(found[1]), int(found[2])
 
 
 def extensions() -> frozenset[str]:
     """Return the names of the current OpenGL's extensions."""
-    return frozenset(gl.glGetString(gl.GL_EXTENSIONS).decode("ascii").split())
+    return _strings()[1]
+
+
+_known: dict[int, tuple[str, frozenset[str]]] = {}
+
+
+def _strings() -> tuple[str, frozenset[str]]:
+    """Return the version and the extensions, which a context is asked for once.
+
+    They belong to no element, so that no trace shows the question.
+    """
+    from OpenGL import contextdata  # which chooses the platform: after the context has
+
+    handle = contextdata.getContext()
+    context = int(getattr(handle, "value", handle) or 0)
+    if context not in _known:
+        with unnoted():
+            text, names = (gl.glGetString(each) for each in (gl.GL_VERSION, gl.GL_EXTENSIONS))
+        _known[context] = text.decode(), frozenset(names.decode().split())
+    return _known[context]
 
 
 def has(need: Need) -> bool:
     """Return whether the current OpenGL has what is needed."""
-    return version() >= need.version or not extensions().isdisjoint(need.extensions)
+    if need.version is not None and version() >= need.version:
+        return True
+    return not extensions().isdisjoint(need.extensions)
 
 
 def first_missing(needs: Iterable[Need]) -> Need | None:
