@@ -112,10 +112,19 @@ class Environment:
                 gl.glCopyTexSubImage2D(face, 0, 0, 0, 0, 0, FACE, FACE)
                 gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
         target.release()
+        self._make_levels(gl.GL_TEXTURE_CUBE_MAP, self.cube)
+
+    @staticmethod
+    def _make_levels(kind: int, name: int) -> None:
+        """Make the mip levels of a map: without them far scales glitter, as each mirrors much."""
+        gl.glBindTexture(kind, name)
+        gl.glTexParameteri(kind, gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR)
+        gl.glGenerateMipmap(kind)
+        gl.glBindTexture(kind, 0)
 
     @staticmethod
     def _empty_cube() -> int:
-        """Return the name of a cube map without mip levels: a statue bends what it mirrors."""
+        """Return the name of a cube map without images."""
         name = int(gl.glGenTextures(1))
         gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, name)
         for parameter, value in (
@@ -178,6 +187,7 @@ class Environment:
             gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, self.cube)
             with texture_matrix(turn):
                 self._send_disc()
+        self._make_levels(gl.GL_TEXTURE_2D, self._ball.name)
 
     def _send_disc(self) -> None:
         gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
