@@ -161,6 +161,7 @@ def _walk(options: argparse.Namespace) -> int:
         only=options.only,
         seed=options.seed,
         wireframe=options.wireframe,
+        given=changes,
         quiet=options.quiet,
         edits=options.edits,
     )

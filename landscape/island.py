@@ -40,16 +40,19 @@ from landscape.files.cache import recall
 from landscape.files.images import read_heights
 from landscape.fixes import FIXES
 from landscape.frame import Frame
+from landscape.geometry.doors import Door
 from landscape.geometry.height_field import HeightField, height_field
 from landscape.geometry.obstacle_grid import ObstacleGrid, Obstacles
 from landscape.geometry.pockets import without_pockets
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib
+from landscape.languages import Texts
 from landscape.scene import SEED, Moment, Scene, begin_frame
 from landscape.settings import PRESETS, Settings
 from landscape.views import ALL, MAIN, VIEWS
 
 ELEMENTS = ALL
+SIGNS: Texts = {"castle": "the door leads into the great hall"}
 SPRITES = ("trees", "deer", "plants")  # one element: all of them must be sorted together
 
 
@@ -348,6 +351,12 @@ class Island:
                 self.sprites.draw(frame, sort())
 
     @property
+    def doors(self) -> tuple[Door, ...]:
+        """The castle's door."""
+        leads = "hall", "door", SIGNS["castle"]
+        return (self.castle.door(*leads),) if self.castle is not None else ()
+
+    @property
     def size(self) -> float:
         """The side of the map in units."""
         return self.ground.size
@@ -385,4 +394,5 @@ SCENE = Scene(
     terrain=terrain,
     fixes=FIXES,
     overlay=("sword", "map"),
+    title="the island",
 )

@@ -161,7 +161,7 @@ class Scene:
     a walk begins, ``main`` the views that are measured when none is named. ``open`` builds the
     elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without OpenGL.
     ``overlay`` names elements that a walk shows even if it begins in a view without them.
-    ``digits`` says what the keys 1 to 9 do in a walk.
+    ``digits`` says what the keys 1 to 9 do in a walk. ``title`` is for people, in English.
     """
 
     name: str
@@ -177,6 +177,7 @@ class Scene:
     fixes: Sequence[Fix] = ()
     overlay: tuple[str, ...] = ()
     digits: Mapping[str, Toggle] = field(default_factory=dict)
+    title: str = ""
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
         """Return the settings of a preset (None: the default) with changes; later ones override.

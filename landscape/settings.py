@@ -774,6 +774,12 @@ class Castle:
     ornate: bool = setting(
         False, "chosen", "a keep, roofs, bands, loopholes and pennants", needs=("castle",)
     )
+    open: bool = setting(
+        False,
+        "chosen",
+        "the door is open, and leads into the great hall",
+        needs=("castle", "castle.ornate"),
+    )
     torches: float = setting(
         0.0,
         "chosen",
@@ -1036,6 +1042,7 @@ BEST: dict[str, Value] = {
     "castle.flame_faces": True,
     "castle.multitexture": True,
     "castle.ornate": True,
+    "castle.open": True,
     "plants.sway": 0.35,
     "plants.species": 5,
     "plants.shaded": True,

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from landscape.effects.flight import Flight, keyframes
+from landscape.effects.hall import STANDING
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.geometry.quaternion import from_angles
@@ -70,7 +71,7 @@ def test_the_scene_is_seen_from_the_flight_and_its_path_from_outside() -> None:
         ("pose", {}),
     ):
         kt = 2.2 * SPAN if name in ("later", "pose") else 0.0
-        with Offscreen((80, 60), settings=changes, samples=0, place="hall") as view:
+        with Offscreen((80, 60), settings=changes, samples=0, only=STANDING, place="hall") as view:
             view.look(flight().pose(kt) if name == "pose" else "hall", kt)
             pictures[name] = view.draw()
     assert (pictures["walk"] != pictures["path"]).any()

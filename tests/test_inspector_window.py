@@ -31,7 +31,8 @@ from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.keys import with_settings
 from landscape.settings import preset
-from landscape.window.app import Walk, run
+from landscape.window.app import Walk
+from landscape.window.loop import run
 from landscape.window.recording import Plan
 
 class Watched(Walk):

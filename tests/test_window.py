@@ -46,7 +46,8 @@ SCRIPTED = """
 import hashlib, json, sys, time
 from pathlib import Path
 import glfw
-from landscape.window.app import Walk, run
+from landscape.window.app import Walk
+from landscape.window.loop import run
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
@@ -220,7 +221,8 @@ def test_settings_changed_in_the_list_are_recorded_by_their_values(scripted) -> 
 
 STILLS = """
 import hashlib, json, sys
-from landscape.window.app import Walk, run
+from landscape.window.app import Walk
+from landscape.window.loop import run
 from landscape.files.assets import Assets
 from landscape.fixes import FIXES
 from landscape.frame import Pose
@@ -238,7 +240,7 @@ with Walk(plan, Assets(), "osmesa") as walk:
         walk.draw()
         return hashlib.sha256(walk.pixels()).hexdigest()
     hint = frame()
-    walk.settings = with_settings(walk.settings, {"clock.kt_per_second": 0})
+    walk.place.settings = with_settings(walk.place.settings, {"clock.kt_per_second": 0})
     seen["plain"] = frame(seconds=1.0), frame(seconds=1.5)
     for name in ("fog", "reflection", "sorting", "map", "wireframe", "time", "help"):
         on = frame(name), frame(seconds=3.0)
@@ -256,7 +258,7 @@ with Walk(plan, Assets(), "osmesa") as walk:
     assert moved == [last.x, last.y, last.z, last.yaw, last.pitch], moved
     for _ in range(names.index("R16") + 1):
         frame("next_fix")
-    walk.walker = start(plan.pose, walk._scene, walk.settings)
+    walk.walker = start(plan.pose, walk.place.scene, walk.place.settings)
     frame(seconds=3.0)
     seen["fix"] = frame("fix"), frame(seconds=3.0), frame("fix"), frame(seconds=3.0)
 print(json.dumps([hint, seen]))
@@ -405,10 +407,10 @@ kind, view = find_view("R14")
 values = kind.values("2006", view.settings)
 with Walk(Plan("island", values, "R14", view.pose, (64, 48), only=("ground",)), Assets(),
           "osmesa") as walk:
-    said = [walk.settings.ground.smooth]
+    said = [walk.place.settings.ground.smooth]
     for _ in range(2):
         walk.advance(Tick(0.1, Intent(), ("fix",), (64, 48)))
-        said.append(walk.settings.ground.smooth)
+        said.append(walk.place.settings.ground.smooth)
 print(*said)
 """
 

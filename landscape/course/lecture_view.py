@@ -29,14 +29,13 @@ class LectureWalk(Walk):
 
     def tape(self) -> Tape:
         """Return a frame of the scene as it is now, recorded."""
-        assert self._scene is not None
         walker = self.walker
         moment = Moment(
             walker.pose, self._size, self.kt, walker.step, walker.stroke, self._wireframe
         )
         with recording(complete=True) as recorder:
             begins = state.read()
-            self._scene.draw(moment)
+            self.place.scene.draw(moment)
         return Tape(recorder.calls, 0, begins, self._size)
 
     def key(self, key: int, action: int, mods: int) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 
 from landscape.effects import plan
 from landscape.effects.caustics import Caustics
+from landscape.effects.entrance import Entrance, door
 from landscape.effects.flight import Flight
 from landscape.effects.keys import KEYS
 from landscape.effects.mirror import Mirror
@@ -20,17 +21,21 @@ from landscape.effects.statue import Statue
 from landscape.effects.tone import Tone
 from landscape.effects.views import MAIN, VIEWS
 from landscape.elements import sun
+from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
-from landscape.scene import Moment, Scene, begin_frame
+from landscape.scene import Moment, Scene, View, begin_frame
 
 ELEMENTS = (
-    *("room", "floor", "mirror", "statue", "shadow", "sky", "caustics", "pool", "mist"),
-    *("tone", "flight"),
+    *("room", "floor", "mirror", "door", "statue", "shadow", "sky", "caustics", "pool", "mist"),
+    *("tone", "flight", "sword"),
 )
-TALL = 10.0  # units: no obstacle of the hall can be flown over
+HELD = ("sword",)  # only a walker has it: no view shows it
+STANDING = tuple(name for name in ELEMENTS if name not in HELD)
+TALL = 10.0  # units: these obstacles cannot be flown over
+OVER_POOL = 0.15  # units, chosen: height from which one flies over the pool; higher than the eye
 
 
 class Ground:
@@ -47,7 +52,7 @@ class Hall(Ground):
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
 
     def __init__(
-        self, settings: Settings, assets: Assets, seed: int, only: tuple[str, ...] = ELEMENTS
+        self, settings: Settings, assets: Assets, seed: int, only: tuple[str, ...] = STANDING
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
         self.settings, self.shown = settings, set(only)
@@ -58,6 +63,7 @@ class Hall(Ground):
             self.caustics = self._built(("caustics",), Caustics, settings, assets, self.room)
             self.pool = self._built(("pool",), Pool, settings, assets)
             self.mirror = self._built(("mirror",), Mirror, settings)
+            self.entrance = self._built(("door",), Entrance, settings, assets)
             self.statue = self._built(("statue",), Statue, settings, assets)
             self.shadow = self._built(("shadow",), PlanarShadow, settings, self._cast)
             mark = self.statue.send if self.statue else lambda: None
@@ -65,13 +71,14 @@ class Hall(Ground):
             self.mist = self._built(("mist",), Mist, settings, assets)
             self.tone = self._built(("tone",), Tone, settings, assets, mark)
             self.flight = self._built(("flight",), Flight, settings, assets)
+            self.sword = self._built(("sword",), Sword, settings, assets)
             if self.statue and self.room:
                 with drawing("statue"):
                     self.statue.gild(self._draw_surroundings)
         except BaseException:
             self.release()
             raise
-        self.obstacles = obstacles()
+        self.obstacles, self.doors = obstacles(), (door(),)
 
     def _built(self, names: tuple[str, ...], kind: type, *given: Any) -> Any:
         """Build an element if any of its names may be shown; otherwise return None."""
@@ -112,10 +119,15 @@ class Hall(Ground):
         begin_pass("picture")
         self._draw("tone", self.tone, frame)
 
+        begin_pass("overlay")
+        if not values.flight.enabled:
+            self._draw("sword", self.sword, frame)
+
     def _draw_hall(self, frame: Frame) -> None:
         """Draw what stands in the hall: in the frame itself, and mirrored in the floor."""
         self._draw("room", self.room, frame)
         self._draw_basin(frame)
+        self._draw("door", self.entrance, frame)
         self._draw("statue", self.statue, frame)
         self._draw_shadow(frame, "room")
         # The net of light is blended over the stone.
@@ -139,6 +151,7 @@ class Hall(Ground):
         gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
         sun.shine(self.settings.sun)
         self._draw("room", self.room, frame)
+        self._draw("door", self.entrance, frame)
         self.room.draw_pool()
         self.room.draw_floor()
         self._draw("sky", self.sky, frame)
@@ -204,11 +217,11 @@ def obstacles() -> tuple[Obstacle, ...]:
     found: list[Obstacle] = [
         Tower(x, z, plan.PILLAR + 0.01, TALL) for x in plan.ROWS for z in plan.BAYS[1:-1]
     ]
-    found.append(Tower(*plan.STATUE, plan.PLINTH[0], TALL))
+    found.append(Wall(*plan.STATUE, plan.PLINTH[0], plan.PLINTH[0], 0.0, TALL))
     for area, outwards in ((inside, half), (plan.POOL, -half)):
         x, z = (area.west + area.east) / 2, (area.north + area.south) / 2
         long, wide = (area.south - area.north) / 2, (area.east - area.west) / 2
-        top = TALL if area is inside else 0.0
+        top = TALL if area is inside else OVER_POOL
         for side in (area.west - outwards, area.east + outwards):
             found.append(Wall(side, z, half, long + half, 0.0, top))
         for side in (area.north - outwards, area.south + outwards):
@@ -216,10 +229,15 @@ def obstacles() -> tuple[Obstacle, ...]:
     return tuple(found)
 
 
+def with_nothing_held(view: View) -> View:
+    """Return a view that shows what it names, or everything but what a walker holds."""
+    return replace(view, shown=view.shown or STANDING)
+
+
 SCENE = Scene(
     name="hall",
     elements=ELEMENTS,
-    views=VIEWS,
+    views={name: with_nothing_held(view) for name, view in VIEWS.items()},
     settings=Settings(),
     presets=PRESETS,
     preset="best",
@@ -229,4 +247,6 @@ SCENE = Scene(
     terrain=lambda settings, assets: Ground(),
     fixes=SAFEGUARDS,
     digits=KEYS,
+    overlay=HELD,
+    title="the great hall",
 )

@@ -22,6 +22,7 @@ from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.doors import Door
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.masonry import (
     CORNERS,
@@ -147,6 +148,22 @@ class Castle:
         yaw = math.radians(self._yaw)
         turn = np.array([(math.cos(yaw), math.sin(yaw)), (-math.sin(yaw), math.cos(yaw))])
         return np.asarray((points - 0.5) @ turn.T + (self.base[0], self.base[2]))
+
+    def door(self, scene: str, to: str, says: str) -> Door:
+        """Return the castle's door, which leads to the door ``to`` of a scene; see geometry/doors.
+
+        In 2006 it was a picture of a shut door.
+        """
+        before, behind = self._outside(np.array([(0.5, 0.0), (0.5, 1.0)]))
+        yaw = math.degrees(math.atan2(behind[0] - before[0], before[1] - behind[1])) % 360.0
+        y, (half, height) = self.base[1], DOOR
+        place = float(before[0]), float(before[1]), yaw
+        return Door("castle", *place, half, y, y + height, scene, to, says, self.is_open)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the door is open."""
+        return False
 
     def outlines(self, step: float) -> list[tuple[np.ndarray, float, float]]:
         """Return the outlines that cast the shadow, see the function :func:`outlines`."""

@@ -1,11 +1,11 @@
-"""The window: the frame loop, from input to a picture on the screen.
+"""The window: from a frame's input to its picture on the screen.
 
-Every frame advances the walk by one :class:`Tick`, live or from a recording. Nothing else does, so
-a replay reproduces a recorded walk to the pixel.
+Every frame (loop.py) advances the walk by one :class:`Tick`, live or from a recording. Nothing else
+does, so a replay reproduces a recorded walk to the pixel.
 """
 
 import time
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Self
 
@@ -15,11 +15,13 @@ from landscape import keys
 from landscape.capture.edits import Edit
 from landscape.errors import InputError
 from landscape.files.assets import Assets
+from landscape.geometry.doors import Door
 from landscape.gl.calls import gl
 from landscape.gl.context import GLFWContext
 from landscape.gl.framebuffer import read_pixels
 from landscape.gl.glfw_library import glfw
-from landscape.scene import Moment, OpenScene, scene
+from landscape.languages import translator
+from landscape.scene import Moment, scene
 from landscape.window import words
 from landscape.window.bindings import BY_ACTION, SETTINGS, labels, system_name
 from landscape.window.digits import help_rows, pressed
@@ -27,9 +29,10 @@ from landscape.window.hands import Hands
 from landscape.window.inspector_frame import Inspection
 from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
-from landscape.window.recording import MAX_SECONDS, Plan, Tick, Writer
+from landscape.window.place import Place, Places, at_doors
+from landscape.window.recording import MAX_SECONDS, Plan, Tick
 from landscape.window.screen import FrameRate, FullScreen, save_screenshot
-from landscape.window.settings_list import Chooser, page
+from landscape.window.settings_list import page
 from landscape.window.sizes import Resizer, check_viewport
 from landscape.window.steady import Steady
 from landscape.window.walker import Intent, advance, aimed, start
@@ -63,21 +66,18 @@ class Walk:
         ``edits`` change single OpenGL calls.
         """
         self.headless = backend == "osmesa"
-        self.settings = plan.settings
+        self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
+        self.place.begin_with(plan.view)
+        self._places, self._door = Places(plan), ""
         self.kt = plan.kt
         self.seconds = self._stood = 0.0  # that the walk went on, and stood still
         self._language = plan.language
         self._wireframe, self._help, self._message, self._until = plan.wireframe, False, "", 0.0
         self._note, self._shoot, self._row, self._done = "", False, "", ""
-        self._kind = scene(plan.scene)
         self._assets, self._seed = assets, plan.seed
-        names = [fix.name for fix in self._kind.fixes]
-        self._fix = names.index(plan.view) if plan.view in names else 0
         self.resizer = Resizer()
         self._size = (0, 0)
         self.hands = Hands(system_name)
-        self._chooser = Chooser(self._kind.values(plan.preset or None))
-        self._scene: OpenScene | None = None
         self._panel: Panel | None = None
         self.steady = Steady(fps)
         self._context: GLFWContext | None = context or GLFWContext(
@@ -86,12 +86,12 @@ class Walk:
         self.inspection = Inspection(edits, plan.language)
         self._full_screen = FullScreen(self._context.size)
         try:
-            self._open(plan, assets)
+            self._open(plan)
         except BaseException:
             self.close()
             raise
 
-    def _open(self, plan: Plan, assets: Assets) -> None:
+    def _open(self, plan: Plan) -> None:
         assert self._context is not None
         check_viewport(plan.size)
         self.window = self._context.window
@@ -102,32 +102,31 @@ class Walk:
         self._panel = Panel(self._word("help.title"), self._key_rows(), dpi)
         self._wait("loading")
         with self.inspection.building():
-            self._scene = self._kind.open(
-                plan.settings, assets, plan.seed, self._kind.only(plan.only or None)
-            )
-        self.walker = start(plan.pose, self._scene, plan.settings)
+            self.place.open(self._assets, self._seed, plan.only)
+        self.walker = start(plan.pose, self.place.scene, plan.settings)
         letter = labels(BY_ACTION["help"], self._language, system_name)
         self._say(self._word("hint", letter=letter))
         self._last = glfw.get_time()
         self._rate = FrameRate()
 
-    def _wait(self, text: str) -> None:
+    def _wait(self, text: str, **values: str) -> None:
         """Say that what follows takes a moment, over the last picture if there is one."""
         assert self._panel is not None and self._context is not None
         if 0 in (size := self._context.pixels()):
             return
-        if self._scene is None:
+        if not self.place.is_open:
             gl.glClearColor(*EMPTY, 1.0)
             gl.glClear(gl.GL_COLOR_BUFFER_BIT)
         elif size == self._size:
             self.draw()
-        self._panel.draw(size, message=self._word(text))
+        self._panel.draw(size, message=self._word(text, **values))
         self._context.show()
         glfw.poll_events()
 
     def _key_rows(self) -> list[tuple[str, str]]:
         """Return the rows of the help, labelled as the keyboard is now."""
-        return help_rows(self._kind, self.settings, self._language, system_name)
+        place = self.place
+        return help_rows(place.kind, place.settings, self._language, system_name)
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)
@@ -160,8 +159,8 @@ class Walk:
         seconds, self._last = now - self._last, now
         intent, switches = self.hands.take()
         assert self._context is not None
-        if self.hands.captured and not self.settings.walk.mouse_relative:
-            look = aimed(self.walker, *self._context.cursor(), self.settings.walk.mouse)
+        if self.hands.captured and not self.place.settings.walk.mouse_relative:
+            look = aimed(self.walker, *self._context.cursor(), self.place.settings.walk.mouse)
             intent = replace(intent, look=look)
         if self._inspect(self._context.scale()):
             self._stood += seconds
@@ -169,10 +168,11 @@ class Walk:
         size = self._context.pixels()
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
         picks, self.hands.picks = self.hands.picks, []
-        changes = self._chooser.follow(picks, self.settings)
-        switches, toggled, said = pressed(self._kind, self.settings, switches, self._language)
+        kind, settings, chooser = self.place.kind, self.place.settings, self.place.chooser
+        changes = chooser.follow(picks, settings)
+        switches, toggled, said = pressed(kind, settings, switches, self._language)
         note, self._note, changes = self._note or said, "", changes | toggled
-        return Tick(seconds, intent, switches, size, note, self._chooser.row, changes)
+        return Tick(seconds, intent, switches, size, note, chooser.row, changes)
 
     def follow(self, tick: Tick) -> Tick | None:
         """Prepare the window for a recorded frame; return None if the user leaves."""
@@ -203,7 +203,7 @@ class Walk:
         else:
             captured = order == "capture"
             # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
-            hidden = captured and self.settings.walk.mouse_relative
+            hidden = captured and self.place.settings.walk.mouse_relative
             mode = glfw.CURSOR_DISABLED if hidden else glfw.CURSOR_NORMAL
             glfw.set_input_mode(self.window, glfw.CURSOR, mode)
             self.hands.capture(captured)
@@ -213,16 +213,17 @@ class Walk:
         asked, self.hands.inspected = self.hands.inspected, []
         if self.inspection.listen(asked, scale):
             self.obey("inspector")
-        if self.inspection.stale and self._scene is not None:
+        if self.inspection.stale and self.place.is_open:
+            # What was left behind is opened with the edits when it is entered again.
+            self._places.release()
             with self.inspection.building(anew=True):
-                self._rebuild(self._scene)
+                self._rebuild()
         return self.inspection.holds
 
     def advance(self, tick: Tick) -> None:
         """Advance the clock, the switches and the walker by one frame."""
-        assert self._scene is not None
         self.seconds += tick.seconds
-        self.kt += tick.seconds * self.settings.clock.kt_per_second
+        self.kt += tick.seconds * self.place.settings.clock.kt_per_second
         for name in tick.actions:
             self._switch(name)
         if tick.row != self._row or tick.changes:
@@ -234,9 +235,9 @@ class Walk:
             self.walker,
             tick.intent,
             tick.seconds,
-            self._scene,
-            self._scene.obstacles,
-            self.settings,
+            self.place.scene,
+            self.place.scene.obstacles,
+            self.place.settings,
         )
         if self.walker.flying != before.flying:
             self._tell("fly", self.walker.flying)
@@ -245,6 +246,39 @@ class Walk:
         if self.walker.at_edge and not before.at_edge:
             self._say(self._word("edge"))
         self._size = tick.size
+        self._try_doors(tick.intent)
+
+    def _try_doors(self, intent: Intent) -> None:
+        """Say where a door leads that the walker has come up to, or go through it."""
+        entered, faced = at_doors(self.place.doors, self.walker, intent)
+        if entered is not None:
+            self._pass(entered)
+        elif (faced.name if faced else "") != self._door:
+            self._door = faced.name if faced else ""
+            if faced is not None:
+                self._say(self._named(faced.says) if faced.open else self._word("shut"))
+
+    def _pass(self, door: Door) -> None:
+        """Go through a door. The scene that is left stays open, to come back to at once."""
+        left, place = self.place, self._places.behind(door)
+        self._wait("opening", place=self._named(place.kind.title))
+        try:
+            with self.inspection.building():
+                self._places.enter(place, self._assets, self._seed)
+        except InputError as error:
+            self.walker = start(door.way_out, left.scene, left.settings)
+            self._say(str(error))
+            return
+        self._places.leave(left)
+        self.place, self._door = place, door.to
+        self.walker = start(place.way_in(door), place.scene, place.settings)
+        self._say(self._named(place.kind.title))
+        self.draw()  # the first frame takes longest: it is drawn once more to be shown
+        self._last = glfw.get_time()
+
+    def _named(self, text: str) -> str:
+        """Return what a scene calls something, in the user's language."""
+        return translator(self._language, "scenes")(text)
 
     def _switch(self, name: str) -> None:
         """Carry out a switch."""
@@ -254,28 +288,22 @@ class Walk:
             self._wireframe = not self._wireframe
             self._tell(name, self._wireframe)
         elif name in ("fix", "next_fix", "previous_fix", "go_to_fix"):
-            if self._kind.fixes:
+            if self.place.kind.fixes:
                 self._switch_fix(name)
-        elif SETTINGS[name] in keys.fields(type(self.settings)):
-            value = keys.next_value(self.settings, SETTINGS[name])
+        elif SETTINGS[name] in keys.fields(type(self.place.settings)):
+            value = keys.next_value(self.place.settings, SETTINGS[name])
             self._apply({SETTINGS[name]: value})
             self._tell(name, value)
 
     def _apply(self, changes: Mapping[str, Any]) -> None:
         """Change settings; open the scene again if it cannot take them as it is."""
-        assert self._scene is not None
-        self.settings = keys.passing(self.settings, self._chooser.defaults, changes)
         with self.inspection.building():
-            if not self._scene.apply(self.settings):
-                self._rebuild(self._scene)
+            self.place.apply(changes, self._rebuild)
 
-    def _rebuild(self, former: OpenScene) -> None:
+    def _rebuild(self) -> None:
         """Open the scene again."""
         self._wait("rebuilding")
-        self._scene = self._kind.open(
-            self.settings, self._assets, self._seed, self._kind.only(former.shown)
-        )
-        former.release()
+        self.place.open(self._assets, self._seed)
 
     def _change(self, tick: Tick) -> None:
         """Show the list with its chosen row, and make the changes that were asked for there."""
@@ -283,35 +311,34 @@ class Walk:
             self._row, self._done = tick.row, ""
         if not tick.changes:
             return
-        former, before = self.settings, self._scene
+        before = self.place.scene
         try:
             self._apply(tick.changes)
         except InputError as error:
             # The scene could not be opened with the new value: the former one is still there.
-            self.settings = former
             self._say(str(error))
             return
-        self._done = self._word("list.taken" if self._scene is before else "list.rebuilt")
+        self._places.give(tick.changes)
+        self._done = self._word("list.taken" if self.place.scene is before else "list.rebuilt")
 
     def _at_left(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
         """Return what the inspector's or the list's picture depends on, and how to make it."""
-        assert self._scene is not None and self._panel is not None
+        assert self._panel is not None
         if self.inspection.open or not self._row:
             return self.inspection.image(self._panel.dpi)
-        state = self.settings, self._chooser.defaults, self._row, self._done, self._language
-        shows = *state, frozenset(self._scene.shown), self._kind.elements
+        place = self.place
+        state = place.settings, place.chooser.defaults, self._row, self._done, self._language
+        shows = *state, frozenset(place.scene.shown), place.kind.elements
         dpi = self._panel.dpi
         return shows, lambda: list_image(page(*shows), self._size, dpi)
 
     def _switch_fix(self, name: str) -> None:
         """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""
         way = {"next_fix": 1, "previous_fix": -1}.get(name, 0)
-        self._fix = (self._fix + way) % len(self._kind.fixes)
-        fix = self._kind.fixes[self._fix]
+        fix = self.place.choose_fix(way)
         if name == "go_to_fix":
-            assert self._scene is not None
-            self.walker = start(fix.pose(False), self._scene, self.settings)
-        on = keys.with_settings(self.settings, fix.on) == self.settings
+            self.walker = start(fix.pose(False), self.place.scene, self.place.settings)
+        on = keys.with_settings(self.place.settings, fix.on) == self.place.settings
         if name == "fix":
             self._apply(fix.off if on else fix.on)
             on = not on
@@ -322,17 +349,17 @@ class Walk:
 
     def draw(self) -> None:
         """Draw the frame and the panel into the window's back buffer."""
-        assert self._scene is not None and self._panel is not None and self._context is not None
+        assert self._panel is not None and self._context is not None
         # Making the context current gives OSMesa a buffer of the window's new size.
         self._context.make_current()
         walker = self.walker
         steps = walker.step, walker.stroke
         moment = Moment(walker.pose, self._size, self.kt, *steps, self._wireframe)
         # A screenshot has all the detail, and so has what the inspector looks into.
-        scene, whole = self._scene, self._shoot or self.inspection.open
+        scene, whole = self.place.scene, self._shoot or self.inspection.open
         self.inspection.draw(
             lambda: self.steady.draw(moment, scene.draw, whole),
-            (moment, self.settings, frozenset(scene.shown)),
+            (moment, self.place.settings, frozenset(scene.shown)),
             self._size,
         )
         if self._help:
@@ -358,42 +385,13 @@ class Walk:
 
     def close(self) -> None:
         """Release the panel, the scene and the window, in this order; may be called twice."""
-        for owner in (self._panel, self.steady, self._scene, self._context):
+        for owner in (self._panel, self.steady, self._places, self.place, self._context):
             if owner is not None:
                 owner.release()
-        self._panel = self._scene = self._context = None
+        self._panel = self._context = None
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
-
-
-def run(
-    walk: Walk,
-    ticks: Iterator[Tick] | None = None,
-    writer: Writer | None = None,
-    frames: int | None = None,
-) -> int:
-    """Walk live or replay ``ticks``, for at most ``frames`` frames; return how many were drawn."""
-    drawn = 0
-    while frames is None or drawn < frames:
-        if walk.resting():
-            continue
-        if ticks is None or walk.inspection.holds:
-            tick = walk.listen()
-        else:
-            coming = next(ticks, None)
-            tick = coming and walk.follow(coming)
-        if tick is None:
-            break
-        if 0 in tick.size:
-            continue
-        if writer is not None:
-            writer.add(tick)
-        walk.advance(tick)
-        walk.draw()
-        walk.present()
-        drawn += 1
-    return drawn

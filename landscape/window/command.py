@@ -2,18 +2,20 @@
 
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from landscape import keys
 from landscape.capture.edit_files import read as read_edits
 from landscape.errors import InputError
 from landscape.files.assets import Assets, recording
 from landscape.languages import choose
 from landscape.scene import SEED, Scene, View
 from landscape.window import words
-from landscape.window.app import Walk, run
+from landscape.window.app import Walk
+from landscape.window.loop import run
 from landscape.window.pace import FPS
 from landscape.window.recording import Plan, Writer, read
 
@@ -34,6 +36,7 @@ def walk(
     only: Iterable[str] | None = None,
     seed: int = SEED,
     wireframe: bool = False,
+    given: Mapping[str, Any] | None = None,
     quiet: bool = False,
     language: str = "",
     fps: float = FPS,
@@ -47,7 +50,8 @@ def walk(
     given. Without ``size`` a live walk has SIZE, enlarged on a display of high resolution. It draws
     less detail where that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
     ``language`` is "en" or "fr"; without it the environment chooses, or a replay its file.
-    ``edits`` is a file of edits to OpenGL calls; a recording does not contain them.
+    ``edits`` is a file of edits to OpenGL calls; a recording does not contain them. ``given`` are
+    the settings among ``settings`` that the user has set: they go with him through doors.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
@@ -75,6 +79,7 @@ def walk(
             wireframe=wireframe or begin.wireframe,
             language=language or choose(os.environ),
             preset=kind.preset_of(begin),
+            given=_checked(settings, given or {}),
         )
     changes = read_edits(edits) if edits is not None else []
     writer = Writer(record, plan) if record is not None else None
@@ -84,8 +89,8 @@ def walk(
         with Walk(plan, assets, backend, fullscreen, kept_rate, enlarged, changes) as opened:
             run(opened, ticks, writer, frames)
         if opened.resizer.refused and not quiet:
-            wanted, given = ("{}x{}".format(*size) for size in opened.resizer.refused)
-            told = words.text(plan.language, "resized", wanted=wanted, given=given)
+            wanted, got = ("{}x{}".format(*size) for size in opened.resizer.refused)
+            told = words.text(plan.language, "resized", wanted=wanted, given=got)
             print("landscape:", told, file=sys.stderr)
         if not quiet:
             for line in opened.inspection.missed():
@@ -98,3 +103,8 @@ def walk(
         if changes:
             print("landscape:", words.text(plan.language, "inspector.record"), file=sys.stderr)
     return 0
+
+
+def _checked(settings: Any, given: Mapping[str, Any]) -> dict[str, keys.Value]:
+    """Return the values that the keys which were given have in settings, under their names now."""
+    return {key: keys.get(settings, key) for key in keys.current_names(settings, given)[0]}

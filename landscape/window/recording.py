@@ -2,13 +2,14 @@
 
 The first line is the plan: format version, settings, seed, view, size and so on. Then comes one
 line per frame: its length in seconds, and whatever input differs from the default. A setting that
-was changed is recorded with its new value, not with the key that was pressed. The last line
+was changed is recorded with its new value, not with the key that was pressed. A walk may lead
+through doors into other scenes: then settings are those of the scene he is in. The last line
 has the number of frames, so that a truncated file is detected. Floats are written with full
 precision. Assets are not stored: replaying a walk on your own island needs the same ``--assets``.
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -21,7 +22,7 @@ from landscape.files.processes import interrupts_held
 from landscape.frame import Pose
 from landscape.keys import Value, current_names, get, with_settings
 from landscape.keys import fields as keys_of
-from landscape.scene import Scene, scene
+from landscape.scene import SCENES, Scene, scene
 from landscape.window.settings_list import rows
 from landscape.window.walker import Intent
 
@@ -52,7 +53,8 @@ class Plan:
     """What a walk starts from; ``pose.y`` may be None: eye height above the ground.
 
     ``only`` names the elements; empty means all. ``preset`` is what the list of settings goes back
-    to; empty means the scene's own.
+    to; empty means the scene's own. ``given`` are the settings that the user has set: they go with
+    him through a door.
     """
 
     scene: str
@@ -66,6 +68,7 @@ class Plan:
     wireframe: bool = False
     language: str = "en"
     preset: str = ""
+    given: Mapping[str, Value] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -101,6 +104,7 @@ def plan_line(plan: Plan) -> dict[str, Any]:
         "wireframe": plan.wireframe,
         "language": plan.language,
         "preset": plan.preset,
+        "given": dict(plan.given),
         "settings": {key: get(plan.settings, key) for key in keys_of(type(plan.settings))},
     }
 
@@ -177,7 +181,7 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
     for number, line in enumerate(lines[1:-1], 2):
         frame = _object(path, number, line)
         try:
-            before = _tick(frame, before, plan.settings)
+            before = _tick(frame, before, plan.scene)
         except (InputError, ValueError, TypeError, KeyError) as error:
             raise InputError(f"{path}:{number}: {_reason(error)}") from None
         ticks.append(before)
@@ -232,10 +236,37 @@ def _names(value: Any, name: str) -> tuple[str, ...]:
     return tuple(_kind(item, name, str) for item in _kind(value, name, list))
 
 
-def _row(value: Any, kind: type) -> str:
-    if value and all(value != row.name for row in rows(kind)):
+def _row(value: Any, first: str) -> str:
+    known = (row.name for kind in _scenes(first) for row in rows(type(kind.settings)))
+    if value and value not in known:
         raise ValueError(f"list: expected the name of a row, not {value!r}")
     return _kind(value, "list", str)  # type: ignore[no-any-return]
+
+
+def _scenes(first: str) -> Iterator[Scene]:
+    """Yield the scenes in which a frame may be: the one of the plan, and others behind doors."""
+    yield scene(first)
+    yield from (scene(name) for name in SCENES if name != first)
+
+
+def _changes(value: Any, name: str, first: str) -> dict[str, Value]:
+    """Return settings by key, checked and converted as those on the command line.
+
+    They are those of the plan's scene or, if it does not have them, of another one.
+    """
+    given = _kind(value, name, dict)
+    reasons = []
+    for kind in _scenes(first) if given else ():
+        changes = current_names(kind.settings, given)[0]
+        try:
+            changed = with_settings(kind.settings, changes)
+        except InputError as error:
+            reasons.append(error)
+        else:
+            return {key: get(changed, key) for key in changes}
+    if reasons:
+        raise reasons[0]
+    return {}
 
 
 def _plan(line: Mapping[str, Any]) -> Plan:
@@ -260,6 +291,7 @@ def _plan(line: Mapping[str, Any]) -> Plan:
         wireframe=_kind(line["wireframe"], "wireframe", bool),
         language=_kind(line["language"], "language", str),
         preset=_preset(kind, line.get("preset", "")),
+        given=_changes(line.get("given", {}), "given", kind.name),
     )
 
 
@@ -269,8 +301,11 @@ def _preset(kind: Scene, value: Any) -> str:
     return name
 
 
-def _tick(line: Mapping[str, Any], before: Tick, settings: Any) -> Tick:
-    """Return a frame; what its line leaves out is as in the frame ``before``."""
+def _tick(line: Mapping[str, Any], before: Tick, first: str) -> Tick:
+    """Return a frame of a walk that began in the scene ``first``.
+
+    What its line leaves out is as in the frame ``before``.
+    """
     intent: dict[str, Any] = {}
     for item in fields(Intent):
         if item.name not in line:
@@ -288,15 +323,12 @@ def _tick(line: Mapping[str, Any], before: Tick, settings: Any) -> Tick:
     actions = tuple(FORMER.get(name, name) for name in _names(line.get("do", []), "do"))
     if not set(actions) <= set(ACTIONS):
         raise ValueError(f"do: expected some of {', '.join(ACTIONS)}")
-    # Values are checked and converted as those on the command line.
-    changes = current_names(settings, _kind(line.get("set", {}), "set", dict))[0]
-    changed = with_settings(settings, changes)
     return Tick(
         seconds=_number(line["dt"], "dt", 0, MAX_SECONDS),
         intent=Intent(**intent),
         actions=actions,
         size=_size(line["size"]) if "size" in line else before.size,
         note=_kind(line.get("note", ""), "note", str),
-        row=_row(line.get("list", before.row), type(settings)),
-        changes={key: get(changed, key) for key in changes},
+        row=_row(line["list"], first) if "list" in line else before.row,
+        changes=_changes(line.get("set", {}), "set", first),
     )

@@ -82,6 +82,8 @@ TEXTS: Texts = {
     "key.f12": "F12",
     "hint": "{letter}: keys",
     "loading": "loading…",
+    "opening": "{place}: loading…",
+    "shut": "this door is shut",
     "rebuilding": "building the scene again…",
     "fly.on": "flying",
     "fly.off": "walking",

@@ -112,8 +112,10 @@ def settings() -> Iterator[Message]:
 
 
 def scenes() -> Iterator[Message]:
-    """Yield what each scene calls its own: what the digit keys change in it."""
+    """Yield what each scene is called, and calls its own: doors, and what digit keys change."""
+    yield from in_code("landscape/island.py", "landscape/effects/*.py")
     for kind in map(scene, SCENES):
+        yield Message(kind.title, SCENES[kind.name].replace(".", "/") + ".py")
         for toggle in kind.digits.values():
             yield Message(toggle.name, SCENES[kind.name].replace(".", "/") + ".py", toggle.setting)
 

@@ -15,6 +15,7 @@ import numpy as np
 from landscape.elements.best.ornate.baked_light import light_map
 from landscape.elements.best.ornate.gate import TIMES, CastleInOnePass, Unit
 from landscape.elements.best.ornate.loopholes import loopholes
+from landscape.elements.best.ornate.open_door import send_open_door
 from landscape.elements.best.ornate.ornate_masonry import KEEP, ornate_masonry
 from landscape.elements.best.ornate.pennants import draw_pennants
 from landscape.elements.best.ornate.roofs import MASTS, ornate_outlines, roofs
@@ -29,6 +30,7 @@ from landscape.geometry.masonry import WALL, quads_mesh
 from landscape.geometry.mesh import revolve
 from landscape.geometry.obstacles import Obstacle, Wall
 from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, combine, matrix
 from landscape.gl.texture import Texture
@@ -62,6 +64,7 @@ class OrnateCastle(CastleInOnePass):
         self._bricks = replace(bricks, coordinates=(*bricks.coordinates, lit))
         self._light_map = Texture(picture, repeat=False, mipmaps=False)
         super().__init__(settings, assets, field)
+        self._open_door = DisplayList(lambda: send_open_door(self._door))
 
     @staticmethod
     def built_from(settings: Settings) -> tuple[object, ...]:
@@ -113,6 +116,17 @@ class OrnateCastle(CastleInOnePass):
         gl.glEnd()
         gl.glDisable(gl.GL_BLEND)
 
+    @property
+    def is_open(self) -> bool:
+        """Whether the door is open."""
+        return self._settings.castle.open
+
+    def _draw_gate(self, kt: float) -> None:
+        super()._draw_gate(kt)
+        if self.is_open:
+            self._open_door.call()
+            gl.glDisable(gl.GL_LIGHTING)
+
     def _units(self) -> list[Unit]:
         coordinates = self._bricks.coordinates[1][:4]
         terms = TIMES | {"SOURCE1_RGB": "TEXTURE3"}
@@ -156,5 +170,6 @@ class OrnateCastle(CastleInOnePass):
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
+        self._open_door.release()
         self._light_map.release()
         super().release()
