@@ -148,7 +148,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "No pixel darkened twice",
         "hall_shadow",
         20.0,
-        **pair("shadow.stencil"),
+        **pair("shadow.stencil", shadow={"method": "darken"}),
         flaw="The flattened dragon has at least two layers, and each darkens again.",
         look="Look at the dragon's neck and body on the wall.",
         how="The wall is marked in the stencil buffer; each pixel of the shadow clears its mark.",
@@ -173,7 +173,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "What is higher than the torch casts nothing down",
         Pose(1.92, 0.42, 2.66, 322.0, -24.0),
         20.0,
-        **pair("shadow.behind"),
+        **pair("shadow.behind", shadow={"method": "darken"}),
         flaw="Lines from the dragon's head through the torch meet the floor, too, on this side of "
         "the torch. They are no rays of its light: an anti-shadow.",
         look="Look at the floor around the pool.",
@@ -189,7 +189,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "A sun behind the wall casts nothing on its inside",
         Pose(1.72, 0.1, 1.04, 336.0, 9.0),
         20.0,
-        **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun"}),
+        **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun", "method": "darken"}),
         flaw="The morning sun stands beyond the north wall. Its rays never reach the wall's "
         "inside, but the matrix has a point there for every point of the dragon.",
         look="Look at the wall below the window.",
