@@ -503,6 +503,15 @@ class Water:
     shallow: bool = setting(
         False, "chosen", "shallow water is clear and turquoise", needs=("water",)
     )
+    caustics: bool = setting(
+        False,
+        "chosen",
+        "light on the bed of shallow water, focused by its waves",
+        needs=(
+            *("ground", "water", "water.shallow", "reflection.rippled or not reflection.enabled"),
+            *("ground.materials", "ground.units=both", "ground.tiles>1"),
+        ),
+    )
     foam: bool = setting(False, "chosen", "breakers along the beaches", needs=("water",))
     query: bool = setting(
         False,
@@ -1011,6 +1020,7 @@ BEST: dict[str, Value] = {
     "water.trilinear": False,
     "water.relief": True,
     "water.shallow": True,
+    "water.caustics": True,
     "water.foam": True,
     "water.query": True,
     "water.fresnel": True,

@@ -125,6 +125,11 @@ SHOTS = {
     "water.relief": of_fix("R17"),
     "water.shallow": of_fix("best1"),
     "water.foam": of_fix("best2"),
+    "water.caustics": Shot(
+        Pose(5.9, 0.78, 29.2, 315.0, -28.0), ("ground", "water"),
+        MATERIALS | {"ground.tiles": 4, "ground.resolution": 160, "water.shallow": True,
+                     "ground.height_image": "height16.png", "reflection.rippled": True},
+    ),
     "sky.moving": of_fix("R1"),
     "sky.background": of_fix("R9"),
     "transparent.split": of_fix("R3"),

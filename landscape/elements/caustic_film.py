@@ -57,16 +57,17 @@ def between(films: float, count: int, smooth: bool) -> tuple[int, int, float]:
 class CausticFilm:
     """Owner of the frames' textures."""
 
-    def __init__(self, frames: np.ndarray) -> None:
-        """Upload frames, uint8 (n, h, w)."""
+    def __init__(self, frames: np.ndarray, trilinear: bool = True) -> None:
+        """Upload frames, uint8 (n, h, w); see :class:`Texture` for ``trilinear``."""
         self._textures = [
-            Texture(np.ascontiguousarray(each[..., None]), lod_bias=LOD_BIAS) for each in frames
+            Texture(np.ascontiguousarray(each[..., None]), trilinear=trilinear, lod_bias=LOD_BIAS)
+            for each in frames
         ]
 
     @classmethod
-    def shipped(cls, assets: Assets) -> "CausticFilm":
+    def shipped(cls, assets: Assets, trilinear: bool = True) -> "CausticFilm":
         """Return the film in the assets; InputError names a file that cannot be used."""
-        return cls(cut(read_image(assets.path(SHEET), "L")))
+        return cls(cut(read_image(assets.path(SHEET), "L")), trilinear)
 
     def bind(self, films: float, smooth: bool = True, unit: int = 0) -> float:
         """Bind the frames before and after a time to ``unit`` and the next; return the mix, 0..1.

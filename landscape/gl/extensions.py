@@ -68,12 +68,23 @@ def first_missing(needs: Iterable[Need]) -> Need | None:
     return next((need for need in needs if not has(need)), None)
 
 
+def enough_units(what: str, count: int) -> bool:
+    """Return whether there are ``count`` texture units; if not, say once that ``what`` is off."""
+    found = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS))
+    if found < count:
+        _tell(f"landscape: {what}: off, for it needs {count} texture units of {found}")
+    return found >= count
+
+
 _told: set[str] = set()
 
 
 def tell_off(what: str, need: Need) -> None:
     """Say, once for each effect, in one line on stderr, that it is off and why."""
-    line = f"landscape: {what}: off, for this OpenGL has no {need.text}"
+    _tell(f"landscape: {what}: off, for this OpenGL has no {need.text}")
+
+
+def _tell(line: str) -> None:
     if line not in _told:
         _told.add(line)
         print(line, file=sys.stderr)

@@ -5,23 +5,26 @@ texture units (materials.py), and the shore has its colours where it is drawn (s
 ``ground.tiles`` above 1 the mesh is cut into square display lists (tiles.py); those outside the
 view frustum are not called, and the mirror image uses coarser ones. With ``ground.low_stretch``
 details keep their scale on slopes; with ``ground.shadows`` the shadows of what stands on the ground
-are baked into the large texture (shadows.py). Not in the report.
-State used: as the ground, with four texture units; GL_CULL_FACE; the current colour.
+are baked into the large texture (shadows.py); ``water.caustics`` lays a net of light over the bed
+of shallow water (bed_light.py). Not in the report.
+State used: as the ground, with four texture units, seven under shallow water; GL_CULL_FACE; the
+current colour.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from landscape.elements.best.sea.shallows import cut_level
-from landscape.elements.best.terrain import wanted
+from landscape.elements.best.terrain import bed_light, wanted
+from landscape.elements.best.terrain.bed_light import BedLight, divided
 from landscape.elements.best.terrain.materials import mix_units, rock_share, textured, turf_alpha
 from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
-from landscape.elements.best.terrain.tiles import Tile, boxes, cut, every_second
+from landscape.elements.best.terrain.tiles import boxes, cut, every_second
 from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
@@ -81,6 +84,7 @@ class Terrain(Ground):
             colors = np.full((len(mesh.vertices), 4), 255, np.uint8)
             colors[:, 3] = rock_share(mesh.normals, self.drawn_colour(x, z)) * 255
             mesh = replace(mesh, colors=colors)
+        self._bed = BedLight.made(self._settings, assets)
         self._compile(mesh, [texture for texture, _ in layers], ground.tiles)
 
     def _with_shore(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
@@ -120,12 +124,14 @@ class Terrain(Ground):
         ground, sun = settings.ground, settings.sun
         shaded = (sun.azimuth, sun.elevation) if has_no_colours(ground) else None
         coarser = settings.reflection.lod_scale > 1
-        return replace(ground, clip=True), settings.water.level, coarser, shaded
+        bed = settings.sun.elevation if bed_light.wanted(settings) else None
+        return replace(ground, clip=True), settings.water.level, coarser, shaded, bed
 
     def _compile(self, mesh: Mesh, textures: list[Texture], count: int) -> None:
         """Compile one list of everything, or one per tile and two to set and reset the units."""
         before, after = self._units(textures)
         self._tiles, self._mirrored = list[DisplayList](), list[DisplayList]()
+        self._wet: dict[int, DisplayList] = {}
         if count <= 1:
 
             def whole() -> None:
@@ -136,17 +142,24 @@ class Terrain(Ground):
             self._lists.append(DisplayList(whole))
             return
 
-        def compiled(tiles: list[Tile]) -> list[DisplayList]:
-            return [DisplayList(partial(draw_mesh, tile.mesh)) for tile in tiles]
+        def compiled(meshes: Iterable[Mesh]) -> list[DisplayList]:
+            return [DisplayList(partial(draw_mesh, each)) for each in meshes]
 
         tiles, level = cut(mesh, count), self.field.water_level
         self._boxes, self._mirrored_boxes = boxes(tiles), boxes(tiles, level)
-        self._tiles = self._mirrored = compiled(tiles)
+        parts = [tile.mesh for tile in tiles]
+        if self._bed is not None:
+            both = [divided(each, level) for each in parts]
+            parts = [dry for dry, _ in both]
+            wet = {k: each for k, (_, each) in enumerate(both) if len(each.triangles)}
+            self._wet = dict(zip(wet, compiled(wet.values()), strict=True))
+        self._tiles = self._mirrored = compiled(parts)
         self._around = [DisplayList(before), DisplayList(after)]
-        self._lists += [*self._tiles, *self._around]
+        self._lists += [*self._tiles, *self._wet.values(), *self._around]
         if self._settings.reflection.lod_scale > 1:
             tiles = cut(every_second(mesh), count)
-            self._mirrored, self._mirrored_boxes = compiled(tiles), boxes(tiles, level)
+            self._mirrored = compiled(tile.mesh for tile in tiles)
+            self._mirrored_boxes = boxes(tiles, level)
             self._lists += self._mirrored
 
     def _units(self, textures: list[Texture]) -> tuple[Callable[[], None], Callable[[], None]]:
@@ -218,4 +231,17 @@ class Terrain(Ground):
         lists = self._mirrored if frame.mirrored else self._tiles
         with front_faces(self._settings.camera.cull and not frame.mirrored):
             call_lists([lists[k] for k in kept])
+            wet = [self._wet[k] for k in kept if k in self._wet]
+            if frame.mirrored:
+                wet = wet if lists is self._tiles else []  # coarser tiles are whole
+            elif wet and self._bed is not None:
+                self._bed.lay(frame)
+            if wet:
+                call_lists(wet)
         after.call()
+
+    def release(self) -> None:
+        """Delete the lists and the textures; may be called twice."""
+        if self._bed is not None:
+            self._bed.release()
+        super().release()

@@ -1,0 +1,100 @@
+"""Caustics on the bed of the island's shallow water: where they are, and what they need."""
+
+import numpy as np
+import pytest
+from stage import Stage
+
+from landscape.elements.best.terrain import bed_light
+from landscape.elements.best.terrain.bed_light import DEEPEST, divided, fade_picture, strength
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.geometry.mesh import Mesh, grid_triangles, vertex_normals
+from landscape.gl.calls import gl
+from landscape.island import Island
+from landscape.keys import with_settings
+from landscape.scene import Moment
+from landscape.settings import preset
+
+SIZE = (160, 120)
+BEST = with_settings(preset("best"), {"fog.enabled": False, "camera.fov": 60.0})
+NOON = BEST.sun
+EYE = Pose(5.5, 3.1, 28.75, 0.0, -90.0)  # straight above a sand bank
+
+
+def ground(stage: Stage, caustics: bool, kt: float = 40.0) -> tuple[np.ndarray, Island]:
+    """Return the picture of the bare ground from above, int64 (h, w, 3), and the island."""
+    settings = with_settings(BEST, {"water.caustics": caustics, "ground.clip": False})
+    island = Island(settings, Assets(), only=("ground",))
+    with stage.borrowed():
+        island.draw(Moment(EYE, SIZE, kt))
+        picture = stage.read()
+    island.release()
+    return picture, island
+
+
+def depths(island: Island) -> np.ndarray:
+    """Return how deep the ground is under each pixel, float (h, w); below 0 on land."""
+    width, height = SIZE
+    column, row = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    scale = (3.1 - BEST.water.level) * np.tan(np.radians(30.0)) / (height / 2)
+    x, z = EYE.x + (column - width / 2) * scale, EYE.z + (row - height / 2) * scale
+    return np.asarray(BEST.water.level - island.ground.terrain_height(x, z))
+
+
+def test_the_net_lies_on_the_bed_of_shallow_water_and_nowhere_else(stage: Stage) -> None:
+    plain, island = ground(stage, False)
+    lit, _ = ground(stage, True)
+    depth, changed = depths(island), np.abs(lit - plain).max(axis=2)
+    assert (depth < -0.02).mean() > 0.02 and (depth > DEEPEST + 0.05).mean() > 0.02
+    assert changed[depth < -0.02].max() <= 1, "land"
+    assert changed[depth > DEEPEST + 0.05].max() <= 1, "deep water"
+    shallow = (depth > 0.03) & (depth < 0.1)
+    assert (changed[shallow] > 10).mean() > 0.4
+    assert lit[shallow].mean() == pytest.approx(plain[shallow].mean(), rel=0.15)
+
+
+def test_the_net_moves(stage: Stage) -> None:
+    first, island = ground(stage, True)
+    later, _ = ground(stage, True, kt=60.0)
+    moved = np.abs(later - first).max(axis=2)
+    assert moved.max() > 30 and moved[depths(island) < -0.02].max() <= 1
+
+
+def test_with_too_few_texture_units_the_bed_is_drawn_without_the_net(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plain, _ = ground(stage, False)
+    monkeypatch.setattr(bed_light, "UNITS", 99)
+    without, _ = ground(stage, True)
+    assert (without == plain).all()
+    found = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS))
+    line = f"landscape: water.caustics: off, for it needs 99 texture units of {found}\n"
+    assert capsys.readouterr().err == line
+
+
+def test_the_net_is_strongest_just_below_the_edge_and_weak_under_a_low_sun() -> None:
+    depth = np.array([-0.5, 0.0, 0.04, 0.1, DEEPEST, 3.0])
+    noon = strength(depth, NOON)
+    assert (noon[[0, 1, 4, 5]] == 0).all() and noon[2] > noon[3] > 0
+    low = with_settings(BEST, {"sun.elevation": 4.0}).sun
+    assert (strength(depth, low)[2:4] < 0.2 * noon[2:4]).all()
+    setting = with_settings(BEST, {"sun.elevation": 0.0}).sun
+    assert not strength(depth, setting).any()
+
+
+def test_the_texture_that_fades_the_net_ends_in_nothing_on_both_sides() -> None:
+    picture = fade_picture(NOON)
+    assert picture[0, 0] == picture[0, -1] == 0 and picture.max() > 150
+
+
+def test_a_mesh_is_divided_into_triangles_under_shallow_water_and_all_others() -> None:
+    x, z = np.meshgrid(np.linspace(0, 1, 11), np.linspace(0, 1, 3))
+    vertices = np.stack([x, 1.0 - x, z], axis=-1).reshape(-1, 3).astype(np.float32)
+    triangles = grid_triangles(11, 3)
+    mesh = Mesh(vertices, vertex_normals(vertices, triangles), triangles)
+    dry, wet = divided(mesh, 0.6)
+    assert len(dry.triangles) + len(wet.triangles) == len(triangles)
+    low, high = (getattr(mesh.vertices[wet.triangles, 1], end)(axis=1) for end in ("min", "max"))
+    assert (low < 0.6).all() and (high > 0.6 - DEEPEST).all()
+    for triangle in mesh.vertices[dry.triangles, 1]:
+        assert triangle.min() >= 0.6 or triangle.max() <= 0.6 - DEEPEST
