@@ -40,15 +40,17 @@ from landscape.gl.texture import Texture
 
 FIRST_FREE = 2  # the texture unit after those of the stone and of the light on it
 FRAMES = 32  # of the product of sines
-SLANT = 0.6  # of y in both coordinates: glSkel, caustics, whose planes are 0.05, 0.03, 0
+# How much of y is in s and in t. In the basin as in glSkel, caustics, whose planes are 0.05, 0.03,
+# 0 and 0, 0.03, 0.05; on walls, where y replaces x or z, more in one of them (chosen).
+SLANT, UPRIGHT = (0.6, 0.6), (1.0, 0.3)
 LARGER = 2.5  # chosen: the net is blurred and enlarged on the way to the walls
 
 
-def planes(settings: Settings, larger: float = 1.0) -> np.ndarray:
+def planes(settings: Settings, slant: tuple[float, float] = SLANT) -> np.ndarray:
     """Return the planes of s and t, float32 (2, 4); s is the first times (x, y, z, 1)."""
-    scale = settings.caustics.scale / larger
-    s, t = (scale, SLANT * scale, 0.0, 0.0), (0.0, SLANT * scale, scale, 0.0)
-    return np.array([s, t if settings.caustics.own_t else s], np.float32)
+    s, t = (1.0, slant[0], 0.0, 0.0), (0.0, slant[1], 1.0, 0.0)
+    both = np.array([s, t if settings.caustics.own_t else s], np.float32)
+    return both * np.float32(settings.caustics.scale)
 
 
 def generate(both: np.ndarray, how: str) -> None:
@@ -106,7 +108,7 @@ class Caustics:
             return
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
             mix, after = FIRST_FREE, FIRST_FREE + 1
-            self._units(frame, mix)
+            self._units(frame, mix, planes(self._settings))
             combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
             combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{after}"})
             combine({"SRC1_ALPHA": "TEXTURE", "SRC2_ALPHA": "CONSTANT"})
@@ -138,7 +140,7 @@ class Caustics:
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
             doubled = self._settings.caustics.doubled
             gl.glBlendFunc(gl.GL_DST_COLOR if doubled else gl.GL_ZERO, gl.GL_SRC_COLOR)
-            self._units(frame, 0)
+            self._units(frame, 0, planes(self._settings))
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
             gl.glActiveTexture(gl.GL_TEXTURE1)
             combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
@@ -152,7 +154,7 @@ class Caustics:
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-1.0, -1.0)  # the meshes are finer than those drawn before
-            self._units(frame, 1, LARGER)
+            self._units(frame, 1, planes(self._settings, UPRIGHT) / np.float32(LARGER))
             # Unit 0: the stone times the vertex's light; units 1 and 2: the net, into alpha.
             combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
             combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE2"})
@@ -168,8 +170,8 @@ class Caustics:
                 texture.bind()
                 compiled.call()
 
-    def _units(self, frame: Frame, unit: int, larger: float = 1.0) -> None:
-        """Bind the two frames of the moment to ``unit`` and the next, with their coordinates.
+    def _units(self, frame: Frame, unit: int, both: np.ndarray) -> None:
+        """Bind the two frames of the moment to ``unit`` and the next, laid by planes (2, 4).
 
         ``unit`` is active then, and its environment's alpha is the share of the second frame.
         """
@@ -180,7 +182,7 @@ class Caustics:
             gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{number}"))
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
-            generate(planes(self._settings, larger), values.planes)
+            generate(both, values.planes)
 
     def release(self) -> None:
         """Delete the film and the lists; may be called twice."""

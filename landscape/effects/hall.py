@@ -12,7 +12,7 @@ from landscape.effects.keys import KEYS
 from landscape.effects.mirror import Mirror
 from landscape.effects.mist import Mist
 from landscape.effects.moving_sky import MovingSky
-from landscape.effects.planar_shadow import PlanarShadow, on_floor, on_north
+from landscape.effects.planar_shadow import FLOOR_PLANE, NORTH_PLANE, PlanarShadow, Receiver
 from landscape.effects.pool import Pool
 from landscape.effects.room import Room
 from landscape.effects.safeguards import SAFEGUARDS
@@ -57,7 +57,6 @@ class Hall(Ground):
         """Build the elements in ``only``; InputError names a file that cannot be used."""
         self.settings, self.shown = settings, set(only)
         self._owned: list[Any] = []
-        self.shadow: PlanarShadow | None = None
         try:
             begin_pass("setup")
             self.room = self._built(("room", "floor", "caustics"), Room, settings, assets)
@@ -66,9 +65,7 @@ class Hall(Ground):
             self.mirror = self._built(("mirror",), Mirror, settings)
             self.entrance = self._built(("door",), Entrance, settings, assets)
             self.statue = self._built(("statue",), Statue, settings, assets)
-            if self.statue:
-                shadowing = settings, self._cast, self.statue.box
-                self.shadow = self._built(("shadow",), PlanarShadow, *shadowing)
+            self.shadow = self._built(("shadow",), PlanarShadow, settings, self._cast)
             mark = self.statue.send if self.statue else lambda: None
             self.sky = self._built(("sky",), MovingSky, settings, assets)
             self.mist = self._built(("mist",), Mist, settings, assets)
@@ -113,6 +110,7 @@ class Hall(Ground):
         self._draw_hall(frame)
         self._draw_image(frame)
         self._draw_floor(frame)
+        self._draw_shadow(frame, "floor")
         self._draw("pool", self.pool, frame)  # blended over its bed
 
         self._draw("mist", self.mist, frame)
@@ -131,7 +129,7 @@ class Hall(Ground):
         self._draw_basin(frame)
         self._draw("door", self.entrance, frame)
         self._draw("statue", self.statue, frame)
-        self._shade_wall(frame)
+        self._draw_shadow(frame, "room")
         # The net of light is blended over the stone.
         self._draw("caustics", self.caustics, frame)
         self._draw("sky", self.sky, frame)
@@ -171,39 +169,25 @@ class Hall(Ground):
         """Draw the floor: over its mirror image, plain without one, or its underside."""
         if "floor" not in self.shown:
             return
-        shadow = self._shading("floor")
         with drawing("floor"):
             if self._polished and frame.eye_y <= 0.0:
                 self.mirror.draw_underside(self.room.send_foundation)
-            elif shadow and shadow.relights:
-                for without in shadow.parts(frame, on_floor(self.room.send_floor)):
-                    self._lay_floor(frame, *without)
+            elif self._polished and self.mirror.shows(frame):
+                self.mirror.draw_floor(frame, self.room.draw_floor)
             else:
-                self._lay_floor(frame)
-                if shadow:
-                    shadow.darken(frame, on_floor(self.room.send_floor))
+                self.room.draw_floor()
 
-    def _lay_floor(self, frame: Frame, *without: str) -> None:
-        """Draw the floor without the light of "sun", "torch" or both."""
-        if self._polished and self.mirror.shows(frame):
-            self.mirror.draw_floor(frame, lambda: self.room.draw_floor(*without))
-        else:
-            self.room.draw_floor(*without)
-
-    def _shade_wall(self, frame: Frame) -> None:
-        """Draw the statue's shadows on the north wall."""
-        shadow = self._shading("room")
-        if shadow and shadow.relights:
-            for without in shadow.parts(frame, on_north(self.room.send_north)):
-                if without:
-                    with drawing("shadow"):
-                        self.room.draw_north(*without)
-        elif shadow:
-            shadow.darken(frame, on_north(self.room.send_north))
-
-    def _shading(self, where: str) -> PlanarShadow | None:
-        """Return the statue's shadows if they show there, on the floor or on the room's wall."""
-        return self.shadow if {"shadow", "statue", where} <= self.shown else None
+    def _draw_shadow(self, frame: Frame, where: str) -> None:
+        """Draw the statue's shadows on the floor, or on the north wall of the room."""
+        if self.shadow is None or not {"shadow", "statue", where} <= self.shown:
+            return
+        if where == "floor" and frame.eye_y <= 0.0:
+            return
+        with drawing("shadow"):
+            if where == "floor":
+                self.shadow.draw(frame, Receiver(FLOOR_PLANE, self.room.send_floor))
+            else:
+                self.shadow.draw(frame, Receiver(NORTH_PLANE, self.room.send_north))
 
     def _cast(self) -> None:
         """Send what casts shadows: the statue and, as it stands on it, the plinth."""

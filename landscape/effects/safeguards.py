@@ -148,7 +148,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "No pixel darkened twice",
         "hall_shadow",
         20.0,
-        **pair("shadow.stencil", shadow={"method": "darken"}),
+        **pair("shadow.stencil"),
         flaw="The flattened dragon has at least two layers, and each darkens again.",
         look="Look at the dragon's neck and body on the wall.",
         how="The wall is marked in the stencil buffer; each pixel of the shadow clears its mark.",
@@ -173,7 +173,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "What is higher than the torch casts nothing down",
         Pose(1.92, 0.42, 2.66, 322.0, -24.0),
         20.0,
-        **pair("shadow.behind", shadow={"method": "darken"}),
+        **pair("shadow.behind"),
         flaw="Lines from the dragon's head through the torch meet the floor, too, on this side of "
         "the torch. They are no rays of its light: an anti-shadow.",
         look="Look at the floor around the pool.",
@@ -189,11 +189,64 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "A sun behind the wall casts nothing on its inside",
         Pose(1.72, 0.1, 1.04, 336.0, 9.0),
         20.0,
-        **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun", "method": "darken"}),
+        **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun"}),
         flaw="The morning sun stands beyond the north wall. Its rays never reach the wall's "
         "inside, but the matrix has a point there for every point of the dragon.",
         look="Look at the wall below the window.",
         how="p . l is negative, and with it every w: OpenGL clips all of it.",
         seen=("a dragon's shadow that the sun behind the wall casts on it", "a wall without one"),
+    ),
+    Safeguard(
+        "caustics_doubled",
+        "A net of light that brightens as well",
+        "hall_caustics",
+        20.0,
+        **pair("caustics.doubled"),
+        flaw="The document multiplies the bed by the net with glBlendFunc(GL_ZERO, GL_SRC_COLOR). "
+        "No colour of a texture exceeds 1, so the net can only darken: the pool gets dim.",
+        look="Compare the pool with the stone around it.",
+        how="glBlendFunc(GL_DST_COLOR, GL_SRC_COLOR) adds the product twice: a factor of 0 to 2. "
+        "In one pass, GL_RGB_SCALE is 2.",
+        seen=("a dark pool with a dull net on its bed", "a pool with a bright net on its bed"),
+    ),
+    Safeguard(
+        "caustics_planes",
+        "A net of light that lies still on the bed",
+        "hall_caustics",
+        20.0,
+        {"caustics.planes": "eye_before_camera"},
+        {"caustics.planes": "eye"},
+        flaw="An eye plane is multiplied by the inverse of the modelview matrix that is current "
+        "when it is given. Given before the camera is set, it stays in the eye's coordinates, and "
+        "the net moves with whoever looks.",
+        look="Walk and turn: before, the net comes along.",
+        how="glTexGenfv(GL_S, GL_EYE_PLANE, ...) after the camera, or GL_OBJECT_PLANE, which no "
+        "matrix changes.",
+        seen=("a net of light that turns with the viewer", "a net of light fixed to the bed"),
+    ),
+    Safeguard(
+        "caustics_own_t",
+        "A net of light and not stripes",
+        "hall_caustics",
+        20.0,
+        **pair("caustics.own_t"),
+        flaw="The document gives the plane of s to t as well. Both coordinates are then equal, and "
+        "only the diagonal of the texture is seen.",
+        look="Compare the bed: stripes, or a net.",
+        how="Two planes, sPlane and tPlane, that are not parallel.",
+        seen=("stripes of light along the pool's bed", "a net of light on the pool's bed"),
+    ),
+    Safeguard(
+        "caustics_pattern",
+        "Light that waves focus, and not dots",
+        "hall_caustics",
+        20.0,
+        {"caustics.pattern": "sines"},
+        {"caustics.pattern": "net"},
+        flaw="A product of sines is periodic and moves, but has no lines: it shows rows of dots.",
+        look="Compare the bed: dots, or lines that join.",
+        how="A film of 32 textures: rays refracted by a sum of waves whose wave numbers and "
+        "frequencies are whole, so that it is periodic in space and in time.",
+        seen=("rows of round spots of light in a dark pool", "a net of light on the pool's bed"),
     ),
 )

@@ -18,7 +18,7 @@ class Pool:
 
     absorbs: bool = setting(True, "chosen", "let the water dim the light from the bed")
     clear: tuple[float, ...] = setting(
-        (0.16, 0.46, 0.5),
+        (0.17, 0.55, 0.8),
         "chosen",
         "the way through water on which a third of the light is left; red, green, blue",
         0.001,
@@ -120,23 +120,9 @@ class Shadow:
     NEEDS: ClassVar[tuple[str, ...]] = ("shadow", "statue", "floor or room")
 
     light: str = setting(
-        "both", "chosen", "what casts them: torch, sun or both", choices=("torch", "sun", "both")
+        "torch", "chosen", "what casts them: torch, sun or both", choices=("torch", "sun", "both")
     )
-    method: str = setting(
-        "relight",
-        "chosen",
-        "they darken by blending black, or the surface is drawn again without the light",
-        choices=("darken", "relight"),
-        needs=("shadow.stencil",),
-    )
-    strength: float = setting(
-        0.6,
-        GLSKEL_SHADOW,
-        "how much light darkening takes away",
-        0,
-        1,
-        needs=("shadow.method=darken or not shadow.stencil",),
-    )
+    strength: float = setting(0.6, GLSKEL_SHADOW, "how much light they take away", 0, 1)
     flicker: float = setting(
         0.004,
         "chosen",

@@ -44,10 +44,6 @@ class Statue:
         (x, z), (_, top) = plan.STATUE, plan.PLINTH
         self._place = x, top - lowest, z
         self.middle = x, top - lowest, z
-        reach = float(np.abs(mesh.vertices[:, [0, 2]]).max())
-        # Corners of a box around statue and plinth, whichever way the statue is turned.
-        height = top - lowest + float(mesh.vertices[:, 1].max())
-        self.box = np.array([[x - reach, 0.0, z - reach], [x + reach, height, z + reach]])
         self._environment: Environment | None = None
         self._list = DisplayList(lambda: draw_mesh(mesh))
         self._coarse = DisplayList(lambda: draw_mesh(coarse))
