@@ -118,6 +118,12 @@ class Frame:
         return self.modelview[[0, 1, 2, 4, 5, 6, 8, 9, 10]]
 
     @cached_property
+    def to_world(self) -> np.ndarray:
+        """The rotation (3, 3) from eye space to the world's axes, upside down if mirrored."""
+        turn = np.stack([self.right, self.up, self.back], axis=1)
+        return np.diag([1.0, -1.0, 1.0]) @ turn if self.mirrored else turn
+
+    @cached_property
     def frustum_planes(self) -> np.ndarray:
         """Normals (3, 5) of the planes through the eye that bound the view, pointing into it.
 

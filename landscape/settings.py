@@ -871,6 +871,14 @@ class Dragon:
     )
     painted: bool = setting(False, "chosen", "vertex colours from the mesh file, if it has any")
     gloss: float = setting(0.0, "chosen", "strength of the specular highlight", 0, 1, unit="of 1")
+    sheen: float = setting(
+        0.0,
+        "chosen",
+        "how strongly its wet scales mirror the sky and the sea around it",
+        0,
+        1,
+        unit="of 1",
+    )
     sink: float = setting(
         -0.15, "chosen", "height of the water line on the mesh", -2, 2, unit="of the mesh's -1 to 1"
     )
@@ -1072,6 +1080,7 @@ BEST: dict[str, Value] = {
     "dragon.mapping": "axis",
     "dragon.painted": True,
     "dragon.gloss": 0.5,
+    "dragon.sheen": 0.8,
     "grass.arch": 4.0,
     "grass.radius": 7.0,
     "fog.density": 0.042,

@@ -169,7 +169,7 @@ ONLY_CALLS = {
 }
 # In the preset best these have an effect of their own beside the others.
 IN_BEST = ("sun.fill", "reflection.enabled", "water.color", "sky.unfogged", "trees.species",
-           "fog.density", "dragon.gloss", "rabbit.mapping", "grass.arch",
+           "fog.density", "dragon.gloss", "dragon.sheen", "rabbit.mapping", "grass.arch",
            "transparent.radius", "ground.materials")  # fmt: skip
 
 

@@ -23,13 +23,15 @@ import numpy as np
 
 from landscape.effects.settings import Settings
 from landscape.frame import Frame, Pose
+from landscape.gl import cube_map
 from landscape.gl.calls import gl
+from landscape.gl.cube_map import CubeMap, generate, texture_matrix
 from landscape.gl.extensions import Need
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture_target import TextureTarget
 
 NEEDS = (
-    Need((1, 3), ("GL_ARB_texture_cube_map",)),
+    cube_map.NEED,
     Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
     Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
 )
@@ -97,7 +99,7 @@ class Environment:
         """
         self._settings, self._drawn_for = settings, np.zeros(0)
         target = TextureTarget((FACE, FACE))
-        self.cube = self._empty_cube()
+        self.cube = CubeMap(np.zeros((6, FACE, FACE, 3), np.uint8))
         self._ball = TextureTarget((BALL, BALL))
         places, self._triangles = disc()
         self._points = np.zeros((len(places), 3), np.float32)
@@ -107,12 +109,12 @@ class Environment:
         for name, angles in FACES.items():
             with target.drawing(clear=False):
                 draw(self._camera(Pose(*place, *angles)))
-                gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, self.cube)
+                self.cube.bind()
                 face = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{name}")
                 gl.glCopyTexSubImage2D(face, 0, 0, 0, 0, 0, FACE, FACE)
                 gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
         target.release()
-        self._make_levels(gl.GL_TEXTURE_CUBE_MAP, self.cube)
+        self._make_levels(gl.GL_TEXTURE_CUBE_MAP, self.cube.name)
 
     @staticmethod
     def _make_levels(kind: int, name: int) -> None:
@@ -121,27 +123,6 @@ class Environment:
         gl.glTexParameteri(kind, gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR)
         gl.glGenerateMipmap(kind)
         gl.glBindTexture(kind, 0)
-
-    @staticmethod
-    def _empty_cube() -> int:
-        """Return the name of a cube map without images."""
-        name = int(gl.glGenTextures(1))
-        gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, name)
-        for parameter, value in (
-            ("MIN_FILTER", gl.GL_LINEAR),
-            ("MAG_FILTER", gl.GL_LINEAR),
-            ("WRAP_S", gl.GL_CLAMP_TO_EDGE),
-            ("WRAP_T", gl.GL_CLAMP_TO_EDGE),
-        ):
-            gl.glTexParameteri(
-                gl.GL_TEXTURE_CUBE_MAP, getattr(gl, f"GL_TEXTURE_{parameter}"), value
-            )
-        for face in FACES:
-            target = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{face}")
-            form = gl.GL_RGB, gl.GL_UNSIGNED_BYTE, None
-            gl.glTexImage2D(target, 0, gl.GL_RGB8, FACE, FACE, 0, *form)
-        gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
-        return name
 
     @staticmethod
     def _camera(pose: Pose) -> Frame:
@@ -172,7 +153,7 @@ class Environment:
         statue = self._settings.statue
         if statue.environment != "sphere" or (self._drawn_for.size and not statue.fresh):
             return
-        turn = backwards(frame)
+        turn = frame.to_world
         if np.array_equal(turn, self._drawn_for):
             return
         self._drawn_for = turn
@@ -184,7 +165,7 @@ class Environment:
             gl.glColor3f(1.0, 1.0, 1.0)
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
             gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
-            gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, self.cube)
+            self.cube.bind()
             with texture_matrix(turn):
                 self._send_disc()
         self._make_levels(gl.GL_TEXTURE_2D, self._ball.name)
@@ -208,44 +189,16 @@ class Environment:
         cube = self._settings.statue.environment == "cube"
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             kind = gl.GL_TEXTURE_CUBE_MAP if cube else gl.GL_TEXTURE_2D
-            gl.glBindTexture(kind, self.cube if cube else self._ball.name)
+            (self.cube if cube else self._ball).bind()
             gl.glEnable(kind)
-            for name in "STR" if cube else "ST":
-                mode = gl.GL_REFLECTION_MAP if cube else gl.GL_SPHERE_MAP
-                gl.glTexGeni(getattr(gl, f"GL_{name}"), gl.GL_TEXTURE_GEN_MODE, mode)
-                gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+            generate(*("REFLECTION_MAP", "STR") if cube else ("SPHERE_MAP", "ST"))
             combine({"COMBINE_RGB": "MODULATE", "SOURCE0_RGB": "TEXTURE",
                      "SOURCE1_RGB": "PRIMARY_COLOR"})  # fmt: skip
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
-            with texture_matrix(backwards(frame) if cube else np.eye(3)):
+            with texture_matrix(frame.to_world if cube else np.eye(3)):
                 yield
 
     def release(self) -> None:
         """Delete the maps; may be called twice."""
-        if self.cube:
-            gl.glDeleteTextures(np.array([self.cube], np.uint32))
-            self.cube = 0
+        self.cube.release()
         self._ball.release()
-
-
-def backwards(frame: Frame) -> np.ndarray:
-    """Return the rotation (3, 3) from eye space to the hall's, through the floor if mirrored."""
-    turn = np.stack([frame.right, frame.up, frame.back], axis=1)
-    return np.diag([1.0, -1.0, 1.0]) @ turn if frame.mirrored else turn
-
-
-@contextmanager
-def texture_matrix(turn: np.ndarray) -> Iterator[None]:
-    """Multiply the block's texture coordinates by a rotation (3, 3)."""
-    wide = np.eye(4, dtype=np.float32)
-    wide[:3, :3] = turn
-    gl.glMatrixMode(gl.GL_TEXTURE)
-    gl.glPushMatrix()
-    gl.glLoadMatrixf(np.ascontiguousarray(wide.T))
-    gl.glMatrixMode(gl.GL_MODELVIEW)
-    try:
-        yield
-    finally:
-        gl.glMatrixMode(gl.GL_TEXTURE)
-        gl.glPopMatrix()
-        gl.glMatrixMode(gl.GL_MODELVIEW)

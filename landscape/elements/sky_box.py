@@ -11,6 +11,8 @@ three put the sky at infinity. It never changes: ``sky.moving`` (R1) adds best/s
 State used: GL_TEXTURE_2D; fog, depth range, depth writes and GL_CLIP_PLANE0 by the switches.
 """
 
+from pathlib import Path
+
 import numpy as np
 
 from landscape.elements.best.sky.clouds import Clouds
@@ -58,6 +60,13 @@ def face_coordinates(width: int, height: int) -> np.ndarray:
     return np.array([(s, t), (s, 1 - t), (1 - s, 1 - t), (1 - s, t)], np.float32)
 
 
+def face_files(settings: Settings, assets: Assets) -> list[Path]:
+    """Return the paths of the pictures of the faces; InputError if one is missing."""
+    name = settings.sky.set
+    prefix = "sky_" if name == "day" else f"sky_{name}_"
+    return [assets.path(f"{prefix}{face}.png") for face in FACES]
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     sky = settings.sky
@@ -71,8 +80,7 @@ class SkyBox:
         """Read the five faces and compile the display list."""
         self._settings = settings
         sky = settings.sky
-        prefix = "sky_" if sky.set == "day" else f"sky_{sky.set}_"
-        images = [read_image(assets.path(f"{prefix}{face}.png"), "RGB") for face in FACES]
+        images = [read_image(path, "RGB") for path in face_files(settings, assets)]
         # A sky is so smooth that the change from one mip level to the next does not show.
         self._textures = [Texture(image, repeat=False, trilinear=False) for image in images]
         corners = face_corners(sky.half_width, sky.height)

@@ -1,19 +1,23 @@
 """The dragon of the preset `best`: mapped along axes, painted, glossy, with levels of detail.
 
 The sun glints on its wet scales by GL_SPECULAR, which is added after the texture instead of
-multiplied by it: GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2).
+multiplied by it: GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2). What else they mirror is in wet_sheen.py.
 State used: as the fine animal; specular material and the light model's colour control.
 """
 
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
 
+from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
+from landscape.elements.best.animals.wet_sheen import WetSheen
 from landscape.elements.dragon import Dragon, dragon_obstacles, planar, swimming
 from landscape.files.assets import Assets
 from landscape.files.cache import content
+from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import gl
@@ -26,6 +30,7 @@ def dragon_class(settings: Settings) -> type[Dragon] | type["FineDragon"]:
     """Return the class whose dragon these settings describe."""
     dragon = settings.dragon
     fine = dragon.mapping == "axis" or dragon.painted or dragon.gloss > 0.0
+    fine = fine or dragon.sheen > 0.0
     return FineDragon if fine or settings.camera.lod_pixels > 0.0 else Dragon
 
 
@@ -42,19 +47,36 @@ class FineDragon(FineAnimal):
                 return by_axis(mesh, dragon.repeat)
             return replace(mesh, coordinates=(planar(mesh.vertices),))
 
-        source = content(assets.path(dragon.mesh)), repr(dragon)
+        source = content(assets.path(dragon.mesh)), repr(replace(dragon, gloss=0.0, sheen=0.0))
         place = swimming(dragon, settings.water.level)
+        self._sheen = WetSheen.made(settings, assets)
         super().__init__(settings, assets, mesh, lay, source, place, dragon.yaw, dragon.scale)
 
     @staticmethod
     def built_from(settings: Settings) -> tuple[object, ...]:
         """Return the settings that the lists were made from."""
-        dragon = replace(settings.dragon, gloss=float(settings.dragon.gloss > 0.0))
-        return dragon, settings.camera.lod_pixels > 0.0, settings.water.level
+        dragon = settings.dragon
+        dragon = replace(dragon, gloss=float(dragon.gloss > 0.0), sheen=float(dragon.sheen > 0.0))
+        mirrored = wet_sheen.built_from(settings)
+        return dragon, settings.camera.lod_pixels > 0.0, settings.water.level, mirrored
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass."""
         return dragon_obstacles(self._settings.dragon, self._settings.water.level)
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the dragon; where it is out of view, not even the state of its sheen is set."""
+        if self._settings.camera.cull and not self.visible(frame):
+            return
+        strength = self._settings.dragon.sheen
+        with self._sheen.shining(frame, strength) if self._sheen else nullcontext():
+            super().draw(frame)
+
+    def release(self) -> None:
+        """Delete lists, texture and maps; may be called twice."""
+        super().release()
+        if self._sheen:
+            self._sheen.release()
 
     def _set_material(self) -> None:
         """Add the specular highlight; popping GL_LIGHTING_BIT restores all of this."""

@@ -1,0 +1,104 @@
+"""What wet scales mirror: the sky and the sea, most at grazing angles (``dragon.sheen``).
+
+Technique: two cube maps (OpenGL 1.3) beside the animal's own texture. Unit 1 looks up the normal
+(GL_NORMAL_MAP, in eye space): its alpha is how much a surface that is tilted so far from the viewer
+mirrors, Fresnel's law baked into a map. Unit 2 looks up the mirrored line of sight
+(GL_REFLECTION_MAP), which the texture matrix turns to the world's axes, in a map of what is around
+(best/sky/surroundings.py). GL_COMBINE mixes that with the lit colour by the alpha of unit 1
+(GL_INTERPOLATE).
+Not in the report. Where OpenGL has no cube maps or fewer units, scales stay dry.
+What is wrong with it: the map takes the viewer to be far away straight ahead, so at the picture's
+side the mirroring is a little off; and no part of the animal mirrors another.
+State used: texture units 1 and 2 with generated coordinates, GL_COMBINE, the texture matrix.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.elements.best.sky import surroundings
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.gl import cube_map
+from landscape.gl.calls import gl
+from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
+from landscape.gl.extensions import Need, enough_units, first_missing, tell_off
+from landscape.gl.state import attrib, combine
+from landscape.settings import Settings
+
+NEEDS = (
+    cube_map.NEED,
+    Need((1, 3), ("GL_ARB_multitexture",)),
+    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
+)
+UNITS = 3
+SIDE = 32  # chosen: texels per side of a face of the map of Fresnel's law
+HEAD_ON = 0.10  # chosen: what is mirrored by a surface that faces the viewer; water's is 0.02
+POWER = 3.0  # chosen: how fast mirroring grows towards grazing; 5 is Schlick's
+
+
+def mirrored_part(facing: np.ndarray) -> np.ndarray:
+    """Return how much of the light is mirrored, 0..1, for cosines between normal and viewer.
+
+    Schlick's approximation of Fresnel's law; a surface that faces away mirrors nothing.
+    """
+    grazing = (1.0 - np.clip(facing, 0.0, 1.0)) ** POWER
+    return np.asarray(np.where(facing < 0, 1.0, HEAD_ON + (1 - HEAD_ON) * grazing))
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the maps depend on: none if nothing is mirrored."""
+    return surroundings.built_from(settings) if settings.dragon.sheen > 0.0 else ()
+
+
+class WetSheen:
+    """The maps and their use."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Upload the maps."""
+        self._around = CubeMap(surroundings.surroundings(settings, assets))
+        part = np.rint(mirrored_part(face_directions(SIDE)[..., 2]) * 255).astype(np.uint8)
+        self._part = CubeMap(np.repeat(part[..., None], 4, axis=-1))
+
+    @classmethod
+    def made(cls, settings: Settings, assets: Assets) -> "WetSheen | None":
+        """Return the sheen if it is wanted and this OpenGL can show it."""
+        if settings.dragon.sheen <= 0.0:
+            return None
+        if need := first_missing(NEEDS):
+            tell_off("dragon.sheen", need)
+            return None
+        return cls(settings, assets) if enough_units("dragon.sheen", UNITS) else None
+
+    @contextmanager
+    def shining(self, frame: Frame, strength: float) -> Iterator[None]:
+        """Let the block's textured surfaces mirror what is around, times ``strength`` in 0..1."""
+        kind = gl.GL_TEXTURE_CUBE_MAP
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
+            gl.glActiveTexture(gl.GL_TEXTURE1)
+            gl.glEnable(kind)
+            self._part.bind()
+            generate("NORMAL_MAP")
+            combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS", "COMBINE_ALPHA": "MODULATE"})
+            combine({"SRC0_ALPHA": "TEXTURE", "SRC1_ALPHA": "CONSTANT"})
+            constant = np.array([0.0, 0.0, 0.0, strength], np.float32)
+            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
+            gl.glActiveTexture(gl.GL_TEXTURE2)
+            gl.glEnable(kind)
+            self._around.bind()
+            generate("REFLECTION_MAP")
+            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
+            combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+            with texture_matrix(frame.to_world):
+                gl.glActiveTexture(gl.GL_TEXTURE0)
+                try:
+                    yield
+                finally:
+                    gl.glActiveTexture(gl.GL_TEXTURE2)
+
+    def release(self) -> None:
+        """Delete the maps; may be called twice."""
+        self._around.release()
+        self._part.release()
