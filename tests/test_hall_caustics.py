@@ -9,7 +9,7 @@ from gl_state import changes, snapshot
 from stage import SIZE, Stage, live_names
 from state_calls import Fresh
 
-from landscape.effects import plan
+from landscape.effects import caustics, plan
 from landscape.effects.caustics import generate, planes
 from landscape.effects.hall import SCENE, Hall
 from landscape.effects.pool import INDEX, left_of_light, mirrored_share, steepness
@@ -185,6 +185,24 @@ def test_water_mirrors_two_hundredths_from_above_and_all_along_its_surface() -> 
     eye = np.array([1.6, 0.3, 2.1])
     places = np.array([[1.6, 0.0, 2.1], [1.6, 0.0, 2.5]])
     assert steepness(places, eye) == pytest.approx([1.0, 0.6])
+
+
+def test_with_too_few_texture_units_the_pool_is_drawn_without_caustics(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(caustics, "FIRST_FREE", 98)
+    for passes in ("two", "one"):
+        settings = with_settings(SCENE.settings, {"caustics.passes": passes})
+        hall = Hall(settings, Assets(), 0, ("room", "caustics"))
+        pictures = []
+        for shown in ({"room"}, {"room", "caustics"}):
+            hall.shown = shown
+            with stage.borrowed():
+                hall.draw(Moment(OVER_POOL, SIZE, KT))
+                pictures.append(stage.read())
+        hall.release()
+        assert (pictures[0] == pictures[1]).all()
+    assert capsys.readouterr().err.count("landscape: caustics: off, for it needs 100 texture") == 1
 
 
 @pytest.mark.parametrize(

@@ -35,9 +35,14 @@ from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
+from landscape.gl.extensions import Need, enough_units, first_missing, tell_off
 from landscape.gl.state import attrib, combine, front_faces, matrix
 from landscape.gl.texture import Texture
 
+NEEDS = (
+    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
+    Need((1, 4), ("GL_ARB_texture_env_crossbar",)),
+)
 FIRST_FREE = 2  # the texture unit after those of the stone and of the light on it
 FRAMES = 32  # of the product of sines
 # How much of y is in s and in t. In the basin as in glSkel, caustics, whose planes are 0.05, 0.03,
@@ -73,6 +78,14 @@ def generate(both: np.ndarray, how: str) -> None:
     gl.glEnable(gl.GL_TEXTURE_GEN_T)
 
 
+def can_draw() -> bool:
+    """Return whether this OpenGL can draw caustics; if not, say so once."""
+    if need := first_missing(NEEDS):
+        tell_off("caustics", need)
+        return False
+    return enough_units("caustics", FIRST_FREE + 2)
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     return settings.caustics.pattern, settings.sun
@@ -84,6 +97,7 @@ class Caustics:
     def __init__(self, settings: Settings, assets: Assets, room: Room) -> None:
         """Upload the film and compile what the pool's light reaches; ``room`` draws the stone."""
         self._settings, self._room = settings, room
+        self._possible = can_draw()
         if settings.caustics.pattern == "sines":
             self._film = CausticFilm(sines(FRAMES))
         else:
@@ -103,7 +117,7 @@ class Caustics:
     @contextmanager
     def while_drawn(self, frame: Frame) -> Iterator[None]:
         """Let the block draw the basin with the net on it, if that takes no second pass."""
-        if self._settings.caustics.passes == "two":
+        if self._settings.caustics.passes == "two" or not self._possible:
             yield
             return
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
@@ -122,6 +136,8 @@ class Caustics:
 
     def draw(self, frame: Frame) -> None:
         """Draw the second pass over the basin, and the light on the stone around the pool."""
+        if not self._possible:
+            return
         values = self._settings.caustics
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
@@ -132,7 +148,8 @@ class Caustics:
             gl.glDisable(gl.GL_FOG)  # what is there is fogged already
             if values.passes == "two" and not frame.mirrored:
                 self._second_pass(frame)
-            if values.reflected > 0:
+            # Twice the fill, and hardly seen in the floor: the mirror image does without.
+            if values.reflected > 0 and not frame.mirrored:
                 self._reflected(frame)
 
     def _second_pass(self, frame: Frame) -> None:

@@ -15,11 +15,11 @@ from landscape.effects.surfaces import Surface, at, mesh
 from landscape.geometry.mesh import Mesh
 
 LIT = ("wall", "alcove", "stone", "vault")  # materials that face the pool
-STEP = 0.03  # chosen: units between vertices of what is lit
+STEP = 0.06  # chosen: units between vertices of what is lit
 SPREAD = 3.0  # chosen: exponent of the cosine around the mirrored sun
 ALL_AROUND = 0.16  # chosen: light in all directions, beside the mirrored sun's
 GREATEST = 0.8  # chosen: the most light
-LEAST = 0.015  # light below this is not drawn
+LEAST = 0.03  # chosen: subtracted from the light, so that it ends without an edge
 GLOW = (1.0, 0.93, 0.74)  # chosen: RGB
 
 
@@ -50,7 +50,7 @@ def thrown(points: np.ndarray, normals: np.ndarray, towards: np.ndarray) -> np.n
         left = np.maximum(along[:, 1], 0.0)
         shine = ALL_AROUND + np.maximum(along @ mirrored, 0.0) ** SPREAD
         total += area * met * (0.3 + 0.7 * left) * shine / distance**2 * (along[:, 1] > 0)
-    return np.asarray(np.minimum(total, GREATEST))
+    return np.asarray(np.clip(total - LEAST, 0.0, GREATEST))
 
 
 def finer(surface: Surface) -> Surface:
@@ -71,7 +71,7 @@ def lit(surface: Surface, towards: np.ndarray) -> Mesh | None:
     divided = finer(surface)
     fine = mesh(divided, MATERIALS[surface.material][1], divided.on_material)
     light = thrown(fine.vertices, fine.normals, towards)
-    reached = (light[fine.triangles] > LEAST).any(axis=1)
+    reached = (light[fine.triangles] > 1 / 255).any(axis=1)
     if not reached.any():
         return None
     used, own = np.unique(fine.triangles[reached], return_inverse=True)

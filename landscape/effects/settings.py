@@ -18,7 +18,7 @@ class Pool:
 
     absorbs: bool = setting(True, "chosen", "let the water dim the light from the bed")
     clear: tuple[float, ...] = setting(
-        (0.17, 0.55, 0.8),
+        (0.13, 0.42, 1.5),
         "chosen",
         "the way through water on which a third of the light is left; red, green, blue",
         0.001,
