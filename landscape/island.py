@@ -17,6 +17,7 @@ from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.ornate.ornate_castle import castle_class
+from landscape.elements.best.overlay.shining_sword import sword_class
 from landscape.elements.best.sea import sea
 from landscape.elements.best.sea.foam import Foam
 from landscape.elements.best.sea.occlusion_query import SeaQuery
@@ -32,7 +33,6 @@ from landscape.elements.map import Map
 from landscape.elements.planting import trunks
 from landscape.elements.reflection import mirrored
 from landscape.elements.sky_box import SkyBox
-from landscape.elements.sword import Sword
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
@@ -73,6 +73,7 @@ def classes(settings: Settings) -> dict[str, type | None]:
         "dragon": dragon_class(settings),
         "sprites": RefinedSprites if sprites.wanted(settings) else TransparentElements,
         "grass": Meadow if meadow.wanted(settings) else Grass,
+        "sword": sword_class(settings),
     }
 
 
@@ -163,7 +164,7 @@ class Island:
             Part("dragon", ("dragon",), kind["dragon"], own),
             Part("sprites", self._kinds, kind["sprites"], (*place, set(self._kinds))),
             Part("grass", ("grass",), kind["grass"], place),
-            Part("sword", ("sword",), Sword, own),
+            Part("sword", ("sword",), kind["sword"], own),
             Part("map", ("map",), Map, (*own, field)),
         ]
 

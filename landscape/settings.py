@@ -889,6 +889,15 @@ class Overlay:
     """The sword (section 8) and the map (section 9)."""
 
     sword: bool = setting(True, "section 8", "show the sword", needs=("sword",))
+    sheen: float = setting(
+        0.0,
+        "chosen",
+        "how strongly the sword's steel mirrors the light around",
+        0,
+        1,
+        unit="of 1",
+        needs=("sword", "overlay.sword"),
+    )
     map: bool = setting(True, "section 9", "show the map", needs=("map",))
     map_alpha: float = setting(
         0.75, "chosen", "opacity of the map", 0, 1, unit="of 1", needs=("map", "overlay.map")
@@ -1081,6 +1090,7 @@ BEST: dict[str, Value] = {
     "dragon.painted": True,
     "dragon.gloss": 0.5,
     "dragon.sheen": 0.8,
+    "overlay.sheen": 0.5,
     "grass.arch": 4.0,
     "grass.radius": 7.0,
     "fog.density": 0.042,

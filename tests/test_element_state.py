@@ -21,6 +21,7 @@ from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.ornate.ornate_castle import castle_class
+from landscape.elements.best.overlay.shining_sword import sword_class
 from landscape.elements.best.sea.sea import Sea
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.terrain.terrain import ground_class
@@ -29,7 +30,6 @@ from landscape.elements.ground import Ground
 from landscape.elements.map import Map
 from landscape.elements.reflection import mirrored
 from landscape.elements.sky_box import SkyBox
-from landscape.elements.sword import Sword
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.errors import InputError
@@ -70,7 +70,7 @@ ELEMENTS: dict[str, Build] = {
         settings, assets, ground.field
     ),
     "dragon": lambda settings, assets, ground: dragon_class(settings)(settings, assets),
-    "sword": lambda settings, assets, ground: Sword(settings, assets),
+    "sword": lambda settings, assets, ground: sword_class(settings)(settings, assets),
     "map": lambda settings, assets, ground: Map(settings, assets, ground.field),
 }
 

@@ -157,6 +157,7 @@ SHOTS = {
     "castle.flame_faces": of_fix("R2", only=("castle",)),
     "dragon.repeat": replace(GROUPS["dragon"], settings={"dragon.mapping": "axis"}),
     "dragon.sink": replace(GROUPS["dragon"], value=0.5),
+    "overlay.sheen": replace(GROUPS["overlay"], stroke=0),
     "fog.start": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=3.0),
     "fog.end": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=10.0),
 }  # fmt: skip
@@ -169,7 +170,8 @@ ONLY_CALLS = {
 }
 # In the preset best these have an effect of their own beside the others.
 IN_BEST = ("sun.fill", "reflection.enabled", "water.color", "sky.unfogged", "trees.species",
-           "fog.density", "dragon.gloss", "dragon.sheen", "rabbit.mapping", "grass.arch",
+           "fog.density", "dragon.gloss", "dragon.sheen",
+           "overlay.sheen", "rabbit.mapping", "grass.arch",
            "transparent.radius", "ground.materials")  # fmt: skip
 
 

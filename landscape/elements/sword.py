@@ -6,6 +6,7 @@ State used: GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 """
 
 import math
+from pathlib import Path
 
 from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
@@ -27,14 +28,19 @@ def bob(step: float) -> float:
     return 0.005 * math.cos(step / 4)
 
 
+def pictures(assets: Assets) -> list[Path]:
+    """Return the paths of the pictures, at rest and for each part of the stroke."""
+    names = ["sword_rest.png"] + [f"sword_{k}.png" for k in range(1, STROKES + 1)]
+    return [assets.path(name) for name in names]
+
+
 class Sword:
     """The sword at rest and its stroke."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Load the five pictures and compile the quad."""
         self._settings = settings
-        names = ["sword_rest.png"] + [f"sword_{k}.png" for k in range(1, STROKES + 1)]
-        self._textures = [Texture(read_image(assets.path(n)), repeat=False) for n in names]
+        self._textures = [Texture(read_image(path), repeat=False) for path in pictures(assets)]
         self._list = DisplayList(picture_quad)
 
     def apply(self, settings: Settings) -> bool:
@@ -44,16 +50,9 @@ class Sword:
 
     def draw(self, frame: Frame) -> None:
         """Draw the sword over the picture."""
-        width, height = frame.size
-        top = math.tan(math.radians(frame.fov / 2))
-        right = top * width / height
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with matrix(), attrib(groups):
-            gl.glLoadIdentity()
-            gl.glTranslatef(right - ASPECT * top, bob(frame.step) - 0.01 * top, 0.0)
-            gl.glScalef(ASPECT * top, top, 1.0)
-            for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING):
-                gl.glDisable(off)
+            self._place(frame)
             gl.glColor3f(*painted(self._settings.sun, self._facing(frame)))
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_BLEND)
@@ -61,6 +60,18 @@ class Sword:
             self._textures[frame.stroke].bind()
             self._list.call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    @staticmethod
+    def _place(frame: Frame) -> None:
+        """Bring the square -1..1 to the sword's place in front of everything."""
+        width, height = frame.size
+        top = math.tan(math.radians(frame.fov / 2))
+        right = top * width / height
+        gl.glLoadIdentity()
+        gl.glTranslatef(right - ASPECT * top, bob(frame.step) - 0.01 * top, 0.0)
+        gl.glScalef(ASPECT * top, top, 1.0)
+        for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING):
+            gl.glDisable(off)
 
     def _facing(self, frame: Frame) -> float:
         """Return how far the visible side of the sword faces the sun, as a cosine."""
