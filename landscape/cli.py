@@ -212,7 +212,7 @@ def _figures(options: argparse.Namespace) -> int:
     kept = Path(__file__).resolve().parents[1] / "screenshots"
     if not kept.is_dir():
         kept = Path("screenshots")
-    drawing = {**_offscreen_options(options), "settings": _changes(options, scene())}
+    drawing = {**_offscreen_options(options), "settings": _changes(options, *map(scene, SCENES))}
     del drawing["preset"]
     if options.update:
         figures.update(options.names, kept, drawing, options.quiet)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from landscape.effects.flight import Flight, keyframes
-from landscape.effects.hall import STANDING
 from landscape.effects.settings import Settings
+from landscape.effects.views import STANDING
 from landscape.files.assets import Assets
 from landscape.geometry.quaternion import from_angles
 from landscape.keys import with_settings

@@ -19,7 +19,7 @@ from landscape.effects.safeguards import SAFEGUARDS
 from landscape.effects.settings import PRESETS, Settings
 from landscape.effects.statue import Statue
 from landscape.effects.tone import Tone
-from landscape.effects.views import MAIN, VIEWS
+from landscape.effects.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.elements import sun
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
@@ -28,12 +28,6 @@ from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import Moment, Scene, View, begin_frame
 
-ELEMENTS = (
-    *("room", "floor", "mirror", "door", "statue", "shadow", "sky", "caustics", "pool", "mist"),
-    *("tone", "flight", "sword"),
-)
-HELD = ("sword",)  # only a walker has it: no view shows it
-STANDING = tuple(name for name in ELEMENTS if name not in HELD)
 TALL = 10.0  # units: these obstacles cannot be flown over
 OVER_POOL = 0.15  # units, chosen: height from which one flies over the pool; higher than the eye
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from landscape.effects.views import VIEWS
+from landscape.effects.views import STANDING, VIEWS
 from landscape.frame import Pose
 from landscape.scene import View
 
@@ -42,7 +42,9 @@ class Safeguard:
 
     def as_view(self) -> View:
         """Return the view with the safeguard, under its name."""
-        return View(self.name, self.title, self.pose(True), self.kt, settings=self.on)
+        return View(
+            self.name, self.title, self.pose(True), self.kt, shown=STANDING, settings=self.on
+        )
 
 
 def pair(key: str, **beside: Any) -> dict[str, dict[str, Any]]:

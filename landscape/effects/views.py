@@ -1,10 +1,19 @@
 """The hall's named views. Poses are chosen."""
 
+from dataclasses import replace
+
 from landscape.frame import Pose
 from landscape.scene import View
 
+ELEMENTS = (
+    *("room", "floor", "mirror", "door", "statue", "shadow", "sky", "caustics", "pool", "mist"),
+    *("tone", "flight", "sword"),
+)
+HELD = ("sword",)  # only a walker has it: no view shows it
+STANDING = tuple(name for name in ELEMENTS if name not in HELD)
+
 VIEWS = {
-    view.name: view
+    view.name: replace(view, shown=STANDING)
     for view in (
         View("hall", "the great hall from its door", Pose(1.6, None, 2.62, 0.0, 4.0), 20.0),
         View("hall_sphere", "the gilded statue mirrors the hall",

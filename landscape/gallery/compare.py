@@ -14,6 +14,9 @@ SAME_FRACTION = 0.01  # chosen: of the pixels may differ at all on that one
 OTHER_RENDERER = 12  # levels, on another renderer
 OTHER_FRACTION = 0.001  # of the pixels may differ by more than that on another one
 OTHER_MEAN = 4.0  # levels, of all pixels on average on another one
+# Of a picture that was compressed with a loss, beside a new one.
+LOSSY_MEAN, LOSSY_BLOCK = 6.0, 10.0  # levels, of all pixels, and of any block of BLOCK x BLOCK
+BLOCK = 20  # pixels, chosen
 AMPLIFICATION = 16  # chosen: makes a difference of one level visible
 
 
@@ -33,6 +36,20 @@ def agree(expected: np.ndarray, actual: np.ndarray, same_renderer: bool) -> bool
         return bool(few and levels.max(initial=0) <= SAME_RENDERER)
     few = (levels > OTHER_RENDERER).mean() <= OTHER_FRACTION
     return bool(few and levels.mean() <= OTHER_MEAN)
+
+
+def agree_lossy(expected: np.ndarray, actual: np.ndarray) -> bool:
+    """Return whether two pictures agree, one of which was compressed with a loss.
+
+    Compression changes many pixels, but the mean of a block hardly; a change of the picture does.
+    """
+    if expected.shape != actual.shape:
+        return False
+    rows, columns = (side // BLOCK * BLOCK for side in expected.shape[:2])
+    signed = (expected.astype(np.float32) - actual)[:rows, :columns]
+    blocks = signed.reshape(rows // BLOCK, BLOCK, columns // BLOCK, BLOCK, 3).mean(axis=(1, 3))
+    mean = difference(expected, actual).mean()
+    return bool(mean <= LOSSY_MEAN and np.abs(blocks).max(initial=0) <= LOSSY_BLOCK)
 
 
 def amplified(expected: np.ndarray, actual: np.ndarray) -> np.ndarray:

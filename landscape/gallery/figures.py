@@ -1,27 +1,70 @@
-"""The figures command: draws the gallery's panels into a folder, updates or checks the gallery."""
+"""The figures command: draws the gallery's panels into a folder, updates or checks the gallery.
 
-from collections.abc import Iterator, Mapping
+There is a gallery of the report's figures and fixes, and one of each scene that has captions.
+"""
+
+import io
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
+from landscape.errors import InputError
 from landscape.files.images import read_image
 from landscape.files.output import check_output_folder, save_png, write_whole
 from landscape.files.progress import Progress
-from landscape.gallery.compare import agree, amplified
-from landscape.gallery.page import page
+from landscape.gallery import page, scene_page
+from landscape.gallery.compare import agree, agree_lossy, amplified
 from landscape.gallery.panels import FigurePanel, PanelRenderer, named_panels
+from landscape.gallery.scene_captions import VIEW_TEXTS
 from landscape.languages import LANGUAGES
+from landscape.scene import scene
 
 RENDERER = "renderer.txt"  # names the OpenGL that drew the committed pictures
+QUALITY = 84  # chosen: of WebP
+
+
+@dataclass(frozen=True)
+class Gallery:
+    """Where a gallery's pictures lie, their format, its panels, and its page by language."""
+
+    folder: str
+    suffix: str
+    panels: list[FigurePanel]
+    page: Callable[[str], str]
+
+    @property
+    def lossy(self) -> bool:
+        """Whether its pictures are compressed with a loss."""
+        return self.suffix == "webp"
+
+
+def gallery(names: list[str]) -> Gallery:
+    """Return the panels of these figures or fixes, all of the report's without names.
+
+    The name of a scene means all panels of its own page. InputError for other names, and where a
+    scene stands beside others.
+    """
+    if len(names) == 1 and names[0] in VIEW_TEXTS:
+        kind = scene(names[0])
+        return Gallery(
+            kind.name, "webp", scene_page.panels(kind), partial(scene_page.page, kind.name)
+        )
+    for name in names:
+        if name in VIEW_TEXTS:
+            raise InputError(f"figures {name!r}: expected no other names beside it")
+    return Gallery("", "png", named_panels(names), page.page)
 
 
 def make(names: list[str], out: Path, options: Mapping[str, Any], quiet: bool) -> list[Path]:
     """Draw panels into a folder; return the files."""
     check_output_folder(out)
     paths = []
-    for panel, picture, _ in drawn(named_panels(names), options, quiet):
+    for panel, picture, _ in drawn(gallery(names).panels, options, quiet):
         paths.append(out / f"{panel.name}.png")
         save_png(picture, paths[-1], small=True)
     return paths
@@ -29,16 +72,27 @@ def make(names: list[str], out: Path, options: Mapping[str, Any], quiet: bool) -
 
 def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bool) -> None:
     """Rewrite the committed pictures that differ, the renderer's name, and the pages."""
-    renderer = ""
-    for panel, picture, opengl in drawn(named_panels(names), options, quiet):
-        path, renderer = folder / f"{panel.name}.png", opengl or renderer
-        if not path.exists() or not np.array_equal(read_image(path, "RGB"), picture):
+    wanted = gallery(names)
+    folder, renderer = folder / wanted.folder, ""
+    for panel, picture, opengl in drawn(wanted.panels, options, quiet):
+        path, renderer = folder / f"{panel.name}.{wanted.suffix}", opengl or renderer
+        if wanted.lossy:
+            if not path.exists() or not agree_lossy(read_image(path, "RGB"), picture):
+                write_whole(path, as_webp(picture))
+        elif not path.exists() or not np.array_equal(read_image(path, "RGB"), picture):
             save_png(picture, path, small=True)
-    if renderer:
+    if renderer and not wanted.lossy:
         write_whole(folder / RENDERER, (renderer + "\n").encode())
     for language in LANGUAGES:
         name = "README.md" if language == "en" else f"README.{language}.md"
-        write_whole(folder / name, page(language).encode())
+        write_whole(folder / name, wanted.page(language).encode())
+
+
+def as_webp(picture: np.ndarray) -> bytes:
+    """Return a picture as a WebP file."""
+    buffer = io.BytesIO()
+    Image.fromarray(picture).save(buffer, "WEBP", quality=QUALITY, method=6)
+    return buffer.getvalue()
 
 
 def check(
@@ -52,14 +106,14 @@ def check(
     check_output_folder(out)
     kept = folder / RENDERER
     expected_renderer = kept.read_text(encoding="utf-8").strip() if kept.exists() else ""
-    wanted = named_panels(names)
+    wanted = gallery(names)
     failed = 0
-    for panel, picture, opengl in drawn(wanted, options, quiet):
-        path = folder / f"{panel.name}.png"
+    for panel, picture, opengl in drawn(wanted.panels, options, quiet):
+        path = folder / wanted.folder / f"{panel.name}.{wanted.suffix}"
         same = not opengl or opengl == expected_renderer
         if path.exists():
             expected = read_image(path, "RGB")
-            if agree(expected, picture, same):
+            if agree_lossy(expected, picture) if wanted.lossy else agree(expected, picture, same):
                 continue
             save_png(expected, out / f"{panel.name}_expected.png")
             save_png(amplified(expected, picture), out / f"{panel.name}_difference.png")
@@ -67,7 +121,7 @@ def check(
         print(f"{panel.name}: {'differs' if path.exists() else 'missing'}; see {out}")
         failed += 1
     if not quiet:
-        print(f"{len(wanted) - failed} of {len(wanted)} panels agree")
+        print(f"{len(wanted.panels) - failed} of {len(wanted.panels)} panels agree")
     return 1 if failed else 0
 
 

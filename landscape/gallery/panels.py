@@ -79,6 +79,28 @@ class PanelRenderer:
         self._offscreen.look(view, kt)
         return self._offscreen.draw()
 
+    def scene_picture(
+        self,
+        place: str,
+        view: Any,
+        settings: Mapping[str, Any],
+        kt: float | None,
+        size: tuple[int, int],
+        only: tuple[str, ...] | None = None,
+    ) -> np.ndarray:
+        """Draw a view of the scene ``place``, or a pose there, with some settings changed."""
+        wanted = place, size, only, tuple(sorted(settings.items()))
+        if wanted != self._opened_for:
+            self.close()
+            options = {k: v for k, v in self._options.items() if k not in ("settings", "only")}
+            changes = {**settings, **self._options.get("settings", {})}
+            shown = self._options.get("only") or only
+            self._offscreen = Offscreen(size, None, changes, only=shown, place=place, **options)
+            self._opened_for = wanted
+        assert self._offscreen is not None
+        self._offscreen.look(view, kt)
+        return self._offscreen.draw()
+
     @property
     def opengl(self) -> str:
         """Renderer and version of the OpenGL in use; empty before the first render."""

@@ -1,0 +1,62 @@
+"""What a scene's page of the gallery says: its introduction, and two texts for each view."""
+
+# The title, then the paragraphs before the first picture.
+INTRODUCTIONS: dict[str, tuple[str, ...]] = {
+    "hall": (
+        "The great hall",
+        "The castle's door leads into a hall for the classic effects of fixed-function OpenGL: "
+        "those of Mark Kilgard's examples and of the SIGGRAPH courses of 1996 and 1997, as the "
+        "notes on glSkel describe them. `landscape walk hall` begins here; the digit keys turn "
+        "each effect on and off.",
+        "Each effect needs safeguards. In the second part of this page each of them is taken "
+        "away, and shows what it prevents. Each is a setting, and a view of that name: "
+        "`landscape walk mirror_stencil`, then V.",
+    ),
+}
+
+# By view: what is seen, for readers who cannot see it, and what to look at.
+VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
+    "hall": {
+        "hall": (
+            "a vaulted hall with a pool, and a golden dragon before a round window",
+            "Sunlight, skylight and torchlight are baked into a texture by tracing rays, and "
+            "multiply the stone in a second texture unit. What moves or depends on where one "
+            "stands is drawn live: mirror image, shadows, caustics, sky, flames.",
+        ),
+        "hall_mirror": (
+            "the golden dragon on its plinth, upside down in the polished floor below it",
+            "The hall is drawn twice. The image is limited to the floor by the stencil buffer, "
+            "and the floor is blended over it: more of it is mirrored at grazing angles.",
+        ),
+        "hall_shadow": (
+            "the large shadow of a dragon on a wall of stone",
+            "The statue is drawn flat, by a matrix that projects it from the torch onto floor and "
+            "wall. The shadow takes away the torch's light alone; what other lights throw there "
+            "stays.",
+        ),
+        "hall_caustics": (
+            "a net of light on the bed of a pool",
+            "A texture of refracted light, with coordinates that OpenGL generates from the "
+            "position, multiplies the pool's bed and brightens the stone around it.",
+        ),
+        "hall_contrast": (
+            "a bright golden dragon in a dim hall",
+            "One quad over the window changes every pixel by blending; the stencil buffer keeps "
+            "it off the statue.",
+        ),
+        "hall_sphere": (
+            "a dragon of gold that mirrors windows and walls",
+            "What the gilding mirrors is a picture of the hall, looked up by the reflection "
+            "vector of each vertex.",
+        ),
+        "hall_mist": (
+            "mist over the floor of the hall",
+            "Seven transparent sheets drift in different directions; they are blended from far to "
+            "near. Beyond the windows two layers of cloud move at two speeds.",
+        ),
+    },
+}
+
+PAIRS_TEXT = (
+    "The left picture is drawn without the safeguard, the right one with it. Nothing else differs."
+)

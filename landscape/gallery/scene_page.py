@@ -1,0 +1,108 @@
+"""A scene's own page of the gallery: its views, then its safeguards in pairs, without and with.
+
+`landscape figures hall` draws its pictures; they lie in screenshots/hall, as WebP.
+"""
+
+import shlex
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from landscape.gallery.panels import FigurePanel, PanelRenderer, as_text
+from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, VIEW_TEXTS
+from landscape.languages import Translator, translator
+from landscape.scene import Scene, View, scene
+
+VIEW_SIZE, PAIR_SIZE = (960, 540), (480, 300)  # chosen
+
+
+def panels(kind: Scene) -> list[FigurePanel]:
+    """Return the panels of a scene's views that have a caption, then two for each fix."""
+    views = [_view_panel(kind, kind.views[name]) for name in VIEW_TEXTS[kind.name]]
+    return views + [_fix_panel(kind, fix, after) for fix in kind.fixes for after in (False, True)]
+
+
+def _view_panel(kind: Scene, view: View) -> FigurePanel:
+    size = "{}x{}".format(*VIEW_SIZE)
+
+    def draw(renderer: PanelRenderer) -> np.ndarray:
+        return renderer.scene_picture(kind.name, view.name, {}, None, VIEW_SIZE)
+
+    seen, look = VIEW_TEXTS[kind.name][view.name]
+    command = f"landscape render {view.name} --size {size}"
+    return FigurePanel(view.name, view.shows, seen, look, command, draw)
+
+
+def _fix_panel(kind: Scene, fix: Any, after: bool) -> FigurePanel:
+    settings: Mapping[str, Any] = fix.settings(after)
+    pose = fix.pose(after)
+    only = fix.as_view().shown
+    numbers = (pose.x, pose.y, pose.z, pose.yaw, pose.pitch)
+    where = ",".join("ground" if v is None else f"{v:g}" for v in numbers)
+    command = ["landscape", "render", "--scene", kind.name, f"--pose={where}"]
+    command += ["--size", "{}x{}".format(*PAIR_SIZE), "--kt", f"{fix.kt:g}"]
+    hidden = [name for name in kind.elements if name not in only]
+    command += ["--only", ",".join(only)] if hidden else []
+    for key, value in settings.items():
+        command += ["--set", f"{key}={as_text(value)}"]
+
+    def draw(renderer: PanelRenderer) -> np.ndarray:
+        return renderer.scene_picture(kind.name, pose, settings, fix.kt, PAIR_SIZE, only)
+
+    when = "after" if after else "before"
+    name, title, drawn_by = f"{fix.name}_{when}", f"{fix.title}: {when}", shlex.join(command)
+    return FigurePanel(name, title, fix.seen[after], fix.look, drawn_by, draw)
+
+
+def page(name: str, language: str = "en") -> str:
+    """Return a scene's page in a language."""
+    _ = translator(language, "gallery", "fixes")
+    kind = scene(name)
+    by_name = {panel.name: panel for panel in panels(kind)}
+    title, *introduction = INTRODUCTIONS[name]
+    other = "[Français](README.fr.md)" if language == "en" else "[English](README.md)"
+    lines = [f"# {_(title)}", "", other, ""]
+    for paragraph in introduction:
+        lines += [_(paragraph), ""]
+    for view in VIEW_TEXTS[name]:
+        lines += _view_entry(by_name[view], _)
+    lines += [f"## {_('Safeguards, off and on')}", "", _(PAIRS_TEXT), ""]
+    for fix in kind.fixes:
+        lines += _pair_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)
+    return "\n".join(lines)
+
+
+def _view_entry(panel: FigurePanel, _: Translator) -> list[str]:
+    return [
+        f"## {panel.name}",
+        "",
+        _("**{name}**: {title}.").format(name=panel.name, title=_(panel.title)),
+        "",
+        f"![{_(panel.seen)}]({panel.name}.webp)",
+        "",
+        _(panel.look),
+        "",
+        f"    {panel.command}",
+        "",
+    ]
+
+
+def _pair_entry(fix: Any, before: FigurePanel, after: FigurePanel, _: Translator) -> list[str]:
+    return [
+        f"### {fix.name}",
+        "",
+        f"**{_(fix.title, fix.name)}.** {_(fix.flaw)}",
+        "",
+        f"| {_('without')} | {_('with')} |",
+        "|---|---|",
+        f"| ![{_(before.seen)}]({before.name}.webp) | ![{_(after.seen)}]({after.name}.webp) |",
+        "",
+        _(fix.look),
+        "",
+        _("How: {how}").format(how=_(fix.how)),
+        "",
+        f"    {before.command}",
+        f"    {after.command}",
+        "",
+    ]
