@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -13,8 +14,15 @@ from stage import SIZE, Stage, project
 from landscape.effects import plan
 from landscape.effects.architecture import hall as hall_surfaces
 from landscape.effects.hall import SCENE, Hall
-from landscape.effects.planar_shadow import FLOOR_PLANE, NORTH_PLANE, flame
-from landscape.effects.statue import COARSE, YAW
+from landscape.effects.planar_shadow import (
+    FLOOR_PLANE,
+    NORTH_PLANE,
+    flame,
+    may_reach,
+    on_floor,
+    on_north,
+)
+from landscape.effects.statue import COARSER, YAW
 from landscape.elements import sun
 from landscape.elements.animal import read_animal
 from landscape.files.assets import Assets
@@ -30,6 +38,7 @@ FOV = SCENE.settings.camera.fov
 STEADY: dict[str, Any] = {
     "shadow.flicker": 0.0,
     "shadow.light": "torch",
+    "shadow.method": "darken",
     "shadow.strength": 0.5,
     "mirror.enabled": False,
 }
@@ -63,7 +72,7 @@ def drawn(stage: Stage, hall: Hall, pose: Pose, changed: dict[str, Any] | None =
 def statue_triangles() -> np.ndarray:
     """Return the triangles (m, 3, 3) of the mesh that casts the shadow, where it stands."""
     unit = read_animal(Assets(), "dragon.ply", "dragon.mesh")
-    mesh = clustered(unit, COARSE)
+    mesh = clustered(unit, COARSER)
     turn = math.radians(YAW)
     x, y, z = (mesh.vertices.astype(np.float64) * plan.STATUE_SCALE).T
     (east, south), (_, top) = plan.STATUE, plan.PLINTH
@@ -153,6 +162,42 @@ def test_two_lights_darken_what_neither_reaches_once_each(stage, hall) -> None:
         factor[np.abs(both - plain * times).max(axis=2) <= 1.5] = times
     assert not np.isnan(factor).any()
     assert all((factor == times).sum() > 300 for times in (1.0, 0.5, 0.25))
+
+
+@pytest.mark.parametrize("light", ["torch", "sun", "both"])
+@pytest.mark.parametrize("pose", [AT_WALL, AT_FLOOR], ids=["wall", "floor"])
+def test_a_relit_surface_is_in_each_part_what_its_light_maps_say(stage, hall, pose, light) -> None:
+    lights = ("sun", "torch") if light == "both" else (light,)
+    given = {"shadow.light": light}
+    lit = drawn(stage, hall, pose, {**given, "shadow.strength": 0.0})
+    relit = drawn(stage, hall, pose, {**given, "shadow.method": "relight"})
+    plane = NORTH_PLANE if pose is AT_WALL else FLOOR_PLANE
+    masks = {}
+    for name in lights:
+        changed = {"shadow.light": name, "shadow.strength": 1.0}
+        masks[name] = (drawn(stage, hall, pose, changed) != lit).any(axis=2)
+    where = seen(pose, plane)
+    expected = lit.copy()
+    room = hall.room
+    for count in range(1, len(lights) + 1):
+        for without in combinations(lights, count):
+            with stage.borrowed():
+                values = hall.settings
+                begin_frame(Moment(pose, SIZE), values.camera, values.sun, values.fog)
+                (room.draw_north if pose is AT_WALL else room.draw_floor)(*without)
+                alone = stage.read()
+            part = np.logical_and.reduce([masks[name] for name in without])
+            expected[part] = alone[part]
+    assert np.abs(relit - expected).max(axis=2)[where].max() <= 1
+    assert light == "sun" or ((relit < lit - 15).any(axis=2) & where).sum() > 500
+
+
+def test_a_shadow_that_cannot_reach_its_receiver_is_left_out() -> None:
+    box = np.array([(x, y, z) for x in (1.4, 1.8) for y in (0.0, 0.4) for z in (1.0, 1.4)])
+    floor, north = on_floor(lambda: None), on_north(lambda: None)
+    assert may_reach(box, floor, LIGHTS["sun"]) and not may_reach(box, north, LIGHTS["sun"])
+    assert may_reach(box, floor, LIGHTS["torch"]) and may_reach(box, north, LIGHTS["torch"])
+    assert not may_reach(box, north, np.array([0.1, 0.3, -1.0, 0.0])), "from behind the wall"
 
 
 def test_without_the_stencil_the_shadow_hangs_in_the_rose_window(stage, hall) -> None:

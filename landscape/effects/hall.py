@@ -12,7 +12,7 @@ from landscape.effects.keys import KEYS
 from landscape.effects.mirror import Mirror
 from landscape.effects.mist import Mist
 from landscape.effects.moving_sky import MovingSky
-from landscape.effects.planar_shadow import FLOOR_PLANE, NORTH_PLANE, PlanarShadow, Receiver
+from landscape.effects.planar_shadow import PlanarShadow, on_floor, on_north
 from landscape.effects.pool import Pool
 from landscape.effects.room import Room
 from landscape.effects.safeguards import SAFEGUARDS
@@ -28,6 +28,7 @@ from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import Moment, Scene, View, begin_frame
 
+NOTHING = -10.0  # units, chosen: so that a view may look at the hall from below
 TALL = 10.0  # units: these obstacles cannot be flown over
 OVER_POOL = 0.15  # units, chosen: height from which one flies over the pool; higher than the eye
 
@@ -38,8 +39,8 @@ class Ground:
     size = plan.SIZE
 
     def height(self, x: float, z: float) -> float:
-        """Return the floor's height in units."""
-        return 0.0
+        """Return the floor's height in units; beyond the square there is nothing to stand on."""
+        return 0.0 if 0.0 <= x <= self.size and 0.0 <= z <= self.size else NOTHING
 
 
 class Hall(Ground):
@@ -51,6 +52,7 @@ class Hall(Ground):
         """Build the elements in ``only``; InputError names a file that cannot be used."""
         self.settings, self.shown = settings, set(only)
         self._owned: list[Any] = []
+        self.shadow: PlanarShadow | None = None
         try:
             begin_pass("setup")
             self.room = self._built(("room", "floor", "caustics"), Room, settings, assets)
@@ -59,7 +61,9 @@ class Hall(Ground):
             self.mirror = self._built(("mirror",), Mirror, settings)
             self.entrance = self._built(("door",), Entrance, settings, assets)
             self.statue = self._built(("statue",), Statue, settings, assets)
-            self.shadow = self._built(("shadow",), PlanarShadow, settings, self._cast)
+            if self.statue:
+                shadowing = settings, self._cast, self.statue.box
+                self.shadow = self._built(("shadow",), PlanarShadow, *shadowing)
             mark = self.statue.send if self.statue else lambda: None
             self.sky = self._built(("sky",), MovingSky, settings, assets)
             self.mist = self._built(("mist",), Mist, settings, assets)
@@ -104,7 +108,6 @@ class Hall(Ground):
         self._draw_hall(frame)
         self._draw_image(frame)
         self._draw_floor(frame)
-        self._draw_shadow(frame, "floor")
         self._draw("pool", self.pool, frame)  # blended over its bed
 
         self._draw("mist", self.mist, frame)
@@ -123,7 +126,7 @@ class Hall(Ground):
         self._draw_basin(frame)
         self._draw("door", self.entrance, frame)
         self._draw("statue", self.statue, frame)
-        self._draw_shadow(frame, "room")
+        self._shade_wall(frame)
         # The net of light is blended over the stone.
         self._draw("caustics", self.caustics, frame)
         self._draw("sky", self.sky, frame)
@@ -163,29 +166,43 @@ class Hall(Ground):
         """Draw the floor: over its mirror image, plain without one, or its underside."""
         if "floor" not in self.shown:
             return
+        shadow = self._shading("floor")
         with drawing("floor"):
             if self._polished and frame.eye_y <= 0.0:
                 self.mirror.draw_underside(self.room.send_foundation)
-            elif self._polished and self.mirror.shows(frame):
-                self.mirror.draw_floor(frame, self.room.draw_floor)
+            elif shadow and shadow.relights:
+                for without in shadow.parts(frame, on_floor(self.room.send_floor)):
+                    self._lay_floor(frame, *without)
             else:
-                self.room.draw_floor()
+                self._lay_floor(frame)
+                if shadow:
+                    shadow.darken(frame, on_floor(self.room.send_floor))
 
-    def _draw_shadow(self, frame: Frame, where: str) -> None:
-        """Draw the statue's shadows on the floor, or on the north wall of the room."""
-        if self.shadow is None or not {"shadow", "statue", where} <= self.shown:
-            return
-        if where == "floor" and frame.eye_y <= 0.0:
-            return
-        with drawing("shadow"):
-            if where == "floor":
-                self.shadow.draw(frame, Receiver(FLOOR_PLANE, self.room.send_floor))
-            else:
-                self.shadow.draw(frame, Receiver(NORTH_PLANE, self.room.send_north))
+    def _lay_floor(self, frame: Frame, *without: str) -> None:
+        """Draw the floor without the light of "sun", "torch" or both."""
+        if self._polished and self.mirror.shows(frame):
+            self.mirror.draw_floor(frame, lambda: self.room.draw_floor(*without))
+        else:
+            self.room.draw_floor(*without)
+
+    def _shade_wall(self, frame: Frame) -> None:
+        """Draw the statue's shadows on the north wall."""
+        shadow = self._shading("room")
+        if shadow and shadow.relights:
+            for without in shadow.parts(frame, on_north(self.room.send_north)):
+                if without:
+                    with drawing("shadow"):
+                        self.room.draw_north(*without)
+        elif shadow:
+            shadow.darken(frame, on_north(self.room.send_north))
+
+    def _shading(self, where: str) -> PlanarShadow | None:
+        """Return the statue's shadows if they show there, on the floor or on the room's wall."""
+        return self.shadow if {"shadow", "statue", where} <= self.shown else None
 
     def _cast(self) -> None:
         """Send what casts shadows: the statue and, as it stands on it, the plinth."""
-        self.statue.send_coarse()
+        self.statue.send_coarser()
         self.room.send_plinth()
 
     @property

@@ -33,6 +33,8 @@ BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for
 # Chosen: colour and strength of the lights that are kept apart.
 SUN_COLOUR = (7.0, 5.9, 4.3)
 TORCH_COLOUR = (0.034, 0.0165, 0.0058)
+# Chosen: how much brighter the torch shines at the statue than all around, as its bowl is polished.
+GLARE = 72.0
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,18 @@ def unpacked(image: np.ndarray, most: float) -> np.ndarray:
     return np.asarray((image.astype(np.float32) / 255.0) ** 2 * most)
 
 
+def glare(sheet: str) -> np.ndarray:
+    """Return how much brighter the torch is (h, w, 1) on ``floor`` or ``north``.
+
+    Its bowl throws most of the light level and northwards, past the statue onto the north wall.
+    """
+    east, up, south = np.moveaxis(of_plane(sheet) - plan.TORCH, -1, 0)
+    level = np.hypot(east, south)
+    northwards = np.maximum(-south, 0.0) / level
+    beam = northwards * (level / np.hypot(level, up)) ** 4
+    return np.asarray(1.0 + (GLARE - 1.0) * beam, np.float32)[..., None]
+
+
 def light_map(picture: np.ndarray, sheet: str, sun: float = 1.0, torch: float = 1.0) -> np.ndarray:
     """Return the light map of a sheet, uint8 (h, w, 3), from the picture in FILE.
 
@@ -113,5 +127,6 @@ def light_map(picture: np.ndarray, sheet: str, sun: float = 1.0, torch: float = 
     light = unpacked(part(BASES[sheet]), BASE_MOST)
     apart = part(PARTS[sheet])
     light += sun * unpacked(apart[..., :1], SUN_MOST) * np.array(SUN_COLOUR, np.float32)
-    light += torch * unpacked(apart[..., 1:2], TORCH_MOST) * np.array(TORCH_COLOUR, np.float32)
+    flame = torch * glare(sheet) * unpacked(apart[..., 1:2], TORCH_MOST)
+    light += flame * np.array(TORCH_COLOUR, np.float32)
     return coded(light)

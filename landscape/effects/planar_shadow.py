@@ -3,10 +3,14 @@
 Technique: planar projected shadows ("glSkel, cast shadows"; Blinn 1988; Kilgard's dinoshade). The
 statue is drawn a second time under the matrix M = (p . l) I - l p^T, which flattens it onto the
 plane p along the rays of the light l; geometry/planar.py derives it. The plane's visible surface,
-the receiver, is first marked in the stencil buffer by drawing it again, without colour, where its
-depth is the one already there. The flattened statue then darkens marked pixels by blending black
-over them, and clears each mark as it does.
-State used: modelview, stencil bit RECEIVER, blending, polygon offset, depth function and mask.
+the receiver, is first marked in the stencil buffer (RECEIVER): drawn without colour where its depth
+passes. Then, by ``shadow.method``:
+- darken: the flattened statue blends black over marked pixels, and clears each mark as it does. It
+  takes away a fraction of all light, and of what a polished floor mirrors.
+- relight: the flattened statue only sets a bit of its light in the stencil buffer. Each part of the
+  receiver, by its bits, is then drawn with the light map that lacks just these lights.
+State used: modelview, stencil bits RECEIVER and SHADED, blending, polygon offset, depth function
+and mask.
 What is wrong without its safeguards: without ``shadow.stencil`` each layer of the flattened statue
 darkens again what another has darkened, and the shadow hangs in the air where the plane has no
 surface, as in the rose window until the sky covers it. Without ``shadow.offset`` surface and shadow
@@ -18,7 +22,9 @@ A planar shadow has hard edges and falls on planes alone: pillars and vault rece
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -28,15 +34,18 @@ from landscape.effects.mirror import FLOOR
 from landscape.effects.settings import Settings
 from landscape.elements import sun
 from landscape.frame import Frame
-from landscape.geometry.planar import shadow_matrix
-from landscape.gl.calls import gl
+from landscape.geometry.planar import shadow_matrix, shadows_of
+from landscape.gl.calls import drawing, gl
 from landscape.gl.state import attrib, matrix
 
 RECEIVER = 2  # the stencil bit of the surface that receives a shadow
+SHADED = {"sun": 4, "torch": 8}  # those of what a light does not reach
+ALL = RECEIVER | sum(SHADED.values())
 FLOOR_PLANE = np.array([0.0, 1.0, 0.0, 0.0])
 NORTH_PLANE = np.array([0.0, 0.0, 1.0, -plan.INSIDE.north])
 FLAME = 0.022  # chosen: height of the flame's brightest part above the torch
 OFFSET = -2.0, -4.0  # the document has -2, -1; more units, as the shadow's triangles are long
+MARGIN = 1e-6  # units: shadows lie on the plane but for rounding
 WAVER = ((0.61, 0.9), (0.37, 0.7), (0.83, 1.0))  # chosen: turns per kt; strength along x, y, z
 
 
@@ -51,65 +60,142 @@ def flame(kt: float, flicker: float) -> np.ndarray:
 
 
 class Receiver(NamedTuple):
-    """A surface that receives shadows: its plane, and a function that sends its triangles."""
+    """A surface that receives shadows: its plane, two corners of a box around it, its triangles.
+
+    ``send`` sends the triangles that face the viewer.
+    """
 
     plane: np.ndarray
+    corners: np.ndarray
     send: Callable[[], None]
+
+
+def on_floor(send: Callable[[], None]) -> Receiver:
+    """Return the floor as a receiver."""
+    inside = plan.INSIDE
+    corners = [[inside.west, 0.0, inside.north], [inside.east, 0.0, inside.south]]
+    return Receiver(FLOOR_PLANE, np.array(corners), send)
+
+
+def on_north(send: Callable[[], None]) -> Receiver:
+    """Return the north wall as a receiver."""
+    inside = plan.INSIDE
+    corners = [[inside.west, 0.0, inside.north], [inside.east, plan.CROWN, inside.north]]
+    return Receiver(NORTH_PLANE, np.array(corners), send)
+
+
+def may_reach(points: np.ndarray, receiver: Receiver, light: np.ndarray) -> bool:
+    """Return whether a shadow of points (n, 3), taken as the corners of a box, may be in sight."""
+    shadows = shadows_of(points, receiver.plane, light)
+    if np.isnan(shadows).any():
+        return not np.isnan(shadows).all()
+    low, high = receiver.corners[0] - MARGIN, receiver.corners[1] + MARGIN
+    return bool(((shadows.max(axis=0) >= low) & (shadows.min(axis=0) <= high)).all())
 
 
 class PlanarShadow:
     """The shadows of what ``cast`` sends."""
 
-    def __init__(self, settings: Settings, cast: Callable[[], None]) -> None:
-        """Take the function that sends what casts the shadows."""
+    def __init__(self, settings: Settings, cast: Callable[[], None], box: np.ndarray) -> None:
+        """Take the function that sends what casts the shadows, and two corners of its box."""
         self._settings, self._cast = settings, cast
+        self._box = np.array([[box[i][0], box[j][1], box[k][2]]
+                              for i in (0, 1) for j in (0, 1) for k in (0, 1)])  # fmt: skip
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing is built from them."""
         self._settings = settings
         return True
 
-    def lights(self, kt: float) -> list[np.ndarray]:
-        """Return the lights that cast shadows, each (4,)."""
-        wanted, values = self._settings.shadow, self._settings
-        found = []
-        if wanted.light in ("torch", "both"):
-            found.append(flame(kt, wanted.flicker))
-        if wanted.light in ("sun", "both"):
-            found.append(np.append(sun.direction(values.sun), 0.0))
-        return found
+    @property
+    def relights(self) -> bool:
+        """Whether receivers are drawn again without a light; only a stencil makes that possible."""
+        return self._settings.shadow.method == "relight" and self._settings.shadow.stencil
 
-    def draw(self, frame: Frame, receiver: Receiver) -> None:
+    def lights(self, frame: Frame, receiver: Receiver) -> dict[str, np.ndarray]:
+        """Return the lights, each (4,), that may cast shadows on a receiver, by name."""
+        wanted = self._settings.shadow
+        found = {}
+        if wanted.light in ("sun", "both"):
+            found["sun"] = np.append(sun.direction(self._settings.sun), 0.0)
+        if wanted.light in ("torch", "both"):
+            found["torch"] = flame(frame.kt, wanted.flicker)
+        return {
+            name: light
+            for name, light in found.items()
+            if not wanted.behind or may_reach(self._box, receiver, light)
+        }
+
+    def darken(self, frame: Frame, receiver: Receiver) -> None:
         """Darken a receiver that has been drawn where the lights' rays do not reach it."""
+        inside = self._inside(frame)
+        with self._shadowing():
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glColor4f(0.0, 0.0, 0.0, self._settings.shadow.strength)
+            for light in self.lights(frame, receiver).values():
+                if self._settings.shadow.stencil:
+                    self._mark(inside, receiver)
+                    gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
+                    gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_ZERO)
+                    gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
+                self._flatten(receiver, light)
+        # In Mesa glPopAttrib does not restore a colour that nothing was drawn with.
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+    def parts(self, frame: Frame, receiver: Receiver) -> Iterator[tuple[str, ...]]:
+        """Divide a receiver by its shadows; yield the names of the lights that each part lacks.
+
+        What is drawn until the next step shows in that part alone. The first lacks none.
+        """
+        inside, lights = self._inside(frame), self.lights(frame, receiver)
+        with self._shadowing():
+            self._mark(inside, receiver)
+            for name, light in lights.items():
+                bit = SHADED[name]
+                gl.glStencilMask(bit)
+                gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER | bit, inside | RECEIVER)
+                self._flatten(receiver, light)
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_STENCIL_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT):
+            gl.glEnable(gl.GL_STENCIL_TEST)
+            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
+            gl.glDepthFunc(gl.GL_LEQUAL)
+            for count in range(len(lights) + 1):
+                for without in combinations(lights, count):
+                    bits = inside | RECEIVER | sum(SHADED[name] for name in without)
+                    gl.glStencilFunc(gl.GL_EQUAL, bits, inside | ALL)
+                    yield without
+
+    def _inside(self, frame: Frame) -> int:
+        """Return the bit that pixels must have: in a mirror image, where the floor is visible."""
+        return FLOOR if frame.mirrored and self._settings.mirror.stencil else 0
+
+    @contextmanager
+    def _shadowing(self) -> Iterator[None]:
+        """Let shadows be drawn without a depth of their own."""
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         groups |= gl.GL_STENCIL_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
-        with attrib(groups):
+        with drawing("shadow"), attrib(groups):
             gl.glDepthMask(gl.GL_FALSE)
             gl.glDepthFunc(gl.GL_LEQUAL)
-            for light in self.lights(frame.kt):
-                if self._settings.shadow.stencil:
-                    self._mark(frame, receiver)
-                self._darken(receiver, light)
+            yield
 
-    def _mark(self, frame: Frame, receiver: Receiver) -> None:
-        """Mark where the receiver is visible; in a mirror image, where the floor is, too."""
-        inside = FLOOR if frame.mirrored and self._settings.mirror.stencil else 0
-        with attrib(gl.GL_COLOR_BUFFER_BIT):
-            gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
-            gl.glEnable(gl.GL_STENCIL_TEST)
-            gl.glStencilMask(RECEIVER)
-            gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside)
-            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
-            receiver.send()
-        gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
-        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_ZERO)
+    @staticmethod
+    def _mark(inside: int, receiver: Receiver) -> None:
+        """Mark where the receiver is visible, and forget former shadows on it.
 
-    def _darken(self, receiver: Receiver, light: np.ndarray) -> None:
-        """Blend black over the receiver where the flattened statue covers it."""
+        Only inside _shadowing(); colour stays masked.
+        """
+        gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
+        gl.glEnable(gl.GL_STENCIL_TEST)
+        gl.glStencilMask(ALL)
+        gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside)
+        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
+        receiver.send()
+
+    def _flatten(self, receiver: Receiver, light: np.ndarray) -> None:
+        """Send the statue, flattened onto the receiver's plane along the light's rays."""
         values = self._settings.shadow
-        gl.glEnable(gl.GL_BLEND)
-        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-        gl.glColor4f(0.0, 0.0, 0.0, values.strength)
         if values.offset:
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(*OFFSET)

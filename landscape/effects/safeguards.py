@@ -136,7 +136,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
     Safeguard(
         "mirror_underside",
         "A floor with an underside",
-        Pose(0.5, -0.55, 3.1, 42.0, 24.0),
+        Pose(-0.15, -0.6, 0.5, 112.0, 21.0),
         20.0,
         **pair("mirror.underside"),
         flaw="The floor's triangles face upwards and are culled from below: one looks up into the "
@@ -150,7 +150,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "No pixel darkened twice",
         "hall_shadow",
         20.0,
-        **pair("shadow.stencil"),
+        **pair("shadow.stencil", shadow={"method": "darken"}),
         flaw="The flattened dragon has at least two layers, and each darkens again.",
         look="Look at the dragon's neck and body on the wall.",
         how="The wall is marked in the stencil buffer; each pixel of the shadow clears its mark.",
@@ -161,12 +161,12 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
     ),
     Safeguard(
         "shadow_offset",
-        "A shadow that does not fight with its floor",
+        "A shadow that does not fight with its wall",
         Pose(1.66, 0.1, 1.02, 318.0, -9.0),
         20.0,
         **pair("shadow.offset"),
-        flaw="Shadow and floor lie in one plane. Rounding decides for each pixel which is nearer.",
-        look="Look at the shadow on the floor.",
+        flaw="Shadow and wall lie in one plane. Rounding decides for each pixel which is nearer.",
+        look="Look at the shadow on the wall.",
         how="GL_POLYGON_OFFSET_FILL brings the shadow a little nearer to the eye.",
         seen=("a shadow torn into stripes and specks", "an unbroken shadow"),
     ),
@@ -175,7 +175,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "What is higher than the torch casts nothing down",
         Pose(1.92, 0.42, 2.66, 322.0, -24.0),
         20.0,
-        **pair("shadow.behind"),
+        **pair("shadow.behind", shadow={"method": "darken"}),
         flaw="Lines from the dragon's head through the torch meet the floor, too, on this side of "
         "the torch. They are no rays of its light: an anti-shadow.",
         look="Look at the floor around the pool.",
@@ -191,7 +191,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "A sun behind the wall casts nothing on its inside",
         Pose(1.72, 0.1, 1.04, 336.0, 9.0),
         20.0,
-        **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun"}),
+        **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun", "method": "darken"}),
         flaw="The morning sun stands beyond the north wall. Its rays never reach the wall's "
         "inside, but the matrix has a point there for every point of the dragon.",
         look="Look at the wall below the window.",

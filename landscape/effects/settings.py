@@ -120,9 +120,23 @@ class Shadow:
     NEEDS: ClassVar[tuple[str, ...]] = ("shadow", "statue", "floor or room")
 
     light: str = setting(
-        "torch", "chosen", "what casts them: torch, sun or both", choices=("torch", "sun", "both")
+        "both", "chosen", "what casts them: torch, sun or both", choices=("torch", "sun", "both")
     )
-    strength: float = setting(0.6, GLSKEL_SHADOW, "how much light they take away", 0, 1)
+    method: str = setting(
+        "relight",
+        "chosen",
+        "they darken by blending black, or the surface is drawn again without the light",
+        choices=("darken", "relight"),
+        needs=("shadow.stencil",),
+    )
+    strength: float = setting(
+        0.6,
+        GLSKEL_SHADOW,
+        "how much light darkening takes away",
+        0,
+        1,
+        needs=("shadow.method=darken or not shadow.stencil",),
+    )
     flicker: float = setting(
         0.004,
         "chosen",

@@ -29,7 +29,8 @@ YAW = -165.0  # degrees, chosen: in profile from the door, so that its shadow sh
 BRONZE = (0.72, 0.50, 0.22)  # chosen
 GLOW = 0.5  # chosen: fraction of the gold's colour that mirrors in the dark
 GLINT, SHININESS = (0.5, 0.42, 0.26, 1.0), 60.0  # chosen
-COARSE = 0.02  # chosen: side of the cubes whose vertices are merged, of a mesh of 2
+# Chosen: sides of the cubes whose vertices are merged, of a mesh of 2: for its image, its shadows.
+COARSE, COARSER = 0.025, 0.03
 
 
 class Statue:
@@ -39,14 +40,20 @@ class Statue:
         """Read the mesh and compile its display list."""
         self._settings = settings
         unit = read_animal(assets, "dragon.ply", "dragon.mesh")
-        mesh, coarse = scaled(gathered(unit), plan.STATUE_SCALE), gathered(clustered(unit, COARSE))
+        mesh = scaled(gathered(unit), plan.STATUE_SCALE)
+        coarse, coarser = (gathered(clustered(unit, cell)) for cell in (COARSE, COARSER))
         lowest = float(mesh.vertices[:, 1].min())
         (x, z), (_, top) = plan.STATUE, plan.PLINTH
         self._place = x, top - lowest, z
         self.middle = x, top - lowest, z
+        reach = float(np.abs(mesh.vertices[:, [0, 2]]).max())
+        # Corners of a box around statue and plinth, whichever way the statue is turned.
+        height = top - lowest + float(mesh.vertices[:, 1].max())
+        self.box = np.array([[x - reach, 0.0, z - reach], [x + reach, height, z + reach]])
         self._environment: Environment | None = None
         self._list = DisplayList(lambda: draw_mesh(mesh))
         self._coarse = DisplayList(lambda: draw_mesh(coarse))
+        self._coarser = DisplayList(lambda: draw_mesh(coarser))
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing built depends on them."""
@@ -104,15 +111,23 @@ class Statue:
 
     def send_coarse(self) -> None:
         """Send a coarser mesh at its place, its normals longer than 1."""
+        self._send_scaled(self._coarse)
+
+    def send_coarser(self) -> None:
+        """Send the coarsest mesh at its place, which casts the shadows."""
+        self._send_scaled(self._coarser)
+
+    def _send_scaled(self, mesh: DisplayList) -> None:
         with matrix():
             gl.glTranslatef(*self._place)
             gl.glRotatef(YAW, 0.0, 1.0, 0.0)
             gl.glScalef(*(plan.STATUE_SCALE,) * 3)
-            self._coarse.call()
+            mesh.call()
 
     def release(self) -> None:
         """Delete the lists and the maps; may be called twice."""
         self._list.release()
         self._coarse.release()
+        self._coarser.release()
         if self._environment is not None:
             self._environment.release()

@@ -23,7 +23,7 @@ VIEWS = {
         View("hall_mirror", "the statue and its image in the polished floor",
              Pose(1.60, 0.13, 2.0, 3.0, -6.0), 20.0),
         View("hall_shadow", "the torch throws the dragon's shadow on the north wall",
-             Pose(1.84, 0.1, 1.06, 320.0, 11.0), 20.0),
+             Pose(1.80, 0.1, 1.02, 322.0, 13.0), 20.0),
         View("hall_contrast", "the statue in full contrast, all else dimmed",
              Pose(1.78, None, 1.62, 337.0, 6.0), 20.0,
              settings={"tone.area": "surroundings", "tone.contrast": 0.5}),
