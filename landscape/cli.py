@@ -201,7 +201,7 @@ def _views(options: argparse.Namespace) -> int:
         print(json.dumps(views, indent=1))
     else:
         for view in views:
-            print(f"{view['name']:9} {view['scene']:8} {view['preset']:5} {view['shows']}")
+            print(f"{view['name']:16} {view['scene']:8} {view['preset']:5} {view['shows']}")
     return 0
 
 

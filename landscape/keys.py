@@ -102,6 +102,26 @@ def next_value(settings: Any, key: str) -> Value:
     return following
 
 
+@dataclasses.dataclass(frozen=True)
+class Toggle:
+    """What a digit key changes in a walk, and its name: a bool, a setting with choices, or another.
+
+    For another setting ``values`` are those that it takes in turn.
+    """
+
+    setting: str
+    name: str
+    values: tuple[Value, ...] = ()
+
+    def next(self, settings: Any) -> Value:
+        """Return the setting's next value."""
+        if not self.values:
+            return next_value(settings, self.setting)
+        now = get(settings, self.setting)
+        place = self.values.index(now) + 1 if now in self.values else 0
+        return self.values[place % len(self.values)]
+
+
 def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     """Return settings with some keys changed.
 

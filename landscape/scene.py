@@ -20,7 +20,7 @@ from landscape.files.assets import Assets
 from landscape.frame import FULL, Detail, Frame, Pose, scaled
 from landscape.geometry.obstacle_grid import Obstacles
 from landscape.gl.calls import frame_begins, gl
-from landscape.keys import Value
+from landscape.keys import Toggle, Value
 from landscape.settings import Camera, Fog, Sun
 
 SEED = 2006  # chosen: the year of the report
@@ -93,14 +93,6 @@ class Fix(Protocol):
 
     def pose(self, after: bool) -> Pose:
         """Where to look at the flaw from, or at the fix; its y may be None."""
-
-
-@dataclass(frozen=True)
-class Toggle:
-    """What a digit key changes in a walk: a setting that is on or off, or has choices; its name."""
-
-    setting: str
-    name: str
 
 
 class OpenScene(Terrain, Protocol):

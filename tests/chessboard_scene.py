@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from landscape.frame import Pose
 from landscape.geometry.obstacles import Tower
 from landscape.gl.calls import drawing, gl
-from landscape.keys import setting
-from landscape.scene import Scene, Toggle, View, begin_frame
+from landscape.keys import Toggle, setting
+from landscape.scene import Scene, View, begin_frame
 from landscape.settings import Camera, Clock, Fog, Sun, Walk
 
 

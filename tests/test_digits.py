@@ -48,4 +48,6 @@ def test_each_digit_of_a_scene_stands_for_a_setting_that_can_be_toggled(name: st
     kind = scene(name)
     for digit, toggle in kind.digits.items():
         assert digit in "123456789" and len(digit) == 1
-        keys.next_value(kind.settings, toggle.setting)
+        value = toggle.next(kind.settings)
+        changed = keys.with_settings(kind.settings, {toggle.setting: value})
+        assert changed != kind.settings and keys.get(changed, toggle.setting) == value

@@ -59,7 +59,7 @@ class Row:
         entry: dict[str, Any] = {
             "call": self.step.number,
             "name": call.name,
-            "element": call.element,
+            "element": self.step.elements[0],
             "source": call.source,
             "pass": self.step.top.pass_,
             "outcome": self.outcome,

@@ -14,6 +14,7 @@ from landscape.gl.calls import Call, gl
 from landscape.gl.client import POINTERS
 
 CLIENT = {*POINTERS, "glEnableClientState", "glDisableClientState", "glClientActiveTexture"}
+FRAME = ("frame",)  # what calls draw where the code names no element
 ARRAYS = (
     *("VERTEX", "NORMAL", "COLOR", "SECONDARY_COLOR", "TEXTURE_COORD", "FOG_COORD", "INDEX"),
     "EDGE_FLAG",
@@ -35,6 +36,16 @@ class Step:
     def number(self) -> int:
         """The number of the frame's call that this is, or that executes it."""
         return int(self.place.partition(".")[0]) if self.place else -1
+
+    @property
+    def elements(self) -> tuple[str, ...]:
+        """What is drawn: of a display list, what the call that executes it draws.
+
+        Where that call names nothing, it is what was drawn when the list was compiled; and so it is
+        in a program, which names nothing but its functions.
+        """
+        named = self.top.shared_by
+        return self.call.shared_by if named in (FRAME, (self.top.site.function,)) else named
 
 
 def steps(calls: Sequence[Call]) -> Iterator[Step]:

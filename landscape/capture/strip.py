@@ -90,7 +90,7 @@ def groups(tape: Tape, by: str) -> list[Group]:
         group.items += [*pending, item]
         pending = []
         if first.call.name != "glClear":
-            group.elements += [name for name in first.call.shared_by if name not in group.elements]
+            group.elements += [name for name in first.elements if name not in group.elements]
     if found:
         found[-1].items += pending
     return found
@@ -105,7 +105,7 @@ def bound(step: Step, target: int) -> int:
 
 
 def _key(step: Step, by: str) -> Hashable:
-    return step.top.pass_ if by == "pass" else (step.top.pass_, step.call.shared_by)
+    return step.top.pass_ if by == "pass" else (step.top.pass_, step.elements)
 
 
 def _finish(group: Group, pending: Sequence[Step]) -> list[Step]:

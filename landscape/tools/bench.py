@@ -310,16 +310,17 @@ def measure_startup(options: Options) -> float:
 def report(result: Mapping[str, Any]) -> str:
     """Return the results as tables of text."""
     width, height = result["size"]
+    wide = max(map(len, result["views"]), default=0) + 2
     lines = [f"{result['renderer']}, {width}x{height}, preset {result['preset']}"]
     if result["views"]:
         lines += [
             f"one layer: {result['layer_ms']:.2f} ms",
             "",
-            "view       frame ms  layers  replay ms  python ms   tax   calls",
+            f"{'view':{wide}}  frame ms  layers  replay ms  python ms   tax   calls",
         ]
     for name, view in result["views"].items():
         lines.append(
-            f"{name:9} {view['frame_ms']:9.1f} {view['layers']:7.1f} {view['replay_ms']:10.1f}"
+            f"{name:{wide}} {view['frame_ms']:9.1f} {view['layers']:7.1f} {view['replay_ms']:10.1f}"
             f" {view['python_ms']:10.1f} {view['python_tax']:5.2f} {view['gl_calls']:7d}"
         )
     lines += bench_blades.report(result) + bench_tone.report(result["tone"])

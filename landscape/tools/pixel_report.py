@@ -14,7 +14,7 @@ def as_text(rows: Sequence[Row]) -> Iterator[str]:
     for row in rows:
         call = row.call
         which = "" if row.primitive is None else f", primitive {row.primitive}"
-        yield f"{row.step.place:>9}  {row.outcome:8} {call.element}: {as_code(call)}{which}"
+        yield f"{row.step.place:>9}  {row.outcome:8} {row.step.elements[0]}: {as_code(call)}{which}"
         yield f"{'':21}{row.step.top.pass_} pass, {call.source}  {call.site.text}".rstrip()
         for part in row.arithmetic.split("; "):
             yield from textwrap.wrap(

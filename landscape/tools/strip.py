@@ -177,7 +177,7 @@ def _title(group: Group, request: Request) -> str:
     language = request.language
     if request.by == "draw":
         first = group.draws[0].first
-        return ", ".join(element(language, name) for name in first.call.shared_by)
+        return ", ".join(element(language, name) for name in first.elements)
     if group.clears:
         return text(language, "clear")
     named = pass_name(language, group.pass_)

@@ -107,7 +107,7 @@ class Walk:
         letter = labels(BY_ACTION["help"], self._language, system_name)
         self._say(self._word("hint", letter=letter))
         self._last = glfw.get_time()
-        self._rate = FrameRate()
+        self._rate = FrameRate(self._named(self.place.kind.title))
 
     def _wait(self, text: str, **values: str) -> None:
         """Say that what follows takes a moment, over the last picture if there is one."""
@@ -272,6 +272,7 @@ class Walk:
         self._places.leave(left)
         self.place, self._door = place, door.to
         self.walker = start(place.way_in(door), place.scene, place.settings)
+        self._rate = FrameRate(self._named(place.kind.title))
         self._say(self._named(place.kind.title))
         self.draw()  # the first frame takes longest: it is drawn once more to be shown
         self._last = glfw.get_time()

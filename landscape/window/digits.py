@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from landscape import keys
-from landscape.keys import Value
+from landscape.keys import Toggle, Value
 from landscape.languages import translator
-from landscape.scene import Scene, Toggle
+from landscape.scene import Scene
 from landscape.window import words
 from landscape.window.bindings import Namer, available, labels
 
@@ -43,7 +43,7 @@ def pressed(
     message = ""
     for toggle in (kind.digits[name] for name in switches if name in kind.digits):
         changed = keys.with_settings(settings, changes)
-        value = keys.next_value(changed, toggle.setting)
+        value = toggle.next(changed)
         changes[toggle.setting] = value
         message = words.toggled(language, named(toggle, language), value)
     return tuple(name for name in switches if not name.isdigit()), changes, message

@@ -35,8 +35,9 @@ class FullScreen:
 class FrameRate:
     """Shows the frames per second in a window's title."""
 
-    def __init__(self) -> None:
-        """Begin to count now."""
+    def __init__(self, scene: str) -> None:
+        """Begin to count now; ``scene`` is what the scene is called, and comes before the rate."""
+        self._title = f"landscape, {scene}" if scene else "landscape"
         self._counted, self._since = 0, glfw.get_time()
 
     def count(self, window: Any) -> None:
@@ -44,7 +45,7 @@ class FrameRate:
         self._counted += 1
         elapsed = glfw.get_time() - self._since
         if elapsed >= 1.0:
-            glfw.set_window_title(window, f"landscape  {self._counted / elapsed:.0f} fps")
+            glfw.set_window_title(window, f"{self._title}  {self._counted / elapsed:.0f} fps")
             self._counted, self._since = 0, glfw.get_time()
 
 

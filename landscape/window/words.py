@@ -1,5 +1,6 @@
 """The texts of the window, by key. The translations are in locale/LANGUAGE/window.po."""
 
+from landscape.conditions import value_text
 from landscape.keys import Value
 from landscape.languages import Texts, translator
 
@@ -135,7 +136,7 @@ def state(language: str, name: str, value: Value) -> str:
 
 def toggled(language: str, name: str, value: Value) -> str:
     """Return the message that what is called ``name`` is on or off, or what it is set to."""
-    told = state(language, "list", value) if isinstance(value, bool) else str(value)
+    told = state(language, "list", value) if isinstance(value, bool) else value_text(value)
     return text(language, "toggle", name=name, state=told)
 
 
