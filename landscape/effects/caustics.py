@@ -25,6 +25,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from landscape.effects.kept_meshes import kept_meshes
 from landscape.effects.reflected_light import lit_meshes
 from landscape.effects.room import Room
 from landscape.effects.settings import Settings
@@ -32,6 +33,7 @@ from landscape.elements.caustic_film import CausticFilm, sines
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Frame
+from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
@@ -103,7 +105,12 @@ class Caustics:
         else:
             self._film = CausticFilm.shipped(assets)
         self._lists: list[tuple[Texture, DisplayList]] = []
-        for material, mesh in lit_meshes(direction(settings.sun)):
+
+        def meshes() -> dict[tuple[str], Mesh]:
+            return {(name,): mesh for name, mesh in lit_meshes(direction(settings.sun))}
+
+        lit = kept_meshes(["the pool's light on the stone", repr(settings.sun)], meshes)
+        for (material,), mesh in lit.items():
             compiled = DisplayList(lambda mesh=mesh: draw_mesh(mesh))  # type: ignore[misc]
             self._lists.append((room.texture(material), compiled))
 

@@ -14,11 +14,13 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from landscape.effects.architecture import hall
+from landscape.effects.kept_meshes import kept_meshes
 from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
 from landscape.effects.materials import MATERIALS
 from landscape.effects.settings import Settings
 from landscape.effects.surfaces import mesh
 from landscape.files.assets import Assets
+from landscape.files.cache import recall
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
@@ -68,17 +70,25 @@ class Room:
             name: Texture(read_image(assets.path(name), "RGB"))
             for name in sorted({name for name, _ in MATERIALS.values()})
         }
-        picture = read_image(assets.path(FILE), "RGB")
-        self._light: dict[tuple[str, tuple[str, ...]], Texture] = {}
-        for sheet in SIZES:
-            for without, (sun, torch) in APART.items():
-                if sheet == "hall" and without:
-                    continue
-                image = light_map(picture, sheet, sun, torch)
-                self._light[sheet, without] = Texture(image, repeat=False, mipmaps=False)
+        wanted = [
+            (sheet, without)
+            for sheet in SIZES
+            for without in APART
+            if sheet != "hall" or not without
+        ]
+
+        def light_maps() -> tuple[np.ndarray, ...]:
+            picture = read_image(assets.path(FILE), "RGB")
+            return tuple(light_map(picture, sheet, *APART[without]) for sheet, without in wanted)
+
+        images = recall(["the hall's light maps", *assets.contents(FILE)], light_maps)
+        self._light: dict[tuple[str, tuple[str, ...]], Texture] = {
+            key: Texture(image, repeat=False, mipmaps=False)
+            for key, image in zip(wanted, images, strict=True)
+        }
         self._lists = {
             key: DisplayList(lambda part=part: draw_mesh(part))  # type: ignore[misc]
-            for key, part in meshes().items()
+            for key, part in kept_meshes(["the hall's stone"], meshes).items()
         }
 
     def apply(self, settings: Settings) -> bool:
