@@ -24,6 +24,7 @@ from pathlib import Path
 
 import pytest
 from gl_state import changes, snapshot
+from hall_pictures import HallPictures
 from stage import Stage, write_plain
 
 from landscape.errors import NoOpenGLError
@@ -65,6 +66,15 @@ def stage(the_stage: Stage) -> Iterator[Stage]:
     the_stage.enter()
     changed = changes(before, snapshot())
     assert not changed, f"the test left changed state: {changed}"
+
+
+@pytest.fixture(scope="module")
+def hall_pictures(the_stage: Stage) -> Iterator[HallPictures]:
+    """Draws the hall; the test must not use the state of OpenGL itself."""
+    the_stage.enter()
+    pictures = HallPictures(the_stage)
+    yield pictures
+    pictures.release()
 
 
 @pytest.fixture

@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
+from hall_pictures import HallPictures
+from stage import Stage
 
 from landscape.effects.flight import Flight, keyframes
 from landscape.effects.settings import Settings
-from landscape.effects.views import STANDING
 from landscape.files.assets import Assets
 from landscape.geometry.quaternion import from_angles
 from landscape.keys import with_settings
-from landscape.render import Offscreen
 
 SPAN = Settings().flight.kt_per_key
 KEYS = len(keyframes())
@@ -61,7 +61,10 @@ def test_its_pose_has_its_orientation() -> None:
         assert abs(turn @ camera.camera(kt)[1]) == pytest.approx(1.0)
 
 
-def test_the_scene_is_seen_from_the_flight_and_its_path_from_outside() -> None:
+def test_the_scene_is_seen_from_the_flight_and_its_path_from_outside(
+    stage: Stage, hall_pictures: HallPictures
+) -> None:
+    only = ("room", "floor", "statue", "flight")
     pictures = {}
     for name, changes in (
         ("walk", {}),
@@ -71,9 +74,8 @@ def test_the_scene_is_seen_from_the_flight_and_its_path_from_outside() -> None:
         ("pose", {}),
     ):
         kt = 2.2 * SPAN if name in ("later", "pose") else 0.0
-        with Offscreen((80, 60), settings=changes, samples=0, only=STANDING, place="hall") as view:
-            view.look(flight().pose(kt) if name == "pose" else "hall", kt)
-            pictures[name] = view.draw()
+        where = flight().pose(kt) if name == "pose" else "hall"
+        pictures[name] = hall_pictures(where, kt, only, changes)
     assert (pictures["walk"] != pictures["path"]).any()
     assert (pictures["walk"] != pictures["flight"]).mean() > 0.3
     assert (pictures["later"] != pictures["flight"]).mean() > 0.3

@@ -1,26 +1,33 @@
 """The hall's transparent layers: sheets of mist from far to near, two layers of cloud."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
+from hall_pictures import HallPictures
+from stage import Stage
 
 from landscape.effects.mist import far_to_near, heights, sheet
 from landscape.effects.moving_sky import dome
 from landscape.frame import Pose
 from landscape.gl import extensions
-from landscape.render import Offscreen
 
-SIZE = (120, 90)
-OVER_THE_FLOOR = (1.4, 0.2, 2.3, 25.0, -12.0)
-AT_A_WINDOW = (1.9, 0.3, 1.4, 90.0, 8.0)
+OVER_THE_FLOOR = Pose(1.4, 0.2, 2.3, 25.0, -12.0)
+AT_A_WINDOW = Pose(1.9, 0.3, 1.4, 90.0, 8.0)
+SHOWN = ("room", "floor", "sky", "mist")
+Draw = Callable[..., np.ndarray]
 
 
-def picture(place: tuple[float, ...], kt: float = 0.0, **settings: Any) -> np.ndarray:
-    given = {name.replace("_", ".", 1): value for name, value in settings.items()}
-    with Offscreen(SIZE, settings=given, samples=0, place="hall") as view:
-        view.look(Pose(*place), kt)
-        return view.draw().astype(np.int16)
+@pytest.fixture
+def picture(stage: Stage, hall_pictures: HallPictures) -> Draw:
+    """Draws the hall with settings such as mist_sheets=1."""
+
+    def draw(pose: Pose, kt: float = 0.0, **settings: Any) -> np.ndarray:
+        given = {name.replace("_", ".", 1): value for name, value in settings.items()}
+        return hall_pictures(pose, kt, SHOWN, given)
+
+    return draw
 
 
 def test_sheets_are_drawn_from_far_to_near_whatever_the_eye_s_height() -> None:
@@ -40,7 +47,7 @@ def test_a_sheet_lies_within_the_walls_faces_up_and_ends_softly() -> None:
     assert (opacity[outermost] == 0).all() and opacity.max() == 1.0
 
 
-def test_one_sheet_is_blended_by_its_alpha_and_its_depth_is_not_written() -> None:
+def test_one_sheet_is_blended_by_its_alpha_and_its_depth_is_not_written(picture: Draw) -> None:
     none = picture(OVER_THE_FLOOR)
     mist = picture(OVER_THE_FLOOR, mist_enabled=True, mist_sheets=1, mist_density=1.0)
     thin = picture(OVER_THE_FLOOR, mist_enabled=True, mist_sheets=1, mist_density=0.5)
@@ -49,7 +56,7 @@ def test_one_sheet_is_blended_by_its_alpha_and_its_depth_is_not_written() -> Non
     assert np.abs((thin - none) - (mist - none) / 2).max() <= 1.5
 
 
-def test_without_the_order_or_the_mask_the_mist_looks_different() -> None:
+def test_without_the_order_or_the_mask_the_mist_looks_different(picture: Draw) -> None:
     right = picture(OVER_THE_FLOOR, mist_enabled=True)
     unsorted_ = picture(OVER_THE_FLOOR, mist_enabled=True, mist_sorted=False)
     hidden = picture(OVER_THE_FLOOR, mist_enabled=True, mist_sorted=False, mist_mask=False)
@@ -57,7 +64,7 @@ def test_without_the_order_or_the_mask_the_mist_looks_different() -> None:
     assert np.abs(right - hidden).mean() > 2 * np.abs(right - unsorted_).mean()
 
 
-def test_the_mist_drifts() -> None:
+def test_the_mist_drifts(picture: Draw) -> None:
     then, now = (picture(OVER_THE_FLOOR, kt, mist_enabled=True) for kt in (0.0, 60.0))
     assert np.abs(then - now).max() > 20
 
@@ -72,31 +79,35 @@ def test_the_dome_is_seen_from_within_and_its_clouds_shrink_towards_the_horizon(
     assert (steps[:-2] > 0).all() and steps[-4] > 2 * steps[0]
 
 
-def moved(**settings: Any) -> np.ndarray:
-    still = {"caustics_reflected": 0.0, **settings}
-    return np.abs(picture(AT_A_WINDOW, 0.0, **still) - picture(AT_A_WINDOW, 300.0, **still))
+def moved(picture: Draw, **settings: Any) -> np.ndarray:
+    then, now = (picture(AT_A_WINDOW, kt, **settings) for kt in (0.0, 300.0))
+    return np.abs(then - now)
 
 
-def test_the_clouds_move_only_outside_the_windows() -> None:
-    with Offscreen(SIZE, samples=0, place="hall", only=("room", "floor", "statue")) as view:
-        view.look(AT_A_WINDOW)
-        walls = view.draw()
-    changed = moved(mirror_enabled=False, statue_environment="none").max(axis=2) > 0
+def test_the_clouds_move_only_outside_the_windows(
+    picture: Draw, hall_pictures: HallPictures
+) -> None:
+    walls = hall_pictures(AT_A_WINDOW, 0.0, ("room", "floor"))
+    changed = moved(picture).max(axis=2) > 0
     sky = (walls == walls[changed][0]).all(axis=2)
     assert 300 < changed.sum() <= sky.sum() < 0.5 * sky.size
     assert not (changed & ~sky).any()
 
 
-def test_two_layers_move_at_two_speeds_and_lie_in_their_order() -> None:
-    assert moved(sky_layers=0).max() == 0
-    assert 0 < moved(sky_layers=1).mean() < moved(sky_layers=2).mean()
+def test_two_layers_move_at_two_speeds_and_lie_in_their_order(picture: Draw) -> None:
+    assert moved(picture, sky_layers=0).max() == 0
+    assert 0 < moved(picture, sky_layers=1).mean() < moved(picture, sky_layers=2).mean()
     right, wrong = (picture(AT_A_WINDOW, sky_sorted=order) for order in (True, False))
     assert np.abs(right - wrong).max() > 5
 
 
-def test_with_a_single_texture_unit_the_sky_has_one_layer(monkeypatch: pytest.MonkeyPatch) -> None:
-    one = picture(AT_A_WINDOW, sky_layers=1, statue_environment="none")
+def test_with_a_single_texture_unit_the_sky_has_one_layer(
+    picture: Draw, stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    one = picture(AT_A_WINDOW, sky_layers=1)
     monkeypatch.setattr(extensions, "version", lambda: (1, 2))
     monkeypatch.setattr(extensions, "extensions", frozenset)
-    found = picture(AT_A_WINDOW, sky_layers=2, statue_environment="none")
+    anew = HallPictures(stage)
+    found = anew(AT_A_WINDOW, 0.0, ("room", "floor", "sky"), {"sky.layers": 2})
+    anew.release()
     np.testing.assert_array_equal(found, one)

@@ -1,7 +1,10 @@
 """What the gilded statue mirrors: generated coordinates, maps, what sticks to the eye."""
 
+from typing import Any
+
 import numpy as np
 import pytest
+from hall_pictures import HallPictures
 from stage import Stage
 
 from landscape.effects import environment
@@ -11,14 +14,12 @@ from landscape.effects.environment import (
     disc,
     sphere_coordinates,
 )
+from landscape.frame import Pose
 from landscape.gl import extensions
 from landscape.gl.calls import gl
 from landscape.gl.extensions import Need, first_missing
 from landscape.gl.texture import Texture
 from landscape.render import Offscreen
-
-SIZE = (120, 90)
-ROUND = {"statue.environment": "cube"}, {"statue.environment": "sphere"}
 
 
 def unit(rng: np.random.Generator, count: int) -> np.ndarray:
@@ -79,48 +80,55 @@ def test_the_disc_faces_the_viewer_and_covers_the_sphere_map() -> None:
     assert (areas >= -1e-12).all() and areas.sum() == pytest.approx(np.pi * 1.5**2, rel=0.01)
 
 
-def picture(view: Offscreen, place: tuple[float, ...]) -> np.ndarray:
-    view.look(place, 20.0)
-    return view.draw().astype(np.int16)
+AROUND = [
+    Pose(1.78, 0.2, 1.5, 329, 3),
+    Pose(1.3, 0.25, 1.36, 62, 0),
+    Pose(1.62, 0.3, 0.8, 183, -4),
+]
+SHOWN = ("room", "floor", "statue")
 
 
-AROUND = [(1.78, 0.2, 1.5, 329, 3), (1.3, 0.25, 1.36, 62, 0), (1.62, 0.3, 0.8, 183, -4)]
+def pictures(draw: HallPictures, **statue: Any) -> list[np.ndarray]:
+    settings = {f"statue.{name}": value for name, value in statue.items()}
+    return [draw(pose, 20.0, SHOWN, settings) for pose in AROUND]
 
 
-def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides() -> None:
-    pictures = []
-    for settings in ROUND:
-        with Offscreen(SIZE, settings=settings, samples=0, place="hall") as view:
-            pictures.append([picture(view, place) for place in AROUND])
-    for cube, sphere in zip(*pictures, strict=True):
-        assert np.abs(cube - sphere).mean() < 3.0
+def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides(
+    stage: Stage, hall_pictures: HallPictures
+) -> None:
+    kinds = [pictures(hall_pictures, environment=kind) for kind in ("cube", "sphere")]
+    for cube, sphere in zip(*kinds, strict=True):
+        assert np.abs(cube - sphere).mean() < 2.0
 
 
-def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer() -> None:
-    with Offscreen(SIZE, settings=ROUND[1], samples=0, place="hall") as view:
-        right = [picture(view, place) for place in AROUND]
-    stale = {**ROUND[1], "statue.fresh": False}
-    with Offscreen(SIZE, settings=stale, samples=0, place="hall") as view:
-        stuck = [picture(view, place) for place in AROUND]
+def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer(
+    stage: Stage, hall_pictures: HallPictures
+) -> None:
+    right = pictures(hall_pictures)
+    hall_pictures(AROUND[0], 20.0, SHOWN)  # the line of sight that then stays
+    stuck = pictures(hall_pictures, fresh=False)
     changes = [np.abs(a - b).mean() for a, b in zip(right, stuck, strict=True)]
     assert changes[0] == 0.0 and min(changes[1:]) > 0.5
 
 
 def test_without_cube_maps_the_statue_stays_bronze_and_one_line_says_why(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    stage: Stage,
+    hall_pictures: HallPictures,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    with Offscreen(SIZE, settings={"statue.environment": "none"}, samples=0, place="hall") as view:
-        bronze = picture(view, AROUND[0])
+    bronze = pictures(hall_pictures, environment="none")[0]
     monkeypatch.setattr(extensions, "version", lambda: (1, 2))
     monkeypatch.setattr(extensions, "_told", set())
     every = extensions.extensions
     monkeypatch.setattr(extensions, "extensions", lambda: every() - {"GL_ARB_texture_cube_map"})
     for _ in range(2):
-        with Offscreen(SIZE, samples=0, place="hall") as view:
-            np.testing.assert_array_equal(picture(view, AROUND[0]), bronze)
-    told = capsys.readouterr().err
-    assert told.count("\n") == 1
-    assert told.startswith("landscape: statue.environment: off, for this OpenGL has no OpenGL 1.3")
+        older = HallPictures(stage)
+        np.testing.assert_array_equal(older(AROUND[0], 20.0, SHOWN), bronze)
+        older.release()
+    told = [line for line in capsys.readouterr().err.splitlines() if "statue" in line]
+    assert len(told) == 1
+    assert told[0].startswith("landscape: statue.environment: off, for this OpenGL has no OpenGL")
 
 
 def test_what_is_missing_is_what_neither_version_nor_extension_has(

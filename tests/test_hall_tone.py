@@ -1,28 +1,32 @@
 """The hall's brightness and contrast: each pixel against scale * colour + bias."""
 
-from collections.abc import Iterator
+from collections.abc import Callable
 
 import numpy as np
 import pytest
+from hall_pictures import HallPictures
+from stage import Stage
 
 from landscape.effects.tone import doublings
-from landscape.render import Offscreen
 
-SIZE = (120, 90)
 SHOWN = ("room", "floor", "statue", "tone")
+Draw = Callable[..., np.ndarray]
 
 
-def picture(**tone: object) -> np.ndarray:
-    """Draw the hall with some settings of the group tone; signed, so that differences are."""
-    settings = {f"tone.{name}": value for name, value in tone.items()}
-    with Offscreen(SIZE, settings=settings, samples=0, only=SHOWN) as view:
-        view.look("hall")
-        return view.draw().astype(np.int16)
+@pytest.fixture
+def picture(stage: Stage, hall_pictures: HallPictures) -> Draw:
+    """Draws the hall with some settings of the group tone."""
+
+    def draw(**tone: object) -> np.ndarray:
+        settings = {f"tone.{name}": value for name, value in tone.items()}
+        return hall_pictures("hall_mirror", only=SHOWN, settings=settings)
+
+    return draw
 
 
-@pytest.fixture(scope="module")
-def plain() -> Iterator[np.ndarray]:
-    yield picture()
+@pytest.fixture
+def plain(picture: Draw) -> np.ndarray:
+    return picture()
 
 
 def expected(plain: np.ndarray, brightness: float, contrast: float) -> np.ndarray:
@@ -35,7 +39,7 @@ def expected(plain: np.ndarray, brightness: float, contrast: float) -> np.ndarra
     [(0.3, 0.5), (-0.2, 0.8), (0.25, 1.0), (0.0, 1.6), (-0.3, 2.0), (0.2, 1.3), (1.0, 0.0)],
 )
 def test_each_pixel_is_scaled_and_biased(
-    plain: np.ndarray, method: str, brightness: float, contrast: float
+    picture: Draw, plain: np.ndarray, method: str, brightness: float, contrast: float
 ) -> None:
     found = picture(method=method, brightness=brightness, contrast=contrast)
     assert np.abs(found - expected(plain, brightness, contrast)).max() <= 1.0
@@ -43,21 +47,21 @@ def test_each_pixel_is_scaled_and_biased(
 
 
 def test_above_a_contrast_of_2_the_bias_s_rounding_is_enlarged_by_the_contrast(
-    plain: np.ndarray,
+    picture: Draw, plain: np.ndarray
 ) -> None:
     error = np.abs(picture(brightness=-0.25, contrast=4.0) - expected(plain, -0.25, 4.0))
     assert error.max() <= 2.0
 
 
-def test_without_doubling_contrast_stops_at_1(plain: np.ndarray) -> None:
+def test_without_doubling_contrast_stops_at_1(picture: Draw, plain: np.ndarray) -> None:
     np.testing.assert_array_equal(picture(contrast=1.8, doubling=False), plain)
 
 
 @pytest.mark.parametrize("method", ["blend", "pixels"])
-def test_a_part_of_the_picture_is_the_statue_or_all_else(plain: np.ndarray, method: str) -> None:
-    with Offscreen(SIZE, samples=0, only=("room", "floor", "tone")) as view:
-        view.look("hall")
-        statue = (view.draw() != plain).any(axis=2)
+def test_a_part_of_the_picture_is_the_statue_or_all_else(
+    picture: Draw, plain: np.ndarray, hall_pictures: HallPictures, method: str
+) -> None:
+    statue = (hall_pictures("hall_mirror", only=("room", "floor")) != plain).any(axis=2)
     assert 100 < statue.sum() < statue.size / 4
     for area, part in (("statue", statue), ("surroundings", ~statue)):
         found = picture(area=area, method=method, contrast=0.4)

@@ -15,7 +15,7 @@ OTHER_RENDERER = 12  # levels, on another renderer
 OTHER_FRACTION = 0.001  # of the pixels may differ by more than that on another one
 OTHER_MEAN = 4.0  # levels, of all pixels on average on another one
 # Of a picture that was compressed with a loss, beside a new one.
-LOSSY_MEAN, LOSSY_BLOCK = 6.0, 10.0  # levels, of all pixels, and of any block of BLOCK x BLOCK
+LOSSY_MEAN, LOSSY_BLOCK = 6.0, 5.0  # levels, of all pixels, and of any block of BLOCK x BLOCK
 BLOCK = 20  # pixels, chosen
 AMPLIFICATION = 16  # chosen: makes a difference of one level visible
 

@@ -1,0 +1,51 @@
+"""Pictures of the hall with some settings changed; it is opened once for each set of elements."""
+
+from typing import Any
+
+import numpy as np
+from stage import Stage
+
+from landscape.effects.hall import SCENE, Hall
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.gl.calls import gl
+from landscape.gl.framebuffer import read_pixels
+from landscape.keys import with_settings
+from landscape.scene import Moment, placed
+
+SIZE = (120, 90)
+
+
+class HallPictures:
+    """The halls opened so far, by their elements."""
+
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.halls: dict[tuple[str, ...], Hall] = {}
+
+    def __call__(
+        self,
+        where: str | Pose,
+        kt: float = 20.0,
+        only: tuple[str, ...] = (),
+        settings: dict[str, Any] | None = None,
+    ) -> np.ndarray:
+        """Return the picture of a view or a pose, int16 (h, w, 3), top row first."""
+        values = with_settings(SCENE.settings, settings or {})
+        only = only or SCENE.elements
+        pose = SCENE.views[where].pose if isinstance(where, str) else where
+        with self.stage.borrowed():
+            hall = self.halls.get(only)
+            if hall is None or not hall.apply(values):
+                if hall is not None:
+                    hall.release()
+                hall = self.halls[only] = Hall(values, Assets(), 0, only)
+            hall.draw(Moment(placed(pose, hall, values.walk.eye), SIZE, kt))
+            gl.glFinish()
+            return read_pixels(SIZE).astype(np.int16)
+
+    def release(self) -> None:
+        """Release the halls."""
+        self.stage.enter()
+        while self.halls:
+            self.halls.popitem()[1].release()
