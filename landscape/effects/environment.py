@@ -8,8 +8,8 @@ generates from the reflection vector r of the line of sight at each vertex:
 - sphere: GL_SPHERE_MAP (OpenGL 1.0) looks r up in the picture of a small mirror ball. That picture
   belongs to one line of sight: here it is made again in every frame, as a disc drawn with the
   directions that a ball mirrors, from the cube map.
-What is wrong with a sphere map: without ``statue.fresh`` the picture stays that of the first line
-of sight, as in 1997, and what the statue mirrors turns with whoever walks around it. All that is
+What is wrong with a sphere map: without ``statue.fresh`` there is one picture, as in 1997, that for
+a view to the north, and what the statue mirrors turns with whoever walks around it. All that is
 behind the ball lies on the picture's rim, in few texels; and both maps show the hall from one
 point, so that no part of the statue mirrors another.
 State used: GL_TEXTURE_CUBE_MAP or GL_TEXTURE_2D with generated coordinates, the texture matrix,
@@ -38,6 +38,8 @@ NEEDS = (
 FACE, BALL = 128, 256  # chosen: sides of a face of the cube map and of the sphere map, in texels
 NEAR, FAR = 0.02, 40.0  # chosen: units
 RINGS, SIDES = 24, 48  # chosen: of the disc that the sphere map is drawn with
+
+NORTHWARDS = np.eye(3)  # the rotation to the hall's axes from those of an eye that looks north
 
 # The camera of each face, in OpenGL's order: a face's picture has its first row at t = 0, so that
 # the cameras of the sides are upside down.
