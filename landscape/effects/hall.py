@@ -7,6 +7,7 @@ from typing import Any
 from landscape.effects import plan
 from landscape.effects.caustics import Caustics
 from landscape.effects.entrance import Entrance, door
+from landscape.effects.exhibits.cabinet import Cabinet
 from landscape.effects.flight import Flight
 from landscape.effects.keys import KEYS
 from landscape.effects.mirror import Mirror
@@ -66,6 +67,7 @@ class Hall(Ground):
                 self.shadow = self._built(("shadow",), PlanarShadow, *shadowing)
             mark = self.statue.send if self.statue else lambda: None
             self.sky = self._built(("sky",), MovingSky, settings, assets)
+            self.exhibits = self._built(("exhibits",), Cabinet, settings, assets)
             self.mist = self._built(("mist",), Mist, settings, assets)
             self.tone = self._built(("tone",), Tone, settings, assets, mark)
             self.flight = self._built(("flight",), Flight, settings, assets)
@@ -122,11 +124,15 @@ class Hall(Ground):
 
     def _draw_hall(self, frame: Frame) -> None:
         """Draw what stands in the hall: in the frame itself, and mirrored in the floor."""
+        if self.exhibits is not None and "exhibits" in self.shown:
+            with drawing("exhibits"):
+                self.exhibits.draw_first(frame)  # needs an empty depth buffer
         self._draw("room", self.room, frame)
         self._draw_basin(frame)
         self._draw("door", self.entrance, frame)
         self._draw("statue", self.statue, frame)
         self._shade_wall(frame)
+        self._draw("exhibits", self.exhibits, frame)
         # The net of light is blended over the stone.
         self._draw("caustics", self.caustics, frame)
         self._draw("sky", self.sky, frame)

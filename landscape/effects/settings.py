@@ -6,6 +6,7 @@ A safeguard is a setting that is on: turned off, it shows the artefact that it p
 from dataclasses import dataclass
 from typing import ClassVar
 
+from landscape.effects.exhibits.settings import Exhibits
 from landscape.keys import Value, setting
 from landscape.settings import UNITS, Camera, Clock, Fog, Sun, Walk
 
@@ -298,6 +299,7 @@ class Settings:
     mirror: Mirror = Mirror()
     pool: Pool = Pool()
     caustics: Caustics = Caustics()
+    exhibits: Exhibits = Exhibits()
     shadow: Shadow = Shadow()
 
 

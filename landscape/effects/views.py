@@ -7,7 +7,7 @@ from landscape.scene import View
 
 ELEMENTS = (
     *("room", "floor", "mirror", "door", "statue", "shadow", "sky", "caustics", "pool", "mist"),
-    *("tone", "flight", "sword"),
+    *("exhibits", "tone", "flight", "sword"),
 )
 HELD = ("sword",)  # only a walker has it: no view shows it
 STANDING = tuple(name for name in ELEMENTS if name not in HELD)
@@ -29,6 +29,21 @@ VIEWS = {
              settings={"tone.area": "surroundings", "tone.contrast": 0.5}),
         View("hall_caustics", "light in the pool, and thrown on the stone around it",
              Pose(1.72, 0.13, 2.44, 336.0, -19.0), 20.0),
+        View("hall_exhibits", "six exhibits in the alcoves of the west wall",
+             Pose(1.26, 0.14, 2.66, 312.0, -1.0), 20.0),
+        View("hall_exhibit_volume", "a knot's shadow, counted in the stencil buffer",
+             Pose(1.15, 0.16, 2.58, 276.0, -8.0), 20.0),
+        View("hall_exhibit_soft", "the soft shadow of a lamp that is not a point",
+             Pose(1.20, 0.15, 2.16, 278.0, -1.0), 20.0),
+        View("hall_exhibit_blur", "sails that turn while the shutter is open",
+             Pose(1.12, 0.15, 1.78, 276.0, -4.0), 20.0),
+        View("hall_exhibit_focus", "three rabbits, of which a lens shows one sharp",
+             Pose(1.08, 0.14, 1.40, 270.0, -9.0), 20.0),
+        View("hall_exhibit_lines", "the dragon engraved, without hidden lines",
+             Pose(1.07, 0.14, 1.0, 270.0, -3.0), 20.0),
+        View("hall_exhibit_solids", "a sphere from which a beam is cut, by the stencil buffer",
+             Pose(1.09, 0.16, 0.60, 270.0, -14.0), 20.0),
     )
 }  # fmt: skip
-MAIN = tuple(VIEWS)
+# The exhibits one by one are not measured.
+MAIN = tuple(VIEWS)[:8]

@@ -16,14 +16,24 @@ from landscape.gl.calls import gl
 class TextureTarget:
     """Owner of a framebuffer, its colour texture and its depth-stencil buffer."""
 
-    def __init__(self, size: tuple[int, int]) -> None:
-        """Create a target of ``size`` = (width, height) pixels; what is bound stays bound."""
+    def __init__(self, size: tuple[int, int], form: str = "RGB8") -> None:
+        """Create a target of ``size`` = (width, height) pixels; what is bound stays bound.
+
+        ``form`` is the internal format without its GL_; "RGBA32F" needs ARB_texture_float.
+        """
         self.size = size
         bound = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
         self.name = int(gl.glGenTextures(1))
         gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
         gl.glTexImage2D(
-            gl.GL_TEXTURE_2D, 0, gl.GL_RGB8, *size, 0, gl.GL_RGB, gl.GL_UNSIGNED_BYTE, None
+            gl.GL_TEXTURE_2D,
+            0,
+            getattr(gl, f"GL_{form}"),
+            *size,
+            0,
+            gl.GL_RGB,
+            gl.GL_UNSIGNED_BYTE,
+            None,
         )
         for name in (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T):
             gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_CLAMP_TO_EDGE)
