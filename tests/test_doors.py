@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,7 @@ from landscape.geometry.doors import BEFORE, REACH, Door
 from landscape.geometry.obstacles import RADIUS
 from landscape.island import Island
 from landscape.keys import with_settings
+from landscape.scene import SCENES
 from landscape.settings import preset
 from landscape.window import recording
 from landscape.window.place import Places, at_doors
@@ -149,6 +151,13 @@ def test_the_other_scene_has_the_same_preset_if_it_has_one_of_that_name() -> Non
         assert places.behind(door_to("island")).settings == preset(wanted)
     places = Places(Plan("island", preset("2006"), "", Pose(1, 1, 1), (8, 8), preset="2006"))
     assert places.behind(door_to("hall")).settings == SCENE.settings
+
+
+def test_nothing_of_the_window_names_a_scene() -> None:
+    names = "|".join(SCENES)
+    for path in (Path(recording.__file__).parent).glob("*.py"):
+        code = path.read_text(encoding="utf-8")
+        assert not re.search(rf"[\"']({names})[\"']|landscape\.(island|effects|views)", code), path
 
 
 # The hall, walked in without OpenGL.
