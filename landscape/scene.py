@@ -252,17 +252,18 @@ def check_options(
 ) -> None:
     """Check options given for views that are not known yet: some scene must accept all of them.
 
-    Raises the first scene's InputError if none does.
+    If none does, raises the InputError of the scene that knows most of the keys.
     """
-    reasons = []
+    reasons: dict[int, InputError] = {}
     for kind in map(scene, SCENES):
         try:
             keys.with_settings(kind.values(preset), settings)
             kind.only(only)
             return
         except InputError as error:
-            reasons.append(error)
-    raise reasons[0]
+            known = keys.current_names(kind.settings, settings)[0].keys()
+            reasons.setdefault(len(known & keys.fields(type(kind.settings)).keys()), error)
+    raise reasons[max(reasons)]
 
 
 def find_view(name: str) -> tuple[Scene, View]:

@@ -153,9 +153,9 @@ class Environment:
         What is mirrored in the floor is seen along a mirrored line of sight.
         """
         statue = self._settings.statue
-        if statue.environment != "sphere" or (self._drawn_for.size and not statue.fresh):
+        if statue.environment != "sphere":
             return
-        turn = frame.to_world
+        turn = frame.to_world if statue.fresh else NORTHWARDS
         if np.array_equal(turn, self._drawn_for):
             return
         self._drawn_for = turn
