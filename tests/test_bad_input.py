@@ -633,4 +633,5 @@ def test_the_contact_sheet_of_broken_assets_is_not_written(shell: Shell) -> None
 
 
 def test_the_settings_command_still_works_after_all_these_errors(shell: Shell) -> None:
-    assert len(json.loads(shell("settings", "--json").out)) == len(keys.fields(settings.Settings))
+    rows = json.loads(shell("settings", "--json").out)
+    assert {row["key"] for row in rows} >= keys.fields(settings.Settings).keys()

@@ -99,7 +99,8 @@ class Environment:
 
         It needs what NEEDS lists.
         """
-        self._settings, self._drawn_for = settings, np.zeros(0)
+        self._settings = settings
+        self._drawn_for: np.ndarray = np.zeros(0)
         target = TextureTarget((FACE, FACE))
         self.cube = CubeMap(np.zeros((6, FACE, FACE, 3), np.uint8))
         self._ball = TextureTarget((BALL, BALL))
