@@ -64,11 +64,20 @@ def embrasure(
     narrow = half - splay, sill + 2 * splay * (sill > 0), springing, top - splay
     outer = outline(middle, narrow, to) + depth
     centre = (inner.mean(axis=0) + outer.mean(axis=0)) / 2
-    sides = [Surface(np.stack([inner, outer]), "wall")]
+    sides = [jambs(inner, outer)]
     if sill > 0:
         ends = np.stack([inner[[0, -1]], outer[[0, -1]]])
         sides.append(Surface(ends, "stone"))
     return [seen_from(side, centre) for side in sides]
+
+
+def jambs(inner: np.ndarray, outer: np.ndarray) -> Surface:
+    """Return the sides between an opening's two outlines (n, 3), their courses level."""
+    along = np.linalg.norm(np.diff(inner, axis=0), axis=1)
+    risen = np.concatenate([[0.0], np.cumsum(along)])
+    deep = np.linalg.norm(outer - inner, axis=1)
+    plain = np.stack([np.stack([0 * deep, deep]), np.stack([-risen, -risen])], axis=-1)
+    return Surface(np.stack([inner, outer]), "wall", plain)
 
 
 def vault_web(x: tuple[float, float], z: tuple[float, float], side: int) -> Surface:
@@ -114,8 +123,6 @@ def floor() -> list[Surface]:
         inside._replace(east=plan.ROWS[0] - band),
         inside._replace(west=plan.ROWS[1] + band),
         nave._replace(south=medallion.north),
-        plan.Rectangle(west, medallion.west, medallion.north, medallion.south),
-        plan.Rectangle(medallion.east, east, medallion.north, medallion.south),
         nave._replace(north=medallion.south, south=pool.north),
         plan.Rectangle(west, pool.west, pool.north, pool.south),
         plan.Rectangle(pool.east, east, pool.north, pool.south),
@@ -123,7 +130,11 @@ def floor() -> list[Surface]:
     ]
     bands = [inside._replace(west=row - band, east=row + band) for row in plan.ROWS]
     found = [flat(part, 0.0, "floor", "floor", 0.1) for part in slabs]
-    found += [flat(part, 0.0, "band", "floor", 0.1) for part in bands]
+    for part in bands:
+        points = flat(part, 0.0, "band", "floor", 0.1).points
+        # Its texture is as wide as the band, and stretched to slabs of 1.5 by 3 metres.
+        plain = (points[..., [0, 2]] - (part.west, 0.0)) / (2 * band, 4 * band)
+        found.append(Surface(points, "band", plain, 1.0, "floor"))
     picture = flat(medallion, 0.0, "medallion", "floor", 0.1)
     u = (picture.points[..., [0, 2]] - (medallion.west, medallion.north)) / (2 * plan.MEDALLION)
     return [*found, Surface(picture.points, "medallion", u, 1.0, "floor")]
@@ -218,7 +229,7 @@ def rose_sides() -> list[Surface]:
     back = np.array([0.0, 0.0, -plan.WALL])
     outer = circle(centre + back, right, up, radius - plan.WINDOW_SPLAY, rose_turn())
     middle = centre + back / 2
-    return [seen_from(Surface(np.stack([inner, outer]), "wall"), middle)]
+    return [seen_from(jambs(inner, outer), middle)]
 
 
 def shell() -> list[Surface]:

@@ -18,8 +18,10 @@ from landscape.effects.pool import Pool
 from landscape.effects.room import Room
 from landscape.effects.safeguards import SAFEGUARDS
 from landscape.effects.settings import PRESETS, Settings
+from landscape.effects.shafts import Shafts
 from landscape.effects.statue import Statue
 from landscape.effects.tone import Tone
+from landscape.effects.torches import Torches
 from landscape.effects.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.elements import sun
 from landscape.elements.sword import Sword
@@ -68,6 +70,8 @@ class Hall(Ground):
             mark = self.statue.send if self.statue else lambda: None
             self.sky = self._built(("sky",), MovingSky, settings, assets)
             self.exhibits = self._built(("exhibits",), Cabinet, settings, assets)
+            self.torches = self._built(("torches",), Torches, settings, assets)
+            self.shafts = self._built(("shafts",), Shafts, settings)
             self.mist = self._built(("mist",), Mist, settings, assets)
             self.tone = self._built(("tone",), Tone, settings, assets, mark)
             self.flight = self._built(("flight",), Flight, settings, assets)
@@ -112,6 +116,9 @@ class Hall(Ground):
         self._draw_floor(frame)
         self._draw("pool", self.pool, frame)  # blended over its bed
 
+        # Blended: each after all that is opaque behind it.
+        self._draw("torches", self.torches, frame)
+        self._draw("shafts", self.shafts, frame)
         self._draw("mist", self.mist, frame)
 
         # What has been drawn so far is the picture that these change.
@@ -136,6 +143,8 @@ class Hall(Ground):
         # The net of light is blended over the stone.
         self._draw("caustics", self.caustics, frame)
         self._draw("sky", self.sky, frame)
+        if frame.mirrored:
+            self._draw("torches", self.torches, frame)
         values = self.settings
         if values.flight.path and not values.flight.enabled:
             self._draw("flight", self.flight, frame)

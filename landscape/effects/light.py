@@ -31,10 +31,10 @@ PARTS = {"floor": (1536, 0), "north": (1536, 1024)}
 BASES = {"floor": FLOOR, "north": NORTH}
 BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for
 # Chosen: colour and strength of the lights that are kept apart.
-SUN_COLOUR = (7.0, 5.9, 4.3)
-TORCH_COLOUR = (0.034, 0.0165, 0.0058)
+SUN_COLOUR = (6.4, 5.5, 4.2)
+TORCH_COLOUR = (0.022, 0.0098, 0.0032)
 # Chosen: how much brighter the torch shines at the statue than all around, as its bowl is polished.
-GLARE = 72.0
+GLARE = 7.0
 
 
 @dataclass(frozen=True)

@@ -50,6 +50,11 @@ def clustered(turn: np.ndarray) -> np.ndarray:
     return np.where(aside < SHAFT, np.maximum(shaft, CORE), CORE)
 
 
+def lobed(turn: np.ndarray) -> np.ndarray:
+    """Return the outline of a capital at angles ``turn``: eight lobes."""
+    return 1.0 + 0.09 * np.abs(np.cos(4 * turn)) - 0.04
+
+
 def pillar(x: float, z: float) -> list[Surface]:
     """Return a pillar: an octagonal foot, a clustered shaft with rings, and a capital."""
     r, top = plan.PILLAR, plan.SPRINGING
@@ -71,7 +76,7 @@ def pillar(x: float, z: float) -> list[Surface]:
         turned(x, z, base, "stone", 24, clustered),
         turned(x, z, [(r, top - 0.068), (r, 0.056)], "stone", 24, clustered),
         ring,
-        turned(x, z, bell, "stone", 16),
+        turned(x, z, bell, "stone", 32, lobed),
         turned(x, z, slab, "stone", 8, eight),
         turned(x, z, [(0.0, top + 0.013), (r + 0.020, top + 0.012)], "stone", 8, eight),
     ]

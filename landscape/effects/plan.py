@@ -51,11 +51,12 @@ POOL_BED, POOL_WATER = -0.05, -0.008
 RIM = 0.02  # width of the stone around the pool
 
 FLOOR_BAND = 0.045  # half the width of the dark band along a row of pillars
-MEDALLION = 0.225  # half the side of the medallion in the floor that the statue stands on
+MEDALLION = 0.255  # half the side of the medallion in the floor that the statue stands on
 
 STATUE = (AXIS, 1.2)  # x, z of the plinth's centre
 PLINTH = (0.15, 0.08)  # half its side, and height
 STATUE_SCALE = 0.26  # of the mesh, which is 2 units long
+STATUE_SUNK = 0.010  # how deep it is let into the plinth
 
 # The torch whose light casts the statue's shadow stands in front of it; the others on pillars.
 TORCH = (1.47, 0.19, 1.60)

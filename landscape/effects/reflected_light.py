@@ -69,7 +69,7 @@ def finer(surface: Surface) -> Surface:
 def lit(surface: Surface, towards: np.ndarray) -> Mesh | None:
     """Return the part of a surface that the pool's light reaches, its light as colours, or None."""
     divided = finer(surface)
-    fine = mesh(divided, MATERIALS[surface.material][1], divided.on_material)
+    fine = mesh(divided, MATERIALS[surface.material].repeats, divided.on_material)
     light = thrown(fine.vertices, fine.normals, towards)
     reached = (light[fine.triangles] > 1 / 255).any(axis=1)
     if not reached.any():

@@ -56,7 +56,7 @@ def meshes() -> dict[Key, Mesh]:
     for each in placed(hall()):
         surface = each.surface
         light = each.light / SIZES[surface.sheet]
-        part = mesh(surface, MATERIALS[surface.material][1], light)
+        part = mesh(surface, MATERIALS[surface.material].repeats, light)
         found.setdefault((surface.sheet, surface.material), []).append(part)
     return {key: joined(parts) for key, parts in found.items()}
 
@@ -68,7 +68,7 @@ class Room:
         """Read the textures and compile a display list for each material and sheet."""
         self._textures = {
             name: Texture(read_image(assets.path(name), "RGB"))
-            for name in sorted({name for name, _ in MATERIALS.values()})
+            for name in sorted({each.texture for each in MATERIALS.values()})
         }
         wanted = [
             (sheet, without)
@@ -97,7 +97,8 @@ class Room:
 
     def draw(self, frame: Frame) -> None:
         """Draw all but the floor and the pool's basin."""
-        self._draw(name for name in MATERIALS if name not in (*FLOOR, *BASIN))
+        with attrib(gl.GL_CURRENT_BIT):
+            self._draw(name for name in MATERIALS if name not in (*FLOOR, *BASIN))
 
     def draw_floor(self, *without: str) -> None:
         """Draw the floor, in the current colour; ``without`` the light of "sun", "torch" or both.
@@ -125,7 +126,7 @@ class Room:
 
     def texture(self, material: str) -> Texture:
         """Return the texture of a material."""
-        return self._textures[MATERIALS[material][0]]
+        return self._textures[MATERIALS[material].texture]
 
     def send_north(self) -> None:
         """Send the north wall's triangles that face the viewer, without any texture."""
@@ -162,7 +163,9 @@ class Room:
             gl.glActiveTexture(gl.GL_TEXTURE0)
             gl.glEnable(gl.GL_TEXTURE_2D)
             for name in materials:
-                self._textures[MATERIALS[name][0]].bind()
+                self._textures[MATERIALS[name].texture].bind()
+                if name not in FLOOR:
+                    gl.glColor3f(*MATERIALS[name].tint)
                 for sheet in sheets:
                     if (sheet, name) not in self._lists:
                         continue

@@ -250,6 +250,24 @@ class Tone:
 
 
 @dataclass(frozen=True)
+class Torches:
+    """The torches' flames."""
+
+    faces: bool = setting(True, "chosen", "flames turn to face the viewer")
+    glow: float = setting(0.55, "chosen", "brightness of the glow around each flame", 0, 2)
+
+
+@dataclass(frozen=True)
+class Shafts:
+    """The sun's light in the hall's air."""
+
+    enabled: bool = setting(True, "chosen", "the sun's light is visible in the air")
+    strength: float = setting(
+        0.085, "chosen", "how much light each sheet adds", 0, 1, needs=("shafts.enabled",)
+    )
+
+
+@dataclass(frozen=True)
 class Flight:
     """The camera's flight around the statue."""
 
@@ -301,6 +319,8 @@ class Settings:
     caustics: Caustics = Caustics()
     exhibits: Exhibits = Exhibits()
     shadow: Shadow = Shadow()
+    torches: Torches = Torches()
+    shafts: Shafts = Shafts()
 
 
 PRESETS: dict[str, dict[str, Value]] = {"best": {}}

@@ -148,7 +148,9 @@ def flat(area: plan.Rectangle, y: float, material: str, sheet: str = "hall",
     )
     x, z = np.meshgrid(x, z)
     points = np.stack([x, np.full_like(x, y), z], axis=-1)
-    return Surface(points, material, np.stack([x, z], axis=-1), 1.0, sheet)
+    # Slabs are laid out from the middle of the nave and of the statue.
+    plain = np.stack([x - plan.STATUE[0], z - plan.STATUE[1]], axis=-1)
+    return Surface(points, material, plain, 1.0, sheet)
 
 
 def around(area: plan.Rectangle, profile: Profile, material: str = "stone") -> list[Surface]:

@@ -44,11 +44,11 @@ class Statue:
         coarse, coarser = (gathered(clustered(unit, cell)) for cell in (COARSE, COARSER))
         lowest = float(mesh.vertices[:, 1].min())
         (x, z), (_, top) = plan.STATUE, plan.PLINTH
-        self._place = x, top - lowest, z
-        self.middle = x, top - lowest, z
+        foot = top - plan.STATUE_SUNK - lowest
+        self._place = self.middle = x, foot, z
         reach = float(np.abs(mesh.vertices[:, [0, 2]]).max())
         # Corners of a box around statue and plinth, whichever way the statue is turned.
-        height = top - lowest + float(mesh.vertices[:, 1].max())
+        height = foot + float(mesh.vertices[:, 1].max())
         self.box = np.array([[x - reach, 0.0, z - reach], [x + reach, height, z + reach]])
         self._environment: Environment | None = None
         self._list = DisplayList(lambda: draw_mesh(mesh))

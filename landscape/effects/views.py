@@ -6,8 +6,8 @@ from landscape.frame import Pose
 from landscape.scene import View
 
 ELEMENTS = (
-    *("room", "floor", "mirror", "door", "statue", "shadow", "sky", "caustics", "pool", "mist"),
-    *("exhibits", "tone", "flight", "sword"),
+    *("room", "floor", "mirror", "door", "statue", "shadow", "sky", "caustics", "pool"),
+    *("exhibits", "torches", "shafts", "mist", "tone", "flight", "sword"),
 )
 HELD = ("sword",)  # only a walker has it: no view shows it
 STANDING = tuple(name for name in ELEMENTS if name not in HELD)
@@ -15,7 +15,7 @@ STANDING = tuple(name for name in ELEMENTS if name not in HELD)
 VIEWS = {
     view.name: replace(view, shown=STANDING)
     for view in (
-        View("hall", "the great hall from its door", Pose(1.6, None, 2.62, 0.0, 4.0), 20.0),
+        View("hall", "the great hall from its door", Pose(1.665, 0.12, 2.72, 353.5, 5.0), 20.0),
         View("hall_sphere", "the gilded statue mirrors the hall",
              Pose(1.80, 0.20, 1.50, 325.0, 4.0), 20.0),
         View("hall_mist", "mist over the floor, and clouds beyond the windows",

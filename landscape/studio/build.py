@@ -24,7 +24,7 @@ from landscape.files.progress import Progress
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
     "caustics", "mosaic", "masonry", "gate", "trees", "deer", "plants", "herbs", "rabbit",
-    "dragon", "sword", "hall_bake",
+    "dragon", "sword", "hall_stone", "hall_bake",
 )  # fmt: skip
 
 PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte
@@ -35,6 +35,8 @@ PALETTES = {
     "ground_sand.png": 256,
     "ground_rock.png": 128,
     "castle_brick.png": 256,
+    **dict.fromkeys(("hall_wall.png", "hall_vault.png", "hall_stone.png"), 128),
+    **dict.fromkeys(("hall_floor.png", "hall_medallion.png"), 200),
     "mosaic.png": 64,
 }
 

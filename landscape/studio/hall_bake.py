@@ -40,6 +40,7 @@ from landscape.studio.hall_light import (
     as_scene,
     direct,
     gather,
+    masonry,
     parts,
     portals,
     statue_stand_in,
@@ -49,13 +50,16 @@ from landscape.studio.hall_light import (
 
 # Chosen: colour and strength of each light, so that 1 shows a texture as it is painted.
 COLOURS = {
-    SUN: SUN_COLOUR, SKY: (2.6, 2.9, 3.4), TORCH: TORCH_COLOUR, TORCHES: TORCH_COLOUR,
+    SUN: SUN_COLOUR, SKY: (2.3, 3.0, 4.3), TORCH: TORCH_COLOUR, TORCHES: (0.017, 0.0076, 0.0025),
 }  # fmt: skip
+# Chosen: fraction of each light's reflections that is kept; less leaves deeper shades.
+BOUNCED = {SUN: 0.16, SKY: 0.8, TORCH: 0.4, TORCHES: 0.4}
 AMBIENT = (0.018, 0.020, 0.026)  # chosen: what no ray finds, so that nothing is black
 SPREAD = {SUN: 0.45, SKY: 1.3, TORCH: 0.7, TORCHES: 0.9}  # chosen: blur of direct light, in texels
 SOFT = 2.2  # chosen: blur of reflected light, in texels
 OPEN = 0.7  # chosen: a texel with fewer rays in the open lies inside a wall
 RAYS = 96, 32, 32  # chosen: of each bounce, at every second texel
+REACH = 0.25  # chosen: beyond it the torch's light falls with the distance, not with its square
 SEED = 2006
 
 
@@ -88,20 +92,25 @@ def baked() -> np.ndarray:
     """Return direct and reflected light, float32 (2, h, w, 4, 3), on the canvas."""
     place, normal, at = texels()
     corners, uv, colour = triangles()
-    plain, _ = as_scene(corners)
+    # What blocks light but has no light map; the ball stands for the statue in what is reflected.
+    outside, ball = masonry(), statue_stand_in()
+    plain, _ = as_scene(np.concatenate([corners, outside]))
     sun = direction(Settings().sun).astype(float)
     flames = np.array([plan.TORCH, *plan.PILLAR_TORCHES]) + (0.0, FLAME[1], 0.0)
     canvas = np.zeros((CANVAS[1], CANVAS[0], len(LIGHTS), 3), np.float32)
     known = np.zeros(canvas.shape[:2], bool)
     column, row = at.T
-    canvas[row, column] = direct(plain, place, normal, sun, portals(), flames, 0, SEED)
+    found = direct(plain, place, normal, sun, portals(), flames, 0, SEED)
+    # The shadow of the statue on the north wall is worth more than the inverse square.
+    far = np.linalg.norm(place - flames[0], axis=1)
+    found[:, TORCH] *= (np.maximum(far, REACH) / REACH)[:, None]
+    canvas[row, column] = found
     known[row, column] = True
 
-    # Where the statue stands, something blocks the reflected light.
-    ball = statue_stand_in()
-    scene, order = as_scene(np.concatenate([corners, ball]))
-    uv = np.concatenate([uv, np.zeros((len(ball), 3, 2))])[order]
-    colour = np.concatenate([colour, np.full((len(ball), 3), -1.0)])[order]
+    more = np.concatenate([outside, ball])
+    scene, order = as_scene(np.concatenate([corners, more]))
+    uv = np.concatenate([uv, np.zeros((len(more), 3, 2))])[order]
+    colour = np.concatenate([colour, np.full((len(more), 3), -1.0)])[order]
     some = (column % 2 == 0) & (row % 2 == 0)
     place, normal = np.ascontiguousarray(place[some]), np.ascontiguousarray(normal[some])
     column, row = column[some], row[some]
@@ -122,14 +131,17 @@ def baked() -> np.ndarray:
     for number, width in SPREAD.items():
         one = canvas[..., number, :]
         canvas[..., number, :] = smoothed(one, known.astype(np.float32), charts, width)
-    return np.stack([filled(canvas, known), total])
+    # Rounded to 11 bits, so that another processor's last bits rarely change a byte.
+    return np.stack([filled(canvas, known), total]).astype(np.float16).astype(np.float32)
 
 
 def hall_light() -> np.ndarray:
     """Return the picture of all sheets and parts, uint8 (PICTURE, PICTURE, 3)."""
     straight, reflected = baked()
-    light = {k: (straight[..., k, :] + reflected[..., k, :]) * c for k, c in COLOURS.items()}
-    both = sum(light.values()) + np.array(AMBIENT)
+    both = np.zeros_like(straight[..., 0, :]) + np.array(AMBIENT)
+    for light, colour in COLOURS.items():
+        arrived = straight[..., light, :] + BOUNCED[light] * reflected[..., light, :]
+        both = both + arrived * np.array(colour)
     picture = np.zeros((PICTURE, PICTURE, 3), np.uint8)
 
     def put(place: tuple[int, int], sheet: str, image: np.ndarray) -> None:

@@ -21,16 +21,17 @@ ORIGINS = {"hall": (0, 0), "floor": (1024, 0), "north": (1536, 0)}  # of the she
 CANVAS = 2048, 1024  # width and height of all sheets side by side
 # Chosen: the materials' mean linear colours, as their textures have them.
 ALBEDO = {
-    "wall": (0.40, 0.355, 0.285), "vault": (0.52, 0.48, 0.41), "stone": (0.44, 0.40, 0.335),
-    "floor": (0.40, 0.37, 0.32), "band": (0.08, 0.085, 0.09), "medallion": (0.25, 0.22, 0.19),
-    "alcove": (0.30, 0.27, 0.22), "plinth": (0.30, 0.27, 0.22), "pool": (0.10, 0.15, 0.15),
-    "wood": (0.13, 0.075, 0.04), "iron": (0.04, 0.04, 0.04),
+    "wall": (0.402, 0.361, 0.289), "vault": (0.478, 0.443, 0.378), "stone": (0.434, 0.397, 0.33),
+    "plinth": (0.27, 0.25, 0.225), "floor": (0.443, 0.402, 0.334), "alcove": (0.35, 0.32, 0.265),
+    "band": (0.084, 0.063, 0.054), "medallion": (0.30, 0.255, 0.197), "pool": (0.10, 0.15, 0.15),
+    "wood": (0.124, 0.068, 0.033), "iron": (0.02, 0.02, 0.02),
 }  # fmt: skip
 LIGHTS = ("sun", "sky", "torch", "torches")
 SUN, SKY, TORCH, TORCHES = range(4)
 SUN_RADIUS = 0.012  # chosen: of its disc, in radians; four times the true one, for softer edges
 FLAME = 0.012, 0.022  # chosen: radius of a flame that shines, and its height above the torch
 SUN_SAMPLES, SKY_SAMPLES, TORCH_SAMPLES = 24, 4, 4  # chosen
+NEAR = 0.03  # chosen: within this distance a flame's light hardly grows
 LIFT = 2e-4  # of a ray's start above its surface, in units
 
 
@@ -76,6 +77,41 @@ def statue_stand_in() -> np.ndarray:
     ball = np.stack([x + 0.10 * np.sin(up) * np.cos(around), top + 0.055 + 0.05 * np.cos(up),
                      z + 0.10 * np.sin(up) * np.sin(around)], axis=-1)  # fmt: skip
     return ball.reshape(-1, 3)[grid_triangles(17, 9)]
+
+
+def masonry() -> np.ndarray:
+    """Return triangles (n, 3, 3) on the outside of walls and vault: what is in them gets no light.
+
+    Each wall is a rectangle with a rectangle left out around each opening.
+    """
+    inside, wall, top = plan.INSIDE, plan.WALL, plan.CROWN + 0.05
+    quads = []
+
+    def upright(axis: int, at: float, edges: list[float], holes: list[tuple[float, float]]) -> None:
+        """Add a wall at ``at``; every second stretch between ``edges`` has a hole (low, high)."""
+        for k, (low, high) in enumerate(zip(edges, edges[1:], strict=False)):
+            spans = (
+                [(0.0, top)] if k % 2 == 0 else [(-0.01, holes[k // 2][0]), (holes[k // 2][1], top)]
+            )
+            for bottom, head in spans:
+                corners = [(low, bottom), (high, bottom), (high, head), (low, head)]
+                quads.append([(at, y, s) if axis == 0 else (s, y, at) for s, y in corners])
+
+    half = plan.WINDOW_HALF
+    windows = [each for middle in plan.ALCOVES for each in (middle - half, middle + half)]
+    lower, upper = inside.north - wall, inside.south + wall
+    upright(0, inside.east + wall, [lower, *windows, upper],
+            [(plan.WINDOW_SILL, plan.WINDOW_TOP)] * len(plan.ALCOVES))  # fmt: skip
+    west, east = inside.west - wall, inside.east + wall
+    height, radius = plan.ROSE
+    for z, wide, hole in ((lower, radius, (height - radius, height + radius)),
+                          (upper, plan.DOOR_HALF, (0.0, plan.DOOR_TOP))):  # fmt: skip
+        upright(2, z, [west, plan.AXIS - wide, plan.AXIS + wide, east], [hole])
+    west -= plan.ALCOVE_DEPTH
+    quads.append([(west, top, lower), (east, top, lower), (east, top, upper), (west, top, upper)])
+    quads.append([(west, 0.0, lower), (west, 0.0, upper), (west, top, upper), (west, top, lower)])
+    found = np.array(quads)
+    return np.concatenate([found[:, [0, 1, 2]], found[:, [0, 2, 3]]])
 
 
 def triangles() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -208,7 +244,7 @@ def direct(scene, place, normal, sun, doors, flames, front, seed):  # type: igno
                 gap = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
                 cosine = (n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / gap
                 if cosine > 0.0 and hit(scene, o, d, 1.0, False)[0] < 0:
-                    arrived += cosine / (gap * gap + FLAME[0] * FLAME[0])
+                    arrived += cosine / (gap * gap + NEAR * NEAR)
             out[i, TORCH if m == front else TORCHES, :] += arrived / count
         light = np.empty(3)
         for m in range(len(doors)):

@@ -62,12 +62,16 @@ SIZES = {
     "blade.png": (64, 64, "RGB"),
     "animal.png": (256, 256, "RGB"),
     **{name: (512, 512, "RGBA") for name in SWORDS},
+    **{f"hall_{name}.png": (512, 512, "RGB") for name in ("wall", "vault", "stone", "medallion")},
+    "hall_floor.png": (1024, 1024, "RGB"),
+    **{f"hall_{name}.png": (256, 256, "RGB") for name in ("band", "wood")},
     "hall_light.png": (2048, 2048, "RGB"),
 }
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998}  # the report's vertex counts
 TILES = (
     "ground_detail.png", "ground_sand.png", "ground_rock.png", "clouds.png", "water.png",
-    "castle_brick.png", "torch_stone.png", "mosaic.png", "animal.png",
+    "castle_brick.png", "torch_stone.png", "mosaic.png", "animal.png", "hall_wall.png",
+    "hall_vault.png", "hall_stone.png", "hall_floor.png", "hall_wood.png",
 )  # fmt: skip
 MID_GREY = ("ground_detail.png", "ground_sand.png", "ground_rock.png")
 SHEETS = {"fire.png": 4}  # sprite sheets: frames per side

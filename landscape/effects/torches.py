@@ -1,0 +1,117 @@
+"""The torches' flames, and the glow around them.
+
+Technique: one texture holds 4 x 4 pictures of a flame (elements/castle_fire.py); a quad at each
+torch turns about y to face the eye and shows one of them, each torch another. Around each lies a
+second quad, parallel to the screen, whose radial gradient is added to the picture: the halo that
+bright things have in air and eye. It swells and shrinks a little, as the flame does. Both are
+blended and write no depth. The light on the stone around is in the light map, which does not move.
+State used: GL_TEXTURE_2D, GL_BLEND, the depth mask.
+What is wrong without it: with ``torches.faces`` off the quads keep to one plane, and a flame
+vanishes when it is seen from the side; with ``torches.glow`` 0 the flames look painted.
+"""
+
+import math
+
+import numpy as np
+
+from landscape.effects import plan
+from landscape.effects.settings import Settings
+from landscape.elements.castle_fire import flame_frame
+from landscape.files.assets import Assets
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib
+from landscape.gl.texture import Texture
+
+PLACES = np.array([plan.TORCH, *plan.PILLAR_TORCHES])
+WIDTH, HEIGHT, SUNK = 0.026, 0.062, 0.008  # chosen: of a flame; it begins within the bowl
+HALO = 0.15  # chosen: radius of the glow, in units
+CENTRE = 0.022  # chosen: height of the glow's middle above the torch
+COLOUR = (1.0, 0.56, 0.22)  # chosen
+FLICKER = 0.12  # chosen: the glow's change, as a fraction
+SIDE = 64  # of the glow's texture
+
+
+def halo_image() -> np.ndarray:
+    """Return the glow, uint8 (SIDE, SIDE, 3): bright in the middle, black at the edge."""
+    axis = (np.arange(SIDE) + 0.5) / SIDE * 2 - 1
+    radius = np.minimum(np.hypot(axis[:, None], axis[None, :]), 1.0)
+    light = 0.35 * (1 - radius) ** 2 + 0.65 * np.maximum(1 - radius / 0.45, 0.0) ** 2
+    return np.asarray(255 * light[..., None] * np.array(COLOUR) + 0.5, np.uint8)
+
+
+def flames(eye: np.ndarray, kt: float, faces: bool = True) -> np.ndarray:
+    """Return the flames' corners, float32 (4 n, 5): s, t, x, y, z, counter-clockwise to the eye.
+
+    Row 0 of a picture is the flame's top.
+    """
+    away = PLACES[:, [0, 2]] - eye[[0, 2]] if faces else np.tile([0.0, -1.0], (len(PLACES), 1))
+    away = away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-6)
+    across = np.stack([-away[:, 1], np.zeros(len(away)), away[:, 0]], axis=1)
+    found = np.empty((len(PLACES), 4, 5), np.float32)
+    for number in range(len(PLACES)):
+        column, row = flame_frame(kt + 10.0 * number)
+        found[number, :, 0] = 0.25 * (column + np.array([0, 1, 1, 0]))
+        found[number, :, 1] = 0.25 * (row + np.array([1, 1, 0, 0]))
+    for k, (aside, up) in enumerate(((-1, 0), (1, 0), (1, 1), (-1, 1))):
+        found[:, k, 2:] = PLACES + aside * WIDTH * across
+        found[:, k, 3] += up * HEIGHT - SUNK
+    return found.reshape(-1, 5)
+
+
+def halos(right: np.ndarray, up: np.ndarray, kt: float, strength: float) -> np.ndarray:
+    """Return the glows' corners, float32 (4 n, 8): s, t, red, green, blue, x, y, z."""
+    found = np.empty((len(PLACES), 4, 8), np.float32)
+    for number in range(len(PLACES)):
+        beat = math.sin(0.61 * kt + 2.1 * number) + math.sin(0.23 * kt + 1.3 * number)
+        found[number, :, 2:5] = strength * (1 + FLICKER * beat / 2)
+    for k, (a, b) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
+        found[:, k, :2] = (a + 1) / 2, (b + 1) / 2
+        found[:, k, 5:] = PLACES + (0.0, CENTRE, 0.0) + HALO * (a * right + b * up)
+    return found.reshape(-1, 8)
+
+
+class Torches:
+    """The flames."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Read the pictures of the flame and make that of the glow."""
+        self._settings = settings
+        self._fire = Texture(read_image(assets.path("fire.png")), repeat=False)
+        self._halo = Texture(halo_image(), repeat=False)
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; nothing is built from them."""
+        self._settings = settings
+        return True
+
+    def draw(self, frame: Frame) -> None:
+        """Blend the flames, then add their glow."""
+        values = self._settings.torches
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
+        with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT):
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glDepthMask(gl.GL_FALSE)
+            gl.glColor3f(1.0, 1.0, 1.0)
+            self._fire.bind()
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            send(gl.GL_T2F_V3F, flames(frame.eye, frame.kt, values.faces))
+            if values.glow > 0.0:
+                self._halo.bind()
+                gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
+                send(gl.GL_T2F_C3F_V3F, halos(frame.right, frame.up, frame.kt, values.glow))
+
+    def release(self) -> None:
+        """Delete the textures; may be called twice."""
+        self._fire.release()
+        self._halo.release()
+
+
+def send(layout: int, corners: np.ndarray) -> None:
+    """Send quads from an interleaved array."""
+    gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
+    gl.glInterleavedArrays(layout, 0, corners)
+    gl.glDrawArrays(gl.GL_QUADS, 0, len(corners))
+    gl.glPopClientAttrib()
