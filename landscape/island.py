@@ -13,6 +13,7 @@ import numpy as np
 
 from landscape.elements import sun
 from landscape.elements.best import meadow, sprites
+from landscape.elements.best.air.bay_mist import BayMist
 from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
@@ -73,6 +74,7 @@ def classes(settings: Settings) -> dict[str, type | None]:
         "dragon": dragon_class(settings),
         "sprites": RefinedSprites if sprites.wanted(settings) else TransparentElements,
         "grass": Meadow if meadow.wanted(settings) else Grass,
+        "mist": BayMist if settings.mist.enabled else None,
         "sword": sword_class(settings),
     }
 
@@ -103,6 +105,7 @@ class Island:
     dragon: Any
     sprites: Any
     grass: Any
+    mist: Any
     sword: Any
     map: Any
 
@@ -164,6 +167,7 @@ class Island:
             Part("dragon", ("dragon",), kind["dragon"], own),
             Part("sprites", self._kinds, kind["sprites"], (*place, set(self._kinds))),
             Part("grass", ("grass",), kind["grass"], place),
+            Part("mist", ("mist",), kind["mist"], (*own, field)),
             Part("sword", ("sword",), kind["sword"], own),
             Part("map", ("map",), Map, (*own, field)),
         ]
@@ -272,10 +276,10 @@ class Island:
             if query:
                 with drawing("water"):
                     query.ask(frame)
-            # OpenGL executes the calls so far while Python sorts, selects blades and computes
-            # waves.
+            # OpenGL executes the calls so far while Python sorts, selects blades, computes waves.
             gl.glFlush()
-            self._sort(sort)
+            if self._sprites_shown:
+                sort()
             draw("grass", self.grass, frame)
             # The sky comes last of the opaque elements: it is not drawn where they cover it.
             draw("sky", self.sky, frame)
@@ -286,13 +290,14 @@ class Island:
             if water and not early:
                 self._draw_reflection(frame, sort)
 
-            # Blended elements: the castle with its flames, the water over the mirrored scene, and
-            # the sprites from far to near.
+            # Blended elements: the castle with its flames, the water over the mirrored scene, the
+            # mist on it, and the sprites from far to near.
             draw("castle", self.castle, frame)
             if water:
                 draw("water", self.ring, frame)
                 draw("water", self.water, frame)
                 draw("water", self.foam, frame)
+            draw("mist", self.mist, frame)
             self._draw_sprites(frame, sort)
 
         # The overlay covers everything.
@@ -340,11 +345,6 @@ class Island:
     @property
     def _sprites_shown(self) -> bool:
         return self.sprites is not None and not self.shown.isdisjoint(SPRITES)
-
-    def _sort(self, sort: Callable[[], Any]) -> None:
-        """Sort the sprites now, while OpenGL executes the calls sent before."""
-        if self._sprites_shown:
-            sort()
 
     def _draw_sprites(self, frame: Frame, sort: Callable[[], Any]) -> None:
         if self._sprites_shown:

@@ -957,6 +957,19 @@ class Fog:
     )
 
 
+@dataclass(frozen=True)
+class Mist:
+    """Morning mist over the bay, in transparent sheets; in neither preset."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("mist", "mist.enabled")
+
+    enabled: bool = setting(False, "glskel effects", "mist lies over the bay")
+    sheets: int = setting(9, "chosen", "how many sheets it is made of", 1, 30, unit="sheets")
+    density: float = setting(
+        0.55, "chosen", "opacity of a sheet where it is densest", 0, 1, unit="of 1"
+    )
+
+
 # Times of day: what differs from a preset, which shows noon. All values are chosen.
 TIMES: dict[str, dict[str, Value]] = {
     "noon": {},
@@ -1011,6 +1024,7 @@ class Settings:
     dragon: Dragon = Dragon()
     overlay: Overlay = Overlay()
     fog: Fog = Fog()
+    mist: Mist = Mist()
 
 
 BEST: dict[str, Value] = {

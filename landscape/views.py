@@ -11,7 +11,7 @@ from landscape.scene import View
 
 ALL = (
     "ground", "water", "sky", "trees", "deer", "plants", "grass", "castle", "rabbit", "dragon",
-    "sword", "map", "fog", "reflection",
+    "sword", "map", "fog", "reflection", "mist",
 )  # fmt: skip
 OUTDOORS = tuple(e for e in ALL if e not in ("sword", "map"))
 MAIN = tuple(f"fig35{panel}" for panel in "abcdefghi")  # figure 35: the report's own choice
@@ -187,5 +187,8 @@ VIEWS = _table(
              40, shown=OUTDOORS, settings={"time": "sunset"}),
         View("dusk_gate", "torches at the castle's gate, after its last sun",
              walking(27.75, 18.85, 336.0, 14.0), 24, shown=OUTDOORS, settings={"time": "sunset"}),
+        View("mist_bay", "mist over the bay, the serpent's head above it",
+             Pose(9.0, 1.12, 32.6, 24.0, 0.0), 40, shown=OUTDOORS,
+             settings={"mist.enabled": True}),
     )
 }  # fmt: skip

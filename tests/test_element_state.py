@@ -17,6 +17,7 @@ from stage import SIZE, SMALL, Stage, live_names, write_plain, write_ply
 from landscape.elements import sun
 from landscape.elements.atlas import CELLS
 from landscape.elements.best import meadow, sprites
+from landscape.elements.best.air.bay_mist import BayMist
 from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
@@ -35,6 +36,7 @@ from landscape.elements.water_surface import WaterSurface
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import gl, recording
 from landscape.gl.state import attrib, client_arrays, flat_projection, front_faces, matrix
 from landscape.island import Island
@@ -48,6 +50,9 @@ PLACED = {
     **{"dragon.x": 20.0, "dragon.z": 19.0, "ground.height_image": "height.png"},
 }
 MANY = {"grass.count": 200_000, "trees.count": 900, "plants.count": 1500}  # some are in view
+
+# Mist lies over water: here it is all around, and below the eye.
+LAKE = HeightField(np.zeros((4, 4), np.float32), 40.0, 3.0)
 
 Build = Callable[[Settings, Assets, Ground], Any]
 ELEMENTS: dict[str, Build] = {
@@ -70,6 +75,7 @@ ELEMENTS: dict[str, Build] = {
         settings, assets, ground.field
     ),
     "dragon": lambda settings, assets, ground: dragon_class(settings)(settings, assets),
+    "mist": lambda settings, assets, ground: BayMist(settings, assets, LAKE),
     "sword": lambda settings, assets, ground: sword_class(settings)(settings, assets),
     "map": lambda settings, assets, ground: Map(settings, assets, ground.field),
 }

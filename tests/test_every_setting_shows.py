@@ -82,6 +82,7 @@ GROUPS = {
     "dragon": Shot(SEA, ("dragon",)),
     "overlay": Shot(SEA, ("sword", "map"), stroke=2),
     "fog": Shot(BAY, ("ground", "fog")),
+    "mist": Shot(BAY, ("ground", "mist"), {"mist.enabled": True}),
 }
 MATERIALS: dict[str, Any] = {"ground.materials": True, "ground.detail_repeat": 40.0}
 STONY = of_fix("best4")

@@ -8,8 +8,9 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects.mist import far_to_near, heights, sheet
+from landscape.effects.mist import heights, sheet
 from landscape.effects.moving_sky import dome
+from landscape.elements.best.air.mist_sheets import far_to_near
 from landscape.frame import Pose
 from landscape.gl import extensions
 

@@ -123,7 +123,7 @@ def test_the_arrows_go_from_row_to_row_and_from_group_to_group() -> None:
     assert after("up")[0] == after("last")[0] == list(ROWS)[-1]
     assert after("up", "down")[0] == after("last", "first")[0] == "time"
     assert after("next_group", "next_group")[0] == "clock.kt_per_second"
-    assert after("previous_group")[0] == "fog.enabled"
+    assert after("previous_group")[0] == "mist.enabled"
     assert after("down", "down", "previous_group")[0] == "time"
 
 

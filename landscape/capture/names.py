@@ -21,6 +21,7 @@ NAMES: Texts = {
     "element.map": "map",
     "element.fog": "fog",
     "element.reflection": "reflection",
+    "element.mist": "mist",
     "element.frame": "frame",
 }
 

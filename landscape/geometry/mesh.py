@@ -10,8 +10,8 @@ import numpy as np
 class Mesh:
     """Vertices (n, 3) and normals (n, 3) float32, triangles (m, 3) uint32.
 
-    ``coordinates`` holds float32 (n, 2) for each texture unit; ``colors``, uint8 (n, 4), may be
-    None.
+    ``coordinates`` holds float32 (n, 2) for each texture unit; ``colors``, uint8 or float32 (n, 4),
+    may be None.
     """
 
     vertices: np.ndarray

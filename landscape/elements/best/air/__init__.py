@@ -1,0 +1,1 @@
+"""What the preset `best` can add to the air: mist over the bay."""
