@@ -42,6 +42,7 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("billboard", "sorting", "crossed_quads", "grass", "light_map", "sprite_sheet"),
         *("ply_mesh", "overlay", "second_viewport", "fog"),
     ),
+    "effects": ("stencil_mirror", "planar_shadow", "caustics", "brightness_contrast", "mist"),
 }
 TOPICS: Texts = {
     "window": "Window and events",
@@ -51,6 +52,7 @@ TOPICS: Texts = {
     "arrays": "Arrays and lists",
     "textures": "Textures",
     "landscape": "The landscape",
+    "effects": "Effects",
 }
 NAMES = tuple(name for names in LADDER.values() for name in names)
 
