@@ -132,6 +132,103 @@ BEST_FIXES: tuple[Fix, ...] = (
         },
     ),
     Fix(
+        "best6",
+        "Fog by distance",
+        Pose(19.6, 2.2, 23.2, 5.0, 2.0),
+        0.0,
+        {"fog.radial": False},
+        {"fog.radial": True},
+        "In fig34a fog is measured by the depth. In a wide view what stands at the side is hardly "
+        "fogged, and as one turns, the fog on it comes and goes.",
+        "The view is 110 degrees wide. Compare the castle at the right and the mountain at the "
+        "left: before, they stand out as if they were near; after, they are as hazy as what is as "
+        "far away in the middle.",
+        "GL_NV_fog_distance: glFogi(GL_FOG_DISTANCE_MODE_NV, GL_EYE_RADIAL_NV) instead of "
+        "GL_EYE_PLANE.",
+        (
+            "a wide view of meadows, a castle at its right side in clear, dark stone",
+            "the same view, the castle pale in the haze",
+        ),
+        common={
+            "camera.fov": 94.0,
+            "fog.density": 0.11,
+            "fog.color": (0.66, 0.76, 0.84),
+            "sky.background": True,
+            "sky.unfogged": True,
+            "sky.follow_y": True,
+            "transparent.radius": 26.0,
+        },
+        only=("ground", "trees", "castle", "sky", "fog"),
+    ),
+    Fix(
+        "best7",
+        "Wet scales",
+        Pose(11.9, 0.85, 31.0, 341.0, 2.0),
+        20.0,
+        {"dragon.sheen": 0.0},
+        {"dragon.sheen": 0.8},
+        "In fig29d the serpent comes out of the sea as dry as stone.",
+        "Look at the edges of neck and coils, and at the humps of the scales: after, they mirror "
+        "the sky, or the sea below.",
+        "Two cube maps on texture units of their own. GL_REFLECTION_MAP generates coordinates in a "
+        "map of the sky and the sea, which the texture matrix turns to the world's axes; "
+        "GL_NORMAL_MAP looks up how much is mirrored, most at grazing angles. GL_INTERPOLATE "
+        "mixes them.",
+        (
+            "the serpent's head and coils in matt colours",
+            "the same serpent, its scales and edges shining wet",
+        ),
+        common={
+            **SEA_OF_BEST,
+            **{"camera.fov": 24.0, "sun.fill": 0.45, "sky.background": True},
+            **{"dragon.mapping": "axis", "dragon.painted": True, "dragon.gloss": 0.5},
+            **{"sky.follow_y": True, "sky.unfogged": True, "water.horizon": 400.0},
+        },
+        only=("ground", "water", "sky", "trees", "dragon", "reflection", "fog"),
+    ),
+    Fix(
+        "best8",
+        "Light on the blade",
+        Pose(13.2, 0.9, 27.0, 308.0, 0.0),
+        15.0,
+        {"overlay.sheen": 0.0},
+        {"overlay.sheen": 0.5},
+        "In fig35i the sword is the same picture wherever its bearer looks.",
+        "The sun is behind the viewer. After, its light lies on the blade; in the walk it runs "
+        "along the steel as one turns.",
+        "A strip of quads over the blade is blended by addition. It is flat, but its normals are "
+        "bent; GL_REFLECTION_MAP looks up the sky and the sun in a cube map. A texture of where "
+        "the picture shows steel masks it.",
+        ("a dull sword over a beach", "the same sword, its blade bright"),
+        common={
+            **SEA_OF_BEST,
+            **{"sky.background": True, "sky.unfogged": True, "water.horizon": 400.0},
+        },
+        only=("ground", "water", "sky", "sword", "reflection", "fog"),
+    ),
+    Fix(
+        "best9",
+        "Light on the sea bed",
+        Pose(13.6, 1.0, 28.0, 160.0, -24.0),
+        20.0,
+        {"water.caustics": False},
+        {"water.caustics": True},
+        "In fig9a and best1 the bed of the sea is evenly lit, whatever the waves do.",
+        "After, a net of bright lines lies on the sand under shallow water; in the walk it moves.",
+        "Three more texture units on the triangles under shallow water: two frames of a film of "
+        "caustics, mixed by GL_INTERPOLATE, and a texture that fades them with the depth.",
+        (
+            "plain sand under clear shallow water",
+            "the same sand with a bright net of light on it",
+        ),
+        common={
+            **SEA_OF_BEST,
+            **{"water.shallow": True, "ground.materials": True, "ground.mid_repeat": 13.0},
+            **{"ground.tiles": 8, "water.repeat": 7.0, "ground.height_image": "height16.png"},
+        },
+        only=("ground", "water", "sky", "reflection", "fog"),
+    ),
+    Fix(
         "stencil",
         "A reflection that ends with the water",
         Pose(20.0, 1.7, 35.5, 170.0, -14.0),
