@@ -7,7 +7,8 @@ generates from the reflection vector r of the line of sight at each vertex:
   is in eye space; the texture matrix, the camera's rotation backwards, turns it into the hall's.
 - sphere: GL_SPHERE_MAP (OpenGL 1.0) looks r up in the picture of a small mirror ball. That picture
   belongs to one line of sight: here it is made again in every frame, as a disc drawn with the
-  directions that a ball mirrors, from the cube map.
+  directions that a ball mirrors, from the cube map. One a frame is enough: in the floor's mirror
+  image, where the line of sight is another, the statue takes the cube map.
 What is wrong with a sphere map: without ``statue.fresh`` there is one picture, as in 1997, that for
 a view to the north, and what the statue mirrors turns with whoever walks around it. All that is
 behind the ball lies on the picture's rim, in few texels; and both maps show the hall from one
@@ -35,7 +36,7 @@ NEEDS = (
     Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
     Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
 )
-FACE, BALL = 128, 256  # chosen: sides of a face of the cube map and of the sphere map, in texels
+FACE, BALL = 128, 128  # chosen: sides of a face of the cube map and of the sphere map, in texels
 NEAR, FAR = 0.02, 40.0  # chosen: units
 RINGS, SIDES = 24, 48  # chosen: of the disc that the sphere map is drawn with
 
@@ -149,12 +150,9 @@ class Environment:
         self._settings = settings
 
     def prepare(self, frame: Frame) -> None:
-        """Make the sphere map of a frame's line of sight, if it is wanted and not there yet.
-
-        What is mirrored in the floor is seen along a mirrored line of sight.
-        """
+        """Make the sphere map of a frame's line of sight, if it is wanted and not there yet."""
         statue = self._settings.statue
-        if statue.environment != "sphere":
+        if statue.environment != "sphere" or frame.mirrored:
             return
         turn = frame.to_world if statue.fresh else NORTHWARDS
         if np.array_equal(turn, self._drawn_for):
@@ -189,7 +187,7 @@ class Environment:
 
         The frame must be prepared.
         """
-        cube = self._settings.statue.environment == "cube"
+        cube = self._settings.statue.environment == "cube" or frame.mirrored
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             kind = gl.GL_TEXTURE_CUBE_MAP if cube else gl.GL_TEXTURE_2D
             (self.cube if cube else self._ball).bind()

@@ -32,6 +32,7 @@ from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import Moment, Scene, View, begin_frame
 
 NOTHING = -10.0  # units, chosen: so that a view may look at the hall from below
+FAR_FROM_WALL = 1.5  # chosen: z from which the floor mirrors too little of the north wall
 TALL = 10.0  # units: these obstacles cannot be flown over
 OVER_POOL = 0.15  # units, chosen: height from which one flies over the pool; higher than the eye
 
@@ -201,7 +202,9 @@ class Hall(Ground):
             self.room.draw_floor(*without)
 
     def _shade_wall(self, frame: Frame) -> None:
-        """Draw the statue's shadows on the north wall."""
+        """Draw the statue's shadows on the north wall; in the floor's image only from nearby."""
+        if frame.mirrored and frame.pose.z > FAR_FROM_WALL:
+            return
         shadow = self._shading("room")
         if shadow and shadow.relights:
             for without in shadow.parts(frame, on_north(self.room.send_north)):

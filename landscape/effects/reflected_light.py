@@ -19,7 +19,7 @@ STEP = 0.06  # chosen: units between vertices of what is lit
 SPREAD = 3.0  # chosen: exponent of the cosine around the mirrored sun
 ALL_AROUND = 0.16  # chosen: light in all directions, beside the mirrored sun's
 GREATEST = 0.8  # chosen: the most light
-LEAST = 0.03  # chosen: subtracted from the light, so that it ends without an edge
+LEAST = 0.055  # chosen: subtracted from the light, so that it ends without an edge
 GLOW = (1.0, 0.93, 0.74)  # chosen: RGB
 
 

@@ -1,18 +1,22 @@
 """The room: everything of stone, wood and iron that stands still, lit by light that was baked.
 
-Technique: surfaces as grids of triangles (architecture.py), one display list for each material and
-light map. Texture unit 0 holds the material, unit 1 the light map, a texture that is not repeated:
-GL_COMBINE multiplies the two, and GL_RGB_SCALE doubles the product, so that light can also brighten
-(OpenGL 1.3). No light of OpenGL is on.
+Technique: surfaces as grids of triangles (architecture.py), one display list for each bay. Bays
+that are not in view are left out, and the nearest is drawn first: what it hides of the others fails
+the depth test before it is textured. Texture unit 0 holds the material, unit 1 the light map, which
+is not repeated: GL_COMBINE multiplies the two, and GL_RGB_SCALE doubles the product, so that light
+can also brighten (OpenGL 1.3). No light of OpenGL is on.
 Floor and north wall have light maps of their own, from which the direct light of the sun or of the
 torch in front of the statue can be left out: see light.py, and ``without`` of :meth:`draw_floor`.
 State used: texture units 0 and 1, GL_CULL_FACE.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
 
+from landscape.effects import plan
 from landscape.effects.architecture import hall
 from landscape.effects.kept_meshes import kept_meshes
 from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
@@ -23,6 +27,7 @@ from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
@@ -34,7 +39,9 @@ FLOOR = "floor", "band", "medallion"
 BASIN = ("pool",)
 APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "torch"): (0.0, 0.0)}
 
-Key = tuple[str, str]  # sheet and material
+BAYS = len(plan.BAYS) - 1
+BARE = (*FLOOR, *BASIN, "plinth")  # drawn on their own; the rest is drawn by bays
+Key = tuple[str, str, str]  # sheet, material, and the number of the bay, "" for those drawn apart
 
 
 def joined(parts: Sequence[Mesh]) -> Mesh:
@@ -50,15 +57,48 @@ def joined(parts: Sequence[Mesh]) -> Mesh:
     )
 
 
+def bay_of(points: np.ndarray) -> int:
+    """Return the number of the bay in which the middle of points (..., 3) lies."""
+    return int(np.clip(np.searchsorted(plan.BAYS, points[..., 2].mean()) - 1, 0, BAYS - 1))
+
+
 def meshes() -> dict[Key, Mesh]:
-    """Return all triangles of the hall by sheet and material, with coordinates for both units."""
+    """Return all triangles of the hall by sheet, material and bay, with coordinates for both units.
+
+    Only the sheet "hall" is divided into bays.
+    """
     found: dict[Key, list[Mesh]] = {}
     for each in placed(hall()):
         surface = each.surface
         light = each.light / SIZES[surface.sheet]
         part = mesh(surface, MATERIALS[surface.material].repeats, light)
-        found.setdefault((surface.sheet, surface.material), []).append(part)
+        apart = surface.sheet != "hall" or surface.material in BARE
+        bay = "" if apart else str(bay_of(surface.points))
+        found.setdefault((surface.sheet, surface.material, bay), []).append(part)
     return {key: joined(parts) for key, parts in found.items()}
+
+
+class Bay:
+    """All stone, wood and iron of a bay in one display list, and the box around it."""
+
+    def __init__(self, parts: Sequence[tuple[Texture, tuple[float, float, float], Mesh]]) -> None:
+        """Compile meshes, each with its texture and its tint."""
+        points = np.concatenate([part.vertices for _, _, part in parts]).astype(np.float64)
+        low, high = points.min(axis=0), points.max(axis=0)
+        self._box = np.stack([(low + high) / 2, (high - low) / 2])
+
+        def send() -> None:
+            for texture, tint, part in parts:
+                texture.bind()
+                gl.glColor3f(*tint)
+                draw_mesh(part)
+
+        self.list = DisplayList(send)
+
+    def box(self, mirrored: bool) -> np.ndarray:
+        """Return the middle and the half sides of its box (2, 3), mirrored in the floor or not."""
+        middle, half = self._box
+        return np.stack([middle * (1.0, -1.0, 1.0) if mirrored else middle, half])
 
 
 class Room:
@@ -67,7 +107,7 @@ class Room:
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the textures and compile a display list for each material and sheet."""
         self._textures = {
-            name: Texture(read_image(assets.path(name), "RGB"))
+            name: Texture(read_image(assets.path(name), "RGB"), trilinear=False)
             for name in sorted({each.texture for each in MATERIALS.values()})
         }
         wanted = [
@@ -86,10 +126,21 @@ class Room:
             key: Texture(image, repeat=False, mipmaps=False)
             for key, image in zip(wanted, images, strict=True)
         }
+        parts = kept_meshes(["the hall's stone"], meshes)
         self._lists = {
-            key: DisplayList(lambda part=part: draw_mesh(part))  # type: ignore[misc]
-            for key, part in kept_meshes(["the hall's stone"], meshes).items()
+            (sheet, material): DisplayList(lambda part=part: draw_mesh(part))  # type: ignore[misc]
+            for (sheet, material, bay), part in parts.items()
+            if not bay
         }
+        self._bays = [Bay(self._in_bay(parts, str(number))) for number in range(BAYS)]
+
+    def _in_bay(self, parts: Mapping[Key, Mesh], number: str) -> list[tuple[Texture, Any, Mesh]]:
+        """Return the texture, the tint and the mesh of each material in a bay."""
+        return [
+            (self.texture(material), MATERIALS[material].tint, part)
+            for (_, material, bay), part in parts.items()
+            if bay == number
+        ]
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing depends on them."""
@@ -97,8 +148,17 @@ class Room:
 
     def draw(self, frame: Frame) -> None:
         """Draw all but the floor and the pool's basin."""
+        boxes = np.stack([bay.box(frame.mirrored) for bay in self._bays])
+        seen = boxes_in_view(frame, boxes[:, 0], boxes[:, 1])
+        order = np.argsort(np.abs(boxes[:, 0, 2] - frame.pose.z), kind="stable")
         with attrib(gl.GL_CURRENT_BIT):
-            self._draw(name for name in MATERIALS if name not in (*FLOOR, *BASIN))
+            with self._textured():
+                self._light["hall", ()].bind()
+                gl.glActiveTexture(gl.GL_TEXTURE0)
+                for number in order[seen[order]].tolist():
+                    self._bays[number].list.call()
+            self._draw(("plinth",))
+            self._draw(("wall",), (), ("north",))
 
     def draw_floor(self, *without: str) -> None:
         """Draw the floor, in the current colour; ``without`` the light of "sun", "torch" or both.
@@ -147,23 +207,29 @@ class Room:
                 if (sheet, name) in self._lists:
                     self._lists[sheet, name].call()
 
+    @contextmanager
+    def _textured(self) -> Iterator[None]:
+        """Let unit 1, which is active then, multiply what unit 0 samples by a light map."""
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT), front_faces():
+            gl.glDisable(gl.GL_LIGHTING)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glActiveTexture(gl.GL_TEXTURE1)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, SCALE)
+            yield
+
     def _draw(
         self,
         materials: Iterable[str],
         without: tuple[str, ...] = (),
         sheets: Sequence[str] = tuple(SIZES),
     ) -> None:
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT), front_faces():
-            gl.glDisable(gl.GL_LIGHTING)
-            gl.glActiveTexture(gl.GL_TEXTURE1)
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, SCALE)
-            gl.glActiveTexture(gl.GL_TEXTURE0)
-            gl.glEnable(gl.GL_TEXTURE_2D)
+        with self._textured():
             for name in materials:
-                self._textures[MATERIALS[name].texture].bind()
+                gl.glActiveTexture(gl.GL_TEXTURE0)
+                self.texture(name).bind()
                 if name not in FLOOR:
                     gl.glColor3f(*MATERIALS[name].tint)
                 for sheet in sheets:
@@ -176,7 +242,7 @@ class Room:
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for compiled in self._lists.values():
+        for compiled in (*self._lists.values(), *(bay.list for bay in self._bays)):
             compiled.release()
         for texture in (*self._textures.values(), *self._light.values()):
             texture.release()

@@ -35,7 +35,8 @@ def enable(fog: Fog) -> None:
     gl.glFogfv(gl.GL_FOG_COLOR, np.array([*fog.color, 1.0], np.float32))
     gl.glFogf(gl.GL_FOG_DENSITY, fog.density)
     if has(CHOICE_OF_DISTANCE):
-        gl.glFogi(FOG_DISTANCE_MODE, EYE_RADIAL if fog.radial else EYE_PLANE)
+        # As a float: in a display list Mesa's glFogi loses a value that it does not expect.
+        gl.glFogf(FOG_DISTANCE_MODE, float(EYE_RADIAL if fog.radial else EYE_PLANE))
     elif fog.radial:
         tell_off("fog.radial", CHOICE_OF_DISTANCE)
     if fog.mode == "linear":
