@@ -42,7 +42,10 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("billboard", "sorting", "crossed_quads", "grass", "light_map", "sprite_sheet"),
         *("ply_mesh", "overlay", "second_viewport", "fog"),
     ),
-    "effects": ("stencil_mirror", "planar_shadow", "caustics", "brightness_contrast", "mist"),
+    "effects": (
+        *("stencil_mirror", "planar_shadow", "caustics", "brightness_contrast", "mist", "slerp"),
+        *("sphere_map", "shadow_volume", "accumulation"),
+    ),
 }
 TOPICS: Texts = {
     "window": "Window and events",
