@@ -7,7 +7,8 @@ import pytest
 from stage import SIZE, Stage
 
 from landscape.effects.hall import SCENE, Hall
-from landscape.effects.safeguards import SAFEGUARDS, Safeguard
+from landscape.effects.safeguard import Safeguard
+from landscape.effects.safeguards import SAFEGUARDS
 from landscape.files.assets import Assets
 from landscape.keys import fields, get, with_settings
 from landscape.scene import Moment, find_view, placed

@@ -38,9 +38,9 @@ VIEWS = {
         View("hall_exhibit_blur", "sails that turn while the shutter is open",
              Pose(1.12, 0.15, 1.78, 276.0, -4.0), 20.0),
         View("hall_exhibit_focus", "three rabbits, of which a lens shows one sharp",
-             Pose(1.08, 0.14, 1.40, 270.0, -9.0), 20.0),
+             Pose(1.10, 0.14, 1.40, 270.0, -8.0), 20.0),
         View("hall_exhibit_lines", "the dragon engraved, without hidden lines",
-             Pose(1.07, 0.14, 1.0, 270.0, -3.0), 20.0),
+             Pose(1.09, 0.15, 1.0, 270.0, -7.0), 20.0),
         View("hall_exhibit_solids", "a sphere from which a beam is cut, by the stencil buffer",
              Pose(1.09, 0.16, 0.60, 270.0, -14.0), 20.0),
     )

@@ -53,6 +53,9 @@ class TextureTarget:
         gl.glFramebufferTexture2D(
             gl.GL_FRAMEBUFFER, gl.GL_COLOR_ATTACHMENT0, gl.GL_TEXTURE_2D, self.name, 0
         )
+        # Whether this OpenGL can draw into it: not every one can into floating-point textures.
+        status = gl.glCheckFramebufferStatus(gl.GL_FRAMEBUFFER)
+        self.complete = bool(status == gl.GL_FRAMEBUFFER_COMPLETE)
         gl.glBindRenderbuffer(gl.GL_RENDERBUFFER, 0)
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
 

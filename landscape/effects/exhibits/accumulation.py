@@ -19,7 +19,7 @@ import numpy as np
 from landscape.effects.exhibits.picture import Part, part_of, projection
 from landscape.frame import Frame
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need, first_missing
+from landscape.gl.extensions import Need, first_missing, tell_off
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture_target import TextureTarget
 
@@ -65,8 +65,15 @@ class Accumulation:
 
     @staticmethod
     def _made(deep: bool) -> TextureTarget:
-        floating = deep and first_missing([DEEP]) is None
-        return TextureTarget((SIDE, SIDE), "RGBA32F" if floating else "RGBA8")
+        """Return the mean's texture: of floating-point numbers, where this OpenGL can draw them."""
+        if deep and first_missing([DEEP]) is None:
+            found = TextureTarget((SIDE, SIDE), "RGBA32F")
+            if found.complete:
+                return found
+            found.release()
+        if deep:
+            tell_off("exhibits.deep", DEEP)
+        return TextureTarget((SIDE, SIDE), "RGBA8")
 
     def set_deep(self, deep: bool) -> None:
         """Keep sums in floating point or in 8 bits."""

@@ -25,7 +25,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, matrix
 
 FACTOR, STEPS = 1.0, 2.0  # chosen: see glPolygonOffset
-SIZE, CELL = 0.075, 0.07  # chosen: half the dragon's length; side of the merged cubes, of 2
+SIZE, CELL = 0.070, 0.07  # chosen: half the dragon's length; side of the merged cubes, of 2
 YAW, TURN = 100.0, 0.25  # chosen: degrees, and degrees in a kt
 PAPER, INK, FRAME = (0.86, 0.79, 0.64), (0.20, 0.12, 0.07), (0.24, 0.15, 0.09)  # chosen
 # Chosen: x, half the width, lower and upper edge, and border of the sheet of paper behind it.

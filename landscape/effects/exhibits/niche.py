@@ -13,6 +13,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from landscape.effects import plan
+from landscape.effects.materials import MATERIALS
 from landscape.effects.shapes import halves, pointed
 from landscape.files.assets import Assets
 from landscape.files.fonts import font, writable
@@ -32,11 +33,11 @@ HALF = 0.05  # chosen: half the side of a pedestal's top slab
 PEDESTALS = ((HALF, 0.0, 0.012), (HALF - 0.01, 0.012, TOP - 0.014), (HALF, TOP - 0.014, TOP))
 LAMP = (0.985, 0.255)  # chosen: x and height of the lamp that hides above an alcove's opening
 WARM = (1.0, 0.80, 0.52)  # chosen: RGB of its light on a model
-BRIGHT = 2.7  # chosen: how many times as bright the stone is lit, whose textures are dark
+BRIGHT = 1.75  # chosen: how many times as bright the stone is lit, whose textures are dark
 AMBIENT = (0.20, 0.19, 0.20)  # chosen: RGB of the light from the hall
 REACH = 0.16  # chosen: units from the lamp at which its light has fallen to a half
-LINING, PEDESTAL = "castle_brick.png", "ground_rock.png"  # textures
-BRICKS, ROCKS = 7.0, 5.0  # chosen: textures per unit
+LINING, BRICKS, _ = MATERIALS["wall"]
+PEDESTAL, ROCKS = "ground_rock.png", 5.0  # chosen: texture, and how often per unit
 SCALE = 2.0  # GL_RGB_SCALE: what the colours of the stone's vertices are multiplied by
 BRASS = (0.86, 0.84, 0.80)  # chosen: RGB of the light on the plates
 TORCH = (0.975, 0.185, 0.078)  # chosen: x, y, and z from the middle, of the torch of the volume

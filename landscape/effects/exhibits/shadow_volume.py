@@ -17,6 +17,7 @@ and depth masks, culling, GL_LIGHT2, blending.
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 
@@ -37,7 +38,7 @@ from landscape.elements.castle_fire import flame_frame
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
-from landscape.geometry.mesh import Mesh, vertex_normals
+from landscape.geometry.mesh import Mesh, revolve, vertex_normals
 from landscape.geometry.silhouette import shadow_volume
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
@@ -56,6 +57,9 @@ BIAS = 4.0  # chosen: steps of depth that the volume lies behind the surfaces it
 TIMES = 9.0  # chosen: how far the volume reaches, in distances from the torch
 FLICKER = 0.0022  # chosen: units that the flame's light moves
 FLAME = (0.022, 0.062)  # chosen: half the width of the flame, and its height
+LOW = 0.4  # chosen: how far the flame begins below its light, in its heights
+IRON = (0.34, 0.29, 0.26)  # chosen
+BOWL = ((0.003, -0.020), (0.0055, -0.013), (0.009, -0.003), (0.0085, 0.0))  # radius, height
 VEIL = (1.0, 0.75, 0.25, 0.16)  # chosen: RGBA of the volume where it is shown
 
 Volume = tuple[np.ndarray, np.ndarray]  # vertices (n, 3), triangles (m, 3)
@@ -102,6 +106,7 @@ class ShadowVolume:
         self.knot = knot = trefoil()
         self.pedestal = pedestal_boxes(plan.ALCOVES[VOLUME])
         self._list = DisplayList(lambda: draw_mesh(knot))
+        self._holder = DisplayList(send_holder)
         self._wrap = has(WRAP)
 
     def apply(self, settings: Settings) -> bool:
@@ -111,8 +116,10 @@ class ShadowVolume:
 
     def draw_plain(self, frame: Frame) -> None:
         """Draw the knot without its shadow; the alcove is drawn already."""
-        with lit_by(torch(frame.kt)):
+        light = torch(frame.kt)
+        with lit_by(light):
             self._send_knot(frame.kt)
+        self._draw_torch(frame, light)
 
     def draw(self, frame: Frame) -> None:
         """Draw alcove, knot, shadow and torch."""
@@ -133,7 +140,7 @@ class ShadowVolume:
             self._add_light(frame.kt)
             # The floor's mirror, too, finds the stencil buffer empty.
             gl.glClear(gl.GL_STENCIL_BUFFER_BIT)
-        self._draw_flame(frame, light)
+        self._draw_torch(frame, light)
         if self._settings.exhibits.volume_shown:
             self._show_volume(frame.kt)
 
@@ -214,8 +221,11 @@ class ShadowVolume:
             with lit_by(torch(kt), (0.0, 0.0, 0.0)):
                 self._send_knot(kt)
 
-    def _draw_flame(self, frame: Frame, light: tuple[float, float, float]) -> None:
-        """Draw the torch's flame, turned to the viewer."""
+    def _draw_torch(self, frame: Frame, light: tuple[float, float, float]) -> None:
+        """Draw the torch's bowl, and its flame, turned to the viewer."""
+        with lit_by(light):
+            gl.glColor3f(*IRON)
+            self._holder.call()
         half, height = FLAME
         x, y, z = light
         right = frame.right[[0, 2]] / max(float(np.hypot(*frame.right[[0, 2]])), 1e-6) * half
@@ -231,7 +241,7 @@ class ShadowVolume:
             for s, t in ((0, 1), (1, 1), (1, 0), (0, 0)):
                 gl.glTexCoord2f(0.25 * (column + s), 0.25 * (row + t))
                 side = 2 * s - 1
-                low = y - 0.4 * height
+                low = y - LOW * height
                 gl.glVertex3f(x + side * right[0], low + (1 - t) * height, z + side * right[1])
             gl.glEnd()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
@@ -250,7 +260,18 @@ class ShadowVolume:
     def release(self) -> None:
         """Delete list and texture; may be called twice."""
         self._list.release()
+        self._holder.release()
         self._fire.release()
+
+
+def send_holder() -> None:
+    """Send the torch's bowl and the bar that holds it."""
+    x, y, z = niche.lamp(VOLUME)
+    y -= LOW * FLAME[1]
+    wall = plan.ALCOVES[VOLUME] + plan.ALCOVE_HALF
+    draw_mesh(niche.block(x, (z + wall) / 2, (0.0016, (wall - z) / 2), y - 0.017, y - 0.013))
+    bowl = revolve(BOWL, 16, (1.0, 1.0))
+    draw_mesh(replace(bowl, vertices=bowl.vertices + np.array([x, y + 0.004, z], np.float32)))
 
 
 def send(vertices: np.ndarray, triangles: np.ndarray) -> None:
