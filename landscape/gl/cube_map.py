@@ -34,15 +34,18 @@ def face_directions(side: int) -> np.ndarray:
 class CubeMap:
     """Owner of one cube map."""
 
-    def __init__(self, faces: np.ndarray) -> None:
+    def __init__(self, faces: np.ndarray, trilinear: bool = True, mipmaps: bool = True) -> None:
         """Upload six images, uint8 (6, n, n, 3 or 4) in the order of FACES, n a power of two.
 
-        They have mip levels: a bent surface mirrors much in few pixels, and would glitter.
+        They have mip levels: a bent surface mirrors much in few pixels, and would glitter. Smooth
+        images do without ``mipmaps``, and without ``trilinear`` only the nearer of two levels is
+        sampled, which is cheaper.
         """
         self.name = int(gl.glGenTextures(1))
         kind = gl.GL_TEXTURE_CUBE_MAP
         gl.glBindTexture(kind, self.name)
-        gl.glTexParameteri(kind, gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR)
+        minified = gl.GL_LINEAR_MIPMAP_LINEAR if trilinear else gl.GL_LINEAR_MIPMAP_NEAREST
+        gl.glTexParameteri(kind, gl.GL_TEXTURE_MIN_FILTER, minified if mipmaps else gl.GL_LINEAR)
         gl.glTexParameteri(kind, gl.GL_TEXTURE_MAG_FILTER, gl.GL_LINEAR)
         gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_S, gl.GL_CLAMP_TO_EDGE)
         gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_T, gl.GL_CLAMP_TO_EDGE)
@@ -50,7 +53,7 @@ class CubeMap:
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for face, image in zip(FACES, faces, strict=True):
             target = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{face}")
-            for level, part in enumerate(mip_levels(image)):
+            for level, part in enumerate(mip_levels(image) if mipmaps else [image]):
                 sides = len(part), len(part), 0
                 pixels = np.ascontiguousarray(part)
                 gl.glTexImage2D(target, level, kept, *sides, form, gl.GL_UNSIGNED_BYTE, pixels)

@@ -57,9 +57,9 @@ class WetSheen:
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Upload the maps."""
-        self._around = CubeMap(surroundings.surroundings(settings, assets))
+        self._around = CubeMap(surroundings.surroundings(settings, assets), trilinear=False)
         part = np.rint(mirrored_part(face_directions(SIDE)[..., 2]) * 255).astype(np.uint8)
-        self._part = CubeMap(np.repeat(part[..., None], 4, axis=-1))
+        self._part = CubeMap(np.repeat(part[..., None], 4, axis=-1), mipmaps=False)
 
     @classmethod
     def made(cls, settings: Settings, assets: Assets) -> "WetSheen | None":
