@@ -4,8 +4,8 @@ Technique: a dome around the viewer, with the sky's gradient as vertex colours. 
 coordinates are those of a flat ceiling, so that clouds near the horizon are small; the texture
 matrix moves them with kt. Two texture units (GL_ARB_multitexture, OpenGL 1.3) lay the layers over
 the gradient in one pass: unit 0 the high, slow one, unit 1 the low, fast one, each by its alpha.
-The dome has the greatest depth (glDepthRange) and is drawn after the walls: it costs only the
-windows' pixels.
+Below the horizon lies the sea, a disc in plain colours. Dome and sea have the greatest depth
+(glDepthRange) and are drawn after the walls: they cost only the windows' pixels.
 State used: two texture units with their matrices and environments, depth range, no depth writes.
 What is wrong without its safeguards: with one layer (``sky.layers``) the sky moves like a painted
 ceiling. Without ``sky.sorted`` the high clouds are laid over the low ones.
@@ -30,6 +30,8 @@ RINGS, SIDES = 12, 24  # chosen: of the dome
 LOWEST = -0.12  # chosen: radians below the horizon, where the walls hide the dome's edge
 FLATNESS = 0.22  # chosen: height of the horizon under the clouds' ceiling, which is 1 high
 ZENITH, HORIZON = (0.20, 0.42, 0.78), (0.78, 0.87, 0.95)  # chosen: RGB
+# Chosen: the sea's depth below the eye and its radius, units; RGB below the viewer and far away.
+SEA, DEEP, HAZE = (0.5, 16.0), (0.10, 0.30, 0.38), (0.62, 0.75, 0.84)
 # Of the high and the low layer: textures per unit of the ceiling, textures per kt, RGB; chosen.
 HIGH = 0.16, (0.00008, 0.00002), (1.0, 0.99, 0.97)
 LOW = 0.37, (0.0004, 0.00012), (0.72, 0.76, 0.82)
@@ -55,6 +57,18 @@ def dome() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     return vertices, colors, places, grid_triangles(SIDES + 1, RINGS + 1)
 
 
+def send_sea() -> None:
+    """Send the sea around and below the viewer, bluer the nearer, its far edge in haze."""
+    below, radius = SEA
+    gl.glBegin(gl.GL_TRIANGLE_FAN)
+    gl.glColor3f(*DEEP)
+    gl.glVertex3f(0.0, -below, 0.0)
+    gl.glColor3f(*HAZE)
+    for turn in np.linspace(0.0, 2 * np.pi, SIDES + 1).tolist():
+        gl.glVertex3f(radius * np.cos(turn), -below, -radius * np.sin(turn))
+    gl.glEnd()
+
+
 class MovingSky:
     """The sky over the hall."""
 
@@ -69,7 +83,7 @@ class MovingSky:
             with client_arrays(vertices, None, colors, [places] * self._units):
                 gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
-        self._list = DisplayList(send)
+        self._list, self._sea = DisplayList(send), DisplayList(send_sea)
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing is built from them."""
@@ -95,6 +109,8 @@ class MovingSky:
             self._list.call()
             for unit in reversed(range(len(layers))):
                 self._take_off(unit)
+                gl.glDisable(gl.GL_TEXTURE_2D)
+            self._sea.call()
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
     def _lay(self, unit: int, layer: Layer, kt: float) -> None:
@@ -123,4 +139,5 @@ class MovingSky:
     def release(self) -> None:
         """Delete the list and the texture; may be called twice."""
         self._list.release()
+        self._sea.release()
         self._clouds.release()

@@ -205,5 +205,61 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "frequencies are whole, so that it is periodic in space and in time.",
         seen=("rows of round spots of light in a dark pool", "a net of light on the pool's bed"),
     ),
+    Safeguard(
+        "tone_doubling",
+        "A contrast above 1 by doubling",
+        Pose(1.78, 0.12, 1.62, 337.0, 6.0),
+        20.0,
+        **pair("tone.doubling", tone={"contrast": 2.0, "brightness": -0.1}),
+        flaw="Blending with (GL_ONE, GL_SRC_ALPHA) multiplies by alpha, which ends at 1: a "
+        "contrast of 2 shows as one of 1.",
+        look="Compare light and dark stone.",
+        how="glBlendFunc(GL_DST_COLOR, GL_ONE) adds the picture to itself, times a colour: each "
+        "pass multiplies by up to 2.",
+        seen=("the statue in an evenly lit hall", "the statue in a hall with deep contrast"),
+    ),
+    Safeguard(
+        "flight_slerp",
+        "A camera that turns about one axis",
+        Pose(1.36, 0.42, 1.62, 33.0, 4.0),
+        20.0,
+        {"flight.path": True, "flight.interpolation": "euler"},
+        {"flight.path": True, "flight.interpolation": "slerp"},
+        flaw="Where the camera looks straight down, yaw and roll turn about the same axis: gimbal "
+        "lock. From nose down to beyond it, each Euler angle takes half a turn, and the camera "
+        "whirls.",
+        look="Follow the red axis, the camera's right, over the statue.",
+        how="Orientations are unit quaternions, interpolated by SLERP: 51 degrees instead of 347.",
+        seen=(
+            "axes along a path over the statue, which spin about it",
+            "axes along a path over the statue, which turn evenly",
+        ),
+    ),
+    Safeguard(
+        "statue_fresh",
+        "Gold that mirrors what is around it",
+        Pose(1.28, 0.2, 1.36, 62.0, 3.0),
+        20.0,
+        **pair("statue.fresh"),
+        flaw="A sphere map belongs to one line of sight. Kept, as in 1997, it turns with the "
+        "viewer: seen from the west, the statue still mirrors what one sees from the south.",
+        look="Look at the bright spots on neck and head: windows and torches.",
+        how="The map is drawn anew in each frame, from a cube map of the hall.",
+        seen=("a golden dragon with windows in the wrong places", "the same, mirroring its hall"),
+    ),
+    Safeguard(
+        "mist_sorted",
+        "Sheets of mist from far to near",
+        Pose(1.4, 0.2, 2.2, 25.0, -10.0),
+        20.0,
+        {"mist.enabled": True, "mist.sorted": False, "mist.mask": False},
+        {"mist.enabled": True, "mist.sorted": True, "mist.mask": True},
+        flaw="Drawn from the highest down, with depth writes, the highest sheet hides all others: "
+        "most of the mist is missing, and what is left lies in one plane.",
+        look="Look at the floor beside the pool.",
+        how="The sheets are sorted by their distance from the eye's height, and glDepthMask keeps "
+        "them from writing their depth.",
+        seen=("thin wisps in one plane above a floor", "mist of some depth over a floor"),
+    ),
     *EXHIBITS,
 )
