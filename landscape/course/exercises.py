@@ -40,6 +40,7 @@ NAMES: tuple[str, ...] = (
     "billboard",
     "second_viewport",
     "mirror",
+    "planar_shadow",
 )
 HOLE = _("# Your code goes here.")
 LEAD = _("Lessons to read first: {lessons}.")
