@@ -41,6 +41,7 @@ NAMES: tuple[str, ...] = (
     "second_viewport",
     "mirror",
     "planar_shadow",
+    "stencil_mirror",
 )
 HOLE = _("# Your code goes here.")
 LEAD = _("Lessons to read first: {lessons}.")
