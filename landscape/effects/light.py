@@ -34,7 +34,7 @@ BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for
 SUN_COLOUR = (6.4, 5.5, 4.2)
 TORCH_COLOUR = (0.022, 0.0098, 0.0032)
 # Chosen: how much brighter the torch shines at the statue than all around, as its bowl is polished.
-GLARE = 7.0
+GLARE = 15.0
 
 
 @dataclass(frozen=True)
