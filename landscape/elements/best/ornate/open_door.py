@@ -81,3 +81,4 @@ def send_open_door(door: Texture) -> None:
             gl.glTexCoord2f(0.5, 1.0 - height)
             gl.glVertex3f(*far[k].tolist())
         gl.glEnd()
+    gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
