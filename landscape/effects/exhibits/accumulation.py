@@ -60,6 +60,11 @@ class Accumulation:
     def __init__(self, deep: bool = True) -> None:
         """Make both; ``deep`` keeps sums in floating point, where this OpenGL can."""
         self._sheet = TextureTarget((SHEET, SHEET), "RGBA8")
+        # A tile's texels are the mean's pixels.
+        self._sheet.bind()
+        for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_NEAREST)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         self.deep = deep
         self.mean = self._made(deep)
 

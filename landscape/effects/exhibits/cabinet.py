@@ -28,7 +28,7 @@ from landscape.geometry.culling import ball_in_view
 from landscape.gl.extensions import first_missing, tell_off
 
 RADIUS = 0.22  # units: a ball around the middle of an alcove that holds it
-FAR = 1.3  # chosen: units beyond which an exhibit is shown without its effect
+FAR = 0.9  # chosen: units beyond which an exhibit is shown without its effect
 
 
 class Cabinet:
@@ -67,21 +67,26 @@ class Cabinet:
 
     def draw_first(self, frame: Frame) -> None:
         """Draw what needs an empty depth buffer; the rest of the hall comes after it."""
-        if self._settings.exhibits.solids and in_view(frame, SOLIDS):
+        shown = self._settings.exhibits.solids and in_view(frame, SOLIDS)
+        if shown and (near(frame, SOLIDS) or not frame.mirrored):
             self._solids.draw(frame)
 
     def draw(self, frame: Frame) -> None:
-        """Draw the alcoves in view; in the floor's mirror image, and from afar, without effects."""
+        """Draw the alcoves in view; mirrored, or from afar, without effects.
+
+        The mirror image has no models that are far away: they show there as a few pixels.
+        """
         seen = [number for number in range(len(plan.ALCOVES)) if in_view(frame, number)]
         for number in seen:
             name, exhibit = self._exhibits.get(number, ("", None))
             shown = exhibit is not None and getattr(self._settings.exhibits, name)
-            effect = shown and not frame.mirrored and near(frame, number)
+            close = near(frame, number)
+            effect = shown and close and not frame.mirrored
             if not (effect and name == "volume"):
                 self._stone.draw(number)
             if effect:
                 exhibit.draw(frame)
-            elif shown:
+            elif shown and (close or not frame.mirrored):
                 exhibit.draw_plain(frame)
         if seen:
             self._stone.draw_plates()

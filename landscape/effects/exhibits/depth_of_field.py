@@ -27,7 +27,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.gl.state import matrix
 
 SIZE = 0.034  # chosen: units: half the length of a rabbit
-CELL = 0.075  # chosen: side of the cubes whose vertices are merged, of a mesh of 2
+CELL = 0.105  # chosen: side of the cubes whose vertices are merged, of a mesh of 2
 # Chosen: x and z of the rabbits from the middle of the pedestal, and their colours.
 ROW = ((0.026, 0.050), (-0.002, 0.0), (-0.034, -0.048))
 COLOURS = ((0.78, 0.34, 0.20), (0.88, 0.70, 0.30), (0.34, 0.50, 0.62))
@@ -87,8 +87,7 @@ class DepthOfField:
             with lit_by(niche.lamp(FOCUS)):
                 self._send()
 
-        edge = niche.HALF + 0.05
-        low, high = (MIDDLE - 0.07, TOP - 0.02, z - edge), (MIDDLE + 0.07, TOP + 0.085, z + edge)
+        low, high = (MIDDLE - 0.06, TOP - 0.006, z - 0.09), (MIDDLE + 0.06, TOP + 0.068, z + 0.088)
         if not accumulation.gather_view(frame, low, high, lenses, draw):
             self.draw_plain(frame)
 

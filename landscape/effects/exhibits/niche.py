@@ -101,21 +101,21 @@ def lining(z: float) -> Mesh:
     along = halves(z + half, z - half)
     head = pointed(z, half, springing, top)(along)
 
-    up = np.linspace(1.0, 0.0, 17)[:, None]
+    up = np.linspace(1.0, 0.0, 9)[:, None]
     heights = INSET + (head - INSET) * up
     across = np.broadcast_to(along, heights.shape)
     wall = np.stack([np.full_like(heights, back), heights, across], axis=-1)
 
-    jamb = np.linspace(INSET, springing, 12, endpoint=False)
+    jamb = np.linspace(INSET, springing, 6, endpoint=False)
     edge_z = np.concatenate([np.full_like(jamb, along[0]), along, np.full_like(jamb, along[-1])])
     edge_y = np.concatenate([jamb, head, jamb[::-1]])
     length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(edge_z), np.diff(edge_y)))])
-    depth = np.linspace(plan.INSIDE.west, back, 13)[:, None]
+    depth = np.linspace(plan.INSIDE.west, back, 7)[:, None]
     shape = (len(depth), len(edge_z))
     sides = np.stack([np.broadcast_to(each, shape) for each in (depth, edge_y, edge_z)], axis=-1)
     around = np.stack([np.broadcast_to(length, shape), np.broadcast_to(depth, shape)], axis=-1)
 
-    floor_z, floor_x = np.meshgrid(np.linspace(z + half, z - half, 17), depth[::-1, 0])
+    floor_z, floor_x = np.meshgrid(np.linspace(z + half, z - half, 9), depth[::-1, 0])
     floor = np.stack([floor_x, np.full_like(floor_x, INSET), floor_z], axis=-1)
     return merged(
         [
@@ -129,10 +129,10 @@ def lining(z: float) -> Mesh:
 def block(x: float, z: float, half: tuple[float, float], low: float, high: float) -> Mesh:
     """Return the four sides and the top of a block around x, z, of ``half`` sides along x and z."""
     corners = np.array([(-1, 1), (1, 1), (1, -1), (-1, -1), (-1, 1)]) * half + (x, z)
-    heights = np.linspace(high, low, 5)
+    heights = np.linspace(high, low, 3)
     faces = []
     for (x0, z0), (x1, z1) in zip(corners, corners[1:], strict=False):
-        t, y = np.meshgrid(np.linspace(0, 1, 7), heights)
+        t, y = np.meshgrid(np.linspace(0, 1, 4), heights)
         points = np.stack([x0 + (x1 - x0) * t, y, z0 + (z1 - z0) * t], axis=-1)
         length = np.hypot(x1 - x0, z1 - z0)
         faces.append(grid(points, np.stack([t * length, -y], axis=-1) * ROCKS))

@@ -47,7 +47,7 @@ class Exhibits:
     )
     blur: bool = setting(True, f"{COURSE}, motion blur", "show the motion blur")
     blur_samples: int = setting(
-        12, "chosen", "how many times the sails are drawn", 1, 64, needs=("exhibits.blur",)
+        10, "chosen", "how many times the sails are drawn", 1, 64, needs=("exhibits.blur",)
     )
     blur_shutter: float = setting(
         2.0,
@@ -60,7 +60,7 @@ class Exhibits:
     )
     focus: bool = setting(True, f"{COURSE}, depth of field", "show the depth of field")
     focus_samples: int = setting(
-        16, "chosen", "how many points of the lens are used", 1, 64, needs=("exhibits.focus",)
+        12, "chosen", "how many points of the lens are used", 1, 64, needs=("exhibits.focus",)
     )
     focus_lens: float = setting(
         0.018,

@@ -38,6 +38,7 @@ RADIUS = 0.040  # chosen: of the sphere, units
 BEAM = (0.060, 0.0215, 0.0215)  # chosen: half its sides, units
 HEIGHT = TOP + 0.050  # of the middle
 TILT, TURN = 24.0, 0.8  # chosen: degrees, and degrees in a kt
+FINE = 5  # chosen: squares along each side of a face of the beam
 ENAMEL, GOLD = (0.17, 0.36, 0.80), (0.95, 0.68, 0.24)  # chosen
 
 Send = Callable[[], None]
@@ -45,28 +46,30 @@ Send = Callable[[], None]
 
 def sphere() -> Mesh:
     """Return the sphere, with its own normals."""
-    angle = np.linspace(-np.pi / 2, np.pi / 2, 25)
+    angle = np.linspace(-np.pi / 2, np.pi / 2, 19)
     profile = [(RADIUS * float(np.cos(a)), RADIUS * float(np.sin(a))) for a in angle]
     profile[0], profile[-1] = (0.0, -RADIUS), (0.0, RADIUS)
-    ball = revolve(profile, 40, (1.0, 1.0))
+    ball = revolve(profile, 32, (1.0, 1.0))
     normals = ball.vertices / np.linalg.norm(ball.vertices, axis=1, keepdims=True)
     return Mesh(ball.vertices, np.ascontiguousarray(normals, np.float32), ball.triangles)
 
 
 def beam(inside_out: bool) -> Mesh:
     """Return the beam, finely divided for the light; or the same seen from within."""
+    row = FINE + 1
     faces: list[np.ndarray] = []
-    t = np.linspace(-1.0, 1.0, 9)
+    t = np.linspace(-1.0, 1.0, FINE + 1)
     u, v = (each.ravel() for each in np.meshgrid(t, t))
-    corner = (np.arange(8)[:, None] * 9 + np.arange(8)).ravel()
-    quads = np.stack([corner, corner + 1, corner + 10, corner, corner + 10, corner + 9], axis=1)
+    corner = (np.arange(FINE)[:, None] * row + np.arange(FINE)).ravel()
+    right, above, across = corner + 1, corner + row, corner + row + 1
+    quads = np.stack([corner, right, across, corner, across, above], axis=1)
     triangles = []
     for axis in range(3):
         for side in (-1.0, 1.0):
-            points = np.empty((81, 3))
+            points = np.empty((row * row, 3))
             points[:, axis], points[:, (axis + 1) % 3], points[:, (axis + 2) % 3] = side, u, v
             flip = (side < 0) != inside_out
-            triangles.append(quads.reshape(-1, 3)[:, :: -1 if flip else 1] + 81 * len(faces))
+            triangles.append(quads.reshape(-1, 3)[:, :: -1 if flip else 1] + row * row * len(faces))
             faces.append(points * BEAM)
     vertices = np.ascontiguousarray(np.concatenate(faces), np.float32)
     joined = np.ascontiguousarray(np.concatenate(triangles), np.uint32)
