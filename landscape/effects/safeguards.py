@@ -17,9 +17,9 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         Pose(0.06, 0.95, 1.6, 90.0, -33.0),
         20.0,
         **pair("mirror.stencil"),
-        flaw="The image is a second hall upside down under the floor. From outside it hangs out "
-        "below the floor's edge.",
-        look="Look below the near edge of the floor. Before, there is a mirrored vault; after, "
+        flaw="The mirror image is a second hall, upside down under the floor. Seen from outside, "
+        "it hangs below the floor's edge.",
+        look="Look below the near edge of the floor. Before, mirrored alcoves hang there; after, "
         "nothing.",
         how="The floor is drawn into the stencil buffer first (GL_REPLACE), and the image only "
         "where that is 1 (GL_EQUAL).",
@@ -34,12 +34,12 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "hall_mirror",
         20.0,
         **pair("mirror.winding"),
-        flaw="A mirror turns the order of every triangle's corners around, so that culling removes "
-        "the near sides and keeps the far ones.",
+        flaw="A mirror reverses the order of every triangle's corners, so that culling removes the "
+        "front faces and keeps the back ones.",
         look="Compare plinth and pillars with their images in the floor.",
         how="glFrontFace(GL_CW) while the image is drawn.",
         seen=(
-            "a floor that mirrors the dragon's inside, and walls that are not there",
+            "a floor that mirrors sky and the backs of arches instead of walls",
             "a floor that mirrors dragon, pillars and walls as they are",
         ),
     ),
@@ -64,8 +64,8 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "hall_mirror",
         20.0,
         **pair("mirror.lights", statue=BRONZE),
-        flaw="OpenGL keeps a light where it was when its position was set. The mirrored dragon "
-        "then turns its lit side away from the sun, and its belly is bright.",
+        flaw="OpenGL transforms a light's position when it is set, and not again under the mirror. "
+        "The lights then shine on the mirrored dragon from above, and its belly is bright.",
         look="Compare where the light falls on the dragon and on its image.",
         how="glLightfv(GL_POSITION) is called again under the mirror matrix.",
         seen=(
@@ -93,9 +93,9 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         Pose(-0.15, -0.6, 0.5, 112.0, 21.0),
         20.0,
         **pair("mirror.underside"),
-        flaw="The floor's triangles face upwards and are culled from below: one looks up into the "
-        "hall.",
-        look="We hover below the hall and look up.",
+        flaw="The floor's triangles face upwards. Seen from below they are culled, and one looks "
+        "through the floor into the hall.",
+        look="The camera is below the hall and looks up.",
         how="With glFrontFace(GL_CW) the other side of the same triangles is drawn, in a colour.",
         seen=("the hall seen through its missing floor", "the dark blue underside of the floor"),
     ),
@@ -147,9 +147,10 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         20.0,
         **pair("shadow.behind", sun=LOW_SUN, shadow={"light": "sun", "method": "darken"}),
         flaw="The morning sun stands beyond the north wall. Its rays never reach the wall's "
-        "inside, but the matrix has a point there for every point of the dragon.",
+        "inside, but the matrix projects every point of the dragon onto it.",
         look="Look at the wall below the window.",
-        how="p . l is negative, and with it every w: OpenGL clips all of it.",
+        how="With p the wall's plane and l the sun, p . l is negative. So is the w of every "
+        "projected point, and OpenGL clips all of them.",
         seen=("a dragon's shadow that the sun behind the wall casts on it", "a wall without one"),
     ),
     Safeguard(
@@ -158,11 +159,11 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "hall_caustics",
         20.0,
         **pair("caustics.doubled"),
-        flaw="The document multiplies the bed by the net with glBlendFunc(GL_ZERO, GL_SRC_COLOR). "
-        "No colour of a texture exceeds 1, so the net can only darken: the pool gets dim.",
+        flaw="The notes on glSkel multiply the bed by the net with glBlendFunc(GL_ZERO, "
+        "GL_SRC_COLOR). No colour of a texture exceeds 1, so the net can only darken the pool.",
         look="Compare the pool with the stone around it.",
         how="glBlendFunc(GL_DST_COLOR, GL_SRC_COLOR) adds the product twice: a factor of 0 to 2. "
-        "In one pass, GL_RGB_SCALE is 2.",
+        "In a single pass, with texture units, GL_RGB_SCALE of 2 does the same.",
         seen=("a dark pool with a dull net on its bed", "a pool with a bright net on its bed"),
     ),
     Safeguard(
@@ -186,8 +187,8 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "hall_caustics",
         20.0,
         **pair("caustics.own_t"),
-        flaw="The document gives the plane of s to t as well. Both coordinates are then equal, and "
-        "only the diagonal of the texture is seen.",
+        flaw="The notes on glSkel give the plane of s to t as well. Both coordinates are then "
+        "equal, and only the diagonal of the texture is seen.",
         look="Compare the bed: stripes, or a net.",
         how="Two planes, sPlane and tPlane, that are not parallel.",
         seen=("stripes of light along the pool's bed", "a net of light on the pool's bed"),
@@ -226,8 +227,8 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         {"flight.path": True, "flight.interpolation": "euler"},
         {"flight.path": True, "flight.interpolation": "slerp"},
         flaw="Where the camera looks straight down, yaw and roll turn about the same axis: gimbal "
-        "lock. From nose down to beyond it, each Euler angle takes half a turn, and the camera "
-        "whirls.",
+        "lock. Where the flight passes that direction, yaw and roll change by about half a turn, "
+        "and the camera whirls.",
         look="Follow the red axis, the camera's right, over the statue.",
         how="Orientations are unit quaternions, interpolated by SLERP: 51 degrees instead of 347.",
         seen=(
@@ -241,11 +242,14 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         Pose(1.28, 0.2, 1.36, 62.0, 3.0),
         20.0,
         **pair("statue.fresh"),
-        flaw="A sphere map belongs to one line of sight. Kept, as in 1997, it turns with the "
-        "viewer: seen from the west, the statue still mirrors what one sees from the south.",
+        flaw="A sphere map is right for one line of sight only. Made once, as in 1997, it turns "
+        "with the viewer: here, from the west, the statue mirrors what one sees from the south.",
         look="Look at the bright spots on neck and head: windows and torches.",
         how="The map is drawn anew in each frame, from a cube map of the hall.",
-        seen=("a golden dragon with windows in the wrong places", "the same, mirroring its hall"),
+        seen=(
+            "a golden dragon with windows in the wrong places",
+            "a golden dragon with windows in their places",
+        ),
     ),
     Safeguard(
         "mist_sorted",

@@ -8,9 +8,9 @@ INTRODUCTIONS: dict[str, tuple[str, ...]] = {
         "those of Mark Kilgard's examples and of the SIGGRAPH courses of 1996 and 1997, as the "
         "notes on glSkel describe them. `landscape walk hall` begins here; the digit keys turn "
         "each effect on and off.",
-        "Each effect needs safeguards. In the second part of this page each of them is taken "
-        "away, and shows what it prevents. Each is a setting, and a view of that name: "
-        "`landscape walk mirror_stencil`, then V.",
+        "Each effect needs safeguards. The second part of this page takes away one at a time, and "
+        "shows what it prevents. Each is a setting, and its name is also that of a view: after "
+        "`landscape walk mirror_stencil`, V turns it off and on.",
     ),
 }
 
@@ -25,14 +25,14 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
         ),
         "hall_mirror": (
             "the golden dragon on its plinth, upside down in the polished floor below it",
-            "The hall is drawn twice. The image is limited to the floor by the stencil buffer, "
-            "and the floor is blended over it: more of it is mirrored at grazing angles.",
+            "The hall is drawn twice. The stencil buffer limits the mirror image to the floor, and "
+            "the floor is blended over it. At grazing angles it mirrors more.",
         ),
         "hall_shadow": (
             "the large shadow of a dragon on a wall of stone",
             "The statue is drawn flat, by a matrix that projects it from the torch onto floor and "
-            "wall. The shadow takes away the torch's light alone; what other lights throw there "
-            "stays.",
+            "wall. The shadow takes away the torch's light alone; the light of all other "
+            "sources stays.",
         ),
         "hall_caustics": (
             "a net of light on the bed of a pool",
@@ -41,8 +41,8 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
         ),
         "hall_contrast": (
             "a bright golden dragon in a dim hall",
-            "One quad over the window changes every pixel by blending; the stencil buffer keeps "
-            "it off the statue.",
+            "One quad over the whole picture changes each pixel by blending; the stencil buffer "
+            "keeps the statue as it is.",
         ),
         "hall_sphere": (
             "a dragon of gold that mirrors windows and walls",
@@ -53,6 +53,22 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
             "mist over the floor of the hall",
             "Seven transparent sheets drift in different directions; they are blended from far to "
             "near. Beyond the windows two layers of cloud move at two speeds.",
+        ),
+        "hall_exhibits": (
+            "a wall with a row of lit alcoves, in the first of them a torch and a bronze knot",
+            "Six exhibits: shadow volume, soft shadow, motion blur, depth of field, hidden lines, "
+            "solids. Each is drawn with its effect when one is near, and without it from afar.",
+        ),
+        "hall_exhibit_volume": (
+            "a bronze knot beside a torch, and its black shadow on the walls of an alcove",
+            "From each edge of the knot's outline, as the flame sees it, a face leads away. These "
+            "faces enclose what is in the shadow. The stencil buffer counts them for each pixel; "
+            "where the count is 0, the torch's light is added.",
+        ),
+        "hall_exhibit_blur": (
+            "a small windmill whose red and blue sails are blurred",
+            "The sails are drawn many times while they turn, and the mean of all the pictures is "
+            "shown.",
         ),
     },
 }

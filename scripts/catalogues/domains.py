@@ -18,6 +18,7 @@ from landscape.course.pages import blocks, page
 from landscape.fixes import FIXES
 from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels
+from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, VIEW_TEXTS
 from landscape.scene import SCENES, scene
 from landscape.window.settings_list import rows
 
@@ -131,7 +132,15 @@ def fixes() -> Iterator[Message]:
 def gallery() -> Iterator[Message]:
     """Yield the texts of the gallery, except the titles of the fixes."""
     source = "landscape/gallery"
-    yield from in_code("landscape/gallery/page.py")
+    yield from in_code("landscape/gallery/page.py", "landscape/gallery/scene_page.py")
+    for name in VIEW_TEXTS:
+        kind = scene(name)
+        texts = [*INTRODUCTIONS[name], PAIRS_TEXT]
+        for view, captions in VIEW_TEXTS[name].items():
+            texts += [kind.views[view].shows, *captions]
+        for fix in kind.fixes:
+            texts += [fix.flaw, *fix.seen, fix.look, fix.how]
+        yield from (Message(text, source) for text in texts)
     yield from (Message(line, source) for line in INTRODUCTION if line)
     for part in PARTS:
         yield from (Message(text, source) for text in (part.heading, part.text))

@@ -22,7 +22,10 @@ EXHIBITS: tuple[Safeguard, ...] = (
         look="Compare where the stone is lit.",
         how="glStencilOp(GL_KEEP, GL_INCR_WRAP, GL_KEEP) counts the faces behind each surface "
         "instead, of a volume that is closed at both ends.",
-        seen=("an alcove's side, lit within the shadow's outline", "an alcove's side in shadow"),
+        seen=(
+            "an alcove's side wall, lit within the shadow's outline",
+            "an alcove's side wall in shadow",
+        ),
     ),
     Safeguard(
         "volume_caps",
@@ -35,7 +38,7 @@ EXHIBITS: tuple[Safeguard, ...] = (
         "Through an open end it does not, and the count is wrong there.",
         look="Compare the shadow's outline on the stone.",
         how="The triangles that face the light close the near end, their images the far one.",
-        seen=("an alcove's side with wrong patches of light", "an alcove's side in shadow"),
+        seen=("an alcove's side wall with false patches", "an alcove's side wall in shadow"),
     ),
     Safeguard(
         "soft_samples",
@@ -56,7 +59,7 @@ EXHIBITS: tuple[Safeguard, ...] = (
         20.0,
         {"exhibits.deep": False, "exhibits.focus_samples": 60},
         {"exhibits.deep": True, "exhibits.focus_samples": 60},
-        flaw="A sample divided by 60 has at most 4 steps of 1/255, and each is rounded.",
+        flaw="In 8 bits, a sample divided by 60 has at most 4 steps of 1/255, and each is rounded.",
         look="Look for steps of colour on the rabbits.",
         how="The samples are added in a texture GL_RGBA32F (ARB_texture_float).",
         seen=("three rabbits in steps of colour", "three rabbits in smooth colours"),
@@ -67,8 +70,8 @@ EXHIBITS: tuple[Safeguard, ...] = (
         "hall_exhibit_focus",
         20.0,
         **pair("exhibits.focus_shear"),
-        flaw="If the eye moves and the frustum does not, all that is near moves in the picture, "
-        "and what should be sharp the most.",
+        flaw="If the eye moves along the lens and the frustum keeps its shape, all that is near "
+        "moves in the picture, and with it what should be sharp.",
         look="Compare the middle rabbit.",
         how="The frustum is sheared against the eye's movement: glFrustum with its left and right "
         "moved by -dx * near / focus.",
@@ -80,7 +83,7 @@ EXHIBITS: tuple[Safeguard, ...] = (
         "hall_exhibit_lines",
         20.0,
         **pair("exhibits.lines_offset"),
-        flaw="A line and the triangle it bounds have nearly the same depth: roundings decide which "
+        flaw="A line and the triangle it bounds have nearly the same depth: rounding decides which "
         "is in front.",
         look="Look at the lines of the dragon's body.",
         how="GL_POLYGON_OFFSET_FILL moves the fill back by its slope and a step of depth.",
