@@ -214,3 +214,13 @@ def python(code: str, *args: str, env: Mapping[str, str] | None = None) -> Done:
         env=dict(env or environment()),
     )
     return walked(" ".join((code, *args)), Done(done.returncode, done.stdout, done.stderr))
+
+
+def end(server: "subprocess.Popen[Any]") -> None:
+    """End an Xvfb. A SIGTERM that comes just before it waits for clients again is lost there."""
+    server.terminate()
+    try:
+        server.wait(5)
+    except subprocess.TimeoutExpired:
+        server.kill()
+        server.wait()

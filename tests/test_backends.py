@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from commands import environment, landscape, need_library, python
+from commands import end, environment, landscape, need_library, python
 
 SCENE = (
     "fig35a",
@@ -84,8 +84,7 @@ def screen() -> Iterator[dict[str, str]]:
             pytest.skip("Xvfb does not start")
         yield environment(DISPLAY=f":{number}")
     finally:
-        server.terminate()
-        server.wait(20)
+        end(server)
 
 
 @pytest.fixture(scope="module")

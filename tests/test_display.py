@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from commands import environment, landscape
+from commands import end, environment, landscape
 
 from landscape.gl import display
 from landscape.gl.display import choose, problem
@@ -29,8 +29,7 @@ def x_server() -> Iterator[str]:
         with os.fdopen(read) as pipe:
             yield f":{pipe.readline().strip()}"
     finally:
-        server.terminate()
-        server.wait(20)
+        end(server)
 
 
 @pytest.fixture

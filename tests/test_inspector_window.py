@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import environment, landscape, python
+from commands import end, environment, landscape, python
 
 from landscape.capture.edit_files import read, write
 from landscape.capture.edits import Edit, Key, located_at
@@ -177,8 +177,7 @@ def screen() -> Iterator[dict[str, str]]:
             number = numbers.readline().strip()
         yield environment(DISPLAY=f":{number}", LANG="C")
     finally:
-        server.terminate()
-        server.wait()
+        end(server)
 
 
 @pytest.fixture

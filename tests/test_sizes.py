@@ -6,7 +6,7 @@ import subprocess
 from collections.abc import Iterator
 
 import pytest
-from commands import environment, python
+from commands import end, environment, python
 
 from landscape.gl.glfw_library import glfw
 from landscape.window import sizes
@@ -91,8 +91,7 @@ def fine_screen() -> Iterator[dict[str, str]]:
         subprocess.run([*words, "Xft.dpi:\t192"], env=screen, check=True)
         yield screen
     finally:
-        server.terminate()
-        server.wait(20)
+        end(server)
 
 
 def test_a_window_is_larger_on_a_fine_screen_unless_its_size_is_asked_for(fine_screen) -> None:

@@ -20,7 +20,7 @@ from typing import Any
 import glfw
 import numpy as np
 import pytest
-from commands import SECONDS, TESTS, environment, landscape, need_library, python, running
+from commands import SECONDS, TESTS, end, environment, landscape, need_library, python, running
 from PIL import Image
 
 from landscape.files.assets import Assets
@@ -459,8 +459,7 @@ def screen() -> Iterator[dict[str, str]]:
         assert number, "Xvfb did not start"
         yield environment(DISPLAY=f":{number}", LANG="C")
     finally:
-        server.terminate()
-        server.wait()
+        end(server)
 
 
 def test_a_full_screen_replay_is_drawn_at_the_size_of_the_screen(

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import TESTS, environment
+from commands import TESTS, end, environment
 
 PROGRAMS = TESTS / "programs"
 
@@ -273,4 +273,4 @@ def screen(size: str = "1024x768x24") -> Iterator[str]:
             assert number, "Xvfb did not start"
             yield f":{number}"
         finally:
-            process.terminate()
+            end(process)
