@@ -7,13 +7,16 @@ from typing import Any
 
 import pytest
 from commands import TESTS
+from PIL import Image
 
 from landscape.capture import spec
 from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import lessons
 from landscape.course.lesson_command import described
 from landscape.course.pages import as_markdown, blocks
-from landscape.languages import LANGUAGES
+from landscape.gallery.scene_captions import INTRODUCTIONS, VIEW_TEXTS
+from landscape.languages import LANGUAGES, translator
+from landscape.scene import scene
 
 SITE = TESTS.parent / "scripts" / "site"
 MODULES = (
@@ -129,6 +132,40 @@ def test_the_page_of_an_exercise_has_two_pictures_its_task_and_its_lessons(
         for name in each.lessons:
             assert f"(../lessons/{name}.md)" in page
             assert f"(../exercises/{each.name}.md)" in found[f"lessons/{name}"]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_of_the_hall_shows_every_view_and_a_slider_for_every_safeguard(
+    language: str, site: Any, tmp_path: Path
+) -> None:
+    page = pages(site, language, tmp_path)["hall/index"]
+    hall = scene("hall")
+    kept = {path.name for path in site.gallery.pictures()}
+    for view in VIEW_TEXTS["hall"]:
+        assert f"{{figure}} ../pictures/{view}.webp" in page
+        assert f"{view}.webp" in kept
+    for fix in hall.fixes:
+        before, after = (f"{fix.name}_{when}.webp" for when in ("before", "after"))
+        assert f"{{before-after}} ../pictures/{before} ../pictures/{after}" in page
+        assert {before, after} <= kept
+    for text in (*INTRODUCTIONS["hall"], *(text for fix in hall.fixes for text in fix.seen)):
+        assert translator(language, "gallery")(text) in page
+
+
+def test_a_committed_picture_is_taken_as_it_is_if_it_is_webp_already(
+    site: Any, tmp_path: Path
+) -> None:
+    for language in LANGUAGES:
+        (tmp_path / language).mkdir()
+    image = Image.linear_gradient("L").convert("RGB")
+    for suffix in ("webp", "png"):
+        image.save(tmp_path / f"{suffix}.{suffix}", quality=10)
+        site.drawn.shrink(tmp_path / f"{suffix}.{suffix}", tmp_path)
+    wanted = (tmp_path / "webp.webp").read_bytes()
+    for language in LANGUAGES:
+        assert (tmp_path / language / "webp.webp").read_bytes() == wanted
+        with Image.open(tmp_path / language / "png.webp") as picture:
+            assert picture.format == "WEBP"
 
 
 def test_a_dead_link_and_a_missing_place_are_found(site: Any, tmp_path: Path) -> None:

@@ -114,9 +114,12 @@ def all_calls(tape: Tape) -> list[Call]:
 
 
 def shrink(source: Path, folder: Path) -> list[Seen]:
-    """Write a committed picture as WebP, for each language."""
+    """Write a committed picture as WebP, for each language; one that is WebP stays as it is."""
     first, *others = (folder / language / f"{source.stem}.webp" for language in LANGUAGES)
-    Image.open(source).convert("RGB").save(first, quality=QUALITY)
+    if source.suffix == ".webp":
+        shutil.copy(source, first)
+    else:
+        Image.open(source).convert("RGB").save(first, quality=QUALITY)
     for other in others:
         shutil.copy(first, other)
     return []

@@ -1,13 +1,20 @@
-"""The report's figures and the fixes: the gallery's captions, with a slider for each fix."""
+"""The report's figures and the fixes, and a page for each scene whose views have captions.
+
+Their texts are the gallery's; each fix has a slider between its two pictures.
+"""
 
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
-from landscape.fixes import FIXES, Fix
+from landscape.fixes import FIXES
+from landscape.gallery import scene_page
 from landscape.gallery.page import ADDED, FIXED, FIXES_TEXT, PARTS, anchor
 from landscape.gallery.panels import FigurePanel, panels
+from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, VIEW_TEXTS
 from landscape.languages import translator
+from landscape.scene import scene
 
 KEPT = Path(__file__).resolve().parents[2] / "screenshots"
 
@@ -16,10 +23,16 @@ def pictures() -> Iterator[Path]:
     """Yield the committed pictures that the pages show."""
     for pattern in ("*.png", "best_*.jpg"):
         yield from sorted(KEPT.glob(pattern))
+    for name in VIEW_TEXTS:
+        for panel in scene_page.panels(scene(name)):
+            yield KEPT / name / f"{panel.name}.webp"
 
 
 def pages(language: str) -> dict[str, str]:
-    """Return the pages by name: a list, a page for each part of the report, and the fixes."""
+    """Return the pages by name.
+
+    They are a list, a page for each part of the report, the fixes, and the pages of scenes.
+    """
     _ = translator(language, "site", "gallery")
     every = panels()
     names = [anchor(part.heading) for part in PARTS]
@@ -42,7 +55,21 @@ def pages(language: str) -> dict[str, str]:
                     lines += _figure(panel, language)
         found[f"figures/{name}"] = "\n\n".join(lines) + "\n"
     found["figures/fixes"] = _fixes({panel.name: panel for panel in every}, language)
-    return found
+    return {**found, **{f"{name}/index": _scene(name, language) for name in VIEW_TEXTS}}
+
+
+def _scene(name: str, language: str) -> str:
+    _ = translator(language, "site", "gallery")
+    kind = scene(name)
+    panels = {panel.name: panel for panel in scene_page.panels(kind)}
+    title, *introduction = INTRODUCTIONS[name]
+    lines = [f"# {_(title)}", *(_plain(_(text)) for text in introduction)]
+    for view in VIEW_TEXTS[name]:
+        lines += _figure(panels[view], language)
+    lines += [f"## {_('Safeguards, off and on')}", _(PAIRS_TEXT)]
+    for fix in kind.fixes:
+        lines += _fix(fix, panels, language)
+    return "\n\n".join(lines) + "\n"
 
 
 def _figure(panel: FigurePanel, language: str) -> list[str]:
@@ -69,7 +96,7 @@ def _fixes(panels: dict[str, FigurePanel], language: str) -> str:
     return "\n\n".join(lines) + "\n"
 
 
-def _fix(fix: Fix, panels: dict[str, FigurePanel], language: str) -> list[str]:
+def _fix(fix: Any, panels: dict[str, FigurePanel], language: str) -> list[str]:
     _ = translator(language, "site", "gallery", "fixes")
     title = _("{name}: {text}").format(name=fix.name, text=_(fix.title, fix.name))
     before, after = panels[f"{fix.name}_before"], panels[f"{fix.name}_after"]

@@ -30,6 +30,8 @@ def pages(language: str) -> dict[str, str]:
          _("Every OpenGL call, what it does, and where the code uses it.")),
         ("scenes", "best_fig35e.webp", _("The scene"),
          _("The island as it is today, in nine views.")),
+        ("hall/index", "hall.webp", _("The great hall"),
+         _("The castle's hall of classic effects, and what each of them needs.")),
         ("documents/tools", "fig42a.webp", _("The tools"),
          _("Any call, any pixel, any state of a frame, laid open.")),
         ("documents/built", "best_fig35g.webp", _("How it is built"),
