@@ -488,7 +488,7 @@ def test_a_frame_with_200_000_blades_makes_fewer_than_400_calls(arrival: list[Ca
 
 def test_every_element_draws_in_the_arrival_at_the_castle(arrival: list[Call]) -> None:
     names = {name for call in drawn(arrival) for name in (call.element, *call.shared_by)}
-    assert set(ELEMENTS) <= names
+    assert set(ELEMENTS) - {"mist"} <= names  # which lies there on request alone
 
 
 def test_the_contents_of_a_list_belong_to_its_element(arrival: list[Call]) -> None:

@@ -14,7 +14,7 @@ State used: GL_FOG and its parameters.
 import numpy as np
 
 from landscape.gl.calls import drawing, gl
-from landscape.gl.extensions import Need, has, tell_off
+from landscape.gl.extensions import Need, current_context, has, tell_off
 from landscape.settings import Fog
 
 CHOICE_OF_DISTANCE = Need(None, ("GL_NV_fog_distance",))
@@ -34,11 +34,24 @@ def enable(fog: Fog) -> None:
     gl.glFogi(gl.GL_FOG_MODE, modes[fog.mode])
     gl.glFogfv(gl.GL_FOG_COLOR, np.array([*fog.color, 1.0], np.float32))
     gl.glFogf(gl.GL_FOG_DENSITY, fog.density)
-    if has(CHOICE_OF_DISTANCE):
-        # As a float: in a display list Mesa's glFogi loses a value that it does not expect.
-        gl.glFogf(FOG_DISTANCE_MODE, float(EYE_RADIAL if fog.radial else EYE_PLANE))
-    elif fog.radial:
-        tell_off("fog.radial", CHOICE_OF_DISTANCE)
+    _choose_distance(fog.radial)
     if fog.mode == "linear":
         gl.glFogf(gl.GL_FOG_START, fog.start)
         gl.glFogf(gl.GL_FOG_END, fog.end)
+
+
+_chosen: set[int] = set()  # contexts in which another distance than OpenGL's own was chosen
+
+
+def _choose_distance(radial: bool) -> None:
+    """Let fog go by the distance from the eye, or again by the depth, as OpenGL does by itself."""
+    if radial and not has(CHOICE_OF_DISTANCE):
+        tell_off("fog.radial", CHOICE_OF_DISTANCE)
+        return
+    if radial:
+        _chosen.add(current_context())
+    elif current_context() not in _chosen:
+        return
+    # By floats: in a display list Mesa's glFogi loses a value that it does not expect.
+    mode = np.array([EYE_RADIAL if radial else EYE_PLANE], np.float32)
+    gl.glFogfv(FOG_DISTANCE_MODE, mode)

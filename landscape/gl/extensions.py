@@ -37,6 +37,14 @@ def extensions() -> frozenset[str]:
     return _strings()[1]
 
 
+def current_context() -> int:
+    """Return a number for the current context; a later one may have the number of a former."""
+    from OpenGL import contextdata  # which chooses the platform: after the context has
+
+    handle = contextdata.getContext()
+    return int(getattr(handle, "value", handle) or 0)
+
+
 _known: dict[int, tuple[str, frozenset[str]]] = {}
 
 
@@ -45,10 +53,7 @@ def _strings() -> tuple[str, frozenset[str]]:
 
     They belong to no element, so that no trace shows the question.
     """
-    from OpenGL import contextdata  # which chooses the platform: after the context has
-
-    handle = contextdata.getContext()
-    context = int(getattr(handle, "value", handle) or 0)
+    context = current_context()
     if context not in _known:
         with unnoted():
             text, names = (gl.glGetString(each) for each in (gl.GL_VERSION, gl.GL_EXTENSIONS))
