@@ -157,6 +157,7 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
 
     monkeypatch.setattr(readme, "ROOT", tmp_path)
     monkeypatch.setattr(readme, "page", lambda language: f"the gallery in {language}")
+    monkeypatch.setattr(readme, "scene_page", lambda scene, language: f"{scene} in {language}")
     monkeypatch.setattr(readme, "WIDTH", 24)
     french = {
         "Fog": "Brouillard",
@@ -169,12 +170,14 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     (locale / "docs").mkdir()
     (locale / "docs" / "README.po").write_text(HEAD + "".join(entries), encoding="utf-8")
     (tmp_path / "README.md").write_text(README)
-    (tmp_path / "screenshots").mkdir()
-    path, gallery = tmp_path / "README.fr.md", tmp_path / "screenshots" / "README.fr.md"
+    kept = tmp_path / "screenshots"
+    (kept / "hall").mkdir(parents=True)
+    path, gallery, hall = (each / "README.fr.md" for each in (tmp_path, kept, kept / "hall"))
     told = "stale: scripts/catalogues update writes it"
-    assert list(readme.stale("fr")) == [f"{path}: {told}", f"{gallery}: {told}"]
+    assert list(readme.stale("fr")) == [f"{each}: {told}" for each in (path, gallery, hall)]
     readme.write("fr")
     assert gallery.read_text(encoding="utf-8") == "the gallery in fr"
+    assert hall.read_text(encoding="utf-8") == "hall in fr"
     assert path.read_text(encoding="utf-8") == LISEZMOI.replace("_", "\u00a0")
     assert list(readme.stale("fr")) == []
     (tmp_path / "README.md").write_text(README.replace("Thin", "Light"))

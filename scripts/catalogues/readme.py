@@ -1,6 +1,6 @@
-"""The pages that GitHub shows, in the other languages: README.LANGUAGE.md, and that of the gallery.
+"""The pages that GitHub shows, in the other languages: README.LANGUAGE.md, and the galleries'.
 
-The first is written from README.md and its catalogue, docs/README; the other by the gallery.
+The first is written from README.md and its catalogue, docs/README; the others by the gallery.
 """
 
 from collections.abc import Iterator
@@ -8,6 +8,8 @@ from pathlib import Path
 
 from landscape.course.pages import as_markdown, blocks
 from landscape.gallery.page import page
+from landscape.gallery.scene_captions import VIEW_TEXTS
+from landscape.gallery.scene_page import page as scene_page
 from landscape.languages import translator
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,9 +35,11 @@ def translated(language: str) -> dict[Path, str]:
     _ = translator(language, "docs/README")
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     name = f"README.{language}.md"
+    kept = ROOT / "screenshots"
     return {
         ROOT / name: as_markdown(blocks(readme, _), WIDTH),
-        ROOT / "screenshots" / name: page(language),
+        kept / name: page(language),
+        **{kept / scene / name: scene_page(scene, language) for scene in VIEW_TEXTS},
     }
 
 
