@@ -1,0 +1,53 @@
+"""Golden pictures of the hall's views, each drawn at twice its size and reduced.
+
+The mean of four pixels differs less between renderers than gold and stone do, which glitter.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pictures
+import pytest
+from stage import Stage
+
+from landscape.effects.hall import SCENE, Hall
+from landscape.files.assets import Assets
+from landscape.gl.calls import gl
+from landscape.gl.framebuffer import Framebuffer, read_pixels
+from landscape.keys import with_settings
+from landscape.scene import Moment, placed
+
+pytestmark = pytest.mark.golden
+
+VIEWS = ("hall", "hall_mirror", "hall_shadow", "hall_caustics", "hall_contrast", "hall_sphere",
+         "hall_mist", "hall_exhibits")  # fmt: skip
+LARGE = (320, 240)
+
+
+@pytest.fixture(scope="module")
+def hall(the_stage: Stage) -> Iterator[Hall]:
+    the_stage.enter()
+    opened = Hall(SCENE.settings, Assets(), 0, SCENE.elements)
+    yield opened
+    the_stage.enter()
+    opened.release()
+
+
+@pytest.mark.parametrize("name", VIEWS)
+def test_a_view_of_the_hall_matches_its_golden_picture(
+    stage: Stage, hall: Hall, request: pytest.FixtureRequest, name: str
+) -> None:
+    view = SCENE.views[name]
+    settings = with_settings(SCENE.settings, view.settings)
+    with stage.borrowed():
+        target = Framebuffer(LARGE)
+        assert hall.apply(settings)
+        hall.shown = set(SCENE.shown(view))
+        hall.draw(Moment(placed(view.pose, hall, settings.walk.eye), LARGE, view.kt))
+        gl.glFinish()
+        drawn = read_pixels(LARGE).astype(np.uint16)
+        target.release()
+        stage.target.bind()
+    reduced = sum(drawn[row::2, column::2] for row in (0, 1) for column in (0, 1)) // 4
+    update = request.config.getoption("--update-golden")
+    pictures.check(name, reduced, update)  # type: ignore[arg-type]
