@@ -174,11 +174,11 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         {"caustics.planes": "eye_before_camera"},
         {"caustics.planes": "eye"},
         flaw="An eye plane is multiplied by the inverse of the modelview matrix that is current "
-        "when it is given. Given before the camera is set, it stays in the eye's coordinates, and "
-        "the net moves with whoever looks.",
+        "when it is given. Given before the viewing transform, it stays in the eye's coordinates, "
+        "and the net moves with whoever looks.",
         look="Walk and turn: before, the net comes along.",
-        how="glTexGenfv(GL_S, GL_EYE_PLANE, ...) after the camera, or GL_OBJECT_PLANE, which no "
-        "matrix changes.",
+        how="glTexGenfv(GL_S, GL_EYE_PLANE, ...) after the viewing transform, or "
+        "GL_OBJECT_PLANE, which no matrix changes.",
         seen=("a net of light that turns with the viewer", "a net of light fixed to the bed"),
     ),
     Safeguard(

@@ -51,7 +51,7 @@ class Caustics:
         "object",
         "glSkel, caustics",
         "how coordinates are generated: object-linear, eye-linear, or eye-linear with the planes "
-        "given before the camera is set",
+        "given before the viewing transform",
         choices=("object", "eye", "eye_before_camera"),
     )
     own_t: bool = setting(

@@ -88,7 +88,7 @@ def main():
         glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 60)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glTranslatef(0, 0.9, -11.6)
+        glTranslatef(0, 0.9, -12.4)
         glRotatef(42, 1, 0, 0)
         glRotatef(20 * math.sin(math.pi / 3 * glfw.get_time()), 0, 1, 0)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)

@@ -106,8 +106,8 @@ def main():
         glPopAttrib()
         if volumes:
             draw(quads)
-        write(16, 40, "back faces counted" if back else "back faces left out")
-        write(16, 16, "depth test failed" if fail else "depth test passed")
+        write(16, 40, "back faces counted" if back else "back faces left out", (0, 0, 0))
+        write(16, 16, "depth test failed" if fail else "depth test passed", (0, 0, 0))
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()

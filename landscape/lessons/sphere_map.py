@@ -109,7 +109,7 @@ def main():
         glPopAttrib()
         glMatrixMode(GL_TEXTURE)
         glLoadIdentity()  # the letters have a texture, too
-        write(16, 16, "cube map" if cube else "sphere map")
+        write(16, 16, "cube map" if cube else "sphere map", (0, 0, 0))
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()
