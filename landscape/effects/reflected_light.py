@@ -12,7 +12,7 @@ import numpy as np
 from landscape.effects import architecture, plan
 from landscape.effects.materials import MATERIALS
 from landscape.effects.surfaces import Surface, at, mesh
-from landscape.geometry.mesh import Mesh
+from landscape.geometry.mesh import Mesh, merged
 
 LIT = ("wall", "alcove", "stone", "vault")  # materials that face the pool
 STEP = 0.06  # chosen: units between vertices of what is lit
@@ -85,23 +85,10 @@ def lit(surface: Surface, towards: np.ndarray) -> Mesh | None:
     )
 
 
-def joined(meshes: list[Mesh]) -> Mesh:
-    """Return several meshes with colours and one set of coordinates as one."""
-    starts = np.cumsum([0, *(len(each.vertices) for each in meshes)])
-    triangles = [m.triangles + np.uint32(s) for m, s in zip(meshes, starts, strict=False)]
-    return Mesh(
-        np.concatenate([each.vertices for each in meshes]),
-        np.concatenate([each.normals for each in meshes]),
-        np.concatenate(triangles),
-        (np.concatenate([each.coordinates[0] for each in meshes]),),
-        np.concatenate([each.colors for each in meshes if each.colors is not None]),
-    )
-
-
 def lit_meshes(towards: np.ndarray) -> Iterator[tuple[str, Mesh]]:
     """Yield each material with one mesh of all its surfaces that the pool's light reaches."""
     surfaces = architecture.hall()
     for material in LIT:
         found = [lit(s, towards) for s in surfaces if s.material == material]
         if meshes := [each for each in found if each is not None]:
-            yield material, joined(meshes)
+            yield material, merged(meshes)

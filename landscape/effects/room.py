@@ -28,7 +28,7 @@ from landscape.files.cache import recall
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import boxes_in_view
-from landscape.geometry.mesh import Mesh
+from landscape.geometry.mesh import Mesh, merged
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
@@ -42,19 +42,6 @@ APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "
 BAYS = len(plan.BAYS) - 1
 BARE = (*FLOOR, *BASIN, "plinth")  # drawn on their own; the rest is drawn by bays
 Key = tuple[str, str, str]  # sheet, material, and the number of the bay, "" for those drawn apart
-
-
-def joined(parts: Sequence[Mesh]) -> Mesh:
-    """Return meshes with two texture units as one."""
-    starts = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])]).astype(np.uint32)
-    triangles = [part.triangles + start for part, start in zip(parts, starts, strict=True)]
-    units = zip(*(part.coordinates for part in parts), strict=True)
-    return Mesh(
-        np.concatenate([part.vertices for part in parts]),
-        np.concatenate([part.normals for part in parts]),
-        np.concatenate(triangles),
-        tuple(np.concatenate(unit) for unit in units),
-    )
 
 
 def bay_of(points: np.ndarray) -> int:
@@ -75,7 +62,7 @@ def meshes() -> dict[Key, Mesh]:
         apart = surface.sheet != "hall" or surface.material in BARE
         bay = "" if apart else str(bay_of(surface.points))
         found.setdefault((surface.sheet, surface.material, bay), []).append(part)
-    return {key: joined(parts) for key, parts in found.items()}
+    return {key: merged(parts) for key, parts in found.items()}
 
 
 class Bay:

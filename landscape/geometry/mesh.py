@@ -129,15 +129,16 @@ def centred(vertices: np.ndarray) -> np.ndarray:
 
 
 def merged(meshes: Sequence[Mesh]) -> Mesh:
-    """Return meshes of one texture unit each as one mesh, with colours if all have them."""
+    """Return meshes with as many texture units each as one mesh, with colours if all have them."""
     starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
     parts = zip(meshes, starts, strict=True)
+    units = zip(*(mesh.coordinates for mesh in meshes), strict=True)
     colors = [mesh.colors for mesh in meshes if mesh.colors is not None]
     return Mesh(
         np.concatenate([mesh.vertices for mesh in meshes]),
         np.concatenate([mesh.normals for mesh in meshes]),
         np.concatenate([mesh.triangles + np.uint32(start) for mesh, start in parts]),
-        (np.concatenate([mesh.coordinates[0] for mesh in meshes]),),
+        tuple(np.concatenate(unit) for unit in units),
         np.concatenate(colors) if len(colors) == len(meshes) else None,
     )
 
