@@ -120,6 +120,7 @@ class Room:
             if not bay
         }
         self._bays = [Bay(self._in_bay(parts, str(number))) for number in range(BAYS)]
+        self._boxes = {m: np.stack([bay.box(m) for bay in self._bays]) for m in (False, True)}
 
     def _in_bay(self, parts: Mapping[Key, Mesh], number: str) -> list[tuple[Texture, Any, Mesh]]:
         """Return the texture, the tint and the mesh of each material in a bay."""
@@ -135,7 +136,7 @@ class Room:
 
     def draw(self, frame: Frame) -> None:
         """Draw all but the floor and the pool's basin."""
-        boxes = np.stack([bay.box(frame.mirrored) for bay in self._bays])
+        boxes = self._boxes[frame.mirrored]
         seen = boxes_in_view(frame, boxes[:, 0], boxes[:, 1])
         order = np.argsort(np.abs(boxes[:, 0, 2] - frame.pose.z), kind="stable")
         with attrib(gl.GL_CURRENT_BIT):

@@ -18,6 +18,7 @@ from landscape.gl.extensions import Need, current_context, has, tell_off
 from landscape.settings import Fog
 
 CHOICE_OF_DISTANCE = Need(None, ("GL_NV_fog_distance",))
+# Of GL_NV_fog_distance; the last is GL_EYE_PLANE_ABSOLUTE_NV, which OpenGL begins with in Mesa.
 FOG_DISTANCE_MODE, EYE_RADIAL, EYE_PLANE = 0x855A, 0x855B, 0x855C
 
 
