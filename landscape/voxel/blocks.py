@@ -1,0 +1,87 @@
+"""The kinds of blocks: what each of their faces shows.
+
+A face is a tile of the texture strip times a tint: four kinds of leaves share one grey tile. The
+document calls them "matières" (section "Séparation des régions en matières").
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+AIR = 0
+
+# The tiles in the order of the strip voxel_tiles.png, from the top; each is square and repeats.
+TILES = (
+    *("grass_top", "grass_side", "earth", "rock", "sand", "gravel", "snow", "snow_side"),
+    *("bark", "birch_bark", "log_top", "leaves", "needles"),
+    *("brick", "slate", "planks", "hide", "lamp"),
+)
+# The plants in the order of the columns of voxel_plants.png, from the left.
+PLANT_TILES = ("tall_grass", "fern", "poppy", "buttercup", "cornflower", "heather")
+
+WHITE = (255, 255, 255)
+Colour = tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class Block:
+    """A kind of block: its tiles and its tint.
+
+    ``side`` and ``bottom`` are the top's tile if they are empty. ``natural`` blocks vary their tint
+    a little over the map. A plant is not solid: it is drawn as two crossed quads.
+    """
+
+    name: str
+    top: str
+    side: str = ""
+    bottom: str = ""
+    tint: Colour = WHITE
+    natural: bool = False
+    plant: bool = False
+
+
+# The number of a block is its place in this tuple; 0 is air. Tints are chosen.
+BLOCKS = (
+    Block("air", "rock"),
+    Block("rock", "rock", natural=True),
+    Block("earth", "earth", natural=True),
+    Block("grass", "grass_top", "grass_side", "earth", natural=True),
+    Block("sand", "sand", natural=True),
+    Block("gravel", "gravel", natural=True),
+    Block("snow", "snow", "snow_side", "earth"),
+    Block("oak log", "log_top", "bark", "log_top", (168, 140, 112)),
+    Block("birch log", "log_top", "birch_bark", "log_top"),
+    Block("spruce log", "log_top", "bark", "log_top", (128, 98, 80)),
+    Block("hawthorn log", "log_top", "bark", "log_top", (186, 172, 152)),
+    Block("oak leaves", "leaves", tint=(92, 138, 52), natural=True),
+    Block("birch leaves", "leaves", tint=(150, 176, 72), natural=True),
+    Block("spruce needles", "needles", tint=(62, 104, 74), natural=True),
+    Block("hawthorn leaves", "leaves", tint=(112, 150, 82), natural=True),
+    Block("hawthorn blossom", "leaves", tint=(248, 226, 226)),
+    Block("brick", "brick"),
+    Block("dark brick", "brick", tint=(176, 170, 168)),
+    Block("slate", "slate"),
+    Block("planks", "planks"),
+    Block("red cloth", "hide", tint=(188, 44, 40)),
+    Block("lamp", "lamp"),
+    Block("fur", "hide", tint=(176, 132, 92)),
+    Block("light fur", "hide", tint=(236, 218, 192)),
+    Block("dark", "hide", tint=(34, 28, 30)),
+    Block("scales", "hide", tint=(58, 140, 112)),
+    Block("light scales", "hide", tint=(206, 204, 132)),
+    Block("horn", "hide", tint=(240, 230, 204)),
+    Block("pink", "hide", tint=(226, 138, 132)),
+    Block("tall grass", "tall_grass", natural=True, plant=True),
+    Block("fern", "fern", natural=True, plant=True),
+    Block("poppy", "poppy", plant=True),
+    Block("buttercup", "buttercup", plant=True),
+    Block("cornflower", "cornflower", plant=True),
+    Block("heather", "heather", plant=True),
+)
+NUMBERS = {block.name: number for number, block in enumerate(BLOCKS)}
+SOLID = np.array([number > 0 and not block.plant for number, block in enumerate(BLOCKS)])
+
+
+def block(name: str) -> int:
+    """Return the number of the block of this name; KeyError if there is none."""
+    return NUMBERS[name]
