@@ -31,6 +31,7 @@ CLOSE = 4  # chosen: how many names like a wrong one an error lists
 SCENES: dict[str, str] = {
     "island": "landscape.island",
     "hall": "landscape.effects.hall",
+    "voxel": "landscape.voxel.voxel",
 }
 
 

@@ -22,7 +22,7 @@ FLOORS = (
     ("scene",),
     ("views",),
     ("fixes",),
-    ("island", "effects"),
+    ("island", "effects", "voxel"),
     ("render",),
     ("window", "tools", "gallery", "studio"),
     ("course",),

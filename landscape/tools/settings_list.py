@@ -84,7 +84,7 @@ def _lines(row: Row, kind: type) -> Iterator[str]:
     yield head + (" " * room + source if room > 0 else "")
     presets = ", ".join(f"{name}: {value_text(each)}" for name, each in row["presets"].items())
     elsewhere = {name: each for name, each in row["scenes"].items() if each != value}
-    differs = "".join(f"; in the {name}: {value_text(each)}" for name, each in elsewhere.items())
+    differs = "".join(f"; {name}: {value_text(each)}" for name, each in elsewhere.items())
     lines = [row["does"], f"{_accepted(row)}; {presets}{differs}"]
     # What is shown is plain from the group's name.
     needs = keys.fields(kind)[row["key"]].metadata["needs"]

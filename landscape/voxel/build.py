@@ -1,0 +1,112 @@
+"""Building the world: land from the height image, what stands on it, and the meshes of all regions.
+
+All of it is kept in the cache, so that it is made once.
+"""
+
+import numpy as np
+
+from landscape.elements import sun
+from landscape.errors import InputError
+from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
+from landscape.files.images import read_heights
+from landscape.settings import Sun
+from landscape.voxel.faces import DIRECTIONS
+from landscape.voxel.heights import Heights, heights
+from landscape.voxel.materials import filled, top_materials, variation
+from landscape.voxel.mesh import ALL_TILES, VERTEX, Look, RegionMesh, region_mesh
+from landscape.voxel.settings import Settings, Voxel
+from landscape.voxel.world import MOST_BLOCKS, ROOM, World
+
+TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
+# Chosen: how much, in blocks, and how finely in columns the land is roughened. The height image is
+# so smooth that the steps between levels would be contour lines.
+ROUGH, ROUGH_SIZE = 0.45, 9.0
+# Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
+SKYLIGHT = {"up": 0.62, "down": 0.34}
+SIDELIGHT = 0.50
+SUNLIGHT = 0.52
+
+
+def source(values: Voxel, assets: Assets) -> Heights:
+    """Return the heights of the land in blocks; InputError for what cannot be a world."""
+    columns = values.regions * values.region_size
+    tall = values.levels + ROOM
+    if columns * columns * tall > MOST_BLOCKS:
+        raise InputError(
+            f"settings voxel.regions={values.regions} and voxel.region_size={values.region_size}: "
+            f"expected fewer columns than {columns} x {columns}, whose blocks do not fit in memory"
+        )
+    image = read_heights(assets.path(values.height_image))
+    smooth = heights(image, columns, values.levels)
+    rough = variation(columns, ROUGH_SIZE, np.random.default_rng(0))
+    return Heights(smooth.field + ROUGH * rough)
+
+
+def world(values: Voxel, assets: Assets, seed: int) -> World:
+    """Return the land and what stands on it."""
+    land = source(values, assets)
+    rng = np.random.default_rng(seed)
+    tops = land.tops
+    kinds = top_materials(land, values.sea, rng)
+    blocks = filled(tops, kinds, int(tops.max()) + ROOM)
+    return World(blocks, tops, values.region_size, values.sea, values.block)
+
+
+def face_light(light: Sun) -> np.ndarray:
+    """Return the colour of the light (6, 3) on faces in each of DIRECTIONS."""
+    towards = sun.direction(light)
+    found = np.zeros((len(DIRECTIONS), 3))
+    for k, direction in enumerate(DIRECTIONS):
+        axis = {0: 0, 1: 2, 2: 1}[direction.axis]  # of [x, z, y] in x, y, z
+        faced = max(direction.sign * float(towards[axis]), 0.0)
+        sky = SKYLIGHT.get(direction.name, SIDELIGHT) * np.array([0.94, 0.98, 1.06])
+        found[k] = sky + SUNLIGHT * faced**0.6 * np.array(light.diffuse)
+    return np.clip(found, 0.0, 1.0)
+
+
+def look(side: int, light: Sun, seed: int) -> Look:
+    """Return what the colours depend on, for a map of ``side`` columns."""
+    tint = variation(side + 1, TINT_SIZE, np.random.default_rng(seed + 1))
+    return Look(face_light(light), tint)
+
+
+def meshes(place: World, colours: Look, values: Voxel) -> list[RegionMesh]:
+    """Return the meshes of all regions."""
+    return [meshed(place, region, colours, values) for region in range(place.regions**2)]
+
+
+def meshed(place: World, region: int, colours: Look, values: Voxel) -> RegionMesh:
+    """Return the mesh of a region."""
+    blocks, origin = place.with_edge(region)
+    return region_mesh(blocks, origin, colours, values.merge, values.occlusion)
+
+
+def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, list[RegionMesh]]:
+    """Return the world, its colours and its meshes, from the cache if they were built before."""
+    values = settings.voxel
+    side = values.regions * values.region_size
+    colours = look(side, settings.sun, seed)
+    parts = (
+        "voxel world",
+        content(assets.path(values.height_image)),
+        repr((values, settings.sun.azimuth, settings.sun.elevation, settings.sun.diffuse, seed)),
+    )
+
+    def make() -> tuple[np.ndarray, ...]:
+        place = world(values, assets, seed)
+        found = meshes(place, colours, values)
+        vertices = np.concatenate([mesh.vertices for mesh in found])
+        counts = np.stack([mesh.counts for mesh in found])
+        return place.blocks, place.ground, vertices.view(np.uint8), counts
+
+    blocks, ground, data, counts = recall(parts, make)
+    place = World(blocks, ground, values.region_size, values.sea, values.block)
+    vertices = data.view(VERTEX)
+    ends = np.cumsum(counts.reshape(len(counts), -1).sum(axis=1))
+    shape = len(ALL_TILES), len(DIRECTIONS)
+    found = [
+        RegionMesh(vertices[end - count.sum() : end], count.reshape(shape))
+        for end, count in zip(ends, counts, strict=True)
+    ]
+    return place, colours, found

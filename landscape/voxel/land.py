@@ -1,0 +1,145 @@
+"""The land of cubes: which regions are drawn, and their faces, tile by tile.
+
+Technique: one shared vertex buffer; of each tile one texture and one glMultiDrawArrays that sends
+its faces in all visible regions, nearest first, so that what they hide fails the depth test early.
+State used: GL_TEXTURE_2D, GL_CULL_FACE, GL_ALPHA_TEST for plants; the modelview matrix scales
+blocks to units.
+What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge``.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from landscape.files.assets import Assets
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib, matrix
+from landscape.gl.texture import Texture
+from landscape.voxel.blocks import TILES
+from landscape.voxel.build import built, meshed
+from landscape.voxel.faces import DIRECTIONS
+from landscape.voxel.mesh import RegionMesh
+from landscape.voxel.region_buffer import RegionBuffer
+from landscape.voxel.settings import Settings
+from landscape.voxel.tiles import plants, tiles
+from landscape.voxel.visibility import distances, facing, visible_in_world
+
+LEAST_ALPHA = 0.5  # chosen: texels of plants with less are not drawn
+
+
+class Choice(NamedTuple):
+    """Regions to draw, nearest first, and in which directions their faces may be seen (n, 6)."""
+
+    regions: np.ndarray
+    facing: np.ndarray
+
+
+class Land:
+    """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units."""
+
+    def __init__(self, settings: Settings, assets: Assets, seed: int) -> None:
+        """Build the world or recall it, upload its meshes and the tiles."""
+        self.settings, self._seed = settings, seed
+        self.world, self.colours, found = built(settings, assets, seed)
+        self.buffer = RegionBuffer(found)
+        boxes = [bounding_box(mesh) for mesh in found]
+        self.low, self.high = (
+            np.array(ends) * self.world.block for ends in zip(*boxes, strict=True)
+        )
+        pictures = tiles(assets)
+        self._textures = [Texture(pictures[name]) for name in TILES]
+        self._textures.append(Texture(plants(assets), repeat=False))
+
+    @property
+    def scale(self) -> float:
+        """The side of a block in units."""
+        return self.world.block
+
+    def choose(self, clip: np.ndarray, eye: np.ndarray, distance: float) -> Choice:
+        """Return what to draw: with ``clip`` (4, 4), projection times modelview, from ``eye``."""
+        values = self.settings.voxel
+        away = distances(self.low, self.high, eye)
+        seen = np.ones(len(away), bool)
+        if values.cull:
+            seen = visible_in_world(self.low, self.high, clip) & (away < distance)
+        regions = np.flatnonzero(seen)
+        regions = regions[np.argsort(away[regions], kind="stable")]
+        ways = facing(self.low[regions], self.high[regions], eye)
+        if not values.facing:
+            ways[:] = True
+        return Choice(regions, ways)
+
+    def draw(self, choice: Choice) -> None:
+        """Draw the regions of a choice, textured, in the current state of lights and fog."""
+        groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
+        with attrib(groups), matrix(), self.buffer.bound():
+            gl.glScalef(self.scale, self.scale, self.scale)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            gl.glEnable(gl.GL_CULL_FACE)
+            self.send(choice)
+
+    def send(self, choice: Choice) -> None:
+        """Send the faces of each tile with its texture bound; the caller has set all else."""
+        for tile, texture in enumerate(self._textures):
+            if not self.buffer.count[choice.regions, tile].any():
+                continue
+            texture.bind()
+            if tile == len(TILES):
+                self._send_plants(choice)
+            else:
+                self.buffer.draw(tile, *choice)
+
+    def _send_plants(self, choice: Choice) -> None:
+        """Send the plants, whose quads have two sides and holes."""
+        gl.glDisable(gl.GL_CULL_FACE)
+        gl.glEnable(gl.GL_ALPHA_TEST)
+        gl.glAlphaFunc(gl.GL_GREATER, LEAST_ALPHA)
+        every = np.ones((len(choice.regions), len(DIRECTIONS)), bool)
+        self.buffer.draw(len(TILES), choice.regions, every)
+        gl.glDisable(gl.GL_ALPHA_TEST)
+        gl.glEnable(gl.GL_CULL_FACE)
+
+    def send_shapes(self, choice: Choice) -> None:
+        """Send all faces but those of plants without their textures, as a shadow map needs them."""
+        for tile in range(len(TILES)):
+            self.buffer.draw(tile, *choice)
+
+    def rebuild(self, region: int) -> None:
+        """Mesh a region again, whose blocks have changed."""
+        mesh = meshed(self.world, region, self.colours, self.settings.voxel)
+        self.low[region], self.high[region] = (
+            np.array(end) * self.scale for end in bounding_box(mesh)
+        )
+        if not self.buffer.replace(region, mesh):
+            count = range(self.world.regions**2)
+            every = [meshed(self.world, each, self.colours, self.settings.voxel) for each in count]
+            self.buffer.release()
+            self.buffer = RegionBuffer(every)
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply settings; return False if the land must be built again."""
+        now, then = self.settings, settings
+        changed = [name for name in BUILT if getattr(now.voxel, name) != getattr(then.voxel, name)]
+        if changed or now.sun != then.sun:
+            return False
+        self.settings = settings
+        return True
+
+    def release(self) -> None:
+        """Delete the buffer and the textures; may be called twice."""
+        self.buffer.release()
+        for texture in self._textures:
+            texture.release()
+
+
+# Settings of which the meshes are made.
+BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "merge", "occlusion",
+         "trees", "buildings")  # fmt: skip
+
+
+def bounding_box(mesh: RegionMesh) -> tuple[np.ndarray, np.ndarray]:
+    """Return the least and the largest corner (3,) of a region's faces in blocks; x, y, z."""
+    if not len(mesh.vertices):
+        return np.zeros(3), np.zeros(3)
+    position = mesh.vertices["position"]
+    return position.min(axis=0).astype(np.float64), position.max(axis=0).astype(np.float64)

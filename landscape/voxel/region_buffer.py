@@ -1,0 +1,97 @@
+"""One vertex buffer for all regions, and each region's share of it.
+
+The document weighs one buffer for the whole scene against one a region, and takes the first: what
+costs is the number of OpenGL calls, not of vertices. Here, too, a region is a share of the one
+buffer, in which the vertices of a tile and of a direction follow each other, and a
+glMultiDrawArrays (OpenGL 1.4) sends those of a tile in all visible regions at once.
+State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.gl.calls import gl
+from landscape.gl.extensions import Need
+from landscape.voxel.faces import DIRECTIONS
+from landscape.voxel.mesh import ALL_TILES, VERTEX, RegionMesh
+
+NEED = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
+MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
+SPARE = 512  # vertices, chosen: and by at least this
+
+
+class RegionBuffer:
+    """Owner of the buffer. ``first`` and ``count`` (regions, tiles, 6) say what lies where."""
+
+    def __init__(self, meshes: Sequence[RegionMesh]) -> None:
+        """Upload the meshes of all regions."""
+        sizes = np.array([len(mesh.vertices) for mesh in meshes])
+        self.room = (np.maximum(sizes * MARGIN, sizes + SPARE) // 4 * 4).astype(np.int64)
+        self.start = np.cumsum(self.room) - self.room
+        self.first = np.zeros((len(meshes), len(ALL_TILES), len(DIRECTIONS)), np.int32)
+        self.count = np.zeros_like(self.first)
+        whole = np.zeros(int(self.room.sum()), VERTEX)
+        for region, mesh in enumerate(meshes):
+            whole[self.start[region] :][: len(mesh.vertices)] = mesh.vertices
+            self._enter(region, mesh)
+        self.name = int(gl.glGenBuffers(1))
+        self._fill(whole)
+
+    def _enter(self, region: int, mesh: RegionMesh) -> None:
+        """Note where the vertices of a region lie."""
+        flat = mesh.counts.ravel()
+        starts = self.start[region] + np.cumsum(flat) - flat
+        self.first[region] = starts.reshape(mesh.counts.shape)
+        self.count[region] = mesh.counts
+
+    def _fill(self, vertices: np.ndarray) -> None:
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+        gl.glBufferData(gl.GL_ARRAY_BUFFER, vertices.nbytes, vertices, gl.GL_STATIC_DRAW)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+
+    def replace(self, region: int, mesh: RegionMesh) -> bool:
+        """Replace a region's vertices; return False, changing nothing, if its share is too small.
+
+        Then the caller makes the whole buffer again, with larger shares.
+        """
+        if len(mesh.vertices) > self.room[region]:
+            return False
+        begin = int(self.start[region]) * VERTEX.itemsize
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+        gl.glBufferSubData(gl.GL_ARRAY_BUFFER, begin, mesh.vertices.nbytes, mesh.vertices)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        self._enter(region, mesh)
+        return True
+
+    @contextmanager
+    def bound(self) -> Iterator[None]:
+        """Let the block draw from the buffer."""
+        with_client = gl.GL_CLIENT_VERTEX_ARRAY_BIT
+        gl.glPushClientAttrib(with_client)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+        gl.glInterleavedArrays(gl.GL_T2F_C4UB_V3F, 0, None)
+        try:
+            yield
+        finally:
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+            gl.glPopClientAttrib()
+
+    def draw(self, tile: int, regions: np.ndarray, facing: np.ndarray) -> None:
+        """Draw a tile's faces of some regions, in their order, in the directions of ``facing``.
+
+        ``facing`` (regions, 6) says for each of ``regions`` which directions may be seen.
+        """
+        count = np.where(facing, self.count[regions, tile], 0)
+        sent = count > 0
+        if not sent.any():
+            return
+        first, count = self.first[regions, tile][sent], count[sent]
+        gl.glMultiDrawArrays(gl.GL_QUADS, first, count, len(first))
+
+    def release(self) -> None:
+        """Delete the buffer; may be called twice."""
+        if self.name:
+            gl.glDeleteBuffers(1, np.array([self.name], np.uint32))
+            self.name = 0

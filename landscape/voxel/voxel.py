@@ -1,0 +1,130 @@
+"""The island in voxels: its passes, and the order in which a frame draws them."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from landscape.elements.sword import Sword
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.geometry.obstacles import Obstacle
+from landscape.gl.calls import begin_pass, drawing, gl
+from landscape.scene import SEED, Moment, Scene, View, begin_frame
+from landscape.voxel import build
+from landscape.voxel.heights import Heights
+from landscape.voxel.land import Land
+from landscape.voxel.settings import PRESETS, Settings
+from landscape.voxel.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
+
+
+class Ground:
+    """What a walker stands on; needs no OpenGL."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Read the heights; InputError for an image that cannot be used."""
+        self.settings = settings
+        self.heights: Heights = build.source(settings.voxel, assets)
+        self._tops = self.heights.tops
+        self.size = len(self._tops) * settings.voxel.block
+
+    def height(self, x: float, z: float) -> float:
+        """Return the height in units of the ground's blocks at x, z, or of the water over them."""
+        block, last = self.settings.voxel.block, len(self._tops) - 1
+        i, k = (int(min(max(each / block, 0), last)) for each in (x, z))
+        return max(int(self._tops[i, k]), self.settings.voxel.sea) * block
+
+
+class Voxel(Ground):
+    """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
+
+    obstacles: tuple[Obstacle, ...] = ()
+
+    def __init__(
+        self, settings: Settings, assets: Assets, seed: int = SEED, only: tuple[str, ...] = STANDING
+    ) -> None:
+        """Build the elements in ``only``; InputError names a file that cannot be used."""
+        super().__init__(settings, assets)
+        self.shown = set(only)
+        self._owned: list[Any] = []
+        try:
+            begin_pass("setup")
+            with drawing("land"):  # always built: everything stands on it
+                self.land = Land(settings, assets, seed)
+                self._owned.append(self.land)
+            self.sword = self._built(("sword",), Sword, settings, assets)
+        except BaseException:
+            self.release()
+            raise
+
+    def _built(self, names: tuple[str, ...], kind: type, *given: Any) -> Any:
+        """Build an element if any of its names may be shown; otherwise return None."""
+        if self.shown.isdisjoint(names):
+            return None
+        with drawing(*names):
+            element = kind(*given)
+        self._owned.append(element)
+        return element
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply settings; return False, changing nothing, if an element must be built again."""
+        taken: list[Any] = []
+        for element in self._owned:
+            if not element.apply(settings):
+                for each in taken:
+                    each.apply(self.settings)
+                return False
+            taken.append(element)
+        self.settings = settings
+        return True
+
+    def draw(self, moment: Moment) -> None:
+        """Draw one frame into the current framebuffer."""
+        values = self.settings
+        frame = begin_frame(moment, values.camera, values.sun, values.fog)
+        if "land" in self.shown:
+            with drawing("land"):
+                choice = self.land.choose(clip_matrix(), frame.eye, values.voxel.distance)
+                self.land.draw(choice)
+        begin_pass("overlay")
+        self._draw("sword", self.sword, frame)
+
+    def _draw(self, name: str, element: Any, frame: Frame) -> None:
+        """Draw an element if it was built and is shown now."""
+        if element is not None and name in self.shown:
+            with drawing(name):
+                element.draw(frame)
+
+    def release(self) -> None:
+        """Release the elements, last built first; may be called twice."""
+        while self._owned:
+            self._owned.pop().release()
+
+
+def clip_matrix() -> np.ndarray:
+    """Return the current projection times modelview (4, 4), which transforms column vectors."""
+    names = gl.GL_PROJECTION_MATRIX, gl.GL_MODELVIEW_MATRIX
+    projection, modelview = (np.array(gl.glGetFloatv(name), np.float64) for name in names)
+    # OpenGL stores columns, so the arrays are the transposed matrices.
+    return np.asarray((modelview.reshape(4, 4) @ projection.reshape(4, 4)).T)
+
+
+def with_nothing_held(view: View) -> View:
+    """Return a view that shows what it names, or everything but what a walker holds."""
+    return replace(view, shown=view.shown or STANDING)
+
+
+SCENE = Scene(
+    name="voxel",
+    elements=ELEMENTS,
+    views={name: with_nothing_held(view) for name, view in VIEWS.items()},
+    settings=Settings(),
+    presets=PRESETS,
+    preset="best",
+    start="voxel_bay",
+    main=MAIN,
+    open=Voxel,
+    terrain=Ground,
+    overlay=HELD,
+    title="the island in voxels",
+)

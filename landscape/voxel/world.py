@@ -1,0 +1,85 @@
+"""The world of blocks: an array, its regions, and what can be asked of it. No OpenGL.
+
+Blocks are indexed [x, z, y], east, south and up; a region is a square of columns.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from landscape.voxel.blocks import AIR, block
+from landscape.voxel.faces import EDGE
+
+ROOM = 44  # blocks, chosen: room above the highest column, for trees and towers
+MOST_BLOCKS = 900 << 20  # bytes, chosen: what the blocks of a world may take
+
+
+@dataclass
+class World:
+    """Blocks, uint8 [x, z, y], in regions of ``region_size`` columns a side.
+
+    ``ground`` (n, n) is the number of blocks of bare land in each column, without what stands on
+    it; ``sea`` is the lowest level of dry land, and ``block`` the side of a cube in units.
+    """
+
+    blocks: np.ndarray
+    ground: np.ndarray
+    region_size: int
+    sea: int
+    block: float
+    changed: set[int] = field(default_factory=set)  # regions that are to be meshed again
+
+    @property
+    def side(self) -> int:
+        """The number of columns on each side of the map."""
+        return len(self.blocks)
+
+    @property
+    def regions(self) -> int:
+        """The number of regions on each side of the map."""
+        return self.side // self.region_size
+
+    @property
+    def size(self) -> float:
+        """The side of the map in units."""
+        return self.side * self.block
+
+    def region_columns(self, region: int) -> tuple[int, int]:
+        """Return x and z of the first column of a region, numbered row by row along z."""
+        i, k = divmod(region, self.regions)
+        return i * self.region_size, k * self.region_size
+
+    def region_of(self, x: int, z: int) -> int:
+        """Return the region of a column."""
+        return x // self.region_size * self.regions + z // self.region_size
+
+    def with_edge(self, region: int) -> tuple[np.ndarray, tuple[int, int, int]]:
+        """Return a region's blocks with an edge all around, and the place [x, z, y] within it.
+
+        Only levels where a face may be visible are returned. Beyond the map the land goes on as at
+        its border, and below it is rock.
+        """
+        x, z = self.region_columns(region)
+        reach = np.arange(-EDGE, self.region_size + EDGE)
+        across, along = (np.clip(at + reach, 0, self.side - 1) for at in (x, z))
+        inner = self.blocks[across[0] : across[-1] + 1, along[0] : along[-1] + 1]
+        low, high = levels_in_use(inner)
+        height = inner.shape[2]
+        found = np.full((len(reach), len(reach), high - low + 2 * EDGE), AIR, np.uint8)
+        bottom, top = max(low - EDGE, 0), min(high + EDGE, height)
+        start = bottom - (low - EDGE)
+        columns = inner[np.ix_(across - across[0], along - along[0])][:, :, bottom:top]
+        found[:, :, start : start + top - bottom] = columns
+        found[:, :, :start] = block("rock")
+        return found, (x, z, low)
+
+
+def levels_in_use(blocks: np.ndarray) -> tuple[int, int]:
+    """Return the levels [low, high) of blocks [x, z, y] between which faces can be visible."""
+    # A level is of no interest if all of it is solid with solid around it, or all of it is air.
+    filled = (blocks != AIR).reshape(-1, blocks.shape[2])
+    some, every = filled.any(axis=0), filled.all(axis=0)
+    high = int(np.flatnonzero(some)[-1]) + 1 if some.any() else 1
+    empty = np.flatnonzero(~every)
+    low = int(empty[0]) - 1 if len(empty) else high - 1
+    return max(low, 0), high
