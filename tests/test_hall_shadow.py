@@ -18,9 +18,9 @@ from landscape.effects.planar_shadow import (
     FLOOR_PLANE,
     NORTH_PLANE,
     flame,
-    may_reach,
     on_floor,
     on_north,
+    reached,
 )
 from landscape.effects.statue import COARSER, YAW
 from landscape.elements import sun
@@ -196,9 +196,11 @@ def test_a_relit_surface_is_in_each_part_what_its_light_maps_say(stage, hall, po
 def test_a_shadow_that_cannot_reach_its_receiver_is_left_out() -> None:
     box = np.array([(x, y, z) for x in (1.4, 1.8) for y in (0.0, 0.4) for z in (1.0, 1.4)])
     floor, north = on_floor(lambda: None), on_north(lambda: None)
-    assert may_reach(box, floor, LIGHTS["sun"]) and not may_reach(box, north, LIGHTS["sun"])
-    assert may_reach(box, floor, LIGHTS["torch"]) and may_reach(box, north, LIGHTS["torch"])
-    assert not may_reach(box, north, np.array([0.1, 0.3, -1.0, 0.0])), "from behind the wall"
+    assert reached(box, floor, LIGHTS["sun"]) is not None
+    assert reached(box, north, LIGHTS["sun"]) is None
+    assert reached(box, floor, LIGHTS["torch"]) is not None
+    assert reached(box, north, LIGHTS["torch"]) is not None
+    assert reached(box, north, np.array([0.1, 0.3, -1.0, 0.0])) is None, "from behind the wall"
 
 
 def test_without_the_stencil_the_shadow_hangs_in_the_rose_window(stage, hall) -> None:

@@ -113,8 +113,11 @@ class Hall(Ground):
             moment = replace(moment, pose=self.flight.pose(moment.kt))
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
         self._draw_hall(frame)
+        gl.glFlush()
         self._draw_image(frame)
+        gl.glFlush()
         self._draw_floor(frame)
+        gl.glFlush()
         self._draw("pool", self.pool, frame)  # blended over its bed
 
         # Blended: each after all that is opaque behind it.
@@ -136,6 +139,8 @@ class Hall(Ground):
             with drawing("exhibits"):
                 self.exhibits.draw_first(frame)  # needs an empty depth buffer
         self._draw("room", self.room, frame)
+        # OpenGL executes the calls so far while Python goes on; so below.
+        gl.glFlush()
         self._draw_basin(frame)
         self._draw("door", self.entrance, frame)
         self._draw("statue", self.statue, frame)

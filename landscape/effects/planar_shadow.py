@@ -22,7 +22,7 @@ A planar shadow has hard edges and falls on planes alone: pillars and vault rece
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import combinations
 from typing import NamedTuple
@@ -30,13 +30,14 @@ from typing import NamedTuple
 import numpy as np
 
 from landscape.effects import plan
+from landscape.effects.exhibits.picture import Part, part_of_polygon
 from landscape.effects.mirror import FLOOR
 from landscape.effects.settings import Settings
 from landscape.elements import sun
 from landscape.frame import Frame
 from landscape.geometry.planar import shadow_matrix, shadows_of
 from landscape.gl.calls import drawing, gl
-from landscape.gl.state import attrib, matrix
+from landscape.gl.state import attrib, front_faces, matrix
 
 RECEIVER = 2  # the stencil bit of the surface that receives a shadow
 SHADED = {"sun": 4, "torch": 8}  # those of what a light does not reach
@@ -46,6 +47,7 @@ NORTH_PLANE = np.array([0.0, 0.0, 1.0, -plan.INSIDE.north])
 FLAME = 0.022  # chosen: height of the flame's brightest part above the torch
 OFFSET = -2.0, -4.0  # the document has -2, -1; more units, as the shadow's triangles are long
 MARGIN = 1e-6  # units: shadows lie on the plane but for rounding
+FAR_AWAY = 1e3  # chosen: units, beyond any receiver
 WAVER = ((0.61, 0.9), (0.37, 0.7), (0.83, 1.0))  # chosen: turns per kt; strength along x, y, z
 
 
@@ -84,13 +86,36 @@ def on_north(send: Callable[[], None]) -> Receiver:
     return Receiver(NORTH_PLANE, np.array(corners), send)
 
 
-def may_reach(points: np.ndarray, receiver: Receiver, light: np.ndarray) -> bool:
-    """Return whether a shadow of points (n, 3), taken as the corners of a box, may be in sight."""
+def reached(points: np.ndarray, receiver: Receiver, light: np.ndarray) -> np.ndarray | None:
+    """Return two corners (2, 3) of the part of a receiver that shadows of a box may reach.
+
+    ``points`` (n, 3) are the box's corners. None if the shadows miss the receiver.
+    """
     shadows = shadows_of(points, receiver.plane, light)
-    if np.isnan(shadows).any():
-        return not np.isnan(shadows).all()
-    low, high = receiver.corners[0] - MARGIN, receiver.corners[1] + MARGIN
-    return bool(((shadows.max(axis=0) >= low) & (shadows.min(axis=0) <= high)).all())
+    endless = np.isnan(shadows).any(axis=1)
+    if endless.all():
+        return None
+    if endless.any():
+        # What is as far from the plane as the light has its shadow infinitely far away from it.
+        normal = receiver.plane[:3]
+        away = points[endless] - light[:3]
+        away -= np.outer(away @ normal, normal)
+        shadows[endless] = points[endless] + FAR_AWAY * away
+    low = np.maximum(shadows.min(axis=0), receiver.corners[0] - MARGIN)
+    high = np.minimum(shadows.max(axis=0), receiver.corners[1] + MARGIN)
+    return np.stack([low, high]) if (low <= high).all() else None
+
+
+def rectangle(ends: np.ndarray, plane: np.ndarray) -> np.ndarray:
+    """Return the corners (4, 3), one after the other, of a rectangle on FLOOR or NORTH_PLANE.
+
+    ``ends`` (2, 3) are two that face each other.
+    """
+    (low, high), (across, up) = ends, (0, 2) if plane[1] else (0, 1)
+    found = np.tile((low + high) / 2, (4, 1))
+    found[:, across] = np.array([low, high, high, low])[:, across]
+    found[:, up] = np.array([low, low, high, high])[:, up]
+    return found
 
 
 class PlanarShadow:
@@ -112,19 +137,26 @@ class PlanarShadow:
         """Whether receivers are drawn again without a light; only a stencil makes that possible."""
         return self._settings.shadow.method == "relight" and self._settings.shadow.stencil
 
-    def lights(self, frame: Frame, receiver: Receiver) -> dict[str, np.ndarray]:
-        """Return the lights, each (4,), that may cast shadows on a receiver, by name."""
+    def lights(self, frame: Frame, receiver: Receiver) -> dict[str, tuple[np.ndarray, Part | None]]:
+        """Return the lights, each (4,), that may cast shadows on a receiver in view, by name.
+
+        Beside each is the part of the picture that its shadow is in, None for all of it.
+        """
         wanted = self._settings.shadow
         found = {}
         if wanted.light in ("sun", "both"):
             found["sun"] = np.append(sun.direction(self._settings.sun), 0.0)
         if wanted.light in ("torch", "both"):
             found["torch"] = flame(frame.kt, wanted.flicker)
-        return {
-            name: light
-            for name, light in found.items()
-            if not wanted.behind or may_reach(self._box, receiver, light)
-        }
+        if not wanted.behind:
+            return {name: (light, None) for name, light in found.items()}
+        seen: dict[str, tuple[np.ndarray, Part | None]] = {}
+        for name, light in found.items():
+            if (corners := reached(self._box, receiver, light)) is not None:
+                outline = rectangle(corners, receiver.plane)
+                if part := part_of_polygon(frame, outline):
+                    seen[name] = light, part
+        return seen
 
     def darken(self, frame: Frame, receiver: Receiver) -> None:
         """Darken a receiver that has been drawn where the lights' rays do not reach it."""
@@ -133,7 +165,7 @@ class PlanarShadow:
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glColor4f(0.0, 0.0, 0.0, self._settings.shadow.strength)
-            for light in self.lights(frame, receiver).values():
+            for light, _ in self.lights(frame, receiver).values():
                 if self._settings.shadow.stencil:
                     self._mark(inside, receiver)
                     gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
@@ -149,19 +181,25 @@ class PlanarShadow:
         What is drawn until the next step shows in that part alone. The first lacks none.
         """
         inside, lights = self._inside(frame), self.lights(frame, receiver)
+        if not lights:
+            yield ()
+            return
         with self._shadowing():
             self._mark(inside, receiver)
-            for name, light in lights.items():
+            for name, (light, _) in lights.items():
                 bit = SHADED[name]
                 gl.glStencilMask(bit)
                 gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER | bit, inside | RECEIVER)
                 self._flatten(receiver, light)
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_STENCIL_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT):
+        groups = gl.GL_ENABLE_BIT | gl.GL_STENCIL_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
+        with attrib(groups | gl.GL_SCISSOR_BIT):
             gl.glEnable(gl.GL_STENCIL_TEST)
             gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
             gl.glDepthFunc(gl.GL_LEQUAL)
             for count in range(len(lights) + 1):
                 for without in combinations(lights, count):
+                    if not restrict([lights[name][1] for name in without]):
+                        continue
                     bits = inside | RECEIVER | sum(SHADED[name] for name in without)
                     gl.glStencilFunc(gl.GL_EQUAL, bits, inside | ALL)
                     yield without
@@ -201,9 +239,25 @@ class PlanarShadow:
             gl.glPolygonOffset(*OFFSET)
         flattened = shadow_matrix(receiver.plane, light)
         for signed in (flattened,) if values.behind else (flattened, -flattened):
-            with matrix():
+            # What faces the light has the same shadow as the whole, of half the triangles.
+            with matrix(), front_faces():
                 gl.glMultMatrixf(np.ascontiguousarray(signed.T, np.float32))
                 self._cast()
 
     def release(self) -> None:
         """Nothing was made in OpenGL."""
+
+
+def restrict(parts: Sequence[Part | None]) -> bool:
+    """Draw only where all of these parts of the picture are; False if they have none in common."""
+    known = [each for each in parts if each]
+    if not known:
+        return True
+    x, y = max(each.x for each in known), max(each.y for each in known)
+    width = min(each.x + each.width for each in known) - x
+    height = min(each.y + each.height for each in known) - y
+    if width <= 0 or height <= 0:
+        return False
+    gl.glEnable(gl.GL_SCISSOR_TEST)
+    gl.glScissor(x, y, width, height)
+    return True

@@ -7,6 +7,7 @@ and GL_NORMALIZE makes them unit vectors again.
 State used: lighting, the material, culling, GL_NORMALIZE.
 """
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -18,6 +19,7 @@ from landscape.elements.animal import read_animal
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.clustering import clustered
+from landscape.geometry.culling import ball_in_view
 from landscape.geometry.mesh import gathered, scaled
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
@@ -71,6 +73,8 @@ class Statue:
 
     def draw(self, frame: Frame) -> None:
         """Draw the statue, lit."""
+        if not self._in_view(frame):
+            return
         if self._environment is not None:
             self._environment.prepare(frame)
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
@@ -90,6 +94,12 @@ class Statue:
                 send()
         # In Mesa glPopAttrib does not restore the colour here.
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+    def _in_view(self, frame: Frame) -> bool:
+        """Return whether the statue, or its mirror image, may be in view."""
+        low, high = self.box
+        x, y, z = ((low + high) / 2).tolist()
+        return ball_in_view(frame, (x, -y if frame.mirrored else y, z), math.dist(low, high) / 2)
 
     def _polish(self) -> None:
         """Set a metal's material: what it mirrors shows without direct light, too, and it glints.

@@ -8,6 +8,8 @@ import numpy as np
 from landscape.frame import Frame
 from landscape.gl.calls import gl
 
+BEFORE = 1e-3  # chosen: units in front of the eye at which polygons are cut off
+
 
 class Part(NamedTuple):
     """A rectangle of the picture in pixels from the bottom left, and its nearest depth, -1..1."""
@@ -36,7 +38,11 @@ def part(
     corners = np.array([(*corner, 1.0) for corner in product(*ends)]) @ clip.T
     if (corners[:, 3] <= 1e-6).any():
         return Part(0, 0, *size, -1.0)
-    places = corners[:, :3] / corners[:, 3:]
+    return _around(corners[:, :3] / corners[:, 3:], size)
+
+
+def _around(places: np.ndarray, size: tuple[int, int]) -> Part | None:
+    """Return the part of a picture that holds places (n, 3) from -1 to 1."""
     pixels = (places[:, :2] + 1.0) / 2.0 * size
     left, bottom = np.clip(np.floor(pixels.min(axis=0)), 0, size).astype(int).tolist()
     right, top = np.clip(np.ceil(pixels.max(axis=0)), 0, size).astype(int).tolist()
@@ -49,3 +55,32 @@ def part_of(frame: Frame, low: tuple[float, ...], high: tuple[float, ...]) -> Pa
     """Return the part of a frame that holds a box in the hall; see :func:`part`."""
     camera = frame.modelview.reshape(4, 4).T
     return part(projection() @ camera, low, high, frame.viewport)
+
+
+def polygon_part(clip: np.ndarray, corners: np.ndarray, size: tuple[int, int]) -> Part | None:
+    """Return the part of a picture of ``size`` pixels that holds a convex polygon (n, 3).
+
+    As :func:`part`, but what is behind the eye is cut off.
+    """
+    places = np.column_stack([corners, np.ones(len(corners))]) @ clip.T
+    before = places[:, 3] - BEFORE
+    found = [places[before >= 0]]
+    after = np.roll(np.arange(len(places)), -1)
+    for k in np.flatnonzero((before >= 0) != (before[after] >= 0)):
+        share = before[k] / (before[k] - before[after[k]])
+        found.append((places[k] + share * (places[after[k]] - places[k]))[None])
+    kept = np.concatenate(found)
+    if not len(kept):
+        return None
+    return _around(kept[:, :3] / kept[:, 3:], size)
+
+
+def part_of_polygon(frame: Frame, corners: np.ndarray) -> Part | None:
+    """Return the part of a frame that holds a convex polygon (n, 3) in the hall.
+
+    In a mirrored frame, its image in the floor.
+    """
+    camera = frame.modelview.reshape(4, 4).T
+    if frame.mirrored:
+        corners = corners * (1.0, -1.0, 1.0)
+    return polygon_part(projection() @ camera, corners, frame.viewport)
