@@ -35,7 +35,9 @@ class CubeMap:
     """Owner of one cube map."""
 
     def __init__(self, faces: np.ndarray, trilinear: bool = True, mipmaps: bool = True) -> None:
-        """Upload six images, uint8 (6, n, n, 3 or 4) in the order of FACES, n a power of two.
+        """Upload six images, uint8 (6, n, n, 1, 3 or 4), in the order of FACES, n a power of two.
+
+        One channel is alpha.
 
         They have mip levels: a bent surface mirrors much in few pixels, and would glitter. Smooth
         images do without ``mipmaps``, and without ``trilinear`` only the nearer of two levels is
@@ -49,7 +51,8 @@ class CubeMap:
         gl.glTexParameteri(kind, gl.GL_TEXTURE_MAG_FILTER, gl.GL_LINEAR)
         gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_S, gl.GL_CLAMP_TO_EDGE)
         gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_T, gl.GL_CLAMP_TO_EDGE)
-        kept, form = {3: (gl.GL_RGB8, gl.GL_RGB), 4: (gl.GL_RGBA8, gl.GL_RGBA)}[faces.shape[-1]]
+        forms = {1: (gl.GL_ALPHA8, gl.GL_ALPHA), 3: (gl.GL_RGB8, gl.GL_RGB)}
+        kept, form = (forms | {4: (gl.GL_RGBA8, gl.GL_RGBA)})[faces.shape[-1]]
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for face, image in zip(FACES, faces, strict=True):
             target = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{face}")

@@ -69,10 +69,10 @@ class Land:
             ways[:] = True
         return Choice(regions, ways)
 
-    def draw(self, choice: Choice) -> None:
-        """Draw the regions of a choice, textured, in the current state of lights and fog."""
+    def draw(self, choice: Choice, fog_by_height: bool = False) -> None:
+        """Draw the regions of a choice, textured, in the current state of fog."""
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
-        with attrib(groups), matrix(), self.buffer.bound():
+        with attrib(groups), matrix(), self.buffer.bound(fog_by_height):
             gl.glScalef(self.scale, self.scale, self.scale)
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_CULL_FACE)

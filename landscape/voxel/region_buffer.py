@@ -7,6 +7,7 @@ glMultiDrawArrays (OpenGL 1.4) sends those of a tile in all visible regions at o
 State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
 """
 
+import ctypes
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
@@ -19,6 +20,7 @@ from landscape.voxel.mesh import ALL_TILES, VERTEX, RegionMesh
 
 NEED = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
+Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
 SPARE = 512  # vertices, chosen: and by at least this
 
 
@@ -66,12 +68,15 @@ class RegionBuffer:
         return True
 
     @contextmanager
-    def bound(self) -> Iterator[None]:
-        """Let the block draw from the buffer."""
-        with_client = gl.GL_CLIENT_VERTEX_ARRAY_BIT
-        gl.glPushClientAttrib(with_client)
+    def bound(self, fog_by_height: bool = False) -> Iterator[None]:
+        """Let the block draw from the buffer; fog coordinates are heights in blocks if asked."""
+        gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
         gl.glInterleavedArrays(gl.GL_T2F_C4UB_V3F, 0, None)
+        if fog_by_height:
+            # The same vertices once more: a vertex's y as its fog coordinate.
+            gl.glEnableClientState(gl.GL_FOG_COORD_ARRAY)
+            gl.glFogCoordPointer(gl.GL_FLOAT, VERTEX.itemsize, ctypes.c_void_p(Y_OFFSET))
         try:
             yield
         finally:

@@ -3,12 +3,25 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.keys import Value, setting
+from landscape.keys import Value, setting, word
 from landscape.settings import UNITS, Camera, Clock, Fog, Sun, Walk
 
 REGIONS = "Peurière, Terrain/Region"
 BLOCKS = "blocks"
 LAND = ("land",)
+PASSES = "Peurière, Affichage"
+# Times of day: what differs from a preset, which shows noon. All values are chosen.
+TIMES: dict[str, dict[str, Value]] = {
+    "noon": {},
+    "sunset": {
+        "sky.set": "sunset",
+        "sun.azimuth": 250.0,  # where the sun is in the sunset's pictures (studio/air.py)
+        "sun.elevation": 7.0,
+        "sun.diffuse": (1.0, 0.66, 0.38),
+        "fog.color": (0.86, 0.62, 0.50),
+        "water.color": (0.10, 0.13, 0.16),
+    },
+}
 
 
 @dataclass(frozen=True)
@@ -48,9 +61,43 @@ class Voxel:
 
 
 @dataclass(frozen=True)
-class Settings:
-    """All groups, with the voxel island's own defaults of those it shares with the island."""
+class Sky:
+    """The sky, a cube map."""
 
+    NEEDS: ClassVar[tuple[str, ...]] = ("sky",)
+
+    set: str = setting("day", "chosen", "set of sky pictures", choices=("day", "sunset"))
+
+
+@dataclass(frozen=True)
+class Water:
+    """The sea: what it mirrors, what lies under it, and how the two are mixed."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("water",)
+
+    reflection: bool = setting(True, PASSES, "the water mirrors land and sky")
+    refraction: bool = setting(True, PASSES, "one sees what lies under the water")
+    resolution: float = setting(
+        0.5, "chosen", "size of the two pictures", 0.05, 1, unit="times the window's"
+    )
+    fresnel: float = setting(1.0, PASSES, "how much it mirrors; 1 is as much as water does", 0, 4)
+    ripples: float = setting(
+        1.0, PASSES, "how far ripples displace what is seen in and under the water", 0, 10
+    )
+    sparkle: float = setting(1.0, PASSES, "how wide the sun's glints are", 0, 4)
+    color: tuple[float, ...] = setting(
+        (0.03, 0.20, 0.27), "chosen", "colour of deep water", 0, 1, unit="RGB"
+    )
+    clear: float = setting(
+        9.0, "chosen", "depth from which nothing is seen any more", 0.1, 1000, unit=BLOCKS
+    )
+
+
+@dataclass(frozen=True)
+class Settings:
+    """All groups, and the time of day; the shared groups have the voxel island's own defaults."""
+
+    time: str = word("noon", TIMES, "chosen", "time of day: sun, sky and fog at once")
     camera: Camera = Camera(fov=66.0, near=0.015, far=90.0)
     clock: Clock = Clock()
     # Chosen: an eye at 1.6 blocks.
@@ -58,6 +105,8 @@ class Settings:
     sun: Sun = Sun(azimuth=128.0, elevation=42.0)
     fog: Fog = Fog(mode="exp2", density=0.045, color=(0.66, 0.79, 0.90), radial=True)
     voxel: Voxel = Voxel()
+    sky: Sky = Sky()
+    water: Water = Water()
 
 
 PRESETS: dict[str, dict[str, Value]] = {"best": {}}

@@ -32,3 +32,19 @@ def tiles(assets: Assets) -> dict[str, np.ndarray]:
 def plants(assets: Assets) -> np.ndarray:
     """Return the pictures of plants side by side, uint8 (64, 64 n, 4)."""
     return np.zeros((SIDE, SIDE * len(PLANT_TILES), 4), np.uint8)
+
+
+def ripples(assets: Assets) -> np.ndarray:
+    """Return the ripples' normals as colours, uint8 (n, n, 3), z up."""
+    rng = np.random.default_rng(3)
+    n = 128
+    f = np.fft.fftfreq(n) * n
+    k = np.hypot(f[:, None], f[None])
+    size = np.where((k > 2) & (k < 20), 1 / np.maximum(k, 1) ** 1.6, 0)
+    spectrum = size * np.exp(2j * np.pi * rng.random((n, n)))
+    h = np.real(np.fft.ifft2(spectrum))
+    h /= h.std()
+    dx, dz = (np.roll(h, -1, a) - np.roll(h, 1, a) for a in (1, 0))
+    v = np.stack([-dx * 0.35, -dz * 0.35, np.ones_like(h)], -1)
+    v /= np.linalg.norm(v, axis=-1, keepdims=True)
+    return (v * 127.5 + 128).astype(np.uint8)

@@ -1,13 +1,15 @@
 """The island in voxels: its passes, and the order in which a frame draws them."""
 
+from contextlib import nullcontext
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
 from landscape.frame import Frame
+from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import SEED, Moment, Scene, View, begin_frame
@@ -15,7 +17,10 @@ from landscape.voxel import build
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
 from landscape.voxel.settings import PRESETS, Settings
+from landscape.voxel.sky import Sky
 from landscape.voxel.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
+from landscape.voxel.water import Water
+from landscape.voxel.water_images import clipped
 
 
 class Ground:
@@ -35,6 +40,13 @@ class Ground:
         return max(int(self._tops[i, k]), self.settings.voxel.sea) * block
 
 
+class Shore(NamedTuple):
+    """The water in view: its height in units, and points of it (rows, columns, 3)."""
+
+    level: float
+    points: np.ndarray
+
+
 class Voxel(Ground):
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
 
@@ -52,6 +64,8 @@ class Voxel(Ground):
             with drawing("land"):  # always built: everything stands on it
                 self.land = Land(settings, assets, seed)
                 self._owned.append(self.land)
+            self.sky = self._built(("sky",), Sky, settings, assets)
+            self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
         except BaseException:
             self.release()
@@ -82,12 +96,53 @@ class Voxel(Ground):
         """Draw one frame into the current framebuffer."""
         values = self.settings
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
-        if "land" in self.shown:
-            with drawing("land"):
-                choice = self.land.choose(clip_matrix(), frame.eye, values.voxel.distance)
-                self.land.draw(choice)
+        clip = clip_matrix()
+        shore = self._draw_images(frame)
+        begin_pass("main")
+        with clipped(shore.level, above=True) if shore else nullcontext():
+            self._draw_land(frame)
+        self._draw("sky", self.sky, frame)
+        if shore:
+            with drawing("water"):
+                self.water.draw(frame, clip, shore.points)
         begin_pass("overlay")
         self._draw("sword", self.sword, frame)
+
+    def _draw_land(self, frame: Frame, below: bool = False) -> None:
+        """Draw the land that the current matrices let one see; ``below`` fogs it by its depth."""
+        if "land" not in self.shown:
+            return
+        with drawing("land"):
+            eye = frame.eye
+            if frame.mirrored:
+                eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
+            choice = self.land.choose(clip_matrix(), eye, self.settings.voxel.distance)
+            self.land.draw(choice, fog_by_height=below)
+
+    def _draw_images(self, frame: Frame) -> Shore | None:
+        """Draw the pictures of what is mirrored and refracted; None if no water is in view."""
+        if self.water is None or "water" not in self.shown:
+            return None
+        points = self.water.grid(frame)
+        if points is None:
+            return None
+        level, images = self.water.level, self.water.images
+        begin_pass("reflection")
+        with drawing("water"):
+            images.draw_reflection(frame.viewport, level, lambda: self._draw_mirrored(frame))
+        begin_pass("refraction")
+        with drawing("water"):
+            block = self.settings.voxel.block
+            images.draw_refraction(
+                frame.viewport, level, block, lambda: self._draw_land(frame, below=True)
+            )
+        return Shore(level, points)
+
+    def _draw_mirrored(self, frame: Frame) -> None:
+        """Draw what is mirrored: the land, and the sky behind it."""
+        frame = replace(frame, mirrored=True)
+        self._draw_land(frame)
+        self._draw("sky", self.sky, frame)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:
         """Draw an element if it was built and is shown now."""

@@ -1,0 +1,152 @@
+"""The sky: a cube map, looked up by the direction in which one looks.
+
+Technique: a box around the eye whose texture coordinates are the directions to its corners, with a
+cube map (GL_ARB_texture_cube_map, OpenGL 1.3). Unlike the island's sky box it needs no care at its
+edges, and it is drawn after the land, where the depth buffer is still empty. Its six images are
+made from the island's pictures, which show the walls and the ceiling of a box half as high as wide.
+State used: GL_TEXTURE_CUBE_MAP, the depth function, the depth range.
+What is wrong with it: the clouds do not move, and below the horizon there is nothing but haze.
+"""
+
+import numpy as np
+
+from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
+from landscape.files.images import read_image
+from landscape.frame import Frame
+from landscape.gl import cube_map
+from landscape.gl.calls import gl
+from landscape.gl.cube_map import CubeMap, face_directions
+from landscape.gl.display_list import DisplayList
+from landscape.gl.extensions import has, tell_off
+from landscape.gl.state import attrib, matrix
+from landscape.voxel.settings import Settings
+
+PICTURES = ("west", "north", "east", "south", "top")
+HEIGHT = (
+    0.5  # of the pictures' box, in halves of its width: the walls are four times as wide as high
+)
+SIDE = 1024  # texels, chosen: side of a face of the cube map
+BLEND = 0.035  # chosen: sine of the elevation below which the sky turns into haze
+# The corners of the box that is drawn around the eye, by face.
+BOX = tuple(
+    tuple((x, y, z) for x, y, z in corners)
+    for corners in (
+        ((1, -1, -1), (1, -1, 1), (1, 1, 1), (1, 1, -1)),
+        ((-1, -1, 1), (-1, -1, -1), (-1, 1, -1), (-1, 1, 1)),
+        ((-1, 1, -1), (1, 1, -1), (1, 1, 1), (-1, 1, 1)),
+        ((-1, -1, 1), (1, -1, 1), (1, -1, -1), (-1, -1, -1)),
+        ((1, -1, 1), (-1, -1, 1), (-1, 1, 1), (1, 1, 1)),
+        ((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1)),
+    )
+)
+
+
+def sampled(picture: np.ndarray, s: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return colours (n, 3) of a picture (h, w, 3) at s, t (n,) in 0..1, between texels linear."""
+    h, w = picture.shape[:2]
+    x, y = np.clip(s * w - 0.5, 0, w - 1), np.clip(t * h - 0.5, 0, h - 1)
+    x0, y0 = np.minimum(x.astype(int), w - 2), np.minimum(y.astype(int), h - 2)
+    fx, fy = (x - x0)[:, None], (y - y0)[:, None]
+    upper = picture[y0, x0] * (1 - fx) + picture[y0, x0 + 1] * fx
+    lower = picture[y0 + 1, x0] * (1 - fx) + picture[y0 + 1, x0 + 1] * fx
+    return np.asarray(upper * (1 - fy) + lower * fy)
+
+
+def sky_colours(
+    pictures: dict[str, np.ndarray], directions: np.ndarray, haze: np.ndarray
+) -> np.ndarray:
+    """Return the sky's colours (n, 3) in unit directions (n, 3): x east, y up, z south.
+
+    The ray meets either a wall of the pictures' box or its ceiling. Below the horizon is ``haze``.
+    """
+    x, y, z = directions.T
+    reach = np.maximum(np.maximum(np.abs(x), np.abs(z)), 1e-9)
+    up = y / reach  # where the ray meets the walls of a box whose half width is 1
+    found = np.tile(np.asarray(haze, np.float64), (len(directions), 1))
+    walls = {
+        "west": (-x == reach, -z),
+        "north": (-z == reach, x),
+        "east": (x == reach, z),
+        "south": (z == reach, -x),
+    }
+    for name, (beyond, along) in walls.items():
+        at = np.flatnonzero(beyond & (up >= 0) & (up < HEIGHT))
+        s = (along[at] / reach[at] + 1) / 2
+        found[at] = sampled(pictures[name], s, 1 - up[at] / HEIGHT)
+    at = np.flatnonzero((y > 0) & (up >= HEIGHT))
+    s, t = ((each[at] / y[at] * HEIGHT + 1) / 2 for each in (x, z))
+    found[at] = sampled(pictures["top"], s, t)
+    clear = np.clip(y / BLEND, 0.0, 1.0)[:, None]
+    return found * clear + np.asarray(haze) * (1 - clear)
+
+
+class Sky:
+    """The sky around the eye."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Read the pictures, make the cube map and compile the box."""
+        self.settings = settings
+        self._map: CubeMap | None = None
+        if not has(cube_map.NEED):
+            tell_off("sky", cube_map.NEED)
+            return
+        self._map = CubeMap(self._faces(assets), mipmaps=False)
+        self._list = DisplayList(send_box)
+
+    def _faces(self, assets: Assets) -> np.ndarray:
+        """Return the images of the cube map, uint8 (6, n, n, 3), made once."""
+        prefix = {"day": "sky_"}.get(self.settings.sky.set, f"sky_{self.settings.sky.set}_")
+        paths = {name: assets.path(f"{prefix}{name}.png") for name in PICTURES}
+        haze = 255.0 * np.array(self.settings.fog.color)
+
+        def make() -> tuple[np.ndarray]:
+            pictures = {name: read_image(path, "RGB") for name, path in paths.items()}
+            faces = np.empty((6, SIDE, SIDE, 3), np.uint8)
+            for face, directions in zip(faces, face_directions(SIDE), strict=True):
+                colours = sky_colours(pictures, directions.reshape(-1, 3), haze)
+                face[:] = (colours + 0.5).astype(np.uint8).reshape(SIDE, SIDE, 3)
+            return (faces,)
+
+        pixels = [content(path) for path in paths.values()]
+        return recall(["voxel sky", haze.tobytes(), *pixels], make)[0]
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the sky where nothing else is, mirrored or not as the modelview matrix is."""
+        if self._map is None:
+            return
+        groups = gl.GL_ENABLE_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT
+        with attrib(groups | gl.GL_CURRENT_BIT), matrix():
+            gl.glTranslatef(*frame.eye.tolist())
+            gl.glDisable(gl.GL_FOG)
+            gl.glDepthRange(1.0, 1.0)
+            gl.glDepthFunc(gl.GL_LEQUAL)
+            gl.glDepthMask(gl.GL_FALSE)
+            self._map.bind()
+            gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
+            self._list.call()
+            gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply settings; return False if the cube map must be made again."""
+        if (settings.sky, settings.fog.color) != (self.settings.sky, self.settings.fog.color):
+            return False
+        self.settings = settings
+        return True
+
+    def release(self) -> None:
+        """Delete the cube map and the list; may be called twice."""
+        if self._map is not None:
+            self._map.release()
+            self._list.release()
+
+
+def send_box() -> None:
+    """Send the box, each corner with the direction to it as its texture coordinates."""
+    gl.glColor3f(1.0, 1.0, 1.0)
+    gl.glBegin(gl.GL_QUADS)
+    for face in BOX:
+        for corner in face:
+            gl.glTexCoord3f(*map(float, corner))
+            gl.glVertex3f(*map(float, corner))
+    gl.glEnd()

@@ -1,0 +1,161 @@
+"""The water: a plane that mixes what it mirrors and what lies under it by Fresnel's term.
+
+Technique, in one pass with four texture units (the document did it in a shader):
+- unit 0, a map of ripples' normals times the half vector between sun and eye in the vertex colour,
+  by GL_DOT3_RGBA: how nearly each ripple mirrors the sun, in alpha;
+- unit 1, the picture of what lies under the water, laid on as a slide projector would: the texture
+  matrix is the camera's projection. The same for unit 2, the picture of what is mirrored;
+- unit 3, the alpha cube map of Fresnel's term, addressed by vertex minus eye. Unit 2 mixes the two
+  pictures by it (GL_INTERPOLATE; GL_ARB_texture_env_crossbar lets it read unit 3's texture);
+- alpha is squared in units 1 and 2, which leaves the glints only, and unit 3 adds it.
+Both pictures are disturbed by moving their coordinates at the vertices of a grid.
+State used: texture units 0 to 3, GL_COMBINE, the texture matrices.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.elements import sun
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.gl.calls import gl
+from landscape.gl.cube_map import CubeMap
+from landscape.gl.state import attrib, combine
+from landscape.gl.texture import Texture
+from landscape.voxel.fresnel import fresnel_faces
+from landscape.voxel.settings import Settings
+from landscape.voxel.tiles import ripples
+from landscape.voxel.water_grid import disturbed, grid_quads, half_vectors, water_grid
+from landscape.voxel.water_images import WaterImages
+
+BELOW = 0.14  # blocks, chosen: how far the water is below the top of its block
+BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
+RIPPLE_SIZE = 0.9  # units, chosen: the side of the map of normals on the water
+DRIFT = 0.0011  # chosen: units per kt by which it moves
+
+
+class Water:
+    """The water of the whole map, and beyond it to the horizon."""
+
+    def __init__(self, settings: Settings, assets: Assets) -> None:
+        """Make the textures."""
+        self.settings = settings
+        self.images = WaterImages(settings.water)
+        self._normals = Texture(ripples(assets))
+        self._fresnel = CubeMap(fresnel_faces(settings.water.fresnel), mipmaps=False)
+        self._quads = grid_quads()
+
+    @property
+    def level(self) -> float:
+        """The height of the water in units."""
+        values = self.settings.voxel
+        return (values.sea - BELOW) * values.block
+
+    def grid(self, frame: Frame) -> np.ndarray | None:
+        """Return the points of the water in view (rows, columns, 3), None if there are none."""
+        return water_grid(frame, self.level, self.settings.camera.far * 0.9)
+
+    def draw(self, frame: Frame, clip: np.ndarray, points: np.ndarray) -> None:
+        """Draw the water at ``points``; ``clip`` is the camera's projection times modelview."""
+        values = self.settings.water
+        flat = points.reshape(-1, 3)
+        moved = disturbed(flat, frame.kt, values.ripples)
+        half = half_vectors(flat, frame.eye, sun.direction(self.settings.sun).astype(np.float64))
+        ways = [(0, 0), (1, moved), (2, moved), (3, flat - frame.eye)]
+        drift = np.array([0.8, 0.6]) * DRIFT * frame.kt
+        ways[0] = (0, flat[:, [0, 2]] / RIPPLE_SIZE + drift)
+        groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT
+        with attrib(groups), self._projected(clip), arrays(flat, half, ways):
+            self._combine()
+            gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+
+    @contextmanager
+    def _projected(self, clip: np.ndarray) -> Iterator[None]:
+        """Let units 1 and 2 look up, at a point, the pixel of the screen where it is seen."""
+        whole = np.ascontiguousarray((BIAS @ clip).T, np.float32)
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        for unit in (gl.GL_TEXTURE1, gl.GL_TEXTURE2):
+            gl.glActiveTexture(unit)
+            gl.glPushMatrix()
+            gl.glLoadMatrixf(whole)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        try:
+            yield
+        finally:
+            gl.glMatrixMode(gl.GL_TEXTURE)
+            for unit in (gl.GL_TEXTURE1, gl.GL_TEXTURE2):
+                gl.glActiveTexture(unit)
+                gl.glPopMatrix()
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    def _combine(self) -> None:
+        """Bind the textures and set the units' equations."""
+        images = self.images
+        assert images.reflection and images.refraction
+        glint = float(self.settings.water.sparkle)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._normals.bind()
+        combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PRIMARY_COLOR"})
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        images.refraction.bind()
+        # What remains of the alpha above a threshold, four times as much.
+        combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"})
+        combine({"COMBINE_ALPHA": "SUBTRACT", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "CONSTANT"})
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
+        threshold = np.array([0.0, 0.0, 0.0, 1.0 - 0.25 * glint], np.float32)
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, threshold)
+        gl.glActiveTexture(gl.GL_TEXTURE2)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        images.reflection.bind()
+        combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
+        combine({"SRC2_RGB": "TEXTURE3", "OPERAND2_RGB": "SRC_ALPHA"})
+        combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "PREVIOUS"})
+        gl.glActiveTexture(gl.GL_TEXTURE3)
+        gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
+        self._fresnel.bind()
+        combine({"COMBINE_RGB": "ADD", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
+        combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
+        combine({"SRC0_ALPHA": "PREVIOUS"})
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply settings; return False if the textures must be made again."""
+        if settings.water.fresnel != self.settings.water.fresnel:
+            return False
+        self.settings = settings
+        self.images.values = settings.water
+        return True
+
+    def release(self) -> None:
+        """Delete the textures; may be called twice."""
+        self.images.release()
+        self._normals.release()
+        self._fresnel.release()
+
+
+@contextmanager
+def arrays(
+    points: np.ndarray, half: np.ndarray, ways: list[tuple[int, np.ndarray]]
+) -> Iterator[None]:
+    """Enable the arrays of points (n, 3), of half vectors (n, 3) as colours, and of coordinates."""
+    kept = [np.ascontiguousarray(points, np.float32)]
+    # A component of -1..1 becomes a colour of 0..1, which GL_DOT3 turns back.
+    kept.append(np.ascontiguousarray(half[:, [0, 2, 1]] * 0.5 + 0.5, np.float32))
+    gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
+    gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
+    gl.glVertexPointer(3, gl.GL_FLOAT, 0, kept[0])
+    gl.glEnableClientState(gl.GL_COLOR_ARRAY)
+    gl.glColorPointer(3, gl.GL_FLOAT, 0, kept[1])
+    for unit, array in ways:
+        kept.append(np.ascontiguousarray(array, np.float32))
+        gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+        gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, kept[-1])
+    try:
+        yield
+    finally:
+        gl.glPopClientAttrib()
