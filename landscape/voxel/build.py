@@ -3,6 +3,8 @@
 All of it is kept in the cache, so that it is made once.
 """
 
+import math
+
 import numpy as np
 
 from landscape.elements import sun
@@ -15,7 +17,7 @@ from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials, variation
 from landscape.voxel.mesh import ALL_TILES, VERTEX, Look, RegionMesh, region_mesh
-from landscape.voxel.settings import Settings, Voxel
+from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_BLOCKS, ROOM, World
 
 TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
@@ -53,22 +55,31 @@ def world(values: Voxel, assets: Assets, seed: int) -> World:
     return World(blocks, tops, values.region_size, values.sea, values.block)
 
 
-def face_light(light: Sun) -> np.ndarray:
-    """Return the colour of the light (6, 3) on faces in each of DIRECTIONS."""
+def face_light(light: Sun, shadow: Shadow) -> np.ndarray:
+    """Return the light (6, 4) on faces in each of DIRECTIONS.
+
+    The fourth component is what is left to a face in the sun, when there are shadows: 1, or for one
+    that is turned away from the sun as much as in shadow, so that it does not depend on the shadow
+    map, which is not exact there. Its colour is then so much brighter.
+    """
     towards = sun.direction(light)
-    found = np.zeros((len(DIRECTIONS), 3))
+    found = np.ones((len(DIRECTIONS), 4))
+    left = math.fsum(shadow.color) / 3.0
     for k, direction in enumerate(DIRECTIONS):
         axis = {0: 0, 1: 2, 2: 1}[direction.axis]  # of [x, z, y] in x, y, z
         faced = max(direction.sign * float(towards[axis]), 0.0)
         sky = SKYLIGHT.get(direction.name, SIDELIGHT) * np.array([0.94, 0.98, 1.06])
-        found[k] = sky + SUNLIGHT * faced**0.6 * np.array(light.diffuse)
+        found[k, :3] = sky + SUNLIGHT * faced**0.6 * np.array(light.diffuse)
+        if shadow.enabled and not faced:
+            found[k, :3] /= left
+            found[k, 3] = left
     return np.clip(found, 0.0, 1.0)
 
 
-def look(side: int, light: Sun, seed: int) -> Look:
+def look(side: int, light: Sun, shadow: Shadow, seed: int) -> Look:
     """Return what the colours depend on, for a map of ``side`` columns."""
     tint = variation(side + 1, TINT_SIZE, np.random.default_rng(seed + 1))
-    return Look(face_light(light), tint)
+    return Look(face_light(light, shadow), tint)
 
 
 def meshes(place: World, colours: Look, values: Voxel) -> list[RegionMesh]:
@@ -86,11 +97,11 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, l
     """Return the world, its colours and its meshes, from the cache if they were built before."""
     values = settings.voxel
     side = values.regions * values.region_size
-    colours = look(side, settings.sun, seed)
+    colours = look(side, settings.sun, settings.shadow, seed)
     parts = (
         "voxel world",
         content(assets.path(values.height_image)),
-        repr((values, settings.sun.azimuth, settings.sun.elevation, settings.sun.diffuse, seed)),
+        repr((values, settings.sun, settings.shadow, seed)),
     )
 
     def make() -> tuple[np.ndarray, ...]:

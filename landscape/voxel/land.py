@@ -35,11 +35,14 @@ class Choice(NamedTuple):
 
 
 class Land:
-    """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units."""
+    """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units.
+
+    ``version`` grows whenever a block changes.
+    """
 
     def __init__(self, settings: Settings, assets: Assets, seed: int) -> None:
         """Build the world or recall it, upload its meshes and the tiles."""
-        self.settings, self._seed = settings, seed
+        self.settings, self.version = settings, 0
         self.world, self.colours, found = built(settings, assets, seed)
         self.buffer = RegionBuffer(found)
         boxes = [bounding_box(mesh) for mesh in found]
@@ -69,8 +72,14 @@ class Land:
             ways[:] = True
         return Choice(regions, ways)
 
+    def seen_by_sun(self, clip: np.ndarray, towards: np.ndarray) -> Choice:
+        """Return what the sun sees, which is infinitely far away in the direction ``towards``."""
+        regions = np.flatnonzero(visible_in_world(self.low, self.high, clip))
+        away = 1e6 * towards
+        return Choice(regions, facing(self.low[regions], self.high[regions], away))
+
     def draw(self, choice: Choice, fog_by_height: bool = False) -> None:
-        """Draw the regions of a choice, textured, in the current state of fog."""
+        """Draw the regions of a choice, textured, in the current state of fog and shadows."""
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups), matrix(), self.buffer.bound(fog_by_height):
             gl.glScalef(self.scale, self.scale, self.scale)
@@ -99,13 +108,17 @@ class Land:
         gl.glDisable(gl.GL_ALPHA_TEST)
         gl.glEnable(gl.GL_CULL_FACE)
 
-    def send_shapes(self, choice: Choice) -> None:
-        """Send all faces but those of plants without their textures, as a shadow map needs them."""
-        for tile in range(len(TILES)):
-            self.buffer.draw(tile, *choice)
+    def draw_shapes(self, choice: Choice) -> None:
+        """Draw all faces but those of plants, without textures, as a shadow map needs them."""
+        with attrib(gl.GL_ENABLE_BIT), matrix(), self.buffer.bound():
+            gl.glScalef(self.scale, self.scale, self.scale)
+            gl.glEnable(gl.GL_CULL_FACE)
+            for tile in range(len(TILES)):
+                self.buffer.draw(tile, *choice)
 
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
+        self.version += 1
         mesh = meshed(self.world, region, self.colours, self.settings.voxel)
         self.low[region], self.high[region] = (
             np.array(end) * self.scale for end in bounding_box(mesh)
@@ -120,7 +133,7 @@ class Land:
         """Apply settings; return False if the land must be built again."""
         now, then = self.settings, settings
         changed = [name for name in BUILT if getattr(now.voxel, name) != getattr(then.voxel, name)]
-        if changed or now.sun != then.sun:
+        if changed or (now.sun, now.shadow) != (then.sun, then.shadow):
             return False
         self.settings = settings
         return True

@@ -61,8 +61,9 @@ class RegionMesh:
 class Look:
     """What colours depend on.
 
-    ``light`` (6, 3) is the colour of the light on faces in each of DIRECTIONS, and ``tint``
-    (n + 1, n + 1) a noise of -1..1 over the corners of the map's columns, [x, z].
+    ``light`` (6, 4) is the colour of the light on faces in each of DIRECTIONS, with the alpha that
+    shadows need, and ``tint`` (n + 1, n + 1) a noise of -1..1 over the corners of the columns,
+    [x, z].
     """
 
     light: np.ndarray
@@ -95,7 +96,7 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
 def colours(faces: Faces, shade: np.ndarray, at: np.ndarray, look: Look) -> np.ndarray:
     """Return the colours (m, 4, 4), uint8, of corners at (m, 4, 3) [x, z, y]."""
     k = DIRECTIONS.index(faces.direction)
-    tint = np.repeat((TINTS[faces.block] * look.light[k])[:, None, :], 4, axis=1)
+    tint = np.repeat((TINTS[faces.block] * look.light[k, :3])[:, None, :], 4, axis=1)
     tint *= SHADES[shade][..., None]
     natural = NATURAL[faces.block]
     last = len(look.tint) - 1
@@ -104,6 +105,7 @@ def colours(faces: Faces, shade: np.ndarray, at: np.ndarray, look: Look) -> np.n
     tint[natural] *= 1.0 + TINT_STEP * noise * np.array([1.0, 0.55, 0.35], np.float32)
     found = np.full((len(faces), 4, 4), 255, np.uint8)
     found[..., :3] = np.clip(tint + 0.5, 0, 255)
+    found[..., 3] = round(255 * look.light[k, 3])
     return found
 
 
@@ -133,7 +135,7 @@ def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) ->
     column = PLANT_COLUMN[kinds]
     last = len(look.tint) - 1
     noise = look.tint[tuple(np.minimum(place[:, :2], last).T)][:, None]
-    tint = TINTS[kinds] * look.light[UP] * (1.0 + TINT_STEP * noise * NATURAL[kinds][:, None])
+    tint = TINTS[kinds] * look.light[UP, :3] * (1.0 + TINT_STEP * noise * NATURAL[kinds][:, None])
     for quad, (dx, dz) in enumerate(((0.36, 0.36), (0.36, -0.36))):
         for corner, (side, top) in enumerate(((-1, 0), (1, 0), (1, 1), (-1, 1))):
             vertex = found[:, quad, corner]

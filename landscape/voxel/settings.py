@@ -70,6 +70,30 @@ class Sky:
 
 
 @dataclass(frozen=True)
+class Shadow:
+    """The sun's shadows."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = LAND
+
+    enabled: bool = setting(True, PASSES, "the land is in shadow where the sun does not see it")
+    size: int = setting(
+        2048, "chosen", "side of the picture that the sun sees", 16, 8192, unit="texels"
+    )
+    distance: float = setting(
+        14.0, "chosen", "how far around the eye there are shadows", 0.5, 1000, unit=UNITS
+    )
+    color: tuple[float, ...] = setting(
+        (0.50, 0.56, 0.70), "chosen", "light that remains in shadow", 0, 1, unit="RGB"
+    )
+    offset: bool = setting(
+        True, "chosen", "depths are offset; off, faces shade themselves in stripes"
+    )
+    snapped: bool = setting(
+        True, "chosen", "the picture moves in whole texels; off, the edges of shadows crawl"
+    )
+
+
+@dataclass(frozen=True)
 class Water:
     """The sea: what it mirrors, what lies under it, and how the two are mixed."""
 
@@ -105,6 +129,7 @@ class Settings:
     sun: Sun = Sun(azimuth=128.0, elevation=42.0)
     fog: Fog = Fog(mode="exp2", density=0.045, color=(0.66, 0.79, 0.90), radial=True)
     voxel: Voxel = Voxel()
+    shadow: Shadow = Shadow()
     sky: Sky = Sky()
     water: Water = Water()
 

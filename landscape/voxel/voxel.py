@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from landscape.elements import sun
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -17,6 +18,7 @@ from landscape.voxel import build
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
 from landscape.voxel.settings import PRESETS, Settings
+from landscape.voxel.shadow_map import ShadowMap
 from landscape.voxel.sky import Sky
 from landscape.voxel.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.voxel.water import Water
@@ -64,6 +66,7 @@ class Voxel(Ground):
             with drawing("land"):  # always built: everything stands on it
                 self.land = Land(settings, assets, seed)
                 self._owned.append(self.land)
+            self.shadow = self._built(("land",), ShadowMap, settings)
             self.sky = self._built(("sky",), Sky, settings, assets)
             self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
@@ -97,6 +100,7 @@ class Voxel(Ground):
         values = self.settings
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
         clip = clip_matrix()
+        self._draw_shadows(frame)
         shore = self._draw_images(frame)
         begin_pass("main")
         with clipped(shore.level, above=True) if shore else nullcontext():
@@ -117,7 +121,21 @@ class Voxel(Ground):
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
             choice = self.land.choose(clip_matrix(), eye, self.settings.voxel.distance)
-            self.land.draw(choice, fog_by_height=below)
+            with self.shadow.applied() if self.settings.shadow.enabled else nullcontext():
+                self.land.draw(choice, fog_by_height=below)
+
+    def _draw_shadows(self, frame: Frame) -> None:
+        """Draw the sun's picture of depths, if it must be drawn again."""
+        if "land" not in self.shown or not self.settings.shadow.enabled:
+            return
+        towards = sun.direction(self.settings.sun)
+        begin_pass("shadow")
+        with drawing("land"):
+            self.shadow.update(
+                frame.eye,
+                self.land.version,
+                lambda clip: self.land.draw_shapes(self.land.seen_by_sun(clip, towards)),
+            )
 
     def _draw_images(self, frame: Frame) -> Shore | None:
         """Draw the pictures of what is mirrored and refracted; None if no water is in view."""

@@ -1,0 +1,151 @@
+"""Shadows: what the sun sees, as a picture of depths (TP2, part 4).
+
+Technique: the land is drawn from the sun into a depth texture (ARB_depth_texture). When it is drawn
+from the eye, OpenGL generates for each vertex its place in that picture (GL_EYE_LINEAR, with the
+rows of bias * projection * view of the sun as planes, given while the modelview matrix is the
+camera's), and the lookup compares its depth with the one stored (ARB_shadow): 1 in the light, 0 in
+shadow. What remains in shadow, the light of the sky, is mixed in by the combiner:
+- unit 0 has the tile, but computes light = mix(sky's colour, 1, unit 1's answer);
+- unit 1 has the picture of depths, and multiplies by unit 0's tile (GL_ARB_texture_env_crossbar);
+- unit 2 multiplies by the vertex colour.
+The picture covers a square around the eye that moves in whole texels, so that shadows of what
+stands still do not crawl, and is drawn again only when it has moved or the land has changed.
+State used: a framebuffer object, GL_POLYGON_OFFSET_FILL, texture units 0 to 2, GL_COMBINE.
+What is wrong without: ``shadow.offset`` (faces shade themselves in stripes), ``shadow.snapped``
+(edges crawl). Beyond the square there are no shadows, only faces turned away from the sun.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from landscape.elements import sun
+from landscape.gl.calls import gl
+from landscape.gl.depth_target import DepthTarget
+from landscape.gl.extensions import Need
+from landscape.gl.state import attrib, combine, flat_projection
+from landscape.gl.texture import Texture
+from landscape.voxel.settings import Settings
+
+NEEDS = (
+    Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
+    Need((1, 4), ("GL_ARB_shadow",)),
+    Need((1, 4), ("GL_ARB_texture_env_crossbar",)),
+)
+UNITS = 3
+BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
+STEP = 64  # texels, chosen: the square moves by whole multiples of this
+
+
+def light_axes(towards: np.ndarray) -> np.ndarray:
+    """Return the rotation (3, 3) to the sun's eye space: rows right, up and towards the sun."""
+    right = np.cross((0.0, 1.0, 0.0), towards)
+    if np.linalg.norm(right) < 1e-6:
+        right = np.array([1.0, 0.0, 0.0])
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
+
+
+def light_matrix(
+    towards: np.ndarray, eye: np.ndarray, reach: float, depth: float, step: float
+) -> np.ndarray:
+    """Return the sun's projection times view (4, 4), for column vectors.
+
+    It covers a square of ``reach`` units to each side of the eye and ``depth`` units towards the
+    sun and away. The middle of the square is a multiple of ``step`` units; 0 leaves it at the eye.
+    """
+    axes = light_axes(towards)
+    middle = axes @ eye
+    if step:
+        middle[:2] = np.round(middle[:2] / step) * step
+        middle[2] = np.round(middle[2])
+    scale = np.array([1 / reach, 1 / reach, -1 / depth])
+    found = np.eye(4)
+    found[:3, :3] = scale[:, None] * axes
+    found[:3, 3] = -scale * middle
+    return found
+
+
+class ShadowMap:
+    """The sun's picture of depths, and the state that draws with it."""
+
+    def __init__(self, settings: Settings) -> None:
+        """Make the depth texture."""
+        self.settings = settings
+        self.target = DepthTarget(settings.shadow.size)
+        self._white = Texture(np.full((1, 1, 3), 255, np.uint8), mipmaps=False)
+        self._drawn: tuple[bytes, int] | None = None
+        self.matrix = np.eye(4)
+
+    def update(self, eye: np.ndarray, version: int, draw: Callable[[np.ndarray], None]) -> None:
+        """Draw the picture again if the eye has left its square, or ``version`` is another.
+
+        ``draw`` sends the land's shapes, given the matrix; the modelview is then the world's.
+        """
+        values = self.settings.shadow
+        texel = 2 * values.distance / values.size
+        towards = sun.direction(self.settings.sun).astype(np.float64)
+        step = STEP * texel if values.snapped else 0.0
+        # Towards the sun, what casts a shadow may be as far away as the shadow is long.
+        depth = 2 * values.distance + 10.0
+        self.matrix = light_matrix(towards, eye, values.distance, depth, step)
+        wanted = self.matrix.tobytes(), version
+        if wanted == self._drawn:
+            return
+        self._drawn = wanted
+        with self.target.drawing(), flat_projection(), attrib(gl.GL_ENABLE_BIT | gl.GL_POLYGON_BIT):
+            gl.glMatrixMode(gl.GL_PROJECTION)
+            gl.glLoadMatrixf(np.ascontiguousarray(self.matrix.T, np.float32))
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+            gl.glDisable(gl.GL_FOG)
+            if values.offset:
+                gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
+                gl.glPolygonOffset(2.0, 4.0)
+            draw(self.matrix)
+
+    @contextmanager
+    def applied(self) -> Iterator[None]:
+        """Let the block draw what shadows fall on, with its tiles on unit 0.
+
+        The modelview matrix must be the camera's, mirrored or not.
+        """
+        planes = np.ascontiguousarray(BIAS @ self.matrix, np.float32)
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
+            gl.glActiveTexture(gl.GL_TEXTURE1)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self.target.bind()
+            for name, plane in zip("STRQ", planes, strict=True):
+                coordinate = getattr(gl, f"GL_{name}")
+                gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
+                gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, plane)
+                gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE0"})
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+            gl.glActiveTexture(gl.GL_TEXTURE2)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self._white.bind()
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS"})
+            combine({"SRC1_RGB": "PRIMARY_COLOR"})
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+            gl.glActiveTexture(gl.GL_TEXTURE0)
+            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PRIMARY_COLOR"})
+            combine({"OPERAND0_RGB": "SRC_ALPHA", "SRC1_RGB": "CONSTANT", "SRC2_RGB": "TEXTURE1"})
+            combine({"OPERAND2_RGB": "SRC_COLOR"})
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "TEXTURE"})
+            shade = np.array([*self.settings.shadow.color, 1.0], np.float32)
+            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, shade)
+            yield
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply settings; return False if the texture must be made again."""
+        if settings.shadow.size != self.settings.shadow.size:
+            return False
+        self.settings = settings
+        self._drawn = None
+        return True
+
+    def release(self) -> None:
+        """Delete the textures; may be called twice."""
+        self.target.release()
+        self._white.release()
