@@ -118,6 +118,20 @@ class Water:
 
 
 @dataclass(frozen=True)
+class Debug:
+    """What one may look at while walking, besides the picture."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = LAND
+
+    regions: bool = setting(
+        False, "Peurière, Commandes", "show the regions' boxes, and the frustum from outside"
+    )
+    textures: bool = setting(
+        False, "Peurière, Commandes", "show the textures of reflection, refraction and depths"
+    )
+
+
+@dataclass(frozen=True)
 class Settings:
     """All groups, and the time of day; the shared groups have the voxel island's own defaults."""
 
@@ -132,6 +146,7 @@ class Settings:
     shadow: Shadow = Shadow()
     sky: Sky = Sky()
     water: Water = Water()
+    debug: Debug = Debug()
 
 
 PRESETS: dict[str, dict[str, Value]] = {"best": {}}

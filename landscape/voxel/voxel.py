@@ -1,6 +1,6 @@
 """The island in voxels: its passes, and the order in which a frame draws them."""
 
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -17,9 +17,11 @@ from landscape.scene import SEED, Moment, Scene, View, begin_frame
 from landscape.voxel import build
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
+from landscape.voxel.regions_view import draw_boxes, draw_from_outside
 from landscape.voxel.settings import PRESETS, Settings
 from landscape.voxel.shadow_map import ShadowMap
 from landscape.voxel.sky import Sky
+from landscape.voxel.textures_view import TexturesView
 from landscape.voxel.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.voxel.water import Water
 from landscape.voxel.water_images import clipped
@@ -61,6 +63,7 @@ class Voxel(Ground):
         super().__init__(settings, assets)
         self.shown = set(only)
         self._owned: list[Any] = []
+        self.textures = TexturesView()
         try:
             begin_pass("setup")
             with drawing("land"):  # always built: everything stands on it
@@ -110,6 +113,7 @@ class Voxel(Ground):
             with drawing("water"):
                 self.water.draw(frame, clip, shore.points)
         begin_pass("overlay")
+        self._draw_debug(frame, clip)
         self._draw("sword", self.sword, frame)
 
     def _draw_land(self, frame: Frame, below: bool = False) -> None:
@@ -121,8 +125,28 @@ class Voxel(Ground):
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
             choice = self.land.choose(clip_matrix(), eye, self.settings.voxel.distance)
-            with self.shadow.applied() if self.settings.shadow.enabled else nullcontext():
+            with self._lit():
                 self.land.draw(choice, fog_by_height=below)
+
+    def _lit(self) -> AbstractContextManager[None]:
+        """Return the state in which the land is drawn, with shadows or without."""
+        return self.shadow.applied() if self.settings.shadow.enabled else nullcontext()
+
+    def _draw_debug(self, frame: Frame, clip: np.ndarray) -> None:
+        """Draw what one may look at besides the picture: regions and textures."""
+        values, land = self.settings.debug, self.land
+        if "land" not in self.shown or not (values.regions or values.textures):
+            return
+        choice = land.choose(clip, frame.eye, self.settings.voxel.distance)
+        with drawing("land"):
+            if values.regions:
+                draw_boxes(land, choice)
+                draw_from_outside(land, choice, frame, clip, self._lit())
+            if values.textures:
+                images = self.water.images if self.water else None
+                pictures = [images and images.reflection, images and images.refraction]
+                pictures.append(self.shadow.target if self.settings.shadow.enabled else None)
+                self.textures.draw(frame, pictures, lambda: land.draw_shapes(choice))
 
     def _draw_shadows(self, frame: Frame) -> None:
         """Draw the sun's picture of depths, if it must be drawn again."""
@@ -170,6 +194,7 @@ class Voxel(Ground):
 
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""
+        self.textures.release()
         while self._owned:
             self._owned.pop().release()
 
