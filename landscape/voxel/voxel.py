@@ -17,6 +17,7 @@ from landscape.scene import SEED, Moment, Scene, View, begin_frame
 from landscape.voxel import build
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
+from landscape.voxel.played import Played
 from landscape.voxel.regions_view import draw_boxes, draw_from_outside
 from landscape.voxel.settings import PRESETS, Settings
 from landscape.voxel.shadow_map import ShadowMap
@@ -51,7 +52,7 @@ class Shore(NamedTuple):
     points: np.ndarray
 
 
-class Voxel(Ground):
+class Voxel(Played, Ground):
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
 
     obstacles: tuple[Obstacle, ...] = ()

@@ -29,8 +29,8 @@ from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import ripples
 from landscape.voxel.water_grid import disturbed, grid_quads, half_vectors, water_grid
 from landscape.voxel.water_images import WaterImages
+from landscape.voxel.world import BELOW
 
-BELOW = 0.14  # blocks, chosen: how far the water is below the top of its block
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 RIPPLE_SIZE = 0.9  # units, chosen: the side of the map of normals on the water
 DRIFT = 0.0011  # chosen: units per kt by which it moves

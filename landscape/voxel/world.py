@@ -11,6 +11,7 @@ from landscape.voxel.blocks import AIR, block
 from landscape.voxel.faces import EDGE
 
 ROOM = 44  # blocks, chosen: room above the highest column, for trees and towers
+BELOW = 0.14  # blocks, chosen: how far the water is below the top of its block
 MOST_BLOCKS = 900 << 20  # bytes, chosen: what the blocks of a world may take
 
 
@@ -43,6 +44,11 @@ class World:
     def size(self) -> float:
         """The side of the map in units."""
         return self.side * self.block
+
+    @property
+    def water(self) -> float:
+        """The height of the water's surface in blocks."""
+        return self.sea - BELOW
 
     def region_columns(self, region: int) -> tuple[int, int]:
         """Return x and z of the first column of a region, numbered row by row along z."""

@@ -4,8 +4,9 @@ The report moves the walker a fixed dL per key event: x += dL sin(yaw), z -= dL 
 0.0005 cos(step/4), eye = height(x, z) + 0.006 cos(step/3) + 0.1. Here speeds are per second, so
 that the motion does not depend on the frame rate, and the walker stops at the map's border and at
 obstacles such as the castle. In 2006 he walked on the water's surface, the least that height(x, z)
-returns; with ``walk.swim`` he wades, and swims where it is deep. A :class:`Walker` is a plain
-value: :func:`advance` returns the next one from the user's input.
+returns; with ``walk.swim`` he wades, and swims where it is deep. In a scene that gives him a body
+(geometry/bodies.py), that scene moves it. A :class:`Walker` is a plain value: :func:`advance`
+returns the next one from the user's input.
 """
 
 import math
@@ -14,6 +15,7 @@ from typing import Any
 
 from landscape.elements.sword import STROKES
 from landscape.frame import Pose
+from landscape.geometry.bodies import Body, Embodied, Wish
 from landscape.geometry.obstacle_grid import Obstacles
 from landscape.geometry.obstacles import MARGIN, RADIUS
 from landscape.scene import Terrain, Watery
@@ -30,6 +32,7 @@ STRIDE = 0.02  # chosen: units, the longest step near a wall; far less than a wa
 WANDER = 0.0005  # section 8.2: units of drift to the north per step, times cos(step / 4)
 FLY = 2.0  # chosen: times the walking speed
 FALL = 6.0  # chosen: units per second, falling after a flight
+DROP = 0.4  # chosen: units; one who has a body falls from up to there when he arrives
 SWEEP = 360.0  # chosen: degrees of yaw across the window's width
 AFLOAT = 0.055  # chosen: units, a swimming eye above the water; the waves rise 0.016
 SWIM = 0.5  # chosen: times the walking speed
@@ -66,7 +69,8 @@ class Walker:
     ``step`` is the report's k_step; ``drop`` is the height in units still to fall after a flight;
     ``stroke`` is 0 at rest and 1 to 4 during a stroke of the sword, which began ``struck`` kt ago.
     ``afloat`` are the seconds spent in the water, which move the eye up and down; ``swimming`` says
-    that the water is deep, ``at_edge`` that the map ends here.
+    that the water is deep, ``at_edge`` that the map ends here. ``body`` is his body, None where he
+    has none, or has not moved yet.
     """
 
     x: float
@@ -82,6 +86,7 @@ class Walker:
     afloat: float = 0.0
     swimming: bool = False
     at_edge: bool = False
+    body: Body | None = None
 
     @property
     def pose(self) -> Pose:
@@ -110,9 +115,12 @@ def aimed(
 def start(pose: Pose, ground: Terrain, settings: Any) -> Walker:
     """Return a walker at a pose: flying if well above eye height, else (or with no y) on foot."""
     y = at_eye = float(ground.height(pose.x, pose.z)) + settings.walk.eye
-    flying = pose.y is not None and pose.y > at_eye + settings.walk.bob + FLOOR
+    over = DROP if isinstance(ground, Embodied) else settings.walk.bob + FLOOR
+    flying = pose.y is not None and pose.y > at_eye + over
     if flying:
         assert pose.y is not None
+        y = pose.y
+    elif pose.y is not None and isinstance(ground, Embodied):
         y = pose.y
     walker = Walker(pose.x, y, pose.z, pose.yaw, pose.pitch, 0.0, flying)
     return advance(walker, Intent(), 0.0, ground, (), settings)
@@ -142,7 +150,9 @@ def advance(
     if intent.fly:
         walker = _take_off_or_land(walker, ground, settings)
     reach = walk.speed * (walk.run if intent.run else 1.0) * seconds
-    if walker.flying:
+    if isinstance(ground, Embodied):
+        walker = _move_body(walker, intent, heading, seconds, ground, settings)
+    elif walker.flying:
         walker = _fly(walker, intent, heading, FLY * reach, ground, obstacles)
     else:
         afloat = walker.afloat + seconds if _sunk(walker.x, walker.z, ground, settings) else 0.0
@@ -153,7 +163,10 @@ def advance(
 
 def _placed(walker: Walker, ground: Terrain, settings: Any) -> Walker:
     """Return the walker, knowing whether he swims, and whether he is at the map's edge."""
-    depth = 0.0 if walker.flying else _sunk(walker.x, walker.z, ground, settings)
+    if walker.body is not None:
+        depth = 2 * DEEP * walker.body.swimming
+    else:
+        depth = 0.0 if walker.flying else _sunk(walker.x, walker.z, ground, settings)
     # Two limits, so that a swimmer on the shore does not change his mind in every frame.
     swimming = depth > (SHALLOW if walker.swimming else DEEP)
     last = ground.size - MARGIN - 1e-6
@@ -200,6 +213,8 @@ def _take_off_or_land(walker: Walker, ground: Terrain, settings: Any) -> Walker:
     """Start flying at the eye's position, or start falling from it."""
     if not walker.flying:
         return replace(walker, flying=True, drop=0.0)
+    if walker.body is not None:
+        return replace(walker, flying=False)
     eye = eye_height(walker.x, walker.z, walker.step, ground, settings, walker.afloat)
     height = walker.y - eye
     return replace(walker, flying=False, drop=max(height, 0.0))
@@ -249,6 +264,42 @@ def _walk(
         left -= stride * effort
     y = eye_height(x, z, step, ground, settings, afloat) + walker.drop
     return replace(walker, x=x, y=y, z=z, step=step)
+
+
+def _move_body(
+    walker: Walker, intent: Intent, heading: float, seconds: float, ground: Embodied, settings: Any
+) -> Walker:
+    """Let a scene move the walker's body, and put the eye where its place over the feet is."""
+    walk = settings.walk
+    east, north, up = _velocity(intent, heading, walker.pitch if walker.flying else 0.0)
+    speed = walk.speed * (walk.run if intent.run else 1.0) * (FLY if walker.flying else 1.0)
+    body = walker.body or Body(walker.x, walker.y - walk.eye, walker.z)
+    wish = Wish(
+        east * speed,
+        (up + intent.up) * speed * walker.flying,
+        -north * speed,
+        jump=intent.up > 0.0,
+        flying=walker.flying,
+        eye=walk.eye,
+    )
+    after = ground.moved(body, wish, seconds)
+    walked = math.hypot(after.x - walker.x, after.z - walker.z)
+    on_foot = after.grounded and walker.body is not None
+    step = walker.step + walked * walk.steps_per_unit * on_foot
+    y = after.y + walk.eye - after.lag + walk.bob * math.cos(step / 3) * after.grounded
+    afloat = walker.afloat + seconds if after.swimming else 0.0
+    y += RIPPLE * math.sin(2 * math.pi * afloat / RIPPLE_SECONDS)
+    return replace(walker, x=after.x, y=y, z=after.z, step=step, afloat=afloat, body=after)
+
+
+def _velocity(intent: Intent, heading: float, pitch: float) -> tuple[float, float, float]:
+    """Return the way east, north and up of one who walks or flies, at most 1 long."""
+    ahead = Pose(0.0, 0.0, 0.0, heading, pitch).forward
+    c, s = math.cos(math.radians(heading)), math.sin(math.radians(heading))
+    east = intent.forward * ahead[0] + intent.right * c
+    north = -intent.forward * ahead[2] - intent.right * s
+    long = max(math.hypot(intent.forward, intent.right), 1.0)
+    return east / long, north / long, intent.forward * ahead[1] / long
 
 
 def _fly(

@@ -1,0 +1,155 @@
+"""Playing on the island in voxels: a body among blocks, digging and placing, saved worlds."""
+
+import math
+
+import numpy as np
+import pytest
+
+from landscape.geometry.bodies import Body, Wish
+from landscape.voxel.blocks import AIR, SOLID, block
+from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, Place, moved
+
+EYE = 1.625
+ROCK = block("rock")
+
+
+def flat(side: int = 24, height: int = 20, ground: int = 4) -> np.ndarray:
+    """Return level land: rock up to ``ground``."""
+    blocks = np.full((side, side, height), AIR, np.uint8)
+    blocks[:, :, :ground] = ROCK
+    return blocks
+
+
+def wish(east=0.0, south=0.0, up=0.0, jump=False, flying=False) -> Wish:
+    return Wish(east, up, south, jump, flying, EYE)
+
+
+def go(place: Place, body: Body, way: Wish, seconds: float, frames: int) -> list[Body]:
+    found = []
+    for _ in range(frames):
+        body = moved(place, body, way, seconds)
+        found.append(body)
+    return found
+
+
+def is_inside(blocks: np.ndarray, body: Body) -> bool:
+    """Return whether a body has a part in a solid block, cell by cell."""
+    half, height = HALF * EYE, HEIGHT * EYE
+    n, top = len(blocks), blocks.shape[2]
+    for x in range(math.floor(body.x - half), math.ceil(body.x + half)):
+        for z in range(math.floor(body.z - half), math.ceil(body.z + half)):
+            for y in range(math.floor(body.y), min(math.ceil(body.y + height), top)):
+                if y < 0 or SOLID[blocks[min(max(x, 0), n - 1), min(max(z, 0), n - 1), y]]:
+                    return True
+    return False
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_body_is_never_inside_a_solid_block_in_any_world_at_any_speed(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    blocks = (rng.random((12, 12, 12)) < rng.uniform(0.05, 0.5)).astype(np.uint8) * ROCK
+    blocks[rng.random(blocks.shape) < 0.05] = block("poppy")
+    place = Place(blocks, water=[-math.inf, 5.9][seed % 2])
+    body = Body(6.0, 6.0, 6.0)
+    for _ in range(250):
+        speed = 10.0 ** rng.uniform(-1, 4)
+        east, south, up = rng.uniform(-1, 1, 3) * speed
+        jump, flying = rng.random(2) < (0.5, 0.2)
+        body = moved(place, body, wish(east, south, up, jump, flying), 10.0 ** rng.uniform(-4, 0))
+        assert not is_inside(blocks, body), body
+        assert 1.0 <= body.x <= 11.0 and 1.0 <= body.z <= 11.0
+        eye = math.floor(body.y + EYE - body.lag)
+        if eye < blocks.shape[2]:
+            assert not SOLID[blocks[math.floor(body.x), math.floor(body.z), eye]], body
+
+
+@pytest.mark.parametrize("speed", [1.0, 30.0, 1e5])
+@pytest.mark.parametrize("seconds", [0.001, 1 / 30, 1.0])
+def test_a_wall_stops_a_body_whatever_its_speed_and_the_frame_s_length(
+    speed: float, seconds: float
+) -> None:
+    blocks = flat()
+    blocks[12, :, :] = ROCK
+    frames = min(math.ceil(12 / (speed * seconds)), 400)
+    for way in (wish(east=speed), wish(east=speed, flying=True)):
+        last = go(Place(blocks), Body(6.0, 4.0, 12.0), way, seconds, frames)[-1]
+        if speed * seconds * frames > 10:
+            assert last.x == pytest.approx(12 - HALF * EYE, abs=2 * GAP)
+        assert last.x < 12 - HALF * EYE
+
+
+def test_a_step_of_one_block_is_climbed_smoothly_and_one_of_two_is_not() -> None:
+    blocks = flat()
+    for k in range(3):  # stairs
+        blocks[10 + k, :, : 5 + k] = ROCK
+    blocks[13:, :, :7] = ROCK
+    blocks[18:, :, :9] = ROCK
+    place = Place(blocks)
+    path = go(place, Body(6.0, 4.0, 12.0, grounded=True), wish(east=6.0), 1 / 60, 240)
+    assert path[-1].x == pytest.approx(18 - HALF * EYE, abs=2 * GAP)
+    assert path[-1].y == pytest.approx(7.0, abs=2 * GAP)
+    eyes = [body.y - body.lag for body in path]
+    assert max(np.diff(eyes)) < 0.25, "the eye would jump"
+    back = go(place, path[-1], wish(east=-6.0), 1 / 60, 240)
+    assert back[-1].y == pytest.approx(4.0, abs=2 * GAP)
+    assert min(np.diff([body.y - body.lag for body in back])) > -0.25
+    assert all(body.grounded for body in back), "steps down are walked, not fallen"
+
+
+def test_a_jump_reaches_the_top_of_one_block_but_not_of_two() -> None:
+    place = Place(flat())
+    start = moved(place, Body(12.0, 4.0, 12.0), wish(), 0.1)
+    for seconds in (1 / 240, 1 / 60, 1 / 20):
+        path = go(place, start, wish(jump=True), seconds, round(0.5 / seconds))
+        assert 5.1 < max(body.y for body in path) < 5.5
+    falling = go(place, start, wish(jump=True), 1 / 60, 20)[-1]
+    path = go(place, falling, wish(), 1 / 60, 60)
+    assert path[-1].grounded and path[-1].y == pytest.approx(4.0, abs=2 * GAP)
+
+
+def test_a_roof_lower_than_the_body_keeps_it_out_and_one_above_stops_a_jump() -> None:
+    low, high = flat(), flat()
+    low[12:, :, 5] = ROCK
+    high[:, :, 6] = ROCK
+    start = Body(6.0, 4.0, 12.0, grounded=True)
+    assert go(Place(low), start, wish(east=5.0), 1 / 30, 90)[-1].x < 12 - HALF * EYE
+    path = go(Place(high), start, wish(east=5.0, jump=True), 1 / 30, 90)
+    assert path[-1].x > 18, "a roof of two blocks is high enough"
+    assert max(body.y for body in path) <= 6 - HEIGHT * EYE
+
+
+def test_plants_do_not_stop_and_a_body_in_a_block_is_set_on_top_of_it() -> None:
+    blocks = flat()
+    blocks[10:14, :, 4] = block("tall grass")
+    walked = go(Place(blocks), Body(6.0, 4.0, 12.0), wish(east=6.0), 1 / 30, 60)
+    assert walked[-1].x == pytest.approx(18.0, abs=0.1)
+    assert max(body.y for body in walked) < 4.01
+    blocks[5:8, 11:14, :9] = ROCK
+    assert moved(Place(blocks), Body(6.0, 4.0, 12.0), wish(), 0.0).y == pytest.approx(9, abs=1e-3)
+
+
+def test_a_body_floats_in_deep_water_wades_in_shallow_and_climbs_the_bank() -> None:
+    blocks = flat()
+    blocks[6:, :, :8] = ROCK
+    blocks[4:6, :, :7] = ROCK
+    place = Place(blocks, water=7.88)
+    floats = 7.88 - AFLOAT * EYE
+    fallen = go(place, Body(2.0, 15.0, 12.0), wish(), 1 / 30, 90)
+    assert min(body.y for body in fallen) > floats - 0.5, "the eye stays above the water"
+    assert fallen[-1].swimming and fallen[-1].y == pytest.approx(floats, abs=0.01)
+    path = go(place, fallen[-1], wish(east=5.0), 1 / 30, 90)
+    wading = [body for body in path if 4.5 < body.x < 5.5]
+    assert wading and not any(body.swimming for body in wading)
+    assert path[-1].y == pytest.approx(8.0, abs=1e-3) and not path[-1].swimming
+    assert go(Place(blocks, floor=7.88), Body(2.0, 9.0, 12.0), wish(), 1 / 30, 60)[-1].y == 7.88
+
+
+def test_the_path_hardly_depends_on_the_frame_rate() -> None:
+    blocks = flat()
+    blocks[10:, :, :5] = ROCK
+    ends = []
+    for frames in (15, 30, 120):
+        body = go(Place(blocks), Body(6.0, 9.0, 12.0), wish(east=4.0), 2 / frames, frames)[-1]
+        ends.append((body.x, body.y))
+    assert np.ptp(ends, axis=0) == pytest.approx([0, 0], abs=0.02)
+    assert JUMP > 0
