@@ -1,0 +1,149 @@
+"""The castle's keep, with stairs inside up to its top, and the hall beside it."""
+
+import numpy as np
+
+from landscape.voxel.blocks import block
+from landscape.voxel.models.shapes import disc
+
+KEEP = (20, 11)  # x and z of its north-western corner
+SIDE = (10, 10)  # outer size along x and z
+HEIGHT = 21  # from the court to its top
+HALL = (9, 11, 9, 7)  # x, z and size of the hall
+
+
+def keep(model: np.ndarray, floor: int) -> None:
+    """Build the keep into the castle, in place; ``floor`` is the court's first free level."""
+    (x, z), (wide, deep) = KEEP, SIDE
+    top = floor + HEIGHT
+    body = (slice(x, x + wide), slice(z, z + deep))
+    room = (slice(x + 1, x + wide - 1), slice(z + 1, z + deep - 1))
+    model[(*body, slice(0, top))] = block("brick")
+    model[(*body, slice(floor - 1, floor + 2))] = block("dark brick")
+    _buttresses(model, floor, top)
+    model[(*room, slice(floor, top - 1))] = 0
+    model[(*room, slice(floor - 1, floor))] = block("planks")
+    _windows(model, floor, top)
+    _top(model, top)
+    _stairs_inside(model, floor, top)
+    _door(model, floor)
+    for high in (floor + 5, floor + 12):
+        model[x + wide // 2, z + deep // 2, high : high + 1] = block("lamp")
+        model[x + wide // 2, z + deep // 2, high + 1] = block("oak log")
+    # A table and a hearth make the room below a hall.
+    model[x + 4 : x + 6, z + 4 : z + 7, floor] = block("planks")
+
+
+def _buttresses(model: np.ndarray, floor: int, top: int) -> None:
+    """The corners jut out by a block, up to the corbels."""
+    (x, z), (wide, deep) = KEEP, SIDE
+    for cx in (x - 1, x + wide):
+        for cz in (z - 1, z + deep):
+            inner_x, inner_z = (cx + 1 if cx < x else cx - 1), (cz + 1 if cz < z else cz - 1)
+            for px, pz in ((cx, inner_z), (inner_x, cz)):
+                model[px, pz, floor - 4 : top - 3] = block("dark brick")
+                model[px, pz, floor + 8] = block("brick")
+
+
+def _windows(model: np.ndarray, floor: int, top: int) -> None:
+    """Two rows of windows a block deep, dark, some with light in them, and planks for shutters."""
+    (x, z), (wide, deep) = KEEP, SIDE
+    lit = 0
+    for low in (floor + 6, floor + 12):
+        for at in (2, 4, 7):
+            tall = slice(low, low + (2 if at != 4 else 3))
+            for plan, inside in (
+                ((x + at, z), (x + at, z + 1)),
+                ((x + at, z + deep - 1), (x + at, z + deep - 2)),
+                ((x, z + at), (x + 1, z + at)),
+                ((x + wide - 1, z + at), (x + wide - 2, z + at)),
+            ):
+                lit += 1
+                model[(*plan, tall)] = 0
+                model[(*inside, tall)] = block("lamp" if lit % 5 == 2 else "dark")
+                model[(*plan, low - 1)] = block("dark brick")
+
+
+def _top(model: np.ndarray, top: int) -> None:
+    """A platform that juts out, with merlons, and a watch turret on one corner."""
+    (x, z), (wide, deep) = KEEP, SIDE
+    outer = (slice(x - 1, x + wide + 1), slice(z - 1, z + deep + 1))
+    inner = (slice(x, x + wide), slice(z, z + deep))
+    for cx in range(x - 1, x + wide + 1, 2):
+        model[cx, z - 1 : z + deep + 1 : deep + 1, top - 2] = block("dark brick")
+    for cz in range(z - 1, z + deep + 1, 2):
+        model[x - 1 : x + wide + 1 : wide + 1, cz, top - 2] = block("dark brick")
+    model[(*outer, slice(top - 1, top))] = block("dark brick")
+    model[(*outer, slice(top, top + 2))] = block("brick")
+    model[(*inner, slice(top, top + 2))] = 0
+    for cx in range(x, x + wide + 1, 3):
+        model[cx, z - 1 : z + deep + 1 : deep + 1, top + 1] = 0
+    for cz in range(z, z + deep + 1, 3):
+        model[x - 1 : x + wide + 1 : wide + 1, cz, top + 1] = 0
+    # The turret, on the north-eastern corner, with a lit window and a cone.
+    cx, cz = x + wide - 2, z + 1
+    plan = model.shape[:2]
+    turret = disc((plan[0], plan[1]), (cx, cz), 2.4)
+    model[..., top : top + 6][turret] = block("brick")
+    model[..., top + 5][turret] = block("dark brick")
+    for dx, dz in ((-2, 0), (2, 0), (0, -2), (0, 2)):
+        model[cx + dx, cz + dz, top + 2 : top + 4] = block("dark" if dz >= 0 else "lamp")
+    for level in range(9):
+        model[..., top + 6 + level][disc((plan[0], plan[1]), (cx, cz), 3.3 * (1 - level / 9))] = (
+            block("slate")
+        )
+    model[cx, cz, top + 14 : top + 17] = block("oak log")
+    model[cx, cz + 1 : cz + 4, top + 15 : top + 17] = block("red cloth")
+
+
+def _stairs_inside(model: np.ndarray, floor: int, top: int) -> None:
+    """Steps of planks climb along the walls, once around, and come out on the platform."""
+    (x, z), (wide, deep) = KEEP, SIDE
+    low_x, high_x, low_z, high_z = x + 1, x + wide - 2, z + 1, z + deep - 2
+    way = [(at, high_z) for at in range(low_x + 1, high_x)]
+    way += [(high_x, at) for at in range(high_z, low_z, -1)]
+    way += [(at, low_z) for at in range(high_x, low_x, -1)]
+    way += [(low_x, at) for at in range(low_z, high_z)]
+    for level, (cx, cz) in enumerate(way[: top - floor], floor):
+        # Windows behind the steps are open from the inside.
+        model[cx, cz, level + 1 : min(level + 4, top + 2)] = 0
+        model[cx, cz, level] = block("planks")
+
+
+def _door(model: np.ndarray, floor: int) -> None:
+    """A door two blocks wide and three high in the west, under a lamp and a banner each side."""
+    x, z = KEEP[0], KEEP[1] + 4
+    model[x - 1 : x + 2, z : z + 2, floor : floor + 3] = 0
+    model[x, z : z + 2, floor - 1] = block("gravel")
+    model[x - 1, z : z + 2, floor + 3] = block("slate")
+    model[x - 1, z - 1 : z + 3 : 3, floor + 2] = block("lamp")
+    for at in (z - 2, z + 3):
+        model[x - 1, at, floor + 4 : floor + 9] = block("red cloth")
+        model[x - 1, at, floor + 9] = block("oak log")
+
+
+def hall(model: np.ndarray, floor: int) -> None:
+    """Build a hall of bricks and timber with a steep roof of slate, open at the door, in place."""
+    x, z, wide, deep = HALL
+    model[x : x + wide, z : z + deep, floor - 1 : floor + 2] = block("dark brick")
+    model[x : x + wide, z : z + deep, floor + 2 : floor + 5] = block("brick")
+    for cx in (x, x + wide - 1):
+        for cz in (z, z + deep - 1):
+            model[cx, cz, floor : floor + 5] = block("oak log")
+    for step in range(deep // 2 + 2):
+        rows = (z - 1 + step, z + deep - step)
+        gable = slice(rows[0] + 1, rows[1])
+        model[x : x + wide, gable, floor + 5 + step] = block("brick")
+        for row in rows:
+            model[x - 1 : x + wide + 1, row, floor + 4 + step : floor + 6 + step] = block("slate")
+    inside = (slice(x + 1, x + wide - 1), slice(z + 1, z + deep - 1))
+    model[(*inside, slice(floor, floor + 5))] = 0
+    model[(*inside, slice(floor - 1, floor))] = block("planks")
+    south = z + deep - 1
+    model[x + 3 : x + 5, south, floor : floor + 3] = 0
+    for cx in (x + 1, x + 6):
+        model[cx, south, floor + 2 : floor + 4] = block("lamp")
+    model[x + 3 : x + 5, z, floor + 2 : floor + 4] = block("dark")
+    model[x + wide // 2, z + deep // 2, floor + 4] = block("lamp")
+    model[x + 1 : x + 6, z + 1, floor] = block("planks")
+    # The chimney.
+    model[x + wide - 2, z + 1, floor : floor + 11] = block("dark brick")
