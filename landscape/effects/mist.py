@@ -24,7 +24,6 @@ DARK, LIGHT = (0.48, 0.55, 0.66), (0.95, 0.94, 0.90)  # chosen: RGB of the lowes
 REPEAT = 1.1  # chosen: textures per unit
 DRIFT = 0.0009  # chosen: textures per kt
 FADE = 0.12  # chosen: units from the walls within which the mist thins out
-STEP = 0.06  # chosen: units between the vertices of a sheet
 
 
 def heights(count: int) -> np.ndarray:
@@ -35,13 +34,12 @@ def heights(count: int) -> np.ndarray:
 def sheet() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a sheet at height 0: vertices (n, 3), opacity (n,) 0..1, triangles (m, 3)."""
     area = plan.INSIDE
-    along_x = np.linspace(area.west, area.east, round((area.east - area.west) / STEP) + 1)
-    along_z = np.linspace(area.north, area.south, round((area.south - area.north) / STEP) + 1)
+    along_x = [area.west, area.west + FADE, area.east - FADE, area.east]
+    along_z = [area.north, area.north + FADE, area.south - FADE, area.south]
     x, z = (grid.ravel() for grid in np.meshgrid(along_x, along_z))
     vertices = np.stack([x, np.zeros_like(x), z], axis=1).astype(np.float32)
     away = np.minimum.reduce([x - area.west, area.east - x, z - area.north, area.south - z])
-    triangles = grid_triangles(len(along_x), len(along_z))
-    return vertices, np.clip(away / FADE, 0.0, 1.0), triangles
+    return vertices, np.clip(away / FADE, 0.0, 1.0), grid_triangles(4, 4)
 
 
 class Mist:

@@ -1,8 +1,9 @@
 """The room: everything of stone, wood and iron that stands still, lit by light that was baked.
 
-Technique: surfaces as grids of triangles (architecture.py), one display list for each bay. Bays
-that are not in view are left out, and the nearest is drawn first: what it hides of the others fails
-the depth test before it is textured. Texture unit 0 holds the material, unit 1 the light map, which
+Technique: surfaces as grids of triangles (architecture.py), one display list for each bay and level
+of detail: far bays have fewer triangles, and their image in the floor even fewer. Bays that are not
+in view are left out, and the nearest is drawn first: what it hides of the others fails the depth
+test before it is textured. Texture unit 0 holds the material, unit 1 the light map, which
 is not repeated: GL_COMBINE multiplies the two, and GL_RGB_SCALE doubles the product, so that light
 can also brighten (OpenGL 1.3). No light of OpenGL is on.
 Floor and north wall have light maps of their own, from which the direct light of the sun or of the
@@ -12,7 +13,6 @@ State used: texture units 0 and 1, GL_CULL_FACE.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from landscape.effects.kept_meshes import kept_meshes
 from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
 from landscape.effects.materials import MATERIALS
 from landscape.effects.settings import Settings
-from landscape.effects.surfaces import mesh
+from landscape.effects.surfaces import coarser, mesh
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.files.images import read_image
@@ -41,7 +41,12 @@ APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "
 
 BAYS = len(plan.BAYS) - 1
 BARE = (*FLOOR, *BASIN, "plinth")  # drawn on their own; the rest is drawn by bays
-Key = tuple[str, str, str]  # sheet, material, and the number of the bay, "" for those drawn apart
+# Sheet, material, number of the bay, "" for those drawn apart, and number of the level of detail.
+Key = tuple[str, str, str, str]
+LEVELS = (1e-5, 0.0015, 0.003, 0.005)  # chosen: units by which each level may differ from the plan
+SIMPLIFIED = "stone", "iron", "wood"  # materials of many small triangles
+# Chosen: pixels by which a level may differ from the plan, in the frame and in its mirror image.
+PIXELS = {False: 1.2, True: 2.5}
 
 
 def bay_of(points: np.ndarray) -> int:
@@ -56,36 +61,42 @@ def meshes() -> dict[Key, Mesh]:
     """
     found: dict[Key, list[Mesh]] = {}
     for each in placed(hall()):
-        surface = each.surface
-        light = each.light / SIZES[surface.sheet]
-        part = mesh(surface, MATERIALS[surface.material].repeats, light)
-        apart = surface.sheet != "hall" or surface.material in BARE
-        bay = "" if apart else str(bay_of(surface.points))
-        found.setdefault((surface.sheet, surface.material, bay), []).append(part)
+        material = each.surface.material
+        apart = each.surface.sheet != "hall" or material in BARE
+        bay = "" if apart else str(bay_of(each.surface.points))
+        for level, tolerance in enumerate(LEVELS if material in SIMPLIFIED else LEVELS[:1]):
+            surface, light = coarser(each.surface, each.light, tolerance)
+            part = mesh(surface, MATERIALS[material].repeats, light / SIZES[surface.sheet])
+            found.setdefault((surface.sheet, material, bay, str(level)), []).append(part)
     return {key: merged(parts) for key, parts in found.items()}
 
 
-class Bay:
-    """All stone, wood and iron of a bay in one display list, and the box around it."""
+Part = tuple[Texture, tuple[float, float, float], Mesh]
 
-    def __init__(self, parts: Sequence[tuple[Texture, tuple[float, float, float], Mesh]]) -> None:
-        """Compile meshes, each with its texture and its tint."""
-        points = np.concatenate([part.vertices for _, _, part in parts]).astype(np.float64)
-        low, high = points.min(axis=0), points.max(axis=0)
-        self._box = np.stack([(low + high) / 2, (high - low) / 2])
 
-        def send() -> None:
-            for texture, tint, part in parts:
-                texture.bind()
-                gl.glColor3f(*tint)
-                draw_mesh(part)
+def box_around(meshes: Iterable[Mesh]) -> np.ndarray:
+    """Return the middle and the half sides (2, 3) of a box around meshes."""
+    points = np.concatenate([each.vertices for each in meshes]).astype(np.float64)
+    low, high = points.min(axis=0), points.max(axis=0)
+    return np.stack([(low + high) / 2, (high - low) / 2])
 
-        self.list = DisplayList(send)
 
-    def box(self, mirrored: bool) -> np.ndarray:
-        """Return the middle and the half sides of its box (2, 3), mirrored in the floor or not."""
-        middle, half = self._box
-        return np.stack([middle * (1.0, -1.0, 1.0) if mirrored else middle, half])
+def compiled(parts: Sequence[Part]) -> DisplayList:
+    """Compile meshes, each with its texture and its tint, into one display list."""
+
+    def send() -> None:
+        for texture, tint, part in parts:
+            texture.bind()
+            gl.glColor3f(*tint)
+            draw_mesh(part)
+
+    return DisplayList(send)
+
+
+def level_for(distance: float, frame: Frame) -> int:
+    """Return the number of the coarsest level that is good enough at a distance in units."""
+    allowed = PIXELS[frame.mirrored] * distance / frame.pixels
+    return max(k for k, tolerance in enumerate(LEVELS) if k == 0 or tolerance <= allowed)
 
 
 class Room:
@@ -116,18 +127,23 @@ class Room:
         parts = kept_meshes(["the hall's stone"], meshes)
         self._lists = {
             (sheet, material): DisplayList(lambda part=part: draw_mesh(part))  # type: ignore[misc]
-            for (sheet, material, bay), part in parts.items()
-            if not bay
+            for (sheet, material, bay, level), part in parts.items()
+            if not bay and level == "0"
         }
-        self._bays = [Bay(self._in_bay(parts, str(number))) for number in range(BAYS)]
-        self._boxes = {m: np.stack([bay.box(m) for bay in self._bays]) for m in (False, True)}
+        bays = [{k[1:]: m for k, m in parts.items() if k[2] == str(n)} for n in range(BAYS)]
+        self._bays = [
+            [compiled(self._in_level(bay, level)) for level in range(len(LEVELS))] for bay in bays
+        ]
+        boxes = np.stack([box_around(bay.values()) for bay in bays])
+        below = boxes * np.array([(1.0, -1.0, 1.0), (1.0, 1.0, 1.0)])
+        self._boxes = {False: boxes, True: below}
 
-    def _in_bay(self, parts: Mapping[Key, Mesh], number: str) -> list[tuple[Texture, Any, Mesh]]:
-        """Return the texture, the tint and the mesh of each material in a bay."""
+    def _in_level(self, bay: Mapping[tuple[str, str, str], Mesh], level: int) -> list[Part]:
+        """Return the texture, the tint and the mesh of each material in a level of a bay."""
         return [
             (self.texture(material), MATERIALS[material].tint, part)
-            for (_, material, bay), part in parts.items()
-            if bay == number
+            for (material, _, own), part in bay.items()
+            if own == str(level if material in SIMPLIFIED else 0)
         ]
 
     def apply(self, settings: Settings) -> bool:
@@ -139,12 +155,14 @@ class Room:
         boxes = self._boxes[frame.mirrored]
         seen = boxes_in_view(frame, boxes[:, 0], boxes[:, 1])
         order = np.argsort(np.abs(boxes[:, 0, 2] - frame.pose.z), kind="stable")
+        outside = np.maximum(np.abs(frame.eye - boxes[:, 0]) - boxes[:, 1], 0.0)
+        away = np.linalg.norm(outside, axis=1).tolist()
         with attrib(gl.GL_CURRENT_BIT):
             with self._textured():
                 self._light["hall", ()].bind()
                 gl.glActiveTexture(gl.GL_TEXTURE0)
                 for number in order[seen[order]].tolist():
-                    self._bays[number].list.call()
+                    self._bays[number][level_for(away[number], frame)].call()
             self._draw(("plinth",))
             self._draw(("wall",), (), ("north",))
 
@@ -230,7 +248,7 @@ class Room:
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for compiled in (*self._lists.values(), *(bay.list for bay in self._bays)):
-            compiled.release()
+        for each in (*self._lists.values(), *(level for bay in self._bays for level in bay)):
+            each.release()
         for texture in (*self._textures.values(), *self._light.values()):
             texture.release()

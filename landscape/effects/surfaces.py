@@ -11,6 +11,7 @@ import numpy as np
 
 from landscape.geometry.mesh import Mesh, grid_triangles
 
+FLATTENED = 0.25  # chosen: the most that a grid may lose of its own width
 BORDER = 1  # texels around a chart, so that filtering never reads its neighbours
 
 
@@ -142,6 +143,36 @@ def cells(surface: Surface, chart: Chart) -> tuple[np.ndarray, np.ndarray]:
 
     place, normal = between(points), between(facing)
     return place, normal / np.maximum(np.linalg.norm(normal, axis=2, keepdims=True), 1e-9)
+
+
+def needed(points: np.ndarray, axis: int, tolerance: float) -> list[int]:
+    """Return which rows (``axis`` 0) or columns (1) of a grid keep its shape within ``tolerance``.
+
+    All others lie as near as that to straight lines between those, in units; the first and the
+    last are always kept. A closed grid, however small, never shrinks to a line.
+    """
+    lines, at = np.moveaxis(points, axis, 0), fractions(points, axis)
+    tolerance = min(tolerance, FLATTENED * float(np.abs(lines - lines[0]).max()))
+    kept = [0]
+    while kept[-1] < len(lines) - 1:
+        start = end = kept[-1]
+        end += 1
+        while end + 1 < len(lines):
+            inner = slice(start + 1, end + 1)
+            share = ((at[inner] - at[start]) / (at[end + 1] - at[start]))[:, None, None]
+            straight = lines[start] + share * (lines[end + 1] - lines[start])
+            if np.abs(straight - lines[inner]).max() > tolerance:
+                break
+            end += 1
+        kept.append(end)
+    return kept
+
+
+def coarser(surface: Surface, light: np.ndarray, tolerance: float) -> tuple[Surface, np.ndarray]:
+    """Return a surface and its place in the light map with fewer points; see :func:`needed`."""
+    some = np.ix_(*(needed(surface.points, axis, tolerance) for axis in (0, 1)))
+    plain = surface.on_material[some]
+    return replace(surface, points=surface.points[some], plain=plain), light[some]
 
 
 def in_chart(surface: Surface, chart: Chart) -> np.ndarray:
