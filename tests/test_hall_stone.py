@@ -11,9 +11,10 @@ from stage import SIZE, Stage
 from landscape.effects import plan
 from landscape.effects.architecture import hall, shell
 from landscape.effects.hall import SCENE, Hall
+from landscape.effects.levels import LEVELS, SIMPLIFIED
 from landscape.effects.light import FILE, SIDE, SIZES, light_map, of_plane, on_plane, placed
 from landscape.effects.materials import MATERIALS
-from landscape.effects.room import LEVELS, SIMPLIFIED, meshes
+from landscape.effects.room import meshes
 from landscape.effects.settings import Settings
 from landscape.effects.shafts import sheets
 from landscape.effects.shapes import turned

@@ -11,7 +11,8 @@ GL_DST_COLOR, GL_SRC_COLOR adds it twice, a factor of 0 to 2, which keeps the me
 ``one``: two further texture units do it while the bed is drawn. The first mixes two frames, into
 alpha, and the second multiplies the colour by that alpha and by GL_RGB_SCALE 2.
 What the water throws on pillars, walls and vault is new light, so there stone times net is added
-(GL_ONE, GL_ONE). It fades with distance and angle by vertex colours (reflected_light.py).
+(GL_ONE, GL_ONE). It fades with distance and angle by vertex colours (reflected_light.py). It covers
+much of the picture, so there Python mixes the two frames, and one unit less is sampled per pixel.
 What is wrong without its safeguards: ``caustics.doubled`` off, as printed, the pool only darkens;
 ``caustics.planes=eye_before_camera`` gives the planes under the identity matrix, so that the net
 sticks to the eye; ``caustics.own_t`` off gives both coordinates the same plane, as printed, and the
@@ -26,10 +27,11 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.effects.kept_meshes import kept_meshes
-from landscape.effects.reflected_light import lit_meshes
+from landscape.effects.levels import levels_of
+from landscape.effects.reflected_light import LIT, lit_meshes
 from landscape.effects.room import Room
 from landscape.effects.settings import Settings
-from landscape.elements.caustic_film import CausticFilm, sines
+from landscape.elements.caustic_film import CausticFilm, MixedFilm, shipped, sines
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -39,7 +41,6 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.extensions import Need, enough_units, first_missing, tell_off
 from landscape.gl.state import attrib, combine, front_faces, matrix
-from landscape.gl.texture import Texture
 
 NEEDS = (
     Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
@@ -100,19 +101,19 @@ class Caustics:
         """Upload the film and compile what the pool's light reaches; ``room`` draws the stone."""
         self._settings, self._room = settings, room
         self._possible = can_draw()
-        if settings.caustics.pattern == "sines":
-            self._film = CausticFilm(sines(FRAMES))
-        else:
-            self._film = CausticFilm.shipped(assets)
-        self._lists: list[tuple[Texture, DisplayList]] = []
+        frames = sines(FRAMES) if settings.caustics.pattern == "sines" else shipped(assets)
+        self._film, self._mixed = CausticFilm(frames), MixedFilm(frames)
+        # By material, bay and level of detail.
+        self._lists: dict[tuple[str, int, int], DisplayList] = {}
 
-        def meshes() -> dict[tuple[str], Mesh]:
-            return {(name,): mesh for name, mesh in lit_meshes(direction(settings.sun))}
+        def meshes() -> dict[tuple[str, ...], Mesh]:
+            lit = lit_meshes(direction(settings.sun))
+            return {tuple(str(each) for each in key): mesh for key, mesh in lit}
 
         lit = kept_meshes(["the pool's light on the stone", repr(settings.sun)], meshes)
-        for (material,), mesh in lit.items():
+        for (material, bay, level), mesh in lit.items():
             compiled = DisplayList(lambda mesh=mesh: draw_mesh(mesh))  # type: ignore[misc]
-            self._lists.append((room.texture(material), compiled))
+            self._lists[material, int(bay), int(level)] = compiled
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if film or meshes would differ."""
@@ -174,25 +175,27 @@ class Caustics:
 
     def _reflected(self, frame: Frame) -> None:
         """Add stone times net times the light that reaches it from the pool."""
+        values = self._settings.caustics
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-1.0, -1.0)  # the meshes are finer than those drawn before
-            self._units(frame, 1, planes(self._settings, UPRIGHT) / np.float32(LARGER))
-            # Unit 0: the stone times the vertex's light; units 1 and 2: the net, into alpha.
-            combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
-            combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE2"})
-            combine({"SRC1_ALPHA": "TEXTURE", "SRC2_ALPHA": "CONSTANT"})
-            gl.glActiveTexture(gl.GL_TEXTURE2)
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
-            combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
+            gl.glDisable(gl.GL_LIGHTING)
+            # Unit 0: the stone times the vertex's light; unit 1: times the net.
+            gl.glActiveTexture(gl.GL_TEXTURE1)
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self._mixed.bind(frame.kt / values.period, values.smooth)
+            generate(planes(self._settings, UPRIGHT) / np.float32(LARGER), values.planes)
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 4.0)
             gl.glActiveTexture(gl.GL_TEXTURE0)
             gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glDisable(gl.GL_LIGHTING)
-            for texture, compiled in self._lists:
-                texture.bind()
-                compiled.call()
+            for bay, level in self._room.levels(frame).items():
+                for material in LIT:
+                    own = min(level, levels_of(material)[-1])
+                    if compiled := self._lists.get((material, bay, own)):
+                        self._room.texture(material).bind()
+                        compiled.call()
 
     def _units(self, frame: Frame, unit: int, both: np.ndarray) -> None:
         """Bind the two frames of the moment to ``unit`` and the next, laid by planes (2, 4).
@@ -211,5 +214,6 @@ class Caustics:
     def release(self) -> None:
         """Delete the film and the lists; may be called twice."""
         self._film.release()
-        for _, compiled in self._lists:
+        self._mixed.release()
+        for compiled in self._lists.values():
             compiled.release()

@@ -10,8 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.effects import architecture, plan
+from landscape.effects.levels import LEVELS, bay_of, levels_of
 from landscape.effects.materials import MATERIALS
-from landscape.effects.surfaces import Surface, at, mesh
+from landscape.effects.surfaces import Surface, at, coarser, mesh
 from landscape.geometry.mesh import Mesh, merged
 
 LIT = ("wall", "alcove", "stone", "vault")  # materials that face the pool
@@ -85,10 +86,19 @@ def lit(surface: Surface, towards: np.ndarray) -> Mesh | None:
     )
 
 
-def lit_meshes(towards: np.ndarray) -> Iterator[tuple[str, Mesh]]:
-    """Yield each material with one mesh of all its surfaces that the pool's light reaches."""
-    surfaces = architecture.hall()
-    for material in LIT:
-        found = [lit(s, towards) for s in surfaces if s.material == material]
-        if meshes := [each for each in found if each is not None]:
-            yield material, merged(meshes)
+def lit_meshes(towards: np.ndarray) -> Iterator[tuple[tuple[str, int, int], Mesh]]:
+    """Yield material, bay and level of detail with one mesh of what the pool's light reaches there.
+
+    Their triangles divide those of the same level of the room, so that they lie on them.
+    """
+    found: dict[tuple[str, int, int], list[Mesh]] = {}
+    for surface in architecture.hall():
+        if surface.material not in LIT:
+            continue
+        for level in levels_of(surface.material):
+            simple, _ = coarser(surface, surface.on_material, LEVELS[level])
+            if (part := lit(simple, towards)) is not None:
+                key = surface.material, bay_of(surface.points), level
+                found.setdefault(key, []).append(part)
+    for key, parts in found.items():
+        yield key, merged(parts)

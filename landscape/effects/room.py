@@ -1,11 +1,11 @@
 """The room: everything of stone, wood and iron that stands still, lit by light that was baked.
 
 Technique: surfaces as grids of triangles (architecture.py), one display list for each bay and level
-of detail: far bays have fewer triangles, and their image in the floor even fewer. Bays that are not
-in view are left out, and the nearest is drawn first: what it hides of the others fails the depth
-test before it is textured. Texture unit 0 holds the material, unit 1 the light map, which
-is not repeated: GL_COMBINE multiplies the two, and GL_RGB_SCALE doubles the product, so that light
-can also brighten (OpenGL 1.3). No light of OpenGL is on.
+of detail: far bays have fewer triangles. Bays that are not in view are left out, and the nearest is
+drawn first: what it hides of the others fails the depth test before it is textured. Texture unit 0
+holds the material, unit 1 the light map, which is not repeated: GL_COMBINE multiplies the two, and
+GL_RGB_SCALE doubles the product, so that light can also brighten (OpenGL 1.3). No light of OpenGL
+is on.
 Floor and north wall have light maps of their own, from which the direct light of the sun or of the
 torch in front of the statue can be left out: see light.py, and ``without`` of :meth:`draw_floor`.
 State used: texture units 0 and 1, GL_CULL_FACE.
@@ -16,9 +16,9 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from landscape.effects import plan
 from landscape.effects.architecture import hall
 from landscape.effects.kept_meshes import kept_meshes
+from landscape.effects.levels import BAYS, LEVELS, bay_of, level_for, levels_of
 from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
 from landscape.effects.materials import MATERIALS
 from landscape.effects.settings import Settings
@@ -39,19 +39,9 @@ FLOOR = "floor", "band", "medallion"
 BASIN = ("pool",)
 APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "torch"): (0.0, 0.0)}
 
-BAYS = len(plan.BAYS) - 1
 BARE = (*FLOOR, *BASIN, "plinth")  # drawn on their own; the rest is drawn by bays
 # Sheet, material, number of the bay, "" for those drawn apart, and number of the level of detail.
 Key = tuple[str, str, str, str]
-LEVELS = (1e-5, 0.0015, 0.003, 0.005)  # chosen: units by which each level may differ from the plan
-SIMPLIFIED = "stone", "iron", "wood"  # materials of many small triangles
-# Chosen: pixels by which a level may differ from the plan, in the frame and in its mirror image.
-PIXELS = {False: 1.2, True: 2.5}
-
-
-def bay_of(points: np.ndarray) -> int:
-    """Return the number of the bay in which the middle of points (..., 3) lies."""
-    return int(np.clip(np.searchsorted(plan.BAYS, points[..., 2].mean()) - 1, 0, BAYS - 1))
 
 
 def meshes() -> dict[Key, Mesh]:
@@ -64,8 +54,8 @@ def meshes() -> dict[Key, Mesh]:
         material = each.surface.material
         apart = each.surface.sheet != "hall" or material in BARE
         bay = "" if apart else str(bay_of(each.surface.points))
-        for level, tolerance in enumerate(LEVELS if material in SIMPLIFIED else LEVELS[:1]):
-            surface, light = coarser(each.surface, each.light, tolerance)
+        for level in levels_of(material):
+            surface, light = coarser(each.surface, each.light, LEVELS[level])
             part = mesh(surface, MATERIALS[material].repeats, light / SIZES[surface.sheet])
             found.setdefault((surface.sheet, material, bay, str(level)), []).append(part)
     return {key: merged(parts) for key, parts in found.items()}
@@ -91,12 +81,6 @@ def compiled(parts: Sequence[Part]) -> DisplayList:
             draw_mesh(part)
 
     return DisplayList(send)
-
-
-def level_for(distance: float, frame: Frame) -> int:
-    """Return the number of the coarsest level that is good enough at a distance in units."""
-    allowed = PIXELS[frame.mirrored] * distance / frame.pixels
-    return max(k for k, tolerance in enumerate(LEVELS) if k == 0 or tolerance <= allowed)
 
 
 class Room:
@@ -143,7 +127,7 @@ class Room:
         return [
             (self.texture(material), MATERIALS[material].tint, part)
             for (material, _, own), part in bay.items()
-            if own == str(level if material in SIMPLIFIED else 0)
+            if int(own) == min(level, levels_of(material)[-1])
         ]
 
     def apply(self, settings: Settings) -> bool:
@@ -153,18 +137,25 @@ class Room:
     def draw(self, frame: Frame) -> None:
         """Draw all but the floor and the pool's basin."""
         boxes = self._boxes[frame.mirrored]
-        seen = boxes_in_view(frame, boxes[:, 0], boxes[:, 1])
         order = np.argsort(np.abs(boxes[:, 0, 2] - frame.pose.z), kind="stable")
-        outside = np.maximum(np.abs(frame.eye - boxes[:, 0]) - boxes[:, 1], 0.0)
-        away = np.linalg.norm(outside, axis=1).tolist()
+        levels = self.levels(frame)
         with attrib(gl.GL_CURRENT_BIT):
             with self._textured():
                 self._light["hall", ()].bind()
                 gl.glActiveTexture(gl.GL_TEXTURE0)
-                for number in order[seen[order]].tolist():
-                    self._bays[number][level_for(away[number], frame)].call()
+                for number in order.tolist():
+                    if number in levels:
+                        self._bays[number][levels[number]].call()
             self._draw(("plinth",))
             self._draw(("wall",), (), ("north",))
+
+    def levels(self, frame: Frame) -> dict[int, int]:
+        """Return the number of the level of detail of each bay in view, by the bay's number."""
+        middles, halves = self._boxes[frame.mirrored].swapaxes(0, 1)
+        outside = np.maximum(np.abs(frame.eye - middles) - halves, 0.0)
+        away = np.linalg.norm(outside, axis=1).tolist()
+        seen = np.flatnonzero(boxes_in_view(frame, middles, halves)).tolist()
+        return {number: level_for(away[number], frame) for number in seen}
 
     def draw_floor(self, *without: str) -> None:
         """Draw the floor, in the current colour; ``without`` the light of "sun", "torch" or both.

@@ -54,6 +54,11 @@ def between(films: float, count: int, smooth: bool) -> tuple[int, int, float]:
     return first, (first + 1) % count, at - math.floor(at) if smooth else 0.0
 
 
+def shipped(assets: Assets) -> np.ndarray:
+    """Return the frames (n, SIDE, SIDE) in the assets; InputError names an unusable file."""
+    return cut(read_image(assets.path(SHEET), "L"))
+
+
 class CausticFilm:
     """Owner of the frames' textures."""
 
@@ -67,7 +72,7 @@ class CausticFilm:
     @classmethod
     def shipped(cls, assets: Assets, trilinear: bool = True) -> "CausticFilm":
         """Return the film in the assets; InputError names a file that cannot be used."""
-        return cls(cut(read_image(assets.path(SHEET), "L")), trilinear)
+        return cls(shipped(assets), trilinear)
 
     def bind(self, films: float, smooth: bool = True, unit: int = 0) -> float:
         """Bind the frames before and after a time to ``unit`` and the next; return the mix, 0..1.
@@ -84,3 +89,28 @@ class CausticFilm:
         """Delete the textures; may be called twice."""
         for texture in self._textures:
             texture.release()
+
+
+class MixedFilm:
+    """Owner of one texture that holds the mix of two frames: it takes only one texture unit.
+
+    The mix is computed outside of OpenGL, which is worth it where much is covered.
+    """
+
+    def __init__(self, frames: np.ndarray) -> None:
+        """Take frames, uint8 (n, h, w)."""
+        self._frames, self._held = frames, (-1, -1, 0.0)
+        self._texture = Texture(frames[0][..., None], trilinear=False, lod_bias=LOD_BIAS)
+
+    def bind(self, films: float, smooth: bool = True) -> None:
+        """Bind the frame of a time, in lengths of the film, to the active unit."""
+        wanted = first, second, mix = between(films, len(self._frames), smooth)
+        if wanted != self._held:
+            self._held, weight = wanted, np.uint16(256 * mix + 0.5)
+            mixed = self._frames[first] * (256 - weight) + self._frames[second] * weight
+            self._texture.replace((mixed >> 8).astype(np.uint8)[..., None])
+        self._texture.bind()
+
+    def release(self) -> None:
+        """Delete the texture; may be called twice."""
+        self._texture.release()
