@@ -1,0 +1,235 @@
+"""The voxel island's faces against a brute-force count, and its materials. No OpenGL."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from landscape.voxel.blocks import BLOCKS, SOLID, block
+from landscape.voxel.faces import DIRECTIONS, Faces, visible_faces
+from landscape.voxel.heights import Heights, heights
+from landscape.voxel.materials import filled, top_materials
+from landscape.voxel.mesh import ALL_TILES, OVERLAP, Look, region_mesh
+from landscape.voxel.world import World
+
+MERGES = ("rectangles", "runs", "none")
+
+
+def some_blocks(seed: int, full: float = 0.5, kinds: tuple[int, ...] = (1, 2, 3, 29)) -> np.ndarray:
+    """Return random blocks [x, z, y] with an edge all around, plants among them."""
+    rng = np.random.default_rng(seed)
+    return np.where(rng.random((9, 8, 10)) < full, rng.choice(kinds, (9, 8, 10)), 0).astype(
+        np.uint8
+    )
+
+
+def brute_force(blocks: np.ndarray, axis: int, sign: int) -> dict[tuple[int, ...], int]:
+    """Return the block of each exposed face, by its place within the edge."""
+    found = {}
+    for place in itertools.product(*(range(1, side - 1) for side in blocks.shape)):
+        beyond = list(place)
+        beyond[axis] += sign
+        if SOLID[blocks[place]] and not SOLID[blocks[tuple(beyond)]]:
+            found[tuple(each - 1 for each in place)] = int(blocks[place])
+    return found
+
+
+def unit_faces(faces: Faces) -> list[tuple[tuple[int, ...], int]]:
+    """Return the place and the block of every unit face that merged faces cover."""
+    found = []
+    for low, long, wide, kind in zip(faces.low, faces.long, faces.wide, faces.block, strict=True):
+        for i, k in itertools.product(range(long), range(wide)):
+            place = low.copy()
+            place[faces.direction.along] += i
+            place[faces.direction.across] += k
+            found.append((tuple(int(each) for each in place), int(kind)))
+    return found
+
+
+@pytest.mark.parametrize("merge", MERGES)
+@pytest.mark.parametrize("full", (0.15, 0.5, 0.9))
+def test_faces_cover_every_exposed_face_once_and_no_other(merge: str, full: float) -> None:
+    for seed in range(4):
+        blocks = some_blocks(seed, full, (1, 1, 1, 3, 29))
+        for direction in DIRECTIONS:
+            covered = unit_faces(visible_faces(blocks, direction, merge))
+            expected = brute_force(blocks, direction.axis, direction.sign)
+            assert len(covered) == len(expected)
+            assert dict(covered) == expected
+
+
+def test_merging_makes_fewer_faces() -> None:
+    flat = np.zeros((22, 22, 6), np.uint8)
+    flat[:, :, :3] = block("grass")
+    up = DIRECTIONS[2]
+    counts = [len(visible_faces(flat, up, merge)) for merge in MERGES]
+    assert counts == [4, 40, 400]  # runs and rectangles are cut at 16 blocks
+
+
+def test_a_corner_is_darkened_by_the_blocks_around_it() -> None:
+    floor = np.zeros((5, 5, 5), np.uint8)
+    floor[:, :, :2] = 1
+    floor[3, :, 2] = 1  # a wall east of the middle
+    up = next(each for each in DIRECTIONS if each.name == "up")
+    faces = visible_faces(floor, up, "none")
+    at = {tuple(low[:2]): shade.tolist() for low, shade in zip(faces.low, faces.shade, strict=True)}
+    # Corners in the order (west, north), (east, north), (east, south), (west, south).
+    assert at[1, 1] == [0, 2, 2, 0]
+    assert at[0, 1] == [0, 0, 0, 0]
+
+
+def test_shade_is_that_of_a_brute_force_count() -> None:
+    blocks = some_blocks(7, 0.4)
+    solid = SOLID[blocks]
+    for direction in DIRECTIONS:
+        faces = visible_faces(blocks, direction, "none")
+        for low, shade in zip(faces.low, faces.shade, strict=True):
+            place = low + 1
+            place[direction.axis] += direction.sign
+            for corner, (s, t) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
+                side, other, behind = place.copy(), place.copy(), place.copy()
+                side[direction.along] += s
+                other[direction.across] += t
+                behind[direction.along] += s
+                behind[direction.across] += t
+                a, b, c = (bool(solid[tuple(each)]) for each in (side, other, behind))
+                assert shade[corner] == (3 if a and b else a + b + c)
+
+
+@pytest.mark.parametrize("merge", MERGES[:2])
+def test_merging_changes_the_shade_of_no_face(merge: str) -> None:
+    for seed in range(6):
+        blocks = some_blocks(seed, 0.25, (1,))
+        for direction in DIRECTIONS:
+            units = visible_faces(blocks, direction, "none")
+            shade = {
+                tuple(low.tolist()): each for low, each in zip(units.low, units.shade, strict=True)
+            }
+            faces = visible_faces(blocks, direction, merge)
+            for low, long, wide, corners in zip(
+                faces.low, faces.long, faces.wide, faces.shade, strict=True
+            ):
+                grid = np.array([corners[0], corners[1], corners[3], corners[2]]).reshape(2, 2)
+                for i, k in itertools.product(range(long), range(wide)):
+                    place = low.copy()
+                    place[direction.along] += i
+                    place[direction.across] += k
+                    # What OpenGL interpolates between the corners of the whole quad.
+                    across, along = (np.array([k, k + 1]) / wide, np.array([i, i + 1]) / long)
+                    rows = grid[0] + np.outer(across, grid[1].astype(float) - grid[0])
+                    ends = rows[:, :1] + (rows[:, 1:] - rows[:, :1]) * along
+                    expected = [ends[0, 0], ends[0, 1], ends[1, 1], ends[1, 0]]
+                    assert shade[tuple(place.tolist())].tolist() == pytest.approx(expected)
+
+
+def plain_look(side: int) -> Look:
+    return Look(np.ones((6, 4)), np.zeros((side + 1, side + 1), np.float32))
+
+
+@pytest.mark.parametrize("merge", MERGES)
+def test_quads_are_counter_clockwise_from_outside_and_as_large_as_their_faces(merge: str) -> None:
+    blocks = some_blocks(3, 0.5, (1, 3))
+    mesh = region_mesh(blocks, (0, 0, 0), plain_look(9), merge)
+    quads = mesh.vertices["position"].reshape(-1, 4, 3).astype(np.float64)
+    way = np.concatenate([np.repeat(np.arange(6), each) for each in mesh.counts // 4])
+    edges = quads[:, 1] - quads[:, 0], quads[:, 2] - quads[:, 1]
+    normals = np.cross(*edges)
+    # x, z, y of a direction to x, y, z.
+    axes = np.array([{0: 0, 1: 2, 2: 1}[each.axis] for each in DIRECTIONS])
+    signs = np.array([each.sign for each in DIRECTIONS])
+    along = normals[np.arange(len(quads)), axes[way]] * signs[way]
+    sides = [np.linalg.norm(edge, axis=1) - 2 * OVERLAP for edge in edges]
+    assert (along > 0).all()
+    assert along == pytest.approx((sides[0] + 2 * OVERLAP) * (sides[1] + 2 * OVERLAP), rel=1e-4)
+    faces = sum(len(brute_force(blocks, each.axis, each.sign)) for each in DIRECTIONS)
+    assert (sides[0] * sides[1]).sum() == pytest.approx(faces, rel=1e-4)
+
+
+def test_a_tile_stands_upright_on_sides_and_is_repeated_once_a_block() -> None:
+    blocks = np.zeros((6, 6, 6), np.uint8)
+    blocks[1:5, 1:5, 1:5] = block("grass")
+    mesh = region_mesh(blocks, (0, 0, 0), plain_look(6))
+    tile = ALL_TILES.index("grass_side")
+    start = int(mesh.counts[:tile].sum())
+    vertices = mesh.vertices[start : start + int(mesh.counts[tile].sum())]
+    height = vertices["position"][:, 1]
+    # Row 0 of a tile is its upper edge, so t falls as y rises.
+    assert vertices["coordinate"][:, 1] == pytest.approx(-height)
+
+
+def test_plants_are_crossed_quads_and_hide_nothing() -> None:
+    blocks = np.zeros((5, 5, 5), np.uint8)
+    blocks[:, :, :2] = block("grass")
+    bare = region_mesh(blocks, (0, 0, 0), plain_look(5))
+    blocks[2, 2, 2] = block("poppy")
+    planted = region_mesh(blocks, (0, 0, 0), plain_look(5))
+    assert (planted.counts[:-1] == bare.counts[:-1]).all()
+    assert planted.counts[-1].sum() == 2 * 4
+
+
+def test_regions_meshed_one_by_one_make_the_mesh_of_the_whole_map() -> None:
+    rng = np.random.default_rng(5)
+    blocks = np.where(rng.random((12, 12, 8)) < 0.5, 1, 0).astype(np.uint8)
+    blocks[:, :, 0] = 1
+    ground = np.ones((12, 12), np.int16)
+
+    def area(region_size: int) -> float:
+        place = World(blocks, ground, region_size, 2, 0.08)
+        found = 0.0
+        for region in range(place.regions**2):
+            inner, origin = place.with_edge(region)
+            mesh = region_mesh(inner, origin, plain_look(12), "none")
+            found += len(mesh.vertices) / 4
+        return found
+
+    assert area(12) == area(4) == area(3)
+
+
+def test_no_face_is_made_at_the_border_of_the_map_or_under_it() -> None:
+    blocks = np.zeros((4, 4, 6), np.uint8)
+    blocks[:, :, :2] = 1
+    place = World(blocks, np.full((4, 4), 2, np.int16), 4, 1, 0.08)
+    inner, origin = place.with_edge(0)
+    mesh = region_mesh(inner, origin, plain_look(4), "none")
+    per_direction = mesh.counts.sum(axis=0) // 4
+    assert dict(zip([each.name for each in DIRECTIONS], per_direction, strict=True)) == {
+        "east": 0, "west": 0, "up": 16, "down": 0, "south": 0, "north": 0,
+    }  # fmt: skip
+
+
+def test_heights_slopes_and_normals_of_a_plane_are_those_of_the_plane() -> None:
+    x, z = np.meshgrid(np.arange(20) + 0.5, np.arange(20) + 0.5, indexing="ij")
+    plane = Heights((3 + 0.5 * x - 0.25 * z).astype(np.float32))
+    assert plane.height(7.3, 4.9) == pytest.approx(3 + 0.5 * 7.3 - 0.25 * 4.9, abs=1e-5)
+    assert plane.gradient(7.3, 4.9) == pytest.approx((0.5, -0.25), abs=1e-5)
+    normal = np.array([-0.5, 1.0, 0.25])
+    assert plane.normal(7.3, 4.9) == pytest.approx(normal / np.linalg.norm(normal), abs=1e-5)
+    assert plane.position(2.0, 3.0) == pytest.approx([2.0, 3.25, 3.0], abs=1e-5)
+    assert plane.steepness == pytest.approx(np.full((20, 20), np.hypot(0.5, 0.25)), abs=1e-5)
+
+
+def test_a_height_image_is_sampled_with_its_columns_east_and_its_rows_south() -> None:
+    image = np.zeros((64, 64), np.float32)
+    image[10:20, 40:60] = 128.0
+    found = heights(image, 64, 256).field
+    assert found[50, 15] == pytest.approx(128.0) and found[15, 50] == 0.0
+
+
+def test_columns_are_filled_from_the_rock_up_to_their_top() -> None:
+    tops = np.array([[3, 7]], np.int16)
+    kinds = np.array([[block("sand"), block("grass")]], np.uint8)
+    found = filled(tops, kinds, 10)
+    names = [[BLOCKS[each].name for each in column] for column in found[0]]
+    assert names[0] == ["sand"] * 3 + ["air"] * 7
+    assert names[1] == ["rock"] * 3 + ["earth"] * 3 + ["grass"] + ["air"] * 3
+
+
+def test_the_ground_is_sorted_by_height_and_then_by_slope() -> None:
+    n = 200
+    x = np.arange(n, dtype=np.float32)[:, None] + np.zeros(n, np.float32)
+    gentle = Heights(np.maximum(x * 0.3 - 10, 0))  # 0 to 50 above a sea at 10
+    kinds = top_materials(gentle, 10, np.random.default_rng(0))
+    seen = [BLOCKS[kinds[i, 100]].name for i in (10, 70, 120, 199)]
+    assert seen == ["gravel", "sand", "grass", "snow"]
+    steep = Heights(x * 2.5)
+    assert BLOCKS[top_materials(steep, 10, np.random.default_rng(0))[40, 100]].name == "rock"

@@ -1,0 +1,120 @@
+"""Boxes against the view frustum: two ways that agree, and culling that loses no pixel."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from landscape.frame import Pose
+from landscape.render import Offscreen
+from landscape.voxel.visibility import (
+    distances,
+    facing,
+    frustum_planes,
+    visible_in_world,
+    visible_projected,
+)
+
+SIZE = (96, 72)
+
+
+def perspective(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Return the projection times modelview (4, 4) of a random camera, and its eye."""
+    near, far = 0.1, 60.0
+    top, side = near * rng.uniform(0.2, 1.2), near * rng.uniform(0.2, 1.6)
+    projection = np.zeros((4, 4))
+    projection[0, 0], projection[1, 1] = near / side, near / top
+    projection[2, 2:] = -(far + near) / (far - near), -2 * far * near / (far - near)
+    projection[3, 2] = -1.0
+    turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    eye = rng.uniform(-10, 50, 3)
+    view = np.eye(4)
+    view[:3, :3], view[:3, 3] = turn, -turn @ eye
+    return projection @ view, eye
+
+
+def boxes(rng: np.random.Generator, count: int = 200) -> tuple[np.ndarray, np.ndarray]:
+    low = rng.uniform(-10, 50, (count, 3))
+    return low, low + rng.uniform(0.01, 6.0, (count, 3))
+
+
+def test_both_ways_agree_on_random_boxes_and_cameras() -> None:
+    rng = np.random.default_rng(1)
+    seen = 0
+    for _ in range(200):
+        clip, _ = perspective(rng)
+        low, high = boxes(rng)
+        world, projected = visible_in_world(low, high, clip), visible_projected(low, high, clip)
+        assert (world == projected).all()
+        seen += int(world.sum())
+    assert 1000 < seen < 39000
+
+
+def test_a_box_with_a_point_in_the_frustum_is_visible() -> None:
+    rng = np.random.default_rng(2)
+    for _ in range(100):
+        clip, _ = perspective(rng)
+        low, high = boxes(rng)
+        inside = rng.uniform(0, 1, low.shape) * (high - low) + low
+        x, y, z, w = (np.c_[inside, np.ones(len(inside))] @ clip.T).T
+        within = (np.abs([x, y, z]) <= w).all(axis=0)
+        assert visible_in_world(low, high, clip)[within].all()
+
+
+def test_points_of_the_frustum_are_on_the_inner_side_of_its_planes() -> None:
+    clip, _ = perspective(np.random.default_rng(3))
+    corner = np.linalg.inv(clip) @ (0.3, -0.2, 0.5, 1.0)
+    assert (frustum_planes(clip) @ (corner / corner[3]) > 0).all()
+
+
+def test_faces_turned_away_cannot_be_seen_from_any_point_of_the_region() -> None:
+    low, high = np.zeros((1, 3)), np.full((1, 3), 4.0)
+    # East, west, up, down, south, north.
+    assert facing(low, high, np.array([9.0, 2.0, 2.0])).tolist() == [[1, 0, 1, 1, 1, 1]]
+    assert facing(low, high, np.array([2.0, -1.0, 9.0])).tolist() == [[1, 1, 0, 1, 1, 0]]
+
+
+def test_distances_are_taken_in_plan() -> None:
+    low, high = np.array([[3.0, 0.0, 4.0]]), np.array([[5.0, 1.0, 6.0]])
+    assert distances(low, high, np.array([0.0, 50.0, 0.0])) == pytest.approx([5.0])
+    assert distances(low, high, np.array([4.0, 50.0, 5.0])) == pytest.approx([0.0])
+
+
+def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
+    """Drawn with culling and without, random views are equal."""
+    rng = np.random.default_rng(4)
+    small = {"voxel.regions": 8, "voxel.region_size": 25, "shadow.enabled": False}
+    small |= {"voxel.distance": 1000.0, "fog.enabled": False}
+    poses = [
+        (*rng.uniform(1, 15, 1), rng.uniform(0.3, 7.0), *rng.uniform(1, 15, 1),
+         rng.uniform(0, 360), rng.uniform(-70, 30))
+        for _ in range(40)
+    ]  # fmt: skip
+    shown = []
+    for culled in (True, False):
+        given = {**small, "voxel.cull": culled, "voxel.facing": culled}
+        with Offscreen(SIZE, samples=0, place="voxel", settings=given, only=("land",)) as view:
+            pictures = []
+            for pose in poses:
+                view.look(pose)
+                pictures.append(view.draw())
+            shown.append(pictures)
+    for k, (one, other) in enumerate(zip(*shown, strict=True)):
+        assert (one == other).all(), poses[k]
+    assert len({picture.tobytes() for picture in shown[0]}) > 30
+
+
+def test_no_background_shows_between_merged_quads() -> None:
+    """From above, looking steeply down, every pixel is land: there are no pinholes."""
+    rng = np.random.default_rng(6)
+    given = {"shadow.enabled": False, "fog.enabled": False, "fog.color": (1.0, 0.0, 1.0)}
+    given["voxel.distance"] = 1000.0
+    with Offscreen((320, 240), samples=0, place="voxel", settings=given, only=("land",)) as view:
+        view.look((20.0, 9.0, 20.0))
+        for _ in range(25):
+            pose = Pose(*rng.uniform(15, 25, 1), rng.uniform(5, 8), *rng.uniform(15, 25, 1),
+                        rng.uniform(0, 360), rng.uniform(-88, -62))  # fmt: skip
+            view.moment = replace(view.moment, pose=pose)
+            picture = view.draw().astype(int)
+            magenta = (picture[..., 0] > 200) & (picture[..., 1] < 40) & (picture[..., 2] > 200)
+            assert not magenta.any(), pose
