@@ -46,6 +46,7 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("stencil_mirror", "planar_shadow", "caustics", "brightness_contrast", "mist", "slerp"),
         *("sphere_map", "shadow_volume", "accumulation"),
     ),
+    "voxels": ("height_columns", "hidden_faces", "box_frustum", "fog_coordinate", "cube_map"),
 }
 TOPICS: Texts = {
     "window": "Window and events",
@@ -56,6 +57,7 @@ TOPICS: Texts = {
     "textures": "Textures",
     "landscape": "The landscape",
     "effects": "Effects",
+    "voxels": "Voxels",
 }
 NAMES = tuple(name for names in LADDER.values() for name in names)
 
