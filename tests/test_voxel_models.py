@@ -1,13 +1,16 @@
-"""Models of blocks: trees that are whole, a castle that can be walked through."""
+"""Models of blocks: whole trees, a castle to walk through, creatures, groves and meadows."""
 
 from collections import deque
 
 import numpy as np
 import pytest
 
+from landscape.files.assets import shipped
 from landscape.voxel.blocks import BLOCKS, SOLID, block
 from landscape.voxel.models import castle as castles
 from landscape.voxel.models.castle_keep import HEIGHT, KEEP
+from landscape.voxel.models.creatures import SEA, dragon, rabbit
+from landscape.voxel.models.meadow import HIGH, SPACING, forest, plants
 from landscape.voxel.models.shapes import joined, put
 from landscape.voxel.models.trees import KINDS, tree
 
@@ -88,6 +91,85 @@ def test_the_castle_has_foundations_under_all_of_it():
     empty = castles.hollow(model)
     assert not empty[..., : castles.FLOOR].any() and not (empty & (model > 0)).any()
     assert empty[18, 22, castles.FLOOR + 1]
+
+
+@pytest.mark.parametrize("height", [7, 14, 20])
+def test_the_rabbit_is_as_high_as_asked_and_alike_on_both_sides(height):
+    model = rabbit(shipped() / "rabbit.ply", height)
+    assert model.dtype == np.uint8 and model.shape[2] == height and model.shape[1] % 2 == 1
+    assert np.array_equal(model, model[:, ::-1])
+    assert model[..., 0].any() and model[..., -1].any()
+
+
+def test_the_rabbit_has_two_eyes_a_nose_two_ears_and_a_light_tail():
+    model = rabbit(shipped() / "rabbit.ply", 14)
+    eyes = np.argwhere(model == block("dark"))
+    assert len(eyes) == 2 and eyes[0, 1] < model.shape[1] // 2 < eyes[1, 1]
+    assert eyes[0, 0] > model.shape[0] / 2  # it looks to the east
+    ears = (model[..., -3:] > 0).any(axis=(0, 2))
+    assert ears[: len(ears) // 2].any() and not ears[len(ears) // 2]
+    assert (model[..., -5:] == block("pink")).any()
+    assert model[0, model.shape[1] // 2].max() == block("light fur")
+    inner = model[8, model.shape[1] // 2, :6]
+    assert (inner > 0).all()  # it is solid
+
+
+def test_the_dragon_is_as_long_as_asked_and_in_one_piece():
+    model = dragon(shipped() / "dragon.ply", 60)
+    assert model.shape[0] == 60 and model[0].any() and model[-1].any()
+    one = np.zeros(model.shape, bool)
+    one[tuple(np.argwhere(model == block("scales"))[0])] = True
+    assert joined(model > 0, one).sum() > 0.99 * (model > 0).sum()
+    names = ("scales", "light scales", "horn", "dark", "pink")
+    assert {block(name) for name in names} == set(np.unique(model)) - {0}
+    eyes = np.argwhere(model == block("dark"))
+    assert eyes[:, 0].min() > 45 and eyes[:, 2].min() > SEA * model.shape[2]
+
+
+def hill(side: int = 160) -> np.ndarray:
+    x, z = np.ogrid[:side, :side]
+    return 40.0 - 0.3 * np.hypot(x - side / 2, z - side / 2)
+
+
+def test_trees_keep_their_distance_and_stay_where_they_may():
+    places = np.ones((160, 160), bool)
+    places[60:100] = False
+    found = forest(places, hill(), np.random.default_rng(4))
+    assert len(found) > 60
+    assert all(places[x, z] for _, x, z in found)
+    at = np.array([(x, z) for _, x, z in found])
+    apart = np.hypot(*(at[:, None] - at).transpose(2, 0, 1)) + 1e9 * np.eye(len(at))
+    assert apart.min() >= min(SPACING.values())
+    assert found == forest(places, hill(), np.random.default_rng(4))
+    assert forest(np.zeros((160, 160), bool), hill(), np.random.default_rng(4)) == []
+
+
+def test_trees_stand_in_groves_with_spruces_on_high_ground():
+    places = np.ones((240, 240), bool)
+    ground = hill(240)
+    found = forest(places, ground, np.random.default_rng(2))
+    heights = {kind: [ground[x, z] for k, x, z in found if k == kind] for kind in KINDS}
+    assert all(heights.values())
+    assert np.mean(heights["spruce"]) > max(np.mean(heights[k]) for k in KINDS if k != "spruce")
+    assert 0 < HIGH < 1
+    counts = np.zeros((8, 8), int)
+    for _, x, z in found:
+        counts[x // 30, z // 30] += 1
+    assert counts.var() > 2 * counts.mean()  # of evenly random places they would be equal
+
+
+def test_plants_grow_in_patches_of_their_kind_only_where_they_may():
+    places = np.ones((200, 200), bool)
+    places[:, :50] = False
+    found = plants(places, np.random.default_rng(1))
+    assert not found[~places].any()
+    kinds = [number for number in np.unique(found) if number]
+    assert len(kinds) == 6 and all(BLOCKS[number].plant for number in kinds)
+    assert 0.03 < (found[places] > 0).mean() < 0.2
+    for name in ("poppy", "cornflower", "heather"):
+        here = (found == block(name))[:, 50:]
+        counts = here.reshape(20, 10, 15, 10).sum(axis=(1, 3))
+        assert counts.var() > 3 * counts.mean()
 
 
 def walked(model: np.ndarray, start: tuple[int, int, int]) -> np.ndarray:
