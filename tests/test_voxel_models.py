@@ -5,9 +5,11 @@ from collections import deque
 import numpy as np
 import pytest
 
+from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.voxel.blocks import BLOCKS, SOLID, block
 from landscape.voxel.models import castle as castles
+from landscape.voxel.models import finds
 from landscape.voxel.models.castle_keep import HEIGHT, KEEP
 from landscape.voxel.models.creatures import SEA, dragon, rabbit
 from landscape.voxel.models.meadow import HIGH, SPACING, forest, plants
@@ -124,6 +126,44 @@ def test_the_dragon_is_as_long_as_asked_and_in_one_piece():
     assert {block(name) for name in names} == set(np.unique(model)) - {0}
     eyes = np.argwhere(model == block("dark"))
     assert eyes[:, 0].min() > 45 and eyes[:, 2].min() > SEA * model.shape[2]
+
+
+def test_a_mesh_that_is_flat_or_without_colours_is_told_or_taken(tmp_path):
+    head = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    head += "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+    faces = "3 0 1 2\n3 0 1 3\n3 1 2 3\n3 0 2 3\n"
+    solid = tmp_path / "solid.ply"
+    solid.write_text(f"{head}0 0 0\n3e38 0 0\n0 3e38 0\n0 0 3e38\n{faces}")
+    assert rabbit(solid, 9).any() and dragon(solid, 9).any()
+    flat = tmp_path / "flat.ply"
+    flat.write_text(f"{head}0 0 0\n0 0 1\n0 0 0\n0 0 2\n{faces}")
+    for make in (rabbit, dragon):
+        with pytest.raises(InputError, match=r"flat\.ply: expected a mesh that is not flat"):
+            make(flat)
+
+
+def test_what_is_found_on_the_way_has_foundations_and_a_lamp():
+    rng = np.random.default_rng(6)
+    for model in (finds.ruin(rng), finds.stone_circle(rng), finds.beacon(), finds.well()):
+        assert model.dtype == np.uint8 and model.max() < len(BLOCKS)
+        assert (model == block("lamp")).any()
+        above = SOLID[model[..., finds.FLOOR]] & (model[..., finds.FLOOR] != block("planks"))
+        leaves = model[..., finds.FLOOR] == block("oak leaves")
+        assert SOLID[model[..., finds.FLOOR - 1]][above & ~leaves].all()
+    assert np.array_equal(
+        finds.ruin(np.random.default_rng(8)), finds.ruin(np.random.default_rng(8))
+    )
+
+
+@pytest.mark.parametrize("length", [9, 13, 20])
+def test_a_jetty_reaches_from_its_middle_over_the_sea_beside_a_boat(length):
+    model = finds.jetty(length)
+    start = model.shape[0] // 2
+    deck = model[start : start + length, 6:8, finds.DECK]
+    assert (deck == block("planks")).all()
+    assert not SOLID[model[start : start + length, 6:8, finds.DECK + 1 : finds.DECK + 3]].any()
+    assert (model[..., 0] == block("oak log")).any()
+    assert (model == block("light fur")).any()  # the boat's sail
 
 
 def hill(side: int = 160) -> np.ndarray:

@@ -11,7 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
+from landscape.errors import InputError
 from landscape.files.meshes import read_colours, read_mesh
+from landscape.geometry.mesh import centred
 from landscape.voxel.blocks import block
 
 ENOUGH = 0.38  # square blocks of surface that make a cell a block, chosen
@@ -40,6 +42,7 @@ DRAGON: Palette = (
 # Chosen, in the rabbit's mesh: where its head is and how far it is turned, and where ears begin.
 HEAD_X, NECK_Y, HEAD_YAW_RAD = 0.62, (-0.15, 0.05), 0.22
 EARS_Y, SPREAD = (0.30, 0.55), 0.13
+THINNEST = 20.0  # times its size along its measured axis: how long a mesh may be, chosen
 BLACK = 0.16  # colours darker than this are the eyes, chosen
 SEA = 0.375  # of the dragon's height: its water line, where the island's dragon has it
 
@@ -51,8 +54,7 @@ def rabbit(path: Path, height: int = 14) -> np.ndarray:
     """
     vertices, triangles = read_mesh(path)
     colours = read_colours(path)
-    posed = _straight(vertices)
-    places, shape = _grid(posed, height / np.ptp(posed[:, 1]), odd=True)
+    places, shape = _grid(path, _straight(centred(vertices)), height, 1, odd=True)
     model = _voxels(places, shape, triangles, colours, RABBIT)
     model = np.maximum(model, model[:, ::-1])  # where the sides differ, the lighter block
     # Half a block wide, an eye would have no block of its own, or two.
@@ -60,14 +62,14 @@ def rabbit(path: Path, height: int = 14) -> np.ndarray:
     if black.any():
         x, _, y = (places[black].min(axis=0) + places[black].max(axis=0)).astype(int) // 2
         across = np.flatnonzero(model[x, :, y])
-        model[x, across[[0, -1]], y] = block("dark")
+        model[x, [*across[:1], *across[-1:]], y] = block("dark")
     # Only its ears and its nose are pink; elsewhere that is the border between brown and white.
     low = model[..., : round(0.7 * model.shape[2])]
     low[low == block("pink")] = block("light fur")
     # The nose is the foremost block of the face.
-    snout = np.argwhere(model[:, model.shape[1] // 2, model.shape[2] // 2 :])
-    x, y = snout[np.lexsort((-snout[:, 1], -snout[:, 0]))[0]]
-    model[x, model.shape[1] // 2, y + model.shape[2] // 2] = block("pink")
+    middle = model[:, model.shape[1] // 2, model.shape[2] // 2 :]
+    for x, y in sorted(np.argwhere(middle).tolist())[-1:]:
+        middle[x, y] = block("pink")
     return model
 
 
@@ -92,18 +94,22 @@ def dragon(path: Path, length: int = 60) -> np.ndarray:
     The sea is at ``SEA`` of its height: put it with that level as its floor.
     """
     vertices, triangles = read_mesh(path)
-    places, shape = _grid(vertices, length / np.ptp(vertices[:, 0]))
+    places, shape = _grid(path, centred(vertices), length, 0)
     return _voxels(places, shape, triangles, read_colours(path), DRAGON)
 
 
 def _grid(
-    vertices: np.ndarray, scale: float, odd: bool = False
+    path: Path, vertices: np.ndarray, size: int, axis: int, odd: bool = False
 ) -> tuple[np.ndarray, tuple[int, int, int]]:
     """Return vertices x, y, z as places x, z, y in blocks, in the middle of a grid of this shape.
 
-    If ``odd``, the number of blocks across is odd, so that there is one in the middle.
+    The mesh becomes ``size`` blocks long along an axis; if ``odd``, the number of blocks across is
+    odd, so that there is one in the middle. InputError names a mesh too thin along the axis.
     """
-    places = ((vertices - vertices.min(axis=0)) * scale)[:, [0, 2, 1]]
+    extent = np.ptp(vertices, axis=0)
+    if extent[axis] * THINNEST < extent.max():
+        raise InputError(f"{path}: expected a mesh that is not flat, to make blocks of it")
+    places = ((vertices - vertices.min(axis=0)) * (size / extent[axis]))[:, [0, 2, 1]]
     long, wide, tall = (max(int(np.ceil(v - 1e-4)), 1) for v in places.max(axis=0))
     wide += odd and wide % 2 == 0
     return places + ((long, wide, tall) - places.max(axis=0)) / 2, (long, wide, tall)
