@@ -42,6 +42,7 @@ NAMES: tuple[str, ...] = (
     "mirror",
     "planar_shadow",
     "stencil_mirror",
+    "hidden_faces",
 )
 HOLE = _("# Your code goes here.")
 LEAD = _("Lessons to read first: {lessons}.")
