@@ -46,7 +46,10 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("stencil_mirror", "planar_shadow", "caustics", "brightness_contrast", "mist", "slerp"),
         *("sphere_map", "shadow_volume", "accumulation"),
     ),
-    "voxels": ("height_columns", "hidden_faces", "box_frustum", "fog_coordinate", "cube_map"),
+    "voxels": (
+        *("height_columns", "hidden_faces", "box_frustum", "fog_coordinate", "cube_map"),
+        *("shadow_map", "projective_texture", "fresnel_cube_map", "dot3"),
+    ),
 }
 TOPICS: Texts = {
     "window": "Window and events",
