@@ -16,7 +16,7 @@ from landscape.gl.calls import gl
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.voxel.blocks import TILES
-from landscape.voxel.build import built, meshed
+from landscape.voxel.build import built, meshed, meshes
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.mesh import RegionMesh
 from landscape.voxel.region_buffer import RegionBuffer
@@ -28,9 +28,13 @@ LEAST_ALPHA = 0.5  # chosen: texels of plants with less are not drawn
 
 
 class Choice(NamedTuple):
-    """Regions to draw, nearest first, and in which directions their faces may be seen (n, 6)."""
+    """Regions to draw, nearest first, and in which directions their faces may be seen (n, 6).
+
+    ``shares`` are those of the buffer that hold their meshes, for near or for far.
+    """
 
     regions: np.ndarray
+    shares: np.ndarray
     facing: np.ndarray
 
 
@@ -45,7 +49,7 @@ class Land:
         self.settings, self.version = settings, 0
         self.world, self.colours, found = built(settings, assets, seed)
         self.buffer = RegionBuffer(found)
-        boxes = [bounding_box(mesh) for mesh in found]
+        boxes = [bounding_box(mesh) for mesh in found[: self.world.regions**2]]
         self.low, self.high = (
             np.array(ends) * self.world.block for ends in zip(*boxes, strict=True)
         )
@@ -58,25 +62,33 @@ class Land:
         """The side of a block in units."""
         return self.world.block
 
-    def choose(self, clip: np.ndarray, eye: np.ndarray, distance: float) -> Choice:
-        """Return what to draw: with ``clip`` (4, 4), projection times modelview, from ``eye``."""
+    def choose(self, clip: np.ndarray, eye: np.ndarray, near: float) -> Choice:
+        """Return what to draw: with ``clip`` (4, 4), projection times modelview, from ``eye``.
+
+        Regions within ``near`` units are drawn with the meshes for near.
+        """
         values = self.settings.voxel
         away = distances(self.low, self.high, eye)
         seen = np.ones(len(away), bool)
         if values.cull:
-            seen = visible_in_world(self.low, self.high, clip) & (away < distance)
+            seen = visible_in_world(self.low, self.high, clip) & (away < values.distance)
         regions = np.flatnonzero(seen)
         regions = regions[np.argsort(away[regions], kind="stable")]
         ways = facing(self.low[regions], self.high[regions], eye)
         if not values.facing:
             ways[:] = True
-        return Choice(regions, ways)
+        return Choice(regions, self._shares(regions, away[regions] < near), ways)
+
+    def _shares(self, regions: np.ndarray, near: np.ndarray | bool) -> np.ndarray:
+        """Return the shares of the buffer with the meshes of regions (n,) for near, or for far."""
+        return np.where(near, regions, regions + len(self.low))
 
     def seen_by_sun(self, clip: np.ndarray, towards: np.ndarray) -> Choice:
         """Return what the sun sees, which is infinitely far away in the direction ``towards``."""
         regions = np.flatnonzero(visible_in_world(self.low, self.high, clip))
         away = 1e6 * towards
-        return Choice(regions, facing(self.low[regions], self.high[regions], away))
+        ways = facing(self.low[regions], self.high[regions], away)
+        return Choice(regions, self._shares(regions, near=False), ways)
 
     def draw(self, choice: Choice, fog_by_height: bool = False) -> None:
         """Draw the regions of a choice, textured, in the current state of fog and shadows."""
@@ -90,13 +102,13 @@ class Land:
     def send(self, choice: Choice) -> None:
         """Send the faces of each tile with its texture bound; the caller has set all else."""
         for tile, texture in enumerate(self._textures):
-            if not self.buffer.count[choice.regions, tile].any():
+            if not self.buffer.count[choice.shares, tile].any():
                 continue
             texture.bind()
             if tile == len(TILES):
                 self._send_plants(choice)
             else:
-                self.buffer.draw(tile, *choice)
+                self.buffer.draw(tile, choice.shares, choice.facing)
 
     def _send_plants(self, choice: Choice) -> None:
         """Send the plants, whose quads have two sides and holes."""
@@ -104,7 +116,7 @@ class Land:
         gl.glEnable(gl.GL_ALPHA_TEST)
         gl.glAlphaFunc(gl.GL_GREATER, LEAST_ALPHA)
         every = np.ones((len(choice.regions), len(DIRECTIONS)), bool)
-        self.buffer.draw(len(TILES), choice.regions, every)
+        self.buffer.draw(len(TILES), choice.shares, every)
         gl.glDisable(gl.GL_ALPHA_TEST)
         gl.glEnable(gl.GL_CULL_FACE)
 
@@ -114,20 +126,18 @@ class Land:
             gl.glScalef(self.scale, self.scale, self.scale)
             gl.glEnable(gl.GL_CULL_FACE)
             for tile in range(len(TILES)):
-                self.buffer.draw(tile, *choice)
+                self.buffer.draw(tile, choice.shares, choice.facing)
 
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1
-        mesh = meshed(self.world, region, self.colours, self.settings.voxel)
-        self.low[region], self.high[region] = (
-            np.array(end) * self.scale for end in bounding_box(mesh)
-        )
-        if not self.buffer.replace(region, mesh):
-            count = range(self.world.regions**2)
-            every = [meshed(self.world, each, self.colours, self.settings.voxel) for each in count]
+        values = self.settings.voxel
+        near, far = meshed(self.world, region, self.colours, values)
+        self.low[region], self.high[region] = (self.scale * end for end in bounding_box(near))
+        places = (region, near), (region + len(self.low), far)
+        if not all([self.buffer.replace(*each) for each in places]):
             self.buffer.release()
-            self.buffer = RegionBuffer(every)
+            self.buffer = RegionBuffer(meshes(self.world, self.colours, values))
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the land must be built again."""

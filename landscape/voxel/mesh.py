@@ -157,6 +157,7 @@ def region_mesh(
     look: Look,
     merge: str = "rectangles",
     occlusion: bool = True,
+    plants: bool = True,
 ) -> RegionMesh:
     """Return the mesh of blocks [x, z, y], uint8 with an edge all around.
 
@@ -167,10 +168,10 @@ def region_mesh(
         faces = visible_faces(blocks, direction, merge, occlusion)
         sets.append(quads(faces, origin, look))
         keys.append(FACE_TILES[faces.block, k].astype(np.intp) * len(DIRECTIONS) + k)
-    inner = blocks[1:-1, 1:-1, 1:-1]
-    plants = plant_quads(inner, origin, look)
-    sets.append(plants)
-    keys.append(np.full(len(plants), len(TILES) * len(DIRECTIONS) + UP))
+    if plants:
+        crossed = plant_quads(blocks[1:-1, 1:-1, 1:-1], origin, look)
+        sets.append(crossed)
+        keys.append(np.full(len(crossed), len(TILES) * len(DIRECTIONS) + UP))
     key = np.concatenate(keys)
     order = np.argsort(key, kind="stable")
     counts = 4 * np.bincount(key, minlength=len(ALL_TILES) * len(DIRECTIONS))

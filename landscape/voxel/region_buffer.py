@@ -25,46 +25,46 @@ SPARE = 512  # vertices, chosen: and by at least this
 
 
 class RegionBuffer:
-    """Owner of the buffer. ``first`` and ``count`` (regions, tiles, 6) say what lies where."""
+    """Owner of the buffer. ``first`` and ``count`` (shares, tiles, 6) say what lies where."""
 
     def __init__(self, meshes: Sequence[RegionMesh]) -> None:
-        """Upload the meshes of all regions."""
+        """Upload meshes; each has a share of its own."""
         sizes = np.array([len(mesh.vertices) for mesh in meshes])
         self.room = (np.maximum(sizes * MARGIN, sizes + SPARE) // 4 * 4).astype(np.int64)
         self.start = np.cumsum(self.room) - self.room
         self.first = np.zeros((len(meshes), len(ALL_TILES), len(DIRECTIONS)), np.int32)
         self.count = np.zeros_like(self.first)
         whole = np.zeros(int(self.room.sum()), VERTEX)
-        for region, mesh in enumerate(meshes):
-            whole[self.start[region] :][: len(mesh.vertices)] = mesh.vertices
-            self._enter(region, mesh)
+        for share, mesh in enumerate(meshes):
+            whole[self.start[share] :][: len(mesh.vertices)] = mesh.vertices
+            self._enter(share, mesh)
         self.name = int(gl.glGenBuffers(1))
         self._fill(whole)
 
-    def _enter(self, region: int, mesh: RegionMesh) -> None:
-        """Note where the vertices of a region lie."""
+    def _enter(self, share: int, mesh: RegionMesh) -> None:
+        """Note where the vertices of a share lie."""
         flat = mesh.counts.ravel()
-        starts = self.start[region] + np.cumsum(flat) - flat
-        self.first[region] = starts.reshape(mesh.counts.shape)
-        self.count[region] = mesh.counts
+        starts = self.start[share] + np.cumsum(flat) - flat
+        self.first[share] = starts.reshape(mesh.counts.shape)
+        self.count[share] = mesh.counts
 
     def _fill(self, vertices: np.ndarray) -> None:
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
         gl.glBufferData(gl.GL_ARRAY_BUFFER, vertices.nbytes, vertices, gl.GL_STATIC_DRAW)
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
 
-    def replace(self, region: int, mesh: RegionMesh) -> bool:
-        """Replace a region's vertices; return False, changing nothing, if its share is too small.
+    def replace(self, share: int, mesh: RegionMesh) -> bool:
+        """Replace a share's vertices; return False, changing nothing, if its share is too small.
 
         Then the caller makes the whole buffer again, with larger shares.
         """
-        if len(mesh.vertices) > self.room[region]:
+        if len(mesh.vertices) > self.room[share]:
             return False
-        begin = int(self.start[region]) * VERTEX.itemsize
+        begin = int(self.start[share]) * VERTEX.itemsize
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
         gl.glBufferSubData(gl.GL_ARRAY_BUFFER, begin, mesh.vertices.nbytes, mesh.vertices)
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
-        self._enter(region, mesh)
+        self._enter(share, mesh)
         return True
 
     @contextmanager
@@ -83,16 +83,16 @@ class RegionBuffer:
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
             gl.glPopClientAttrib()
 
-    def draw(self, tile: int, regions: np.ndarray, facing: np.ndarray) -> None:
-        """Draw a tile's faces of some regions, in their order, in the directions of ``facing``.
+    def draw(self, tile: int, shares: np.ndarray, facing: np.ndarray) -> None:
+        """Draw a tile's faces of some shares, in their order, in the directions of ``facing``.
 
-        ``facing`` (regions, 6) says for each of ``regions`` which directions may be seen.
+        ``facing`` (shares, 6) says for each of ``shares`` which directions may be seen.
         """
-        count = np.where(facing, self.count[regions, tile], 0)
+        count = np.where(facing, self.count[shares, tile], 0)
         sent = count > 0
         if not sent.any():
             return
-        first, count = self.first[regions, tile][sent], count[sent]
+        first, count = self.first[shares, tile][sent], count[sent]
         gl.glMultiDrawArrays(gl.GL_QUADS, first, count, len(first))
 
     def release(self) -> None:

@@ -94,7 +94,7 @@ def draw_from_outside(
         gl.glTranslatef(*(-(np.array([middle, ABOVE, middle]) + back)).tolist())
         everywhere = np.ones_like(choice.facing)
         with lit:
-            land.draw(Choice(choice.regions, everywhere))
+            land.draw(choice._replace(facing=everywhere))
         draw_boxes(land, choice)
         gl.glLineWidth(LINE)
         send_lines(frustum_lines(clip, frame.eye), VIEW)

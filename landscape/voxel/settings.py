@@ -56,6 +56,9 @@ class Voxel:
     distance: float = setting(
         26.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)
     )
+    near: float = setting(
+        9.0, "chosen", "how far corners are dark and plants are drawn", 0, 1e4, unit=UNITS
+    )
     trees: bool = setting(True, "chosen", "trees and flowers stand on the land")
     buildings: bool = setting(True, "chosen", "castle, creatures and other things to find")
 
@@ -105,6 +108,15 @@ class Water:
         0.5, "chosen", "size of the two pictures", 0.05, 1, unit="times the window's"
     )
     fresnel: float = setting(1.0, PASSES, "how much it mirrors; 1 is as much as water does", 0, 4)
+    near: float = setting(
+        0.0,
+        "chosen",
+        "how far what is mirrored has dark corners and plants",
+        0,
+        1e4,
+        unit=UNITS,
+        needs=("water.reflection",),
+    )
     ripples: float = setting(
         1.0, PASSES, "how far ripples displace what is seen in and under the water", 0, 10
     )

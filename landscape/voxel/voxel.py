@@ -108,7 +108,7 @@ class Voxel(Played, Ground):
         shore = self._draw_images(frame)
         begin_pass("main")
         with clipped(shore.level, above=True) if shore else nullcontext():
-            self._draw_land(frame)
+            self._draw_land(frame, values.voxel.near)
         self._draw("sky", self.sky, frame)
         if shore:
             with drawing("water"):
@@ -117,7 +117,7 @@ class Voxel(Played, Ground):
         self._draw_debug(frame, clip)
         self._draw("sword", self.sword, frame)
 
-    def _draw_land(self, frame: Frame, below: bool = False) -> None:
+    def _draw_land(self, frame: Frame, near: float, below: bool = False) -> None:
         """Draw the land that the current matrices let one see; ``below`` fogs it by its depth."""
         if "land" not in self.shown:
             return
@@ -125,7 +125,7 @@ class Voxel(Played, Ground):
             eye = frame.eye
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
-            choice = self.land.choose(clip_matrix(), eye, self.settings.voxel.distance)
+            choice = self.land.choose(clip_matrix(), eye, near)
             with self._lit():
                 self.land.draw(choice, fog_by_height=below)
 
@@ -138,7 +138,7 @@ class Voxel(Played, Ground):
         values, land = self.settings.debug, self.land
         if "land" not in self.shown or not (values.regions or values.textures):
             return
-        choice = land.choose(clip, frame.eye, self.settings.voxel.distance)
+        choice = land.choose(clip, frame.eye, self.settings.voxel.near)
         with drawing("land"):
             if values.regions:
                 draw_boxes(land, choice)
@@ -169,22 +169,25 @@ class Voxel(Played, Ground):
         points = self.water.grid(frame)
         if points is None:
             return None
-        level, images = self.water.level, self.water.images
+        values, level, images = self.settings, self.water.level, self.water.images
         begin_pass("reflection")
         with drawing("water"):
             images.draw_reflection(frame.viewport, level, lambda: self._draw_mirrored(frame))
         begin_pass("refraction")
         with drawing("water"):
-            block = self.settings.voxel.block
+            block = values.voxel.block
             images.draw_refraction(
-                frame.viewport, level, block, lambda: self._draw_land(frame, below=True)
+                frame.viewport,
+                level,
+                block,
+                lambda: self._draw_land(frame, values.voxel.near, below=True),
             )
         return Shore(level, points)
 
     def _draw_mirrored(self, frame: Frame) -> None:
         """Draw what is mirrored: the land, and the sky behind it."""
         frame = replace(frame, mirrored=True)
-        self._draw_land(frame)
+        self._draw_land(frame, self.settings.water.near)
         self._draw("sky", self.sky, frame)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:

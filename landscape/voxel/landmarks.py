@@ -1,0 +1,106 @@
+"""What one finds on the island: castle, rabbit and sea dragon, woods and meadows.
+
+Where each stands is found in the heights, so that any height image has them. No OpenGL.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from landscape.files.assets import Assets
+from landscape.voxel.blocks import AIR, block
+from landscape.voxel.models import castle
+from landscape.voxel.models.creatures import SEA, dragon, rabbit
+from landscape.voxel.models.meadow import forest, plants
+from landscape.voxel.models.shapes import put
+from landscape.voxel.models.trees import KINDS, tree
+from landscape.voxel.sites import bay_site, level_site
+
+# All chosen, in blocks.
+CASTLE_REACH, CASTLE_ABOVE, CASTLE_HIGH = 22, 4, 0.35
+RABBIT_REACH, RABBIT_ABOVE, RABBIT_HIGH = 10, 3, 0.02
+DRAGON_LENGTH, DRAGON_REACH, DRAGON_LAND = 60, 14, 70
+CLEARING = 5  # around a building, without trees
+WAY = 30  # in front of the castle's gate, without trees
+SHAPES = 12  # of each kind of tree; each of them is also turned and mirrored
+EMPTIED = 255  # no block has this number
+
+
+class Site(NamedTuple):
+    """The middle column of something that stands on the island, and how far it reaches."""
+
+    x: int
+    z: int
+    reach: int
+
+
+def build_castle(blocks: np.ndarray, tops: np.ndarray, sea: int) -> list[Site]:
+    """Build the castle on the most level of the high hills, in place; return what it covers."""
+    found = level_site(tops, CASTLE_REACH, sea + CASTLE_ABOVE, [], CASTLE_HIGH)
+    if found is None:
+        return []
+    x, z = found
+    model = castle.castle()
+    wide, deep = (side // 2 for side in castle.PLAN)
+    floor = int(np.median(tops[x - wide : x + wide, z - deep : z + deep]))
+    hole = np.where(castle.hollow(model), EMPTIED, 0).astype(np.uint8)
+    put(blocks, hole, (x, z, floor), castle.FLOOR)
+    blocks[blocks == EMPTIED] = 0
+    put(blocks, model, (x, z, floor), castle.FLOOR)
+    return [Site(x, z, CASTLE_REACH), Site(x, z + CASTLE_REACH + WAY // 2, WAY // 2)]
+
+
+def place_rabbit(
+    blocks: np.ndarray, tops: np.ndarray, sea: int, taken: list[Site], assets: Assets
+) -> list[Site]:
+    """Place the rabbit in a level meadow, in place; return what it covers."""
+    found = level_site(tops, RABBIT_REACH, sea + RABBIT_ABOVE, list(taken), RABBIT_HIGH)
+    if found is None:
+        return []
+    x, z = found
+    model = rabbit(assets.path("rabbit.ply"))
+    wide, deep = (side // 2 for side in model.shape[:2])
+    put(blocks, model, (x, z, int(tops[x - wide : x + wide, z - deep : z + deep].min())))
+    return [Site(x, z, RABBIT_REACH)]
+
+
+def place_dragon(blocks: np.ndarray, tops: np.ndarray, sea: int, assets: Assets) -> None:
+    """Let the sea dragon rise from the bay with the most land around it, in place."""
+    found = bay_site(tops, sea, DRAGON_REACH, DRAGON_LAND)
+    if found is None:
+        return
+    model = dragon(assets.path("dragon.ply"), DRAGON_LENGTH)
+    under = round(SEA * model.shape[2])
+    put(blocks, model, (*found, sea), under)
+
+
+def free_columns(side: int, sites: list[Site]) -> np.ndarray:
+    """Return which columns (n, n) are not near a site."""
+    found = np.ones((side, side), bool)
+    for x, z, reach in sites:
+        keep = reach + CLEARING
+        found[max(x - keep, 0) : x + keep, max(z - keep, 0) : z + keep] = False
+    return found
+
+
+def grow(
+    blocks: np.ndarray,
+    tops: np.ndarray,
+    kinds: np.ndarray,
+    free: np.ndarray,
+    rng: np.random.Generator,
+) -> None:
+    """Plant trees and flowers where there is grass and nothing else, in place.
+
+    ``tops`` and ``kinds`` (n, n) are the heights and the topmost blocks of the bare land.
+    """
+    grass = kinds == block("grass")
+    shapes = {kind: [tree(kind, rng) for _ in range(SHAPES)] for kind in KINDS}
+    for kind, x, z in forest(grass & free, tops, rng):
+        model = shapes[kind][int(rng.integers(SHAPES))]
+        turned = np.rot90(model, int(rng.integers(4)))
+        put(blocks, turned[::-1] if rng.random() < 0.5 else turned, (x, z, int(tops[x, z])))
+    sown = plants(grass & free, rng)
+    at = np.nonzero(sown)
+    at = (*at, tops[at])
+    blocks[at] = np.where(blocks[at] == AIR, sown[at[:2]], blocks[at])
