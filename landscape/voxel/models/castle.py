@@ -48,6 +48,7 @@ def castle() -> np.ndarray:
     _gatehouse(model)
     _stairs(model)
     _steps(model)
+    _ivy(model)
     return np.ascontiguousarray(model[..., : np.nonzero(model)[2].max() + 1])
 
 
@@ -186,9 +187,9 @@ def _gatehouse(model: np.ndarray) -> None:
 def _stairs(model: np.ndarray) -> None:
     """Two blocks wide along the west wall, eight steps from the court to the wall-walk."""
     for step in range(WALK - FLOOR):
-        z = NORTH + 8 + step
+        z = NORTH + 10 + step
         _stone(model, (slice(WEST + 2, WEST + 4), slice(z, z + 1), slice(FLOOR, FLOOR + step + 1)))
-    end = NORTH + 8 + WALK - FLOOR
+    end = NORTH + 10 + WALK - FLOOR
     _stone(model, (slice(WEST + 2, WEST + 4), slice(end, end + 2), slice(FLOOR, WALK)))
     # A room under the landing.
     model[WEST + 2 : WEST + 4, end - 2 : end + 1, FLOOR : FLOOR + 3] = block("dark brick")
@@ -207,3 +208,11 @@ def _steps(model: np.ndarray) -> None:
         level = FLOOR - STEPS + 2
         model[x, end, level : level + 2] = block("brick")
         model[x, end, level + 2] = block("lamp")
+
+
+def _ivy(model: np.ndarray) -> None:
+    """Ivy climbs the southern wall beside the great tower, and the tower of the north-west."""
+    for x, low, high in ((23, 3, 6), (24, 0, 7), (25, 2, 8), (26, 1, 5), (27, 0, 6)):
+        model[x, SOUTH + 2, FLOOR + low : FLOOR + high] = block("oak leaves")
+    for x, low, high in ((WEST - 1, 1, 5), (WEST, 0, 9), (WEST + 1, 3, 8)):
+        model[x, NORTH - 5, FLOOR + low : FLOOR + high] = block("oak leaves")

@@ -7,7 +7,7 @@ from landscape.voxel.models.trees import tree
 
 WELL = (20, 26)
 STALL = (9, 28)
-TREE = (27, 26)
+TREE = (28, 28)
 
 
 def yard(model: np.ndarray, ground: np.ndarray, floor: int, gate: int, south: int) -> None:
@@ -18,8 +18,8 @@ def yard(model: np.ndarray, ground: np.ndarray, floor: int, gate: int, south: in
     """
     model[..., floor - 4 : floor - 1][ground] = block("earth")
     model[..., floor - 1][ground] = block("grass")
-    stops = ((gate, south), (gate, 24), WELL, (18, 16), (13, 18), (9, 27))
-    branches = ((0, 1), (1, 2), (1, 3), (1, 4), (1, 5))
+    stops = ((gate, south), (gate, 24), WELL, (26, 24), (11, 18), (9, 27))
+    branches = ((0, 1), (1, 2), (2, 3), (1, 4), (1, 5))
     x, z = np.ogrid[: model.shape[0], : model.shape[1]]
     path = np.zeros(ground.shape, bool)
     for a, b in branches:

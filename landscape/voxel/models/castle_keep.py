@@ -5,10 +5,11 @@ import numpy as np
 from landscape.voxel.blocks import block
 from landscape.voxel.models.shapes import disc
 
-KEEP = (20, 11)  # x and z of its north-western corner
-SIDE = (10, 10)  # outer size along x and z
+KEEP = (18, 11)  # x and z of its north-western corner
+SIDE = (12, 12)  # outer size along x and z; the walls are two blocks thick
+DOOR = 7  # from the western side to the door in the south
 HEIGHT = 21  # from the court to its top
-HALL = (9, 11, 9, 7)  # x, z and size of the hall
+HALL = (8, 11, 8, 7)  # x, z and size of the hall
 
 
 def keep(model: np.ndarray, floor: int) -> None:
@@ -16,7 +17,7 @@ def keep(model: np.ndarray, floor: int) -> None:
     (x, z), (wide, deep) = KEEP, SIDE
     top = floor + HEIGHT
     body = (slice(x, x + wide), slice(z, z + deep))
-    room = (slice(x + 1, x + wide - 1), slice(z + 1, z + deep - 1))
+    room = (slice(x + 2, x + wide - 2), slice(z + 2, z + deep - 2))
     model[(*body, slice(0, top))] = block("brick")
     model[(*body, slice(floor - 1, floor + 2))] = block("dark brick")
     _buttresses(model, floor, top)
@@ -26,11 +27,11 @@ def keep(model: np.ndarray, floor: int) -> None:
     _top(model, top)
     _stairs_inside(model, floor, top)
     _door(model, floor)
-    for high in (floor + 5, floor + 12):
-        model[x + wide // 2, z + deep // 2, high : high + 1] = block("lamp")
-        model[x + wide // 2, z + deep // 2, high + 1] = block("oak log")
-    # A table and a hearth make the room below a hall.
+    # A lamp on a long chain, a table, and a carpet from the door.
+    model[x + wide // 2, z + deep // 2, floor + 8 : top - 1] = block("dark")
+    model[x + wide // 2, z + deep // 2, floor + 7] = block("lamp")
     model[x + 4 : x + 6, z + 4 : z + 7, floor] = block("planks")
+    model[x + DOOR : x + DOOR + 2, z + 3 : z + deep - 2, floor - 1] = block("red cloth")
 
 
 def _buttresses(model: np.ndarray, floor: int, top: int) -> None:
@@ -49,8 +50,8 @@ def _windows(model: np.ndarray, floor: int, top: int) -> None:
     (x, z), (wide, deep) = KEEP, SIDE
     lit = 0
     for low in (floor + 6, floor + 12):
-        for at in (2, 4, 7):
-            tall = slice(low, low + (2 if at != 4 else 3))
+        for at in (2, 5, 9):
+            tall = slice(low, low + (2 if at != 5 else 3))
             for plan, inside in (
                 ((x + at, z), (x + at, z + 1)),
                 ((x + at, z + deep - 1), (x + at, z + deep - 2)),
@@ -98,27 +99,26 @@ def _top(model: np.ndarray, top: int) -> None:
 def _stairs_inside(model: np.ndarray, floor: int, top: int) -> None:
     """Steps of planks climb along the walls, once around, and come out on the platform."""
     (x, z), (wide, deep) = KEEP, SIDE
-    low_x, high_x, low_z, high_z = x + 1, x + wide - 2, z + 1, z + deep - 2
+    low_x, high_x, low_z, high_z = x + 2, x + wide - 3, z + 2, z + deep - 3
     way = [(at, high_z) for at in range(low_x + 1, high_x)]
     way += [(high_x, at) for at in range(high_z, low_z, -1)]
     way += [(at, low_z) for at in range(high_x, low_x, -1)]
     way += [(low_x, at) for at in range(low_z, high_z)]
     for level, (cx, cz) in enumerate(way[: top - floor], floor):
-        # Windows behind the steps are open from the inside.
         model[cx, cz, level + 1 : min(level + 4, top + 2)] = 0
         model[cx, cz, level] = block("planks")
 
 
 def _door(model: np.ndarray, floor: int) -> None:
-    """A door two blocks wide and three high in the west, under a lamp and a banner each side."""
-    x, z = KEEP[0], KEEP[1] + 4
-    model[x - 1 : x + 2, z : z + 2, floor : floor + 3] = 0
-    model[x, z : z + 2, floor - 1] = block("gravel")
-    model[x - 1, z : z + 2, floor + 3] = block("slate")
-    model[x - 1, z - 1 : z + 3 : 3, floor + 2] = block("lamp")
-    for at in (z - 2, z + 3):
-        model[x - 1, at, floor + 4 : floor + 9] = block("red cloth")
-        model[x - 1, at, floor + 9] = block("oak log")
+    """A door two blocks wide and three high in the south, with lamps and banners beside it."""
+    x, z = KEEP[0] + DOOR, KEEP[1] + SIDE[1] - 1
+    model[x : x + 2, z - 1 : z + 2, floor : floor + 3] = 0
+    model[x : x + 2, z - 1 : z + 1, floor - 1] = block("gravel")
+    model[x : x + 2, z + 1, floor + 3] = block("slate")
+    for at in (x - 1, x + 2):
+        model[at, z + 1, floor + 2] = block("lamp")
+        model[at, z + 1, floor + 6 : floor + 11] = block("red cloth")
+        model[at, z + 1, floor + 11] = block("oak log")
 
 
 def hall(model: np.ndarray, floor: int) -> None:
