@@ -83,7 +83,7 @@ def test_the_gate_is_three_blocks_wide_and_high_enough():
     passage = castles.castle()[
         castles.GATE : castles.GATE + 3, castles.SOUTH - 3 : castles.SOUTH + 7, castles.FLOOR :
     ]
-    assert not SOLID[passage[..., :3]].any()
+    assert not SOLID[passage[..., :4]].any()
 
 
 def test_the_castle_has_foundations_under_all_of_it():

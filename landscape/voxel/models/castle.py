@@ -155,14 +155,14 @@ def _gatehouse(model: np.ndarray) -> None:
         for level, wide in enumerate((3.4, 2.9, 2.3, 2.0, 1.5, 1.0, 0.5, 0.2)):
             model[..., tall + level][disc(PLAN, (x, SOUTH + 2), wide)] = block("slate")
         model[x, SOUTH + 4, WALK + 3 : WALK + 5] = block("lamp")
-    # The passage, an arch five blocks high, the raised grille in it.
+    # The passage, an arch six blocks high, the raised grille in it.
     passage = slice(SOUTH - 3, SOUTH + 5)
-    model[GATE : GATE + 3, passage, FLOOR : FLOOR + 4] = 0
-    model[GATE + 1, passage, FLOOR + 4] = 0
+    model[GATE : GATE + 3, passage, FLOOR : FLOOR + 5] = 0
+    model[GATE + 1, passage, FLOOR + 5] = 0
     model[GATE : GATE + 3, passage, FLOOR - 1] = block("gravel")
-    model[GATE : GATE + 3 : 2, SOUTH + 1, FLOOR + 3] = block("dark")
-    model[GATE + 1, SOUTH + 1, FLOOR + 4] = block("dark")
-    model[GATE : GATE + 3, SOUTH - 2, FLOOR + 4] = block("planks")
+    model[GATE : GATE + 3 : 2, SOUTH + 1, FLOOR + 4] = block("dark")
+    model[GATE + 1, SOUTH + 1, FLOOR + 5] = block("dark")
+    model[GATE : GATE + 3, SOUTH - 2, FLOOR + 5] = block("planks")
     model[GATE - 1 : GATE + 4 : 4, SOUTH + 3, FLOOR + 3] = block("lamp")
     # The guardroom, through which the wall-walk goes.
     room = (slice(GATE - 5, GATE + 8), slice(SOUTH - 1, SOUTH + 1))
@@ -175,7 +175,7 @@ def _gatehouse(model: np.ndarray) -> None:
     for x in range(GATE - 3, GATE + 6, 2):
         model[x, SOUTH - 2 : SOUTH + 3 : 4, top] = block("brick")
     # A banner over the arch, and one on each turret that ends in a point.
-    model[GATE + 1, SOUTH + 3, FLOOR + 6 : WALK + 3] = block("red cloth")
+    model[GATE + 1, SOUTH + 3, FLOOR + 7 : WALK + 3] = block("red cloth")
     model[GATE : GATE + 3, SOUTH + 3, WALK + 3] = block("oak log")
     for x in turrets:
         model[x - 1 : x + 2, SOUTH + 5, FLOOR + 5 : WALK + 1] = block("red cloth")
