@@ -38,7 +38,7 @@ NEEDS = (
 )
 FACE, BALL = 128, 128  # chosen: sides of a face of the cube map and of the sphere map, in texels
 NEAR, FAR = 0.02, 40.0  # chosen: units
-RINGS, SIDES = 24, 48  # chosen: of the disc that the sphere map is drawn with
+RINGS, SIDES = 16, 32  # chosen: of the disc that the sphere map is drawn with
 
 NORTHWARDS = np.eye(3)  # the rotation to the hall's axes from those of an eye that looks north
 

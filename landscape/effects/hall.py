@@ -223,9 +223,9 @@ class Hall(Ground):
         """Return the statue's shadows if they show there, on the floor or on the room's wall."""
         return self.shadow if {"shadow", "statue", where} <= self.shown else None
 
-    def _cast(self) -> None:
+    def _cast(self, frame: Frame) -> None:
         """Send what casts shadows: the statue and, as it stands on it, the plinth."""
-        self.statue.send_coarser()
+        self.statue.send_shadowing(frame)
         self.room.send_plinth()
 
     @property

@@ -121,7 +121,7 @@ def rectangle(ends: np.ndarray, plane: np.ndarray) -> np.ndarray:
 class PlanarShadow:
     """The shadows of what ``cast`` sends."""
 
-    def __init__(self, settings: Settings, cast: Callable[[], None], box: np.ndarray) -> None:
+    def __init__(self, settings: Settings, cast: Callable[[Frame], None], box: np.ndarray) -> None:
         """Take the function that sends what casts the shadows, and two corners of its box."""
         self._settings, self._cast = settings, cast
         self._box = np.array([[box[i][0], box[j][1], box[k][2]]
@@ -171,7 +171,7 @@ class PlanarShadow:
                     gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
                     gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_ZERO)
                     gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
-                self._flatten(receiver, light)
+                self._flatten(frame, receiver, light)
         # In Mesa glPopAttrib does not restore a colour that nothing was drawn with.
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
@@ -190,7 +190,7 @@ class PlanarShadow:
                 bit = SHADED[name]
                 gl.glStencilMask(bit)
                 gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER | bit, inside | RECEIVER)
-                self._flatten(receiver, light)
+                self._flatten(frame, receiver, light)
         groups = gl.GL_ENABLE_BIT | gl.GL_STENCIL_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_SCISSOR_BIT):
             gl.glEnable(gl.GL_STENCIL_TEST)
@@ -231,7 +231,7 @@ class PlanarShadow:
         gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
         receiver.send()
 
-    def _flatten(self, receiver: Receiver, light: np.ndarray) -> None:
+    def _flatten(self, frame: Frame, receiver: Receiver, light: np.ndarray) -> None:
         """Send the statue, flattened onto the receiver's plane along the light's rays."""
         values = self._settings.shadow
         if values.offset:
@@ -242,7 +242,7 @@ class PlanarShadow:
             # What faces the light has the same shadow as the whole, of half the triangles.
             with matrix(), front_faces():
                 gl.glMultMatrixf(np.ascontiguousarray(signed.T, np.float32))
-                self._cast()
+                self._cast(frame)
 
     def release(self) -> None:
         """Nothing was made in OpenGL."""

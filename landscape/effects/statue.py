@@ -1,14 +1,15 @@
 """The statue: the sea dragon, in bronze, on its plinth.
 
-Technique: a lit mesh in a display list. Later effects draw the same list: its shadows, its mask for
-a change of tone. It is gilded: environment.py draws what it mirrors. Its mirror image is a coarser
-mesh (vertex clustering) of side 2, which glScalef brings to its size: that scales the normals, too,
-and GL_NORMALIZE makes them unit vectors again.
+Technique: a lit mesh in a display list, or from afar a simpler one (vertex clustering). It is also
+the mask for a change of tone. It is gilded: environment.py draws what it mirrors. Its mirror image
+is a coarser mesh of side 2, which glScalef brings to its size: that scales the normals, too, and
+GL_NORMALIZE makes them unit vectors again. Its shadows are those of meshes coarser still.
 State used: lighting, the material, culling, GL_NORMALIZE.
 """
 
 import math
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -31,8 +32,11 @@ YAW = -165.0  # degrees, chosen: in profile from the door, so that its shadow sh
 BRONZE = (0.72, 0.50, 0.22)  # chosen
 GLOW = 0.5  # chosen: fraction of the gold's colour that mirrors in the dark
 GLINT, SHININESS = (0.5, 0.42, 0.26, 1.0), 60.0  # chosen
-# Chosen: sides of the cubes whose vertices are merged, of a mesh of 2: for its image, its shadows.
-COARSE, COARSER = 0.025, 0.03
+# Chosen: sides of the cubes whose vertices are merged, of a mesh of 2: for its image, and for its
+# shadows, from afar and from nearby.
+COARSE, COARSEST, COARSER = 0.025, 0.045, 0.03
+FROM_AFAR = 0.0125, 0.02  # chosen: the same for the statue itself from afar
+PIXELS = 2.0  # chosen: how many pixels such a cube may be wide
 
 
 class Statue:
@@ -43,7 +47,8 @@ class Statue:
         self._settings = settings
         unit = read_animal(assets, "dragon.ply", "dragon.mesh")
         mesh = scaled(gathered(unit), plan.STATUE_SCALE)
-        coarse, coarser = (gathered(clustered(unit, cell)) for cell in (COARSE, COARSER))
+        sides = COARSE, COARSER, COARSEST
+        coarse, coarser, coarsest = (gathered(clustered(unit, cell)) for cell in sides)
         lowest = float(mesh.vertices[:, 1].min())
         (x, z), (_, top) = plan.STATUE, plan.PLINTH
         foot = top - plan.STATUE_SUNK - lowest
@@ -53,9 +58,12 @@ class Statue:
         height = foot + float(mesh.vertices[:, 1].max())
         self.box = np.array([[x - reach, 0.0, z - reach], [x + reach, height, z + reach]])
         self._environment: Environment | None = None
-        self._list = DisplayList(lambda: draw_mesh(mesh))
+        simpler = [scaled(gathered(clustered(unit, c)), plan.STATUE_SCALE) for c in FROM_AFAR]
+        self._levels = [DisplayList(partial(draw_mesh, each)) for each in (mesh, *simpler)]
+        self._list = self._levels[0]
         self._coarse = DisplayList(lambda: draw_mesh(coarse))
         self._coarser = DisplayList(lambda: draw_mesh(coarser))
+        self._coarsest = DisplayList(lambda: draw_mesh(coarsest))
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing built depends on them."""
@@ -75,6 +83,8 @@ class Statue:
         """Draw the statue, lit."""
         if not self._in_view(frame):
             return
+        if not frame.mirrored:
+            self._list = self._level_for(frame)
         if self._environment is not None:
             self._environment.prepare(frame)
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
@@ -101,6 +111,11 @@ class Statue:
         x, y, z = ((low + high) / 2).tolist()
         return ball_in_view(frame, (x, -y if frame.mirrored else y, z), math.dist(low, high) / 2)
 
+    def _level_for(self, frame: Frame) -> DisplayList:
+        """Return the simplest mesh that is good enough for a frame."""
+        cell = PIXELS * math.dist(frame.eye, self.middle) / frame.pixels / plan.STATUE_SCALE
+        return self._levels[sum(each <= cell for each in FROM_AFAR)]
+
     def _polish(self) -> None:
         """Set a metal's material: what it mirrors shows without direct light, too, and it glints.
 
@@ -113,7 +128,7 @@ class Statue:
         gl.glMaterialf(gl.GL_FRONT, gl.GL_SHININESS, SHININESS)
 
     def send(self) -> None:
-        """Send the mesh at its place, whatever the state."""
+        """Send the mesh that was drawn last at its place, whatever the state."""
         with matrix():
             gl.glTranslatef(*self._place)
             gl.glRotatef(YAW, 0.0, 1.0, 0.0)
@@ -123,9 +138,10 @@ class Statue:
         """Send a coarser mesh at its place, its normals longer than 1."""
         self._send_scaled(self._coarse)
 
-    def send_coarser(self) -> None:
-        """Send the coarsest mesh at its place, which casts the shadows."""
-        self._send_scaled(self._coarser)
+    def send_shadowing(self, frame: Frame) -> None:
+        """Send the mesh that casts the shadows at its place."""
+        near = frame.pose.z < plan.STATUE[1]  # on the side of the wall that it falls on
+        self._send_scaled(self._coarser if near else self._coarsest)
 
     def _send_scaled(self, mesh: DisplayList) -> None:
         with matrix():
@@ -136,8 +152,7 @@ class Statue:
 
     def release(self) -> None:
         """Delete the lists and the maps; may be called twice."""
-        self._list.release()
-        self._coarse.release()
-        self._coarser.release()
+        for each in (*self._levels, self._coarse, self._coarser, self._coarsest):
+            each.release()
         if self._environment is not None:
             self._environment.release()
