@@ -20,7 +20,7 @@ from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.gl.calls import gl
-from landscape.gl.state import attrib, flat_projection
+from landscape.gl.state import attrib, flat_projection, front_faces
 
 MARK = 1  # the stencil's value where the statue is
 
@@ -73,7 +73,8 @@ class Tone:
         gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
         gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
         gl.glDepthFunc(gl.GL_LEQUAL)
-        self._mark()
+        with front_faces():
+            self._mark()
         gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
         gl.glStencilFunc(gl.GL_NOTEQUAL if outside else gl.GL_EQUAL, MARK, ~0)
         gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)

@@ -1,5 +1,6 @@
 """The cabinet: which exhibits are in view, and the order in which they are drawn."""
 
+import math
 from typing import Any
 
 from landscape.effects import plan
@@ -29,6 +30,9 @@ from landscape.gl.extensions import first_missing, tell_off
 
 RADIUS = 0.22  # units: a ball around the middle of an alcove that holds it
 FAR = 0.9  # chosen: units beyond which an exhibit is shown without its effect
+# Radii in units of upright cylinders around the middles of the pedestals that hold the models; of
+# those that throw shadows around them, the whole alcove.
+HOLDS = {SOLIDS: 0.075, LINES: 0.13, FOCUS: 0.10, BLUR: 0.08, SOFT: 0.17, VOLUME: 0.17}
 
 
 class Cabinet:
@@ -68,28 +72,41 @@ class Cabinet:
     def draw_first(self, frame: Frame) -> None:
         """Draw what needs an empty depth buffer; the rest of the hall comes after it."""
         shown = self._settings.exhibits.solids and in_view(frame, SOLIDS)
-        if shown and (near(frame, SOLIDS) or not frame.mirrored):
+        if shown and self._shows(frame, SOLIDS):
             self._solids.draw(frame)
 
     def draw(self, frame: Frame) -> None:
-        """Draw the alcoves in view; mirrored, or from afar, without effects.
+        """Draw the alcoves in view; mirrored, or from afar, without effects."""
+        seen = [number for number in range(len(plan.ALCOVES)) if in_view(frame, number)]
+        if not seen:
+            return
+        shown = [
+            number
+            for number in seen
+            if number in self._exhibits
+            and getattr(self._settings.exhibits, self._exhibits[number][0])
+            and self._shows(frame, number)
+        ]
+        effects = {each for each in shown if near(frame, each) and not frame.mirrored}
+        # The shadow volume draws its alcove itself.
+        self._stone.draw([each for each in seen if each != VOLUME or each not in effects])
+        self._stone.draw_plates()
+        for number in shown:
+            _, exhibit = self._exhibits[number]
+            if number in effects:
+                exhibit.draw(frame)
+            else:
+                exhibit.draw_plain(frame)
+
+    @staticmethod
+    def _shows(frame: Frame, number: int) -> bool:
+        """Return whether the model in an alcove may show.
 
         The mirror image has no models that are far away: they show there as a few pixels.
         """
-        seen = [number for number in range(len(plan.ALCOVES)) if in_view(frame, number)]
-        for number in seen:
-            name, exhibit = self._exhibits.get(number, ("", None))
-            shown = exhibit is not None and getattr(self._settings.exhibits, name)
-            close = near(frame, number)
-            effect = shown and close and not frame.mirrored
-            if not (effect and name == "volume"):
-                self._stone.draw(number)
-            if effect:
-                exhibit.draw(frame)
-            elif shown and (close or not frame.mirrored):
-                exhibit.draw_plain(frame)
-        if seen:
-            self._stone.draw_plates()
+        if frame.mirrored and not near(frame, number):
+            return False
+        return through_opening(frame, number)
 
     def release(self) -> None:
         """Release all; may be called twice."""
@@ -112,3 +129,21 @@ def near(frame: Frame, number: int) -> bool:
     """Return whether the eye is near enough to see an exhibit's effect."""
     x, y, z = (frame.eye - (MIDDLE, TOP, plan.ALCOVES[number])).tolist()
     return x * x + y * y + z * z < FAR * FAR
+
+
+def through_opening(frame: Frame, number: int) -> bool:
+    """Return whether the model in an alcove may be seen through the alcove's opening.
+
+    From the hall one sees of the depth of the alcove what is between two upright planes, through
+    the eye and the sides of the opening.
+    """
+    x, z, middle = frame.pose.x - plan.INSIDE.west, frame.pose.z, plan.ALCOVES[number]
+    if x <= 0.0:
+        return True  # within the alcoves
+    for side in (-1.0, 1.0):
+        # Across the line of sight past this side, towards the opening's middle.
+        along = z - (middle + side * plan.ALCOVE_HALF)
+        across = ((MIDDLE - plan.INSIDE.west) * along + side * plan.ALCOVE_HALF * x) * side
+        if across < -HOLDS[number] * math.hypot(x, along):
+            return False
+    return True

@@ -6,7 +6,7 @@ the room's own stone, which it covers. The plates' titles are drawn by Pillow in
 State used: GL_TEXTURE_2D with GL_COMBINE (OpenGL 1.3), a colour array, GL_CULL_FACE.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -252,14 +252,15 @@ class Stone:
         self._plates = DisplayList(send_plates)
         self._niches = [Niche(n, lamp(n)) for n in range(len(plan.ALCOVES))]
 
-    def draw(self, number: int, light: str = "both") -> None:
-        """Draw one alcove's stone in "day" or "lamp" light, or "both"."""
+    def draw(self, numbers: Iterable[int], light: str = "both") -> None:
+        """Draw the stone of some alcoves in "day" or "lamp" light, or "both"."""
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
         with attrib(groups), front_faces():
             gl.glEnable(gl.GL_TEXTURE_2D)
             combine({"COMBINE_RGB": "MODULATE"})
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, SCALE)
-            self._niches[number].send(light, self._textures)
+            for number in numbers:
+                self._niches[number].send(light, self._textures)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 

@@ -129,7 +129,7 @@ class ShadowVolume:
         if part is None:
             return
         light = torch(frame.kt)
-        self._stone.draw(VOLUME, "day")
+        self._stone.draw([VOLUME], "day")
         with lit_by(light, power=0.0):
             self._send_knot(frame.kt)
         groups = gl.GL_SCISSOR_BIT | gl.GL_STENCIL_BUFFER_BIT
@@ -217,7 +217,7 @@ class ShadowVolume:
             gl.glDepthFunc(gl.GL_EQUAL)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
-            self._stone.draw(VOLUME, "lamp")
+            self._stone.draw([VOLUME], "lamp")
             with lit_by(torch(kt), (0.0, 0.0, 0.0)):
                 self._send_knot(kt)
 
