@@ -21,6 +21,7 @@ from landscape.voxel.landmarks import (
     free_columns,
     grow,
     place_dragon,
+    place_finds,
     place_rabbit,
 )
 from landscape.voxel.materials import filled, top_materials, variation
@@ -65,6 +66,7 @@ def world(values: Voxel, assets: Assets, seed: int) -> World:
     if values.buildings:
         sites = build_castle(blocks, tops, values.sea)
         sites += place_rabbit(blocks, tops, values.sea, sites, assets)
+        sites += place_finds(blocks, tops, values.sea, sites, rng)
         place_dragon(blocks, tops, values.sea, assets)
     if values.trees:
         grow(blocks, tops, kinds, free_columns(len(blocks), sites), rng)

@@ -9,7 +9,7 @@ import numpy as np
 
 from landscape.files.assets import Assets
 from landscape.voxel.blocks import AIR, block
-from landscape.voxel.models import castle
+from landscape.voxel.models import castle, finds
 from landscape.voxel.models.creatures import SEA, dragon, rabbit
 from landscape.voxel.models.meadow import forest, plants
 from landscape.voxel.models.shapes import put
@@ -20,6 +20,7 @@ from landscape.voxel.sites import bay_site, level_site
 CASTLE_REACH, CASTLE_ABOVE, CASTLE_HIGH = 22, 4, 0.35
 RABBIT_REACH, RABBIT_ABOVE, RABBIT_HIGH = 10, 3, 0.02
 DRAGON_LENGTH, DRAGON_REACH, DRAGON_LAND = 60, 14, 70
+JETTY_NORTH = 34  # of the dragon's middle
 CLEARING = 5  # around a building, without trees
 WAY = 30  # in front of the castle's gate, without trees
 SHAPES = 12  # of each kind of tree; each of them is also turned and mirrored
@@ -65,13 +66,41 @@ def place_rabbit(
 
 
 def place_dragon(blocks: np.ndarray, tops: np.ndarray, sea: int, assets: Assets) -> None:
-    """Let the sea dragon rise from the bay with the most land around it, in place."""
+    """Let the sea dragon rise from the bay with the most land around it, in place.
+
+    A jetty reaches out to it from the bay's western shore.
+    """
     found = bay_site(tops, sea, DRAGON_REACH, DRAGON_LAND)
     if found is None:
         return
+    x, z = found
     model = dragon(assets.path("dragon.ply"), DRAGON_LENGTH)
-    under = round(SEA * model.shape[2])
-    put(blocks, model, (*found, sea), under)
+    put(blocks, model, (x, z, sea), round(SEA * model.shape[2]))
+    z = max(z - JETTY_NORTH, 0)
+    shore = np.flatnonzero(tops[:x, z] >= sea)
+    if len(shore):
+        put(blocks, finds.jetty(), (int(shore[-1]), z, sea), finds.DECK)
+
+
+def place_finds(
+    blocks: np.ndarray, tops: np.ndarray, sea: int, taken: list[Site], rng: np.random.Generator
+) -> list[Site]:
+    """Place what one comes upon, in place: the smaller buildings; return what they cover."""
+    sites: list[Site] = []
+    for model, reach, high in (
+        (finds.beacon(), 7, 0.9),
+        (finds.stone_circle(rng), 10, 0.05),
+        (finds.ruin(rng), 8, 0.3),
+        (finds.well(), 5, 0.0),
+    ):
+        found = level_site(tops, reach, sea + 2, [*taken, *sites], high)
+        if found is not None:
+            x, z = found
+            half = reach // 2
+            ground = int(np.median(tops[x - half : x + half + 1, z - half : z + half + 1]))
+            put(blocks, model, (x, z, ground), finds.FLOOR)
+            sites.append(Site(x, z, reach))
+    return sites
 
 
 def free_columns(side: int, sites: list[Site]) -> np.ndarray:

@@ -7,7 +7,7 @@ Technique, in one pass with four texture units (the document did it in a shader)
   matrix is the camera's projection. The same for unit 2, the picture of what is mirrored;
 - unit 3, the alpha cube map of Fresnel's term, addressed by vertex minus eye. Unit 2 mixes the two
   pictures by it (GL_INTERPOLATE; GL_ARB_texture_env_crossbar lets it read unit 3's texture);
-- alpha is squared in units 1 and 2, which leaves the glints only, and unit 3 adds it.
+- units 1 and 2 leave of alpha only the glints, and unit 3 adds them.
 Both pictures are disturbed by moving their coordinates at the vertices of a grid.
 State used: texture units 0 to 3, GL_COMBINE, the texture matrices.
 """
@@ -33,6 +33,7 @@ from landscape.voxel.world import BELOW
 
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 RIPPLE_SIZE = 0.9  # units, chosen: the side of the map of normals on the water
+NARROW = 0.13  # chosen: how far below 1 the cosine may be for a ripple to glint
 DRIFT = 0.0011  # chosen: units per kt by which it moves
 
 
@@ -103,11 +104,11 @@ class Water:
         gl.glActiveTexture(gl.GL_TEXTURE1)
         gl.glEnable(gl.GL_TEXTURE_2D)
         images.refraction.bind()
-        # What remains of the alpha above a threshold, four times as much.
+        # What remains of the alpha above a threshold, four times as much; then the same squared.
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"})
         combine({"COMBINE_ALPHA": "SUBTRACT", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "CONSTANT"})
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
-        threshold = np.array([0.0, 0.0, 0.0, 1.0 - 0.25 * glint], np.float32)
+        threshold = np.array([0.0, 0.0, 0.0, 1.0 - NARROW * glint], np.float32)
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, threshold)
         gl.glActiveTexture(gl.GL_TEXTURE2)
         gl.glEnable(gl.GL_TEXTURE_2D)
@@ -115,6 +116,7 @@ class Water:
         combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
         combine({"SRC2_RGB": "TEXTURE3", "OPERAND2_RGB": "SRC_ALPHA"})
         combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "PREVIOUS"})
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
         gl.glActiveTexture(gl.GL_TEXTURE3)
         gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
         self._fresnel.bind()
