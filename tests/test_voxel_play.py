@@ -6,8 +6,12 @@ import numpy as np
 import pytest
 
 from landscape.geometry.bodies import Body, Wish
-from landscape.voxel.blocks import AIR, SOLID, block
+from landscape.voxel.blocks import AIR, SOLID, TILES, block
 from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, Place, moved
+from landscape.voxel.mesh import Look, RegionMesh, region_mesh
+from landscape.voxel.patch import patched, regions_around
+from landscape.voxel.picking import picked
+from landscape.voxel.world import World
 
 EYE = 1.625
 ROCK = block("rock")
@@ -153,3 +157,88 @@ def test_the_path_hardly_depends_on_the_frame_rate() -> None:
         ends.append((body.x, body.y))
     assert np.ptp(ends, axis=0) == pytest.approx([0, 0], abs=0.02)
     assert JUMP > 0
+
+
+# Which block is under the cross-hair.
+
+
+def first_by_small_steps(blocks: np.ndarray, eye: np.ndarray, way: np.ndarray, reach: float):
+    """Return the first block on a ray by looking at a point every ten-thousandth of a block."""
+    at = np.arange(0.0, reach, 1e-4)[:, None] * way + eye
+    cells = np.floor(at).astype(int)
+    inside = ((cells >= 0) & (cells < blocks.shape)).all(axis=1)
+    met = np.zeros(len(cells), bool)
+    met[inside] = blocks[tuple(cells[inside].T)] != AIR
+    return tuple(cells[met.argmax()].tolist()) if met.any() else None
+
+
+def test_the_block_under_the_cross_hair_is_the_first_one_on_the_line_of_sight() -> None:
+    rng = np.random.default_rng(3)
+    blocks = (rng.random((12, 12, 12)) < 0.06).astype(np.uint8)
+    for _ in range(60):
+        eye, way = rng.uniform(-2, 14, 3), rng.normal(size=3)
+        way[rng.random(3) < 0.1] = 0.0
+        way /= np.linalg.norm(way) or 1.0
+        hit = picked(blocks, eye.tolist(), way.tolist(), 6.0)
+        assert (hit and hit.block) == first_by_small_steps(blocks, eye, way, 6.0)
+        if hit and hit.block != hit.before:
+            assert sum(abs(a - b) for a, b in zip(*hit, strict=True)) == 1
+            inside = all(0 <= at < 12 for at in hit.before)
+            assert not inside or blocks[hit.before] == AIR
+    assert picked(blocks, (0.5, 0.5, 0.5), (0.0, 0.0, 0.0), 5.0) is None or blocks[0, 0, 0]
+
+
+# A changed block, and the mesh around it.
+
+
+def unit_faces(mesh: RegionMesh) -> dict[tuple, tuple]:
+    """Return the tile and the corners' darkness of each unit face of a mesh, by place and way."""
+    found = {}
+    starts = np.cumsum(mesh.counts.ravel()) - mesh.counts.ravel()
+    for number, (start, count) in enumerate(zip(starts, mesh.counts.ravel(), strict=True)):
+        tile, turn = divmod(number, 6)
+        for quad in mesh.vertices[start : start + count].reshape(-1, 4):
+            corners = quad["position"][:, [0, 2, 1]]
+            if tile == len(TILES):
+                key = ("plant", *np.round(corners[0], 2).tolist())
+                assert key not in found, "a plant is drawn twice"
+                found[key] = tile, []
+                continue
+            at = np.rint(corners).astype(int)
+            low, high = at.min(axis=0), at.max(axis=0)
+            # Where faces are merged, the darkness does not change along them.
+            dark = sorted(zip((at > low).tolist(), quad["colour"][:, 0].tolist(), strict=True))
+            for cell in np.ndindex(*np.maximum(high - low, 1)):
+                key = (turn, *(low + cell).tolist())
+                assert key not in found, "a face is drawn twice"
+                found[key] = tile, dark
+    return found
+
+
+def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
+    rng = np.random.default_rng(5)
+    side, size = 20, 10
+    heights = rng.integers(3, 9, (side, side))
+    blocks = np.where(np.arange(24) < heights[..., None], ROCK, AIR).astype(np.uint8)
+    blocks[8:18, 8:18, :9] = ROCK  # level, so that faces are merged
+    world = World(blocks, heights, size, 4, 0.08)
+    # No noise and no differences of light: a colour tells the darkness of a corner.
+    look = Look(np.ones((6, 4)), np.zeros((side + 1, side + 1), np.float32))
+
+    def whole(region: int) -> RegionMesh:
+        return region_mesh(*world.with_edge(region), look)
+
+    meshes = [whole(region) for region in range(4)]
+    kinds = [AIR, AIR, ROCK, block("sand"), block("poppy")]
+    for number in range(60):
+        x, z = rng.integers(6, 19, 2)
+        cell = int(x), int(z), int(rng.integers(6, 11))
+        world.put(cell, int(rng.choice(kinds)))
+        high = [at + 1 for at in cell]
+        for region in regions_around(world, cell, high):
+            meshes[region] = patched(meshes[region], world, region, cell, high, look)
+        if number % 6 == 5:
+            for region in range(4):
+                assert unit_faces(meshes[region]) == unit_faces(whole(region))
+    put = {cell: int(world.blocks[cell]) for cell in world.former}
+    assert all(world.former[cell] != kind for cell, kind in put.items())

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.gl.calls import gl
+from landscape.gl.state import attrib
 
 LIT = np.ones(4, np.float32)  # the greatest depth: outside the texture nothing is nearer
 
@@ -53,15 +54,22 @@ class DepthTarget:
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
 
     @contextmanager
-    def drawing(self) -> Iterator[None]:
-        """Let the block draw depths into the cleared texture; then restore the framebuffer."""
+    def drawing(self, part: tuple[int, int, int, int] | None = None) -> Iterator[None]:
+        """Let the block draw depths into the cleared texture; then restore the framebuffer.
+
+        Only ``part`` of it is cleared and drawn, if given: x, y, width and height in texels.
+        """
         previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
         viewport = gl.glGetIntegerv(gl.GL_VIEWPORT).tolist()
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)
         try:
             gl.glViewport(0, 0, self.side, self.side)
-            gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
-            yield
+            with attrib(gl.GL_SCISSOR_BIT):
+                if part is not None:
+                    gl.glEnable(gl.GL_SCISSOR_TEST)
+                    gl.glScissor(*part)
+                gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
+                yield
         finally:
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
             gl.glViewport(*viewport)

@@ -116,9 +116,14 @@ def meshed(
     """
     blocks, origin = place.with_edge(region)
     near = region_mesh(blocks, origin, colours, values.merge, values.occlusion)
-    plain = Look(colours.light * (*3 * [FAR_SHADE], 1.0), colours.tint)
+    plain = seen_from_afar(colours)
     far = region_mesh(blocks, origin, plain, values.merge, occlusion=False, plants=False)
     return near, far
+
+
+def seen_from_afar(colours: Look) -> Look:
+    """Return the colours of the meshes for far, which have no dark corners."""
+    return Look(colours.light * (*3 * [FAR_SHADE], 1.0), colours.tint)
 
 
 def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, list[RegionMesh]]:

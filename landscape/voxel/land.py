@@ -7,6 +7,7 @@ blocks to units.
 What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge``.
 """
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -16,13 +17,15 @@ from landscape.gl.calls import gl
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.voxel.blocks import TILES
-from landscape.voxel.build import built, meshed, meshes
+from landscape.voxel.build import built, meshed, seen_from_afar
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.mesh import RegionMesh
+from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.region_buffer import RegionBuffer
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import plants, tiles
 from landscape.voxel.visibility import distances, facing, visible_in_world
+from landscape.voxel.world import Cell
 
 LEAST_ALPHA = 0.5  # chosen: texels of plants with less are not drawn
 
@@ -41,15 +44,17 @@ class Choice(NamedTuple):
 class Land:
     """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units.
 
-    ``version`` grows whenever a block changes.
+    ``version`` grows whenever blocks change; ``touched`` are boxes, in units, of those that have
+    changed since it was last emptied.
     """
 
     def __init__(self, settings: Settings, assets: Assets, seed: int) -> None:
         """Build the world or recall it, upload its meshes and the tiles."""
         self.settings, self.version = settings, 0
-        self.world, self.colours, found = built(settings, assets, seed)
-        self.buffer = RegionBuffer(found)
-        boxes = [bounding_box(mesh) for mesh in found[: self.world.regions**2]]
+        self.touched: list[tuple[np.ndarray, np.ndarray]] = []
+        self.world, self.colours, self._meshes = built(settings, assets, seed)
+        self.buffer = RegionBuffer(self._meshes)
+        boxes = [bounding_box(mesh) for mesh in self._meshes[: self.world.regions**2]]
         self.low, self.high = (
             np.array(ends) * self.world.block for ends in zip(*boxes, strict=True)
         )
@@ -128,16 +133,38 @@ class Land:
             for tile in range(len(TILES)):
                 self.buffer.draw(tile, choice.shares, choice.facing)
 
+    def change(self, blocks: Mapping[Cell, int]) -> None:
+        """Change blocks that lie close together, and at once what can be seen of them."""
+        for cell, kind in blocks.items():
+            self.world.put(cell, kind)
+        cells = np.array(list(blocks))
+        low, high = cells.min(axis=0).tolist(), (cells.max(axis=0) + 1).tolist()
+        for region in regions_around(self.world, low, high):
+            change = self.world, region, low, high
+            near, far = self._meshes[region], self._meshes[region + len(self.low)]
+            occlusion = self.settings.voxel.occlusion
+            self._replace(region, patched(near, *change, self.colours, occlusion))
+            far = patched(far, *change, seen_from_afar(self.colours), False, plants=False)
+            self._replace(region + len(self.low), far)
+        self.version += 1
+        ends = (np.array(end)[[0, 2, 1]] * self.scale for end in (low, high))
+        self.touched.append((next(ends), next(ends)))
+
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1
-        values = self.settings.voxel
-        near, far = meshed(self.world, region, self.colours, values)
-        self.low[region], self.high[region] = (self.scale * end for end in bounding_box(near))
-        places = (region, near), (region + len(self.low), far)
-        if not all([self.buffer.replace(*each) for each in places]):
+        near, far = meshed(self.world, region, self.colours, self.settings.voxel)
+        self._replace(region, near)
+        self._replace(region + len(self.low), far)
+
+    def _replace(self, share: int, mesh: RegionMesh) -> None:
+        """Upload the mesh of a region for near, or that for far, which is as many shares behind."""
+        self._meshes[share] = mesh
+        if share < len(self.low):
+            self.low[share], self.high[share] = (self.scale * end for end in bounding_box(mesh))
+        if not self.buffer.replace(share, mesh):
             self.buffer.release()
-            self.buffer = RegionBuffer(meshes(self.world, self.colours, values))
+            self.buffer = RegionBuffer(self._meshes)
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the land must be built again."""

@@ -1,12 +1,30 @@
-"""What a walker can do in the island in voxels: move his body among its blocks."""
+"""What a walker can do in the island in voxels: move among its blocks, dig and build."""
 
 import math
 
+from landscape.frame import Frame, Pose
 from landscape.geometry.bodies import Body, Wish
 from landscape.geometry.obstacles import MARGIN
+from landscape.gl.calls import drawing
+from landscape.languages import Phrases
 from landscape.voxel import body as bodies
+from landscape.voxel.blocks import AIR, BLOCKS, SOLID, block
+from landscape.voxel.highlight import draw_crosshair, draw_highlight
 from landscape.voxel.land import Land
+from landscape.voxel.picking import Hit, picked
 from landscape.voxel.settings import Settings
+from landscape.voxel.world import Cell
+
+REACH = 5.0  # blocks, chosen
+# The kinds of blocks that a walker begins with. Chosen.
+SLOTS = ("grass", "earth", "rock", "sand", "planks", "brick", "oak log", "oak leaves", "lamp")
+WHY_NOT: Phrases = (
+    "the edge of the map",
+    "the bottom of the world",
+    "nothing can be built higher",
+    "a plant needs something to stand on",
+)
+EDGE, BOTTOM, TOP, ROOT = WHY_NOT
 
 
 class Played:
@@ -14,6 +32,13 @@ class Played:
 
     settings: Settings
     land: Land
+    shown: set[str]
+
+    def __init__(self) -> None:
+        """Nothing has been changed yet."""
+        self.changes = 0
+        self.slot = 0
+        self.slots = [block(name) for name in SLOTS]
 
     def moved(self, body: Body, wish: Wish, seconds: float) -> Body:
         """Return a walker's body ``seconds`` later, in units."""
@@ -27,3 +52,91 @@ class Played:
         )
         inside = body.scaled(1 / block), wish.scaled(1 / block)
         return bodies.moved(place, *inside, seconds).scaled(block)
+
+    def aimed_at(self, pose: Pose) -> Hit | None:
+        """Return the block under the cross-hair, None if none is within reach."""
+        assert pose.y is not None
+        block = self.land.scale
+        eye = pose.x / block, pose.z / block, pose.y / block
+        east, up, south = pose.forward
+        return picked(self.land.world.blocks, eye, (east, south, up), REACH)
+
+    def choose(self, slot: int) -> None:
+        """Choose the kind of block in a slot; after the last comes the first."""
+        self.slot = slot % len(self.slots)
+
+    def use(self, tool: str, pose: Pose, body: Body | None) -> str:
+        """Dig, place or pick; return why that is impossible, or ""."""
+        hit = self.aimed_at(pose)
+        if hit is None:
+            return ""
+        if tool == "pick":
+            self._pick(int(self.land.world.blocks[hit.block]))
+            return ""
+        changed: dict[Cell, int] | str
+        changed = self._dug(hit.block) if tool == "dig" else self._placed(hit, pose, body)
+        if isinstance(changed, str):
+            return changed
+        if changed:
+            self.land.change(changed)
+            self.changes += len(changed)
+        return ""
+
+    def _pick(self, kind: int) -> None:
+        if kind in self.slots:
+            self.slot = self.slots.index(kind)
+        else:
+            self.slots[self.slot] = kind
+
+    def _refused(self, cell: Cell) -> str:
+        """Return why a block cannot be changed, or ""."""
+        x, z, y = cell
+        blocks = self.land.world.blocks
+        last = self.land.world.side - 1
+        if not (0 < x < last and 0 < z < last):
+            return EDGE
+        if y < 1:
+            return BOTTOM
+        return TOP if y >= blocks.shape[2] - 1 else ""
+
+    def _dug(self, cell: Cell) -> dict[Cell, int] | str:
+        """Return what digging a block changes, or why it cannot be dug."""
+        if refused := self._refused(cell):
+            return refused
+        x, z, y = cell
+        changed = {cell: AIR}
+        if BLOCKS[self.land.world.blocks[x, z, y + 1]].plant:
+            changed[x, z, y + 1] = AIR
+        return changed
+
+    def _placed(self, hit: Hit, pose: Pose, body: Body | None) -> dict[Cell, int] | str:
+        """Return what placing a block changes, or why it cannot be placed."""
+        blocks, kind = self.land.world.blocks, self.slots[self.slot]
+        # A plant gives way to what is built in its place.
+        x, z, y = cell = hit.block if BLOCKS[blocks[hit.block]].plant else hit.before
+        if refused := self._refused(cell):
+            return refused
+        if SOLID[blocks[cell]] or (SOLID[kind] and self._is_in(cell, pose, body)):
+            return {}
+        if BLOCKS[kind].plant and not SOLID[blocks[x, z, y - 1]]:
+            return ROOT
+        return {cell: kind}
+
+    def _is_in(self, cell: Cell, pose: Pose, body: Body | None) -> bool:
+        """Return whether a walker's body has a part in a cell."""
+        assert pose.y is not None
+        eye, scale = self.settings.walk.eye, 1 / self.land.scale
+        body = body or Body(pose.x, pose.y - eye, pose.z)
+        box = bodies.box_of(body.scaled(scale), eye * scale)
+        return all(box.low[a] < cell[a] + 1 and box.high[a] > cell[a] for a in range(3))
+
+    def draw_aim(self, frame: Frame) -> None:
+        """Draw the edges of the block under the cross-hair, and the cross-hair."""
+        hit = self.aimed_at(frame.pose) if "highlight" in self.shown else None
+        if hit is not None:
+            plant = BLOCKS[self.land.world.blocks[hit.block]].plant
+            with drawing("highlight"):
+                draw_highlight(frame, hit.block, self.land.scale, plant)
+        if "crosshair" in self.shown:
+            with drawing("crosshair"):
+                draw_crosshair(frame)

@@ -22,6 +22,7 @@ NEED = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
 Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
 SPARE = 512  # vertices, chosen: and by at least this
+RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
 
 
 class RegionBuffer:
@@ -34,7 +35,9 @@ class RegionBuffer:
         self.start = np.cumsum(self.room) - self.room
         self.first = np.zeros((len(meshes), len(ALL_TILES), len(DIRECTIONS)), np.int32)
         self.count = np.zeros_like(self.first)
-        whole = np.zeros(int(self.room.sum()), VERTEX)
+        self._free = int(self.room.sum())
+        self._end = self._free + RESERVE
+        whole = np.zeros(self._end, VERTEX)
         for share, mesh in enumerate(meshes):
             whole[self.start[share] :][: len(mesh.vertices)] = mesh.vertices
             self._enter(share, mesh)
@@ -54,12 +57,18 @@ class RegionBuffer:
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
 
     def replace(self, share: int, mesh: RegionMesh) -> bool:
-        """Replace a share's vertices; return False, changing nothing, if its share is too small.
+        """Replace a share's vertices; return False, changing nothing, if there is no room.
 
-        Then the caller makes the whole buffer again, with larger shares.
+        Then the caller makes the whole buffer again. If only the share is too small, a
+        larger one in the reserve takes its place.
         """
-        if len(mesh.vertices) > self.room[share]:
-            return False
+        size = len(mesh.vertices)
+        if size > self.room[share]:
+            room = 2 * size // 4 * 4
+            if self._free + room > self._end:
+                return False
+            self.start[share], self.room[share] = self._free, room
+            self._free += room
         begin = int(self.start[share]) * VERTEX.itemsize
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
         gl.glBufferSubData(gl.GL_ARRAY_BUFFER, begin, mesh.vertices.nbytes, mesh.vertices)

@@ -15,7 +15,7 @@ What is wrong without: ``shadow.offset`` (faces shade themselves in stripes), ``
 (edges crawl). Beyond the square there are no shadows, only faces turned away from the sun.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -27,6 +27,7 @@ from landscape.gl.extensions import Need
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture import Texture
 from landscape.voxel.settings import Settings
+from landscape.voxel.visibility import CORNERS
 
 NEEDS = (
     Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
@@ -35,6 +36,7 @@ NEEDS = (
 )
 UNITS = 3
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
+AROUND = 2  # texels, chosen: drawn around what has changed
 STEP = 64  # texels, chosen: the square moves by whole multiples of this
 
 
@@ -67,6 +69,32 @@ def light_matrix(
     return found
 
 
+def part_of(
+    boxes: Sequence[tuple[np.ndarray, np.ndarray]], matrix: np.ndarray, side: int
+) -> tuple[int, int, int, int]:
+    """Return the part of the picture in which boxes, in units, are: x, y, width, height in texels.
+
+    ``matrix`` (4, 4) is the sun's, ``side`` that of the picture.
+    """
+    ends = np.array(boxes)[:, CORNERS.astype(int), np.arange(3)].reshape(-1, 3)
+    x, y, _ = matrix[:3, :3] @ ends.T + matrix[:3, 3:]
+    low, high = (
+        [int(np.clip((edge(at) * 0.5 + 0.5) * side + out, 0, side)) for at in (x, y)]
+        for edge, out in ((np.min, -AROUND), (np.max, AROUND + 1))
+    )
+    return low[0], low[1], max(high[0] - low[0], 1), max(high[1] - low[1], 1)
+
+
+def enlarged(matrix: np.ndarray, part: tuple[int, int, int, int], side: int) -> np.ndarray:
+    """Return a matrix that lets only a part of the picture be seen, but in the whole of it."""
+    found = matrix.copy()
+    for axis in (0, 1):
+        scale = side / part[2 + axis]
+        middle = (part[axis] + part[2 + axis] / 2) / side * 2 - 1
+        found[axis] = scale * (found[axis] - middle * found[3])
+    return found
+
+
 class ShadowMap:
     """The sun's picture of depths, and the state that draws with it."""
 
@@ -78,10 +106,18 @@ class ShadowMap:
         self._drawn: tuple[bytes, int] | None = None
         self.matrix = np.eye(4)
 
-    def update(self, eye: np.ndarray, version: int, draw: Callable[[np.ndarray], None]) -> None:
+    def update(
+        self,
+        eye: np.ndarray,
+        version: int,
+        touched: Sequence[tuple[np.ndarray, np.ndarray]],
+        draw: Callable[[np.ndarray], None],
+    ) -> None:
         """Draw the picture again if the eye has left its square, or ``version`` is another.
 
-        ``draw`` sends the land's shapes, given the matrix; the modelview is then the world's.
+        Only the part of ``touched`` is drawn, boxes in units, if all changes were in these: one
+        for each version. ``draw`` sends the land's shapes that are seen through the matrix it is
+        given; the modelview is then the world's.
         """
         values = self.settings.shadow
         texel = 2 * values.distance / values.size
@@ -93,8 +129,16 @@ class ShadowMap:
         wanted = self.matrix.tobytes(), version
         if wanted == self._drawn:
             return
-        self._drawn = wanted
-        with self.target.drawing(), flat_projection(), attrib(gl.GL_ENABLE_BIT | gl.GL_POLYGON_BIT):
+        former, self._drawn = self._drawn, wanted
+        part, seen = None, self.matrix
+        if former == (wanted[0], version - len(touched)):
+            part = part_of(touched, self.matrix, values.size)
+            seen = enlarged(self.matrix, part, values.size)
+        with (
+            self.target.drawing(part),
+            flat_projection(),
+            attrib(gl.GL_ENABLE_BIT | gl.GL_POLYGON_BIT),
+        ):
             gl.glMatrixMode(gl.GL_PROJECTION)
             gl.glLoadMatrixf(np.ascontiguousarray(self.matrix.T, np.float32))
             gl.glMatrixMode(gl.GL_MODELVIEW)
@@ -102,7 +146,7 @@ class ShadowMap:
             if values.offset:
                 gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
                 gl.glPolygonOffset(2.0, 4.0)
-            draw(self.matrix)
+            draw(seen)
 
     @contextmanager
     def applied(self) -> Iterator[None]:

@@ -5,8 +5,8 @@ from dataclasses import replace
 from landscape.frame import Pose
 from landscape.scene import View
 
-ELEMENTS = ("land", "sky", "water", "sword", "map")
-HELD = ("sword", "map")  # only a walker has them: no view shows them
+ELEMENTS = ("land", "sky", "water", "highlight", "crosshair", "sword", "map")
+HELD = ("highlight", "crosshair", "sword", "map")  # only a walker has them: no view shows them
 STANDING = tuple(name for name in ELEMENTS if name not in HELD)
 
 VIEWS = {

@@ -61,7 +61,8 @@ class Voxel(Played, Ground):
         self, settings: Settings, assets: Assets, seed: int = SEED, only: tuple[str, ...] = STANDING
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
-        super().__init__(settings, assets)
+        Ground.__init__(self, settings, assets)
+        Played.__init__(self)
         self.shown = set(only)
         self._owned: list[Any] = []
         self.textures = TexturesView()
@@ -114,6 +115,7 @@ class Voxel(Played, Ground):
             with drawing("water"):
                 self.water.draw(frame, clip, shore.points)
         begin_pass("overlay")
+        self.draw_aim(frame)
         self._draw_debug(frame, clip)
         self._draw("sword", self.sword, frame)
 
@@ -152,6 +154,7 @@ class Voxel(Played, Ground):
     def _draw_shadows(self, frame: Frame) -> None:
         """Draw the sun's picture of depths, if it must be drawn again."""
         if "land" not in self.shown or not self.settings.shadow.enabled:
+            self.land.touched.clear()
             return
         towards = sun.direction(self.settings.sun)
         begin_pass("shadow")
@@ -159,8 +162,10 @@ class Voxel(Played, Ground):
             self.shadow.update(
                 frame.eye,
                 self.land.version,
+                self.land.touched,
                 lambda clip: self.land.draw_shapes(self.land.seen_by_sun(clip, towards)),
             )
+        self.land.touched.clear()
 
     def _draw_images(self, frame: Frame) -> Shore | None:
         """Draw the pictures of what is mirrored and refracted; None if no water is in view."""

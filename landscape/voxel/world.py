@@ -3,6 +3,7 @@
 Blocks are indexed [x, z, y], east, south and up; a region is a square of columns.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from landscape.voxel.blocks import AIR, block
 from landscape.voxel.faces import EDGE
 
+Cell = tuple[int, int, int]  # [x, z, y]
 ROOM = 44  # blocks, chosen: room above the highest column, for trees and towers
 BELOW = 0.14  # blocks, chosen: how far the water is below the top of its block
 MOST_BLOCKS = 900 << 20  # bytes, chosen: what the blocks of a world may take
@@ -28,7 +30,7 @@ class World:
     region_size: int
     sea: int
     block: float
-    changed: set[int] = field(default_factory=set)  # regions that are to be meshed again
+    former: dict[Cell, int] = field(default_factory=dict)  # what changed blocks were before
 
     @property
     def side(self) -> int:
@@ -55,9 +57,29 @@ class World:
         i, k = divmod(region, self.regions)
         return i * self.region_size, k * self.region_size
 
+    def put(self, cell: Cell, kind: int) -> None:
+        """Change a block [x, z, y], and keep in mind what it was at the beginning."""
+        before = int(self.blocks[cell])
+        if self.former.setdefault(cell, before) == kind:
+            del self.former[cell]
+        self.blocks[cell] = kind
+
     def region_of(self, x: int, z: int) -> int:
         """Return the region of a column."""
         return x // self.region_size * self.regions + z // self.region_size
+
+    def around(self, low: Sequence[int], high: Sequence[int]) -> np.ndarray:
+        """Return the blocks of a box from ``low`` to ``high`` [x, z, y], with an edge all around.
+
+        Beyond the map and below it they are as :meth:`with_edge` says.
+        """
+        x, z, y = (np.arange(a - EDGE, b + EDGE) for a, b in zip(low, high, strict=True))
+        x, z = (np.clip(at, 0, self.side - 1) for at in (x, z))
+        height = self.blocks.shape[2]
+        found = self.blocks[np.ix_(x, z, np.clip(y, 0, height - 1))]
+        found[:, :, y < 0] = block("rock")
+        found[:, :, y >= height] = AIR
+        return found
 
     def with_edge(self, region: int) -> tuple[np.ndarray, tuple[int, int, int]]:
         """Return a region's blocks with an edge all around, and the place [x, z, y] within it.

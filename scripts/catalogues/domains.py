@@ -20,6 +20,7 @@ from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, VIEW_TEXTS
 from landscape.scene import SCENES, scene
+from landscape.voxel.blocks import BLOCKS
 from landscape.window.settings_list import rows
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -113,8 +114,10 @@ def settings() -> Iterator[Message]:
 
 
 def scenes() -> Iterator[Message]:
-    """Yield what each scene is called, and calls its own: doors, and what digit keys change."""
-    yield from in_code("landscape/island.py", "landscape/effects/*.py")
+    """Yield what each scene is called, and calls its own: doors, blocks, what digit keys change."""
+    yield from in_code("landscape/island.py", "landscape/effects/*.py", "landscape/voxel/*.py")
+    for each in BLOCKS[1:]:
+        yield Message(each.name, "landscape/voxel/blocks.py")
     for kind in map(scene, SCENES):
         yield Message(kind.title, SCENES[kind.name].replace(".", "/") + ".py")
         for toggle in kind.digits.values():

@@ -1,0 +1,51 @@
+"""Digging and building, for scenes made of blocks. No OpenGL."""
+
+from collections.abc import Hashable
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+
+from landscape.frame import Pose
+from landscape.geometry.bodies import Body
+
+TOOLS = ("dig", "place", "pick")
+"""What a walker does with the block in his cross-hair: takes it out, puts another one to it, or
+chooses its kind, to place such blocks from then on."""
+
+
+@runtime_checkable
+class Diggable(Protocol):
+    """An open scene in which a walker digs and builds; it need not be one.
+
+    ``changes`` counts the blocks that were changed.
+    """
+
+    changes: int
+
+    def use(self, tool: str, pose: Pose, body: Body | None) -> str:
+        """Use one of TOOLS at ``pose``; return why that is impossible, in English, or "".
+
+        Nothing is placed in the walker's ``body``, which is in units.
+        """
+
+    def choose(self, slot: int) -> None:
+        """Choose the kind of block in a slot of the bar: 0 to 8, and on from the first again."""
+
+    @property
+    def slot(self) -> int:
+        """The chosen slot."""
+
+    def bar(self, height: int, language: str) -> tuple[Hashable, np.ndarray]:
+        """Return the picture of the bar, uint8 (h, w, 4), for a window ``height`` pixels high.
+
+        Also what it depends on: where that is the same, so is the picture.
+        """
+
+    def saved(self) -> bytes:
+        """Return the changed blocks, and on what land, as the content of a file."""
+
+    def restore(self, data: bytes, name: str) -> None:
+        """Change blocks as a file's content says; ``name`` stands for the file in messages.
+
+        InputError, changing nothing, if it is not such a file or belongs to another land.
+        """

@@ -1,0 +1,168 @@
+"""A region's mesh after a block has changed: only what lies around it is meshed again.
+
+To mesh a whole region takes longer than a frame may. But a block decides only about the faces of
+the blocks that touch it, be it at a corner: whether they can be seen, and how dark their corners
+are. So the 3 x 3 x 3 blocks around it are cut out of all quads, and the faces that they show now
+are put in one by one. The test compares the result with the mesh of the whole region.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from landscape.voxel.blocks import SOLID, TILES
+from landscape.voxel.faces import (
+    DIRECTIONS,
+    EDGE,
+    Direction,
+    Faces,
+    corner_shade,
+    exposed,
+)
+from landscape.voxel.mesh import (
+    ALL_TILES,
+    FACE_TILES,
+    UP,
+    Look,
+    RegionMesh,
+    plant_quads,
+    quads,
+)
+from landscape.voxel.world import World
+
+TURNS = len(DIRECTIONS)
+PLANTS = len(TILES)  # their index in ALL_TILES
+X_Z_Y = [0, 2, 1]
+Corner = list[int]  # [x, z, y]
+
+
+class Rectangle(NamedTuple):
+    """Faces that look in one direction, of the blocks from ``low`` to ``high``."""
+
+    low: Corner
+    high: Corner
+
+
+def touched(
+    mesh: RegionMesh, key: np.ndarray, low: Corner, high: Corner
+) -> tuple[np.ndarray, list[list[Rectangle]]]:
+    """Return which quads (m,) cover blocks of the box from ``low`` to ``high``.
+
+    Also, per direction, which blocks' faces those are. ``key`` (m,) is each quad's tile times the
+    number of directions, plus its direction.
+    """
+    corners = mesh.vertices["position"]
+    one, other = corners[0::4][:, X_Z_Y], corners[2::4][:, X_Z_Y]  # they face each other
+    least, most = np.minimum(one, other), np.maximum(one, other)
+    near = ((least < np.array(high) + 0.5) & (most > np.array(low) - 0.5)).all(axis=1)
+    found = np.zeros(len(key), bool)
+    rectangles: list[list[Rectangle]] = [[] for _ in DIRECTIONS]
+    for m in np.flatnonzero(near).tolist():
+        tile, turn = divmod(int(key[m]), TURNS)
+        if tile == PLANTS:
+            # It is not in the middle of its block, but its middle is in the block.
+            begin = np.floor((least[m] + most[m]) / 2).astype(int).tolist()
+            end = [at + 1 for at in begin]
+        else:
+            direction = DIRECTIONS[turn]
+            begin, end = (np.rint(ends[m]).astype(int).tolist() for ends in (least, most))
+            begin[direction.axis] -= direction.sign > 0
+            end[direction.axis] = begin[direction.axis] + 1
+        if all(begin[a] < high[a] and end[a] > low[a] for a in range(3)):
+            found[m] = True
+            if tile != PLANTS:
+                rectangles[turn].append(Rectangle(begin, end))
+    return found, rectangles
+
+
+def remainders(
+    whole: Rectangle, low: Corner, high: Corner, direction: Direction
+) -> Iterator[Rectangle]:
+    """Yield the up to four rectangles that are left of one when a box is cut out of it."""
+    begin, end = list(whole.low), list(whole.high)
+    for axis in (direction.across, direction.along):
+        if begin[axis] < low[axis]:
+            yield Rectangle(list(begin), [*end[:axis], low[axis], *end[axis + 1 :]])
+            begin[axis] = low[axis]
+        if end[axis] > high[axis]:
+            yield Rectangle([*begin[:axis], high[axis], *begin[axis + 1 :]], list(end))
+            end[axis] = high[axis]
+
+
+def faces_again(
+    world: World, low: Corner, high: Corner, rectangles: list[list[Rectangle]], occlusion: bool
+) -> tuple[list[Faces], Corner]:
+    """Return the faces, per direction, that are put in again, and the place they are counted from.
+
+    They are those that the blocks from ``low`` to ``high`` show, and what is left of rectangles.
+    """
+    every = [each for some in rectangles for each in some]
+    place = [min([low[a], *(each.low[a] for each in every)]) for a in range(3)]
+    end = [max([high[a], *(each.high[a] for each in every)]) for a in range(3)]
+    blocks = world.around(place, end)
+    solid = SOLID[blocks]
+    steps = np.array(blocks.strides)
+    around = tuple(slice(low[a] - place[a], high[a] - place[a] + 2 * EDGE) for a in range(3))
+    found = []
+    for some, direction in zip(rectangles, DIRECTIONS, strict=True):
+        left = [part for each in some for part in remainders(each, low, high, direction)]
+        shown = np.argwhere(exposed(solid[around], direction)) + np.array(low)
+        at = np.concatenate([shown, np.array([part.low for part in left], np.intp).reshape(-1, 3)])
+        at -= np.array(place)
+        sides = np.ones((len(at), 3), np.intp)
+        for part, row in zip(left, sides[len(shown) :], strict=True):
+            row[:] = np.array(part.high) - np.array(part.low)
+        flat = (at + EDGE) @ steps
+        shade = np.zeros((len(at), 4), np.uint8)
+        if occlusion:  # along a rectangle it does not change, so its first block has all of it
+            shade = corner_shade(solid, flat + direction.sign * steps[direction.axis], direction)
+        kinds = blocks.ravel()[flat]
+        sizes = sides[:, direction.along], sides[:, direction.across]
+        found.append(Faces(direction, at, *sizes, kinds, shade))
+    return found, place
+
+
+def regions_around(world: World, low: Sequence[int], high: Sequence[int]) -> set[int]:
+    """Return the regions whose meshes change with the blocks from ``low`` to ``high`` [x, z, y]."""
+    last = world.side - 1
+    xs, zs = ([max(low[a] - 1, 0), min(high[a], last)] for a in (0, 1))
+    return {world.region_of(x, z) for x in xs for z in zs}
+
+
+def patched(
+    mesh: RegionMesh,
+    world: World,
+    region: int,
+    low: Sequence[int],
+    high: Sequence[int],
+    look: Look,
+    occlusion: bool = True,
+    plants: bool = True,
+) -> RegionMesh:
+    """Return the mesh of a region after blocks from ``low`` to ``high`` [x, z, y] have changed.
+
+    The box is a few blocks large, less than a region on each side.
+    """
+    first = *world.region_columns(region), 0
+    size = world.region_size, world.region_size, world.blocks.shape[2]
+    low = [max(at - 1, a) for at, a in zip(low, first, strict=True)]
+    high = [min(at + 1, a + b) for at, a, b in zip(high, first, size, strict=True)]
+    key = np.repeat(np.arange(mesh.counts.size, dtype=np.int16), mesh.counts.ravel() // 4)
+    out, rectangles = touched(mesh, key, low, high)
+    found, place = faces_again(world, low, high, rectangles, occlusion)
+    origin = place[0], place[1], place[2]
+    sets, keys = [mesh.vertices.reshape(-1, 4)[~out]], [key[~out]]
+    for k, faces in enumerate(found):
+        if len(faces):
+            sets.append(quads(faces, origin, look))
+            keys.append(FACE_TILES[faces.block, k].astype(np.int16) * TURNS + k)
+    if plants:
+        inner = tuple(slice(*ends) for ends in zip(low, high, strict=True))
+        crossed = plant_quads(world.blocks[inner], (low[0], low[1], low[2]), look)
+        sets.append(crossed)
+        keys.append(np.full(len(crossed), PLANTS * TURNS + UP, np.int16))
+    key = np.concatenate(keys)
+    counts = 4 * np.bincount(key, minlength=len(ALL_TILES) * TURNS)
+    vertices = np.concatenate(sets)[np.argsort(key, kind="stable")].reshape(-1)
+    return RegionMesh(vertices, counts.reshape(len(ALL_TILES), TURNS).astype(np.int32))
