@@ -24,7 +24,7 @@ from landscape.files.progress import Progress
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
     "caustics", "mosaic", "masonry", "gate", "trees", "deer", "plants", "herbs", "rabbit",
-    "dragon", "sword", "hall_stone", "hall_bake",
+    "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles", "voxel_plants", "voxel_ripples",
 )  # fmt: skip
 
 PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte

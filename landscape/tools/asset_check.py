@@ -33,6 +33,10 @@ from landscape.tools.asset_measures import (
     sky_edges,
     volume,
 )
+from landscape.voxel.blocks import PLANT_TILES
+from landscape.voxel.blocks import TILES as BLOCK_TILES
+from landscape.voxel.tiles import FILE as TILES_FILE
+from landscape.voxel.tiles import PLANTS_FILE, RIPPLES_FILE, RIPPLES_SIDE, SIDE, tiles
 
 SWORDS = ("sword_rest.png", "sword_1.png", "sword_2.png", "sword_3.png", "sword_4.png")
 # Width, height and mode by file name: the contract between the studio and the scene.
@@ -66,12 +70,18 @@ SIZES = {
     "hall_floor.png": (1024, 1024, "RGB"),
     **{f"hall_{name}.png": (256, 256, "RGB") for name in ("band", "wood")},
     "hall_light.png": (2048, 2048, "RGB"),
+    TILES_FILE: (SIDE, SIDE * len(BLOCK_TILES), "RGB"),
+    PLANTS_FILE: (SIDE * len(PLANT_TILES), SIDE, "RGBA"),
+    RIPPLES_FILE: (RIPPLES_SIDE, RIPPLES_SIDE, "RGB"),
 }
+# Strips, which the program cuts into tiles of this width and height before it makes textures.
+STRIPS = {TILES_FILE: (SIDE, SIDE), PLANTS_FILE: (SIDE, SIDE)}
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998}  # the report's vertex counts
 TILES = (
     "ground_detail.png", "ground_sand.png", "ground_rock.png", "clouds.png", "water.png",
     "castle_brick.png", "torch_stone.png", "mosaic.png", "animal.png", "hall_wall.png",
     "hall_vault.png", "hall_stone.png", "hall_floor.png", "hall_wood.png",
+    RIPPLES_FILE,
 )  # fmt: skip
 MID_GREY = ("ground_detail.png", "ground_sand.png", "ground_rock.png")
 SHEETS = {"fire.png": 4}  # sprite sheets: frames per side
@@ -123,7 +133,7 @@ def check_files(assets: Assets) -> Iterator[Finding]:
         image = open_image(path)
         mode = "RGB" if image.mode == "P" and SIZES[name][2] == "RGB" else image.mode
         asked = "{}x{} {}".format(*SIZES[name])
-        two = all(side & (side - 1) == 0 for side in image.size)
+        two = all(side & (side - 1) == 0 for side in STRIPS.get(name, image.size))
         ok = (*image.size, mode) == SIZES[name] and two
         text = f"{image.width}x{image.height} {image.mode}" + ("" if ok else f", expected {asked}")
         yield Finding(name, "size", ok, text, {"width": image.width, "height": image.height})
@@ -142,6 +152,12 @@ def check_tiles(assets: Assets) -> Iterator[Finding]:
         )
         values = {s.axis: s.change for s in found}
         yield Finding(name, "seam", all(s.ok for s in found), text, values)
+    for name, tile in tiles(assets).items():
+        # The ends of grass and snow that hang over earth meet only beside each other.
+        found = [s for s in seams(tile) if s.axis == "columns" or not name.endswith("_side")]
+        text = ", ".join(f"{s.axis}: {s.change:.2f} (limit {s.change_inside:.2f})" for s in found)
+        ok = all(s.ok for s in found)
+        yield Finding(TILES_FILE, "seam", ok, f"{name}, {text}", {s.axis: s.change for s in found})
     for name in MID_GREY:
         means = read_image(assets.path(name), "RGB").mean(axis=(0, 1))
         worst = float(np.abs(means - 127.5).max())
@@ -172,7 +188,10 @@ def check_sprites(assets: Assets) -> Iterator[Finding]:
         if mode != "RGBA":
             continue
         rgba = read_image(assets.path(name))
-        wrong = sum(count_unbled(frame) for frame in frames(rgba, SHEETS.get(name, 1)))
+        parts = list(frames(rgba, SHEETS.get(name, 1)))
+        if name in STRIPS:
+            parts = np.split(rgba, rgba.shape[1] // STRIPS[name][0], axis=1)
+        wrong = sum(count_unbled(part) for part in parts)
         empty = int((rgba[..., 3] == 0).sum())
         text = f"{wrong} of {empty} transparent texels lack the colour of the nearest visible one"
         yield Finding(name, "bleeding", wrong == 0, text, {"wrong": wrong})

@@ -1,50 +1,52 @@
-"""The tiles of blocks and the pictures of plants, in plain colours."""
+"""The pictures of the blocks: a strip of square tiles, one of plants, and ripples.
+
+Each tile becomes a texture of its own: GL_REPEAT then repeats it over a face of many blocks, and
+mip levels never mix two tiles.
+"""
 
 import numpy as np
 
+from landscape.errors import InputError
 from landscape.files.assets import Assets
+from landscape.files.images import read_image
 from landscape.voxel.blocks import PLANT_TILES, TILES
 
-SIDE = 64
-COLOURS = {
-    "grass_top": (110, 165, 70),
-    "grass_side": (120, 110, 70),
-    "earth": (125, 88, 58),
-    "rock": (130, 128, 124),
-    "sand": (226, 208, 156),
-    "gravel": (120, 120, 118),
-    "brick": (176, 168, 156),
-    "slate": (90, 100, 116),
-    "planks": (176, 136, 86),
-    "log_top": (190, 160, 110),
-    "bark": (150, 130, 110),
-}
+SIDE = 64  # chosen: texels per side of a tile
+RIPPLES_SIDE = 128  # chosen
+FILE, PLANTS_FILE, RIPPLES_FILE = "voxel_tiles.png", "voxel_plants.png", "voxel_ripples.png"
 
 
 def tiles(assets: Assets) -> dict[str, np.ndarray]:
-    """Return the picture of each tile, uint8 (64, 64, 3), by name."""
-    return {
-        name: np.full((SIDE, SIDE, 3), COLOURS.get(name, (225, 225, 225)), np.uint8)
-        for name in TILES
-    }
+    """Return the tiles of TILES by name, each uint8 (SIDE, SIDE, 3), row 0 the upper edge.
+
+    InputError names a file that is missing or not a strip of that many tiles.
+    """
+    strip = _strip(assets, FILE, "RGB", SIDE, SIDE * len(TILES))
+    parts = np.split(strip, len(TILES))
+    return {name: np.ascontiguousarray(part) for name, part in zip(TILES, parts, strict=True)}
 
 
 def plants(assets: Assets) -> np.ndarray:
-    """Return the pictures of plants side by side, uint8 (64, 64 n, 4)."""
-    return np.zeros((SIDE, SIDE * len(PLANT_TILES), 4), np.uint8)
+    """Return the pictures of PLANT_TILES side by side, uint8 (SIDE, SIDE * n, 4), row 0 the top.
+
+    InputError names a file that is missing or not a strip of that many pictures.
+    """
+    return _strip(assets, PLANTS_FILE, "RGBA", SIDE * len(PLANT_TILES), SIDE)
 
 
 def ripples(assets: Assets) -> np.ndarray:
-    """Return the ripples' normals as colours, uint8 (n, n, 3), z up."""
-    rng = np.random.default_rng(3)
-    n = 128
-    f = np.fft.fftfreq(n) * n
-    k = np.hypot(f[:, None], f[None])
-    size = np.where((k > 2) & (k < 20), 1 / np.maximum(k, 1) ** 1.6, 0)
-    spectrum = size * np.exp(2j * np.pi * rng.random((n, n)))
-    h = np.real(np.fft.ifft2(spectrum))
-    h /= h.std()
-    dx, dz = (np.roll(h, -1, a) - np.roll(h, 1, a) for a in (1, 0))
-    v = np.stack([-dx * 0.35, -dz * 0.35, np.ones_like(h)], -1)
-    v /= np.linalg.norm(v, axis=-1, keepdims=True)
-    return (v * 127.5 + 128).astype(np.uint8)
+    """Return the ripples' normals, uint8 (n, n, 3), n RIPPLES_SIDE: x right, y down the picture.
+
+    z is up; a component c is coded as (c + 1) / 2. InputError names a file that is missing or of
+    another size.
+    """
+    return _strip(assets, RIPPLES_FILE, "RGB", RIPPLES_SIDE, RIPPLES_SIDE)
+
+
+def _strip(assets: Assets, file: str, mode: str, width: int, height: int) -> np.ndarray:
+    path = assets.path(file)
+    strip = read_image(path, mode)
+    if strip.shape[:2] != (height, width):
+        found = f"found {strip.shape[1]}x{strip.shape[0]}"
+        raise InputError(f"{path}: expected {width}x{height} pixels, {found}")
+    return strip

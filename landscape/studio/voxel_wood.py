@@ -1,0 +1,118 @@
+"""The tiles of trees: barks, the end of a log, leaves and needles."""
+
+import numpy as np
+
+from landscape.studio.images import smoothstep
+from landscape.studio.voxel_paint import (
+    Canvas,
+    axes,
+    blade_widths,
+    cells,
+    curve,
+    leaf_widths,
+    levelled,
+    noise,
+    ramp,
+    smeared,
+    spread,
+    stepped,
+)
+
+# All chosen: ramps of colour, dark to light. Blocks tint all of these but the birch's bark.
+BARK = ((92, 80, 80), (140, 124, 116), (186, 170, 154), (220, 206, 186), (244, 234, 216))
+BIRCH = ((64, 58, 62), (148, 138, 136), (222, 214, 204), (240, 235, 224), (252, 250, 242))
+WOOD = ((126, 96, 78), (178, 142, 104), (214, 182, 136), (234, 208, 164), (248, 230, 194))
+LEAF = ((58, 66, 84), (108, 118, 130), (168, 176, 174), (216, 220, 206), (250, 250, 232))
+
+
+def bark() -> np.ndarray:
+    """Return bark: upright plates with rounded edges and dark furrows."""
+    rng = np.random.default_rng(111)
+    points = spread(17, 112, 3.0)
+    found = cells(points, 0.55, 113, 3.0)
+    value = 0.62 + rng.normal(0, 0.06, len(points))[found.own] + 0.20 * found.light(3.6)
+    value = stepped(value + 0.05 * smeared(noise(1.0, 114, 6.0), 49, 0), 11, 0.3)
+    value = value - 0.48 * smoothstep(1.7, 0.3, found.inside(0.5))
+    return levelled(ramp(BARK, value), 2.5, 0.15)
+
+
+def birch_bark() -> np.ndarray:
+    """Return birch bark: cream, with bands that peel and dark marks that lie across."""
+    rng = np.random.default_rng(121)
+    bands = smeared(noise(2.0, 122, 2.0), 87, 1)
+    canvas = Canvas(ramp(BIRCH, stepped(0.76 + 0.06 * bands, 12, 0.3)))
+    for place in spread(26, 123):
+        long = rng.uniform(1.5, 6.0)
+        path = np.array([place - [long, 0], place, place + [long, rng.normal(0, 0.4)]])
+        dark = rng.choice([0.08, 0.3, 0.5], p=[0.4, 0.3, 0.3])
+        canvas.stroke(path + [0.0, 0.9], np.array([0.1, 0.8, 0.1]), BIRCH, np.full(3, 0.98))
+        canvas.stroke(path, np.array([0.15, rng.uniform(0.6, 1.1), 0.15]), BIRCH, np.full(3, dark))
+    for place in spread(4, 127):
+        for k in range(5):
+            long = 6.0 - 1.1 * k
+            path = np.array([place + [-long, 1.3 * k - 1.2], place + [0, 1.1 * k - 2.2],
+                             place + [long * 0.9, 1.3 * k - 1.0]])  # fmt: skip
+            canvas.stroke(path, np.array([0.2, 1.0, 0.2]), BIRCH, np.full(3, 0.02 + 0.03 * k))
+    return levelled(canvas.colour, 2.5, 0.3)
+
+
+def log_top() -> np.ndarray:
+    """Return the end of a log: rings, cracks, and the bark around."""
+    x, y = axes()
+    u, v = x - 31.0, y - 33.0
+    square = (np.abs(u) ** 4 + np.abs(v) ** 4) ** 0.25  # rings that fill a square block
+    radius = 0.45 * np.hypot(u, v) + 0.55 * square + 0.5 * noise(2.2, 132, 1.0)
+    ring = 0.5 + 0.5 * np.cos(2 * np.pi * radius / 4.6)
+    value = 0.70 - 0.20 * ring**2.5 + 0.03 * np.sin(radius * 0.43 + 1.0)
+    value = value - 0.25 * smoothstep(3.5, 1.5, radius)
+    angle = np.arctan2(v, u) + 0.05 * noise(2.0, 133, 1.0)
+    for place, start, end in ((0.4, 5.0, 24.0), (2.3, 8.0, 26.0), (4.1, 3.0, 18.0), (5.3, 14, 27)):
+        off = np.abs((angle - place + np.pi) % (2 * np.pi) - np.pi) * radius
+        long = smoothstep(start, start + 4, radius) * smoothstep(end, end - 3, radius)
+        value = value - 0.35 * long * smoothstep(1.0, 0.3, off)
+    wood = ramp(WOOD, stepped(value, 14, 0.35))
+    rim = np.maximum(np.abs(x - 32), np.abs(y - 32)) + 0.5 * noise(1.6, 134, 2.0)
+    plates = np.cos(np.arctan2(y - 32, x - 32) * 26 + 0.8 * noise(1.8, 135, 2.0))
+    skin = ramp(BARK, stepped(0.42 + 0.10 * plates - 0.10 * (x + y - 64) / 64, 10, 0.3))
+    on = smoothstep(27.3, 27.8, rim)[..., None]
+    dark = 1.0 - 0.35 * smoothstep(1.6, 0.2, np.abs(rim - 27.3))[..., None]
+    return np.asarray((wood * (1.0 - on) + skin * on) * dark)
+
+
+def leaves() -> np.ndarray:
+    """Return rosettes of leaves, in three layers over a dark ground."""
+    rng = np.random.default_rng(141)
+    canvas = Canvas(ramp(LEAF, 0.06 + 0.02 * noise(1.6, 142)))
+    for count, tone, long in ((15, 0.34, 14.0), (14, 0.56, 13.5), (10, 0.78, 12.5)):
+        for place in spread(count, int(rng.integers(1000))):
+            turn, lift = rng.uniform(0, 2 * np.pi), rng.normal(0, 0.03)
+            for k in rng.permutation(5):
+                angle = turn + 2 * np.pi * k / 5 + rng.normal(0, 0.18)
+                start = place + 0.8 * np.array([np.cos(angle), np.sin(angle)])
+                path = curve(start, angle, long * rng.uniform(0.75, 1.0), rng.normal(0, 0.3), 9)
+                half = rng.uniform(2.7, 3.4)
+                under = np.full(9, tone - 0.30)
+                canvas.stroke(path + [0.5, 0.9], leaf_widths(half), LEAF, under)
+                tones = tone + lift + np.linspace(-0.13, 0.10, 9) + rng.normal(0, 0.025)
+                canvas.stroke(path, leaf_widths(half), LEAF, tones, 0.055)
+    return levelled(canvas.colour)
+
+
+def needles() -> np.ndarray:
+    """Return drooping twigs of a spruce, combed with needles, in three layers."""
+    rng = np.random.default_rng(151)
+    canvas = Canvas(ramp(LEAF, 0.05 + 0.02 * noise(1.6, 152)))
+    for count, tone in ((22, 0.36), (18, 0.58), (13, 0.78)):
+        for place in spread(count, int(rng.integers(1000))):
+            lean = rng.normal(0, 0.75)
+            twig = curve(place - [0, 8], np.pi / 2 + lean, 18.0, -0.5 * lean, 15)
+            for k in range(14):
+                along = np.arctan2(*(twig[k + 1] - twig[k])[::-1])
+                for side in (-1, 1):
+                    angle = along + side * rng.uniform(0.6, 0.85)
+                    long = (7.0 - 0.25 * k) * rng.uniform(0.85, 1.1)
+                    path = curve(twig[k], angle, long, -0.35 * side, 4)
+                    lit = tone + 0.05 * (side == 1) + np.linspace(-0.14, 0.12, 4) + 0.008 * k
+                    canvas.stroke(path, blade_widths(1.0, 4), LEAF, lit)
+            canvas.stroke(twig, np.linspace(0.7, 0.3, 15), LEAF, np.full(15, tone - 0.14))
+    return levelled(canvas.colour)
