@@ -123,6 +123,7 @@ REGIONS = {
     "beside the floor": ("planar_shadow", ("glClearColor(0.13, 0.16", "glClearColor(0.53, 0.16")),
     "the things and the frame": ("stencil_mirror", ("(0.85, 0.35, 0.2)", "(0.25, 0.35, 0.8)")),
     "the gate": ("hidden_faces", ("(0.95, 0.72, 0.5)", "(0.55, 0.72, 0.5)")),
+    "the things": ("shadow_map", ("(0.85, 0.35, 0.2)", "(0.25, 0.35, 0.8)")),
     "the vase": ("vertex_arrays", ("TWO_SIDE, GL_TRUE", "TWO_SIDE, GL_FALSE")),
 }  # fmt: skip
 

@@ -43,6 +43,7 @@ NAMES: tuple[str, ...] = (
     "planar_shadow",
     "stencil_mirror",
     "hidden_faces",
+    "shadow_map",
 )
 HOLE = _("# Your code goes here.")
 LEAD = _("Lessons to read first: {lessons}.")
