@@ -2,7 +2,7 @@
 
 The scene is drawn into two textures: mirrored at the water, and as it is seen through the water.
 GL_INTERPOLATE mixes them by the alpha of a cube map, which holds for each direction how much the
-water reflects: 2 % straight down, all at a glance. Its coordinates are the vertex minus the eye;
+water reflects: 2 % straight down, all when grazing. Its coordinates are the vertex minus the eye;
 without the eye, they begin in the middle of the scene.
 
 Keys: 1 to 5 choose: the reflection, the refraction, the alpha, the mix without the eye, the mix.
