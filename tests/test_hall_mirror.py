@@ -12,14 +12,14 @@ from stage import SIZE, Stage
 from landscape.capture.buffers import Buffers
 from landscape.effects import plan
 from landscape.effects.hall import SCENE, Hall
-from landscape.effects.mirror import FLOOR, UNDERSIDE, reflectance
+from landscape.effects.mirror import FADES, FLOOR, GRAZING, UNDERSIDE, fading, reflectance
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl, recording
 from landscape.keys import with_settings
 from landscape.scene import Moment, begin_frame
 
-PERFECT: dict[str, Any] = {"mirror.strength": 1.0}
+PERFECT: dict[str, Any] = {"mirror.strength": 1.0, "mirror.fades": False}
 NAVE = Pose(1.52, 0.17, 1.78, 12.0, -14.0)  # the floor before the statue
 OVER_POOL = Pose(1.6, 0.3, 2.62, 0.0, -35.0)
 OUTSIDE = Pose(-0.4, 0.9, 1.6, 90.0, -25.0)
@@ -126,7 +126,7 @@ def test_the_floor_is_marked_where_lines_of_sight_meet_it(stage, halls) -> None:
 
 def test_the_reflectance_grows_from_the_strength_to_that_along_the_floor() -> None:
     found = reflectance(0.3, np.array([0.0, 1.0, 10.0, 1e9]))
-    assert found[0] == pytest.approx(0.3) and found[-1] == pytest.approx(0.62)
+    assert found[0] == pytest.approx(0.3) and found[-1] == pytest.approx(GRAZING)
     assert (np.diff(found) > 0).all()
     assert reflectance(1.0, np.array([0.0, 5.0])).tolist() == [1.0, 1.0]
 
@@ -216,3 +216,13 @@ def test_the_image_is_a_pass_of_its_own_that_a_trace_names(stage, halls) -> None
     inside = {call.element for call in recorder.calls if call.pass_ == "reflection"}
     assert inside == {"mirror", "frame", "room", "statue"}, "frame: the lights"
     assert int(gl.glGetError()) == 0
+
+
+def test_the_image_of_the_room_fades_with_its_height(stage, halls) -> None:
+    assert fading(np.array([0.0, FADES])) == pytest.approx([1.0, math.exp(-1.0)])
+    # From near the floor one sees the wall's whole height in it.
+    along = Pose(1.6, 0.06, 2.75, 0.0, -4.0)
+    image, floor = drawn(stage, halls, along, only=STONE)
+    faded, _ = drawn(stage, halls, along, {"mirror.fades": True}, STONE)
+    assert (faded == image)[~floor].all() and (faded <= image + 2)[floor].mean() > 0.95
+    assert faded[floor].mean() < 0.9 * image[floor].mean()

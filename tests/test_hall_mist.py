@@ -8,7 +8,8 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects.mist import heights, sheet
+from landscape.effects import plan
+from landscape.effects.mist import BASE, heights, sheet, softened
 from landscape.effects.moving_sky import dome
 from landscape.elements.best.air.mist_sheets import far_to_near
 from landscape.frame import Pose
@@ -46,6 +47,23 @@ def test_a_sheet_lies_within_the_walls_faces_up_and_ends_softly() -> None:
     assert (np.cross(b - a, c - a)[:, 1] > 0).all()
     outermost = (vertices[:, 0] == vertices[:, 0].min()) | (vertices[:, 2] == vertices[:, 2].max())
     assert (opacity[outermost] == 0).all() and opacity.max() == 1.0
+
+
+def test_mist_is_densest_over_the_pool() -> None:
+    vertices, opacity, _ = sheet()
+    pool = plan.POOL
+    over = (vertices[:, 0] > pool.west - 1e-6) & (vertices[:, 0] < pool.east + 1e-6)
+    over &= (vertices[:, 2] > pool.north - 1e-6) & (vertices[:, 2] < pool.south + 1e-6)
+    assert over.sum() == 4 and opacity[over].min() == 1.0
+    assert opacity[~over].max() < 0.6
+
+
+def test_clouds_become_mist_without_gaps() -> None:
+    clouds = np.zeros((64, 64, 4), np.uint8)
+    clouds[:16, :16] = 255
+    mist = softened(clouds)
+    assert mist.shape == (4, 4, 4) and (mist[..., :3] == 255).all()
+    assert mist[0, 0, 3] == 255 and (mist[1:, 1:, 3] == round(255 * BASE)).all()
 
 
 def test_one_sheet_is_blended_by_its_alpha_and_its_depth_is_not_written(picture: Draw) -> None:

@@ -63,4 +63,4 @@ def test_every_safeguard_of_mirror_and_shadow_has_a_pair() -> None:
     switches = {key for key in kinds if key.startswith(groups)
                 and isinstance(get(SCENE.settings, key), bool)}  # fmt: skip
     paired = {key for each in SAFEGUARDS for key in each.on if each.on[key] != each.off[key]}
-    assert switches - paired == {"mirror.enabled", "mirror.fresnel"}
+    assert switches - paired == {"mirror.enabled", "mirror.fresnel", "mirror.fades"}

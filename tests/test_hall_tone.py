@@ -74,3 +74,18 @@ def test_doublings_multiply_to_the_contrast_and_none_is_above_2() -> None:
     for scale in (1.0, 1.4, 2.0, 3.0, 4.0):
         assert np.prod(doublings(scale)) == pytest.approx(scale)
         assert max(doublings(scale)) <= 2.0
+
+
+def test_flames_shine_undimmed_before_dimmed_surroundings(
+    stage: Stage, hall_pictures: HallPictures
+) -> None:
+    def drawn(*elements: str, **tone: object) -> np.ndarray:
+        settings = {f"tone.{name}": value for name, value in tone.items()}
+        settings["torches.glow"] = 1.0
+        return hall_pictures("hall_mirror", 20.0, elements, settings)
+
+    dark = drawn(*SHOWN, area="surroundings", contrast=0.0)
+    lit = drawn(*SHOWN, "torches", area="surroundings", contrast=0.0)
+    assert (lit - dark).max() > 200
+    everything = drawn(*SHOWN, "torches", area="picture", contrast=0.0)
+    assert everything.max() == 0

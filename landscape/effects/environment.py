@@ -17,7 +17,7 @@ State used: GL_TEXTURE_CUBE_MAP or GL_TEXTURE_2D with generated coordinates, the
 GL_COMBINE; while the maps are made, framebuffer objects.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -90,6 +90,56 @@ def disc() -> tuple[np.ndarray, np.ndarray]:
     return places.reshape(-1, 2), quads.reshape(-1, 3).astype(np.uint32)
 
 
+def make_levels(kind: int, name: int) -> None:
+    """Make the mip levels of a map: without them far scales glitter, as each mirrors much."""
+    gl.glBindTexture(kind, name)
+    gl.glTexParameteri(kind, gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR)
+    gl.glGenerateMipmap(kind)
+    gl.glBindTexture(kind, 0)
+
+
+def camera(pose: Pose, side: int) -> Frame:
+    """Set a camera whose view is one face of a cube, 90 degrees wide; return its frame."""
+    gl.glEnable(gl.GL_DEPTH_TEST)
+    gl.glMatrixMode(gl.GL_PROJECTION)
+    gl.glLoadIdentity()
+    gl.glFrustum(-NEAR, NEAR, -NEAR, NEAR, NEAR, FAR)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glLoadIdentity()
+    gl.glRotatef(-pose.roll, 0.0, 0.0, 1.0)
+    gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
+    gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
+    assert pose.y is not None
+    gl.glTranslatef(-pose.x, -pose.y, -pose.z)
+    modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
+    return Frame(pose, (side, side), 0.0, modelview, 90.0)
+
+
+def cube_around(
+    place: tuple[float, float, float],
+    side: int,
+    draw: Callable[[Frame], None],
+    faces: Sequence[str] = tuple(FACES),
+) -> CubeMap:
+    """Return a cube map of ``side`` texels of what ``draw`` draws around a place.
+
+    Of FACES only ``faces`` are drawn; the others stay black. It needs what NEEDS lists.
+    """
+    target = TextureTarget((side, side))
+    cube = CubeMap(np.zeros((6, side, side, 3), np.uint8))
+    groups = gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT | gl.GL_COLOR_BUFFER_BIT
+    for name in faces:
+        with target.drawing(clear=False), attrib(groups), flat_projection():
+            draw(camera(Pose(*place, *FACES[name]), side))
+            cube.bind()
+            face = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{name}")
+            gl.glCopyTexSubImage2D(face, 0, 0, 0, 0, 0, side, side)
+            gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
+    target.release()
+    make_levels(gl.GL_TEXTURE_CUBE_MAP, cube.name)
+    return cube
+
+
 class Environment:
     """The maps of what is around a place, and their use."""
 
@@ -102,48 +152,13 @@ class Environment:
         """
         self._settings = settings
         self._drawn_for: np.ndarray = np.zeros(0)
-        target = TextureTarget((FACE, FACE))
-        self.cube = CubeMap(np.zeros((6, FACE, FACE, 3), np.uint8))
+        self.cube = cube_around(place, FACE, draw)
         self._ball = TextureTarget((BALL, BALL))
         places, self._triangles = disc()
         self._points = np.zeros((len(places), 3), np.float32)
         self._points[:, :2] = places
         within = places / np.maximum(np.linalg.norm(places, axis=1, keepdims=True), 1.0)
         self._directions = np.ascontiguousarray(ball_directions(within), np.float32)
-        for name, angles in FACES.items():
-            with target.drawing(clear=False):
-                draw(self._camera(Pose(*place, *angles)))
-                self.cube.bind()
-                face = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{name}")
-                gl.glCopyTexSubImage2D(face, 0, 0, 0, 0, 0, FACE, FACE)
-                gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
-        target.release()
-        self._make_levels(gl.GL_TEXTURE_CUBE_MAP, self.cube.name)
-
-    @staticmethod
-    def _make_levels(kind: int, name: int) -> None:
-        """Make the mip levels of a map: without them far scales glitter, as each mirrors much."""
-        gl.glBindTexture(kind, name)
-        gl.glTexParameteri(kind, gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR)
-        gl.glGenerateMipmap(kind)
-        gl.glBindTexture(kind, 0)
-
-    @staticmethod
-    def _camera(pose: Pose) -> Frame:
-        """Set a camera whose view is one face of the cube, 90 degrees wide; return its frame."""
-        gl.glEnable(gl.GL_DEPTH_TEST)
-        gl.glMatrixMode(gl.GL_PROJECTION)
-        gl.glLoadIdentity()
-        gl.glFrustum(-NEAR, NEAR, -NEAR, NEAR, NEAR, FAR)
-        gl.glMatrixMode(gl.GL_MODELVIEW)
-        gl.glLoadIdentity()
-        gl.glRotatef(-pose.roll, 0.0, 0.0, 1.0)
-        gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
-        gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
-        assert pose.y is not None
-        gl.glTranslatef(-pose.x, -pose.y, -pose.z)
-        modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
-        return Frame(pose, (FACE, FACE), 0.0, modelview, 90.0)
 
     def apply(self, settings: Settings) -> None:
         """Take other settings; the maps stay."""
@@ -169,7 +184,7 @@ class Environment:
             self.cube.bind()
             with texture_matrix(turn):
                 self._send_disc()
-        self._make_levels(gl.GL_TEXTURE_2D, self._ball.name)
+        make_levels(gl.GL_TEXTURE_2D, self._ball.name)
 
     def _send_disc(self) -> None:
         gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)

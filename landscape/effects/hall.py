@@ -80,6 +80,9 @@ class Hall(Ground):
             if self.statue and self.room:
                 with drawing("statue"):
                     self.statue.gild(self._draw_surroundings)
+            if self.pool and self.room:
+                with drawing("pool"):
+                    self.pool.reflect(self._draw_over_pool)
         except BaseException:
             self.release()
             raise
@@ -121,13 +124,17 @@ class Hall(Ground):
         self._draw("pool", self.pool, frame)  # blended over its bed
 
         # Blended: each after all that is opaque behind it.
-        self._draw("torches", self.torches, frame)
+        dimmed = "tone" in self.shown and values.tone.area == "surroundings"
+        if not dimmed:
+            self._draw("torches", self.torches, frame)
         self._draw("shafts", self.shafts, frame)
         self._draw("mist", self.mist, frame)
 
         # What has been drawn so far is the picture that these change.
         begin_pass("picture")
         self._draw("tone", self.tone, frame)
+        if dimmed:
+            self._draw("torches", self.torches, frame)  # flames shine as before
 
         begin_pass("overlay")
         if not values.flight.enabled:
@@ -173,6 +180,12 @@ class Hall(Ground):
         self.room.draw_pool()
         self.room.draw_floor()
         self._draw("sky", self.sky, frame)
+
+    def _draw_over_pool(self, frame: Frame) -> None:
+        """Draw what the pool's water mirrors."""
+        self._draw_surroundings(frame)
+        self._draw("statue", self.statue, frame)
+        self._draw("torches", self.torches, frame)
 
     def _draw_image(self, frame: Frame) -> None:
         """Draw the mirror image where the floor is visible, before the floor covers it."""

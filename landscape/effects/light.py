@@ -3,7 +3,7 @@
 There are three maps, named sheets: ``floor`` and ``north`` (the north wall) lie flat over their
 plane, everything else has charts in ``hall``. Two lights are kept apart on floor and north wall,
 because shadows that are drawn live must be able to take them away: the sun (``sun``) and the torch
-in front of the statue (``torch``). No OpenGL.
+beside the pool (``torch``). No OpenGL.
 
 A map holds the square root of the light, as the textures hold that of their colour, so that their
 product in texture unit 1 is the square root of the light that is reflected. With GL_RGB_SCALE 2 the
@@ -34,7 +34,7 @@ BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for
 SUN_COLOUR = (6.4, 5.5, 4.2)
 TORCH_COLOUR = (0.022, 0.0098, 0.0032)
 # Chosen: how much brighter the torch shines at the statue than all around, as its bowl is polished.
-GLARE = 15.0
+GLARE = {"north": 22.0, "floor": 14.0}
 
 
 @dataclass(frozen=True)
@@ -107,13 +107,13 @@ def glare(sheet: str) -> np.ndarray:
     level = np.hypot(east, south)
     northwards = np.maximum(-south, 0.0) / level
     beam = northwards * (level / np.hypot(level, up)) ** 4
-    return np.asarray(1.0 + (GLARE - 1.0) * beam, np.float32)[..., None]
+    return np.asarray(1.0 + (GLARE[sheet] - 1.0) * beam, np.float32)[..., None]
 
 
 def light_map(picture: np.ndarray, sheet: str, sun: float = 1.0, torch: float = 1.0) -> np.ndarray:
     """Return the light map of a sheet, uint8 (h, w, 3), from the picture in FILE.
 
-    On ``floor`` and ``north``, ``sun`` and ``torch`` (the one in front of the statue) multiply
+    On ``floor`` and ``north``, ``sun`` and ``torch`` (the one beside the pool) multiply
     the direct light of these two, so that 0 gives what a shadow leaves.
     """
     width, height = SIZES[sheet]

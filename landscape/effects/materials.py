@@ -25,5 +25,6 @@ MATERIALS = {
     "alcove": Material("hall_floor.png", 1 / (4 * SLAB), (0.9, 0.9, 0.9)),
     "floor": Material("hall_floor.png", 1 / (4 * SLAB)),
     "band": Material("hall_band.png", 1.0),
+    "hanging": Material("map.png", 1.0, (0.92, 0.88, 0.80)),
     "medallion": Material("hall_medallion.png", 1.0),
 }

@@ -10,6 +10,8 @@ radius is the tangent of the angle between the line of sight and the normal; it 
 unit and no geometry. The floor has one side; from below, ``mirror.underside`` draws another.
 State used: modelview, stencil bit FLOOR, GL_CLIP_PLANE0, front face, light positions, depth range,
 blending, texture unit UNIT with its texture coordinates.
+Polished stone is rougher than a mirror: with ``mirror.fades`` the image of the room is dimmer the
+higher above the floor is what it shows. The stone has vertex colours for it, which cost no filling.
 What is wrong without its safeguards: without ``mirror.stencil`` the image shows where there is no
 floor. A mirror turns every triangle's winding: without ``mirror.winding``, which swaps the front
 face, the near sides are culled and the far ones shown. OpenGL keeps lights in eye space: without
@@ -38,7 +40,8 @@ UNDERSIDE = (0.10, 0.12, 0.30)  # chosen, as the document's blue
 UNITS = Need((1, 3), ("GL_ARB_multitexture",))
 UNIT = 3  # texture unit of the alpha; units before it are the floor's own
 TEXELS, REACH = 128, 16.0  # chosen: side of its texture; tangent of the angle at its edge
-GRAZING, POWER = 0.62, 4.0  # chosen: reflectance at grazing angles, and how late it rises
+GRAZING, POWER = 0.42, 4.0  # chosen: reflectance at grazing angles, and how late it rises
+FADES = 0.4  # chosen: units above the floor at which the image has a third of its light left
 
 
 def reflectance(strength: float, tangent: np.ndarray) -> np.ndarray:
@@ -49,6 +52,11 @@ def reflectance(strength: float, tangent: np.ndarray) -> np.ndarray:
     """
     cosine = 1.0 / np.sqrt(1.0 + np.square(tangent))
     return np.asarray(strength + (max(GRAZING, strength) - strength) * (1.0 - cosine) ** POWER)
+
+
+def fading(heights: np.ndarray) -> np.ndarray:
+    """Return the fraction of light (n,) that the image keeps of what stands at heights (n,)."""
+    return np.asarray(np.exp(-np.maximum(heights, 0.0) / FADES), np.float32)
 
 
 def alpha_image(strength: float) -> np.ndarray:

@@ -24,6 +24,8 @@ DARK, LIGHT = (0.48, 0.55, 0.66), (0.95, 0.94, 0.90)  # chosen: RGB of the lowes
 REPEAT = 1.1  # chosen: textures per unit
 DRIFT = 0.0009  # chosen: textures per kt
 FADE = 0.12  # chosen: units from the walls within which the mist thins out
+DRY, DAMP = 0.5, 0.3  # chosen: opacity far from the pool; units from it where that is reached
+COARSE, BASE, GAIN = 16, 0.16, 1.5  # chosen: see :func:`softened`
 
 
 def heights(count: int) -> np.ndarray:
@@ -33,13 +35,32 @@ def heights(count: int) -> np.ndarray:
 
 def sheet() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a sheet at height 0: vertices (n, 3), opacity (n,) 0..1, triangles (m, 3)."""
-    area = plan.INSIDE
-    along_x = [area.west, area.west + FADE, area.east - FADE, area.east]
-    along_z = [area.north, area.north + FADE, area.south - FADE, area.south]
+    area, pool = plan.INSIDE, plan.POOL
+    along_x = sorted([area.west, area.west + FADE, pool.west - DAMP, pool.west,
+                      pool.east, pool.east + DAMP, area.east - FADE, area.east])  # fmt: skip
+    along_z = sorted([area.north, area.north + FADE, pool.north - DAMP, pool.north,
+                      pool.south, pool.south + DAMP, area.south - FADE, area.south])  # fmt: skip
     x, z = (grid.ravel() for grid in np.meshgrid(along_x, along_z))
     vertices = np.stack([x, np.zeros_like(x), z], axis=1).astype(np.float32)
-    away = np.minimum.reduce([x - area.west, area.east - x, z - area.north, area.south - z])
-    return vertices, np.clip(away / FADE, 0.0, 1.0), grid_triangles(4, 4)
+    inwards = np.minimum.reduce([x - area.west, area.east - x, z - area.north, area.south - z])
+    aside = np.maximum.reduce([pool.west - x, x - pool.east, pool.north - z, z - pool.south])
+    damp = 1.0 - np.clip(aside / DAMP, 0.0, 1.0)
+    opacity = np.clip(inwards / FADE, 0.0, 1.0) * (DRY + (1.0 - DRY) * damp)
+    return vertices, opacity, grid_triangles(len(along_x), len(along_z))
+
+
+def softened(clouds: np.ndarray) -> np.ndarray:
+    """Return a picture of mist, uint8 (h, w, 4), from one of clouds.
+
+    Seen at a grazing angle, clouds with clear sky between them would be streaks: means of COARSE
+    by COARSE texels have no small gaps, and BASE opacity closes the large ones.
+    """
+    height, width = (side // COARSE for side in clouds.shape[:2])
+    parts = clouds.reshape(height, COARSE, width, COARSE, 4).astype(np.float64)
+    mean = parts.mean(axis=(1, 3))
+    opaque = np.clip(BASE + GAIN * mean[..., 3] / 255, 0.0, 1.0)
+    mean[..., :3], mean[..., 3] = 255.0, 255.0 * opaque
+    return np.ascontiguousarray(np.rint(mean), np.uint8)
 
 
 class Mist:
@@ -59,7 +80,7 @@ class Mist:
             return Mesh(vertices, UNLIT, triangles, (), colors)
 
         sheets = [coloured(share) for share in shares.tolist()]
-        picture = read_image(assets.path("clouds.png"))
+        picture = softened(read_image(assets.path("clouds.png")))
         self._sheets = MistSheets(picture, heights(mist.sheets), sheets, REPEAT)
 
     def apply(self, settings: Settings) -> bool:

@@ -3,6 +3,8 @@
 No OpenGL. Each piece is a profile moved along a path, or turned about an upright axis.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from landscape.effects import plan
@@ -228,7 +230,19 @@ def plinth() -> list[Surface]:
     )
     found += around(inner, [(0.013, 0.020), (0.022, 0.020)], "plinth")
     found += around(inner, [(0.0, top), (0.010, top), (0.012, top - 0.003)], "plinth")
-    return [*found, flat(inner, top, "plinth")]
+    return [*found, replace(flat(inner, top, "plinth"), density=2.0)]
+
+
+def hanging() -> list[Surface]:
+    """Return the map of the island that hangs over the door, and the rod that it hangs from."""
+    (half, low), z = plan.HANGING, plan.INSIDE.south - 0.006
+    east, west, top = plan.AXIS + half, plan.AXIS - half, low + 2 * half
+    # Whoever looks south has the east at the left.
+    points = np.array([[[east, top, z], [west, top, z]], [[east, low, z], [west, low, z]]])
+    cloth = Surface(points, "hanging", np.array([[[0.0, 0], [1, 0]], [[0, 1], [1, 1]]]), 1.5)
+    rod = np.array([[east + 0.012, top + 0.003, z], [west - 0.012, top + 0.003, z]])
+    square = [(-0.004, -0.004), (-0.004, 0.004), (0.004, 0.004), (0.004, -0.004), (-0.004, -0.004)]
+    return [cloth, sweep(rod, np.array([0.0, 0.0, -1.0]), square, "wood")]
 
 
 def pool_rim() -> list[Surface]:
@@ -273,9 +287,11 @@ def door_leaves() -> list[Surface]:
 
 def torch(x: float, y: float, z: float) -> list[Surface]:
     """Return the iron bowl of a torch whose flame begins at ``y``."""
-    bowl = [(0.0, y - 0.006), (0.016, y - 0.002), (0.019, y + 0.002), (0.017, y - 0.010),
-            (0.009, y - 0.022), (0.004, y - 0.028), (0.0, y - 0.040)]  # fmt: skip
-    return [turned(x, z, bowl, "iron", 10)]
+    bowl = [(0.0, y - 0.006), (0.015, y - 0.002), (0.0180, y + 0.002), (0.0195, y + 0.002),
+            (0.0195, y - 0.001), (0.0175, y - 0.002), (0.0170, y - 0.008), (0.0145, y - 0.015),
+            (0.0090, y - 0.022), (0.0050, y - 0.025), (0.0065, y - 0.028), (0.0040, y - 0.031),
+            (0.0, y - 0.040)]  # fmt: skip
+    return [turned(x, z, bowl, "iron", 20)]
 
 
 def torches() -> list[Surface]:
@@ -284,7 +300,7 @@ def torches() -> list[Surface]:
     found = torch(x, y, z)
     stem = [(0.004, y - 0.02), (0.004, 0.105), (0.008, 0.100), (0.004, 0.095), (0.004, 0.02),
             (0.010, 0.016), (0.028, 0.006), (0.030, 0.0)]  # fmt: skip
-    found.append(turned(x, z, stem, "iron", 10))
+    found.append(turned(x, z, stem, "iron", 16))
     for x, y, z in plan.PILLAR_TORCHES:
         found += torch(x, y, z)
         row = min(plan.ROWS, key=lambda each: abs(each - x))
@@ -302,7 +318,7 @@ def ornaments() -> list[Surface]:
         found += [part for z in plan.BAYS for part in corbel(x, z)]
     for z in (inside.north, inside.south):
         found += [part for x in plan.ROWS for part in corbel(x, z)]
-    found += ribs() + mouldings() + plinth() + pool_rim() + door_leaves() + torches()
+    found += ribs() + mouldings() + plinth() + pool_rim() + door_leaves() + hanging() + torches()
     for middle in plan.ALCOVES:
         found += window_tracery(middle)
     return found + rose_tracery()

@@ -40,6 +40,8 @@ DOOR_HALF = 0.075
 DOOR_SPRINGING, DOOR_TOP = 0.15, 0.22
 DOOR_OPEN = 74.0  # degrees
 WALL = 0.05  # thickness
+# South wall, over the door: half the side of a hanging, and the height of its lower edge.
+HANGING = (0.13, 0.375)
 
 # West wall: an alcove in the middle of each bay.
 ALCOVE_HALF, ALCOVE_DEPTH = 0.12, 0.20
@@ -54,11 +56,14 @@ FLOOR_BAND = 0.045  # half the width of the dark band along a row of pillars
 MEDALLION = 0.255  # half the side of the medallion in the floor that the statue stands on
 
 STATUE = (AXIS, 1.2)  # x, z of the plinth's centre
-PLINTH = (0.15, 0.08)  # half its side, and height
+PLINTH = (0.185, 0.08)  # half its side, and height
 STATUE_SCALE = 0.26  # of the mesh, which is 2 units long
 STATUE_SUNK = 0.010  # how deep it is let into the plinth
+# Degrees: in profile from the door, so that its shadow shows the open jaws.
+STATUE_YAW = -165.0
 
-# The torch whose light casts the statue's shadow stands in front of it; the others on pillars.
-TORCH = (1.47, 0.19, 1.60)
+# The torch whose light casts the statue's shadow stands beside the pool, so far away that all the
+# shadow of its head is on the nave's north wall; the others hang on pillars.
+TORCH = (1.375, 0.26, 2.2)
 PILLAR_TORCHES = tuple((x + side * 0.05, 0.2, z) for x, side in ((1.3, 1), (1.9, -1))
                        for z in (0.8, 1.6, 2.4))  # fmt: skip

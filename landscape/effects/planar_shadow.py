@@ -1,4 +1,4 @@
-"""The statue's shadows on floor and north wall, cast by the torch in front of it and by the sun.
+"""The statue's shadows on floor and north wall, cast by the torch beside the pool and by the sun.
 
 Technique: planar projected shadows ("glSkel, cast shadows"; Blinn 1988; Kilgard's dinoshade). The
 statue is drawn a second time under the matrix M = (p . l) I - l p^T, which flattens it onto the
@@ -17,7 +17,8 @@ surface, as in the rose window until the sky covers it. Without ``shadow.offset`
 have nearly the same depth and fight pixel by pixel; glPolygonOffset brings the shadow a little
 nearer. Without ``shadow.behind`` the matrix is drawn with both signs, as by a program that divides
 by w' itself and forgets its sign: what is higher than the torch then has an anti-shadow on the
-floor, on the torch's other side, and a sun behind the wall casts shadows onto its inside.
+floor, on the torch's other side (here beyond the south wall, as the torch is far away), and a sun
+behind the wall casts shadows onto its inside.
 A planar shadow has hard edges and falls on planes alone: pillars and vault receive none.
 """
 

@@ -1,34 +1,49 @@
-"""The pool's water: a thin surface over the bed, which it tints and mirrors a little.
+"""The pool's water: a thin surface over the bed, which it tints, and which mirrors the hall.
 
 Technique: one grid, blended twice. First the water's own colour: light that comes up from the bed
 has passed through the more water the flatter it leaves, and each colour is dimmed by its own
 exponential of that way (Beer-Lambert), so the grid multiplies what is there (GL_ZERO,
 GL_SRC_COLOR). Then what the surface mirrors, the more the flatter it is looked at (Schlick 1994),
-with GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA. A texture of ripples moves over it in two directions, and
-breaks the mirrored light up.
-What is wrong without it: with ``pool.absorbs`` off the water has no depth, with ``pool.mirrors``
-off no surface.
-State used: GL_BLEND, GL_TEXTURE_2D in two units with GL_COMBINE (OpenGL 1.3), texture matrices.
+with GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA: a cube map (OpenGL 1.3) of the hall, drawn once from the
+pool's middle. Waves tilt the normal at each vertex of the grid. GL_REFLECTION_MAP would look the
+mirrored line of sight up as if everything were infinitely far away; here it is followed to the
+walls, as to those of a box, and the direction from the pool's middle to where it arrives is sent
+as coordinates. So the windows' images stay below the windows, wherever one stands.
+What is wrong with it: what stands between the pool and the walls, the statue and the pillars, is
+mirrored a little too far away. With ``pool.absorbs`` off the water has no depth, with
+``pool.mirrors`` 0 no surface; without cube maps it mirrors one colour.
+State used: GL_BLEND, GL_TEXTURE_CUBE_MAP.
 """
+
+from collections.abc import Callable
 
 import numpy as np
 
 from landscape.effects import plan
+from landscape.effects.environment import NEEDS, cube_around
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
-from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
 from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays, combine
-from landscape.gl.texture import Texture
+from landscape.gl.cube_map import CubeMap
+from landscape.gl.extensions import first_missing, tell_off
+from landscape.gl.state import attrib, client_arrays
 
-CELLS = 12, 18  # chosen: of the grid, along x and z
+CELLS = 24, 36  # chosen: of the grid, along x and z
 INDEX = 1.333  # of refraction, of water
 FACING = ((INDEX - 1) / (INDEX + 1)) ** 2  # reflected where it is looked at from straight above
-MIRRORED = (0.62, 0.68, 0.70)  # chosen: RGB of what is mirrored, mostly the windows' sky
-REPEAT = 3.2  # chosen: textures of ripples per unit
-DRIFTS = ((0.0021, 0.0013), (-0.0017, 0.0024))  # chosen: textures per kt, of the two
+MIRRORED = (0.62, 0.68, 0.70)  # chosen: RGB of what is mirrored without a cube map
+SIDE = 256  # chosen: of a face of the cube map, in texels
+ABOVE = ("POSITIVE_X", "NEGATIVE_X", "POSITIVE_Y", "POSITIVE_Z", "NEGATIVE_Z")  # the water sees
+CENTRE = plan.AXIS, 0.03, (plan.POOL.north + plan.POOL.south) / 2  # chosen: where it is drawn from
+CEILING = 0.66  # chosen: height of the box that stands for the hall, between springing and crown
+LEAST = 0.02  # chosen: sine of the elevation of a mirrored line; steep waves would mirror the bed
+# Chosen: the waves' numbers along x and z in radians per unit, radians per kt, and steepness.
+WAVES = (
+    (38.0, 61.0, 0.071, 0.011), (-71.0, 33.0, 0.083, 0.008), (12.0, -97.0, 0.102, 0.007),
+    (88.0, 74.0, 0.118, 0.006), (-24.0, -31.0, 0.049, 0.010),
+)  # fmt: skip
 
 
 def surface() -> tuple[np.ndarray, np.ndarray]:
@@ -64,15 +79,54 @@ def mirrored_share(steep: np.ndarray) -> np.ndarray:
     return np.asarray(FACING + (1.0 - FACING) * (1.0 - steep) ** 5)
 
 
+def waves(vertices: np.ndarray, kt: float) -> np.ndarray:
+    """Return the surface's unit normals (n, 3) at level places (n, 3)."""
+    x, z = vertices[:, 0].astype(np.float64), vertices[:, 2].astype(np.float64)
+    normals = np.zeros((len(vertices), 3))
+    normals[:, 1] = 1.0
+    for along_x, along_z, turn, steep in WAVES:
+        slope = steep * np.cos(along_x * x + along_z * z + turn * kt)
+        length = np.hypot(along_x, along_z)
+        normals[:, 0] -= slope * along_x / length
+        normals[:, 2] -= slope * along_z / length
+    return np.asarray(normals / np.linalg.norm(normals, axis=1, keepdims=True))
+
+
+def mirrored(
+    vertices: np.ndarray, normals: np.ndarray, eye: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return where what is mirrored lies from CENTRE (n, 3), and the share of light (n,).
+
+    ``eye`` (3,) looks at places (n, 3) with unit normals (n, 3). Walls and ceiling are a box.
+    """
+    sight = vertices - eye
+    sight = sight / np.linalg.norm(sight, axis=1, keepdims=True)
+    met = np.clip(-(sight * normals).sum(axis=1), 0.0, 1.0)
+    ray = sight + 2.0 * met[:, None] * normals
+    ray[:, 1] = np.maximum(ray[:, 1], LEAST)
+    inside = plan.INSIDE
+    low = np.array([inside.west, -1.0, inside.north])
+    high = np.array([inside.east, CEILING, inside.south])
+    ray = np.where(np.abs(ray) < 1e-6, 1e-6, ray)
+    reach = (np.where(ray > 0.0, high, low) - vertices) / ray
+    return vertices + reach.min(axis=1, keepdims=True) * ray - CENTRE, mirrored_share(met)
+
+
 class Pool:
     """The water in the pool."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Read the texture of ripples."""
+        """Build the grid."""
         self._settings = settings
         self._vertices, self._triangles = surface()
-        self._coordinates = np.ascontiguousarray(self._vertices[:, [0, 2]] * np.float32(REPEAT))
-        self._ripples = Texture(read_image(assets.path("water.png"), "RGB"))
+        self._cube: CubeMap | None = None
+
+    def reflect(self, draw: Callable[[Frame], None]) -> None:
+        """Let the water mirror what ``draw`` draws around it, where this OpenGL can."""
+        if need := first_missing(NEEDS):
+            tell_off("pool.mirrors", need)
+        else:
+            self._cube = cube_around(CENTRE, SIDE, draw, ABOVE)
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; all are read at each draw."""
@@ -82,7 +136,6 @@ class Pool:
     def draw(self, frame: Frame) -> None:
         """Blend the surface over the bed."""
         values = self._settings.pool
-        steep = steepness(self._vertices, frame.eye)
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT | gl.GL_TEXTURE_BIT):
             gl.glEnable(gl.GL_BLEND)
@@ -90,39 +143,35 @@ class Pool:
             if values.absorbs:
                 gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_COLOR)
                 depth = plan.POOL_WATER - plan.POOL_BED
+                steep = steepness(self._vertices, frame.eye)
                 self._send(left_of_light(steep, depth, values.clear))
             if values.mirrors:
                 gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-                colours = np.empty((len(steep), 4))
-                colours[:] = (*MIRRORED, 1.0)
-                colours[:, 3] = np.minimum(mirrored_share(steep) * values.mirrors, 1.0)
-                self._draw_ripples(frame.kt, colours)
+                self._draw_mirrored(frame, values.mirrors)
 
-    def _draw_ripples(self, kt: float, colours: np.ndarray) -> None:
-        """Draw the mirrored light, times two layers of ripples that drift across each other."""
-        for unit, (s, t) in enumerate(DRIFTS):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            self._ripples.bind()
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            gl.glMatrixMode(gl.GL_TEXTURE)
-            gl.glPushMatrix()
-            gl.glTranslatef(s * kt % 1.0, t * kt % 1.0, 0.0)
-        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
-        self._send(colours, 2)
-        for unit in (1, 0):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
-            gl.glPopMatrix()
-        gl.glMatrixMode(gl.GL_MODELVIEW)
+    def _draw_mirrored(self, frame: Frame, strength: float) -> None:
+        """Blend what the surface mirrors over what is seen through it."""
+        normals = waves(self._vertices, frame.kt)
+        places, share = mirrored(self._vertices, normals, frame.eye)
+        colours = np.ones((len(share), 4))
+        colours[:, 3] = np.minimum(share * strength, 1.0)
+        if self._cube is None:
+            colours[:, :3] = MIRRORED
+            self._send(colours)
+            return
+        gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
+        self._cube.bind()
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        self._send(colours, np.ascontiguousarray(places, np.float32))
 
-    def _send(self, colours: np.ndarray, units: int = 0) -> None:
-        """Send the grid with colours (n, 3 or 4), and with coordinates for some units."""
+    def _send(self, colours: np.ndarray, *coordinates: np.ndarray) -> None:
+        """Send the grid with colours (n, 3 or 4), and with coordinates for unit 0 or none."""
         sent = np.ascontiguousarray(colours, np.float32)
-        with client_arrays(self._vertices, None, sent, [self._coordinates] * units):
+        with client_arrays(self._vertices, None, sent, coordinates):
             count = self._triangles.size
             gl.glDrawElements(gl.GL_TRIANGLES, count, gl.GL_UNSIGNED_INT, self._triangles)
 
     def release(self) -> None:
-        """Delete the texture; may be called twice."""
-        self._ripples.release()
+        """Delete the cube map; may be called twice."""
+        if self._cube is not None:
+            self._cube.release()

@@ -7,12 +7,13 @@ holds the material, unit 1 the light map, which is not repeated: GL_COMBINE mult
 GL_RGB_SCALE doubles the product, so that light can also brighten (OpenGL 1.3). No light of OpenGL
 is on.
 Floor and north wall have light maps of their own, from which the direct light of the sun or of the
-torch in front of the statue can be left out: see light.py, and ``without`` of :meth:`draw_floor`.
+torch beside the pool can be left out: see light.py, and ``without`` of :meth:`draw_floor`.
 State used: texture units 0 and 1, GL_CULL_FACE.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from landscape.effects.kept_meshes import kept_meshes
 from landscape.effects.levels import BAYS, LEVELS, bay_of, level_for, levels_of
 from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
 from landscape.effects.materials import MATERIALS
+from landscape.effects.mirror import fading
 from landscape.effects.settings import Settings
 from landscape.effects.surfaces import coarser, mesh
 from landscape.files.assets import Assets
@@ -71,14 +73,23 @@ def box_around(meshes: Iterable[Mesh]) -> np.ndarray:
     return np.stack([(low + high) / 2, (high - low) / 2])
 
 
-def compiled(parts: Sequence[Part]) -> DisplayList:
-    """Compile meshes, each with its texture and its tint, into one display list."""
+def dimmed(part: Mesh, tint: tuple[float, float, float]) -> np.ndarray:
+    """Return a tint as colours uint8 (n, 3) of a mesh, dimmed as its mirror image fades."""
+    colors = fading(part.vertices[:, 1])[:, None] * np.array(tint)
+    return np.ascontiguousarray(np.rint(np.clip(colors, 0.0, 1.0) * 255), np.uint8)
+
+
+def compiled(parts: Sequence[Part], fades: bool = False) -> DisplayList:
+    """Compile meshes, each with its texture and its tint, into one display list.
+
+    If it ``fades``, it is the darker the higher, as the floor's image of it.
+    """
 
     def send() -> None:
         for texture, tint, part in parts:
             texture.bind()
             gl.glColor3f(*tint)
-            draw_mesh(part)
+            draw_mesh(replace(part, colors=dimmed(part, tint)) if fades else part)
 
     return DisplayList(send)
 
@@ -88,6 +99,7 @@ class Room:
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the textures and compile a display list for each material and sheet."""
+        self._settings = settings
         self._textures = {
             name: Texture(read_image(assets.path(name), "RGB"), trilinear=False)
             for name in sorted({each.texture for each in MATERIALS.values()})
@@ -118,6 +130,11 @@ class Room:
         self._bays = [
             [compiled(self._in_level(bay, level)) for level in range(len(LEVELS))] for bay in bays
         ]
+        # The image is not as sharp as to need the finest level.
+        self._faded = [
+            [compiled(self._in_level(bay, level), True) for level in range(1, len(LEVELS))]
+            for bay in bays
+        ]
         boxes = np.stack([box_around(bay.values()) for bay in bays])
         below = boxes * np.array([(1.0, -1.0, 1.0), (1.0, 1.0, 1.0)])
         self._boxes = {False: boxes, True: below}
@@ -131,7 +148,8 @@ class Room:
         ]
 
     def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing depends on them."""
+        """Apply new settings; nothing built depends on them."""
+        self._settings = settings
         return True
 
     def draw(self, frame: Frame) -> None:
@@ -139,15 +157,23 @@ class Room:
         boxes = self._boxes[frame.mirrored]
         order = np.argsort(np.abs(boxes[:, 0, 2] - frame.pose.z), kind="stable")
         levels = self.levels(frame)
+        fades = frame.mirrored and self._settings.mirror.fades
         with attrib(gl.GL_CURRENT_BIT):
             with self._textured():
                 self._light["hall", ()].bind()
                 gl.glActiveTexture(gl.GL_TEXTURE0)
                 for number in order.tolist():
                     if number in levels:
-                        self._bays[number][levels[number]].call()
+                        self._bay(number, levels[number], fades).call()
+                if fades:
+                    # In Mesa glPopAttrib does not restore a colour that came from an array.
+                    gl.glColor3f(1.0, 1.0, 1.0)
             self._draw(("plinth",))
             self._draw(("wall",), (), ("north",))
+
+    def _bay(self, number: int, level: int, fades: bool) -> DisplayList:
+        """Return a bay's list of a level, or of that after the finest, if it ``fades``."""
+        return self._faded[number][max(level - 1, 0)] if fades else self._bays[number][level]
 
     def levels(self, frame: Frame) -> dict[int, int]:
         """Return the number of the level of detail of each bay in view, by the bay's number."""
@@ -239,7 +265,10 @@ class Room:
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for each in (*self._lists.values(), *(level for bay in self._bays for level in bay)):
+        for each in (
+            *self._lists.values(),
+            *(level for bay in (*self._bays, *self._faded) for level in bay),
+        ):
             each.release()
         for texture in (*self._textures.values(), *self._light.values()):
             texture.release()

@@ -19,7 +19,7 @@ class Pool:
 
     absorbs: bool = setting(True, "chosen", "let the water dim the light from the bed")
     clear: tuple[float, ...] = setting(
-        (0.13, 0.42, 1.5),
+        (0.20, 0.50, 1.0),
         "chosen",
         "the way through water on which a third of the light is left; red, green, blue",
         0.001,
@@ -28,7 +28,7 @@ class Pool:
         needs=("pool.absorbs",),
     )
     mirrors: float = setting(
-        1.0, "chosen", "what the surface mirrors; 1 is as much as water does", 0, 10
+        1.6, "chosen", "what the surface mirrors; 1 is as much as water does", 0, 10
     )
 
 
@@ -85,9 +85,15 @@ class Mirror:
 
     enabled: bool = setting(True, GLSKEL_MIRROR, "the floor mirrors the hall")
     strength: float = setting(
-        0.38, GLSKEL_MIRROR, "fraction of the mirror image in the floor's colour", 0, 1, needs=IMAGE
+        0.36, GLSKEL_MIRROR, "fraction of the mirror image in the floor's colour", 0, 1, needs=IMAGE
     )
     fresnel: bool = setting(True, "chosen", "the floor mirrors more at grazing angles", needs=IMAGE)
+    fades: bool = setting(
+        True,
+        "chosen",
+        "the image of the room is dimmer the higher it is above the floor",
+        needs=IMAGE,
+    )
     stencil: bool = setting(
         True, GLSKEL_MIRROR, "the image shows only where the floor is visible", needs=IMAGE
     )

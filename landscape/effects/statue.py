@@ -4,39 +4,67 @@ Technique: a lit mesh in a display list, or from afar a simpler one (vertex clus
 the mask for a change of tone. It is gilded: environment.py draws what it mirrors. Its mirror image
 is a coarser mesh of side 2, which glScalef brings to its size: that scales the normals, too, and
 GL_NORMALIZE makes them unit vectors again. Its shadows are those of meshes coarser still.
+The colours of its vertices are the gold's, dimmed where little of the hall's soft light arrives
+(statue_light.py): between its loops, over the plinth, and on the side that turns from the windows.
+Two lights shine on it: the sun, and the torch beside the pool, a point light that is weaker the
+farther away, and wavers.
 State used: lighting, the material, culling, GL_NORMALIZE.
 """
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from landscape.effects import plan
 from landscape.effects.environment import NEEDS, Environment
+from landscape.effects.planar_shadow import flame
 from landscape.effects.settings import Settings
+from landscape.effects.statue_light import soft_light
 from landscape.elements.animal import read_animal
 from landscape.files.assets import Assets
+from landscape.files.cache import recall
 from landscape.frame import Frame
 from landscape.geometry.clustering import clustered
 from landscape.geometry.culling import ball_in_view
-from landscape.geometry.mesh import gathered, scaled
+from landscape.geometry.mesh import Mesh, gathered, scaled
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.extensions import first_missing, tell_off
 from landscape.gl.state import attrib, front_faces, matrix
 
-YAW = -165.0  # degrees, chosen: in profile from the door, so that its shadow shows the open jaws
 BRONZE = (0.72, 0.50, 0.22)  # chosen
-GLOW = 0.5  # chosen: fraction of the gold's colour that mirrors in the dark
+SOFT = 0.60  # chosen: the hall's soft light, as ambient light, beside the sun's own
+FIRE, REACH = (0.9, 0.62, 0.34), 1.0  # chosen: RGB of the torch's light; units to half of it
 GLINT, SHININESS = (0.5, 0.42, 0.26, 1.0), 60.0  # chosen
 # Chosen: sides of the cubes whose vertices are merged, of a mesh of 2: for its image, and for its
 # shadows, from afar and from nearby.
 COARSE, COARSEST, COARSER = 0.025, 0.045, 0.03
 FROM_AFAR = 0.0125, 0.02  # chosen: the same for the statue itself from afar
 PIXELS = 2.0  # chosen: how many pixels such a cube may be wide
+
+
+def standing(unit: Mesh) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return vertices and normals (n, 3) of a mesh turned as the statue, and its plinth's top.
+
+    The mesh is 2 units long.
+    """
+    turn = math.radians(plan.STATUE_YAW)
+    c, s = math.cos(turn), math.sin(turn)
+    turned = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+    low = float(unit.vertices[:, 1].min()) + plan.STATUE_SUNK / plan.STATUE_SCALE
+    return unit.vertices @ turned.T, unit.normals @ turned.T, low
+
+
+def cast_in(mesh: Mesh, metal: tuple[float, ...], shaded: bool) -> Mesh:
+    """Return a mesh in the colour of a metal, if ``shaded`` times its own, uint8 (n, 1)."""
+    assert mesh.colors is not None
+    light = mesh.colors if shaded else np.full_like(mesh.colors, 255)
+    colors = np.ascontiguousarray(np.rint(light * np.array(metal)), np.uint8)
+    return replace(mesh, colors=colors)
 
 
 class Statue:
@@ -46,6 +74,13 @@ class Statue:
         """Read the mesh and compile its display list."""
         self._settings = settings
         unit = read_animal(assets, "dragon.ply", "dragon.mesh")
+
+        def soft() -> tuple[np.ndarray, ...]:
+            light = np.clip(soft_light(*standing(unit)), 0.0, 1.0)
+            return (np.rint(255 * light[:, None]).astype(np.uint8),)
+
+        light = recall(["the statue's soft light", *assets.contents("dragon.ply")], soft)[0]
+        unit = replace(unit, colors=light)
         mesh = scaled(gathered(unit), plan.STATUE_SCALE)
         sides = COARSE, COARSER, COARSEST
         coarse, coarser, coarsest = (gathered(clustered(unit, cell)) for cell in sides)
@@ -59,17 +94,36 @@ class Statue:
         self.box = np.array([[x - reach, 0.0, z - reach], [x + reach, height, z + reach]])
         self._environment: Environment | None = None
         simpler = [scaled(gathered(clustered(unit, c)), plan.STATUE_SCALE) for c in FROM_AFAR]
-        self._levels = [DisplayList(partial(draw_mesh, each)) for each in (mesh, *simpler)]
-        self._list = self._levels[0]
-        self._coarse = DisplayList(lambda: draw_mesh(coarse))
-        self._coarser = DisplayList(lambda: draw_mesh(coarser))
-        self._coarsest = DisplayList(lambda: draw_mesh(coarsest))
+        # Their colours are the soft light; the last is the image's.
+        self._meshes = mesh, *simpler, coarse
+        self._metal: tuple[float, ...] = ()
+        self._lists: list[DisplayList] = []
+        self._compile()
+        casting = (replace(each, colors=None) for each in (coarser, coarsest))
+        self._coarser, self._coarsest = (DisplayList(partial(draw_mesh, each)) for each in casting)
+
+    @property
+    def _gilded(self) -> bool:
+        return self._environment is not None and self._settings.statue.environment != "none"
+
+    def _compile(self) -> None:
+        """Compile the meshes in the colours of the metal, if it has changed."""
+        metal = tuple(self._settings.statue.gold) if self._gilded else BRONZE
+        if metal == self._metal:
+            return
+        self._metal = metal
+        for each in self._lists:
+            each.release()
+        coloured = [cast_in(mesh, metal, self._gilded) for mesh in self._meshes]
+        self._lists = [DisplayList(partial(draw_mesh, mesh)) for mesh in coloured]
+        self._list = self._lists[0]
 
     def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing built depends on them."""
+        """Apply new settings."""
         self._settings = settings
         if self._environment is not None:
             self._environment.apply(settings)
+        self._compile()
         return True
 
     def gild(self, draw: Callable[[Frame], None]) -> None:
@@ -78,6 +132,7 @@ class Statue:
             tell_off("statue.environment", need)
         else:
             self._environment = Environment(self._settings, self.middle, draw)
+            self._compile()
 
     def draw(self, frame: Frame) -> None:
         """Draw the statue, lit."""
@@ -88,15 +143,14 @@ class Statue:
         if self._environment is not None:
             self._environment.prepare(frame)
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
-        gilded = self._environment is not None and self._settings.statue.environment != "none"
         with attrib(groups), front_faces():
             gl.glEnable(gl.GL_LIGHTING)
             gl.glEnable(gl.GL_COLOR_MATERIAL)
-            gl.glColor3f(*(self._settings.statue.gold if gilded else BRONZE))
+            self._light(frame)
             if frame.mirrored and self._settings.mirror.normals:
                 gl.glEnable(gl.GL_NORMALIZE)
             send = self.send_coarse if frame.mirrored else self.send
-            if gilded and self._environment is not None:
+            if self._gilded and self._environment is not None:
                 self._polish()
                 with self._environment.mirrored_by(frame):
                     send()
@@ -114,15 +168,26 @@ class Statue:
     def _level_for(self, frame: Frame) -> DisplayList:
         """Return the simplest mesh that is good enough for a frame."""
         cell = PIXELS * math.dist(frame.eye, self.middle) / frame.pixels / plan.STATUE_SCALE
-        return self._levels[sum(each <= cell for each in FROM_AFAR)]
+        return self._lists[sum(each <= cell for each in FROM_AFAR)]
 
-    def _polish(self) -> None:
-        """Set a metal's material: what it mirrors shows without direct light, too, and it glints.
+    def _light(self, frame: Frame) -> None:
+        """Set what lights the statue besides the sun: the hall, and the torch beside the pool."""
+        if self._gilded:
+            gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, np.array([SOFT] * 3 + [1.0], np.float32))
+        fire = np.array([*FIRE, 1.0], np.float32)
+        gl.glEnable(gl.GL_LIGHT2)
+        gl.glLightfv(gl.GL_LIGHT2, gl.GL_DIFFUSE, fire)
+        gl.glLightfv(gl.GL_LIGHT2, gl.GL_SPECULAR, fire)
+        gl.glLightf(gl.GL_LIGHT2, gl.GL_QUADRATIC_ATTENUATION, REACH**-2)
+        place = flame(frame.kt, self._settings.shadow.flicker)
+        gl.glLightfv(gl.GL_LIGHT2, gl.GL_POSITION, place.astype(np.float32))
+
+    @staticmethod
+    def _polish() -> None:
+        """Set a metal's material: it glints.
 
         The glint is added after the texture, by GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2).
         """
-        glow = np.array([GLOW * each for each in self._settings.statue.gold] + [1.0], np.float32)
-        gl.glMaterialfv(gl.GL_FRONT, gl.GL_EMISSION, glow)
         gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
         gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, np.array(GLINT, np.float32))
         gl.glMaterialf(gl.GL_FRONT, gl.GL_SHININESS, SHININESS)
@@ -131,12 +196,12 @@ class Statue:
         """Send the mesh that was drawn last at its place, whatever the state."""
         with matrix():
             gl.glTranslatef(*self._place)
-            gl.glRotatef(YAW, 0.0, 1.0, 0.0)
+            gl.glRotatef(plan.STATUE_YAW, 0.0, 1.0, 0.0)
             self._list.call()
 
     def send_coarse(self) -> None:
         """Send a coarser mesh at its place, its normals longer than 1."""
-        self._send_scaled(self._coarse)
+        self._send_scaled(self._lists[-1])
 
     def send_shadowing(self, frame: Frame) -> None:
         """Send the mesh that casts the shadows at its place."""
@@ -146,13 +211,13 @@ class Statue:
     def _send_scaled(self, mesh: DisplayList) -> None:
         with matrix():
             gl.glTranslatef(*self._place)
-            gl.glRotatef(YAW, 0.0, 1.0, 0.0)
+            gl.glRotatef(plan.STATUE_YAW, 0.0, 1.0, 0.0)
             gl.glScalef(*(plan.STATUE_SCALE,) * 3)
             mesh.call()
 
     def release(self) -> None:
         """Delete the lists and the maps; may be called twice."""
-        for each in (*self._levels, self._coarse, self._coarser, self._coarsest):
+        for each in (*self._lists, self._coarser, self._coarsest):
             each.release()
         if self._environment is not None:
             self._environment.release()

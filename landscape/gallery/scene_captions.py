@@ -26,33 +26,35 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
         "hall_mirror": (
             "the golden dragon on its plinth, upside down in the polished floor below it",
             "The hall is drawn twice. The stencil buffer limits the mirror image to the floor, and "
-            "the floor is blended over it. At grazing angles it mirrors more.",
+            "the floor is blended over it. At grazing angles it mirrors more; what is high up is "
+            "mirrored dimly, as in polished stone.",
         ),
         "hall_shadow": (
-            "the large shadow of a dragon on a wall of stone",
+            "a golden dragon, a torch, and the dragon's large shadow on a wall of stone",
             "The statue is drawn flat, by a matrix that projects it from the torch onto floor and "
             "wall. The shadow takes away the torch's light alone; the light of all other "
             "sources stays.",
         ),
         "hall_caustics": (
-            "a net of light on the bed of a pool",
+            "a net of light on the bed of a pool that mirrors a golden dragon",
             "A texture of refracted light, with coordinates that OpenGL generates from the "
-            "position, multiplies the pool's bed and brightens the stone around it.",
+            "position, multiplies the pool's bed and brightens the stone around it. What the water "
+            "mirrors is a cube map of the hall.",
         ),
         "hall_contrast": (
             "a bright golden dragon in a dim hall",
             "One quad over the whole picture changes each pixel by blending; the stencil buffer "
-            "keeps the statue as it is.",
+            "keeps the statue as it is. The flames are drawn after it.",
         ),
         "hall_sphere": (
             "a dragon of gold that mirrors windows and walls",
             "What the gilding mirrors is a picture of the hall, looked up by the reflection "
-            "vector of each vertex.",
+            "vector of each vertex. It is darker where little of the hall's light arrives.",
         ),
         "hall_mist": (
-            "mist over the floor of the hall",
+            "mist over the pool and the floor of the hall",
             "Seven transparent sheets drift in different directions; they are blended from far to "
-            "near. Beyond the windows two layers of cloud move at two speeds.",
+            "near, and densest over the water.",
         ),
         "hall_exhibits": (
             "a wall with a row of lit alcoves, in the first of them a torch and a bronze knot",

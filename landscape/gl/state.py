@@ -70,7 +70,7 @@ def client_arrays(
     colors: np.ndarray | None = None,
     coordinates: Sequence[np.ndarray] = (),
 ) -> Iterator[None]:
-    """Enable vertex arrays of a glDrawElements: float32 (n, 3), (n, 3), (n, 3 or 4), (n, 2) each.
+    """Enable vertex arrays of a glDrawElements: float32 (n, 3), (n, 3), (n, 3 or 4), (n, 2 or 3).
 
     ``coordinates`` holds one array per texture unit, from unit 0 on; colours may be uint8.
     """
@@ -86,7 +86,7 @@ def client_arrays(
     for unit, array in enumerate(coordinates):
         gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
-        gl.glTexCoordPointer(2, gl.GL_FLOAT, 0, array)
+        gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, array)
     try:
         yield
     finally:

@@ -43,7 +43,7 @@ from landscape.studio.hall_light import (
     masonry,
     parts,
     portals,
-    statue_stand_in,
+    statue,
     texels,
     triangles,
 )
@@ -92,23 +92,28 @@ def baked() -> np.ndarray:
     """Return direct and reflected light, float32 (2, h, w, 4, 3), on the canvas."""
     place, normal, at = texels()
     corners, uv, colour = triangles()
-    # What blocks light but has no light map; the ball stands for the statue in what is reflected.
-    outside, ball = masonry(), statue_stand_in()
+    # What blocks light but has no light map. The statue's shadows on floor and north wall are drawn
+    # live, so that only the other surfaces, the plinth above all, get their direct light past it.
+    outside, bronze = masonry(), statue()
     plain, _ = as_scene(np.concatenate([corners, outside]))
+    more = np.concatenate([outside, bronze])
+    scene, order = as_scene(np.concatenate([corners, more]))
     sun = direction(Settings().sun).astype(float)
     flames = np.array([plan.TORCH, *plan.PILLAR_TORCHES]) + (0.0, FLAME[1], 0.0)
     canvas = np.zeros((CANVAS[1], CANVAS[0], len(LIGHTS), 3), np.float32)
     known = np.zeros(canvas.shape[:2], bool)
     column, row = at.T
-    found = direct(plain, place, normal, sun, portals(), flames, 0, SEED)
+    found = np.zeros((len(place), len(LIGHTS), 3))
+    shadowless = column >= ORIGINS["floor"][0]
+    for past, those in ((scene, ~shadowless), (plain, shadowless)):
+        here = np.ascontiguousarray(place[those]), np.ascontiguousarray(normal[those])
+        found[those] = direct(past, *here, sun, portals(), flames, 0, SEED)
     # The shadow of the statue on the north wall is worth more than the inverse square.
     far = np.linalg.norm(place - flames[0], axis=1)
     found[:, TORCH] *= (np.maximum(far, REACH) / REACH)[:, None]
     canvas[row, column] = found
     known[row, column] = True
 
-    more = np.concatenate([outside, ball])
-    scene, order = as_scene(np.concatenate([corners, more]))
     uv = np.concatenate([uv, np.zeros((len(more), 3, 2))])[order]
     colour = np.concatenate([colour, np.full((len(more), 3), -1.0)])[order]
     some = (column % 2 == 0) & (row % 2 == 0)

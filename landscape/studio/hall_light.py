@@ -1,8 +1,8 @@
 """The light in the hall, traced by rays against its own surfaces: direct, and reflected once.
 
 Direct light of the sun, of the torches and of the sky through every opening is sampled at each
-texel; light that surfaces reflect is gathered over the hemisphere. Sun, sky, the torch in front of
-the statue and the other torches are followed apart, so that hall_bake.py can choose their colours.
+texel; light that surfaces reflect is gathered over the hemisphere. Sun, sky, the torch beside
+the pool and the other torches are followed apart, so that hall_bake.py can choose their colours.
 """
 
 import math
@@ -14,7 +14,9 @@ from landscape.effects import plan
 from landscape.effects.architecture import hall
 from landscape.effects.light import SIZES, of_plane, placed
 from landscape.effects.surfaces import cells
-from landscape.geometry.mesh import grid_triangles
+from landscape.geometry.clustering import clustered
+from landscape.geometry.mesh import Mesh, centred, grid_triangles, vertex_normals
+from landscape.studio.dragon import dragon
 from landscape.studio.rays import FAR, hit, tree
 
 ORIGINS = {"hall": (0, 0), "floor": (1024, 0), "north": (1536, 0)}  # of the sheets: x, y
@@ -24,14 +26,18 @@ ALBEDO = {
     "wall": (0.402, 0.361, 0.289), "vault": (0.478, 0.443, 0.378), "stone": (0.434, 0.397, 0.33),
     "plinth": (0.27, 0.25, 0.225), "floor": (0.443, 0.402, 0.334), "alcove": (0.35, 0.32, 0.265),
     "band": (0.084, 0.063, 0.054), "medallion": (0.30, 0.255, 0.197), "pool": (0.10, 0.15, 0.15),
-    "wood": (0.124, 0.068, 0.033), "iron": (0.02, 0.02, 0.02),
+    "hanging": (0.20, 0.25, 0.18), "wood": (0.124, 0.068, 0.033), "iron": (0.02, 0.02, 0.02),
 }  # fmt: skip
 LIGHTS = ("sun", "sky", "torch", "torches")
 SUN, SKY, TORCH, TORCHES = range(4)
 SUN_RADIUS = 0.012  # chosen: of its disc, in radians; four times the true one, for softer edges
 FLAME = 0.012, 0.022  # chosen: radius of a flame that shines, and its height above the torch
+# Chosen: in the pool, where the waves bend the rays; a small fraction of them, as the caustics show
+# what the waves do.
+SUN_IN_WATER = 0.10
 SUN_SAMPLES, SKY_SAMPLES, TORCH_SAMPLES = 24, 4, 4  # chosen
 NEAR = 0.03  # chosen: within this distance a flame's light hardly grows
+STATUE_CELL = 0.03  # chosen: side of the cubes whose vertices are merged, of a mesh of 2
 LIFT = 2e-4  # of a ray's start above its surface, in units
 
 
@@ -70,13 +76,18 @@ def parts() -> list[tuple[slice, slice]]:
     return found
 
 
-def statue_stand_in() -> np.ndarray:
-    """Return triangles (n, 3, 3) of a ball that blocks ambient light where the statue stands."""
-    (x, z), (_, top) = plan.STATUE, plan.PLINTH
-    around, up = np.meshgrid(np.linspace(0, 2 * np.pi, 17), np.linspace(0, np.pi, 9))
-    ball = np.stack([x + 0.10 * np.sin(up) * np.cos(around), top + 0.055 + 0.05 * np.cos(up),
-                     z + 0.10 * np.sin(up) * np.sin(around)], axis=-1)  # fmt: skip
-    return ball.reshape(-1, 3)[grid_triangles(17, 9)]
+def statue() -> np.ndarray:
+    """Return the statue's triangles (n, 3, 3), of a coarser mesh."""
+    vertices, triangles, _ = dragon()
+    points = centred(vertices)
+    unit = clustered(Mesh(points, vertex_normals(points, triangles), triangles), STATUE_CELL)
+    x, y, z = plan.STATUE_SCALE * unit.vertices.astype(float).T
+    turn = math.radians(plan.STATUE_YAW)
+    (east, south), (_, top) = plan.STATUE, plan.PLINTH
+    lift = top - plan.STATUE_SUNK - plan.STATUE_SCALE * float(points[:, 1].min())
+    placed = np.stack([east + math.cos(turn) * x + math.sin(turn) * z, lift + y,
+                       south - math.sin(turn) * x + math.cos(turn) * z], axis=-1)  # fmt: skip
+    return placed[unit.triangles]
 
 
 def masonry() -> np.ndarray:
@@ -202,7 +213,7 @@ def _sky(d, out):  # type: ignore[no-untyped-def]
 def direct(scene, place, normal, sun, doors, flames, front, seed):  # type: ignore[no-untyped-def]
     """Return the direct light (n, 4, 3) of each of LIGHTS at texels with place and normal (n, 3).
 
-    ``flames`` (m, 3) are the torches; number ``front`` is the one in front of the statue.
+    ``flames`` (m, 3) are the torches; number ``front`` is the one beside the pool.
     """
     out = np.zeros((len(place), 4, 3))
     sun_a, sun_b = _frame(sun)
@@ -213,11 +224,12 @@ def direct(scene, place, normal, sun, doors, flames, front, seed):  # type: igno
         d = np.empty(3)
         cosine = n[0] * sun[0] + n[1] * sun[1] + n[2] * sun[2]
         if cosine > 0.0:
+            disc = SUN_RADIUS if o[1] > -0.001 else SUN_IN_WATER
             seen, cast, total = 0, 0, 8
             while cast < total:
                 state, p = _random(state)
                 state, q = _random(state)
-                radius = SUN_RADIUS * math.sqrt((cast + p) / total if cast < 8 else p)
+                radius = disc * math.sqrt((cast + p) / total if cast < 8 else p)
                 turn = 2 * math.pi * ((0.618034 * cast) % 1.0 + 0.1 * q)
                 for k in range(3):
                     d[k] = sun[k] + radius * (math.cos(turn) * sun_a[k] + math.sin(turn) * sun_b[k])
@@ -225,7 +237,7 @@ def direct(scene, place, normal, sun, doors, flames, front, seed):  # type: igno
                 if hit(scene, o, d, FAR, False)[0] < 0:
                     seen += 1
                 if cast == 8 and 0 < seen < 8:
-                    total = SUN_SAMPLES
+                    total = SUN_SAMPLES if o[1] > -0.001 else 4 * SUN_SAMPLES
             out[i, SUN, :] = cosine * seen / total
         for m in range(len(flames)):
             for k in range(3):

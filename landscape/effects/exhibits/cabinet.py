@@ -89,7 +89,9 @@ class Cabinet:
         ]
         effects = {each for each in shown if near(frame, each) and not frame.mirrored}
         # The shadow volume draws its alcove itself.
-        self._stone.draw([each for each in seen if each != VOLUME or each not in effects])
+        faded = frame.mirrored and self._settings.mirror.fades
+        plain = [each for each in seen if each != VOLUME or each not in effects]
+        self._stone.draw(plain, "image" if faded else "both")
         self._stone.draw_plates()
         for number in shown:
             _, exhibit = self._exhibits[number]

@@ -14,6 +14,7 @@ from PIL import Image, ImageDraw
 
 from landscape.effects import plan
 from landscape.effects.materials import MATERIALS
+from landscape.effects.mirror import fading
 from landscape.effects.shapes import halves, pointed
 from landscape.files.assets import Assets
 from landscape.files.fonts import font, writable
@@ -34,7 +35,8 @@ PEDESTALS = ((HALF, 0.0, 0.012), (HALF - 0.01, 0.012, TOP - 0.014), (HALF, TOP -
 LAMP = (0.985, 0.255)  # chosen: x and height of the lamp that hides above an alcove's opening
 WARM = (1.0, 0.80, 0.52)  # chosen: RGB of its light on a model
 BRIGHT = 1.75  # chosen: how many times as bright the stone is lit, whose textures are dark
-AMBIENT = (0.20, 0.19, 0.20)  # chosen: RGB of the light from the hall
+AMBIENT = (0.42, 0.38, 0.35)  # chosen: RGB of the light from the hall
+IMAGE = 0.7  # chosen: fraction of the light that shows in the floor, in which alcoves would glare
 REACH = 0.16  # chosen: units from the lamp at which its light has fallen to a half
 LINING, BRICKS, _ = MATERIALS["wall"]
 PEDESTAL, ROCKS = "ground_rock.png", 5.0  # chosen: texture, and how often per unit
@@ -82,7 +84,7 @@ def lamplight(
 def daylight(points: np.ndarray) -> np.ndarray:
     """Return the hall's light in an alcove at points (n, 3), RGB (n, 3): less in its depth."""
     depth = (plan.INSIDE.west - points[:, :1]) / plan.ALCOVE_DEPTH
-    return np.array(AMBIENT) * (1.0 - 0.45 * np.clip(depth, 0.0, 1.0))
+    return np.array(AMBIENT) * (1.0 - 0.35 * np.clip(depth, 0.0, 1.0))
 
 
 def grid(points: np.ndarray, coordinates: np.ndarray) -> Mesh:
@@ -216,15 +218,18 @@ class Niche:
         z = plan.ALCOVES[number]
         parts = (LINING, lining(z)), (PEDESTAL, pedestal(number))
         self._lists: dict[str, list[tuple[str, DisplayList]]] = {}
-        for name, day, night in (("both", 1, 1), ("day", 1, 0), ("lamp", 0, 1)):
+        kinds = ("both", 1, 1), ("day", 1, 0), ("lamp", 0, 1), ("image", IMAGE, IMAGE)
+        for name, day, night in kinds:
             self._lists[name] = []
             for texture, mesh in parts:
                 light = day * daylight(mesh.vertices)
                 light = light + night * BRIGHT * lamplight(mesh.vertices, mesh.normals, place)
+                if name == "image":
+                    light = light * fading(mesh.vertices[:, 1])[:, None]
                 self._lists[name].append((texture, DisplayList(sending(coloured(mesh, light)))))
 
     def send(self, light: str, textures: dict[str, Texture]) -> None:
-        """Send the stone in "day" or "lamp" light, or "both"."""
+        """Send the stone in "day" or "lamp" light, or "both", or as its "image" in the floor."""
         for name, compiled in self._lists[light]:
             textures[name].bind()
             compiled.call()
@@ -253,7 +258,7 @@ class Stone:
         self._niches = [Niche(n, lamp(n)) for n in range(len(plan.ALCOVES))]
 
     def draw(self, numbers: Iterable[int], light: str = "both") -> None:
-        """Draw the stone of some alcoves in "day" or "lamp" light, or "both"."""
+        """Draw the stone of some alcoves in "day" or "lamp" light, or "both", or its "image"."""
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
         with attrib(groups), front_faces():
             gl.glEnable(gl.GL_TEXTURE_2D)

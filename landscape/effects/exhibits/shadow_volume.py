@@ -58,8 +58,9 @@ TIMES = 9.0  # chosen: how far the volume reaches, in distances from the torch
 FLICKER = 0.0022  # chosen: units that the flame's light moves
 FLAME = (0.022, 0.062)  # chosen: half the width of the flame, and its height
 LOW = 0.4  # chosen: how far the flame begins below its light, in its heights
-IRON = (0.34, 0.29, 0.26)  # chosen
-BOWL = ((0.003, -0.020), (0.0055, -0.013), (0.009, -0.003), (0.0085, 0.0))  # radius, height
+IRON = (0.46, 0.39, 0.34)  # chosen
+BOWL = ((0.0015, -0.024), (0.0045, -0.019), (0.0072, -0.011), (0.0085, -0.004), (0.0098, -0.002),
+        (0.0098, 0.0), (0.0084, 0.001))  # fmt: skip  # radius, height
 VEIL = (1.0, 0.75, 0.25, 0.16)  # chosen: RGBA of the volume where it is shown
 
 Volume = tuple[np.ndarray, np.ndarray]  # vertices (n, 3), triangles (m, 3)
@@ -270,7 +271,7 @@ def send_holder() -> None:
     y -= LOW * FLAME[1]
     wall = plan.ALCOVES[VOLUME] + plan.ALCOVE_HALF
     draw_mesh(niche.block(x, (z + wall) / 2, (0.0016, (wall - z) / 2), y - 0.017, y - 0.013))
-    bowl = revolve(BOWL, 16, (1.0, 1.0))
+    bowl = revolve(BOWL, 24, (1.0, 1.0))
     draw_mesh(replace(bowl, vertices=bowl.vertices + np.array([x, y + 0.004, z], np.float32)))
 
 
