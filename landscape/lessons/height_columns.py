@@ -41,7 +41,7 @@ FACES = np.array(
     ]
 )
 NORMALS = np.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)])
-side, relief, shared = 40, 0.7, False
+side, relief, shared = 32, 0.7, False
 cubes = 0
 
 
@@ -70,7 +70,7 @@ def make_cubes():
 def on_key(window, key, scancode, action, mods):
     global side, relief, shared
     if action != glfw.RELEASE:
-        side = min(60, max(10, side + 10 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))))
+        side = min(56, max(8, side + 8 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))))
         relief = min(1.4, max(0, relief + 0.1 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))))
         shared ^= key == glfw.KEY_N
         glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
