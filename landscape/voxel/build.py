@@ -33,6 +33,7 @@ TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and 
 # Chosen: how much, in blocks, and how finely in columns the land is roughened. The height image is
 # so smooth that the steps between levels would be contour lines.
 ROUGH, ROUGH_SIZE = 0.45, 9.0
+LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
 SKYLIGHT = {"up": 0.62, "down": 0.34}
@@ -82,7 +83,7 @@ def face_light(light: Sun, shadow: Shadow) -> np.ndarray:
     """
     towards = sun.direction(light)
     found = np.ones((len(DIRECTIONS), 4))
-    left = math.fsum(shadow.color) / 3.0
+    left = max(math.fsum(shadow.color) / 3.0, LEAST_LEFT)
     for k, direction in enumerate(DIRECTIONS):
         axis = {0: 0, 1: 2, 2: 1}[direction.axis]  # of [x, z, y] in x, y, z
         faced = max(direction.sign * float(towards[axis]), 0.0)

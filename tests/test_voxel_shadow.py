@@ -1,0 +1,140 @@
+"""The voxel island's shadow map: against rays through the blocks, and edges that do not crawl."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+import pytest
+
+from landscape.elements import sun
+from landscape.render import Offscreen
+from landscape.voxel.blocks import SOLID
+from landscape.voxel.shadow_map import light_axes, light_matrix
+from landscape.voxel.voxel import clip_matrix
+
+SIZE = (160, 120)
+SMALL = {"voxel.regions": 6, "voxel.region_size": 20, "fog.enabled": False}
+ABOVE = (5.2, 7.0, 4.6, 20.0, -85.0)
+
+
+@contextmanager
+def opened(size: tuple[int, int] = SIZE, **given: Any) -> Iterator[Offscreen]:
+    settings = SMALL | {key.replace("__", "."): value for key, value in given.items()}
+    with Offscreen(size, samples=0, place="voxel", settings=settings, only=("land",)) as view:
+        view.look(ABOVE)
+        yield view
+
+
+def test_the_axes_of_the_sun_are_at_right_angles_even_at_the_zenith() -> None:
+    for towards in ((0.0, 1.0, 0.0), (0.6, 0.8, 0.0), (0.48, 0.6, -0.64)):
+        axes = light_axes(np.array(towards))
+        assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-12)
+        assert axes[2] == pytest.approx(towards) and np.linalg.det(axes) == pytest.approx(1.0)
+
+
+def test_the_snapped_square_moves_by_whole_texels_and_always_holds_the_eye() -> None:
+    rng = np.random.default_rng(0)
+    towards = np.array([0.48, 0.6, -0.64])
+    reach, side = 8.0, 512
+    texel = 2 * reach / side
+    point = np.array([3.0, 1.0, 2.0, 1.0])
+    places = []
+    for eye in rng.uniform(0, 40, (50, 3)):
+        matrix = light_matrix(towards, eye, reach, 40.0, 16 * texel)
+        assert (np.abs(matrix @ (*eye, 1.0))[:2] < 16 * texel / reach).all()
+        places.append((matrix @ point)[:2] / 2 * side)
+    fractions = np.array(places) - places[0]
+    assert fractions == pytest.approx(np.round(fractions), abs=1e-6)
+
+
+def moved_by(step: np.ndarray, update: Any) -> Any:
+    """Return an update of the shadow map for an eye that is elsewhere by ``step``."""
+    return lambda eye, *rest: update(eye + step, *rest)
+
+
+def test_edges_of_shadows_stay_where_they_are_while_the_eye_moves() -> None:
+    pictures = {}
+    for snapped in (True, False):
+        with opened(shadow__snapped=snapped, shadow__size=512, shadow__distance=6.0) as view:
+            update = view.scene.shadow.update
+            shown = []
+            for step in (0.0, 0.4, 1.0, 3.1):  # texels
+                moved = step * 2 * 6.0 / 512 * np.array([1.0, 0.0, 0.6])
+                view.scene.shadow.update = moved_by(moved, update)
+                shown.append(view.draw().astype(int))
+            pictures[snapped] = shown
+    first, *others = pictures[True]
+    assert all((first == other).all() for other in others)
+    first, *others = pictures[False]
+    assert all((first != other).any() for other in others)
+
+
+def in_light(solid: np.ndarray, point: np.ndarray, towards: np.ndarray) -> bool:
+    """Return whether nothing solid [x, z, y] lies between a point x, y, z in blocks and the sun."""
+    at = point + np.arange(0.05, 120.0, 0.05)[:, None] * towards
+    cells = np.floor(at[:, [0, 2, 1]]).astype(int)
+    within = ((cells >= 0) & (cells < solid.shape)).all(axis=1)
+    return not solid[tuple(cells[within].T)].any()
+
+
+def test_shadows_lie_where_rays_to_the_sun_meet_blocks() -> None:
+    """Overlap of the shadow seen from above with that of rays: over 0.97 of both together."""
+    given = {"shadow__size": 4096, "shadow__distance": 7.0, "voxel__levels": 30}
+    given |= {"voxel__trees": False, "voxel__buildings": False}
+    rng = np.random.default_rng(1)
+    width, height = 640, 480
+    with opened((width, height), shadow__color=(0.0, 0.0, 0.0), **given) as view:
+        for x, z in rng.integers(40, 90, (60, 2)):
+            top = view.scene.land.world.ground[x, z]
+            view.scene.land.world.blocks[x, z, top : top + 3] = 1
+        for region in range(36):
+            view.scene.land.rebuild(region)
+        picture = view.draw().astype(int).max(axis=-1)
+        with view._current():
+            clip = clip_matrix()
+        world = view.scene.land.world
+        towards = sun.direction(view.scene.settings.sun).astype(float)
+    solid = SOLID[world.blocks]
+    wanted, found = [], []
+    for x, z in rng.uniform(45, 85, (4000, 2)):
+        if not 0.3 < x % 1 < 0.7 or not 0.3 < z % 1 < 0.7:
+            continue
+        column = solid[int(x), int(z)]
+        top = len(column) - int(column[::-1].argmax())
+        near = [in_light(solid, np.array([x + dx, top, z + dz]), towards)
+                for dx, dz in ((0, 0), (0.25, 0), (-0.25, 0), (0, 0.25), (0, -0.25))]  # fmt: skip
+        if len(set(near)) > 1:
+            continue  # at an edge
+        place = clip @ (*(np.array([x, top, z]) * world.block), 1.0)
+        column, row = place[:2] / place[3]
+        if abs(column) < 0.95 and abs(row) < 0.95:
+            pixel = int((1 - row) / 2 * height), int((column + 1) / 2 * width)
+            wanted.append(near[0])
+            found.append(picture[pixel] > 20)
+    dark, shown = ~np.array(wanted), ~np.array(found)
+    assert len(dark) > 150 and 0.05 < dark.mean() < 0.8
+    assert (dark & shown).sum() / (dark | shown).sum() > 0.97
+
+
+def test_without_the_offset_faces_shade_themselves() -> None:
+    share = {}
+    for offset in (True, False):
+        with opened(shadow__color=(0.0, 0.0, 0.0), shadow__offset=offset, shadow__size=512) as view:
+            share[offset] = (view.draw().max(axis=-1) < 20).mean()
+    assert share[False] > share[True] + 0.1
+
+
+def test_shadows_are_drawn_again_only_when_the_eye_has_left_or_a_block_has_changed() -> None:
+    with opened() as view:
+        shadow, land, sent = view.scene.shadow, view.scene.land, []
+        draw_shapes = land.draw_shapes
+        land.draw_shapes = lambda choice: (sent.append(1), draw_shapes(choice))
+        view.draw()
+        assert sent == [1]
+        view.look((ABOVE[0] + 0.02, *ABOVE[1:]))
+        view.draw()
+        assert sent == [1] and shadow.settings.shadow.snapped
+        land.rebuild(0)
+        view.draw()
+        assert sent == [1, 1]
