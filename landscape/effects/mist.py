@@ -81,7 +81,8 @@ class Mist:
 
         sheets = [coloured(share) for share in shares.tolist()]
         picture = softened(read_image(assets.path("clouds.png")))
-        self._sheets = MistSheets(picture, heights(mist.sheets), sheets, REPEAT)
+        # Between two mip levels of so soft a picture no edge shows.
+        self._sheets = MistSheets(picture, heights(mist.sheets), sheets, REPEAT, trilinear=False)
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the sheets would differ."""

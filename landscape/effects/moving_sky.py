@@ -5,18 +5,22 @@ coordinates are those of a flat ceiling, so that clouds near the horizon are sma
 matrix moves them with kt. Two texture units (GL_ARB_multitexture, OpenGL 1.3) lay the layers over
 the gradient in one pass: unit 0 the high, slow one, unit 1 the low, fast one, each by its alpha.
 Below the horizon lies the sea, a disc in plain colours. Dome and sea have the greatest depth
-(glDepthRange) and are drawn after the walls: they cost only the windows' pixels.
-State used: two texture units with their matrices and environments, depth range, no depth writes.
+(glDepthRange) and are drawn after the walls, within the rectangle around the openings in view.
+State used: two texture units with their matrices and environments, depth range, scissor, no depth
+writes.
 What is wrong without its safeguards: with one layer (``sky.layers``) the sky moves like a painted
 ceiling. Without ``sky.sorted`` the high clouds are laid over the low ones.
 """
 
 import numpy as np
 
+from landscape.effects import plan
+from landscape.effects.exhibits.picture import part_of_polygon
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.culling import ball_in_view
 from landscape.geometry.mesh import grid_triangles
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
@@ -35,6 +39,21 @@ SEA, DEEP, HAZE = (0.5, 16.0), (0.10, 0.30, 0.38), (0.62, 0.75, 0.84)
 # Of the high and the low layer: textures per unit of the ceiling, textures per kt, RGB; chosen.
 HIGH = 0.16, (0.00008, 0.00002), (1.0, 0.99, 0.97)
 LOW = 0.37, (0.0004, 0.00012), (0.72, 0.76, 0.82)
+
+INSIDE, ROSE, HALF = plan.INSIDE, plan.ROSE, plan.WINDOW_HALF
+# The corners (4, 3) of rectangles around the openings: windows, rose window and door.
+OPENINGS = [
+    *(np.array([(INSIDE.east, y, z + aside) for y, aside in (
+        (plan.WINDOW_SILL, -HALF), (plan.WINDOW_SILL, HALF),
+        (plan.WINDOW_TOP, HALF), (plan.WINDOW_TOP, -HALF))]) for z in plan.ALCOVES),
+    np.array([(plan.AXIS + x, ROSE[0] + y, INSIDE.north) for x, y in (
+        (-ROSE[1], -ROSE[1]), (ROSE[1], -ROSE[1]), (ROSE[1], ROSE[1]), (-ROSE[1], ROSE[1]))]),
+    np.array([(plan.AXIS + x, y, INSIDE.south) for x, y in (
+        (-plan.DOOR_HALF, 0.0), (plan.DOOR_HALF, 0.0),
+        (plan.DOOR_HALF, plan.DOOR_TOP), (-plan.DOOR_HALF, plan.DOOR_TOP))]),
+]  # fmt: skip
+MIDDLES = [(each.min(axis=0) + each.max(axis=0)) / 2 for each in OPENINGS]
+REACH = [float(np.linalg.norm(each[2] - each[0])) / 2 for each in OPENINGS]
 Layer = tuple[float, tuple[float, float], tuple[float, float, float]]
 
 
@@ -69,6 +88,29 @@ def send_sea() -> None:
     gl.glEnd()
 
 
+def openings_in_view(frame: Frame) -> tuple[int, int, int, int] | None:
+    """Return what of the picture holds all openings: x, y, width, height; None if there is none.
+
+    From outside of the hall the sky is everywhere.
+    """
+    x, y, z = frame.eye.tolist()
+    within = INSIDE.west < x < INSIDE.east and INSIDE.north < z < INSIDE.south
+    if not (within and 0.0 < y < plan.CROWN):
+        return 0, 0, *frame.viewport
+    sign = -1.0 if frame.mirrored else 1.0
+    found = []
+    for corners, (along, up, across), reach in zip(OPENINGS, MIDDLES, REACH, strict=True):
+        if not ball_in_view(frame, (along, sign * up, across), reach):
+            continue
+        if part := part_of_polygon(frame, corners):
+            found.append((part.x, part.y, part.x + part.width, part.y + part.height))
+    if not found:
+        return None
+    left, bottom, right, top = zip(*found, strict=True)
+    x0, y0 = min(left), min(bottom)
+    return x0, y0, max(right) - x0, max(top) - y0
+
+
 class MovingSky:
     """The sky over the hall."""
 
@@ -92,11 +134,15 @@ class MovingSky:
 
     def draw(self, frame: Frame) -> None:
         """Draw the sky around the viewer, where nothing else is."""
+        if (part := openings_in_view(frame)) is None:
+            return
         sky = self._settings.sky
         layers = [HIGH, LOW] if sky.sorted else [LOW, HIGH]
         layers = layers[: min(sky.layers, self._units)]
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT
-        with attrib(groups | gl.GL_CURRENT_BIT), matrix():
+        with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_SCISSOR_BIT), matrix():
+            gl.glEnable(gl.GL_SCISSOR_TEST)
+            gl.glScissor(*part)
             gl.glDisable(gl.GL_CLIP_PLANE0)
             gl.glDepthRange(1.0, 1.0)
             gl.glDepthFunc(gl.GL_LEQUAL)

@@ -25,7 +25,9 @@ from landscape.gl.draw import draw_mesh
 from landscape.gl.state import attrib, matrix
 
 FACTOR, STEPS = 1.0, 2.0  # chosen: see glPolygonOffset
-SIZE, CELL = 0.070, 0.07  # chosen: half the dragon's length; side of the merged cubes, of 2
+SIZE = 0.070  # chosen: half the dragon's length
+CELL, FAR_CELL = 0.07, 0.11  # chosen: side of the merged cubes, of a mesh of 2, near and far
+FAR = 1.25  # chosen: units from which lines are so close that fewer look the same
 YAW, TURN = 100.0, 0.25  # chosen: degrees, and degrees in a kt
 PAPER, INK, FRAME = (0.86, 0.79, 0.64), (0.20, 0.12, 0.07), (0.24, 0.15, 0.09)  # chosen
 # Chosen: x, half the width, lower and upper edge, and border of the sheet of paper behind it.
@@ -54,9 +56,11 @@ class HiddenLines:
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Compile dragon and paper."""
         self._settings = settings
-        mesh = scaled(clustered(read_animal(assets, "dragon.ply", "dragon.mesh"), CELL), SIZE)
+        unit = read_animal(assets, "dragon.ply", "dragon.mesh")
+        mesh, simple = (scaled(clustered(unit, cell), SIZE) for cell in (CELL, FAR_CELL))
         self._lowest = float(mesh.vertices[:, 1].min())
         self._dragon = DisplayList(lambda: draw_mesh(mesh))
+        self._far = DisplayList(lambda: draw_mesh(simple))
         self._sheet = DisplayList(send_sheet)
 
     def apply(self, settings: Settings) -> bool:
@@ -70,16 +74,19 @@ class HiddenLines:
 
     def draw(self, frame: Frame) -> None:
         """Draw the paper and the dragon in front of it."""
+        x, z = frame.pose.x - MIDDLE, frame.pose.z - plan.ALCOVES[LINES]
+        dragon = self._far if x * x + z * z > FAR * FAR else self._dragon
         with attrib(gl.GL_CURRENT_BIT):
             self._sheet.call()
         with matrix():
             gl.glTranslatef(MIDDLE, TOP - self._lowest, plan.ALCOVES[LINES])
             gl.glRotatef(YAW + TURN * frame.kt, 0.0, 1.0, 0.0)
-            draw_lines(self._dragon.call, self._settings.exhibits.lines_offset)
+            draw_lines(dragon.call, self._settings.exhibits.lines_offset)
 
     def release(self) -> None:
         """Delete the lists; may be called twice."""
         self._dragon.release()
+        self._far.release()
         self._sheet.release()
 
 

@@ -34,14 +34,19 @@ class MistSheets:
     """Sheets of mist at their heights."""
 
     def __init__(
-        self, picture: np.ndarray, levels: np.ndarray, sheets: Sequence[Mesh], repeat: float
+        self,
+        picture: np.ndarray,
+        levels: np.ndarray,
+        sheets: Sequence[Mesh],
+        repeat: float,
+        trilinear: bool = True,
     ) -> None:
         """Upload a picture of cloud and compile the sheets, the lowest first.
 
         ``levels`` are their heights, ``sheets`` their meshes at height 0 with colours, float32
-        (n, 4); ``repeat`` is how many textures there are in a unit.
+        (n, 4); ``repeat`` is how many textures there are in a unit; see Texture for ``trilinear``.
         """
-        self._texture, self._levels = Texture(picture), levels
+        self._texture, self._levels = Texture(picture, trilinear=trilinear), levels
 
         def send(sheet: Mesh) -> None:
             coordinates = np.ascontiguousarray(sheet.vertices[:, [0, 2]] * np.float32(repeat))
