@@ -164,6 +164,7 @@ def _walk(options: argparse.Namespace) -> int:
         given=changes,
         quiet=options.quiet,
         edits=options.edits,
+        world=options.world,
     )
 
 
@@ -183,15 +184,14 @@ def _render(options: argparse.Namespace) -> int:
     jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
     changes = _changes(options, *(kind for kind, _ in places))
     arguments = {"size": options.size, "settings": changes, "place": options.scene}
-    arguments |= _offscreen_options(options)
+    arguments |= _offscreen_options(options) | {"world": options.world}
     edits = _edits(options)
     with Progress(len(jobs), options.quiet) as progress:
         missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
     _notify(options, missed)
     _tell_of_no_effect(options, places, changes)
     if not options.quiet:
-        for path in paths:
-            print(path)
+        print("\n".join(map(str, paths)))
     return 0
 
 

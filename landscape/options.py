@@ -37,6 +37,8 @@ BEGIN = (
     "wireframe"
 )
 
+WORLD = "for voxel: a file of changed blocks"
+
 REPLAY = "replay a recorded walk; `tour` is the one that comes with the program"
 
 
@@ -132,6 +134,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     walk.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     _language(walk, "language of the window")
     frame_options.edits_option(walk)
+    walk.add_argument("--world", type=Path, metavar="FILE", help=f"{WORLD}, loaded and saved")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
     walk.add_argument(
@@ -161,6 +164,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     render.add_argument("--scene", choices=tuple(SCENES), default="", help=SCENE)
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
     render.add_argument("--kt", type=_number, metavar="N", help=KT)
+    render.add_argument("--world", type=Path, metavar="FILE", help=WORLD)
     frame_options.edits_option(render)
     _size_option(render, (800, 600), "size of the pictures")
     _common(render, samples=4)

@@ -16,6 +16,7 @@ from landscape.capture.tape import Tape
 from landscape.errors import InputError, short
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.digging import Diggable, read_world
 from landscape.gl.calls import Edits, edited, gl, recording, unnoted
 from landscape.gl.framebuffer import Framebuffer
 from landscape.gl.ownership import OwnedContext
@@ -44,7 +45,8 @@ class Offscreen:
     ``size`` is in pixels; ``preset`` is "best", "2006" or None for each view's own; ``settings``
     maps dotted keys to values, or groups to mappings; ``backend`` is "auto", "osmesa", "egl" or
     "glfw"; ``samples`` is 0 or 4; ``only`` names elements, None means all; ``seed`` is a whole
-    number; ``edits`` change single OpenGL calls; ``place`` is the scene that a pose is in, by name.
+    number; ``edits`` change single OpenGL calls; ``place`` is the scene that a pose is in, by name;
+    ``world`` is a file of changed blocks, as a walk in voxel saves it.
     The attribute ``scene`` is what is drawn, once there is one; ``notices`` has a line for each of
     the ``settings`` that changes nothing there, or whose key has another name now.
 
@@ -66,6 +68,7 @@ class Offscreen:
         seed: int = SEED,
         edits: Edits | None = None,
         place: str = "",
+        world: str | os.PathLike[str] | None = None,
     ) -> None:
         self._owned: OwnedContext | None = None
         self._target: Framebuffer | None = None
@@ -80,6 +83,8 @@ class Offscreen:
         self._place = scene(arguments.choice(place, "place", ("", *SCENES)))
         self._seed = arguments.whole(seed, "seed")
         self._edits = edits
+        self._world = None if world is None else arguments.folder(world, "world")
+        self._changed = b"" if self._world is None else read_world(self._world)
         samples = arguments.choice(samples, "samples", arguments.SAMPLES)
         backend = arguments.choice(backend, "backend", arguments.BACKENDS)
         self._assets = Assets(None if assets is None else arguments.folder(assets, "assets"))
@@ -118,7 +123,11 @@ class Offscreen:
             if self.scene is not None:
                 self.scene.release()
             self.scene, self._built_for = None, None
+            if self._world is not None and not kind.blocks:
+                raise InputError(f"world {self._world}: expected views of voxel, found {view.name}")
             self.scene = kind.open(values, self._assets, self._seed, wanted[2])
+            if self._world is not None and isinstance(self.scene, Diggable):
+                self.scene.restore(self._changed, f"world {self._world}")
             self._built_for = wanted
             vain = kind.notices(view, preset, self._given, self._only)
             self.notices = [*keys.current_names(values, self._given)[1], *vain.values()]

@@ -155,6 +155,7 @@ class Scene:
     elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without OpenGL.
     ``overlay`` names elements that a walk shows even if it begins in a view without them.
     ``digits`` says what the keys 1 to 9 do in a walk. ``title`` is for people, in English.
+    ``blocks`` says that a walker digs and builds in it (geometry/digging.py).
     """
 
     name: str
@@ -171,6 +172,7 @@ class Scene:
     overlay: tuple[str, ...] = ()
     digits: Mapping[str, Toggle] = field(default_factory=dict)
     title: str = ""
+    blocks: bool = False
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
         """Return the settings of a preset (None: the default) with changes; later ones override.

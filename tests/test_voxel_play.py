@@ -1,17 +1,30 @@
 """Playing on the island in voxels: a body among blocks, digging and placing, saved worlds."""
 
+import hashlib
+import json
 import math
+import subprocess
+import sys
+import time
+import zlib
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from commands import environment, landscape, need_library, python, refused
+from PIL import Image
 
+from landscape.errors import InputError
 from landscape.geometry.bodies import Body, Wish
+from landscape.render import Offscreen
 from landscape.voxel.blocks import AIR, SOLID, TILES, block
 from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, Place, moved
 from landscape.voxel.mesh import Look, RegionMesh, region_mesh
 from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.picking import picked
 from landscape.voxel.world import World
+from landscape.voxel.world_file import decoded, encoded
 
 EYE = 1.625
 ROCK = block("rock")
@@ -242,3 +255,246 @@ def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
                 assert unit_faces(meshes[region]) == unit_faces(whole(region))
     put = {cell: int(world.blocks[cell]) for cell in world.former}
     assert all(world.former[cell] != kind for cell, kind in put.items())
+
+
+# Worlds as files.
+
+LAND = {"regions": 1, "seed": 3, "trees": True, "height_image": "ab"}
+
+
+def small_world() -> World:
+    return World(flat(), np.full((24, 24), 4), 24, 4, 0.08)
+
+
+def changed_world() -> World:
+    world = small_world()
+    for cell, kind in {(3, 4, 3): AIR, (5, 5, 4): block("lamp"), (23, 23, 19): ROCK}.items():
+        world.put(cell, kind)
+    return world
+
+
+def test_a_saved_world_has_only_the_changed_blocks_and_comes_back_the_same() -> None:
+    world = changed_world()
+    world.put((9, 9, 9), ROCK)
+    world.put((9, 9, 9), AIR)  # as it was
+    data = encoded(world, LAND)
+    assert json.loads(data.partition(b"\n")[0])["changes"] == 3
+    again = small_world()
+    for cell, kind in decoded(data, "a", again, LAND).items():
+        again.put(cell, kind)
+    assert (again.blocks == world.blocks).all() and again.former == world.former
+    assert encoded(again, LAND) == data
+
+
+def forged(**head: Any) -> bytes:
+    """Return a saved world with another first line."""
+    line, _, body = encoded(changed_world(), LAND).partition(b"\n")
+    return json.dumps(json.loads(line) | head).encode() + b"\n" + body
+
+
+def packed(places: list[int], numbers: list[int], **head: Any) -> bytes:
+    """Return a world of these changes, with a digest that fits."""
+    content = np.array(places, "<u4").tobytes() + np.array(numbers, "u1").tobytes()
+    body = zlib.compress(content)
+    line = forged(changes=len(places), digest=hashlib.sha256(body).hexdigest(), **head)
+    return line.partition(b"\n")[0] + b"\n" + body
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        (b"", "an empty file"),
+        (b"\x89PNG\r\n\x1a\nsomething", "something else"),
+        (b"[" * 70000 + b"\n", "something else"),
+        (b"{}\n", "something else"),
+        (encoded(changed_world(), LAND)[:-4], "truncated or damaged"),
+        (encoded(changed_world(), LAND).partition(b"\n")[0], "something else"),
+        (forged(**{"landscape voxel world": 2}), "version 2"),
+        (forged(**{"landscape voxel world": True}), "version True"),
+        (forged(land={**LAND, "seed": 4}), "made with seed 4: expected 3"),
+        (forged(land={**LAND, "trees": 1}), "made with trees 1"),
+        (forged(land=[]), "what its land is made from"),
+        (forged(changes=-1), "changes -1"),
+        (forged(changes=True), "changes True"),
+        (forged(changes=4), "expected 4 changed blocks"),
+        (forged(changes=2), "expected 2 changed blocks"),
+        (forged(kinds=["air", "unobtainium"]), "unknown kind of block 'unobtainium'"),
+        (forged(kinds=[]), "does not name"),
+        (packed([24 * 24 * 20], [1]), "outside the map"),
+        (packed([7], [200]), "unknown kind, 200"),
+        (packed([7], [1], kinds=["air"]), "unknown kind, 1"),
+    ],
+)
+def test_a_file_that_is_no_world_of_this_land_is_refused(data: bytes, said: str) -> None:
+    with pytest.raises(InputError) as error:
+        decoded(data, "my.world", small_world(), LAND)
+    assert str(error.value).startswith("my.world: ") and said in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+SAVING = """
+import sys
+from pathlib import Path
+from landscape.window.builder import WorldFile
+
+class Scene:
+    changes = slot = count = 0
+    def use(self, *given): return ""
+    choose = bar = restore = use
+    def saved(self):
+        self.count += 1
+        return b"%08d" % self.count * 200_000 + b"end"
+
+file, scene = WorldFile(Path(sys.argv[1])), Scene()
+file.opened(scene)
+while True:
+    file.save(scene)
+    print(".", end="", flush=True)
+"""
+
+
+def test_a_world_being_saved_when_the_program_is_killed_is_never_lost(tmp_path: Path) -> None:
+    path = tmp_path / "my.world"
+    words = [sys.executable, "-c", SAVING, str(path)]
+    for seconds in (0.0, 0.003, 0.007, 0.012):
+        with subprocess.Popen(words, stdout=subprocess.PIPE, env=environment()) as process:
+            assert process.stdout is not None and process.stdout.read(2) == b".."
+            time.sleep(seconds)
+            process.kill()
+        data = path.read_bytes()
+        assert len(data) == 1_600_003 and data.endswith(b"end")
+        assert data[:8] * 200_000 + b"end" == data, "half of another"
+
+
+# A walk on the null platform.
+
+SMALL = ("voxel.regions=2", "voxel.region_size=40", "voxel.buildings=false", "voxel.trees=false")
+SMALL = (*SMALL, "shadow.enabled=false", "water.reflection=false", "water.refraction=false")
+
+WALKED = """
+import hashlib, json, sys
+from pathlib import Path
+import glfw
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.scene import scene
+from landscape.window.app import Walk
+from landscape.window.builder import WorldFile
+from landscape.window.loop import run
+from landscape.window.recording import Plan, Writer, read
+
+LEFT, RIGHT, MIDDLE = range(3)
+kind = scene("voxel")
+values = kind.values(None, dict(word.split("=") for word in sys.argv[2:]))
+plan = Plan("voxel", values, "voxel_bay", Pose(3.2, None, 3.2, 40.0, -50.0), (96, 72))
+
+class Watched(Walk):
+    script = {}
+    def listen(self):
+        for event in self.script.get(len(self.seen), ()):
+            event(self)
+        return super().listen()
+    def present(self):
+        scene, walker = self.place.scene, self.walker
+        self.seen.append([scene.changes, scene.slot, walker.yaw, walker.stroke,
+                          hashlib.sha256(self.pixels()).hexdigest(), self._message])
+        super().present()
+
+def button(which, down=True):
+    action = glfw.PRESS if down else glfw.RELEASE
+    return lambda walk: walk.hands.button(which, action)
+def click(which):
+    return lambda walk: [button(which, down)(walk) for down in (True, False)]
+def move(x, y): return lambda walk: walk.hands.motion(x, y)
+def key(which): return lambda walk: walk.hands.key(which, glfw.PRESS)
+
+path, world = Path(sys.argv[1]) / "a.jsonl", Path(sys.argv[1]) / "my.world"
+live = Watched(plan, Assets(), "osmesa", world=WorldFile(world))
+live.seen, live.script = [], {
+    8: [move(10, 10), button(LEFT)], 9: [move(12, 11)], 10: [move(40, 11)], 11: [move(60, 11)],
+    12: [button(LEFT, False)], 14: [click(LEFT)], 18: [key(glfw.KEY_7)], 19: [click(RIGHT)],
+    21: [lambda walk: walk.hands.wheel(-1.0)], 22: [lambda walk: walk.hands.wheel(1.0)],
+    23: [lambda walk: walk.hands.wheel(1.0)], 24: [click(MIDDLE)], 26: [key(glfw.KEY_TAB)],
+    28: [key(glfw.KEY_E)], 30: [button(LEFT)], 38: [button(LEFT, False)],
+}
+import landscape.window.app as app
+app.time.sleep = lambda seconds: None
+writer = Writer(path, plan)
+clock = iter(range(10**6))
+glfw.get_time = lambda: next(clock) / 20
+with live:
+    run(live, writer=writer, frames=42)
+writer.finish()
+saved = world.read_bytes()
+plan, ticks = read(path)
+world.unlink()
+again = Watched(plan, Assets(), "osmesa")
+again.seen = []
+with again:
+    run(again, iter(ticks))
+    same = again.place.scene.saved() == saved
+world.write_bytes(saved)
+print(json.dumps({"live": live.seen, "again": again.seen == live.seen, "same": same}))
+"""
+
+
+@pytest.fixture(scope="module")
+def walked(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """A scripted walk with its replay, and the folder of its world."""
+    need_library("OSMesa")
+    folder = tmp_path_factory.mktemp("walked")
+    done = python(WALKED, str(folder), *SMALL, env=environment(LANG="C"))
+    assert done.status == 0, done.err
+    return done.json() | {"folder": folder}
+
+
+def test_a_drag_looks_and_a_click_digs_places_or_picks(walked: dict[str, Any]) -> None:
+    changes, slots, yaws, strokes, _, _ = zip(*walked["live"], strict=True)
+    assert changes[13] == 0 and yaws[13] == pytest.approx(40 + 20 * 0.12), "the drag dug nothing"
+    assert changes[14] == 1 and changes[18] == 1, "one click digs one block"
+    assert slots[18] == 6 and changes[19] == 2, "the seventh kind is placed"
+    assert slots[21:24] == (7, 6, 5) and slots[24] == 6, "the wheel chooses, the middle click picks"
+    assert not any(strokes[:28]) and any(strokes[28:]), "the sword is on its key"
+    assert changes[30] == 3 and 4 <= changes[37] <= 6, "a held button digs one after another"
+    assert len(set(changes[38:])) == 1
+
+
+def test_a_replay_digs_and_builds_the_same(walked: dict[str, Any]) -> None:
+    assert walked["again"] and walked["same"]
+
+
+def render(folder: Path, name: str, *words: str) -> np.ndarray:
+    """Render a spot where the walk has dug; return the picture."""
+    sets = [word for change in SMALL for word in ("--set", change)]
+    pose = ("--pose", "3.2,2.2,3.2,40,-70", "--scene", "voxel", "--size", "96x72")
+    done = landscape(
+        "render", *pose, *sets, "--seed", "0", "--backend", "osmesa", "-q", "--out",
+        str(folder / name), *words,
+    )  # fmt: skip
+    assert (done.status, done.err) == (0, "")
+    return np.asarray(Image.open(folder / name)).astype(int)
+
+
+def test_a_saved_world_is_rendered_with_its_changes(walked: dict[str, Any]) -> None:
+    folder = walked["folder"]
+    with_it = render(folder, "a.png", "--world", str(folder / "my.world"))
+    assert (np.abs(with_it - render(folder, "b.png")).max(axis=-1) > 8).sum() > 20
+
+
+@pytest.mark.parametrize("view", ["voxel", "island"])
+def test_a_walk_refuses_what_is_no_world_and_leaves_it_alone(view: str, tmp_path: Path) -> None:
+    path = tmp_path / "notes.txt"
+    path.write_text("mine")
+    words = ["walk", view, "--backend", "osmesa", "--frames", "1", "--size", "32x24"]
+    sets = [word for change in SMALL for word in ("--set", change) if view == "voxel"]
+    refused(landscape(*words, *sets, "--world", path), "notes.txt", "expected")
+    refused(landscape(*words, *sets, "--world", tmp_path), "folder" if view == "voxel" else "voxel")
+    assert path.read_text() == "mine" and [p.name for p in tmp_path.iterdir()] == ["notes.txt"]
+
+
+def test_a_picture_needs_a_world_that_is_there(tmp_path: Path) -> None:
+    for view in ("voxel_bay", "fig35a"):
+        path = tmp_path / ("none" if view == "voxel_bay" else "empty")
+        (tmp_path / "empty").write_bytes(b"")
+        with pytest.raises(InputError, match=path.name):
+            Offscreen(world=path, backend="osmesa").look(view)

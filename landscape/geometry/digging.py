@@ -1,16 +1,25 @@
 """Digging and building, for scenes made of blocks. No OpenGL."""
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
+from pathlib import Path
 from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from landscape.files.input import read_bounded
 from landscape.frame import Pose
 from landscape.geometry.bodies import Body
 
 TOOLS = ("dig", "place", "pick")
 """What a walker does with the block in his cross-hair: takes it out, puts another one to it, or
 chooses its kind, to place such blocks from then on."""
+
+MOST_BYTES = 192 << 20  # chosen: what a file of a world may have
+
+
+def read_world(path: Path) -> bytes:
+    """Return the content of a file of changed blocks; InputError if it cannot be read."""
+    return read_bounded(path, MOST_BYTES, f"world {path}")
 
 
 @runtime_checkable
@@ -35,10 +44,10 @@ class Diggable(Protocol):
     def slot(self) -> int:
         """The chosen slot."""
 
-    def bar(self, height: int, language: str) -> tuple[Hashable, np.ndarray]:
-        """Return the picture of the bar, uint8 (h, w, 4), for a window ``height`` pixels high.
+    def bar(self, height: int, language: str) -> tuple[Hashable, Callable[[], np.ndarray]]:
+        """Return what the picture of the bar depends on, and how to make it, uint8 (h, w, 4).
 
-        Also what it depends on: where that is the same, so is the picture.
+        It is for a window ``height`` pixels high.
         """
 
     def saved(self) -> bytes:

@@ -150,6 +150,15 @@ class Land:
         ends = (np.array(end)[[0, 2, 1]] * self.scale for end in (low, high))
         self.touched.append((next(ends), next(ends)))
 
+    def change_many(self, blocks: Mapping[Cell, int]) -> None:
+        """Change blocks anywhere, and mesh their regions again."""
+        regions: set[int] = set()
+        for cell, kind in blocks.items():
+            self.world.put(cell, kind)
+            regions |= regions_around(self.world, cell, [at + 1 for at in cell])
+        for region in sorted(regions):
+            self.rebuild(region)
+
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1

@@ -1,19 +1,27 @@
 """What a walker can do in the island in voxels: move among its blocks, dig and build."""
 
 import math
+from collections.abc import Callable, Hashable
+from typing import Any
 
+import numpy as np
+
+from landscape.files.assets import Assets
+from landscape.files.cache import content
 from landscape.frame import Frame, Pose
 from landscape.geometry.bodies import Body, Wish
 from landscape.geometry.obstacles import MARGIN
 from landscape.gl.calls import drawing
 from landscape.languages import Phrases
 from landscape.voxel import body as bodies
+from landscape.voxel.bar import Icons, bar_image
 from landscape.voxel.blocks import AIR, BLOCKS, SOLID, block
 from landscape.voxel.highlight import draw_crosshair, draw_highlight
 from landscape.voxel.land import Land
 from landscape.voxel.picking import Hit, picked
 from landscape.voxel.settings import Settings
 from landscape.voxel.world import Cell
+from landscape.voxel.world_file import decoded, encoded
 
 REACH = 5.0  # blocks, chosen
 # The kinds of blocks that a walker begins with. Chosen.
@@ -25,6 +33,7 @@ WHY_NOT: Phrases = (
     "a plant needs something to stand on",
 )
 EDGE, BOTTOM, TOP, ROOT = WHY_NOT
+MADE_FROM = ("regions", "region_size", "levels", "sea", "trees", "buildings")  # settings of voxel
 
 
 class Played:
@@ -34,8 +43,10 @@ class Played:
     land: Land
     shown: set[str]
 
-    def __init__(self) -> None:
+    def __init__(self, assets: Assets, seed: int) -> None:
         """Nothing has been changed yet."""
+        self._assets, self._seed = assets, seed
+        self._icons: Icons | None = None
         self.changes = 0
         self.slot = 0
         self.slots = [block(name) for name in SLOTS]
@@ -129,6 +140,30 @@ class Played:
         body = body or Body(pose.x, pose.y - eye, pose.z)
         box = bodies.box_of(body.scaled(scale), eye * scale)
         return all(box.low[a] < cell[a] + 1 and box.high[a] > cell[a] for a in range(3))
+
+    def bar(self, height: int, language: str) -> tuple[Hashable, Callable[[], np.ndarray]]:
+        """Return what the picture of the bar depends on, and how to make it."""
+        self._icons = self._icons or Icons(self._assets)
+        shows = self._icons, tuple(self.slots), self.slot, height, language
+        return shows, lambda: bar_image(*shows)
+
+    def _made_from(self) -> dict[str, Any]:
+        """Return all that the land without changes depends on."""
+        values = self.settings.voxel
+        made: dict[str, Any] = {name: getattr(values, name) for name in MADE_FROM}
+        made["seed"] = self._seed
+        made["size"] = list(self.land.world.blocks.shape)
+        made["height_image"] = content(self._assets.path(values.height_image)).hex()
+        return made
+
+    def saved(self) -> bytes:
+        """Return the changed blocks, and on what land, as the content of a file."""
+        return encoded(self.land.world, self._made_from())
+
+    def restore(self, data: bytes, name: str) -> None:
+        """Change blocks as a file's content says, and no others; InputError."""
+        found = decoded(data, name, self.land.world, self._made_from())
+        self.land.change_many(self.land.world.former | found)
 
     def draw_aim(self, frame: Frame) -> None:
         """Draw the edges of the block under the cross-hair, and the cross-hair."""

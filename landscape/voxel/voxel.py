@@ -62,7 +62,7 @@ class Voxel(Played, Ground):
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
         Ground.__init__(self, settings, assets)
-        Played.__init__(self)
+        Played.__init__(self, assets, seed)
         self.shown = set(only)
         self._owned: list[Any] = []
         self.textures = TexturesView()
@@ -234,4 +234,5 @@ SCENE = Scene(
     terrain=Ground,
     overlay=HELD,
     title="the island in voxels",
+    blocks=True,
 )

@@ -23,16 +23,15 @@ from landscape.gl.glfw_library import glfw
 from landscape.languages import translator
 from landscape.scene import Moment, scene
 from landscape.window import words
-from landscape.window.bindings import BY_ACTION, SETTINGS, labels, system_name
-from landscape.window.digits import help_rows, pressed
+from landscape.window.bindings import SETTINGS, system_name
+from landscape.window.builder import SWITCHES, Builder, WorldFile
+from landscape.window.digits import help_rows, hint, pressed
 from landscape.window.hands import Hands
 from landscape.window.inspector_frame import Inspection
-from landscape.window.list_image import list_image
 from landscape.window.panel import Panel
-from landscape.window.place import Place, Places, at_doors
+from landscape.window.place import Place, Places, at_doors, list_picture
 from landscape.window.recording import MAX_SECONDS, Plan, Tick
-from landscape.window.screen import FrameRate, FullScreen, save_screenshot
-from landscape.window.settings_list import page
+from landscape.window.screen import FrameRate, FullScreen, hide_cursor, save_screenshot
 from landscape.window.sizes import Resizer, check_viewport
 from landscape.window.steady import Steady
 from landscape.window.walker import Intent, advance, aimed, start
@@ -59,11 +58,12 @@ class Walk:
         enlarged: bool = False,
         edits: Sequence[Edit] = (),
         context: GLFWContext | None = None,
+        world: WorldFile | None = None,
     ) -> None:
         """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
 
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
-        ``edits`` change single OpenGL calls.
+        ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed.
         """
         self.headless = backend == "osmesa"
         self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
@@ -78,6 +78,7 @@ class Walk:
         self.resizer = Resizer()
         self._size = (0, 0)
         self.hands = Hands(system_name)
+        self._builder = Builder(world, plan.language)
         self._panel: Panel | None = None
         self.steady = Steady(fps)
         self._context: GLFWContext | None = context or GLFWContext(
@@ -99,13 +100,17 @@ class Walk:
             glfw.swap_interval(1)
         self.hands.listen(self.window)
         dpi = max(glfw.get_window_content_scale(self.window))
-        self._panel = Panel(self._word("help.title"), self._key_rows(), dpi)
+        self._panel = Panel(
+            self._word("help.title"),
+            help_rows(self.place.kind, self.place.settings, self._language, system_name),
+            dpi,
+        )
         self._wait("loading")
         with self.inspection.building():
             self.place.open(self._assets, self._seed, plan.only)
+            self._builder.opened(self.place.scene)
         self.walker = start(plan.pose, self.place.scene, plan.settings)
-        letter = labels(BY_ACTION["help"], self._language, system_name)
-        self._say(self._word("hint", letter=letter))
+        self._say(hint(self.place.kind, self._language, system_name))
         self._last = glfw.get_time()
         self._rate = FrameRate(self._named(self.place.kind.title))
 
@@ -122,11 +127,6 @@ class Walk:
         self._panel.draw(size, message=self._word(text, **values))
         self._context.show()
         glfw.poll_events()
-
-    def _key_rows(self) -> list[tuple[str, str]]:
-        """Return the rows of the help, labelled as the keyboard is now."""
-        place = self.place
-        return help_rows(place.kind, place.settings, self._language, system_name)
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)
@@ -151,6 +151,7 @@ class Walk:
         """Return the next frame's input, or None if the user leaves."""
         glfw.poll_events()
         orders, self.hands.orders = self.hands.orders, []
+        self.hands.building = self.place.kind.blocks
         for order in orders:
             self.obey(order)
         if glfw.window_should_close(self.window):
@@ -158,6 +159,7 @@ class Walk:
         now = glfw.get_time()
         seconds, self._last = now - self._last, now
         intent, switches = self.hands.take()
+        switches = self._builder.switches(self.place.scene, switches)
         assert self._context is not None
         if self.hands.captured and not self.place.settings.walk.mouse_relative:
             look = aimed(self.walker, *self._context.cursor(), self.place.settings.walk.mouse)
@@ -200,12 +202,12 @@ class Walk:
             self.hands.inspecting = self.inspection.toggle(self._language)
             if self.hands.captured:
                 self.obey("release")
+        elif order == "save":
+            self._note = self._builder.save() or self._note
         else:
-            captured = order == "capture"
+            captured = not self.hands.captured if order == "mouse" else order == "capture"
             # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
-            hidden = captured and self.place.settings.walk.mouse_relative
-            mode = glfw.CURSOR_DISABLED if hidden else glfw.CURSOR_NORMAL
-            glfw.set_input_mode(self.window, glfw.CURSOR, mode)
+            hide_cursor(self.window, captured and self.place.settings.walk.mouse_relative)
             self.hands.capture(captured)
 
     def _inspect(self, scale: float) -> bool:
@@ -231,14 +233,10 @@ class Walk:
         if tick.note:
             self._say(tick.note)
         before = self.walker
-        self.walker = advance(
-            self.walker,
-            tick.intent,
-            tick.seconds,
-            self.place.scene,
-            self.place.scene.obstacles,
-            self.place.settings,
-        )
+        scene, settings = self.place.scene, self.place.settings
+        self.walker = advance(before, tick.intent, tick.seconds, scene, scene.obstacles, settings)
+        if said := self._builder.advance(self.place.scene, self.walker, tick):
+            self._say(said)
         if self.walker.flying != before.flying:
             self._tell("fly", self.walker.flying)
         elif self.walker.swimming != before.swimming:
@@ -288,6 +286,8 @@ class Walk:
         elif name == "wireframe":
             self._wireframe = not self._wireframe
             self._tell(name, self._wireframe)
+        elif name in SWITCHES:
+            self._builder.switch(self.place.scene, name)
         elif name in ("fix", "next_fix", "previous_fix", "go_to_fix"):
             if self.place.kind.fixes:
                 self._switch_fix(name)
@@ -327,11 +327,8 @@ class Walk:
         assert self._panel is not None
         if self.inspection.open or not self._row:
             return self.inspection.image(self._panel.dpi)
-        place = self.place
-        state = place.settings, place.chooser.defaults, self._row, self._done, self._language
-        shows = *state, frozenset(place.scene.shown), place.kind.elements
-        dpi = self._panel.dpi
-        return shows, lambda: list_image(page(*shows), self._size, dpi)
+        shown = self._row, self._done, self._language
+        return list_picture(self.place, *shown, self._size, self._panel.dpi)
 
     def _switch_fix(self, name: str) -> None:
         """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""
@@ -365,11 +362,13 @@ class Walk:
         )
         if self._help:
             # The user may have changed the keyboard's layout.
-            self._panel.set_rows(self._key_rows())
+            self._panel.set_rows(
+                help_rows(self.place.kind, self.place.settings, self._language, system_name)
+            )
         left = max(self._until - self.seconds - self._stood, 0.0)
         message, opacity = self._message if left else "", min(left / FADE, 1.0)
-        cross = self.inspection.cross()
-        self._panel.draw(self._size, self._help, message, opacity, self._at_left(), cross)
+        cross, bar = self.inspection.cross(), self._builder.bar(scene, self._size)
+        self._panel.draw(self._size, self._help, message, opacity, self._at_left(), cross, bar)
 
     def pixels(self) -> np.ndarray:
         """Return the frame drawn but not yet presented, uint8 (h, w, 3), top row first."""
@@ -385,11 +384,14 @@ class Walk:
         self._rate.count(self.window)
 
     def close(self) -> None:
-        """Release the panel, the scene and the window, in this order; may be called twice."""
-        for owner in (self._panel, self.steady, self._places, self.place, self._context):
-            if owner is not None:
-                owner.release()
-        self._panel = self._context = None
+        """Save the world, or raise InputError; release all, in order; may be called twice."""
+        try:
+            self._builder.leave()
+        finally:
+            for owner in (self._panel, self.steady, self._places, self.place, self._context):
+                if owner is not None:
+                    owner.release()
+            self._panel = self._context = None
 
     def __enter__(self) -> Self:
         return self

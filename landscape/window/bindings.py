@@ -56,6 +56,8 @@ BINDINGS = (
     Binding("next_fix", letter="N"),
     Binding("fix", letter="V"),
     Binding("go_to_fix", letter="J"),
+    Binding("mouse", (glfw.KEY_TAB,), ORDER),
+    Binding("save", (glfw.KEY_F5,), ORDER),
     Binding("list", letter="L"),
     Binding("inspector", letter="I", kind=ORDER),
     Binding("fullscreen", (glfw.KEY_F11,), ORDER),
@@ -137,6 +139,8 @@ NAMED_KEYS = {
     glfw.KEY_SPACE: "key.space",
     glfw.KEY_LEFT_SHIFT: "key.left_shift",
     glfw.KEY_ESCAPE: "key.escape",
+    glfw.KEY_TAB: "key.tab",
+    glfw.KEY_F5: "key.f5",
     glfw.KEY_F11: "key.f11",
     glfw.KEY_F12: "key.f12",
 }
@@ -203,14 +207,18 @@ def inspect_pick(key: int, mods: int, name: Namer) -> str:
     return found or INSPECTING_LETTERS.get(printed, "")
 
 
-def available(settings: Any, fixes: bool) -> tuple[Binding, ...]:
-    """Return the bindings that work in a scene with these settings, with or without fixes."""
+def available(settings: Any, fixes: bool, blocks: bool = False) -> tuple[Binding, ...]:
+    """Return the bindings that work in a scene with these settings, with or without fixes.
+
+    ``blocks``: in a scene of blocks.
+    """
     known = keys.fields(type(settings))
     return tuple(
         binding
         for binding in BINDINGS
         if (not binding.setting or binding.setting in known)
         and (fixes or binding.action not in ("fix", "next_fix", "go_to_fix"))
+        and (blocks or binding.action not in ("mouse", "save"))
     )
 
 

@@ -12,9 +12,10 @@ from landscape.capture.edit_files import read as read_edits
 from landscape.errors import InputError
 from landscape.files.assets import Assets, recording
 from landscape.languages import choose
-from landscape.scene import SEED, Scene, View
+from landscape.scene import SEED, Scene, View, scene
 from landscape.window import words
 from landscape.window.app import Walk
+from landscape.window.builder import WorldFile
 from landscape.window.loop import run
 from landscape.window.pace import FPS
 from landscape.window.recording import Plan, Writer, read
@@ -41,6 +42,7 @@ def walk(
     language: str = "",
     fps: float = FPS,
     edits: Path | None = None,
+    world: Path | None = None,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
@@ -50,8 +52,9 @@ def walk(
     given. Without ``size`` a live walk has SIZE, enlarged on a display of high resolution. It draws
     less detail where that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
     ``language`` is "en" or "fr"; without it the environment chooses, or a replay its file.
-    ``edits`` is a file of edits to OpenGL calls; a recording does not contain them. ``given`` are
-    the settings among ``settings`` that the user has set: they go with him through doors.
+    ``edits`` is a file of edits to OpenGL calls, ``world`` one of changed blocks, which a replay
+    only reads; a recording does not contain what is in them. ``given`` are the settings among
+    ``settings`` that the user has set: they go with him through doors.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
@@ -82,11 +85,17 @@ def walk(
             given=_checked(settings, given or {}),
         )
     changes = read_edits(edits) if edits is not None else []
+    kept_world = None
+    if world is not None:
+        if not scene(plan.scene).blocks:
+            raise InputError(f"world {world}: expected a view of a scene of blocks, such as voxel")
+        kept_world = WorldFile(world, keep=ticks is None)
     writer = Writer(record, plan) if record is not None else None
     try:
         kept_rate = fps if ticks is None else 0.0
         enlarged = size is None and replay is None
-        with Walk(plan, assets, backend, fullscreen, kept_rate, enlarged, changes) as opened:
+        options = backend, fullscreen, kept_rate, enlarged, changes
+        with Walk(plan, assets, *options, world=kept_world) as opened:
             run(opened, ticks, writer, frames)
         if opened.resizer.refused and not quiet:
             wanted, got = ("{}x{}".format(*size) for size in opened.resizer.refused)

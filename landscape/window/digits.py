@@ -12,7 +12,9 @@ from landscape.keys import Toggle, Value
 from landscape.languages import translator
 from landscape.scene import Scene
 from landscape.window import words
-from landscape.window.bindings import Namer, available, labels
+from landscape.window.bindings import BY_ACTION, Namer, available, labels
+
+BUILDING = ("dig", "place", "pick", "slots")  # rows of the help in a scene of blocks
 
 
 def help_rows(kind: Scene, settings: Any, language: str, name: Namer) -> list[tuple[str, str]]:
@@ -21,10 +23,25 @@ def help_rows(kind: Scene, settings: Any, language: str, name: Namer) -> list[tu
     Keys that do nothing in the scene are left out; ``name`` says what is printed on a key.
     """
     rows = [
-        (labels(binding, language, name), words.text(language, f"help.{binding.action}"))
-        for binding in available(settings, bool(kind.fixes))
+        (labels(binding, language, name), _help(binding.action, kind.blocks, language))
+        for binding in available(settings, bool(kind.fixes), kind.blocks)
     ]
+    for row in BUILDING if kind.blocks else ():
+        rows.append((words.text(language, f"key.{row}"), words.text(language, f"help.{row}")))
     return rows + [(digit, named(toggle, language)) for digit, toggle in kind.digits.items()]
+
+
+def hint(kind: Scene, language: str, name: Namer) -> str:
+    """Return what is said at the beginning of a walk: which key lists the others, and so on."""
+    keys = {each: labels(BY_ACTION[each], language, name) for each in ("help", "mouse")}
+    key = "hint.blocks" if kind.blocks else "hint"
+    return words.text(language, key, letter=keys["help"], mouse=keys["mouse"])
+
+
+def _help(action: str, blocks: bool, language: str) -> str:
+    """Return what a key does; some keys do something else in a scene of blocks."""
+    key = f"help.{action}.blocks"
+    return words.text(language, key if blocks and key in words.TEXTS else f"help.{action}")
 
 
 def named(toggle: Toggle, language: str) -> str:

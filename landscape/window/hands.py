@@ -1,5 +1,6 @@
 """Collect keyboard and mouse input between two frames and turn it into the walker's intent."""
 
+import math
 from collections.abc import Iterable
 from typing import Any
 
@@ -33,6 +34,12 @@ from landscape.window.walker import Intent
 FINELY = (  # what makes a drag fine
     glfw.KEY_LEFT_SHIFT, glfw.KEY_RIGHT_SHIFT, glfw.KEY_LEFT_CONTROL, glfw.KEY_RIGHT_CONTROL,
 )  # fmt: skip
+TOOLS = {  # what a mouse button does in a scene of blocks
+    glfw.MOUSE_BUTTON_LEFT: "dig",
+    glfw.MOUSE_BUTTON_RIGHT: "place",
+    glfw.MOUSE_BUTTON_MIDDLE: "pick",
+}  # fmt: skip
+DRAG = 5.0  # chosen: pixels; a motion with the button down that is longer is no click
 JUMP = 200.0  # chosen: pixels; a larger motion between two reports is a pointer jump: clamped
 
 
@@ -56,6 +63,13 @@ class Hands:
         self._tapped: set[int] = set()
         self._switches: list[str] = []
         self._look = [0.0, 0.0]
+        # In a scene of blocks the buttons dig and build; while the mouse is free, dragging the left
+        # one turns the view.
+        self.building = False
+        self._clicked: set[str] = set()
+        self._using: set[str] = set()
+        self._pressed: tuple[float, float] | None = None  # where a click or a drag began
+        self._dragging = False
         self._last: tuple[float, float] | None = None
         self._at = 0.0, 0.0  # where the mouse was at the last report
 
@@ -122,23 +136,47 @@ class Hands:
                 what = "press" if action == glfw.PRESS else "release"
                 self.inspected.append((what, *self._at, float(bool(mods & glfw.MOD_SHIFT))))
             return
-        if button == glfw.MOUSE_BUTTON_LEFT and action == glfw.PRESS:
+        if self.building:
+            if button in TOOLS:
+                self._use(TOOLS[button], action == glfw.PRESS)
+        elif button == glfw.MOUSE_BUTTON_LEFT and action == glfw.PRESS:
             if self.captured:
                 self._switches.append("strike")
             else:
                 self.orders.append("capture")
 
+    def _use(self, tool: str, down: bool) -> None:
+        """Note that the button of a tool went down or up in a scene of blocks."""
+        if tool == "dig" and not self.captured:
+            # Whether it is a click shows when it ends.
+            if down:
+                self._pressed = self._at
+            elif self._pressed is not None and not self._dragging:
+                self._clicked.add(tool)
+            if not down:
+                self._pressed, self._dragging = None, False
+        if down and (tool != "dig" or self.captured):
+            self._clicked.add(tool)
+            self._using.add(tool)
+        elif not down:
+            self._using.discard(tool)
+
     def wheel(self, notches: float) -> None:
         """Note that the wheel was turned, up where ``notches`` is positive."""
         if self.inspecting:
             self.inspected.append(("wheel", *self._at, notches))
+        elif self.building and notches:
+            self._switches.append("previous_slot" if notches > 0 else "next_slot")
 
     def motion(self, x: float, y: float) -> None:
         """Note that the mouse is at x, y in pixels; its motion turns the view."""
         self._at = x, y
         if self.inspecting:
             self.inspected.append(("move", x, y, float(not self._held.isdisjoint(FINELY))))
-        if not self.captured:
+        if self._pressed is not None and not self._dragging:
+            self._dragging = math.dist(self._pressed, (x, y)) > DRAG
+            self._last = None
+        if not self.captured and not self._dragging:
             return
         if self._last is not None:
             for axis, way in enumerate((x - self._last[0], y - self._last[1])):
@@ -148,7 +186,8 @@ class Hands:
     def capture(self, captured: bool) -> None:
         """Start or stop mouse look; the first motion afterwards is dropped."""
         self.captured = captured
-        self._last = None
+        self._last = self._pressed = None
+        self._dragging = False
 
     def focus(self, focused: bool) -> None:
         """Release all keys when the focus is lost, as their release would not be reported."""
@@ -157,6 +196,8 @@ class Hands:
             self._held.clear()
             self._tapped.clear()
             self._look = [0.0, 0.0]
+            self._clicked, self._using = set(), set()
+            self._pressed, self._dragging = None, False
             if self.captured:
                 self.orders.append("release")
 
@@ -178,6 +219,12 @@ class Hands:
             strike="strike" in switches,
             # Two presses within a frame cancel out.
             fly=switches.count("fly") % 2 == 1,
+            dig="dig" in self._clicked,
+            place="place" in self._clicked,
+            pick="pick" in self._clicked,
+            digging="dig" in self._using,
+            placing="place" in self._using,
         )
+        self._clicked = set()
         self._tapped, self._switches, self._look = set(), [], [0.0, 0.0]
         return intent, tuple(name for name in switches if name not in ("strike", "fly"))

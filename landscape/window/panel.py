@@ -157,13 +157,15 @@ class Panel:
         opacity: float = 1.0,
         left: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
         cross: tuple[int, int, Callable[[], np.ndarray]] | None = None,
+        bar: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
     ) -> None:
         """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1.
 
         ``left`` is a picture at the left edge: what it depends on, and how to make it. ``cross`` is
-        one of odd size with its middle at a pixel, counted from the top left.
+        one of odd size with its middle at a pixel, counted from the top left. ``bar`` is one in the
+        middle of the lower edge, given as ``left`` is; the message is then above it.
         """
-        if not keys and not message and left is None:
+        if not keys and not message and left is None and bar is None:
             return
         begin_pass("overlay")
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
@@ -177,7 +179,11 @@ class Panel:
                 plate = self._plate("cross", size, cross[2])
                 low = size[1] - 1 - cross[1] - plate.height // 2
                 plate.draw(cross[0] - plate.width // 2, low, 1.0)
-            covered = 0
+            covered = below_message = 0
+            if bar is not None and not keys:
+                plate = self._plate("bar", *bar)
+                plate.draw((size[0] - plate.width) // 2, size[1] // (3 * MARGIN), 1.0)
+                below_message = plate.height
             if left is not None:
                 plate = self._plate("left", (left[0], size), left[1])
                 plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
@@ -195,7 +201,7 @@ class Panel:
                 # In the middle of what the picture at the left leaves free, if it fits there.
                 middle = (size[0] + covered - plate.width) // 2
                 x = max(min(middle, size[0] - plate.width), 0)
-                plate.draw(x, size[1] // MARGIN, opacity)
+                plate.draw(x, size[1] // MARGIN + below_message, opacity)
 
     def _plate(self, name: str, shows: Hashable, make: Callable[[], np.ndarray]) -> Plate:
         """Return the plate of a name; it is made again if it is to show something else."""

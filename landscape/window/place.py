@@ -4,18 +4,22 @@ A scene that is left stays open, so that coming back takes no time; the price is
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 from landscape import keys
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.digging import Diggable
 from landscape.geometry.doors import Door, Doored
 from landscape.keys import Value
 from landscape.scene import Fix, OpenScene, Scene, scene
+from landscape.window.list_image import list_image
 from landscape.window.recording import Plan
-from landscape.window.settings_list import Chooser
+from landscape.window.settings_list import Chooser, page
 from landscape.window.walker import Intent, Walker
 
 
@@ -41,10 +45,20 @@ class Place:
         return self._scene is not None
 
     def open(self, assets: Assets, seed: int, only: Sequence[str] | None = None) -> None:
-        """Open the scene; if it is open, open it anew with the elements it shows. InputError."""
+        """Open the scene; if it is open, open it anew with the elements it shows. InputError.
+
+        Blocks that were changed stay so; on another land, which has none of them, it does not open.
+        """
         former = self._scene
         names = former.shown if former is not None else only
-        self._scene = self.kind.open(self.settings, assets, seed, self.kind.only(names or None))
+        opened = self.kind.open(self.settings, assets, seed, self.kind.only(names or None))
+        if isinstance(former, Diggable) and isinstance(opened, Diggable):
+            try:
+                opened.restore(former.saved(), self.kind.title)
+            except InputError:
+                opened.release()
+                raise
+        self._scene = opened
         if former is not None:
             former.release()
 
@@ -140,3 +154,12 @@ def at_doors(
     place = walker.x, walker.y, walker.z
     entered = (door for door in doors if walks and door.entered(place, way))
     return next(entered, None), next((door for door in doors if door.faced(pose)), None)
+
+
+def list_picture(
+    place: Place, row: str, done: str, language: str, size: tuple[int, int], dpi: float
+) -> tuple[Hashable, Callable[[], np.ndarray]]:
+    """Return what the picture of a place's list of settings depends on, and how to make it."""
+    state = place.settings, place.chooser.defaults, row, done, language
+    shows = *state, frozenset(place.scene.shown), place.kind.elements
+    return shows, lambda: list_image(page(*shows), size, dpi)

@@ -44,6 +44,9 @@ ACTIONS = (
     "previous_fix",
     "go_to_fix",
     "fix",
+    *(f"slot_{n}" for n in range(1, 10)),
+    "next_slot",
+    "previous_slot",
 )  # switches
 FORMER = {"next_cure": "next_fix", "cure": "fix"}  # names in older recordings
 

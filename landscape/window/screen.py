@@ -32,6 +32,12 @@ class FullScreen:
         return True
 
 
+def hide_cursor(window: Any, hidden: bool) -> None:
+    """Hide the cursor and keep it in the window, or show it."""
+    mode = glfw.CURSOR_DISABLED if hidden else glfw.CURSOR_NORMAL
+    glfw.set_input_mode(window, glfw.CURSOR, mode)
+
+
 class FrameRate:
     """Shows the frames per second in a window's title."""
 

@@ -49,7 +49,8 @@ class Intent:
 
     ``forward``, ``right``, ``up`` and ``turn`` (to the right) are -1 to 1; ``look`` is how far the
     mouse moved, in pixels right and down. ``strike`` and ``fly`` are events: a stroke of the sword
-    begins; flying begins or ends.
+    begins; flying begins or ends. So are ``dig``, ``place`` and ``pick``, one click each in a scene
+    of blocks; ``digging`` and ``placing`` say that the button is held.
     """
 
     forward: float = 0.0
@@ -60,6 +61,11 @@ class Intent:
     run: bool = False
     strike: bool = False
     fly: bool = False
+    dig: bool = False
+    place: bool = False
+    pick: bool = False
+    digging: bool = False
+    placing: bool = False
 
 
 @dataclass(frozen=True)
