@@ -1,7 +1,6 @@
 """What tests of rabbit and dragon share: small meshes, a flat ground, a place in the sun."""
 
 import numpy as np
-import trimesh
 
 from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
@@ -50,5 +49,7 @@ def made(
 
 def ball() -> tuple[np.ndarray, np.ndarray]:
     """Return vertices and triangles of a ball fine enough for several levels of detail."""
+    import trimesh  # which takes seconds: only in a process that needs it
+
     shape = trimesh.creation.icosphere(subdivisions=5)
     return np.asarray(shape.vertices), np.asarray(shape.faces)

@@ -27,12 +27,13 @@ TESTS = Path(__file__).resolve().parent
 SECONDS = 120  # timeout of a command
 
 _CHILD = """
-import contextlib, io, json, os, sys, traceback, warnings
+import contextlib, gc, io, json, os, sys, traceback, warnings
 from landscape.cli import main
 
 # Show every warning: the user would see it on standard error.
 for kind in (RuntimeWarning, UserWarning, FutureWarning):
     warnings.simplefilter("always", kind)
+gc.freeze()  # what is imported is no garbage
 replies = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
 for line in sys.stdin:

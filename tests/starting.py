@@ -1,7 +1,8 @@
 """Start GLFW programs one after another, each in a copy of one process that has imported OpenGL.
 
 Each is the main program of a process of its own, and ends as Python ends. Only the time to import
-PyOpenGL, GLFW, numpy and Pillow is spent once.
+PyOpenGL, GLFW, numpy and Pillow is spent once. After each frame but the first a program waits, as
+it would for a screen: Xvfb takes as many frames as the processor can draw.
 """
 
 import contextlib
@@ -18,8 +19,10 @@ SECONDS = 60
 
 # The copy leaves the loop: its end is that of the interpreter, with all that Python does there.
 _SERVER = """
-import json, os, runpy, sys
+import gc, json, os, runpy, sys, time
 import glfw, numpy, OpenGL.GL, PIL.Image
+gc.collect()
+gc.freeze()  # a copy need not look through all of this when it ends
 with os.fdopen(os.dup(0)) as asked:
     replies = os.dup(1)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
@@ -39,10 +42,13 @@ os.close(written)
 
 show = glfw.swap_buffers
 def show_first(window):
-    glfw.swap_buffers = show
+    glfw.swap_buffers = show_next
     show(window)
     os.write(replies, b"shown %d\\n" % os.getpid())
     os.close(replies)
+def show_next(window):
+    show(window)
+    time.sleep(0.012)
 glfw.swap_buffers = show_first
 
 sys.argv, sys.path[0] = [file], os.path.dirname(file)

@@ -73,7 +73,7 @@ def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
         told |= {hint.text: mistake, hint.written(str): mistake}
 
 
-EMPTY = """# exercise: {name}
+CLEARED = """# exercise: {name}
 import glfw
 from OpenGL.GL import *
 glfw.init()
@@ -81,11 +81,10 @@ window = glfw.create_window(640, 480, "", None, None)
 glfw.make_context_current(window)
 while not glfw.window_should_close(window):
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-    glBegin(GL_TRIANGLES)
-    glEnd()
     glfw.swap_buffers(window)
     glfw.poll_events()
 """
+EMPTY = CLEARED.replace("    glfw.swap", "    glBegin(GL_TRIANGLES)\n    glEnd()\n    glfw.swap")
 LOOP = "    while not glfw.window_should_close(window):\n"
 ONLY_FIRST = """        if glfw.get_time() > 0:
             glfw.swap_buffers(window)
@@ -100,7 +99,7 @@ def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame
 ) -> None:
     once = solution(name).replace(LOOP, LOOP + ONLY_FIRST)
     assert once != solution(name)
-    for code in (EMPTY.format(name=name), once):
+    for code in (CLEARED.format(name=name), EMPTY.format(name=name), once):
         report = checked(grader, tmp_path, code)
         assert report.error is None and report.results
         assert not any(result.passed for result in report.results)

@@ -132,13 +132,6 @@ def test_a_program_may_print_as_much_as_it_likes(grader: Grader, tmp_path: Path)
     assert checked(grader, tmp_path, code).passed
 
 
-def test_a_program_that_draws_nothing_it_should_gets_a_hint(grader: Grader, tmp_path: Path) -> None:
-    for name in NAMES:
-        code = HEAD.replace("winding", name) + OPEN + LOOP + SHOW
-        report = checked(grader, tmp_path, code)
-        assert report.error is None and len(failures(report)) >= 1, name
-
-
 def test_a_call_without_a_context_does_not_count(grader: Grader, tmp_path: Path) -> None:
     on, current = "    glEnable(GL_DEPTH_TEST)\n", "    glfw.make_context_current(window)\n"
     code = solution("missing_enable").replace(on, "").replace(current, on + current)

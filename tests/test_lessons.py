@@ -168,7 +168,7 @@ def test_lines_points_and_what_is_measured_in_letters_grow_with_the_window(
 ) -> None:
     found = lesson(name)
     sizes = [{"frame": at, "resize": size} for at, size in ((2, [320, 240]), (3, [1280, 960]))]
-    grids = watcher(found.file, 3, events=[*presses(found.pressed), *sizes], each=True).grids
+    grids = watcher(found.file, 3, events=[*presses(found.pressed), *sizes], grids=True).grids
     as_made, small, large = (np.array(grids[at]) for at in (1, 2, 3))
     # In a small window no line is thinner than a pixel, so there is a little more of some.
     assert np.abs(small - as_made).max() < 24
@@ -211,7 +211,7 @@ def test_a_lesson_runs_in_a_window_until_escape(
     pid = starter.start(found.file, printed)
     keys = [SYMBOLS.get(key, key.lower()) for key in found.keys]
     window = xdotool(screen, "search", "--onlyvisible", "--pid", str(pid))
-    pressed = ("key", "--delay", "20", *keys) if keys else ()
+    pressed = ("key", "--delay", "40", *keys) if keys else ()
     # Held: a program that asks for the key's state would miss one that is down between two frames.
     xdotool(screen, "windowfocus", "--sync", window, *pressed, "keydown", "Escape")
     try:

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import trimesh
 from stage import Stage, close, small, write_ply
 
 from landscape.errors import InputError
@@ -151,6 +150,8 @@ def test_a_mesh_is_sent_by_one_draw_call_where_its_vertices_are(stage: Stage) ->
 
 @pytest.mark.parametrize("ending", ["obj", "stl", "off", "glb"])
 def test_other_formats_are_read_through_trimesh(tmp_path: Path, ending: str) -> None:
+    import trimesh
+
     box = trimesh.creation.box((2.0, 4.0, 6.0))
     path = tmp_path / f"box.{ending}"
     box.export(path)
@@ -208,6 +209,8 @@ def test_damaged_vertex_colours_are_refused_by_file_name(tmp_path: Path) -> None
 
 def sphere(rings: int = 40) -> Mesh:
     """A closed ball of radius 1."""
+    import trimesh
+
     ball = trimesh.creation.uv_sphere(count=(rings, rings))
     vertices = np.ascontiguousarray(ball.vertices, np.float32)
     triangles = np.ascontiguousarray(ball.faces, np.uint32)

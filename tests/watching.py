@@ -64,12 +64,12 @@ def _every_colour() -> Any:
 class Watch:
     """An observer that counts each frame's calls, and reads the frame ``wanted``, or each.
 
-    With ``each``, ``pictures`` are the checksums of the frames up to it, ``grids`` what ``grid``
-    makes of them, and no call is counted.
+    With ``each``, ``pictures`` are the checksums of the frames up to it, and no call is counted;
+    ``grids`` are what ``grid`` makes of them, if that is asked for, too.
     """
 
-    def __init__(self, wanted: int | None = None, each: bool = False) -> None:
-        self.each, self.wanted = each, wanted
+    def __init__(self, wanted: int | None = None, each: bool = False, grids: bool = False) -> None:
+        self.each, self.wanted, self._with_grids = each or grids, wanted, grids
         self.pictures: list[str] = []
         self.grids: list[Any] = []
         self.calls: list[tuple[str, tuple[Any, ...]]] = []
@@ -118,7 +118,7 @@ class Watch:
         self.read = gl.glReadPixels(0, 0, width, height, gl.GL_RGB, gl.GL_UNSIGNED_BYTE)
         picture = np.frombuffer(self.read, np.uint8).reshape(height, width, 3)[::-1]
         self.pictures.append(hashlib.sha256(picture.tobytes()).hexdigest())
-        if self.each:
+        if self._with_grids:
             self.grids.append(grid(picture))
         if self.wanted is not None and number != self.wanted:
             return None
@@ -185,7 +185,7 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
     from landscape.capture.program import run
     from landscape.errors import InputError, NoOpenGLError
 
-    observer = Watch(asked.get("frame"), asked.pop("each", False))
+    observer = Watch(asked.get("frame"), asked.pop("each", False), asked.pop("grids", False))
     out, err = io.StringIO(), io.StringIO()
     reply: dict[str, Any] = {}
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):

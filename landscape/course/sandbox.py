@@ -43,6 +43,9 @@ GRACE = 1.5  # seconds, chosen: between asking a program to end and ending it
 FILE_BYTES = 64 << 20  # chosen: the largest file, the evidence included
 NAMESPACES = (0x40000000, 0x50000000)  # CLONE_NEWNET; for users other than root with CLONE_NEWUSER
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
+# More threads would cost more time to start than they save. Without any, llvmpipe crashes when a
+# window is resized (SIGFPE, in Mesa 22 and in every second process).
+THREADS = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 # What each program needs, imported once.
 PRELOADED = (
     *("OpenGL.GL", "OpenGL.GLU", "OpenGL.arrays.ctypespointers", "OpenGL.arrays.numpymodule"),
@@ -144,9 +147,7 @@ class Sandbox:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            # More threads of llvmpipe would cost more time to start than they save. Without any, it
-            # crashes when a window is resized (SIGFPE, in Mesa 22 and in every second process).
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(paths), "LP_NUM_THREADS": "1"},
+            env={**os.environ, **THREADS, "PYTHONPATH": os.pathsep.join(paths)},
             start_new_session=True,  # so that Ctrl-C reaches only the command itself
         )
 
