@@ -13,7 +13,6 @@ from landscape.effects.mist import BASE, heights, sheet, softened
 from landscape.effects.moving_sky import dome
 from landscape.elements.best.air.mist_sheets import far_to_near
 from landscape.frame import Pose
-from landscape.gl import extensions
 
 OVER_THE_FLOOR = Pose(1.4, 0.2, 2.3, 25.0, -12.0)
 AT_A_WINDOW = Pose(1.9, 0.3, 1.4, 90.0, 8.0)
@@ -118,15 +117,3 @@ def test_two_layers_move_at_two_speeds_and_lie_in_their_order(picture: Draw) -> 
     assert 0 < moved(picture, sky_layers=1).mean() < moved(picture, sky_layers=2).mean()
     right, wrong = (picture(AT_A_WINDOW, sky_sorted=order) for order in (True, False))
     assert np.abs(right - wrong).max() > 5
-
-
-def test_with_a_single_texture_unit_the_sky_has_one_layer(
-    picture: Draw, stage: Stage, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    one = picture(AT_A_WINDOW, sky_layers=1)
-    monkeypatch.setattr(extensions, "version", lambda: (1, 2))
-    monkeypatch.setattr(extensions, "extensions", frozenset)
-    anew = HallPictures(stage)
-    found = anew(AT_A_WINDOW, 0.0, ("room", "floor", "sky"), {"sky.layers": 2})
-    anew.release()
-    np.testing.assert_array_equal(found, one)

@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage
 
-from landscape.effects.hall import SCENE, Hall
+from landscape.effects import plan
+from landscape.effects.hall import SCENE, Ground, Hall, obstacles
 from landscape.effects.safeguard import Safeguard
 from landscape.effects.safeguards import SAFEGUARDS
 from landscape.files.assets import Assets
 from landscape.keys import fields, get, with_settings
 from landscape.scene import Moment, find_view, placed
+from landscape.window.walker import Intent, advance, start
 
 LEAST = 150  # pixels of 160 x 120 that differ clearly between the two pictures
 
@@ -63,4 +65,28 @@ def test_every_safeguard_of_mirror_and_shadow_has_a_pair() -> None:
     switches = {key for key in kinds if key.startswith(groups)
                 and isinstance(get(SCENE.settings, key), bool)}  # fmt: skip
     paired = {key for each in SAFEGUARDS for key in each.on if each.on[key] != each.off[key]}
-    assert switches - paired == {"mirror.enabled", "mirror.fresnel", "mirror.fades"}
+    assert switches - paired == {
+        "mirror.enabled",
+        "mirror.fresnel",
+        "mirror.fades",
+        "shadow.enabled",
+    }
+
+
+@pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
+def test_who_goes_to_a_safeguard_sees_its_picture_or_stands_where_one_can(
+    safeguard: Safeguard,
+) -> None:
+    pose = placed(safeguard.pose(False), Ground(), SCENE.settings.walk.eye)
+    who = start(pose, Ground(), SCENE.settings)
+    for _ in range(3):
+        who = advance(who, Intent(), 0.05, Ground(), obstacles(), SCENE.settings)
+    assert (who.yaw, who.pitch) == (pose.yaw % 360, pose.pitch)
+    moved = np.hypot(who.x - pose.x, who.z - pose.z)
+    if who.flying:
+        assert (moved, who.y) == (0.0, pose.y)
+        return
+    pool, eye = plan.POOL, SCENE.settings.walk.eye
+    assert abs(who.y - eye) <= SCENE.settings.walk.bob + 1e-9 and moved < 0.2
+    assert not (pool.west < who.x < pool.east and pool.north < who.z < pool.south)
+    assert pose.y is not None and abs(pose.y - who.y) < 0.1

@@ -125,7 +125,8 @@ class Caustics:
     @contextmanager
     def while_drawn(self, frame: Frame) -> Iterator[None]:
         """Let the block draw the basin with the net on it, if that takes no second pass."""
-        if self._settings.caustics.passes == "two" or not self._possible:
+        values = self._settings.caustics
+        if values.passes == "two" or not (self._possible and values.enabled):
             yield
             return
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
@@ -144,9 +145,9 @@ class Caustics:
 
     def draw(self, frame: Frame) -> None:
         """Draw the second pass over the basin, and the light on the stone around the pool."""
-        if not self._possible:
-            return
         values = self._settings.caustics
+        if not (self._possible and values.enabled):
+            return
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
         with attrib(groups), front_faces():

@@ -25,12 +25,21 @@ from landscape.effects.torches import Torches
 from landscape.effects.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.elements import sun
 from landscape.elements.sword import Sword
+from landscape.errors import NoOpenGLError
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
+from landscape.gl.extensions import Need, first_missing, has_stencil, texture_units
 from landscape.scene import Moment, Scene, View, begin_frame
 
+# Of the stone's light maps, the pool and the clouds; without these there is no hall.
+NEEDS = (
+    Need((1, 3), ("GL_ARB_multitexture",)),
+    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
+)
+UNITS = 2
+IN_STENCIL = "mirror, shadow, exhibits.solids, exhibits.volume, tone.area"
 NOTHING = -10.0  # units, chosen: so that a view may look at the hall from below
 FAR_FROM_WALL = 1.5  # chosen: z from which the floor mirrors too little of the north wall
 TALL = 10.0  # units: these obstacles cannot be flown over
@@ -53,7 +62,16 @@ class Hall(Ground):
     def __init__(
         self, settings: Settings, assets: Assets, seed: int, only: tuple[str, ...] = STANDING
     ) -> None:
-        """Build the elements in ``only``; InputError names a file that cannot be used."""
+        """Build the elements in ``only``; InputError names a file that cannot be used.
+
+        NoOpenGLError if the current OpenGL is too old for the stone.
+        """
+        if need := first_missing(NEEDS):
+            raise NoOpenGLError(f"the great hall cannot be drawn: this OpenGL has no {need.text}")
+        if (units := texture_units()) < UNITS:
+            raise NoOpenGLError(
+                f"the great hall cannot be drawn: it needs {UNITS} texture units of {units}"
+            )
         self.settings, self.shown = settings, set(only)
         self._owned: list[Any] = []
         self.shadow: PlanarShadow | None = None
@@ -62,19 +80,22 @@ class Hall(Ground):
             self.room = self._built(("room", "floor", "caustics"), Room, settings, assets)
             self.caustics = self._built(("caustics",), Caustics, settings, assets, self.room)
             self.pool = self._built(("pool",), Pool, settings, assets)
-            self.mirror = self._built(("mirror",), Mirror, settings)
+            stencil = has_stencil(IN_STENCIL)
+            self.mirror: Any = None
+            if stencil:
+                self.mirror = self._built(("mirror",), Mirror, settings)
             self.entrance = self._built(("door",), Entrance, settings, assets)
             self.statue = self._built(("statue",), Statue, settings, assets)
-            if self.statue:
+            if self.statue and stencil:
                 shadowing = settings, self._cast, self.statue.box
                 self.shadow = self._built(("shadow",), PlanarShadow, *shadowing)
             mark = self.statue.send if self.statue else lambda: None
             self.sky = self._built(("sky",), MovingSky, settings, assets)
-            self.exhibits = self._built(("exhibits",), Cabinet, settings, assets)
+            self.exhibits = self._built(("exhibits",), Cabinet, settings, assets, stencil)
             self.torches = self._built(("torches",), Torches, settings, assets)
             self.shafts = self._built(("shafts",), Shafts, settings)
             self.mist = self._built(("mist",), Mist, settings, assets)
-            self.tone = self._built(("tone",), Tone, settings, assets, mark)
+            self.tone = self._built(("tone",), Tone, settings, assets, mark, stencil)
             self.flight = self._built(("flight",), Flight, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
             if self.statue and self.room:
@@ -234,7 +255,8 @@ class Hall(Ground):
 
     def _shading(self, where: str) -> PlanarShadow | None:
         """Return the statue's shadows if they show there, on the floor or on the room's wall."""
-        return self.shadow if {"shadow", "statue", where} <= self.shown else None
+        shown = {"shadow", "statue", where} <= self.shown and self.settings.shadow.enabled
+        return self.shadow if shown else None
 
     def _cast(self, frame: Frame) -> None:
         """Send what casts shadows: the statue and, as it stands on it, the plinth."""
@@ -265,15 +287,21 @@ def obstacles() -> tuple[Obstacle, ...]:
         Tower(x, z, plan.PILLAR + 0.01, TALL) for x in plan.ROWS for z in plan.BAYS[1:-1]
     ]
     found.append(Wall(*plan.STATUE, plan.PLINTH[0], plan.PLINTH[0], 0.0, TALL))
-    for area, outwards in ((inside, half), (plan.POOL, -half)):
-        x, z = (area.west + area.east) / 2, (area.north + area.south) / 2
-        long, wide = (area.south - area.north) / 2, (area.east - area.west) / 2
-        top = TALL if area is inside else OVER_POOL
-        for side in (area.west - outwards, area.east + outwards):
-            found.append(Wall(side, z, half, long + half, 0.0, top))
-        for side in (area.north - outwards, area.south + outwards):
-            found.append(Wall(x, side, wide + half, half, 0.0, top))
+    x, z, long, wide = extent(inside)
+    for side in (inside.west - half, inside.east + half):
+        found.append(Wall(side, z, half, long + half, 0.0, TALL))
+    for side in (inside.north - half, inside.south + half):
+        found.append(Wall(x, side, wide + half, half, 0.0, TALL))
+    # A block, not a fence: who arrives in a view from over the water stands beside it.
+    x, z, long, wide = extent(plan.POOL)
+    found.append(Wall(x, z, wide, long, 0.0, OVER_POOL))
     return tuple(found)
+
+
+def extent(area: plan.Rectangle) -> tuple[float, float, float, float]:
+    """Return the middle of an area, x and z, and half its length along z and along x, in units."""
+    x, z = (area.west + area.east) / 2, (area.north + area.south) / 2
+    return x, z, (area.south - area.north) / 2, (area.east - area.west) / 2
 
 
 def with_nothing_held(view: View) -> View:

@@ -8,8 +8,8 @@ from landscape.keys import Toggle
 
 KEYS: dict[str, Toggle] = {
     "1": Toggle("mirror.enabled", "mirror image in the floor"),
-    "2": Toggle("shadow.light", "the statue's shadow, by torch, sun or both"),
-    "3": Toggle("caustics.reflected", "light from the pool on the stone", (0.0, 1.0)),
+    "2": Toggle("shadow.enabled", "the statue's shadows"),
+    "3": Toggle("caustics.enabled", "light that the pool's water focuses"),
     "4": Toggle("statue.environment", "what the statue mirrors"),
     "5": Toggle("mist.enabled", "mist over the floor"),
     "6": Toggle("sky.layers", "layers of cloud in the sky", (0, 1, 2)),

@@ -31,13 +31,12 @@ from landscape.elements import sun
 from landscape.elements.reflection import MIRROR
 from landscape.frame import Frame
 from landscape.gl.calls import drawing, drawn_now, gl
-from landscape.gl.extensions import Need, has, tell_off
+from landscape.gl.extensions import enough_units
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 
 FLOOR = 1  # the stencil bit of the visible floor
 UNDERSIDE = (0.10, 0.12, 0.30)  # chosen, as the document's blue
-UNITS = Need((1, 3), ("GL_ARB_multitexture",))
 UNIT = 3  # texture unit of the alpha; units before it are the floor's own
 TEXELS, REACH = 128, 16.0  # chosen: side of its texture; tangent of the angle at its edge
 GRAZING, POWER = 0.42, 4.0  # chosen: reflectance at grazing angles, and how late it rises
@@ -76,9 +75,7 @@ class Mirror:
         self._values = settings.mirror
         self._sun = settings.sun
         self._opacity: Texture | None = None
-        if not has(UNITS):
-            tell_off("mirror.fresnel", UNITS)
-        elif int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS)) > UNIT:
+        if enough_units("mirror.fresnel", UNIT + 1):
             image = alpha_image(self._values.strength)
             self._opacity = Texture(image, repeat=False, trilinear=False, mipmaps=False)
 

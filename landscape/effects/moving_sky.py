@@ -24,11 +24,9 @@ from landscape.geometry.culling import ball_in_view
 from landscape.geometry.mesh import grid_triangles
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import Need, has
 from landscape.gl.state import attrib, client_arrays, combine, matrix
 from landscape.gl.texture import Texture
 
-TWO_UNITS = Need((1, 3), ("GL_ARB_multitexture",))
 RADIUS = 20.0  # chosen: units, within the far plane
 RINGS, SIDES = 12, 24  # chosen: of the dome
 LOWEST = -0.12  # chosen: radians below the horizon, where the walls hide the dome's edge
@@ -118,11 +116,10 @@ class MovingSky:
         """Read the clouds and compile the dome."""
         self._settings = settings
         self._clouds = Texture(read_image(assets.path("clouds.png")), trilinear=False)
-        self._units = 2 if has(TWO_UNITS) else 1
         vertices, colors, places, triangles = dome()
 
         def send() -> None:
-            with client_arrays(vertices, None, colors, [places] * self._units):
+            with client_arrays(vertices, None, colors, [places] * 2):
                 gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
         self._list, self._sea = DisplayList(send), DisplayList(send_sea)
@@ -138,7 +135,7 @@ class MovingSky:
             return
         sky = self._settings.sky
         layers = [HIGH, LOW] if sky.sorted else [LOW, HIGH]
-        layers = layers[: min(sky.layers, self._units)]
+        layers = layers[: sky.layers]
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT
         with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_SCISSOR_BIT), matrix():
             gl.glEnable(gl.GL_SCISSOR_TEST)

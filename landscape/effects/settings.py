@@ -36,8 +36,9 @@ class Pool:
 class Caustics:
     """The light that the pool's surface focuses (caustics.py)."""
 
-    NEEDS: ClassVar[tuple[str, ...]] = ("caustics",)
+    NEEDS: ClassVar[tuple[str, ...]] = ("caustics", "caustics.enabled")
 
+    enabled: bool = setting(True, "glSkel, caustics", "the pool's water focuses the sun's light")
     passes: str = setting(
         "two",
         "glSkel, caustics",
@@ -124,8 +125,9 @@ GLSKEL_SHADOW = "glSkel, cast shadows"
 class Shadow:
     """The statue's shadows on floor and north wall."""
 
-    NEEDS: ClassVar[tuple[str, ...]] = ("shadow", "statue", "floor or room")
+    NEEDS: ClassVar[tuple[str, ...]] = ("shadow", "statue", "floor or room", "shadow.enabled")
 
+    enabled: bool = setting(True, GLSKEL_SHADOW, "the statue casts shadows")
     light: str = setting(
         "both", "chosen", "what casts them: torch, sun or both", choices=("torch", "sun", "both")
     )

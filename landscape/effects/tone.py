@@ -37,9 +37,11 @@ def doublings(scale: float) -> list[float]:
 class Tone:
     """Brightness and contrast, applied to what has been drawn."""
 
-    def __init__(self, settings: Settings, assets: Assets, mark: Callable[[], None]) -> None:
-        """Take the function that draws the statue, to mark it."""
-        self._settings, self._mark = settings, mark
+    def __init__(
+        self, settings: Settings, assets: Assets, mark: Callable[[], None], stencil: bool = True
+    ) -> None:
+        """Take the function that draws the statue, to mark it, if there is a ``stencil`` buffer."""
+        self._settings, self._mark, self._stencil = settings, mark, stencil
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing is built from them."""
@@ -50,6 +52,8 @@ class Tone:
         """Change the picture drawn so far, if there is anything to change."""
         tone = self._settings.tone
         if (tone.brightness, tone.contrast) == (0.0, 1.0):
+            return
+        if tone.area != "picture" and not self._stencil:
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         groups |= gl.GL_STENCIL_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_PIXEL_MODE_BIT

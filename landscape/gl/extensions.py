@@ -73,12 +73,25 @@ def first_missing(needs: Iterable[Need]) -> Need | None:
     return next((need for need in needs if not has(need)), None)
 
 
+def texture_units() -> int:
+    """Return how many texture units the current OpenGL has."""
+    return int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS))
+
+
 def enough_units(what: str, count: int) -> bool:
     """Return whether there are ``count`` texture units; if not, say once that ``what`` is off."""
-    found = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS))
+    found = texture_units()
     if found < count:
         _tell(f"landscape: {what}: off, for it needs {count} texture units of {found}")
     return found >= count
+
+
+def has_stencil(what: str) -> bool:
+    """Return whether there is a stencil buffer; if not, say once that ``what`` is off."""
+    found = int(gl.glGetIntegerv(gl.GL_STENCIL_BITS)) > 0
+    if not found:
+        _tell(f"landscape: {what}: off, for there is no stencil buffer")
+    return found
 
 
 _told: set[str] = set()

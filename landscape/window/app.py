@@ -13,7 +13,7 @@ import numpy as np
 
 from landscape import keys
 from landscape.capture.edits import Edit
-from landscape.errors import InputError
+from landscape.errors import InputError, NoOpenGLError
 from landscape.files.assets import Assets
 from landscape.geometry.doors import Door
 from landscape.gl.calls import gl
@@ -263,7 +263,7 @@ class Walk:
         try:
             with self.inspection.building():
                 self._places.enter(place, self._assets, self._seed)
-        except InputError as error:
+        except (InputError, NoOpenGLError) as error:
             self.walker = start(door.way_out, left.scene, left.settings)
             self._say(str(error))
             return

@@ -316,17 +316,23 @@ def _fly(
     ground: Terrain,
     obstacles: Obstacles,
 ) -> Walker:
-    """Fly up to ``reach`` units along the line of sight, sideways and up, above all obstacles."""
+    """Fly up to ``reach`` units along the line of sight, sideways and up, above all obstacles.
+
+    Who does not move stays where he is, beyond the map and below the ground, too: a view may be
+    from there.
+    """
     fx, fy, fz = Pose(0.0, 0.0, 0.0, heading, walker.pitch).forward
     c, s = math.cos(math.radians(heading)), math.sin(math.radians(heading))
     vx = intent.forward * fx + intent.right * c
     vy = intent.forward * fy + intent.up
     vz = intent.forward * fz + intent.right * s
     speed = max(math.sqrt(vx * vx + vy * vy + vz * vz), 1.0)
+    if not (vx or vy or vz):
+        return walker
     x, y, z = walker.x, walker.y, walker.z
     around = Surroundings(obstacles)
     x, z = freed((x, z), y, ground, around)
-    left = min(reach, 3 * ground.size) if vx or vy or vz else 0.0
+    left = min(reach, 3 * ground.size)
     while True:
         near = around.at(x, z)
         gap = gap_to(x, z, near)[0] - RADIUS

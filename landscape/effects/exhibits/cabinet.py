@@ -38,9 +38,9 @@ HOLDS = {SOLIDS: 0.075, LINES: 0.13, FOCUS: 0.10, BLUR: 0.08, SOFT: 0.17, VOLUME
 class Cabinet:
     """The six alcoves of the west wall."""
 
-    def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Build stone and exhibits."""
-        self._settings = settings
+    def __init__(self, settings: Settings, assets: Assets, stencil: bool = True) -> None:
+        """Build stone and exhibits; without a ``stencil`` buffer two of them lack their effect."""
+        self._settings, self._stencil = settings, stencil
         self._stone = Stone(assets)
         self._accumulation: Accumulation | None = None
         if need := first_missing(NEEDS):
@@ -71,7 +71,7 @@ class Cabinet:
 
     def draw_first(self, frame: Frame) -> None:
         """Draw what needs an empty depth buffer; the rest of the hall comes after it."""
-        shown = self._settings.exhibits.solids and in_view(frame, SOLIDS)
+        shown = self._stencil and self._settings.exhibits.solids and in_view(frame, SOLIDS)
         if shown and self._shows(frame, SOLIDS):
             self._solids.draw(frame)
 
@@ -88,6 +88,8 @@ class Cabinet:
             and self._shows(frame, number)
         ]
         effects = {each for each in shown if near(frame, each) and not frame.mirrored}
+        if not self._stencil:
+            effects.discard(VOLUME)
         # The shadow volume draws its alcove itself.
         faded = frame.mirrored and self._settings.mirror.fades
         plain = [each for each in seen if each != VOLUME or each not in effects]

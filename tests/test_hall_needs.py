@@ -1,0 +1,184 @@
+"""Each thing that an effect of the hall needs of OpenGL, hidden: a line says so, and all else is
+drawn as before.
+"""
+
+import importlib
+import pkgutil
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from hall_pictures import SIZE, HallPictures
+from stage import Stage
+
+import landscape.effects
+from landscape.effects import hall
+from landscape.effects.mirror import UNIT
+from landscape.errors import NoOpenGLError
+from landscape.frame import Pose
+from landscape.gl import extensions
+from landscape.gl.calls import gl
+from landscape.gl.extensions import Need
+
+# Nave with pool and statue; the exhibits of motion blur and of shadow volume from nearby.
+PLACES = ("hall", Pose(1.2, 0.15, 1.52, 270.0, 0.0), Pose(1.2, 0.15, 2.32, 270.0, 0.0))
+# Without these an effect is drawn in another way, and the picture is the same.
+REPLACED = {Need((1, 4), ("GL_EXT_stencil_wrap",))}
+
+
+def needs() -> set[Need]:
+    """Return all needs that a module of landscape/effects holds, by itself or in a tuple."""
+    found: set[Need] = set()
+    prefix = f"{landscape.effects.__name__}."
+    for module in pkgutil.walk_packages(landscape.effects.__path__, prefix):
+        for value in vars(importlib.import_module(module.name)).values():
+            each = [value] if isinstance(value, Need) else value
+            if isinstance(each, (tuple, list)):
+                found |= {need for need in each if isinstance(need, Need)}
+    return found
+
+
+NEEDS = sorted(needs(), key=lambda need: need.text)
+
+
+@pytest.fixture(scope="module")
+def whole(the_stage: Stage, hall_pictures: HallPictures) -> list[np.ndarray]:
+    the_stage.enter()
+    return [hall_pictures(place) for place in PLACES]
+
+
+Draw = Callable[[], list[np.ndarray]]
+
+
+@pytest.fixture
+def anew(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Iterator[Draw]:
+    """Opens another hall, in which what is hidden meanwhile is missing, and draws it."""
+    monkeypatch.setattr(extensions, "_told", set())
+    pictures = HallPictures(stage)
+    yield lambda: [pictures(place) for place in PLACES]
+    pictures.release()
+
+
+def hide(need: Need, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let OpenGL be older than the need's version, with all extensions but the need's."""
+    every = extensions.extensions()
+    monkeypatch.setattr(extensions, "version", lambda: (1, 1))
+    monkeypatch.setattr(extensions, "extensions", lambda: every - set(need.extensions))
+
+
+def assert_as_good(found: list[np.ndarray], whole: list[np.ndarray]) -> None:
+    """Assert that pictures are neither black nor broken: much as they are with every effect."""
+    for one, other in zip(found, whole, strict=True):
+        assert one.shape == (SIZE[1], SIZE[0], 3)
+        assert one.max(axis=2).mean() > 0.8 * other.max(axis=2).mean()
+        off = np.abs(one - other).max(axis=2)
+        assert off.mean() < 16 and (off > 80).mean() < 0.06
+        black = (one.max(axis=2) < 6) & (other.max(axis=2) > 30)
+        assert black.mean() < 0.002
+
+
+def told(capfd: pytest.CaptureFixture[str]) -> list[str]:
+    return capfd.readouterr().err.splitlines()
+
+
+def test_every_need_is_found() -> None:
+    assert len(NEEDS) >= 7 and set(hall.NEEDS) <= set(NEEDS) and set(NEEDS) >= REPLACED
+
+
+@pytest.mark.parametrize("need", NEEDS, ids=lambda need: need.text)
+def test_without_what_an_effect_needs_a_line_says_so_and_the_rest_is_drawn(
+    need: Need,
+    whole: list[np.ndarray],
+    anew: Draw,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    hide(need, monkeypatch)
+    if need in hall.NEEDS:
+        with pytest.raises(NoOpenGLError, match=f"great hall .* has no {re.escape(need.text)}$"):
+            anew()
+        return
+    found = anew()
+    assert_as_good(found, whole)
+    lines = told(capfd)
+    if need in REPLACED:
+        assert lines == []
+        for one, other in zip(found, whole, strict=True):
+            np.testing.assert_array_equal(one, other)
+        return
+    assert lines and len(set(lines)) == len(lines)
+    for line in lines:
+        ends = f": off, for this OpenGL has no {need.text}"
+        assert line.startswith("landscape: ") and line.endswith(ends)
+
+
+@pytest.mark.parametrize("units", [2, 3])
+def test_with_few_texture_units_what_needs_more_is_off(
+    units: int,
+    whole: list[np.ndarray],
+    anew: Draw,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(extensions, "texture_units", lambda: units)
+    assert_as_good(anew(), whole)
+    lines = told(capfd)
+    assert f"landscape: mirror.fresnel: off, for it needs {UNIT + 1} texture units of {units}" in (
+        lines
+    )
+    assert all(f" texture units of {units}" in line for line in lines)
+
+
+def test_with_one_texture_unit_one_line_says_that_there_is_no_hall(
+    anew: Draw, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(hall, "texture_units", lambda: 1)
+    with pytest.raises(NoOpenGLError, match="needs 2 texture units of 1"):
+        anew()
+
+
+@pytest.fixture
+def without_stencil(stage: Stage) -> Iterator[None]:
+    """Takes the stage's depth and stencil buffer away, and gives it a depth buffer alone."""
+    point, renderbuffer = gl.GL_DEPTH_STENCIL_ATTACHMENT, gl.GL_RENDERBUFFER
+    kept = gl.glGetFramebufferAttachmentParameteriv(
+        gl.GL_FRAMEBUFFER, gl.GL_DEPTH_ATTACHMENT, gl.GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME
+    )
+    depth = int(gl.glGenRenderbuffers(1))
+    gl.glBindRenderbuffer(renderbuffer, depth)
+    gl.glRenderbufferStorage(renderbuffer, gl.GL_DEPTH_COMPONENT24, *stage.size)
+    gl.glBindRenderbuffer(renderbuffer, 0)
+    gl.glFramebufferRenderbuffer(gl.GL_FRAMEBUFFER, point, renderbuffer, 0)
+    gl.glFramebufferRenderbuffer(gl.GL_FRAMEBUFFER, gl.GL_DEPTH_ATTACHMENT, renderbuffer, depth)
+    assert gl.glCheckFramebufferStatus(gl.GL_FRAMEBUFFER) == gl.GL_FRAMEBUFFER_COMPLETE
+    yield
+    stage.enter()
+    gl.glFramebufferRenderbuffer(gl.GL_FRAMEBUFFER, point, renderbuffer, int(kept))
+    gl.glDeleteRenderbuffers(1, np.array([depth], np.uint32))
+
+
+def test_without_a_stencil_buffer_what_needs_it_is_off(
+    without_stencil: None,
+    whole: list[np.ndarray],
+    hall_pictures: HallPictures,
+    anew: Draw,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    assert gl.glGetIntegerv(gl.GL_STENCIL_BITS) == 0
+    found = anew()
+    assert_as_good(found, whole)
+    off = {"exhibits.solids": False}
+    left = tuple(name for name in hall.SCENE.elements if name not in ("mirror", "shadow"))
+    np.testing.assert_array_equal(found[0], hall_pictures(PLACES[0], only=left, settings=off))
+    assert told(capfd) == [f"landscape: {hall.IN_STENCIL}: off, for there is no stencil buffer"]
+
+
+def test_a_black_or_a_broken_picture_would_be_found(whole: list[np.ndarray]) -> None:
+    black: list[Any] = [np.zeros_like(each) for each in whole]
+    hole = [each.copy() for each in whole]
+    hole[0][40:50, 50:70] = 0
+    for wrong in (black, hole, [each[:, ::-1] for each in whole], [each // 2 for each in whole]):
+        with pytest.raises(AssertionError):
+            assert_as_good(wrong, whole)
