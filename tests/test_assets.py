@@ -317,6 +317,31 @@ def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
         assert difference.max() <= 1 and (difference > 0).mean() < 1e-3
 
 
+def test_the_hall_s_light_was_baked_from_the_hall_as_it_is(
+    studio: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from landscape.effects import plan
+    from landscape.studio import hall_bake
+
+    with Image.open(shipped() / hall_bake.FILE) as image:
+        kept = image.info[studio.MADE_FROM]
+    now = hall_bake.baked_from()
+    assert kept == now, "hall_light.png is stale: landscape assets build hall_light.png"
+    for name, moved in (("PILLAR", plan.PILLAR + 0.001), ("TORCH", (*plan.TORCH[:2], 1.0))):
+        with monkeypatch.context() as changed:
+            changed.setattr(plan, name, moved)
+            assert hall_bake.baked_from() != now, name
+
+
+def test_what_an_asset_is_made_from_is_in_its_png_beside_the_pixels(studio: Any) -> None:
+    pixels = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
+    with Image.open(io.BytesIO(studio.encoded(pixels, made_from="0123abc"))) as image:
+        assert image.info == {studio.MADE_FROM: "0123abc"}
+        np.testing.assert_array_equal(np.asarray(image), pixels)
+    with Image.open(io.BytesIO(studio.encoded(pixels))) as image:
+        assert image.info == {}
+
+
 def test_two_processes_make_the_same_bytes_as_one(studio: Any) -> None:
     names = ["blade.png", "castle_light.png"]
     assert dict(studio.make_all(names)) == {name: studio.make(name) for name in names}

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 
 from landscape.errors import InputError
 from landscape.files.assets import shipped
@@ -41,6 +42,9 @@ PALETTES = {
 }
 
 
+MADE_FROM = "Made from"  # keyword of the text in a PNG that says what it was made from
+
+
 def table() -> dict[str, Callable[[], Any]]:
     """Return the function that makes each asset, by file name."""
     makers: dict[str, Callable[[], Any]] = {}
@@ -67,24 +71,36 @@ def ply(vertices: np.ndarray, faces: np.ndarray, colours: np.ndarray) -> bytes:
     return text + points.tobytes() + rows.tobytes()
 
 
-def encoded(made: Any, colours: int = 0) -> bytes:
+def texts() -> dict[str, Callable[[], str]]:
+    """Return the function that says from what an asset is made, by file name, where one does."""
+    found: dict[str, Callable[[], str]] = {}
+    for name in MODULES:
+        found |= getattr(import_module(f"landscape.studio.{name}"), "TEXTS", {})
+    return found
+
+
+def encoded(made: Any, colours: int = 0, made_from: str = "") -> bytes:
     """Encode the result of a maker: pixels as PNG, (vertices, faces, colours) as PLY.
 
-    If ``colours`` is not 0, an RGB image is reduced to a palette of that size.
+    If ``colours`` is not 0, an RGB image is reduced to a palette of that size. ``made_from`` is
+    written into the PNG, as the text of MADE_FROM.
     """
     if isinstance(made, tuple):
         return ply(*made)
     image = Image.fromarray(np.ascontiguousarray(made))
     if colours:
         image = image.quantize(colours, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-    buffer = io.BytesIO()
-    image.save(buffer, "PNG", optimize=True)
+    buffer, info = io.BytesIO(), PngInfo()
+    if made_from:
+        info.add_text(MADE_FROM, made_from)
+    image.save(buffer, "PNG", optimize=True, pnginfo=info)
     return buffer.getvalue()
 
 
 def make(name: str) -> bytes:
     """Make one asset and return the bytes of its file."""
-    return encoded(table()[name](), PALETTES.get(name, 0))
+    made_from = texts().get(name, lambda: "")
+    return encoded(table()[name](), PALETTES.get(name, 0), made_from())
 
 
 def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:

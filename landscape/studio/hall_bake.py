@@ -4,6 +4,7 @@ The steps of the bake, from direct light over three bounces to the denoised part
 and how coloured each light is in the end.
 """
 
+import hashlib
 from collections.abc import Callable
 from functools import cache
 
@@ -29,6 +30,7 @@ from landscape.effects.light import (
 from landscape.effects.settings import Settings
 from landscape.elements.sun import direction
 from landscape.studio.hall_light import (
+    ALBEDO,
     CANVAS,
     FLAME,
     LIGHTS,
@@ -61,6 +63,7 @@ OPEN = 0.7  # chosen: a texel with fewer rays in the open lies inside a wall
 RAYS = 96, 32, 32  # chosen: of each bounce, at every second texel
 REACH = 0.25  # chosen: beyond it the torch's light falls with the distance, not with its square
 SEED = 2006
+PRECISE = 2000.0  # chosen: steps per unit by which geometry is told apart
 
 
 def smoothed(values: np.ndarray, weight: np.ndarray, parts: list[tuple[slice, slice]],
@@ -164,4 +167,22 @@ def hall_light() -> np.ndarray:
     return picture
 
 
+def baked_from() -> str:
+    """Return a digest of what light is baked from: surfaces and their charts, openings, lights.
+
+    It is written into the picture, so that a picture that is older than the hall is found.
+    """
+    corners, uv, _ = triangles()
+    sun = direction(Settings().sun).astype(float)
+    lights = np.array([sun, plan.TORCH, *plan.PILLAR_TORCHES])
+    digest = hashlib.sha256()
+    for array in (corners, uv, masonry(), statue_stand_in(), portals(), lights):
+        # Not rounded at round numbers, where another processor's last bits would decide.
+        digest.update(np.floor(np.asarray(array, float) * PRECISE + 0.1234).astype("<i4").tobytes())
+    chosen = (COLOURS, BOUNCED, AMBIENT, SPREAD, SOFT, OPEN, RAYS, REACH, SEED, ALBEDO, SIZES)
+    digest.update(repr(chosen).encode())
+    return digest.hexdigest()[:16]
+
+
 ASSETS: dict[str, Callable[[], np.ndarray]] = {FILE: hall_light}
+TEXTS = {FILE: baked_from}  # what build.py writes into a PNG beside its pixels
