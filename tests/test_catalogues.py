@@ -1,12 +1,16 @@
 """The texts that users see, in their languages, and the script that checks the translations."""
 
+import os
 import shutil
+import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
 import pytest
-from commands import TESTS, Done, python
+from commands import TESTS, Done, environment, python
 
 from landscape import languages
 from landscape.errors import InputError
@@ -32,6 +36,15 @@ def test_every_text_is_translated_and_no_translation_is_stale() -> None:
     done = run("check")
     assert (done.status, done.err) == (0, ""), done.out
     assert done.out == "every text is translated\n"
+
+
+def test_a_reader_that_closes_the_pipe_sees_no_traceback() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    with os.fdopen(write, "w") as closed:
+        command = [sys.executable, str(SCRIPT), "check"]
+        done = subprocess.run(command, stdout=closed, stderr=subprocess.PIPE, env=environment())
+    assert (done.returncode, done.stderr) == (-signal.SIGPIPE, b"")
 
 
 def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_path: Path) -> None:

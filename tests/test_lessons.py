@@ -279,6 +279,7 @@ def test_a_copy_runs_in_its_folder_and_is_never_overwritten(
     [
         (("no_such",), "expected a lesson"),
         (("text", "--out", "/dev/null/x.png"), "/dev/null/x.png"),
+        (("text", "--out", "picture.jpg"), "picture.jpg: expected a name ending in .png"),
         (("text", "--copy", "/dev/null/x"), "/dev/null/x"),
         (("text", "--out", "a.png", "--copy"), "not allowed with"),
     ],

@@ -99,7 +99,12 @@ def show(chosen: Lesson) -> int:
 
 
 def picture(chosen: Lesson, out: Path, backend: str = "auto") -> None:
-    """Write a lesson's picture to a PNG file; InputError if it cannot be written."""
+    """Write a lesson's picture to a PNG file; InputError if it cannot be written.
+
+    ``out`` may also be a device or a pipe.
+    """
+    if out.suffix.lower() != ".png" and (out.is_file() or not out.exists()):
+        raise InputError(f"--out {out}: expected a name ending in .png")
     check_writable(out, "--out ")
     (drawn,) = pictures(chosen.file, [chosen.frame], presses(chosen.pressed), backend)
     save_png(drawn, out)

@@ -10,6 +10,7 @@ has changed is a new one: `update` prints the translation of the old.
 
 import argparse
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -50,4 +51,6 @@ def main() -> int:
 
 
 if __name__ == "__main__":
+    if hasattr(signal, "SIGPIPE"):
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # ends quietly when `| head` has enough
     sys.exit(main())
