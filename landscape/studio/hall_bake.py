@@ -176,7 +176,7 @@ def baked_from() -> str:
     sun = direction(Settings().sun).astype(float)
     lights = np.array([sun, plan.TORCH, *plan.PILLAR_TORCHES])
     digest = hashlib.sha256()
-    for array in (corners, uv, masonry(), statue_stand_in(), portals(), lights):
+    for array in (corners, uv, masonry(), statue(), portals(), lights):
         # Not rounded at round numbers, where another processor's last bits would decide.
         digest.update(np.floor(np.asarray(array, float) * PRECISE + 0.1234).astype("<i4").tobytes())
     chosen = (COLOURS, BOUNCED, AMBIENT, SPREAD, SOFT, OPEN, RAYS, REACH, SEED, ALBEDO, SIZES)
