@@ -25,8 +25,11 @@ def test_a_model_is_skipped_only_if_no_line_of_sight_through_the_opening_meets_i
         crossed = np.abs(rim_z + share * (z - rim_z) - middle) < plan.ALCOVE_HALF
         if not through_opening(frame, number):
             assert not (crossed & inside).any()
-    far = Pose(1.04, 0.1, 2.75 if middle < 1.6 else 0.45)  # along the wall
-    assert not through_opening(Frame(far, (80, 60), 0.0, np.eye(4).ravel(), 60.0), number)
+
+
+def test_the_northernmost_model_is_skipped_from_the_south_end_of_the_west_wall() -> None:
+    frame = Frame(Pose(1.05, 0.12, 2.6), (80, 60), 0.0, np.eye(4).ravel(), 60.0)
+    assert not through_opening(frame, 0) and through_opening(frame, 5)
 
 
 def test_a_polygon_is_found_in_the_picture_and_cut_off_behind_the_eye() -> None:
