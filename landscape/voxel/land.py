@@ -147,8 +147,12 @@ class Land:
             far = patched(far, *change, seen_from_afar(self.colours), False, plants=False)
             self._replace(region + len(self.low), far)
         self.version += 1
-        ends = (np.array(end)[[0, 2, 1]] * self.scale for end in (low, high))
-        self.touched.append((next(ends), next(ends)))
+        least, most = (np.array(end)[[0, 2, 1]] for end in (low, high))
+        self.touched.append((least * self.scale, most * self.scale))
+        for region in regions_around(self.world, low, high):
+            # Faces of the blocks next to these may be new.
+            self.low[region] = np.minimum(self.low[region], (least - 1) * self.scale)
+            self.high[region] = np.maximum(self.high[region], (most + 1) * self.scale)
 
     def change_many(self, blocks: Mapping[Cell, int]) -> None:
         """Change blocks anywhere, and mesh their regions again."""
@@ -163,14 +167,13 @@ class Land:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1
         near, far = meshed(self.world, region, self.colours, self.settings.voxel)
+        self.low[region], self.high[region] = (self.scale * end for end in bounding_box(near))
         self._replace(region, near)
         self._replace(region + len(self.low), far)
 
     def _replace(self, share: int, mesh: RegionMesh) -> None:
         """Upload the mesh of a region for near, or that for far, which is as many shares behind."""
         self._meshes[share] = mesh
-        if share < len(self.low):
-            self.low[share], self.high[share] = (self.scale * end for end in bounding_box(mesh))
         if not self.buffer.replace(share, mesh):
             self.buffer.release()
             self.buffer = RegionBuffer(self._meshes)

@@ -7,7 +7,7 @@ are put in one by one. The test compares the result with the mesh of the whole r
 """
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from landscape.voxel.mesh import (
     ALL_TILES,
     FACE_TILES,
     UP,
+    VERTEX,
     Look,
     RegionMesh,
     plant_quads,
@@ -52,21 +53,26 @@ def touched(
     Also, per direction, which blocks' faces those are. ``key`` (m,) is each quad's tile times the
     number of directions, plus its direction.
     """
-    corners = mesh.vertices["position"]
-    one, other = corners[0::4][:, X_Z_Y], corners[2::4][:, X_Z_Y]  # they face each other
-    least, most = np.minimum(one, other), np.maximum(one, other)
-    near = ((least < np.array(high) + 0.5) & (most > np.array(low) - 0.5)).all(axis=1)
+    position = mesh.vertices["position"]
+    one, other = position[0::4], position[2::4]  # corners that face each other
+    near: Any = slice(None)
+    for axis, column in enumerate(X_Z_Y):  # each axis leaves far fewer quads for the next
+        a, b = one[near, column], other[near, column]
+        close = (np.minimum(a, b) < high[axis] + 0.5) & (np.maximum(a, b) > low[axis] - 0.5)
+        near = np.flatnonzero(close) if axis == 0 else near[close]
+    ends = one[near][:, X_Z_Y], other[near][:, X_Z_Y]
+    least, most = np.minimum(*ends), np.maximum(*ends)
     found = np.zeros(len(key), bool)
     rectangles: list[list[Rectangle]] = [[] for _ in DIRECTIONS]
-    for m in np.flatnonzero(near).tolist():
+    for n, m in enumerate(near.tolist()):
         tile, turn = divmod(int(key[m]), TURNS)
         if tile == PLANTS:
             # It is not in the middle of its block, but its middle is in the block.
-            begin = np.floor((least[m] + most[m]) / 2).astype(int).tolist()
+            begin = np.floor((least[n] + most[n]) / 2).astype(int).tolist()
             end = [at + 1 for at in begin]
         else:
             direction = DIRECTIONS[turn]
-            begin, end = (np.rint(ends[m]).astype(int).tolist() for ends in (least, most))
+            begin, end = (np.rint(each[n]).astype(int).tolist() for each in (least, most))
             begin[direction.axis] -= direction.sign > 0
             end[direction.axis] = begin[direction.axis] + 1
         if all(begin[a] < high[a] and end[a] > low[a] for a in range(3)):
@@ -152,7 +158,7 @@ def patched(
     out, rectangles = touched(mesh, key, low, high)
     found, place = faces_again(world, low, high, rectangles, occlusion)
     origin = place[0], place[1], place[2]
-    sets, keys = [mesh.vertices.reshape(-1, 4)[~out]], [key[~out]]
+    sets, keys = [mesh.vertices.reshape(-1, 4)], [key]
     for k, faces in enumerate(found):
         if len(faces):
             sets.append(quads(faces, origin, look))
@@ -163,6 +169,10 @@ def patched(
         sets.append(crossed)
         keys.append(np.full(len(crossed), PLANTS * TURNS + UP, np.int16))
     key = np.concatenate(keys)
-    counts = 4 * np.bincount(key, minlength=len(ALL_TILES) * TURNS)
-    vertices = np.concatenate(sets)[np.argsort(key, kind="stable")].reshape(-1)
+    order = np.argsort(key, kind="stable")
+    order = order[~np.concatenate([out, np.zeros(len(key) - len(out), bool)])[order]]
+    counts = 4 * np.bincount(key[order], minlength=len(ALL_TILES) * TURNS)
+    # As plain numbers, four vertices a row, whole quads are copied at once.
+    numbers = np.concatenate([each.view(np.float32).reshape(-1, VERTEX.itemsize) for each in sets])
+    vertices = numbers[order].reshape(-1).view(VERTEX)
     return RegionMesh(vertices, counts.reshape(len(ALL_TILES), TURNS).astype(np.int32))

@@ -23,7 +23,7 @@ from landscape.voxel.settings import Settings
 from landscape.voxel.world import Cell
 from landscape.voxel.world_file import decoded, encoded
 
-REACH = 5.0  # blocks, chosen
+REACH = 6.0  # blocks, chosen: to the ground down a slope, too
 # The kinds of blocks that a walker begins with. Chosen.
 SLOTS = ("grass", "earth", "rock", "sand", "planks", "brick", "oak log", "oak leaves", "lamp")
 WHY_NOT: Phrases = (
