@@ -257,6 +257,34 @@ def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
     assert all(world.former[cell] != kind for cell, kind in put.items())
 
 
+def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_anew() -> None:
+    values = {"voxel.regions": 2, "voxel.region_size": 16, "shadow.size": 512}
+    with Offscreen((96, 72), None, values, "osmesa", 0, place="voxel") as drawn:
+        drawn.look((1.28, "ground", 1.28, 40.0, -40.0))
+        drawn.draw()
+        scene: Any = drawn.scene
+        land, rng = scene.land, np.random.default_rng(2)
+        with drawn.targeted():
+            for number in range(6):
+                x, z = (int(at) for at in rng.integers(14, 19, 2))
+                y = int(land.world.ground[x, z])
+                land.change({(x, z, y - 1): [AIR, block("brick")][number % 2], (x, z, y): AIR})
+                if number % 3 == 2:
+                    drawn.submit()
+        for _ in range(2):
+            picture = drawn.draw()
+        with drawn.targeted():
+            before = [unit_faces(mesh) for mesh in land.meshes]
+            for region in range(4):
+                land.rebuild(region)
+        for patched_faces, mesh in zip(before, land.meshes, strict=True):
+            assert {key: face[0] for key, face in patched_faces.items()} == {
+                key: face[0] for key, face in unit_faces(mesh).items()
+            }
+        # All of the picture of depths is drawn again: not only the parts that have changed.
+        assert (np.abs(picture.astype(int) - drawn.draw()).max(axis=-1) > 12).sum() < 8
+
+
 # Worlds as files.
 
 LAND = {"regions": 1, "seed": 3, "trees": True, "height_image": "ab"}

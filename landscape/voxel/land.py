@@ -44,17 +44,21 @@ class Choice(NamedTuple):
 class Land:
     """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units.
 
-    ``version`` grows whenever blocks change; ``touched`` are boxes, in units, of those that have
-    changed since it was last emptied.
+    ``version`` grows whenever the meshes for far change, which shadows are drawn with; ``touched``
+    are boxes, in units, of the blocks that have done so since it was last emptied. ``meshes`` are
+    those of all regions for near, then those for far.
     """
 
     def __init__(self, settings: Settings, assets: Assets, seed: int) -> None:
         """Build the world or recall it, upload its meshes and the tiles."""
         self.settings, self.version = settings, 0
         self.touched: list[tuple[np.ndarray, np.ndarray]] = []
-        self.world, self.colours, self._meshes = built(settings, assets, seed)
-        self.buffer = RegionBuffer(self._meshes)
-        boxes = [bounding_box(mesh) for mesh in self._meshes[: self.world.regions**2]]
+        # Boxes [x, z, y] of changed blocks of which the meshes for far still know nothing.
+        self._late: list[tuple[list[int], list[int]]] = []
+        self._due: list[tuple[list[int], list[int]]] = []
+        self.world, self.colours, self.meshes = built(settings, assets, seed)
+        self.buffer = RegionBuffer(self.meshes)
+        boxes = [bounding_box(mesh) for mesh in self.meshes[: self.world.regions**2]]
         self.low, self.high = (
             np.array(ends) * self.world.block for ends in zip(*boxes, strict=True)
         )
@@ -139,20 +143,30 @@ class Land:
             self.world.put(cell, kind)
         cells = np.array(list(blocks))
         low, high = cells.min(axis=0).tolist(), (cells.max(axis=0) + 1).tolist()
-        for region in regions_around(self.world, low, high):
-            change = self.world, region, low, high
-            near, far = self._meshes[region], self._meshes[region + len(self.low)]
-            occlusion = self.settings.voxel.occlusion
-            self._replace(region, patched(near, *change, self.colours, occlusion))
-            far = patched(far, *change, seen_from_afar(self.colours), False, plants=False)
-            self._replace(region + len(self.low), far)
-        self.version += 1
         least, most = (np.array(end)[[0, 2, 1]] for end in (low, high))
-        self.touched.append((least * self.scale, most * self.scale))
         for region in regions_around(self.world, low, high):
+            change = self.world, region, low, high, self.colours, self.settings.voxel.occlusion
+            self._replace(region, patched(self.meshes[region], *change))
             # Faces of the blocks next to these may be new.
             self.low[region] = np.minimum(self.low[region], (least - 1) * self.scale)
             self.high[region] = np.maximum(self.high[region], (most + 1) * self.scale)
+        self._late.append((low, high))
+
+    def catch_up(self) -> None:
+        """Change the meshes for far, which shadows are drawn with, too; call it once a frame.
+
+        They follow a frame later, so that neither frame takes too long.
+        """
+        colours = seen_from_afar(self.colours) if self._due else self.colours
+        for low, high in self._due:
+            for region in regions_around(self.world, low, high):
+                share = region + len(self.low)
+                change = self.world, region, low, high, colours
+                self._replace(share, patched(self.meshes[share], *change, False, plants=False))
+            self.version += 1
+            ends = (np.array(end)[[0, 2, 1]] * self.scale for end in (low, high))
+            self.touched.append((next(ends), next(ends)))
+        self._due, self._late = self._late, []
 
     def change_many(self, blocks: Mapping[Cell, int]) -> None:
         """Change blocks anywhere, and mesh their regions again."""
@@ -173,10 +187,10 @@ class Land:
 
     def _replace(self, share: int, mesh: RegionMesh) -> None:
         """Upload the mesh of a region for near, or that for far, which is as many shares behind."""
-        self._meshes[share] = mesh
+        self.meshes[share] = mesh
         if not self.buffer.replace(share, mesh):
             self.buffer.release()
-            self.buffer = RegionBuffer(self._meshes)
+            self.buffer = RegionBuffer(self.meshes)
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the land must be built again."""

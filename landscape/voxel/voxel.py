@@ -105,6 +105,7 @@ class Voxel(Played, Ground):
         values = self.settings
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
         clip = clip_matrix()
+        self.land.catch_up()
         self._draw_shadows(frame)
         shore = self._draw_images(frame)
         begin_pass("main")
