@@ -14,8 +14,9 @@ from landscape.gl.calls import gl
 from landscape.gl.state import attrib, flat_projection, matrix
 
 # All chosen.
-EDGE = (0.05, 0.05, 0.06, 0.75)  # RGBA of the edges
-WIDTH = 2.0  # pixels, at a height of TALL
+# The edges: RGBA, and width in pixels at a height of TALL. The light line within the dark one shows
+# in a dark pit.
+EDGES = ((0.05, 0.05, 0.06, 0.7), 3.0), ((1.0, 1.0, 0.95, 0.5), 1.0)
 TALL = 720  # pixels
 PLANT = 0.3  # blocks from the middle of the box around a plant
 OFFSET = -2.0  # of glPolygonOffset: towards the eye
@@ -56,12 +57,13 @@ def draw_highlight(
         gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE)
         gl.glEnable(gl.GL_POLYGON_OFFSET_LINE)
         gl.glPolygonOffset(OFFSET, OFFSET)
-        gl.glLineWidth(max(WIDTH * frame.viewport[1] / TALL, 1.0))
-        gl.glColor4f(*EDGE)
-        gl.glBegin(gl.GL_QUADS)
-        for corner in FACES.reshape(-1, 3).tolist():
-            gl.glVertex3f(*corner)
-        gl.glEnd()
+        for colour, width in EDGES:
+            gl.glLineWidth(max(width * frame.viewport[1] / TALL, 1.0))
+            gl.glColor4f(*colour)
+            gl.glBegin(gl.GL_QUADS)
+            for corner in FACES.reshape(-1, 3).tolist():
+                gl.glVertex3f(*corner)
+            gl.glEnd()
 
 
 def draw_crosshair(frame: Frame) -> None:
