@@ -9,8 +9,15 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.gl.calls import gl
+from landscape.gl.extensions import FRAMEBUFFERS, Need
 from landscape.gl.state import attrib
 
+NEEDS = (
+    FRAMEBUFFERS,
+    Need((1, 4), ("GL_ARB_depth_texture",)),
+    Need((1, 4), ("GL_ARB_shadow",)),
+    Need((1, 3), ("GL_ARB_texture_border_clamp",)),
+)
 LIT = np.ones(4, np.float32)  # the greatest depth: outside the texture nothing is nearer
 
 

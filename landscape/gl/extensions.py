@@ -25,6 +25,13 @@ class Need(NamedTuple):
         return " or ".join([*core, *self.extensions])
 
 
+# Needs of more than one effect.
+MULTITEXTURE = Need((1, 3), ("GL_ARB_multitexture",))
+COMBINE = Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine"))
+CROSSBAR = Need((1, 4), ("GL_ARB_texture_env_crossbar",))
+FRAMEBUFFERS = Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object"))
+
+
 def version() -> tuple[int, int]:
     """Return the version of the current OpenGL."""
     found = re.match(r"(\d+)\.(\d+)", _strings()[0])
@@ -74,7 +81,9 @@ def first_missing(needs: Iterable[Need]) -> Need | None:
 
 
 def texture_units() -> int:
-    """Return how many texture units the current OpenGL has."""
+    """Return how many texture units the current OpenGL has: 1 before OpenGL 1.3."""
+    if not has(MULTITEXTURE):
+        return 1
     return int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS))
 
 
@@ -82,16 +91,29 @@ def enough_units(what: str, count: int) -> bool:
     """Return whether there are ``count`` texture units; if not, say once that ``what`` is off."""
     found = texture_units()
     if found < count:
-        _tell(f"landscape: {what}: off, for it needs {count} texture units of {found}")
+        tell(f"landscape: {what}: off, for it needs {count} texture units of {found}")
     return found >= count
+
+
+def possible(what: str, needs: Iterable[Need], units: int = 1) -> bool:
+    """Return whether there is all that ``what`` needs; if not, say once that it is off."""
+    if need := first_missing(needs):
+        tell_off(what, need)
+        return False
+    return enough_units(what, units)
 
 
 def has_stencil(what: str) -> bool:
     """Return whether there is a stencil buffer; if not, say once that ``what`` is off."""
     found = int(gl.glGetIntegerv(gl.GL_STENCIL_BITS)) > 0
     if not found:
-        _tell(f"landscape: {what}: off, for there is no stencil buffer")
+        tell(f"landscape: {what}: off, for there is no stencil buffer")
     return found
+
+
+def largest_texture() -> int:
+    """Return the largest side in texels that a 2D texture can have."""
+    return int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE))
 
 
 _told: set[str] = set()
@@ -99,10 +121,11 @@ _told: set[str] = set()
 
 def tell_off(what: str, need: Need) -> None:
     """Say, once for each effect, in one line on stderr, that it is off and why."""
-    _tell(f"landscape: {what}: off, for this OpenGL has no {need.text}")
+    tell(f"landscape: {what}: off, for this OpenGL has no {need.text}")
 
 
-def _tell(line: str) -> None:
+def tell(line: str) -> None:
+    """Print a line on stderr, once."""
     if line not in _told:
         _told.add(line)
         print(line, file=sys.stderr)

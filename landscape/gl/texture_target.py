@@ -11,6 +11,13 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.gl.calls import gl
+from landscape.gl.extensions import FRAMEBUFFERS, Need
+
+NEEDS = (
+    FRAMEBUFFERS,
+    Need((3, 0), ("GL_EXT_packed_depth_stencil", "GL_ARB_framebuffer_object")),
+    Need((2, 0), ("GL_ARB_texture_non_power_of_two",)),
+)
 
 
 class TextureTarget:

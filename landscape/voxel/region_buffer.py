@@ -4,6 +4,8 @@ The document weighs one buffer for the whole scene against one a region, and tak
 costs is the number of OpenGL calls, not of vertices. Here, too, a region is a share of the one
 buffer, in which the vertices of a tile and of a direction follow each other, and a
 glMultiDrawArrays (OpenGL 1.4) sends those of a tile in all visible regions at once.
+Without buffers the vertices stay in the program's memory (vertex arrays, OpenGL 1.1), and without
+glMultiDrawArrays there is a call for each region and direction; neither changes the picture.
 State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
 """
 
@@ -14,11 +16,13 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need
+from landscape.gl.extensions import Need, has
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.mesh import ALL_TILES, VERTEX, RegionMesh
 
-NEED = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
+BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
+MULTI_DRAW = Need((1, 4), ("GL_EXT_multi_draw_arrays",))
+FOG_COORDINATES = Need((1, 4), ("GL_EXT_fog_coord",))
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
 Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
 SPARE = 512  # vertices, chosen: and by at least this
@@ -41,8 +45,11 @@ class RegionBuffer:
         for share, mesh in enumerate(meshes):
             whole[self.start[share] :][: len(mesh.vertices)] = mesh.vertices
             self._enter(share, mesh)
-        self.name = int(gl.glGenBuffers(1))
-        self._fill(whole)
+        self.name = int(gl.glGenBuffers(1)) if has(BUFFERS) else 0
+        self._kept = None if self.name else whole  # where OpenGL does not keep the vertices
+        self._multi_draw = has(MULTI_DRAW)
+        if self.name:
+            self._fill(whole)
 
     def _enter(self, share: int, mesh: RegionMesh) -> None:
         """Note where the vertices of a share lie."""
@@ -53,7 +60,7 @@ class RegionBuffer:
 
     def _fill(self, vertices: np.ndarray) -> None:
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
-        gl.glBufferData(gl.GL_ARRAY_BUFFER, vertices.nbytes, vertices, gl.GL_STATIC_DRAW)
+        gl.glBufferData(gl.GL_ARRAY_BUFFER, vertices.nbytes, as_bytes(vertices), gl.GL_STATIC_DRAW)
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
 
     def replace(self, share: int, mesh: RegionMesh) -> bool:
@@ -69,27 +76,36 @@ class RegionBuffer:
                 return False
             self.start[share], self.room[share] = self._free, room
             self._free += room
-        begin = int(self.start[share]) * VERTEX.itemsize
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
-        gl.glBufferSubData(gl.GL_ARRAY_BUFFER, begin, mesh.vertices.nbytes, mesh.vertices)
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        begin = int(self.start[share])
+        if self._kept is not None:
+            self._kept[begin:][:size] = mesh.vertices
+        else:
+            place = begin * VERTEX.itemsize
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+            data = as_bytes(mesh.vertices)
+            gl.glBufferSubData(gl.GL_ARRAY_BUFFER, place, data.nbytes, data)
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
         self._enter(share, mesh)
         return True
 
     @contextmanager
     def bound(self, fog_by_height: bool = False) -> Iterator[None]:
         """Let the block draw from the buffer; fog coordinates are heights in blocks if asked."""
+        whole = 0 if self._kept is None else self._kept.ctypes.data
         gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
-        gl.glInterleavedArrays(gl.GL_T2F_C4UB_V3F, 0, None)
+        if self.name:
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+        gl.glInterleavedArrays(gl.GL_T2F_C4UB_V3F, 0, ctypes.c_void_p(whole))
         if fog_by_height:
             # The same vertices once more: a vertex's y as its fog coordinate.
             gl.glEnableClientState(gl.GL_FOG_COORD_ARRAY)
-            gl.glFogCoordPointer(gl.GL_FLOAT, VERTEX.itemsize, ctypes.c_void_p(Y_OFFSET))
+            place = ctypes.c_void_p(whole + Y_OFFSET)
+            gl.glFogCoordPointer(gl.GL_FLOAT, VERTEX.itemsize, place)
         try:
             yield
         finally:
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+            if self.name:
+                gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
             gl.glPopClientAttrib()
 
     def draw(self, tile: int, shares: np.ndarray, facing: np.ndarray) -> None:
@@ -102,10 +118,19 @@ class RegionBuffer:
         if not sent.any():
             return
         first, count = self.first[shares, tile][sent], count[sent]
-        gl.glMultiDrawArrays(gl.GL_QUADS, first, count, len(first))
+        if self._multi_draw:
+            gl.glMultiDrawArrays(gl.GL_QUADS, first, count, len(first))
+            return
+        for begin, many in zip(first.tolist(), count.tolist(), strict=True):
+            gl.glDrawArrays(gl.GL_QUADS, begin, many)
 
     def release(self) -> None:
         """Delete the buffer; may be called twice."""
         if self.name:
             gl.glDeleteBuffers(1, np.array([self.name], np.uint32))
             self.name = 0
+
+
+def as_bytes(vertices: np.ndarray) -> np.ndarray:
+    """Return vertices as the bytes they are: a trace cannot show an array of records."""
+    return vertices.view(np.uint8)

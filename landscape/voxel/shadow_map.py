@@ -21,19 +21,16 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.elements import sun
+from landscape.gl import depth_target
 from landscape.gl.calls import gl
 from landscape.gl.depth_target import DepthTarget
-from landscape.gl.extensions import Need
+from landscape.gl.extensions import COMBINE, CROSSBAR
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture import Texture
 from landscape.voxel.settings import Settings
 from landscape.voxel.visibility import CORNERS
 
-NEEDS = (
-    Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
-    Need((1, 4), ("GL_ARB_shadow",)),
-    Need((1, 4), ("GL_ARB_texture_env_crossbar",)),
-)
+NEEDS = (*depth_target.NEEDS, COMBINE, CROSSBAR)
 UNITS = 3
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 AROUND = 2  # texels, chosen: drawn around what has changed

@@ -18,7 +18,7 @@ from landscape.gl import cube_map
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, face_directions
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import has, tell_off
+from landscape.gl.extensions import possible
 from landscape.gl.state import attrib, matrix
 from landscape.voxel.settings import Settings
 
@@ -88,8 +88,7 @@ class Sky:
         """Read the pictures, make the cube map and compile the box."""
         self.settings = settings
         self._map: CubeMap | None = None
-        if not has(cube_map.NEED):
-            tell_off("sky", cube_map.NEED)
+        if not possible("sky", (cube_map.NEED,)):
             return
         self._map = CubeMap(self._faces(assets), mipmaps=False)
         self._list = DisplayList(send_box)

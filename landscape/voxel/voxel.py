@@ -22,6 +22,7 @@ from landscape.voxel.regions_view import draw_boxes, draw_from_outside
 from landscape.voxel.settings import PRESETS, Settings
 from landscape.voxel.shadow_map import ShadowMap
 from landscape.voxel.sky import Sky
+from landscape.voxel.support import supported
 from landscape.voxel.textures_view import TexturesView
 from landscape.voxel.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.voxel.water import Water
@@ -61,6 +62,7 @@ class Voxel(Played, Ground):
         self, settings: Settings, assets: Assets, seed: int = SEED, only: tuple[str, ...] = STANDING
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
+        settings = supported(settings)
         Ground.__init__(self, settings, assets)
         Played.__init__(self, assets, seed)
         self.shown = set(only)
@@ -71,7 +73,8 @@ class Voxel(Played, Ground):
             with drawing("land"):  # always built: everything stands on it
                 self.land = Land(settings, assets, seed)
                 self._owned.append(self.land)
-            self.shadow = self._built(("land",), ShadowMap, settings)
+            shadowed = ("land",) if settings.shadow.enabled else ()
+            self.shadow = self._built(shadowed, ShadowMap, settings)
             self.sky = self._built(("sky",), Sky, settings, assets)
             self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
@@ -90,6 +93,7 @@ class Voxel(Played, Ground):
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False, changing nothing, if an element must be built again."""
+        settings = supported(settings)
         taken: list[Any] = []
         for element in self._owned:
             if not element.apply(settings):
@@ -109,7 +113,8 @@ class Voxel(Played, Ground):
         self._draw_shadows(frame)
         shore = self._draw_images(frame)
         begin_pass("main")
-        with clipped(shore.level, above=True) if shore else nullcontext():
+        pictured = shore and self.water.images  # else the ground under water is seen through it
+        with clipped(shore.level, above=True) if shore and pictured else nullcontext():
             self._draw_land(frame, values.voxel.near)
         self._draw("sky", self.sky, frame)
         if shore:
@@ -176,6 +181,8 @@ class Voxel(Played, Ground):
         if points is None:
             return None
         values, level, images = self.settings, self.water.level, self.water.images
+        if images is None:
+            return Shore(level, points)
         begin_pass("reflection")
         with drawing("water"):
             images.draw_reflection(frame.viewport, level, lambda: self._draw_mirrored(frame))
@@ -186,7 +193,7 @@ class Voxel(Played, Ground):
                 frame.viewport,
                 level,
                 block,
-                lambda: self._draw_land(frame, values.voxel.near, below=True),
+                lambda: self._draw_land(frame, values.voxel.near, below=images.darkens),
             )
         return Shore(level, points)
 

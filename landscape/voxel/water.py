@@ -9,7 +9,9 @@ Technique, in one pass with four texture units (the document did it in a shader)
   pictures by it (GL_INTERPOLATE; GL_ARB_texture_env_crossbar lets it read unit 3's texture);
 - units 1 and 2 leave of alpha only the glints, and unit 3 adds them.
 Both pictures are disturbed by moving their coordinates at the vertices of a grid.
-State used: texture units 0 to 3, GL_COMBINE, the texture matrices.
+With fewer units, or an older OpenGL, there are no glints, and then Fresnel's term is a constant.
+With a single unit, or without framebuffer objects, the water is a plain blended plane.
+State used: texture units 0 to 3, GL_COMBINE, the texture matrices; or GL_BLEND.
 """
 
 from collections.abc import Iterator
@@ -20,10 +22,13 @@ import numpy as np
 from landscape.elements import sun
 from landscape.files.assets import Assets
 from landscape.frame import Frame
+from landscape.gl import cube_map
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap
-from landscape.gl.state import attrib, combine
+from landscape.gl.extensions import COMBINE, CROSSBAR, Need, possible
+from landscape.gl.state import attrib, client_arrays, combine
 from landscape.gl.texture import Texture
+from landscape.voxel import water_images
 from landscape.voxel.fresnel import fresnel_faces
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import ripples
@@ -33,6 +38,11 @@ from landscape.voxel.world import BELOW
 
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 RIPPLE_SIZE = 0.9  # units, chosen: the side of the map of normals on the water
+PICTURES = (*water_images.NEEDS, COMBINE)
+BY_ANGLE = (cube_map.NEED, CROSSBAR)
+GLINTS = (Need((1, 3), ("GL_ARB_texture_env_dot3", "GL_EXT_texture_env_dot3")),)
+EVEN = 0.4  # chosen: how much is mirrored at all angles, where Fresnel's term is not known
+PLAIN = 0.8  # chosen: alpha of water that is a plain colour
 NARROW = 0.13  # chosen: how far below 1 the cosine may be for a ripple to glint
 DRIFT = 0.0011  # chosen: units per kt by which it moves
 
@@ -41,12 +51,19 @@ class Water:
     """The water of the whole map, and beyond it to the horizon."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Make the textures."""
+        """Make the textures; ``images`` is None where the water can only be a plain colour."""
         self.settings = settings
-        self.images = WaterImages(settings.water)
-        self._normals = Texture(ripples(assets))
-        self._fresnel = CubeMap(fresnel_faces(settings.water.fresnel), mipmaps=False)
         self._quads = grid_quads()
+        self.images: WaterImages | None = None
+        self._fresnel: CubeMap | None = None
+        self._normals: Texture | None = None
+        if not possible("water.reflection, water.refraction", PICTURES, 2):
+            return
+        self.images = WaterImages(settings.water)
+        if possible("water.fresnel", BY_ANGLE, 3):
+            self._fresnel = CubeMap(fresnel_faces(settings.water.fresnel), mipmaps=False)
+        if possible("water.sparkle", GLINTS, 4):
+            self._normals = Texture(ripples(assets))
 
     @property
     def level(self) -> float:
@@ -62,24 +79,43 @@ class Water:
         """Draw the water at ``points``; ``clip`` is the camera's projection times modelview."""
         values = self.settings.water
         flat = points.reshape(-1, 3)
+        if self.images is None:
+            self._draw_plain(flat)
+            return
         moved = disturbed(flat, frame.kt, values.ripples)
         half = half_vectors(flat, frame.eye, sun.direction(self.settings.sun).astype(np.float64))
-        ways = [(0, 0), (1, moved), (2, moved), (3, flat - frame.eye)]
         drift = np.array([0.8, 0.6]) * DRIFT * frame.kt
-        ways[0] = (0, flat[:, [0, 2]] / RIPPLE_SIZE + drift)
+        ways = [moved, moved]
+        if self._normals:
+            ways.insert(0, flat[:, [0, 2]] / RIPPLE_SIZE + drift)
+        if self._fresnel:
+            ways.append(flat - frame.eye)
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT
         with attrib(groups), self._projected(clip), arrays(flat, half, ways):
             self._combine()
             gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
+    def _draw_plain(self, points: np.ndarray) -> None:
+        """Draw the water as a blended colour."""
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
+        with attrib(groups), client_arrays(np.ascontiguousarray(points, np.float32)):
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            gl.glColor4f(*self.settings.water.color, PLAIN)
+            gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
+
+    def _unit(self, k: int) -> int:
+        """Return unit ``k`` of the equations above; without glints they are one less."""
+        return int(gl.GL_TEXTURE0) + k - (self._normals is None)
+
     @contextmanager
     def _projected(self, clip: np.ndarray) -> Iterator[None]:
         """Let units 1 and 2 look up, at a point, the pixel of the screen where it is seen."""
         whole = np.ascontiguousarray((BIAS @ clip).T, np.float32)
         gl.glMatrixMode(gl.GL_TEXTURE)
-        for unit in (gl.GL_TEXTURE1, gl.GL_TEXTURE2):
-            gl.glActiveTexture(unit)
+        for k in (1, 2):
+            gl.glActiveTexture(self._unit(k))
             gl.glPushMatrix()
             gl.glLoadMatrixf(whole)
         gl.glMatrixMode(gl.GL_MODELVIEW)
@@ -87,21 +123,23 @@ class Water:
             yield
         finally:
             gl.glMatrixMode(gl.GL_TEXTURE)
-            for unit in (gl.GL_TEXTURE1, gl.GL_TEXTURE2):
-                gl.glActiveTexture(unit)
+            for k in (1, 2):
+                gl.glActiveTexture(self._unit(k))
                 gl.glPopMatrix()
             gl.glMatrixMode(gl.GL_MODELVIEW)
 
     def _combine(self) -> None:
         """Bind the textures and set the units' equations."""
         images = self.images
-        assert images.reflection and images.refraction
+        assert images and images.reflection and images.refraction
         glint = float(self.settings.water.sparkle)
-        gl.glActiveTexture(gl.GL_TEXTURE0)
-        gl.glEnable(gl.GL_TEXTURE_2D)
-        self._normals.bind()
-        combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PRIMARY_COLOR"})
-        gl.glActiveTexture(gl.GL_TEXTURE1)
+        if self._normals:
+            gl.glActiveTexture(self._unit(0))
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self._normals.bind()
+            combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "TEXTURE"})
+            combine({"SRC1_RGB": "PRIMARY_COLOR"})
+        gl.glActiveTexture(self._unit(1))
         gl.glEnable(gl.GL_TEXTURE_2D)
         images.refraction.bind()
         # What remains of the alpha above a threshold, four times as much; then the same squared.
@@ -110,39 +148,50 @@ class Water:
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
         threshold = np.array([0.0, 0.0, 0.0, 1.0 - NARROW * glint], np.float32)
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, threshold)
-        gl.glActiveTexture(gl.GL_TEXTURE2)
+        gl.glActiveTexture(self._unit(2))
         gl.glEnable(gl.GL_TEXTURE_2D)
         images.reflection.bind()
         combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
-        combine({"SRC2_RGB": "TEXTURE3", "OPERAND2_RGB": "SRC_ALPHA"})
+        last = self._unit(3)
+        by = f"TEXTURE{last - int(gl.GL_TEXTURE0)}" if self._fresnel else "CONSTANT"
+        combine({"SRC2_RGB": by, "OPERAND2_RGB": "SRC_ALPHA"})
+        even = min(EVEN * self.settings.water.fresnel, 1.0)
+        constant = np.array([0.0, 0.0, 0.0, even], np.float32)
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
         combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "PREVIOUS"})
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
-        gl.glActiveTexture(gl.GL_TEXTURE3)
-        gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
-        self._fresnel.bind()
-        combine({"COMBINE_RGB": "ADD", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
-        combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
-        combine({"SRC0_ALPHA": "PREVIOUS"})
+        if not (self._fresnel or self._normals):
+            return
+        gl.glActiveTexture(last)
+        if self._fresnel:
+            gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
+            self._fresnel.bind()
+        elif self._normals:  # a unit without a texture would be left out
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self._normals.bind()
+        combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        if self._normals:
+            combine({"COMBINE_RGB": "ADD", "SRC1_RGB": "PREVIOUS", "OPERAND1_RGB": "SRC_ALPHA"})
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the textures must be made again."""
         if settings.water.fresnel != self.settings.water.fresnel:
             return False
         self.settings = settings
-        self.images.values = settings.water
+        if self.images:
+            self.images.values = settings.water
         return True
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
-        self.images.release()
-        self._normals.release()
-        self._fresnel.release()
+        for owned in (self.images, self._normals, self._fresnel):
+            if owned is not None:
+                owned.release()
 
 
 @contextmanager
-def arrays(
-    points: np.ndarray, half: np.ndarray, ways: list[tuple[int, np.ndarray]]
-) -> Iterator[None]:
+def arrays(points: np.ndarray, half: np.ndarray, ways: list[np.ndarray]) -> Iterator[None]:
     """Enable the arrays of points (n, 3), of half vectors (n, 3) as colours, and of coordinates."""
     kept = [np.ascontiguousarray(points, np.float32)]
     # A component of -1..1 becomes a colour of 0..1, which GL_DOT3 turns back.
@@ -152,7 +201,7 @@ def arrays(
     gl.glVertexPointer(3, gl.GL_FLOAT, 0, kept[0])
     gl.glEnableClientState(gl.GL_COLOR_ARRAY)
     gl.glColorPointer(3, gl.GL_FLOAT, 0, kept[1])
-    for unit, array in ways:
+    for unit, array in enumerate(ways):
         kept.append(np.ascontiguousarray(array, np.float32))
         gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)

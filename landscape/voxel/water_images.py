@@ -6,7 +6,8 @@ material, that is by height; here cubes under water may be of any material).
 Refraction: the land under the water, drawn from the same camera but nearer to the surface by the
 ratio of the refractive indices, as it looks from above. It darkens with its depth: the fog
 coordinate (GL_EXT_fog_coord, OpenGL 1.4) is the height of a vertex, where other fog takes its
-distance from the eye. It lies in the vertices already, as their y.
+distance from the eye. It lies in the vertices already, as their y. Without fog coordinates the
+ground under water is fogged as all else, and does not darken.
 State used: framebuffer objects, GL_CLIP_PLANE0, the front face, GL_FOG_COORD_ARRAY.
 """
 
@@ -15,14 +16,15 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from landscape.gl import texture_target
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need
+from landscape.gl.extensions import has, tell_off
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture_target import TextureTarget
+from landscape.voxel.region_buffer import FOG_COORDINATES
 from landscape.voxel.settings import Water
 
-TARGETS = Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object"))
-FOG_COORDINATES = Need((1, 4), ("GL_EXT_fog_coord",))
+NEEDS = texture_target.NEEDS
 MIRROR = np.diag([1.0, -1.0, 1.0, 1.0]).astype(np.float32)
 FLATTER = 0.75  # 1 / 1.33: how much nearer to the surface things under water look from above
 
@@ -46,6 +48,9 @@ class WaterImages:
         self.values = values
         self.reflection: TextureTarget | None = None
         self.refraction: TextureTarget | None = None
+        self.darkens = has(FOG_COORDINATES)
+        if not self.darkens:
+            tell_off("water.clear", FOG_COORDINATES)
 
     def _target(self, kept: TextureTarget | None, viewport: tuple[int, int]) -> TextureTarget:
         """Return a target of the right size, the kept one if it is."""
@@ -88,11 +93,12 @@ class WaterImages:
                 gl.glTranslatef(0.0, level, 0.0)
                 gl.glScalef(1.0, FLATTER, 1.0)
                 gl.glTranslatef(0.0, -level, 0.0)
-                self._fog_by_depth(level / block)
+                if self.darkens:
+                    self._fog_by_depth(level / block)
                 with clipped(level + block, above=False):
                     draw()
-            # Mesa's glPopAttrib does not restore it.
-            gl.glFogi(gl.GL_FOG_COORD_SRC, gl.GL_FRAGMENT_DEPTH)
+            if self.darkens:  # Mesa's glPopAttrib does not restore it.
+                gl.glFogi(gl.GL_FOG_COORD_SRC, gl.GL_FRAGMENT_DEPTH)
 
     def _fog_by_depth(self, level: float) -> None:
         """Let fog grow from none at ``level`` to all at the depth ``clear``, both in blocks.
