@@ -9,6 +9,7 @@ import pytest
 from stage import Stage
 
 import landscape.voxel
+from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl import extensions
@@ -16,6 +17,7 @@ from landscape.gl.calls import gl, recording
 from landscape.gl.extensions import Need
 from landscape.keys import with_settings
 from landscape.scene import Moment
+from landscape.voxel.build import source
 from landscape.voxel.voxel import SCENE, Voxel
 
 SMALL = {"voxel.regions": 4, "voxel.region_size": 30, "shadow.size": 256}
@@ -160,3 +162,81 @@ def test_without_shadows_faces_are_lit_as_if_there_were_none(
     off = picture(stage, shadow__enabled=False)
     hide(monkeypatch, "GL_ARB_shadow")
     assert (picture(stage) == off).all()
+
+
+@pytest.mark.parametrize(
+    ("given", "most"),
+    [
+        ({"regions": 64, "region_size": 1000}, 2048),
+        ({"regions": 64, "region_size": 1000, "levels": 400}, 1229),
+        ({"regions": 1, "region_size": 1000, "levels": 400, "height_image": "none.png"}, 0),
+    ],
+)
+def test_a_world_that_does_not_fit_in_memory_is_refused_and_so_is_a_missing_image(
+    given: dict[str, Any], most: int
+) -> None:
+    values = with_settings(SCENE.settings, {f"voxel.{k}": v for k, v in given.items()})
+    with pytest.raises(InputError) as error:
+        source(values.voxel, Assets())
+    if most:
+        side = given["regions"] * given["region_size"]
+        assert str(error.value).startswith("settings voxel.regions=64 and voxel.region_size=1000: ")
+        assert f"at most {most} x {most}" in str(error.value)
+        assert f"{side} x {side}" in str(error.value)
+    else:
+        assert str(error.value) == "setting voxel.height_image: none.png: no such file"
+
+
+ODD: dict[str, dict[str, Any]] = {
+    "one column": {"voxel.regions": 1, "voxel.region_size": 1},
+    "regions of one column": {"voxel.regions": 5, "voxel.region_size": 1},
+    "two columns, all under water": {
+        "voxel.regions": 1, "voxel.region_size": 2, "voxel.levels": 1, "voxel.sea": 400},
+    "sea above the relief": {"voxel.sea": 400},
+    "no sea": {"voxel.sea": 0},
+    "the highest relief": {"voxel.levels": 400, "voxel.sea": 120},
+    "tiny blocks": {"voxel.block": 0.001},
+    "huge blocks": {"voxel.block": 100.0},
+    "nothing in reach": {"voxel.distance": 0.1},
+    "every picture tiny": {"water.resolution": 0.05, "shadow.size": 16},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ODD)
+def test_an_odd_world_is_drawn_without_a_word(
+    stage: Stage, name: str, recwarn: pytest.WarningsRecorder, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = {"voxel.regions": 2, "voxel.region_size": 15} | ODD[name]
+    found = picture(stage, **given)
+    assert found.max() > 100  # something lit: haze, sky, land or water
+    assert not recwarn.list and capsys.readouterr() == ("", "")
+
+
+POSES = {
+    "beyond the map": Pose(-30.0, 2.0, -30.0, 135.0, -5.0),
+    "far away": Pose(1e6, 5.0, 1e6, 10.0, -20.0),
+    "under water": Pose(0.5, 0.2, 0.5, 135.0, 10.0),
+    "at the water's level": Pose(2.0, 0.7888, 6.5, 35.0, 0.0),
+    "inside a block": Pose(5.0, 0.4, 5.0, 0.0, 0.0),
+    "straight up": Pose(5.0, 5.0, 5.0, 0.0, 90.0),
+    "straight down": Pose(2.0, 1.5, 6.5, 0.0, -90.0),
+    "upside down": Pose(2.0, 1.5, 6.5, 35.0, -10.0, 180.0),
+    "rolled": Pose(2.0, 1.5, 6.5, 35.0, -10.0, 90.0),
+    "very high": Pose(5.0, 1000.0, 5.0, 0.0, -90.0),
+    "very deep": Pose(5.0, -1e6, 5.0, 0.0, 30.0),
+}
+
+
+def test_odd_places_are_drawn_without_a_word(
+    stage: Stage, recwarn: pytest.WarningsRecorder, capsys: pytest.CaptureFixture[str]
+) -> None:
+    settings = with_settings(SCENE.settings, SMALL)
+    scene = Voxel(settings, Assets(), 0, SEEN)
+    try:
+        for name, pose in POSES.items():
+            with stage.borrowed():
+                scene.draw(Moment(pose, stage.size, 20.0))
+            assert stage.read().max() > 40, name
+    finally:
+        scene.release()
+    assert not recwarn.list and capsys.readouterr() == ("", "")

@@ -27,7 +27,7 @@ from landscape.voxel.landmarks import (
 from landscape.voxel.materials import filled, top_materials, variation
 from landscape.voxel.mesh import ALL_TILES, VERTEX, Look, RegionMesh, region_mesh
 from landscape.voxel.settings import Settings, Shadow, Voxel
-from landscape.voxel.world import MOST_BLOCKS, ROOM, World
+from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
 
 TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
 # Chosen: how much, in blocks, and how finely in columns the land is roughened. The height image is
@@ -45,12 +45,14 @@ def source(values: Voxel, assets: Assets) -> Heights:
     """Return the heights of the land in blocks; InputError for what cannot be a world."""
     columns = values.regions * values.region_size
     tall = values.levels + ROOM
-    if columns * columns * tall > MOST_BLOCKS:
+    most = min(math.isqrt(MOST_BLOCKS // tall), MOST_COLUMNS)
+    if columns > most:
         raise InputError(
             f"settings voxel.regions={values.regions} and voxel.region_size={values.region_size}: "
-            f"expected fewer columns than {columns} x {columns}, whose blocks do not fit in memory"
+            f"expected at most {most} x {most} columns of {values.levels} levels, "
+            f"not {columns} x {columns}, which do not fit in memory"
         )
-    image = read_heights(assets.path(values.height_image))
+    image = read_heights(assets.path(values.height_image, "voxel.height_image"))
     smooth = heights(image, columns, values.levels)
     rough = variation(columns, ROUGH_SIZE, np.random.default_rng(0))
     return Heights(smooth.field + ROUGH * rough)
@@ -134,7 +136,7 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, l
     colours = look(side, settings.sun, settings.shadow, seed)
     parts = (
         "voxel world",
-        content(assets.path(values.height_image)),
+        content(assets.path(values.height_image, "voxel.height_image")),
         repr((values, settings.sun, settings.shadow, seed)),
     )
 

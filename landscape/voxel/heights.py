@@ -45,6 +45,8 @@ class Heights:
     @property
     def steepness(self) -> np.ndarray:
         """Rise over run (n, n) at the centres of the columns."""
+        if len(self.field) < 2:  # a single column has no slope
+            return np.zeros_like(self.field)
         along_x, along_z = (np.gradient(self.field, axis=axis) for axis in (0, 1))
         return np.hypot(along_x, along_z)
 

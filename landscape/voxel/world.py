@@ -14,7 +14,8 @@ from landscape.voxel.faces import EDGE
 Cell = tuple[int, int, int]  # [x, z, y]
 ROOM = 44  # blocks, chosen: room above the highest column, for trees and towers
 BELOW = 0.14  # blocks, chosen: how far the water is below the top of its block
-MOST_BLOCKS = 900 << 20  # bytes, chosen: what the blocks of a world may take
+MOST_BLOCKS = 640 << 20  # bytes, chosen: what the blocks of a world may take
+MOST_COLUMNS = 2048  # on each side, chosen: what the faces of a world may take
 
 
 @dataclass
