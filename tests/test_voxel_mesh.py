@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from landscape.voxel.blocks import BLOCKS, SOLID, block
+from landscape.voxel.distant import distant_mesh, halved
 from landscape.voxel.faces import DIRECTIONS, Faces, visible_faces
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials
@@ -120,6 +121,35 @@ def test_merging_changes_the_shade_of_no_face(merge: str) -> None:
                     ends = rows[:, :1] + (rows[:, 1:] - rows[:, :1]) * along
                     expected = [ends[0, 0], ends[0, 1], ends[1, 1], ends[1, 0]]
                     assert shade[tuple(place.tolist())].tolist() == pytest.approx(expected)
+
+
+def test_blocks_are_joined_by_eight_into_the_uppermost_that_is_solid() -> None:
+    rng = np.random.default_rng(2)
+    blocks = np.where(rng.random((6, 7, 5)) < 0.3, rng.choice((1, 3, 29), (6, 7, 5)), 0)
+    found = halved(blocks.astype(np.uint8))
+    assert found.shape == (3, 4, 3)
+    for x, z, y in itertools.product(*map(range, found.shape)):
+        cell = blocks[2 * x : 2 * x + 2, 2 * z : 2 * z + 2, 2 * y : 2 * y + 2]
+        solid = [layer[SOLID[layer]] for layer in np.moveaxis(cell, 2, 0)[::-1]]
+        highest = next((layer for layer in solid if len(layer)), np.array([0]))
+        assert found[x, z, y] in highest
+
+
+@pytest.mark.parametrize("size", (4, 5))
+def test_a_distant_region_has_walls_all_around_and_covers_its_blocks(size: int) -> None:
+    blocks = np.zeros((2 * size, 2 * size, 8), np.uint8)
+    blocks[:, :, :3] = block("rock")
+    blocks[size + 1, 1, 3:6] = block("oak log")
+    place = World(blocks, np.full((2 * size,) * 2, 3, np.int16), size, 1, 0.08)
+    inner, origin = place.with_edge(2)  # x from size, z from 0
+    mesh = distant_mesh(inner, origin, plain_look(2 * size), "rectangles")
+    low, high = (getattr(mesh.vertices["position"], end)(axis=0) for end in ("min", "max"))
+    wide = size + size % 2
+    assert low[[0, 2]] == pytest.approx([size, 0], abs=0.01)
+    assert high == pytest.approx([size + wide, 6, wide], abs=0.01)
+    sides = dict(zip([each.name for each in DIRECTIONS], mesh.counts.sum(axis=0), strict=True))
+    assert all(sides[name] for name in ("east", "west", "south", "north", "up"))
+    assert mesh.counts[-1].sum() == 0
 
 
 def plain_look(side: int) -> Look:

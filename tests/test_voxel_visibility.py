@@ -108,7 +108,7 @@ def test_no_background_shows_between_merged_quads() -> None:
     """From above, looking steeply down, every pixel is land: there are no pinholes."""
     rng = np.random.default_rng(6)
     given = {"shadow.enabled": False, "fog.enabled": False, "fog.color": (1.0, 0.0, 1.0)}
-    given["voxel.distance"] = 1000.0
+    given |= {"voxel.distance": 1000.0, "voxel.near": 1.0, "voxel.far": 5.0}  # all three meshes
     with Offscreen((320, 240), samples=0, place="voxel", settings=given, only=("land",)) as view:
         view.look((20.0, 9.0, 20.0))
         for _ in range(25):

@@ -13,6 +13,7 @@ from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights
 from landscape.settings import Sun
+from landscape.voxel.distant import distant_mesh
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.landmarks import (
@@ -104,24 +105,24 @@ def look(side: int, light: Sun, shadow: Shadow, seed: int) -> Look:
 
 
 def meshes(place: World, colours: Look, values: Voxel) -> list[RegionMesh]:
-    """Return the meshes of all regions: first those for near, then those for far."""
-    pairs = [meshed(place, region, colours, values) for region in range(place.regions**2)]
-    return [near for near, _ in pairs] + [far for _, far in pairs]
+    """Return the meshes of all regions: first all those for near, then for far, then distant."""
+    every = [meshed(place, region, colours, values) for region in range(place.regions**2)]
+    return [mesh for level in zip(*every, strict=True) for mesh in level]
 
 
 def meshed(
     place: World, region: int, colours: Look, values: Voxel
-) -> tuple[RegionMesh, RegionMesh]:
-    """Return the meshes of a region, for near and for far.
+) -> tuple[RegionMesh, RegionMesh, RegionMesh]:
+    """Return the meshes of a region, for near, for far, and for where it is distant.
 
     Dark corners keep faces from being merged. From afar they do not show, and without them, and
-    without plants, there are two thirds as many quads.
+    without plants, there are two thirds as many quads. Distant blocks are joined by eight.
     """
     blocks, origin = place.with_edge(region)
     near = region_mesh(blocks, origin, colours, values.merge, values.occlusion)
     plain = seen_from_afar(colours)
     far = region_mesh(blocks, origin, plain, values.merge, occlusion=False, plants=False)
-    return near, far
+    return near, far, distant_mesh(blocks, origin, plain, values.merge)
 
 
 def seen_from_afar(colours: Look) -> Look:

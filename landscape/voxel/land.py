@@ -18,27 +18,31 @@ from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import built, meshed, seen_from_afar
+from landscape.voxel.distant import distant_mesh
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.mesh import RegionMesh
 from landscape.voxel.patch import patched, regions_around
-from landscape.voxel.region_buffer import RegionBuffer
+from landscape.voxel.region_buffer import EVERYWHERE, RegionBuffer, Span
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import plants, tiles
 from landscape.voxel.visibility import distances, facing, visible_in_world
 from landscape.voxel.world import Cell
 
+FAR, DISTANT = 1, 2  # which of a region's meshes, after that for near
 LEAST_ALPHA = 0.5  # chosen: texels of plants with less are not drawn
 
 
 class Choice(NamedTuple):
     """Regions to draw, nearest first, and in which directions their faces may be seen (n, 6).
 
-    ``shares`` are those of the buffer that hold their meshes, for near or for far.
+    ``shares`` are those of the buffer that hold their meshes. ``span`` are two heights in blocks:
+    what lies wholly above or below them need not be sent.
     """
 
     regions: np.ndarray
     shares: np.ndarray
     facing: np.ndarray
+    span: Span = EVERYWHERE
 
 
 class Land:
@@ -52,6 +56,7 @@ class Land:
     def __init__(self, settings: Settings, assets: Assets, seed: int) -> None:
         """Build the world or recall it, upload its meshes and the tiles."""
         self.settings, self.version = settings, 0
+        self._stale: set[int] = set()  # regions whose mesh for where they are distant is old
         self.touched: list[tuple[np.ndarray, np.ndarray]] = []
         # Boxes [x, z, y] of changed blocks of which the meshes for far still know nothing.
         self._late: list[tuple[list[int], list[int]]] = []
@@ -71,33 +76,51 @@ class Land:
         """The side of a block in units."""
         return self.world.block
 
-    def choose(self, clip: np.ndarray, eye: np.ndarray, near: float) -> Choice:
+    def choose(
+        self,
+        clip: np.ndarray,
+        eye: np.ndarray,
+        near: float,
+        far: float,
+        span: Span = EVERYWHERE,
+    ) -> Choice:
         """Return what to draw: with ``clip`` (4, 4), projection times modelview, from ``eye``.
 
-        Regions within ``near`` units are drawn with the meshes for near.
+        Regions within ``near`` units are drawn with the meshes for near, beyond ``far`` units with
+        those for where they are distant. ``span`` are the heights in units that will be visible.
         """
         values = self.settings.voxel
         away = distances(self.low, self.high, eye)
         seen = np.ones(len(away), bool)
         if values.cull:
             seen = visible_in_world(self.low, self.high, clip) & (away < values.distance)
+            seen &= (self.high[:, 1] > span[0]) & (self.low[:, 1] < span[1])
         regions = np.flatnonzero(seen)
         regions = regions[np.argsort(away[regions], kind="stable")]
+        level = (away[regions] >= near).astype(np.intp) + (away[regions] >= max(near, far))
+        for region in regions[level == DISTANT]:
+            self._refresh(int(region))
         ways = facing(self.low[regions], self.high[regions], eye)
         if not values.facing:
             ways[:] = True
-        return Choice(regions, self._shares(regions, away[regions] < near), ways)
+        blocks = span[0] / self.scale, span[1] / self.scale
+        return Choice(regions, regions + level * len(self.low), ways, blocks)
 
-    def _shares(self, regions: np.ndarray, near: np.ndarray | bool) -> np.ndarray:
-        """Return the shares of the buffer with the meshes of regions (n,) for near, or for far."""
-        return np.where(near, regions, regions + len(self.low))
+    def _refresh(self, region: int) -> None:
+        """Mesh a region for where it is distant again, if its blocks have changed."""
+        if region in self._stale:
+            self._stale.remove(region)
+            blocks, origin = self.world.with_edge(region)
+            colours = seen_from_afar(self.colours)
+            mesh = distant_mesh(blocks, origin, colours, self.settings.voxel.merge)
+            self._replace(region + DISTANT * len(self.low), mesh)
 
     def seen_by_sun(self, clip: np.ndarray, towards: np.ndarray) -> Choice:
         """Return what the sun sees, which is infinitely far away in the direction ``towards``."""
         regions = np.flatnonzero(visible_in_world(self.low, self.high, clip))
         away = 1e6 * towards
         ways = facing(self.low[regions], self.high[regions], away)
-        return Choice(regions, self._shares(regions, near=False), ways)
+        return Choice(regions, regions + FAR * len(self.low), ways)
 
     def draw(self, choice: Choice, fog_by_height: bool = False) -> None:
         """Draw the regions of a choice, textured, in the current state of fog and shadows."""
@@ -111,21 +134,22 @@ class Land:
     def send(self, choice: Choice) -> None:
         """Send the faces of each tile with its texture bound; the caller has set all else."""
         for tile, texture in enumerate(self._textures):
-            if not self.buffer.count[choice.shares, tile].any():
+            some = self.buffer.holds(tile, choice.shares, choice.span)
+            if not some.any():
                 continue
             texture.bind()
             if tile == len(TILES):
-                self._send_plants(choice)
+                self._send_plants(choice.shares[some])
             else:
-                self.buffer.draw(tile, choice.shares, choice.facing)
+                self.buffer.draw(tile, choice.shares[some], choice.facing[some])
 
-    def _send_plants(self, choice: Choice) -> None:
+    def _send_plants(self, shares: np.ndarray) -> None:
         """Send the plants, whose quads have two sides and holes."""
         gl.glDisable(gl.GL_CULL_FACE)
         gl.glEnable(gl.GL_ALPHA_TEST)
         gl.glAlphaFunc(gl.GL_GREATER, LEAST_ALPHA)
-        every = np.ones((len(choice.regions), len(DIRECTIONS)), bool)
-        self.buffer.draw(len(TILES), choice.shares, every)
+        every = np.ones((len(shares), len(DIRECTIONS)), bool)
+        self.buffer.draw(len(TILES), shares, every)
         gl.glDisable(gl.GL_ALPHA_TEST)
         gl.glEnable(gl.GL_CULL_FACE)
 
@@ -160,9 +184,10 @@ class Land:
         colours = seen_from_afar(self.colours) if self._due else self.colours
         for low, high in self._due:
             for region in regions_around(self.world, low, high):
-                share = region + len(self.low)
+                share = region + FAR * len(self.low)
                 change = self.world, region, low, high, colours
                 self._replace(share, patched(self.meshes[share], *change, False, plants=False))
+                self._stale.add(region)
             self.version += 1
             ends = (np.array(end)[[0, 2, 1]] * self.scale for end in (low, high))
             self.touched.append((next(ends), next(ends)))
@@ -180,13 +205,14 @@ class Land:
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1
-        near, far = meshed(self.world, region, self.colours, self.settings.voxel)
-        self.low[region], self.high[region] = (self.scale * end for end in bounding_box(near))
-        self._replace(region, near)
-        self._replace(region + len(self.low), far)
+        found = meshed(self.world, region, self.colours, self.settings.voxel)
+        self.low[region], self.high[region] = (self.scale * end for end in bounding_box(found[0]))
+        for level, mesh in enumerate(found):
+            self._replace(region + level * len(self.low), mesh)
+        self._stale.discard(region)
 
     def _replace(self, share: int, mesh: RegionMesh) -> None:
-        """Upload the mesh of a region for near, or that for far, which is as many shares behind."""
+        """Upload one of a region's meshes."""
         self.meshes[share] = mesh
         if not self.buffer.replace(share, mesh):
             self.buffer.release()

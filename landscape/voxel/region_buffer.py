@@ -28,9 +28,15 @@ Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x co
 SPARE = 512  # vertices, chosen: and by at least this
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
 
+Span = tuple[float, float]
+EVERYWHERE: Span = (-np.inf, np.inf)
+
 
 class RegionBuffer:
-    """Owner of the buffer. ``first`` and ``count`` (shares, tiles, 6) say what lies where."""
+    """Owner of the buffer. ``first`` and ``count`` (shares, tiles, 6) say what lies where.
+
+    ``low`` and ``high`` (shares, tiles) are the least and greatest heights of vertices in blocks.
+    """
 
     def __init__(self, meshes: Sequence[RegionMesh]) -> None:
         """Upload meshes; each has a share of its own."""
@@ -39,6 +45,8 @@ class RegionBuffer:
         self.start = np.cumsum(self.room) - self.room
         self.first = np.zeros((len(meshes), len(ALL_TILES), len(DIRECTIONS)), np.int32)
         self.count = np.zeros_like(self.first)
+        self.low = np.full(self.first.shape[:2], np.inf)
+        self.high = -self.low
         self._free = int(self.room.sum())
         self._end = self._free + RESERVE
         whole = np.zeros(self._end, VERTEX)
@@ -57,6 +65,15 @@ class RegionBuffer:
         starts = self.start[share] + np.cumsum(flat) - flat
         self.first[share] = starts.reshape(mesh.counts.shape)
         self.count[share] = mesh.counts
+        per_tile = mesh.counts.sum(axis=1)
+        some = per_tile > 0
+        ends = np.cumsum(per_tile)
+        heights = mesh.vertices["position"][:, 1]
+        self.low[share], self.high[share] = np.inf, -np.inf
+        if some.any():
+            begins = (ends - per_tile)[some]
+            self.low[share, some] = np.minimum.reduceat(heights, begins)
+            self.high[share, some] = np.maximum.reduceat(heights, begins)
 
     def _fill(self, vertices: np.ndarray) -> None:
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
@@ -107,6 +124,10 @@ class RegionBuffer:
             if self.name:
                 gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
             gl.glPopClientAttrib()
+
+    def holds(self, tile: int, shares: np.ndarray, span: Span) -> np.ndarray:
+        """Return which shares (n,) have faces of a tile between two heights in blocks."""
+        return np.asarray((self.high[shares, tile] > span[0]) & (self.low[shares, tile] < span[1]))
 
     def draw(self, tile: int, shares: np.ndarray, facing: np.ndarray) -> None:
         """Draw a tile's faces of some shares, in their order, in the directions of ``facing``.

@@ -57,7 +57,15 @@ class Voxel:
         26.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)
     )
     near: float = setting(
-        9.0, "chosen", "how far corners are dark and plants are drawn", 0, 1e4, unit=UNITS
+        7.0, "chosen", "how far corners are dark and plants are drawn", 0, 1e4, unit=UNITS
+    )
+    far: float = setting(
+        12.0,
+        "Luanti",
+        "how far blocks are drawn one by one; beyond, eight make a larger one",
+        0,
+        1e4,
+        unit=UNITS,
     )
     trees: bool = setting(True, "chosen", "trees and flowers stand on the land")
     buildings: bool = setting(True, "chosen", "castle, creatures and other things to find")
@@ -108,10 +116,10 @@ class Water:
         0.5, "chosen", "size of the two pictures", 0.05, 1, unit="times the window's"
     )
     fresnel: float = setting(1.0, PASSES, "how much it mirrors; 1 is as much as water does", 0, 4)
-    near: float = setting(
-        0.0,
-        "chosen",
-        "how far what is mirrored has dark corners and plants",
+    far: float = setting(
+        7.0,
+        "Luanti",
+        "how far blocks are mirrored one by one; beyond, eight make a larger one",
         0,
         1e4,
         unit=UNITS,

@@ -18,6 +18,7 @@ from landscape.voxel import build
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
 from landscape.voxel.played import Played
+from landscape.voxel.region_buffer import EVERYWHERE, Span
 from landscape.voxel.regions_view import draw_boxes, draw_from_outside
 from landscape.voxel.settings import PRESETS, Settings
 from landscape.voxel.shadow_map import ShadowMap
@@ -111,13 +112,16 @@ class Voxel(Played, Ground):
         clip = clip_matrix()
         self.land.catch_up()
         self._draw_shadows(frame)
-        shore = self._draw_images(frame)
         begin_pass("main")
-        pictured = shore and self.water.images  # else the ground under water is seen through it
-        with clipped(shore.level, above=True) if shore and pictured else nullcontext():
-            self._draw_land(frame, values.voxel.near)
+        shore = self._shore(frame)
+        # Without pictures the ground under water is seen through it.
+        opaque = shore is not None and self.water.images is not None
+        with clipped(shore.level, above=True) if shore and opaque else nullcontext():
+            self._draw_land(frame, (shore.level, np.inf) if shore and opaque else EVERYWHERE)
         self._draw("sky", self.sky, frame)
-        if shore:
+        if shore and self._visible(frame):
+            self._draw_images(frame, shore.level)
+            begin_pass("water")
             with drawing("water"):
                 self.water.draw(frame, clip, shore.points)
         begin_pass("overlay")
@@ -125,15 +129,20 @@ class Voxel(Played, Ground):
         self._draw_debug(frame, clip)
         self._draw("sword", self.sword, frame)
 
-    def _draw_land(self, frame: Frame, near: float, below: bool = False) -> None:
-        """Draw the land that the current matrices let one see; ``below`` fogs it by its depth."""
+    def _draw_land(self, frame: Frame, span: Span = EVERYWHERE, below: bool = False) -> None:
+        """Draw the land that the current matrices let one see.
+
+        ``span`` are the heights in units that can be visible; ``below`` fogs it by its depth.
+        """
         if "land" not in self.shown:
             return
         with drawing("land"):
-            eye = frame.eye
+            values, eye = self.settings, frame.eye
+            near, far = values.voxel.near, values.voxel.far
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
-            choice = self.land.choose(clip_matrix(), eye, near)
+                near, far = 0.0, values.water.far
+            choice = self.land.choose(clip_matrix(), eye, near, far, span)
             with self._lit():
                 self.land.draw(choice, fog_by_height=below)
 
@@ -146,7 +155,8 @@ class Voxel(Played, Ground):
         values, land = self.settings.debug, self.land
         if "land" not in self.shown or not (values.regions or values.textures):
             return
-        choice = land.choose(clip, frame.eye, self.settings.voxel.near)
+        detail = self.settings.voxel.near, self.settings.voxel.far
+        choice = land.choose(clip, frame.eye, *detail)
         with drawing("land"):
             if values.regions:
                 draw_boxes(land, choice)
@@ -173,34 +183,45 @@ class Voxel(Played, Ground):
             )
         self.land.touched.clear()
 
-    def _draw_images(self, frame: Frame) -> Shore | None:
-        """Draw the pictures of what is mirrored and refracted; None if no water is in view."""
+    def _shore(self, frame: Frame) -> Shore | None:
+        """Return where water would be in view if nothing hid it; None if nowhere."""
         if self.water is None or "water" not in self.shown:
             return None
         points = self.water.grid(frame)
-        if points is None:
-            return None
-        values, level, images = self.settings, self.water.level, self.water.images
+        return None if points is None else Shore(self.water.level, points)
+
+    def _visible(self, frame: Frame) -> bool:
+        """Return whether any water shows beside the land, which has been drawn."""
+        query = self.water.query
+        if query is None:
+            return True
+        with drawing("water"):
+            query.expected(frame)
+            query.ask(frame)
+            return bool(query.shows())
+
+    def _draw_images(self, frame: Frame, level: float) -> None:
+        """Draw the pictures of what the water mirrors, and of what lies under it."""
+        images, block = self.water.images, self.settings.voxel.block
         if images is None:
-            return Shore(level, points)
+            return
         begin_pass("reflection")
         with drawing("water"):
             images.draw_reflection(frame.viewport, level, lambda: self._draw_mirrored(frame))
         begin_pass("refraction")
         with drawing("water"):
-            block = values.voxel.block
+            under = -np.inf, level + block
             images.draw_refraction(
                 frame.viewport,
                 level,
                 block,
-                lambda: self._draw_land(frame, values.voxel.near, below=images.darkens),
+                lambda: self._draw_land(frame, under, below=images.darkens),
             )
-        return Shore(level, points)
 
     def _draw_mirrored(self, frame: Frame) -> None:
         """Draw what is mirrored: the land, and the sky behind it."""
         frame = replace(frame, mirrored=True)
-        self._draw_land(frame, self.settings.water.near)
+        self._draw_land(frame, (self.water.level, np.inf))
         self._draw("sky", self.sky, frame)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:

@@ -22,11 +22,12 @@ import numpy as np
 from landscape.elements import sun
 from landscape.files.assets import Assets
 from landscape.frame import Frame
-from landscape.gl import cube_map
+from landscape.gl import cube_map, surface_query
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap
-from landscape.gl.extensions import COMBINE, CROSSBAR, Need, possible
+from landscape.gl.extensions import COMBINE, CROSSBAR, Need, has, possible
 from landscape.gl.state import attrib, client_arrays, combine
+from landscape.gl.surface_query import SurfaceQuery
 from landscape.gl.texture import Texture
 from landscape.voxel import water_images
 from landscape.voxel.fresnel import fresnel_faces
@@ -55,11 +56,16 @@ class Water:
         self.settings = settings
         self._quads = grid_quads()
         self.images: WaterImages | None = None
+        self.query: SurfaceQuery | None = None
         self._fresnel: CubeMap | None = None
         self._normals: Texture | None = None
         if not possible("water.reflection, water.refraction", PICTURES, 2):
             return
         self.images = WaterImages(settings.water)
+        far = settings.camera.far
+        side = settings.voxel.regions * settings.voxel.region_size * settings.voxel.block
+        if has(surface_query.NEED):  # without it the pictures are drawn in any case
+            self.query = SurfaceQuery(self.level, -far, side + far, settings.camera.near)
         if possible("water.fresnel", BY_ANGLE, 3):
             self._fresnel = CubeMap(fresnel_faces(settings.water.fresnel), mipmaps=False)
         if possible("water.sparkle", GLINTS, 4):
@@ -185,7 +191,7 @@ class Water:
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
-        for owned in (self.images, self._normals, self._fresnel):
+        for owned in (self.images, self.query, self._normals, self._fresnel):
             if owned is not None:
                 owned.release()
 

@@ -1,31 +1,15 @@
 """Whether any of the sea can be seen: an occlusion query (``water.query``).
 
 In a wood the sea, its waves and the whole mirrored scene would be drawn for nothing: land hides
-them. So once the land is in the depth buffer, a square at the height the sea may reach is drawn
-into neither colour nor depth, and OpenGL counts the samples that pass the depth test
-(GL_ARB_occlusion_query, OpenGL 1.5). If there are none, no pixel of the sea can show.
-
-Asking is cheap; waiting for the answer is not, because everything sent before must be drawn first.
-If the sea was in view, the answer is therefore read one frame later, when it is ready, and the
-frame draws the sea in any case. A frame waits only if the sea was out of view, and after a jump to
-another place. A picture never depends on what was seen before.
-State used: colour and depth masks, the query.
+them. So a square at the height the sea may reach is tested against the depth buffer
+(gl/surface_query.py).
 """
 
-import math
-
-import numpy as np
-
 from landscape.elements.water_surface import water_square
-from landscape.frame import Frame
-from landscape.gl.calls import gl
-from landscape.gl.display_list import DisplayList
-from landscape.gl.draw import level_square
-from landscape.gl.state import attrib
+from landscape.gl.surface_query import SurfaceQuery
 from landscape.settings import Settings
 
 ABOVE = 0.05  # chosen: units above the water level that no wave and no breaker reaches
-JUMP = 0.5  # chosen: change of position in units, or of the unit view vector: no step is so large
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
@@ -33,30 +17,14 @@ def built_from(settings: Settings) -> tuple[object, ...]:
     return settings.water.level, water_square(settings.water)
 
 
-class SeaQuery:
-    """Owner of the query and of the square's display list.
-
-    In each frame: ``expected`` before anything is drawn, ``ask`` after the land, then ``shows``.
-    """
+class SeaQuery(SurfaceQuery):
+    """The query for the sea."""
 
     def __init__(self, settings: Settings) -> None:
         """Make the query, and compile the square that the sea may reach."""
         self._built_from = built_from(settings)
-        self._height, self._near = settings.water.level + ABOVE, settings.camera.near
-        low, high = water_square(settings.water)
-
-        def send() -> None:
-            for off in (gl.GL_LIGHTING, gl.GL_TEXTURE_2D, gl.GL_FOG):
-                gl.glDisable(off)
-            gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
-            gl.glDepthMask(gl.GL_FALSE)
-            level_square(low, high, self._height)
-
-        self._list = DisplayList(send)
-        self._query = int(np.ravel(gl.glGenQueries(1))[0])
-        self._asked = False
-        self._shows = True
-        self._last: np.ndarray | None = None
+        square = water_square(settings.water)
+        super().__init__(settings.water.level + ABOVE, *square, settings.camera.near)
 
     def apply(self, settings: Settings) -> bool:
         """Return whether the query is also valid for new settings: for the same surface."""
@@ -64,60 +32,3 @@ class SeaQuery:
             return False
         self._near = settings.camera.near
         return True
-
-    def expected(self, frame: Frame) -> bool:
-        """Return whether to draw the mirror image before it is known if any sea is visible."""
-        if compiling():
-            return self._shows
-        if self._asked:
-            self._shows, self._asked = self._answer() > 0, False
-        here = np.concatenate([frame.eye, frame.pose.forward])
-        if self._last is not None and np.abs(here - self._last).max() > JUMP:
-            self._shows = False
-        self._last = here
-        return self._shows
-
-    def ask(self, frame: Frame) -> None:
-        """Start the query: may any of the sea show in front of what is in the depth buffer?"""
-        if compiling():
-            return
-        # The near plane would clip a square that is closer than its corners.
-        self._asked = frame.eye_y > self._height + self._near * corner(frame)
-        if not self._asked:
-            self._shows = True
-            return
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT):
-            gl.glBeginQuery(gl.GL_SAMPLES_PASSED, self._query)
-            self._list.call()
-            gl.glEndQuery(gl.GL_SAMPLES_PASSED)
-
-    def shows(self) -> bool:
-        """Return whether the sea may show; waits for the answer unless it showed before.
-
-        While a display list is being compiled no query is possible: the last answer is used.
-        """
-        if self._asked and not self._shows and not compiling():
-            self._shows, self._asked = self._answer() > 0, False
-        return self._shows
-
-    def _answer(self) -> int:
-        """Wait for the number of samples and return it."""
-        return int(np.ravel(gl.glGetQueryObjectuiv(self._query, gl.GL_QUERY_RESULT))[0])
-
-    def release(self) -> None:
-        """Delete the query and the list; may be called twice."""
-        if self._query:
-            gl.glDeleteQueries(1, np.array([self._query], np.uint32))
-            self._query = 0
-        self._list.release()
-
-
-def corner(frame: Frame) -> float:
-    """Return the distance from the eye to the near plane's corners, times that of the plane."""
-    top = math.tan(math.radians(frame.fov) / 2)
-    return math.hypot(1.0, top, top * frame.size[0] / frame.size[1])
-
-
-def compiling() -> bool:
-    """Return whether OpenGL is compiling a display list."""
-    return bool(gl.glGetIntegerv(gl.GL_LIST_INDEX))
