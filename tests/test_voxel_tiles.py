@@ -45,7 +45,6 @@ def test_each_tile_is_where_its_name_says(shown: dict[str, np.ndarray]) -> None:
     assert {tile.shape for tile in shown.values()} == {(SIDE, SIDE, 3)}
     means = {name: mean(tile) for name, tile in shown.items()}
     assert means["grass_top"].argmax() == 1
-    assert min(means, key=lambda name: means[name].sum()) in ("earth", "slate", "lamp", "gravel")
     assert max(means, key=lambda name: means[name].sum()) == "snow"
     assert means["slate"].argmax() == 2
     for warm in ("earth", "sand", "planks", "brick", "lamp", "log_top"):

@@ -20,16 +20,16 @@ from landscape.voxel.tiles import SIDE
 
 # All chosen: ramps of colour, dark to light.
 GRASS = ((44, 92, 50), (76, 132, 54), (112, 166, 62), (150, 192, 74), (196, 218, 104))
-EARTH = ((84, 56, 48), (118, 80, 58), (150, 106, 72), (180, 134, 92), (210, 168, 120))
+EARTH = ((90, 62, 50), (126, 89, 65), (158, 117, 82), (186, 147, 106), (214, 179, 136))
 PEBBLE = ((104, 90, 88), (158, 142, 128), (206, 190, 166))
-ROCK = ((74, 74, 88), (112, 110, 118), (148, 144, 142), (182, 175, 164), (216, 208, 190))
+ROCK = ((82, 82, 90), (122, 120, 120), (158, 154, 146), (192, 185, 170), (224, 216, 196))
 SAND = ((190, 152, 104), (216, 184, 130), (234, 208, 154), (246, 228, 180), (254, 244, 210))
 SNOW = ((170, 190, 222), (206, 220, 240), (232, 239, 249), (248, 251, 254), (255, 255, 255))
 STONES = (
-    ((70, 76, 92), (128, 134, 142), (186, 188, 184)),
-    ((84, 74, 74), (150, 136, 122), (208, 194, 170)),
-    ((76, 70, 80), (138, 124, 128), (196, 182, 176)),
-    ((96, 88, 82), (174, 162, 142), (228, 218, 194)),
+    ((86, 94, 110), (148, 154, 160), (204, 206, 200)),
+    ((104, 92, 86), (172, 156, 136), (222, 208, 182)),
+    ((98, 90, 98), (158, 144, 144), (210, 198, 188)),
+    ((116, 106, 96), (192, 180, 156), (236, 226, 202)),
 )
 
 STONE_SLOPE = 1.6  # chosen: how steep the stones of the gravel look
@@ -49,7 +49,7 @@ def grass_top() -> np.ndarray:
     for place in spread(22, 13):
         path = curve(place, rng.uniform(0, 2 * np.pi), rng.uniform(6, 9), rng.normal(0, 0.5))
         canvas.stroke(path, blade_widths(1.25), GRASS, np.linspace(0.6, 0.95, 7), 0.03)
-    return levelled(canvas.colour)
+    return levelled(canvas.colour, broad=1.7)
 
 
 def earth() -> np.ndarray:
@@ -80,8 +80,8 @@ def rock() -> np.ndarray:
     apart -= np.round(apart / SIDE) * SIDE
     block = np.hypot(apart[..., 0], 1.3 * apart[..., 1]).argmin(axis=1)
     found = cells(facets, 0.9, 34)
-    lean = rng.normal(0.0, 0.011, (len(facets), 2))
-    tone = rng.normal(0.0, 0.065, len(facets)) + rng.normal(0.0, 0.03, len(blocks))[block]
+    lean = rng.normal(0.0, 0.014, (len(facets), 2))
+    tone = rng.normal(0.0, 0.075, len(facets)) + rng.normal(0.0, 0.05, len(blocks))[block]
     value = 0.56 + tone[found.own] + (lean[found.own] * found.offset).sum(axis=-1)
     # Ridges between facets of one block catch the light; between blocks there are cracks.
     value = value + 0.10 * found.light(2.2)
@@ -90,7 +90,7 @@ def rock() -> np.ndarray:
     value = stepped(value, 14) + 0.17 * cracked.light(3.4)
     value = value - 0.42 * smoothstep(1.15, 0.35, cracked.inside())
     value = value + 0.012 * noise(0.8, 35, 8.0)
-    return levelled(ramp(ROCK, value), 2.5, 0.25)
+    return levelled(ramp(ROCK, value), 2.5, 0.25, broad=1.1)
 
 
 def sand() -> np.ndarray:
@@ -121,7 +121,7 @@ def gravel() -> np.ndarray:
     for number, colours in enumerate(STONES):
         colour += (kind == number)[..., None] * ramp(colours, stepped(value, 11, 0.3))
     gap = smoothstep(0.35, -0.25, inside)[..., None]
-    return levelled(colour * (1.0 - gap) + gap * np.array([62, 62, 76]) / 255.0, 2.5, 0.2)
+    return levelled(colour * (1.0 - gap) + gap * np.array([88, 86, 94]) / 255.0, 2.5, 0.2)
 
 
 def snow() -> np.ndarray:

@@ -131,7 +131,8 @@ class Canvas:
         """Begin with an opaque picture, or with a transparent tile."""
         side = SIDE * OVER
         self.colour = np.zeros((side, side, 3)) if colour is None else colour.copy()
-        self.alpha = np.full((side, side), 0.0 if colour is None else 1.0)
+        height, width, _ = self.colour.shape
+        self.alpha = np.full((height, width), 0.0 if colour is None else 1.0)
         self._wraps = wrap_y, wrap_x
 
     def paint(
@@ -245,15 +246,20 @@ def leaf_widths(half: float, points: int = 9) -> np.ndarray:
     return np.asarray(half * np.sin(np.pi * t**0.85) ** 0.9 + 0.05)
 
 
-def levelled(tile: np.ndarray, cut: float = 3.5, kept: float = 0.12) -> np.ndarray:
+def levelled(
+    tile: np.ndarray, cut: float = 3.5, kept: float = 0.12, broad: float = 1.0
+) -> np.ndarray:
     """Return a picture (h, w, 3) with its widest variations reduced to the fraction ``kept``.
 
     What has fewer than ``cut`` periods in a tile would show as a grid where the tile is repeated.
+    The next wider variations, up to 10 periods, are multiplied by ``broad``: they are what is left
+    of a tile from afar.
     """
     spectrum = np.fft.fft2(tile, axes=(0, 1))
     ky, kx = (np.fft.fftfreq(side) * side for side in tile.shape[:2])
     k = np.hypot(kx[None, :], ky[:, None])
-    factor = np.where((k > 0) & (k < cut), kept, 1.0)
+    factor = 1.0 + (broad - 1.0) * smoothstep(12.0, 8.0, k)
+    factor = np.where(k < cut, np.where(k > 0, kept, 1.0), factor)
     return np.asarray(np.fft.ifft2(spectrum * factor[..., None], axes=(0, 1)).real)
 
 

@@ -19,10 +19,10 @@ from landscape.studio.voxel_paint import (
 )
 
 # All chosen: ramps of colour, dark to light. Blocks tint all of these but the birch's bark.
-BARK = ((92, 80, 80), (140, 124, 116), (186, 170, 154), (220, 206, 186), (244, 234, 216))
+BARK = ((112, 92, 84), (166, 144, 126), (206, 188, 166), (232, 218, 196), (248, 240, 222))
 BIRCH = ((64, 58, 62), (148, 138, 136), (222, 214, 204), (240, 235, 224), (252, 250, 242))
 WOOD = ((126, 96, 78), (178, 142, 104), (214, 182, 136), (234, 208, 164), (248, 230, 194))
-LEAF = ((58, 66, 84), (108, 118, 130), (168, 176, 174), (216, 220, 206), (250, 250, 232))
+LEAF = ((84, 94, 112), (136, 146, 154), (186, 194, 190), (226, 230, 216), (252, 252, 236))
 
 
 def bark() -> np.ndarray:
@@ -32,7 +32,7 @@ def bark() -> np.ndarray:
     found = cells(points, 0.55, 113, 3.0)
     value = 0.62 + rng.normal(0, 0.06, len(points))[found.own] + 0.20 * found.light(3.6)
     value = stepped(value + 0.05 * smeared(noise(1.0, 114, 6.0), 49, 0), 11, 0.3)
-    value = value - 0.48 * smoothstep(1.7, 0.3, found.inside(0.5))
+    value = value - 0.44 * smoothstep(1.5, 0.3, found.inside(0.5))
     return levelled(ramp(BARK, value), 2.5, 0.15)
 
 
@@ -41,15 +41,16 @@ def birch_bark() -> np.ndarray:
     rng = np.random.default_rng(121)
     bands = smeared(noise(2.0, 122, 2.0), 87, 1)
     canvas = Canvas(ramp(BIRCH, stepped(0.76 + 0.06 * bands, 12, 0.3)))
-    for place in spread(26, 123):
-        long = rng.uniform(1.5, 6.0)
+    for place in spread(34, 123):
+        long = rng.uniform(1.2, 7.5)
         path = np.array([place - [long, 0], place, place + [long, rng.normal(0, 0.4)]])
         dark = rng.choice([0.08, 0.3, 0.5], p=[0.4, 0.3, 0.3])
         canvas.stroke(path + [0.0, 0.9], np.array([0.1, 0.8, 0.1]), BIRCH, np.full(3, 0.98))
         canvas.stroke(path, np.array([0.15, rng.uniform(0.6, 1.1), 0.15]), BIRCH, np.full(3, dark))
-    for place in spread(4, 127):
+    for place in spread(3, 127):
+        size = rng.uniform(3.0, 6.0)
         for k in range(5):
-            long = 6.0 - 1.1 * k
+            long = size * (1.0 - 0.18 * k)
             path = np.array([place + [-long, 1.3 * k - 1.2], place + [0, 1.1 * k - 2.2],
                              place + [long * 0.9, 1.3 * k - 1.0]])  # fmt: skip
             canvas.stroke(path, np.array([0.2, 1.0, 0.2]), BIRCH, np.full(3, 0.02 + 0.03 * k))
@@ -82,8 +83,8 @@ def log_top() -> np.ndarray:
 def leaves() -> np.ndarray:
     """Return rosettes of leaves, in three layers over a dark ground."""
     rng = np.random.default_rng(141)
-    canvas = Canvas(ramp(LEAF, 0.06 + 0.02 * noise(1.6, 142)))
-    for count, tone, long in ((15, 0.34, 14.0), (14, 0.56, 13.5), (10, 0.78, 12.5)):
+    canvas = Canvas(ramp(LEAF, 0.16 + 0.02 * noise(1.6, 142)))
+    for count, tone, long in ((26, 0.34, 13.0), (20, 0.52, 13.5), (12, 0.82, 12.5)):
         for place in spread(count, int(rng.integers(1000))):
             turn, lift = rng.uniform(0, 2 * np.pi), rng.normal(0, 0.03)
             for k in rng.permutation(5):
@@ -91,28 +92,23 @@ def leaves() -> np.ndarray:
                 start = place + 0.8 * np.array([np.cos(angle), np.sin(angle)])
                 path = curve(start, angle, long * rng.uniform(0.75, 1.0), rng.normal(0, 0.3), 9)
                 half = rng.uniform(2.7, 3.4)
-                under = np.full(9, tone - 0.30)
+                under = np.full(9, tone - 0.26)
                 canvas.stroke(path + [0.5, 0.9], leaf_widths(half), LEAF, under)
                 tones = tone + lift + np.linspace(-0.13, 0.10, 9) + rng.normal(0, 0.025)
-                canvas.stroke(path, leaf_widths(half), LEAF, tones, 0.055)
-    return levelled(canvas.colour)
+                canvas.stroke(path, leaf_widths(half), LEAF, tones, 0.07)
+    return levelled(canvas.colour, broad=1.25)
 
 
 def needles() -> np.ndarray:
-    """Return drooping twigs of a spruce, combed with needles, in three layers."""
+    """Return sprays of needles that hang and spread like brushes, in three layers."""
     rng = np.random.default_rng(151)
-    canvas = Canvas(ramp(LEAF, 0.05 + 0.02 * noise(1.6, 152)))
-    for count, tone in ((22, 0.36), (18, 0.58), (13, 0.78)):
+    canvas = Canvas(ramp(LEAF, 0.12 + 0.02 * noise(1.6, 152)))
+    for count, tone in ((28, 0.34), (26, 0.58), (19, 0.84)):
         for place in spread(count, int(rng.integers(1000))):
-            lean = rng.normal(0, 0.75)
-            twig = curve(place - [0, 8], np.pi / 2 + lean, 18.0, -0.5 * lean, 15)
-            for k in range(14):
-                along = np.arctan2(*(twig[k + 1] - twig[k])[::-1])
-                for side in (-1, 1):
-                    angle = along + side * rng.uniform(0.6, 0.85)
-                    long = (7.0 - 0.25 * k) * rng.uniform(0.85, 1.1)
-                    path = curve(twig[k], angle, long, -0.35 * side, 4)
-                    lit = tone + 0.05 * (side == 1) + np.linspace(-0.14, 0.12, 4) + 0.008 * k
-                    canvas.stroke(path, blade_widths(1.0, 4), LEAF, lit)
-            canvas.stroke(twig, np.linspace(0.7, 0.3, 15), LEAF, np.full(15, tone - 0.14))
-    return levelled(canvas.colour)
+            down = np.pi / 2 + rng.normal(0, 0.3)
+            for aside in (-1.15, 1.15, -0.75, 0.75, -0.38, 0.38, 0.0):
+                long = rng.uniform(9.0, 11.5) * (1.0 - 0.18 * abs(aside))
+                path = curve(place - [0, 4], down + aside, long, -0.45 * aside, 6)
+                lit = tone + 0.06 * np.sign(aside) + np.linspace(-0.20, 0.14, 6)
+                canvas.stroke(path, blade_widths(1.25, 6, 0.5), LEAF, lit, 0.04)
+    return levelled(canvas.colour, broad=1.15)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from landscape.studio.images import smoothstep
-from landscape.studio.voxel_paint import Canvas, axes, levelled, noise, ramp, smeared, stepped
+from landscape.studio.voxel_paint import OVER, Canvas, axes, levelled, noise, ramp, smeared, stepped
 from landscape.voxel.tiles import SIDE
 
 # All chosen: ramps of colour, dark to light.
@@ -128,17 +128,20 @@ def planks() -> np.ndarray:
 def hide() -> np.ndarray:
     """Return pale tufts that overlap softly downwards: fur, scales or cloth by their tint."""
     rng = np.random.default_rng(241)
-    canvas = Canvas(ramp(HIDE, np.full((SIDE * 4, SIDE * 4), 0.5)))
-    rows, columns = 8, 8
+    rows = 8
     pitch = SIDE / rows
-    for row in range(rows - 1, -2, -1):
-        for column in range(columns):
-            across = (column + 0.5 * (row % 2) + 0.5 + rng.normal(0, 0.04)) * SIDE / columns
+    tones = 0.62 + rng.normal(0, 0.05, (rows, rows))
+    moved = rng.normal(0, 0.3, (rows, rows))
+    # Each row lies over the next: of two tiles, the second is whole at both ends.
+    canvas = Canvas(ramp(HIDE, np.full((2 * SIDE * OVER, SIDE * OVER), 0.2)), wrap_y=False)
+    for row in range(2 * rows, -2, -1):
+        for k in range(rows):
+            across = (k + 0.5 * (row % 2) + 0.5) * pitch + moved[row % rows, k]
             place = np.array([across, row * pitch + 2.0])
-            tone = 0.60 + rng.normal(0, 0.035)
-            canvas.blob(place + [0.3, 1.3], (4.5, 6.4), 0.0, HIDE, 0.34, 0.0, 0.03)
-            canvas.blob(place, (4.3, 6.2), 0.0, HIDE, tone, 0.16, 0.03)
-    return levelled(canvas.colour)
+            canvas.blob(place + [0.3, 1.4], (4.6, 6.5), 0.0, HIDE, 0.20, 0.0, 0.03)
+            canvas.blob(place, (4.3, 6.2), 0.0, HIDE, tones[row % rows, k], 0.22, 0.03)
+    first = SIDE * OVER // 2
+    return levelled(canvas.colour[first : first + SIDE * OVER])
 
 
 def lamp() -> np.ndarray:
