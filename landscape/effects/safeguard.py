@@ -1,50 +1,17 @@
-"""What a safeguard of the hall is: a pair of settings, pictures and captions."""
+"""What a safeguard of the hall is: one that knows the hall's views."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from landscape.effects.views import STANDING, VIEWS
-from landscape.frame import Pose
-from landscape.scene import View
+from landscape.fixes import safeguard
+from landscape.fixes.safeguard import pair
+
+__all__ = ["Safeguard", "pair"]
 
 
 @dataclass(frozen=True)
-class Safeguard:
-    """One safeguard: where to see it, the settings without and with it, and its captions.
+class Safeguard(safeguard.Safeguard):
+    """One safeguard of the hall."""
 
-    ``view`` is a pose, or the name of the view whose pose to take. ``flaw`` says what goes wrong,
-    ``look`` what to compare, ``how`` what the safeguard does in OpenGL; ``seen`` describes the two
-    pictures for readers who cannot see them.
-    """
-
-    name: str
-    title: str
-    view: str | Pose
-    kt: float
-    off: Mapping[str, Any]
-    on: Mapping[str, Any]
-    flaw: str
-    look: str
-    how: str
-    seen: tuple[str, str]
-
-    def settings(self, after: bool) -> Mapping[str, Any]:
-        """Return the settings of one picture: without the safeguard, or with it."""
-        return self.on if after else self.off
-
-    def pose(self, after: bool) -> Pose:
-        """Return the pose of both pictures; its y may be None."""
-        return VIEWS[self.view].pose if isinstance(self.view, str) else self.view
-
-    def as_view(self) -> View:
-        """Return the view with the safeguard, under its name."""
-        return View(
-            self.name, self.title, self.pose(True), self.kt, shown=STANDING, settings=self.on
-        )
-
-
-def pair(key: str, **beside: Any) -> dict[str, dict[str, Any]]:
-    """Return the settings without and with a safeguard; groups of ``beside`` hold others."""
-    others = {f"{group}.{k}": v for group, values in beside.items() for k, v in values.items()}
-    return {"off": {**others, key: False}, "on": {**others, key: True}}
+    VIEWS = VIEWS
+    STANDING = STANDING

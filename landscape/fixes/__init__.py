@@ -1,4 +1,7 @@
-"""The fixes of the island: pairs of settings, and of pictures, before and after."""
+"""The fixes of the island: pairs of settings, and of pictures, before and after.
+
+safeguard.py is what other scenes have instead: pairs whose captions speak of one scene alone.
+"""
 
 from landscape.fixes.best_fixes import BEST_FIXES
 from landscape.fixes.fix import Fix

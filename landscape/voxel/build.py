@@ -31,6 +31,9 @@ from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
 
 TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
+# Settings of which the world and its meshes are made.
+BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "merge", "occlusion",
+         "trees", "buildings")  # fmt: skip
 # Chosen: how much, in blocks, and how finely in columns the land is roughened. The height image is
 # so smooth that the steps between levels would be contour lines.
 ROUGH, ROUGH_SIZE = 0.45, 9.0
@@ -138,7 +141,8 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, l
     parts = (
         "voxel world",
         content(assets.path(values.height_image, "voxel.height_image")),
-        repr((values, settings.sun, settings.shadow, seed)),
+        repr(([getattr(values, name) for name in BUILT], seed)),
+        colours.light.tobytes(),
     )
 
     def make() -> tuple[np.ndarray, ...]:

@@ -11,6 +11,7 @@ import numpy as np
 from landscape.gl.cube_map import face_directions
 
 SIDE = 128  # texels, chosen: side of a face
+EVEN = 0.145  # chosen: the cosine at which water mirrors nearly half of the light
 STRAIGHT = 0.02  # of water, refractive index 1.33, looked at from straight above
 
 
@@ -19,7 +20,12 @@ def reflectance(cosine: np.ndarray) -> np.ndarray:
     return STRAIGHT + (1.0 - STRAIGHT) * (1.0 - np.clip(cosine, 0.0, 1.0)) ** 5
 
 
-def fresnel_faces(strength: float) -> np.ndarray:
-    """Return the faces, uint8 (6, n, n, 1), for lines of sight (x, y, z) onto a level surface."""
+def fresnel_faces(strength: float, by_angle: bool = True) -> np.ndarray:
+    """Return the faces, uint8 (6, n, n, 1), for lines of sight (x, y, z) onto a level surface.
+
+    Without ``by_angle`` it mirrors as much in all directions, which is what a constant would do.
+    """
     downwards = -face_directions(SIDE)[..., 1:2]
+    if not by_angle:
+        downwards = np.full_like(downwards, EVEN)
     return (255.0 * np.clip(strength * reflectance(downwards), 0.0, 1.0) + 0.5).astype(np.uint8)

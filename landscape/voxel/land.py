@@ -17,7 +17,7 @@ from landscape.gl.calls import gl
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.voxel.blocks import TILES
-from landscape.voxel.build import built, meshed, seen_from_afar
+from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar
 from landscape.voxel.distant import distant_mesh
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.mesh import RegionMesh
@@ -68,8 +68,9 @@ class Land:
             np.array(ends) * self.world.block for ends in zip(*boxes, strict=True)
         )
         pictures = tiles(assets)
-        self._textures = [Texture(pictures[name]) for name in TILES]
-        self._textures.append(Texture(plants(assets), repeat=False))
+        mipmaps = settings.voxel.mipmaps
+        self._textures = [Texture(pictures[name], mipmaps=mipmaps) for name in TILES]
+        self._textures.append(Texture(plants(assets), repeat=False, mipmaps=mipmaps))
 
     @property
     def scale(self) -> float:
@@ -221,8 +222,11 @@ class Land:
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the land must be built again."""
         now, then = self.settings, settings
-        changed = [name for name in BUILT if getattr(now.voxel, name) != getattr(then.voxel, name)]
-        if changed or (now.sun, now.shadow) != (then.sun, then.shadow):
+        names = (*BUILT, "mipmaps")
+        changed = [name for name in names if getattr(now.voxel, name) != getattr(then.voxel, name)]
+        light, other = (face_light(each.sun, each.shadow) for each in (now, then))
+        lit_alike = now.shadow.enabled == then.shadow.enabled and (light == other).all()
+        if changed or not lit_alike:
             return False
         self.settings = settings
         return True
@@ -232,11 +236,6 @@ class Land:
         self.buffer.release()
         for texture in self._textures:
             texture.release()
-
-
-# Settings of which the meshes are made.
-BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "merge", "occlusion",
-         "trees", "buildings")  # fmt: skip
 
 
 def bounding_box(mesh: RegionMesh) -> tuple[np.ndarray, np.ndarray]:

@@ -9,6 +9,8 @@ from landscape.settings import UNITS, Camera, Clock, Fog, Sun, Walk
 REGIONS = "Peurière, Terrain/Region"
 BLOCKS = "blocks"
 LAND = ("land",)
+# The passes' textures, in the order in which they are shown.
+PICTURES = ("reflection", "refraction", "shadow", "depth")
 PASSES = "Peurière, Affichage"
 # Times of day: what differs from a preset, which shows noon. All values are chosen.
 TIMES: dict[str, dict[str, Value]] = {
@@ -47,6 +49,7 @@ class Voxel:
         choices=("rectangles", "runs", "none"),
     )
     occlusion: bool = setting(True, "chosen", "corners between blocks are darker")
+    mipmaps: bool = setting(True, "chosen", "tiles have mip levels; off, far land is noisy")
     facing: bool = setting(
         True, "ClassiCube", "faces that are turned away from the eye are not sent"
     )
@@ -110,12 +113,15 @@ class Water:
 
     NEEDS: ClassVar[tuple[str, ...]] = ("water",)
 
-    reflection: bool = setting(True, PASSES, "the water mirrors land and sky")
+    reflection: bool = setting(True, PASSES, "the water mirrors the land; off, only the sky")
     refraction: bool = setting(True, PASSES, "one sees what lies under the water")
     resolution: float = setting(
         0.5, "chosen", "size of the two pictures", 0.05, 1, unit="times the window's"
     )
     fresnel: float = setting(1.0, PASSES, "how much it mirrors; 1 is as much as water does", 0, 4)
+    by_angle: bool = setting(
+        True, PASSES, "it mirrors more at grazing angles; off, as much at all angles"
+    )
     far: float = setting(
         7.0,
         "Luanti",
@@ -149,6 +155,13 @@ class Debug:
     textures: bool = setting(
         False, "Peurière, Commandes", "show the textures of reflection, refraction and depths"
     )
+    picture: str = setting(
+        "none",
+        "chosen",
+        "show one of these textures instead of the picture",
+        choices=("none", *PICTURES),
+    )
+    edges: bool = setting(False, "chosen", "show the edges of the quads that are drawn")
 
 
 @dataclass(frozen=True)

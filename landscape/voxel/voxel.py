@@ -2,6 +2,7 @@
 
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,11 +16,13 @@ from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.scene import SEED, Moment, Scene, View, begin_frame
 from landscape.voxel import build
+from landscape.voxel.edges_view import draw_edges
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
 from landscape.voxel.played import Played
 from landscape.voxel.region_buffer import EVERYWHERE, Span
 from landscape.voxel.regions_view import draw_boxes, draw_from_outside
+from landscape.voxel.safeguards import SAFEGUARDS
 from landscape.voxel.settings import PRESETS, Settings
 from landscape.voxel.shadow_map import ShadowMap
 from landscape.voxel.sky import Sky
@@ -153,7 +156,8 @@ class Voxel(Played, Ground):
     def _draw_debug(self, frame: Frame, clip: np.ndarray) -> None:
         """Draw what one may look at besides the picture: regions and textures."""
         values, land = self.settings.debug, self.land
-        if "land" not in self.shown or not (values.regions or values.textures):
+        textures = values.textures or values.picture != "none"
+        if "land" not in self.shown or not (values.regions or values.edges or textures):
             return
         detail = self.settings.voxel.near, self.settings.voxel.far
         choice = land.choose(clip, frame.eye, *detail)
@@ -161,11 +165,17 @@ class Voxel(Played, Ground):
             if values.regions:
                 draw_boxes(land, choice)
                 draw_from_outside(land, choice, frame, clip, self._lit())
-            if values.textures:
+            if values.edges:
+                draw_edges(land, choice)
+            if textures:
                 images = self.water.images if self.water else None
-                pictures = [images and images.reflection, images and images.refraction]
-                pictures.append(self.shadow.target if self.settings.shadow.enabled else None)
-                self.textures.draw(frame, pictures, lambda: land.draw_shapes(choice))
+                pictures = {
+                    "reflection": images and images.reflection,
+                    "refraction": images and images.refraction,
+                    "shadow": self.shadow.target if self.settings.shadow.enabled else None,
+                }
+                draw = partial(land.draw_shapes, choice)
+                self.textures.draw(frame, pictures, draw, values.picture)
 
     def _draw_shadows(self, frame: Frame) -> None:
         """Draw the sun's picture of depths, if it must be drawn again."""
@@ -215,14 +225,20 @@ class Voxel(Played, Ground):
                 frame.viewport,
                 level,
                 block,
-                lambda: self._draw_land(frame, under, below=images.darkens),
+                lambda: self._draw_under(frame, under),
             )
 
     def _draw_mirrored(self, frame: Frame) -> None:
-        """Draw what is mirrored: the land, and the sky behind it."""
+        """Draw what is mirrored: the land, unless that is off, and the sky behind it."""
         frame = replace(frame, mirrored=True)
-        self._draw_land(frame, (self.water.level, np.inf))
+        if self.settings.water.reflection:
+            self._draw_land(frame, (self.water.level, np.inf))
         self._draw("sky", self.sky, frame)
+
+    def _draw_under(self, frame: Frame, span: Span) -> None:
+        """Draw what lies under the water, unless that is off: then its colour is all one sees."""
+        if self.settings.water.refraction:
+            self._draw_land(frame, span, below=self.water.images.darkens)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:
         """Draw an element if it was built and is shown now."""
@@ -261,6 +277,7 @@ SCENE = Scene(
     main=MAIN,
     open=Voxel,
     terrain=Ground,
+    fixes=SAFEGUARDS,
     overlay=HELD,
     title="the island in voxels",
     blocks=True,

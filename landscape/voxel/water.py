@@ -67,7 +67,8 @@ class Water:
         if has(surface_query.NEED):  # without it the pictures are drawn in any case
             self.query = SurfaceQuery(self.level, -far, side + far, settings.camera.near)
         if possible("water.fresnel", BY_ANGLE, 3):
-            self._fresnel = CubeMap(fresnel_faces(settings.water.fresnel), mipmaps=False)
+            faces = fresnel_faces(settings.water.fresnel, settings.water.by_angle)
+            self._fresnel = CubeMap(faces, mipmaps=False)
         if possible("water.sparkle", GLINTS, 4):
             self._normals = Texture(ripples(assets))
 
@@ -182,7 +183,8 @@ class Water:
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the textures must be made again."""
-        if settings.water.fresnel != self.settings.water.fresnel:
+        now, then = self.settings.water, settings.water
+        if (now.fresnel, now.by_angle) != (then.fresnel, then.by_angle):
             return False
         self.settings = settings
         if self.images:

@@ -8,6 +8,7 @@ ratio of the refractive indices, as it looks from above. It darkens with its dep
 coordinate (GL_EXT_fog_coord, OpenGL 1.4) is the height of a vertex, where other fog takes its
 distance from the eye. It lies in the vertices already, as their y. Without fog coordinates the
 ground under water is fogged as all else, and does not darken.
+What is wrong without: switches ``water.reflection`` and ``water.refraction``.
 State used: framebuffer objects, GL_CLIP_PLANE0, the front face, GL_FOG_COORD_ARRAY.
 """
 

@@ -1,0 +1,17 @@
+"""What a safeguard of the voxel island is: one that knows the island's views."""
+
+from dataclasses import dataclass
+
+from landscape.fixes import safeguard
+from landscape.fixes.safeguard import pair
+from landscape.voxel.views import STANDING, VIEWS
+
+__all__ = ["Safeguard", "pair"]
+
+
+@dataclass(frozen=True)
+class Safeguard(safeguard.Safeguard):
+    """One safeguard of the voxel island."""
+
+    VIEWS = VIEWS
+    STANDING = STANDING

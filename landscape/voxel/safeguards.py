@@ -1,0 +1,223 @@
+"""What each pass and each technique adds, as pairs of pictures: without it, and with it.
+
+Their names are views (`landscape render voxel_clip`), and keys switch them in the walk. First the
+land, then the shadows, then the water.
+"""
+
+from landscape.frame import Pose
+from landscape.voxel.safeguard import Safeguard, pair
+
+GLADE = Pose(18.0, None, 18.0, 88.0, 4.0)
+FROM_ABOVE = Pose(21.0, 4.5, 29.0, 10.0, -12.0)
+
+LAND: tuple[Safeguard, ...] = (
+    Safeguard(
+        "voxel_merge",
+        "Equal faces side by side are one quad",
+        "voxel_castle",
+        20.0,
+        {"debug.edges": True, "voxel.merge": "none"},
+        {"debug.edges": True, "voxel.merge": "rectangles"},
+        flaw="Each exposed face of each block is a quad of its own, be they all alike.",
+        look="Black lines are the edges of the quads. Where corners are dark, faces differ and "
+        "stay apart.",
+        how="Runs of equal faces become one quad, and equal runs side by side one rectangle. Its "
+        "texture coordinates count blocks, and GL_REPEAT repeats the tile.",
+        seen=(
+            "a castle of cubes and a meadow, with the edges of every block drawn",
+            "a castle of cubes and a meadow, with few, large rectangles drawn",
+        ),
+    ),
+    Safeguard(
+        "voxel_occlusion",
+        "Corners between blocks are darker",
+        "voxel_cliff",
+        20.0,
+        **pair("voxel.occlusion"),
+        flaw="Faces that look the same way have the same light, so that steps hardly show where "
+        "one looks at them from above.",
+        look="Look at the foot of each step and into the corners.",
+        how="Each corner of a face counts the blocks that stand around it, 0 to 3, and its vertex "
+        "colour is darker for each. OpenGL interpolates the rest.",
+        seen=(
+            "steps of grass without any shading in their corners",
+            "steps of grass with soft dark edges at their feet",
+        ),
+    ),
+    Safeguard(
+        "voxel_near",
+        "Plants and dark corners near the eye",
+        GLADE,
+        20.0,
+        {"voxel.near": 0.0},
+        {"voxel.near": 7.0},
+        flaw="The simple meshes for far regions are drawn here, too: without plants, and without "
+        "dark corners.",
+        look="Look at the ground near the eye.",
+        how="Each region has two meshes in the vertex buffer. The distance of its box chooses one.",
+        seen=("a forest on a bare lawn", "a forest with grass and flowers on its ground"),
+    ),
+    Safeguard(
+        "voxel_mipmaps",
+        "Tiles in smaller and smaller sizes",
+        FROM_ABOVE,
+        20.0,
+        **pair("voxel.mipmaps", camera={"fov": 40.0}),
+        flaw="Far away, one pixel covers many texels of a tile, and shows one of them: noise that "
+        "flickers as one walks.",
+        look="Compare the hills and the woods in the distance.",
+        how="Each tile is a texture of its own with mip levels, and no tile bleeds into another, "
+        "as in an atlas.",
+        seen=("far hills with a grainy pattern", "far hills in calm colours"),
+    ),
+    Safeguard(
+        "voxel_cull",
+        "Regions out of view are not sent",
+        "voxel_castle",
+        20.0,
+        **pair("voxel.cull", debug={"regions": True}),
+        flaw="The whole map is sent in each frame, also what lies behind the eye.",
+        look="The inset shows what is sent, seen from outside, with the view frustum in yellow. "
+        "Boxes of culled regions are red.",
+        how="The corner of a region's box that lies farthest along a plane's normal is compared "
+        "with that plane: six comparisons a region, in numpy for all at once.",
+        seen=(
+            "a castle, and in the inset the whole island",
+            "a castle, and in the inset only the part of the island within the frustum",
+        ),
+    ),
+    Safeguard(
+        "voxel_fog",
+        "Fog hides where the land ends",
+        FROM_ABOVE,
+        20.0,
+        **pair("fog.enabled", voxel={"distance": 13.0}),
+        flaw="Regions farther away than voxel.distance are not drawn, and without fog the land is "
+        "cut off there.",
+        look="Look at the horizon.",
+        how="GL_FOG with an exponential of the distance, in the colour of the sky at the horizon.",
+        seen=("a land cut off in front of the sky", "a land that fades into haze"),
+    ),
+)
+SHADOWS: tuple[Safeguard, ...] = (
+    Safeguard(
+        "voxel_shadow",
+        "Shadows of the sun",
+        GLADE,
+        20.0,
+        **pair("shadow.enabled"),
+        flaw="Every face that looks towards the sun is lit, also under trees and behind walls.",
+        look="Look at the ground under the trees.",
+        how="The land's depths as the sun sees them are a texture, laid over the land by "
+        "GL_EYE_LINEAR; GL_COMPARE_R_TO_TEXTURE compares with them at each pixel.",
+        seen=("a forest in even light", "a forest with patches of sun on shaded ground"),
+    ),
+    Safeguard(
+        "voxel_shadow_offset",
+        "Faces that do not shade themselves",
+        "voxel_castle",
+        20.0,
+        **pair("shadow.offset"),
+        flaw="The sun's picture has one depth for each texel, the land a different one for each "
+        "pixel. Half of a sloping face is therefore farther away than its own depth, and shades "
+        "itself in stripes.",
+        look="Look at the walls and at the grass.",
+        how="glPolygonOffset moves the faces away from the sun while its picture is drawn.",
+        seen=("castle and meadow covered with dark stripes", "castle and meadow in the sun"),
+    ),
+    Safeguard(
+        "voxel_shadow_sky",
+        "The light of the sky in shadow",
+        GLADE,
+        20.0,
+        {"shadow.color": (0.0, 0.0, 0.0)},
+        {"shadow.color": (0.50, 0.56, 0.70)},
+        flaw="Multiplied by the answer of the comparison, 0 or 1, shadows are black.",
+        look="Look into the shadows.",
+        how="GL_INTERPOLATE in the first texture unit mixes the sky's colour and full light by the "
+        "second unit's answer (ARB_texture_env_crossbar), before the tile is multiplied in.",
+        seen=("a forest with black shadows", "a forest with bluish shadows"),
+    ),
+)
+WATER: tuple[Safeguard, ...] = (
+    Safeguard(
+        "voxel_reflection",
+        "Land in the water's mirror",
+        "voxel_water",
+        20.0,
+        **pair("water.reflection"),
+        flaw="The water mirrors only the sky, as if there were no land.",
+        look="Look at the water below the sea dragon and the far shore.",
+        how="The land is drawn once more, from below: glMultMatrix mirrors it at the water, into a "
+        "texture, which the texture matrix projects onto the water.",
+        seen=("a bay that mirrors only the sky", "a bay that mirrors dragon and shore"),
+    ),
+    Safeguard(
+        "voxel_refraction",
+        "The ground under the water",
+        "voxel_water",
+        20.0,
+        **pair("water.refraction"),
+        flaw="Under its mirror image the water has one plain colour.",
+        look="Look at the shallow water in front.",
+        how="What lies under the water is drawn into a second texture, nearer to the surface by "
+        "3/4, as it looks from above.",
+        seen=("opaque, dark water at a beach", "clear water over sand and pebbles"),
+    ),
+    Safeguard(
+        "voxel_depth",
+        "Darker with depth",
+        "voxel_water",
+        20.0,
+        {"water.clear": 1000.0},
+        {"water.clear": 9.0},
+        flaw="The ground in deep water is as bright as that in shallow water.",
+        look="Follow the ground from the beach into the bay.",
+        how="The fog coordinate of a vertex is its height (GL_FOG_COORD): linear fog in the colour "
+        "of deep water begins at the surface.",
+        seen=("a bay whose ground is bright down to its bottom", "a bay that is dark where deep"),
+    ),
+    Safeguard(
+        "voxel_fresnel",
+        "Clear from above, a mirror from aside",
+        "voxel_water",
+        20.0,
+        **pair("water.by_angle"),
+        flaw="Water that mirrors as much everywhere: too much in front, where one looks down into "
+        "it, and too little in the distance.",
+        look="Compare the water in front and that in the distance.",
+        how="Fresnel's term is the alpha of a cube map, looked up with the direction from the eye "
+        "to the water; GL_INTERPOLATE mixes by it.",
+        seen=(
+            "water that is milky with the sky in front, and lets one see the ground afar",
+            "water that is clear in front and a mirror afar",
+        ),
+    ),
+    Safeguard(
+        "voxel_ripples",
+        "Ripples",
+        "voxel_water",
+        20.0,
+        {"water.ripples": 0.0},
+        {"water.ripples": 1.0},
+        flaw="The water is a sheet of glass.",
+        look="Look at the edges of what is mirrored.",
+        how="The coordinates by which both textures are looked up are moved at the vertices of a "
+        "grid that is even on the screen.",
+        seen=("a bay as smooth as glass", "a bay whose mirror images waver"),
+    ),
+    Safeguard(
+        "voxel_sparkle",
+        "The sun glitters",
+        Pose(14.0, 1.2, 32.5, 128.0, -4.0),
+        20.0,
+        {"sun.elevation": 20.0, "water.sparkle": 0.0},
+        {"sun.elevation": 20.0, "water.sparkle": 1.0},
+        flaw="The water mirrors sky and land, but not the sun, which is in no picture.",
+        look="Look below the sun.",
+        how="GL_DOT3_RGBA of a map of normals and of the half vector between sun and eye, which is "
+        "the vertex colour; a threshold and a square leave the glints.",
+        seen=("a sea without glints", "a sea with a path of glints towards the sun"),
+    ),
+)
+SAFEGUARDS = (*LAND, *SHADOWS, *WATER)
