@@ -38,6 +38,7 @@ BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "me
 # so smooth that the steps between levels would be contour lines.
 ROUGH, ROUGH_SIZE = 0.45, 9.0
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
+FAR_OVERLAP = 0.015  # blocks, chosen: from afar, pixels are larger
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
 SKYLIGHT = {"up": 0.62, "down": 0.34}
@@ -129,8 +130,8 @@ def meshed(
 
 
 def seen_from_afar(colours: Look) -> Look:
-    """Return the colours of the meshes for far, which have no dark corners."""
-    return Look(colours.light * (*3 * [FAR_SHADE], 1.0), colours.tint)
+    """Return what the meshes for far are made with: no dark corners, and a larger overlap."""
+    return Look(colours.light * (*3 * [FAR_SHADE], 1.0), colours.tint, FAR_OVERLAP)
 
 
 def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, list[RegionMesh]]:

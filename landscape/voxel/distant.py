@@ -44,7 +44,9 @@ def distant_mesh(
     steps = 2 * np.arange(cells.shape[0])
     across, along = (np.minimum(at + steps, len(look.tint) - 1) for at in (x, z))
     tint = look.tint[np.ix_(across, along)]
-    mesh = region_mesh(cells, (0, 0, 0), Look(look.light, tint), merge, False, plants=False)
+    mesh = region_mesh(
+        cells, (0, 0, 0), Look(look.light, tint, look.overlap), merge, False, plants=False
+    )
     mesh.vertices["position"] *= 2
     mesh.vertices["position"] += np.array([x, bottom, z], np.float32)
     mesh.vertices["coordinate"] *= 2

@@ -29,6 +29,7 @@ from landscape.voxel.visibility import distances, facing, visible_in_world
 from landscape.voxel.world import Cell
 
 FAR, DISTANT = 1, 2  # which of a region's meshes, after that for near
+LEVELS = 3
 LEAST_ALPHA = 0.5  # chosen: texels of plants with less are not drawn
 
 
@@ -63,10 +64,9 @@ class Land:
         self._due: list[tuple[list[int], list[int]]] = []
         self.world, self.colours, self.meshes = built(settings, assets, seed)
         self.buffer = RegionBuffer(self.meshes)
-        boxes = [bounding_box(mesh) for mesh in self.meshes[: self.world.regions**2]]
-        self.low, self.high = (
-            np.array(ends) * self.world.block for ends in zip(*boxes, strict=True)
-        )
+        boxes = np.array([bounding_box(mesh) for mesh in self.meshes]) * self.world.block
+        boxes = boxes.reshape(LEVELS, -1, 2, 3)
+        self.low, self.high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
         pictures = tiles(assets)
         mipmaps = settings.voxel.mipmaps
         self._textures = [Texture(pictures[name], mipmaps=mipmaps) for name in TILES]
@@ -115,6 +115,9 @@ class Land:
             colours = seen_from_afar(self.colours)
             mesh = distant_mesh(blocks, origin, colours, self.settings.voxel.merge)
             self._replace(region + DISTANT * len(self.low), mesh)
+            low, high = (self.scale * end for end in bounding_box(mesh))
+            self.low[region] = np.minimum(self.low[region], low)
+            self.high[region] = np.maximum(self.high[region], high)
 
     def seen_by_sun(self, clip: np.ndarray, towards: np.ndarray) -> Choice:
         """Return what the sun sees, which is infinitely far away in the direction ``towards``."""
@@ -207,7 +210,9 @@ class Land:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1
         found = meshed(self.world, region, self.colours, self.settings.voxel)
-        self.low[region], self.high[region] = (self.scale * end for end in bounding_box(found[0]))
+        low, high = zip(*map(bounding_box, found), strict=True)
+        self.low[region] = self.scale * np.min(low, axis=0)
+        self.high[region] = self.scale * np.max(high, axis=0)
         for level, mesh in enumerate(found):
             self._replace(region + level * len(self.low), mesh)
         self._stale.discard(region)

@@ -16,9 +16,7 @@ VERTEX = np.dtype([("coordinate", "<f4", 2), ("colour", "u1", 4), ("position", "
 ALL_TILES = (*TILES, "plants")
 # Chosen: how much lighter or darker corners are with 0 to 3 blocks around them.
 SHADES = np.array([1.0, 0.80, 0.64, 0.52], np.float32)
-# Chosen, in blocks: quads overlap their neighbours by this, so that no background shows through
-# where a corner of one quad meets the side of another (a T-junction).
-OVERLAP = 0.004
+OVERLAP = 0.004  # blocks, chosen: of quads that are seen from nearby
 TINT_STEP = 0.16  # chosen: how far the noise changes the tint of natural blocks
 # Corners of a quad as fractions along and across, in the order of the shades.
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
@@ -63,11 +61,13 @@ class Look:
 
     ``light`` (6, 4) is the colour of the light on faces in each of DIRECTIONS, with the alpha that
     shadows need, and ``tint`` (n + 1, n + 1) a noise of -1..1 over the corners of the columns,
-    [x, z].
+    [x, z]. Quads overlap their neighbours by ``overlap`` blocks, so that no background shows
+    through where a corner of one meets the side of another (a T-junction).
     """
 
     light: np.ndarray
     tint: np.ndarray
+    overlap: float = OVERLAP
 
 
 def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
@@ -77,7 +77,7 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
     shade = faces.shade[:, ::-1] if direction.swapped else faces.shade
     sides = np.stack([faces.long, faces.wide], axis=1).astype(np.float32)
     place = (faces.low + np.array(origin)).astype(np.float32)
-    outwards = OVERLAP * (2 * corners - 1)
+    outwards = look.overlap * (2 * corners - 1)
     across = corners * sides[:, None, :] + outwards  # (m, 4, 2)
     at = np.repeat(place[:, None, :], 4, axis=1)
     at[..., direction.along] += across[..., 0]
