@@ -244,7 +244,7 @@ def test_settings_says_value_range_presets_unit_source_and_what_a_key_does(shell
     assert re.fullmatch(r"  fog\.density +0\.042 per unit +\[section 10\.2\]", head)
     assert [line.strip() for line in rest[:2]] == [
         "how dense it is in the modes exp2 and exp",
-        "0 to 1000; 2006: 0.12, best: 0.042; hall: 0.12; voxel: 0.045",
+        "0 to 1000; 2006: 0.12, best: 0.042; hall: 0.12; voxel: 0.037",
     ]
     needs = " ".join(line.strip() for line in rest[2:])
     assert needs.startswith("needs fog shown or ")

@@ -122,7 +122,7 @@ def test_the_dragon_is_as_long_as_asked_and_in_one_piece():
     one = np.zeros(model.shape, bool)
     one[tuple(np.argwhere(model == block("scales"))[0])] = True
     assert joined(model > 0, one).sum() > 0.99 * (model > 0).sum()
-    names = ("scales", "light scales", "horn", "dark", "pink")
+    names = ("scales", "bright scales", "deep scales", "light scales", "horn", "dark", "pink")
     assert {block(name) for name in names} == set(np.unique(model)) - {0}
     eyes = np.argwhere(model == block("dark"))
     assert eyes[:, 0].min() > 45 and eyes[:, 2].min() > SEA * model.shape[2]

@@ -12,7 +12,8 @@ from landscape.frame import Frame, Pose
 from landscape.gl.calls import gl
 from landscape.render import Offscreen
 from landscape.voxel.fresnel import fresnel_faces, reflectance
-from landscape.voxel.water_grid import disturbed, half_vectors, water_grid
+from landscape.voxel.water import steepened
+from landscape.voxel.water_grid import COLUMNS, ROWS, calmed, disturbed, half_vectors, water_grid
 
 SIZE = (128, 96)
 SMALL = {"voxel.regions": 6, "voxel.region_size": 20, "shadow.enabled": False}
@@ -163,11 +164,48 @@ def test_there_is_no_water_where_one_looks_up() -> None:
 
 
 def test_ripples_move_points_within_the_plane_and_not_at_all_without_strength() -> None:
-    points = np.random.default_rng(0).uniform(0, 40, (50, 3))
-    points[:, 1] = 0.7
-    assert disturbed(points, 12.0, 0.0) == pytest.approx(points)
-    moved = disturbed(points, 12.0, 1.0)
-    assert moved[:, 1] == pytest.approx(0.7) and not np.allclose(moved, points)
+    points, deep = some_water()
+    eye = np.array([20.0, 3.0, 20.0])
+    assert disturbed(points, eye, deep, 12.0, 0.0) == pytest.approx(points)
+    moved = disturbed(points, eye, deep, 12.0, 1.0)
+    assert moved[..., 1] == pytest.approx(0.7) and not np.allclose(moved, points)
+
+
+def test_ripples_move_less_what_is_near_or_shallow_and_nothing_at_the_screens_edges() -> None:
+    points, deep = some_water()
+    eye = np.array([20.0, 3.0, 20.0])
+
+    def way(points: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        return np.linalg.norm(disturbed(points, eye, depth, 12.0, 1.0) - points, axis=-1)
+
+    far, shallow = way(points, deep), way(points, deep / 50)
+    assert (shallow <= far).all() and shallow.max() < 0.2 * far.max()
+    assert way(points, -deep) == pytest.approx(0.0)  # on land
+    near = np.array(eye) + (points - eye) * (0.3, 0.0, 0.3) / 40
+    assert way(near, deep).max() < 0.5 * far.max()
+    assert far[-1] == pytest.approx(0.0) and far[:, [0, -1]] == pytest.approx(0.0)
+
+
+def test_glints_are_dimmer_in_shallow_water_and_close_by() -> None:
+    points, deep = some_water()
+    eye, half = np.array([20.0, 3.0, 20.0]), np.tile((0.0, 1.0, 0.0), (ROWS, COLUMNS, 1))
+    assert calmed(half, points, eye, deep)[..., 1].max() == pytest.approx(1.0)
+    assert (calmed(half, points, eye, 0.0 * deep)[..., 1] < 0.96).all()
+    assert (calmed(half, eye + 0.01 * (points - eye), eye, deep)[..., 1] < 0.97).all()
+
+
+def test_normals_made_steeper_are_of_unit_length_and_of_steeper_slopes() -> None:
+    slope = np.array([0.3, -0.2, 1.0]) / np.linalg.norm((0.3, -0.2, 1.0))
+    coded = np.rint((slope[None, None] + 1.0) * 127.5).astype(np.uint8)
+    steep = steepened(coded, 2.0)[0, 0] / 127.5 - 1.0
+    assert np.linalg.norm(steep) == pytest.approx(1.0, abs=0.01)
+    assert steep[:2] / steep[2] == pytest.approx((0.6, -0.4), abs=0.03)
+
+
+def some_water() -> tuple[np.ndarray, np.ndarray]:
+    points = np.random.default_rng(0).uniform(0, 40, (ROWS, COLUMNS, 3))
+    points[..., 1] = 0.7
+    return points, np.full((ROWS, COLUMNS), 2.0)
 
 
 def test_a_half_vector_is_the_normal_where_the_water_mirrors_the_sun() -> None:

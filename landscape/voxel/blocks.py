@@ -43,7 +43,7 @@ class Block:
 # The number of a block is its place in this tuple; 0 is air. Tints are chosen.
 BLOCKS = (
     Block("air", "rock"),
-    Block("rock", "rock", natural=True),
+    Block("rock", "rock", tint=(236, 232, 230), natural=True),
     Block("earth", "earth", natural=True),
     Block("grass", "grass_top", "grass_side", "earth", natural=True),
     Block("sand", "sand", natural=True),
@@ -77,6 +77,13 @@ BLOCKS = (
     Block("buttercup", "buttercup", plant=True),
     Block("cornflower", "cornflower", plant=True),
     Block("heather", "heather", plant=True),
+    Block("dark rock", "rock", tint=(206, 204, 206), natural=True),
+    Block("pale rock", "rock", tint=(255, 250, 236), natural=True),
+    Block("warm rock", "rock", tint=(250, 226, 196), natural=True),
+    Block("deep snow", "snow", "snow", "rock"),
+    Block("turf", "grass_top", tint=(226, 228, 208), natural=True),
+    Block("deep scales", "hide", tint=(38, 108, 96)),
+    Block("bright scales", "hide", tint=(92, 172, 122)),
 )
 NUMBERS = {block.name: number for number, block in enumerate(BLOCKS)}
 SOLID = np.array([number > 0 and not block.plant for number, block in enumerate(BLOCKS)])

@@ -25,8 +25,9 @@ from landscape.voxel.landmarks import (
     place_finds,
     place_rabbit,
 )
-from landscape.voxel.materials import filled, top_materials, variation
+from landscape.voxel.materials import filled, strata, top_materials, variation
 from landscape.voxel.mesh import ALL_TILES, VERTEX, Look, RegionMesh, region_mesh
+from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
 
@@ -34,15 +35,12 @@ TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and 
 # Settings of which the world and its meshes are made.
 BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "merge", "occlusion",
          "trees", "buildings")  # fmt: skip
-# Chosen: how much, in blocks, and how finely in columns the land is roughened. The height image is
-# so smooth that the steps between levels would be contour lines.
-ROUGH, ROUGH_SIZE = 0.45, 9.0
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
 FAR_OVERLAP = 0.015  # blocks, chosen: from afar, pixels are larger
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
-SKYLIGHT = {"up": 0.62, "down": 0.34}
-SIDELIGHT = 0.50
+SKYLIGHT = {"up": 0.64, "down": 0.42}
+SIDELIGHT = 0.54
 SUNLIGHT = 0.52
 
 
@@ -58,9 +56,7 @@ def source(values: Voxel, assets: Assets) -> Heights:
             f"not {columns} x {columns}, which do not fit in memory"
         )
     image = read_heights(assets.path(values.height_image, "voxel.height_image"))
-    smooth = heights(image, columns, values.levels)
-    rough = variation(columns, ROUGH_SIZE, np.random.default_rng(0))
-    return Heights(smooth.field + ROUGH * rough)
+    return roughened(heights(image, columns, values.levels))
 
 
 def world(values: Voxel, assets: Assets, seed: int) -> World:
@@ -69,7 +65,7 @@ def world(values: Voxel, assets: Assets, seed: int) -> World:
     rng = np.random.default_rng(seed)
     tops = land.tops
     kinds = top_materials(land, values.sea, rng)
-    blocks = filled(tops, kinds, int(tops.max()) + ROOM)
+    blocks = filled(tops, kinds, int(tops.max()) + ROOM, strata(len(tops), rng))
     sites: list[Site] = []
     if values.buildings:
         sites = build_castle(blocks, tops, values.sea)
@@ -95,7 +91,7 @@ def face_light(light: Sun, shadow: Shadow) -> np.ndarray:
         axis = {0: 0, 1: 2, 2: 1}[direction.axis]  # of [x, z, y] in x, y, z
         faced = max(direction.sign * float(towards[axis]), 0.0)
         sky = SKYLIGHT.get(direction.name, SIDELIGHT) * np.array([0.94, 0.98, 1.06])
-        found[k, :3] = sky + SUNLIGHT * faced**0.6 * np.array(light.diffuse)
+        found[k, :3] = sky + SUNLIGHT * faced**0.5 * np.array(light.diffuse)
         if shadow.enabled and not faced:
             found[k, :3] /= left
             found[k, 3] = left

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from landscape.voxel.blocks import SOLID
+from landscape.voxel.blocks import SOLID, block
 
 
 class Direction(NamedTuple):
@@ -39,6 +39,7 @@ DIRECTIONS = (
     Direction("north", 1, -1, 0, 2, True),
 )
 EDGE = 1  # blocks around a region that must be known: neighbours of its outermost blocks
+GRASS, TURF = block("grass"), block("turf")
 LONGEST = 16  # blocks, chosen: longer quads would interpolate the tint over too much land
 
 
@@ -69,6 +70,20 @@ def exposed(solid: np.ndarray, direction: Direction) -> np.ndarray:
     start = EDGE + direction.sign
     beyond[direction.axis] = slice(start, solid.shape[direction.axis] - EDGE + direction.sign)
     return np.asarray(solid[inner] & ~solid[tuple(beyond)])
+
+
+def shown_kinds(blocks: np.ndarray, at: np.ndarray, direction: Direction) -> np.ndarray:
+    """Return the blocks (m,) that faces are drawn as; ``at`` (m,) are their flat indices.
+
+    Where grass goes down a step of one block its side is overgrown. Sides of earth would draw
+    contour lines on every gentle hill.
+    """
+    steps, flat = np.array(blocks.strides), blocks.ravel()
+    found = flat[at]
+    if direction.axis != 2:
+        foot = at + direction.sign * steps[direction.axis] - steps[2]
+        found[(found == GRASS) & (flat[foot] == GRASS)] = TURF
+    return np.asarray(found)
 
 
 def corner_shade(solid: np.ndarray, at: np.ndarray, direction: Direction) -> np.ndarray:
@@ -105,7 +120,7 @@ def visible_faces(
         low[:, axis] = values
     steps = np.array(blocks.strides)
     flat = (low + EDGE) @ steps
-    kinds = blocks.ravel()[flat]
+    kinds = shown_kinds(blocks, flat, direction)
     if occlusion:
         in_front = flat + direction.sign * steps[direction.axis]
         shade = corner_shade(solid, in_front, direction)

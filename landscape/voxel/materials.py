@@ -13,9 +13,15 @@ from landscape.voxel.heights import Heights
 # All chosen. Heights in blocks above the sea, as fractions of the relief where they are marked.
 BEACH = 2.2  # sand up to here
 SHALLOWS = -2.5  # and down to here; deeper lies gravel
-SNOW = 0.60  # of the highest land
-EARTHY, ROCKY = 0.95, 1.3  # rise over run from which there is earth, or bare rock
+SNOW = 0.58  # of the highest land
+EARTHY, ROCKY = 1.02, 1.3  # rise over run from which there is earth, or bare rock
+SNOWY = 2.2  # how much steeper than ROCKY snow may lie on the highest land
 SOIL = 3  # blocks of earth under grass, or of sand under sand
+# Layers of rock from below, again and again: block and thickness. Where they lie varies by BENT
+# blocks over BENT_SIZE columns. All chosen.
+STRATA = (("rock", 3), ("dark rock", 1), ("rock", 2), ("pale rock", 2), ("rock", 2),
+          ("warm rock", 2))  # fmt: skip
+BENT, BENT_SIZE = 7.0, 70.0
 
 
 def smooth_noise(side: int, cells: int, rng: np.random.Generator) -> np.ndarray:
@@ -45,29 +51,48 @@ def top_materials(source: Heights, sea: int, rng: np.random.Generator) -> np.nda
     highest = max(float(above.max()), 1.0)
     found = np.full(above.shape, block("grass"), np.uint8)
     found[steep + 0.25 * wander > EARTHY] = block("earth")
-    found[(above + 0.07 * highest * wander > SNOW * highest) & (steep < ROCKY)] = block("snow")
     found[steep + 0.3 * wander > ROCKY] = block("rock")
+    high = above / highest + 0.07 * wander - SNOW
+    white = (high > 0) & (steep < ROCKY + SNOWY / (1 - SNOW) * high)
+    found[white] = np.where(steep < EARTHY / 2, block("snow"), block("deep snow"))[white]
     found[(above + 0.8 * wander < BEACH) & (steep < ROCKY)] = block("sand")
     found[above + 1.5 * wander < SHALLOWS] = block("gravel")
     return found
 
 
-def soil_profiles(height: int) -> np.ndarray:
-    """Return what lies under each kind of top, uint8 (kinds, 2 * height): one column each.
+def strata(side: int, rng: np.random.Generator) -> np.ndarray:
+    """Return by how many blocks the layers of rock are shifted, intp (side, side)."""
+    period = sum(thick for _, thick in STRATA)
+    return np.rint(BENT * variation(side, BENT_SIZE, rng)).astype(np.intp) % period
 
-    Level ``height - 1`` is the top; above it is air, below it soil and then rock.
+
+def profiles(kinds: np.ndarray, height: int, shifts: int) -> np.ndarray:
+    """Return columns of blocks, uint8 (kinds, height + 1, shifts, height).
+
+    They are those with each of ``kinds`` on top, of each number of blocks, with the layers of rock
+    shifted by each number of blocks. Under the top is soil, and then rock.
     """
-    found = np.full((256, 2 * height), block("rock"), np.uint8)
-    found[:, height:] = 0
-    found[np.arange(256), height - 1] = np.arange(256)
+    layers = np.repeat([block(name) for name, _ in STRATA], [thick for _, thick in STRATA])
+    level = np.arange(height)
+    rock = layers[(level + np.arange(shifts)[:, None]) % len(layers)]
     under = {"grass": "earth", "earth": "earth", "snow": "earth", "sand": "sand"}
-    for top, soil in under.items():
-        found[block(top), height - 1 - SOIL : height - 1] = block(soil)
+    soils = {block(top): block(soil) for top, soil in under.items()}
+    found = np.zeros((len(kinds), height + 1, shifts, height), np.uint8)
+    for columns, kind in zip(found, kinds.tolist(), strict=True):
+        for top in range(1, height + 1):
+            columns[top, :, :top] = rock[:, :top]
+            if kind in soils:
+                columns[top, :, max(top - 1 - SOIL, 0) : top] = soils[kind]
+            if kind != block("rock"):
+                columns[top, :, top - 1] = kind
     return found
 
 
-def filled(tops: np.ndarray, kinds: np.ndarray, height: int) -> np.ndarray:
-    """Return the blocks [x, z, y], uint8 (n, n, ``height``), of columns (n, n) with these tops."""
-    profiles = soil_profiles(height)
-    windows = np.lib.stride_tricks.sliding_window_view(profiles, height, axis=1)
-    return np.asarray(windows[kinds, height - tops])
+def filled(tops: np.ndarray, kinds: np.ndarray, height: int, shifts: np.ndarray) -> np.ndarray:
+    """Return the blocks [x, z, y], uint8 (n, n, ``height``), of columns (n, n) with these tops.
+
+    ``shifts`` (n, n) is by how many blocks the layers of rock are lower there.
+    """
+    some, which = np.unique(kinds, return_inverse=True)
+    table = profiles(some, height, int(shifts.max()) + 1)
+    return np.asarray(table[which.reshape(kinds.shape), tops, shifts])

@@ -16,8 +16,8 @@ VERTEX = np.dtype([("coordinate", "<f4", 2), ("colour", "u1", 4), ("position", "
 ALL_TILES = (*TILES, "plants")
 # Chosen: how much lighter or darker corners are with 0 to 3 blocks around them.
 SHADES = np.array([1.0, 0.80, 0.64, 0.52], np.float32)
-OVERLAP = 0.004  # blocks, chosen: of quads that are seen from nearby
-TINT_STEP = 0.16  # chosen: how far the noise changes the tint of natural blocks
+OVERLAP = 0.006  # blocks, chosen: of quads that are seen from nearby
+TINT_STEP = 0.22  # chosen: how far the noise changes the tint of natural blocks
 # Corners of a quad as fractions along and across, in the order of the shades.
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
 
@@ -102,7 +102,7 @@ def colours(faces: Faces, shade: np.ndarray, at: np.ndarray, look: Look) -> np.n
     last = len(look.tint) - 1
     x, z = (np.clip(np.rint(at[natural][..., axis]), 0, last).astype(np.intp) for axis in (0, 1))
     noise = look.tint[x, z][..., None]
-    tint[natural] *= 1.0 + TINT_STEP * noise * np.array([1.0, 0.55, 0.35], np.float32)
+    tint[natural] *= 1.0 + TINT_STEP * noise * np.array([1.0, 0.50, 0.30], np.float32)
     found = np.full((len(faces), 4, 4), 255, np.uint8)
     found[..., :3] = np.clip(tint + 0.5, 0, 255)
     found[..., 3] = round(255 * look.light[k, 3])

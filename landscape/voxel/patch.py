@@ -19,6 +19,7 @@ from landscape.voxel.faces import (
     Faces,
     corner_shade,
     exposed,
+    shown_kinds,
 )
 from landscape.voxel.mesh import (
     ALL_TILES,
@@ -123,7 +124,7 @@ def faces_again(
         shade = np.zeros((len(at), 4), np.uint8)
         if occlusion:  # along a rectangle it does not change, so its first block has all of it
             shade = corner_shade(solid, flat + direction.sign * steps[direction.axis], direction)
-        kinds = blocks.ravel()[flat]
+        kinds = shown_kinds(blocks, flat, direction)
         sizes = sides[:, direction.along], sides[:, direction.across]
         found.append(Faces(direction, at, *sizes, kinds, shade))
     return found, place

@@ -18,9 +18,10 @@ TIMES: dict[str, dict[str, Value]] = {
     "sunset": {
         "sky.set": "sunset",
         "sun.azimuth": 250.0,  # where the sun is in the sunset's pictures (studio/air.py)
-        "sun.elevation": 7.0,
-        "sun.diffuse": (1.0, 0.66, 0.38),
-        "fog.color": (0.86, 0.62, 0.50),
+        "sun.elevation": 9.0,
+        "sun.diffuse": (1.0, 0.72, 0.42),
+        "shadow.color": (0.58, 0.51, 0.62),
+        "fog.color": (0.84, 0.61, 0.52),
         "water.color": (0.10, 0.13, 0.16),
     },
 }
@@ -57,7 +58,7 @@ class Voxel:
         True, "Peurière, Terrain/Region", "regions outside the view frustum are not sent"
     )
     distance: float = setting(
-        26.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)
+        28.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)
     )
     near: float = setting(
         7.0, "chosen", "how far corners are dark and plants are drawn", 0, 1e4, unit=UNITS
@@ -97,7 +98,7 @@ class Shadow:
         14.0, "chosen", "how far around the eye there are shadows", 0.5, 1000, unit=UNITS
     )
     color: tuple[float, ...] = setting(
-        (0.50, 0.56, 0.70), "chosen", "light that remains in shadow", 0, 1, unit="RGB"
+        (0.55, 0.61, 0.74), "chosen", "light that remains in shadow", 0, 1, unit="RGB"
     )
     offset: bool = setting(
         True, "chosen", "depths are offset; off, faces shade themselves in stripes"
@@ -176,7 +177,7 @@ class Settings:
         eye=0.13, speed=0.48, run=2.0, mouse_relative=True, bob=0.004, swim=True, solid=True
     )
     sun: Sun = Sun(azimuth=128.0, elevation=42.0)
-    fog: Fog = Fog(mode="exp2", density=0.045, color=(0.66, 0.79, 0.90), radial=True)
+    fog: Fog = Fog(mode="exp2", density=0.037, color=(0.62, 0.76, 0.90), radial=True)
     voxel: Voxel = Voxel()
     shadow: Shadow = Shadow()
     sky: Sky = Sky()

@@ -126,11 +126,17 @@ class Voxel(Played, Ground):
             self._draw_images(frame, shore.level)
             begin_pass("water")
             with drawing("water"):
-                self.water.draw(frame, clip, shore.points)
+                self.water.draw(frame, clip, shore.points, self.depth(shore))
         begin_pass("overlay")
         self.draw_aim(frame)
         self._draw_debug(frame, clip)
         self._draw("sword", self.sword, frame)
+
+    def depth(self, shore: Shore) -> np.ndarray:
+        """Return how deep the water is at its points in view, in units; negative on land."""
+        block = self.settings.voxel.block
+        x, _, z = np.moveaxis(shore.points / block, -1, 0)
+        return np.asarray(shore.level - block * self.heights.height(x, z))
 
     def _draw_land(self, frame: Frame, span: Span = EVERYWHERE, below: bool = False) -> None:
         """Draw the land that the current matrices let one see.

@@ -33,7 +33,7 @@ from landscape.voxel import water_images
 from landscape.voxel.fresnel import fresnel_faces
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import ripples
-from landscape.voxel.water_grid import disturbed, grid_quads, half_vectors, water_grid
+from landscape.voxel.water_grid import calmed, disturbed, grid_quads, half_vectors, water_grid
 from landscape.voxel.water_images import WaterImages
 from landscape.voxel.world import BELOW
 
@@ -44,7 +44,8 @@ BY_ANGLE = (cube_map.NEED, CROSSBAR)
 GLINTS = (Need((1, 3), ("GL_ARB_texture_env_dot3", "GL_EXT_texture_env_dot3")),)
 EVEN = 0.4  # chosen: how much is mirrored at all angles, where Fresnel's term is not known
 PLAIN = 0.8  # chosen: alpha of water that is a plain colour
-NARROW = 0.13  # chosen: how far below 1 the cosine may be for a ripple to glint
+STEEPER = 2.2  # times, chosen: the ripples' slopes; gentle ones would all glint at once
+NARROW = 0.11  # chosen: how far below 1 the cosine may be for a ripple to glint
 DRIFT = 0.0011  # chosen: units per kt by which it moves
 
 
@@ -70,7 +71,7 @@ class Water:
             faces = fresnel_faces(settings.water.fresnel, settings.water.by_angle)
             self._fresnel = CubeMap(faces, mipmaps=False)
         if possible("water.sparkle", GLINTS, 4):
-            self._normals = Texture(ripples(assets))
+            self._normals = Texture(steepened(ripples(assets), STEEPER))
 
     @property
     def level(self) -> float:
@@ -82,15 +83,19 @@ class Water:
         """Return the points of the water in view (rows, columns, 3), None if there are none."""
         return water_grid(frame, self.level, self.settings.camera.far * 0.9)
 
-    def draw(self, frame: Frame, clip: np.ndarray, points: np.ndarray) -> None:
-        """Draw the water at ``points``; ``clip`` is the camera's projection times modelview."""
+    def draw(self, frame: Frame, clip: np.ndarray, points: np.ndarray, depth: np.ndarray) -> None:
+        """Draw the water at ``points``, which is ``depth`` units deep there.
+
+        ``clip`` is the camera's projection times modelview.
+        """
         values = self.settings.water
         flat = points.reshape(-1, 3)
         if self.images is None:
             self._draw_plain(flat)
             return
-        moved = disturbed(flat, frame.kt, values.ripples)
+        moved = disturbed(points, frame.eye, depth, frame.kt, values.ripples).reshape(-1, 3)
         half = half_vectors(flat, frame.eye, sun.direction(self.settings.sun).astype(np.float64))
+        half = calmed(half, flat, frame.eye, depth.ravel())
         drift = np.array([0.8, 0.6]) * DRIFT * frame.kt
         ways = [moved, moved]
         if self._normals:
@@ -196,6 +201,13 @@ class Water:
         for owned in (self.images, self.query, self._normals, self._fresnel):
             if owned is not None:
                 owned.release()
+
+
+def steepened(normals: np.ndarray, times: float) -> np.ndarray:
+    """Return a map of normals, uint8 (n, n, 3) with z up, of slopes so many times as steep."""
+    found = (normals / 127.5 - 1.0) * (times, times, 1.0)
+    found /= np.linalg.norm(found, axis=-1, keepdims=True)
+    return np.rint((found + 1.0) * 127.5).astype(np.uint8)
 
 
 @contextmanager

@@ -20,7 +20,15 @@ RIPPLES = (
     (-38.0, 0.29, 9.0, 0.022),
     (-97.0, 1.31, 4.0, 0.026),
 )
-DEEP = 1.2  # units, chosen: what is mirrored or refracted is taken to be this far from the surface
+# What is mirrored or refracted is taken to be this far from the surface, in units: at most DEEP,
+# and less near the shore and near the eye, where so much would smear it. All chosen.
+DEEP = 1.2
+PER_DEPTH = 2.5  # times the depth of the water
+PER_DISTANCE = 0.22  # times the distance from the eye
+# Glints are dim in less water, and nearer to the eye, than this many units: they would be large
+# spots. How much shorter half vectors are there; all chosen.
+CALM_DEPTH, CALM_DISTANCE, CALM = 0.3, 1.6, 0.06
+FADE = 4  # rows and columns at the screen's edges, beyond which there is no picture to look up
 
 
 def water_grid(frame: Frame, level: float, far: float) -> np.ndarray | None:
@@ -68,11 +76,25 @@ def ripple_slopes(x: np.ndarray, z: np.ndarray, kt: float) -> np.ndarray:
     return found
 
 
-def disturbed(points: np.ndarray, kt: float, strength: float) -> np.ndarray:
-    """Return points (..., 3) of the water moved to where its ripples let one see, in the plane."""
+def screen_fade() -> np.ndarray:
+    """Return 1 within the screen, falling to 0 at its edges, (rows, columns); not at its top."""
+    columns, rows = np.arange(COLUMNS), np.arange(ROWS)
+    sides = np.minimum(columns, COLUMNS - 1 - columns) / FADE
+    return np.minimum(np.minimum.outer((ROWS - 1 - rows) / FADE, sides), 1.0)
+
+
+def disturbed(
+    points: np.ndarray, eye: np.ndarray, depth: np.ndarray, kt: float, strength: float
+) -> np.ndarray:
+    """Return points (rows, columns, 3) of the water moved to where its ripples let one see.
+
+    They stay in its plane. ``depth`` (rows, columns) is that of the water at the points, in units.
+    """
+    far = np.minimum(PER_DISTANCE * np.linalg.norm(points - eye, axis=-1), PER_DEPTH * depth)
+    reach = strength * np.clip(far, 0.0, DEEP) * screen_fade()
     found = points.copy()
-    moved = strength * DEEP * ripple_slopes(points[..., 0], points[..., 2], kt)
-    found[..., [0, 2]] += moved
+    slopes = ripple_slopes(points[..., 0], points[..., 2], kt)
+    found[..., [0, 2]] += reach[..., None] * slopes
     return found
 
 
@@ -82,6 +104,16 @@ def half_vectors(points: np.ndarray, eye: np.ndarray, sun: np.ndarray) -> np.nda
     to_eye /= np.linalg.norm(to_eye, axis=-1, keepdims=True)
     half = to_eye + sun
     return np.asarray(half / np.maximum(np.linalg.norm(half, axis=-1, keepdims=True), 1e-9))
+
+
+def calmed(half: np.ndarray, points: np.ndarray, eye: np.ndarray, depth: np.ndarray) -> np.ndarray:
+    """Return half vectors (n, 3) a little shorter where fewer glints are wanted.
+
+    So no ripple's product with them gets as large. ``depth`` (n,) is that of the water, in units.
+    """
+    far = np.linalg.norm(points - eye, axis=-1) / CALM_DISTANCE
+    wild = np.clip(np.minimum(depth / CALM_DEPTH, far), 0.0, 1.0)
+    return np.asarray(half * (1.0 - CALM * (1.0 - wild))[..., None])
 
 
 def grid_quads() -> np.ndarray:

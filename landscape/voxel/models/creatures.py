@@ -95,7 +95,12 @@ def dragon(path: Path, length: int = 60) -> np.ndarray:
     """
     vertices, triangles = read_mesh(path)
     places, shape = _grid(path, centred(vertices), length, 0)
-    return _voxels(places, shape, triangles, read_colours(path), DRAGON)
+    model = _voxels(places, shape, triangles, read_colours(path), DRAGON)
+    # One colour would look like plastic; a few blocks differ, and it is darker along its back.
+    chance = np.random.default_rng(0).random(shape) + 0.2 * np.linspace(-0.5, 0.5, shape[2])
+    for name, some in (("bright scales", chance < 0.16), ("deep scales", chance > 0.70)):
+        model[some & (model == block("scales"))] = block(name)
+    return model
 
 
 def _grid(
