@@ -104,9 +104,10 @@ def next_value(settings: Any, key: str) -> Value:
 
 @dataclasses.dataclass(frozen=True)
 class Toggle:
-    """What a digit key changes in a walk, and its name: a bool, a setting with choices, or another.
+    """What a digit or letter changes in a walk, and its name.
 
-    For another setting ``values`` are those that it takes in turn.
+    That is a bool, a setting with choices, or another; for that ``values`` are those that it takes
+    in turn.
     """
 
     setting: str

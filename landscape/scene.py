@@ -154,7 +154,8 @@ class Scene:
     a walk begins, ``main`` the views that are measured when none is named. ``open`` builds the
     elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without OpenGL.
     ``overlay`` names elements that a walk shows even if it begins in a view without them.
-    ``digits`` says what the keys 1 to 9 do in a walk. ``title`` is for people, in English.
+    ``digits`` says what the keys 1 to 9 do in a walk, ``letters`` what letters do that the scene
+    has for itself. ``title`` is for people, in English.
     ``blocks`` says that a walker digs and builds in it (geometry/digging.py).
     """
 
@@ -171,6 +172,7 @@ class Scene:
     fixes: Sequence[Fix] = ()
     overlay: tuple[str, ...] = ()
     digits: Mapping[str, Toggle] = field(default_factory=dict)
+    letters: Mapping[str, Toggle] = field(default_factory=dict)
     title: str = ""
     blocks: bool = False
 

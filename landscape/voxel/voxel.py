@@ -14,6 +14,7 @@ from landscape.frame import Frame
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import begin_pass, drawing, gl
+from landscape.keys import Toggle
 from landscape.scene import SEED, Moment, Scene, View, begin_frame
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
@@ -267,6 +268,13 @@ def clip_matrix() -> np.ndarray:
     return np.asarray((modelview.reshape(4, 4) @ projection.reshape(4, 4)).T)
 
 
+# The keys of the TP.
+KEYS = {
+    "L": Toggle("debug.regions", "boxes of the regions"),
+    "K": Toggle("debug.textures", "textures of the passes"),
+}
+
+
 def with_nothing_held(view: View) -> View:
     """Return a view that shows what it names, or everything but what a walker holds."""
     return replace(view, shown=view.shown or STANDING)
@@ -285,6 +293,7 @@ SCENE = Scene(
     terrain=Ground,
     fixes=SAFEGUARDS,
     overlay=HELD,
+    letters=KEYS,
     title="the island in voxels",
     blocks=True,
 )

@@ -151,7 +151,7 @@ class Walk:
         """Return the next frame's input, or None if the user leaves."""
         glfw.poll_events()
         orders, self.hands.orders = self.hands.orders, []
-        self.hands.building = self.place.kind.blocks
+        self.hands.enter(self.place.kind.blocks, self.place.kind.letters)
         for order in orders:
             self.obey(order)
         if glfw.window_should_close(self.window):

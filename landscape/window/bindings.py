@@ -6,7 +6,7 @@ one with that letter printed on it, wherever it is; :func:`layout` finds it. The
 binding is ``help.ACTION`` in words.py.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,7 +24,8 @@ class Binding:
     ``kind`` is "held" (acts while a key is down), "switch" (acts on the walk, so recordings keep
     it) or "order" (acts on the window). ``setting`` is the key of the setting that a switch
     toggles, or whose next value it takes. ``keys`` are positions, unless ``letter`` is set: then
-    the key is the one that this letter is printed on.
+    the key is the one that this letter is printed on. In a scene that has this letter for itself
+    (Scene.letters), the one that ``elsewhere`` is printed on stands for it.
     """
 
     action: str
@@ -32,6 +33,7 @@ class Binding:
     kind: str = SWITCH
     setting: str = ""
     letter: str = ""
+    elsewhere: str = ""
 
 
 FORWARD, BACKWARD = (glfw.KEY_W, glfw.KEY_UP), (glfw.KEY_S, glfw.KEY_DOWN)
@@ -58,7 +60,7 @@ BINDINGS = (
     Binding("go_to_fix", letter="J"),
     Binding("mouse", (glfw.KEY_TAB,), ORDER),
     Binding("save", (glfw.KEY_F5,), ORDER),
-    Binding("list", letter="L"),
+    Binding("list", letter="L", elsewhere="O"),
     Binding("inspector", letter="I", kind=ORDER),
     Binding("fullscreen", (glfw.KEY_F11,), ORDER),
     Binding("screenshot", (glfw.KEY_F12,), ORDER),
@@ -158,8 +160,24 @@ def system_name(key: int) -> str:
     return printed.upper() if len(printed.upper()) == 1 else printed
 
 
-def layout(name: Namer) -> dict[str, int]:
+def letters_in(claimed: Collection[str]) -> dict[str, str]:
+    """Return what each letter stands for in a scene that has some for itself: an action, or itself.
+
+    ``claimed`` are the letters that the scene has for itself.
+    """
+    actions = {_letter(each, claimed): each.action for each in BINDINGS if each.letter}
+    return actions | {letter: letter for letter in claimed}
+
+
+def _letter(binding: Binding, claimed: Collection[str]) -> str:
+    """Return the letter of a binding in a scene that has ``claimed`` for itself."""
+    return binding.elsewhere if binding.letter in claimed else binding.letter
+
+
+def layout(name: Namer, more: Collection[str] = ()) -> dict[str, int]:
     """Return the key of each letter in LETTERS on a keyboard; ``name`` says what a key prints.
+
+    Letters in ``more`` have a key, too, without taking that of another.
 
     A key under the walking hand always walks. A letter that is printed there, or on no key (on a
     Greek keyboard), takes the key at the letter's place on a US keyboard, or, if that key has
@@ -167,16 +185,17 @@ def layout(name: Namer) -> dict[str, int]:
     """
     free = {key: name(key) for key in PRINTING if key not in UNDER_THE_HAND}
     found: dict[str, int] = {}
-    for letter in LETTERS:
-        key = next((key for key, printed in free.items() if printed == letter), None)
-        if key is not None:
-            found[letter] = key
-            del free[key]
-    for letter in LETTERS:
-        if letter not in found:
-            letters = (key for key in free if chr(key).isalpha())
-            found[letter] = ord(letter) if ord(letter) in free else next(letters)
-            del free[found[letter]]
+    for wanted in (LETTERS, [letter for letter in more if letter not in LETTERS]):
+        for letter in wanted:
+            key = next((key for key, printed in free.items() if printed == letter), None)
+            if key is not None:
+                found[letter] = key
+                del free[key]
+        for letter in wanted:
+            if letter not in found:
+                letters = (key for key in free if chr(key).isalpha())
+                found[letter] = ord(letter) if ord(letter) in free else next(letters)
+                del free[found[letter]]
     return found
 
 
@@ -222,10 +241,20 @@ def available(settings: Any, fixes: bool, blocks: bool = False) -> tuple[Binding
     )
 
 
-def labels(binding: Binding, language: str, name: Namer) -> str:
-    """Return what is printed on the keys of a binding, separated by spaces."""
-    keys = (layout(name)[binding.letter],) if binding.letter else binding.keys
+def labels(binding: Binding, language: str, name: Namer, claimed: Collection[str] = ()) -> str:
+    """Return what is printed on the keys of a binding, separated by spaces.
+
+    ``claimed`` are the letters that the scene has for itself.
+    """
+    if binding.letter:
+        return label(_letter(binding, claimed), name, claimed)
     return " ".join(
         words.text(language, NAMED_KEYS[key]) if key in NAMED_KEYS else name(key) or us_name(key)
-        for key in keys
+        for key in binding.keys
     )
+
+
+def label(letter: str, name: Namer, claimed: Collection[str]) -> str:
+    """Return what is printed on the key of a letter in a scene that has ``claimed`` for itself."""
+    key = layout(name, letters_in(claimed))[letter]
+    return name(key) or us_name(key)

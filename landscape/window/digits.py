@@ -1,7 +1,7 @@
-"""The digit keys, which each scene uses as it likes, and the rows of the help. No OpenGL.
+"""The keys that each scene uses as it likes, and the rows of the help. No OpenGL.
 
-What a digit does becomes a changed setting before a frame is recorded, so a recording does not
-depend on which digit stands for what.
+These are the digits, and letters that a scene has for itself. What they do becomes a changed
+setting before a frame is recorded, so a recording does not depend on which key stands for what.
 """
 
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ from landscape.keys import Toggle, Value
 from landscape.languages import translator
 from landscape.scene import Scene
 from landscape.window import words
-from landscape.window.bindings import BY_ACTION, Namer, available, labels
+from landscape.window.bindings import BY_ACTION, Namer, available, label, labels
 
 BUILDING = ("dig", "place", "pick", "slots")  # rows of the help in a scene of blocks
 
@@ -23,11 +23,16 @@ def help_rows(kind: Scene, settings: Any, language: str, name: Namer) -> list[tu
     Keys that do nothing in the scene are left out; ``name`` says what is printed on a key.
     """
     rows = [
-        (labels(binding, language, name), _help(binding.action, kind.blocks, language))
+        (
+            labels(binding, language, name, kind.letters),
+            _help(binding.action, kind.blocks, language),
+        )
         for binding in available(settings, bool(kind.fixes), kind.blocks)
     ]
     for row in BUILDING if kind.blocks else ():
         rows.append((words.text(language, f"key.{row}"), words.text(language, f"help.{row}")))
+    for letter, toggle in kind.letters.items():
+        rows.append((label(letter, name, kind.letters), named(toggle, language)))
     return rows + [(digit, named(toggle, language)) for digit, toggle in kind.digits.items()]
 
 
@@ -45,22 +50,24 @@ def _help(action: str, blocks: bool, language: str) -> str:
 
 
 def named(toggle: Toggle, language: str) -> str:
-    """Return what a digit changes, in a language."""
+    """Return what a digit or letter changes, in a language."""
     return translator(language, "scenes")(toggle.name, toggle.setting)
 
 
 def pressed(
     kind: Scene, settings: Any, switches: Sequence[str], language: str
 ) -> tuple[tuple[str, ...], dict[str, Value], str]:
-    """Return the switches that are no digits, and what the digits among them do.
+    """Return the switches that are the window's, and what the scene's keys among them do.
 
-    That is the settings to change, by dotted key, and a message, "" if there was no digit.
+    The scene's are digits and letters. What they do is the settings to change, by dotted key, and
+    a message, "" if there was none of them.
     """
     changes: dict[str, Value] = {}
     message = ""
-    for toggle in (kind.digits[name] for name in switches if name in kind.digits):
+    own = {**kind.digits, **kind.letters}
+    for toggle in (own[name] for name in switches if name in own):
         changed = keys.with_settings(settings, changes)
         value = toggle.next(changed)
         changes[toggle.setting] = value
         message = words.toggled(language, named(toggle, language), value)
-    return tuple(name for name in switches if not name.isdigit()), changes, message
+    return tuple(name for name in switches if len(name) > 1), changes, message

@@ -1,7 +1,7 @@
 """Collect keyboard and mouse input between two frames and turn it into the walker's intent."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import Any
 
 from landscape.gl.glfw_library import glfw
@@ -26,6 +26,7 @@ from landscape.window.bindings import (
     Namer,
     inspect_pick,
     layout,
+    letters_in,
     pick,
     us_name,
 )
@@ -66,6 +67,7 @@ class Hands:
         # In a scene of blocks the buttons dig and build; while the mouse is free, dragging the left
         # one turns the view.
         self.building = False
+        self._letters = LETTERS
         self._clicked: set[str] = set()
         self._using: set[str] = set()
         self._pressed: tuple[float, float] | None = None  # where a click or a drag began
@@ -83,6 +85,11 @@ class Hands:
         self._at = glfw.get_cursor_pos(window)
         glfw.set_cursor_pos_callback(window, lambda _, x, y: self.motion(x, y))
         glfw.set_window_focus_callback(window, lambda _, on: self.focus(bool(on)))
+
+    def enter(self, building: bool, claimed: Collection[str]) -> None:
+        """Take note of a scene: whether one builds there, and which letters it has for itself."""
+        self.building = building
+        self._letters = letters_in(claimed)
 
     def key(self, key: int, action: int, mods: int = 0) -> None:
         """Note that a key went down or up, with GLFW's bits of Shift and so on.
@@ -120,11 +127,14 @@ class Hands:
             self.listing = not self.listing
 
     def _action(self, key: int) -> str:
-        """Return the switch or order of a key, "" if it has none; that of a digit is the digit."""
+        """Return the switch or order of a key, "" if it has none.
+
+        That of a digit, and of a letter that the scene has for itself, is the character.
+        """
         if found := POSITIONS.get(key) or DIGITS.get(key):
             return found
-        letters = {place: letter for letter, place in layout(self._name).items()}
-        return LETTERS[letters[key]] if key in letters else ""
+        letters = {place: letter for letter, place in layout(self._name, self._letters).items()}
+        return self._letters.get(letters.get(key, ""), "")
 
     def button(self, button: int, action: int, mods: int = 0) -> None:
         """Capture the mouse at the first click, strike at later ones; or give it to the inspector.

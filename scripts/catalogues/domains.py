@@ -114,13 +114,13 @@ def settings() -> Iterator[Message]:
 
 
 def scenes() -> Iterator[Message]:
-    """Yield what each scene is called, and calls its own: doors, blocks, what digit keys change."""
+    """Yield what each scene is called, and calls its own: doors, blocks, what keys change."""
     yield from in_code("landscape/island.py", "landscape/effects/*.py", "landscape/voxel/*.py")
     for each in BLOCKS[1:]:
         yield Message(each.name, "landscape/voxel/blocks.py")
     for kind in map(scene, SCENES):
         yield Message(kind.title, SCENES[kind.name].replace(".", "/") + ".py")
-        for toggle in kind.digits.values():
+        for toggle in (*kind.digits.values(), *kind.letters.values()):
             yield Message(toggle.name, SCENES[kind.name].replace(".", "/") + ".py", toggle.setting)
 
 
