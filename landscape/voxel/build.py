@@ -36,7 +36,7 @@ TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and 
 BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "merge", "occlusion",
          "trees", "buildings")  # fmt: skip
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
-FAR_OVERLAP = 0.015  # blocks, chosen: from afar, pixels are larger
+FAR_OVERLAP = 0.02  # blocks, chosen: from afar, pixels are larger
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
 SKYLIGHT = {"up": 0.64, "down": 0.42}

@@ -24,6 +24,7 @@ from landscape.elements import sun
 from landscape.gl import depth_target
 from landscape.gl.calls import gl
 from landscape.gl.depth_target import DepthTarget
+from landscape.gl.display_list import DisplayList
 from landscape.gl.extensions import COMBINE, CROSSBAR
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture import Texture
@@ -100,6 +101,7 @@ class ShadowMap:
         self.settings = settings
         self.target = DepthTarget(settings.shadow.size)
         self._white = Texture(np.full((1, 1, 3), 255, np.uint8), mipmaps=False)
+        self._units = DisplayList(self._set_units)
         self._drawn: tuple[bytes, int] | None = None
         self.matrix = np.eye(4)
 
@@ -145,6 +147,24 @@ class ShadowMap:
                 gl.glPolygonOffset(2.0, 4.0)
             draw(seen)
 
+    def _set_units(self) -> None:
+        """Set the equations of the three units; unit 1 is active before it, unit 0 after it."""
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE0"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        gl.glActiveTexture(gl.GL_TEXTURE2)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._white.bind()
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS"})
+        combine({"SRC1_RGB": "PRIMARY_COLOR"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+        combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PRIMARY_COLOR"})
+        combine({"OPERAND0_RGB": "SRC_ALPHA", "SRC1_RGB": "CONSTANT", "SRC2_RGB": "TEXTURE1"})
+        combine({"OPERAND2_RGB": "SRC_COLOR"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "TEXTURE"})
+        shade = np.array([*self.settings.shadow.color, 1.0], np.float32)
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, shade)
+
     @contextmanager
     def applied(self) -> Iterator[None]:
         """Let the block draw what shadows fall on, with its tiles on unit 0.
@@ -161,26 +181,14 @@ class ShadowMap:
                 gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
                 gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, plane)
                 gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE0"})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            gl.glActiveTexture(gl.GL_TEXTURE2)
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            self._white.bind()
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS"})
-            combine({"SRC1_RGB": "PRIMARY_COLOR"})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            gl.glActiveTexture(gl.GL_TEXTURE0)
-            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PRIMARY_COLOR"})
-            combine({"OPERAND0_RGB": "SRC_ALPHA", "SRC1_RGB": "CONSTANT", "SRC2_RGB": "TEXTURE1"})
-            combine({"OPERAND2_RGB": "SRC_COLOR"})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "TEXTURE"})
-            shade = np.array([*self.settings.shadow.color, 1.0], np.float32)
-            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, shade)
+            self._units.call()
             yield
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False if the texture must be made again."""
+        """Apply settings; return False if texture or display list must be made again."""
         if settings.shadow.size != self.settings.shadow.size:
+            return False
+        if settings.shadow.color != self.settings.shadow.color:
             return False
         self.settings = settings
         self._drawn = None
@@ -188,5 +196,6 @@ class ShadowMap:
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
+        self._units.release()
         self.target.release()
         self._white.release()
