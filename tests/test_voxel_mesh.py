@@ -5,12 +5,12 @@ import itertools
 import numpy as np
 import pytest
 
-from landscape.voxel.blocks import BLOCKS, SOLID, block
+from landscape.voxel.blocks import AIR, BLOCKS, SOLID, block
 from landscape.voxel.distant import distant_mesh, halved
-from landscape.voxel.faces import DIRECTIONS, Faces, visible_faces
+from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, visible_faces
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials
-from landscape.voxel.mesh import ALL_TILES, OVERLAP, Look, region_mesh
+from landscape.voxel.mesh import ALL_TILES, OVERLAP, Look, region_mesh, region_meshes
 from landscape.voxel.relief import roughened
 from landscape.voxel.world import World
 
@@ -294,3 +294,17 @@ def test_the_ground_is_sorted_by_height_and_then_by_slope() -> None:
     assert seen == ["gravel", "sand", "grass", "snow"]
     steep = Heights(x * 2.5)
     assert BLOCKS[top_materials(steep, 10, np.random.default_rng(0))[40, 100]].name == "rock"
+
+
+@pytest.mark.parametrize(("size", "merge"), [(6, "rectangles"), (5, "runs"), (1, "none")])
+def test_regions_meshed_together_are_the_same_as_meshed_one_by_one(size: int, merge: str) -> None:
+    rng = np.random.default_rng(3)
+    blocks = rng.choice([AIR, block("rock"), block("grass"), block("fern")], (size, 4 * size, 9))
+    blocks[:, :, :4] = block("rock")
+    blocks = np.pad(blocks.astype(np.uint8), EDGE, mode="edge")
+    together = region_meshes(blocks, size, (0, 0, 0), plain_look(4 * size), merge)
+    assert len(together) == 4
+    for k, mesh in enumerate(together):
+        own = blocks[:, k * size : (k + 1) * size + 2 * EDGE]
+        alone = region_mesh(own, (0, k * size, 0), plain_look(4 * size), merge)
+        assert (mesh.counts == alone.counts).all() and (mesh.vertices == alone.vertices).all()

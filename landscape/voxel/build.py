@@ -13,8 +13,8 @@ from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights
 from landscape.settings import Sun
-from landscape.voxel.distant import distant_mesh
-from landscape.voxel.faces import DIRECTIONS
+from landscape.voxel.distant import distant_meshes
+from landscape.voxel.faces import DIRECTIONS, shown_in
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.landmarks import (
     Site,
@@ -26,7 +26,7 @@ from landscape.voxel.landmarks import (
     place_rabbit,
 )
 from landscape.voxel.materials import filled, strata, top_materials, variation
-from landscape.voxel.mesh import ALL_TILES, VERTEX, Look, RegionMesh, region_mesh
+from landscape.voxel.mesh import ALL_TILES, VERTEX, Look, RegionMesh, region_meshes
 from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
@@ -37,6 +37,7 @@ BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "me
          "trees", "buildings")  # fmt: skip
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
 FAR_OVERLAP = 0.02  # blocks, chosen: from afar, pixels are larger
+MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once, in regions of one row
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
 SKYLIGHT = {"up": 0.64, "down": 0.42}
@@ -106,23 +107,36 @@ def look(side: int, light: Sun, shadow: Shadow, seed: int) -> Look:
 
 def meshes(place: World, colours: Look, values: Voxel) -> list[RegionMesh]:
     """Return the meshes of all regions: first all those for near, then for far, then distant."""
-    every = [meshed(place, region, colours, values) for region in range(place.regions**2)]
-    return [mesh for level in zip(*every, strict=True) for mesh in level]
+    levels: tuple[list[RegionMesh], ...] = ([], [], [])
+    size, height = place.region_size, place.blocks.shape[2]
+    many = max(1, MOST_CELLS // (size * size * height))
+    for row in range(place.regions):
+        for first in range(0, place.regions, many):
+            number = min(many, place.regions - first)
+            found = meshed(place, row * place.regions + first, colours, values, number)
+            for level, made in zip(levels, found, strict=True):
+                level += made
+    return [mesh for level in levels for mesh in level]
 
 
 def meshed(
-    place: World, region: int, colours: Look, values: Voxel
-) -> tuple[RegionMesh, RegionMesh, RegionMesh]:
-    """Return the meshes of a region, for near, for far, and for where it is distant.
+    place: World, region: int, colours: Look, values: Voxel, number: int = 1
+) -> tuple[list[RegionMesh], list[RegionMesh], list[RegionMesh]]:
+    """Return the meshes of ``number`` regions from one on, for near, for far, and where distant.
 
     Dark corners keep faces from being merged. From afar they do not show, and without them, and
     without plants, there are two thirds as many quads. Distant blocks are joined by eight.
     """
-    blocks, origin = place.with_edge(region)
-    near = region_mesh(blocks, origin, colours, values.merge, values.occlusion)
-    plain = seen_from_afar(colours)
-    far = region_mesh(blocks, origin, plain, values.merge, occlusion=False, plants=False)
-    return near, far, distant_mesh(blocks, origin, plain, values.merge)
+    blocks, origin = place.with_edge(region, number)
+    size, merge, plain = place.region_size, values.merge, seen_from_afar(colours)
+    shown = shown_in(blocks)
+    near = region_meshes(
+        blocks, size, origin, colours, merge, values.occlusion, plants=True, shown=shown
+    )
+    far = region_meshes(
+        blocks, size, origin, plain, merge, occlusion=False, plants=False, shown=shown
+    )
+    return near, far, distant_meshes(blocks, size, origin, plain, merge)
 
 
 def seen_from_afar(colours: Look) -> Look:

@@ -5,11 +5,15 @@ drawn from nearby; and it has walls all around, so that no gap shows where a reg
 finely is lower than its distant neighbour. From afar a block measures two pixels.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from landscape.voxel.blocks import AIR, SOLID, block
 from landscape.voxel.faces import EDGE
-from landscape.voxel.mesh import Look, RegionMesh, region_mesh
+from landscape.voxel.mesh import Look, RegionMesh, region_meshes
+
+SOLID_KIND = np.where(SOLID, np.arange(len(SOLID)), AIR).astype(np.uint8)  # the others are air
 
 
 def halved(blocks: np.ndarray) -> np.ndarray:
@@ -18,7 +22,7 @@ def halved(blocks: np.ndarray) -> np.ndarray:
     The sides need not be even: beyond them is air.
     """
     odd = [(0, side % 2) for side in blocks.shape]
-    solid = np.pad(np.where(SOLID[blocks], blocks, AIR), odd)
+    solid = np.pad(SOLID_KIND[blocks], odd)
     found = np.zeros([side // 2 for side in solid.shape], np.uint8)
     for y in (1, 0):
         for x, z in ((0, 0), (1, 0), (0, 1), (1, 1)):
@@ -26,11 +30,12 @@ def halved(blocks: np.ndarray) -> np.ndarray:
     return found
 
 
-def distant_mesh(
-    blocks: np.ndarray, origin: tuple[int, int, int], look: Look, merge: str
-) -> RegionMesh:
-    """Return the mesh of a region far away; blocks and ``origin`` are those of its other meshes.
+def distant_meshes(
+    blocks: np.ndarray, size: int, origin: tuple[int, int, int], look: Look, merge: str
+) -> list[RegionMesh]:
+    """Return the meshes of far away regions of ``size`` columns, one after the other along z.
 
+    ``blocks`` have an edge all around, and ``origin`` is the place [x, z, y] of the first within.
     Plants are left out, and corners are not darker.
     """
     x, z, low = origin
@@ -39,15 +44,27 @@ def distant_mesh(
     if bottom % 2:  # cells of all regions begin at even levels
         inner = np.concatenate([inner[:, :, :1], inner], axis=2)
         bottom -= 1
-    cells = np.pad(halved(inner), EDGE)
+    starts = range(0, inner.shape[1], size)
+    # With air around each region's cells they have walls, and are meshed together without joining.
+    parts = [np.pad(halved(inner[:, start : start + size]), EDGE) for start in starts]
+    cells = np.concatenate(parts, axis=1)
     cells[:, :, 0] = block("rock")
-    steps = 2 * np.arange(cells.shape[0])
-    across, along = (np.minimum(at + steps, len(look.tint) - 1) for at in (x, z))
-    tint = look.tint[np.ix_(across, along)]
-    mesh = region_mesh(
-        cells, (0, 0, 0), Look(look.light, tint, look.overlap), merge, False, plants=False
-    )
-    mesh.vertices["position"] *= 2
-    mesh.vertices["position"] += np.array([x, bottom, z], np.float32)
-    mesh.vertices["coordinate"] *= 2
-    return mesh
+    deep, side = parts[0].shape[:2]
+    last = len(look.tint) - 1
+    across = np.minimum(x + 2 * np.arange(deep), last)
+    along = [np.minimum(z + start + 2 * np.arange(side), last) for start in starts]
+    tint = look.tint[np.ix_(across, np.concatenate(along))]
+    of_cells = replace(look, tint=tint)
+    meshes = region_meshes(cells, side, (0, 0, 0), of_cells, merge, occlusion=False, plants=False)
+    for k, (start, mesh) in enumerate(zip(starts, meshes, strict=True)):
+        mesh.vertices["position"] *= 2
+        mesh.vertices["position"] += np.array([x, bottom, z + start - 2 * k * side], np.float32)
+        mesh.vertices["coordinate"] *= 2
+    return meshes
+
+
+def distant_mesh(
+    blocks: np.ndarray, origin: tuple[int, int, int], look: Look, merge: str
+) -> RegionMesh:
+    """Return the mesh of one region far away."""
+    return distant_meshes(blocks, blocks.shape[1] - 2 * EDGE, origin, look, merge)[0]

@@ -5,6 +5,7 @@ other blocks stand around them (ambient occlusion). Equal faces side by side are
 along a row, and equal runs of following rows into rectangles.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -62,6 +63,12 @@ class Faces:
     def __len__(self) -> int:
         return len(self.block)
 
+    def sorted_by(self, key: np.ndarray) -> "Faces":
+        """Return the faces in the order of a key (m,)."""
+        order = np.argsort(key, kind="stable")
+        kept = self.low, self.long, self.wide, self.block, self.shade
+        return Faces(self.direction, *(each[order] for each in kept))
+
 
 def exposed(solid: np.ndarray, direction: Direction) -> np.ndarray:
     """Return which blocks show a face in a direction, bool, without the edge of ``solid``."""
@@ -104,72 +111,137 @@ def corner_shade(solid: np.ndarray, at: np.ndarray, direction: Direction) -> np.
     return found
 
 
+class Shown(NamedTuple):
+    """Which blocks are solid, with an edge all around, and which of them show a face.
+
+    ``places`` are flat indices, in an array (m,) for each of DIRECTIONS.
+    """
+
+    solid: np.ndarray
+    places: list[np.ndarray]
+
+
+def shown_in(blocks: np.ndarray) -> Shown:
+    """Return which of blocks [x, z, y], uint8 with an edge all around, show a face."""
+    whole = solid = SOLID[np.ascontiguousarray(blocks)]
+    steps = np.array(solid.strides) // solid.itemsize
+    within = np.zeros_like(solid)
+    inner = tuple(slice(EDGE, -EDGE) for _ in range(3))
+    within[inner] = solid[inner]
+    within, solid = within.ravel(), solid.ravel()
+    found = []
+    for direction in DIRECTIONS:
+        # Nothing at an edge is within, so a neighbour one step on never lies beyond the array.
+        step = int(steps[direction.axis])
+        if direction.sign > 0:
+            found.append(np.flatnonzero(within[:-step] > solid[step:]))
+        else:
+            found.append(np.flatnonzero(within[step:] > solid[:-step]) + step)
+    return Shown(whole, found)
+
+
+Parts = Sequence[tuple[np.ndarray, int]]
+
+
 def visible_faces(
-    blocks: np.ndarray, direction: Direction, merge: str = "rectangles", occlusion: bool = True
+    blocks: np.ndarray,
+    direction: Direction,
+    merge: str = "rectangles",
+    occlusion: bool = True,
+    shown: Shown | None = None,
+    region_size: int = 0,
 ) -> Faces:
     """Return the faces that blocks [x, z, y], uint8 with an edge all around, show in a direction.
 
-    ``merge`` is "rectangles", "runs" or "none".
+    ``merge`` is "rectangles", "runs" or "none". ``shown`` is what :func:`shown_in` returns, if that
+    is known. If the blocks are those of several regions, one after the other along z,
+    ``region_size`` says how many columns each has; no face goes over from one to the next.
     """
-    solid = SOLID[blocks]
-    shown = exposed(solid, direction)
-    order = (direction.axis, direction.across, direction.along)
-    place = np.nonzero(shown.transpose(order))  # rows along the last axis, one after the other
-    low = np.empty((len(place[0]), 3), np.intp)
-    for axis, values in zip(order, place, strict=True):
-        low[:, axis] = values
-    steps = np.array(blocks.strides)
-    flat = (low + EDGE) @ steps
-    kinds = shown_kinds(blocks, flat, direction)
+    blocks = np.ascontiguousarray(blocks)
+    shown = shown or shown_in(blocks)
+    at = shown.places[DIRECTIONS.index(direction)]
+    kinds = shown_kinds(blocks, at, direction)
+    shade = np.zeros(len(at), np.uint8)
     if occlusion:
-        in_front = flat + direction.sign * steps[direction.axis]
-        shade = corner_shade(solid, in_front, direction)
-    else:
-        shade = np.zeros((len(low), 4), np.uint8)
-    ones = np.ones(len(low), np.intp)
-    faces = Faces(direction, low, ones, ones, kinds, shade)
+        step = blocks.strides[direction.axis]
+        shade = packed(corner_shade(shown.solid, at + direction.sign * step, direction))
+    low = np.stack(np.unravel_index(at, blocks.shape)) - EDGE
+    along, across = low[direction.along], low[direction.across]
+    long = wide = np.ones(len(at), np.intp)
+    # A face is one number, of which the last 12 bits are its place along: sorted, faces follow each
+    # other that may be joined, and the difference of two says whether they are alike.
     if merge != "none":
-        faces = merged(faces, direction.along, direction.across, (0, 1, 3, 2))
+        parts: Parts = (
+            (low[direction.axis], 12),
+            (across, 12),
+            (kinds, 8),
+            (shade, 8),
+            (along, 12),
+        )
+        key, long = joined(parts, EVEN_ALONG, region_size if direction.along == 1 else 0)
+        layer, across, kinds, shade, along = split(key, parts)
+        low = rows(direction, layer, along, across)
+        wide = np.ones(len(key), np.intp)
     if merge == "rectangles":
-        faces = merged(faces, direction.across, direction.along, (0, 3, 1, 2))
-    return faces
+        parts = ((layer, 12), (along, 12), (long, 5), (kinds, 8), (shade, 8), (across, 12))
+        key, wide = joined(parts, EVEN_ACROSS, region_size if direction.across == 1 else 0)
+        layer, along, long, kinds, shade, across = split(key, parts)
+        low = rows(direction, layer, along, across)
+    corners = shade[:, None] >> np.array([6, 4, 2, 0], np.uint8) & 3
+    return Faces(direction, low.T, long, wide, kinds.astype(np.uint8), corners.astype(np.uint8))
 
 
-def merged(faces: Faces, axis: int, other: int, pairs: tuple[int, int, int, int]) -> Faces:
-    """Join equal faces that follow each other along ``axis``, and are as wide along ``other``.
+def packed(shade: np.ndarray) -> np.ndarray:
+    """Return the shade of four corners, uint8 (m, 4), in one number each, uint8 (m,)."""
+    one, two, three, four = shade.T
+    return np.asarray(one << 6 | two << 4 | three << 2 | four)
 
-    Faces may only be joined where their shade does not change along the axis: where the corners
-    ``pairs``, first and second, third and fourth, have the same shade.
+
+def rows(
+    direction: Direction, layer: np.ndarray, along: np.ndarray, across: np.ndarray
+) -> np.ndarray:
+    """Return places (3, m), x, z and y, from those along the axes of a direction."""
+    found = np.empty((3, len(layer)), np.intp)
+    found[direction.axis], found[direction.along], found[direction.across] = layer, along, across
+    return found
+
+
+def split(key: np.ndarray, parts: Parts) -> list[np.ndarray]:
+    """Return what numbers (m,) are made of: the parts, each with its number of bits."""
+    found = []
+    for _, bits in reversed(parts):
+        found.append(key & ((1 << bits) - 1))
+        key = key >> bits
+    return found[::-1]
+
+
+def joined(parts: Parts, even: np.ndarray, size: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """Join equal faces that follow each other in the last of the parts; the shade is before it.
+
+    Return the number of each run's first face, and how many it joins. Only faces whose shade does
+    not change from one to the next may be joined: ``even`` (256,) says of which this is so. At
+    multiples of ``size`` runs end.
     """
-    grows = axis == faces.direction.along
-    wide = faces.wide if grows else faces.long
-    a, b, c, d = (faces.shade[:, k].astype(np.int64) for k in pairs)
-    even = (a == b) & (c == d)
-    # Everything that must be equal in one number, and then the place along the axis.
-    same = faces.low[:, faces.direction.axis].astype(np.int64) << 12 | faces.low[:, other]
-    same = ((same << 8 | faces.block) << 10 | wide) << 8 | a << 6 | b << 4 | c << 2 | d
-    at = faces.low[:, axis]
-    order = np.lexsort((at, same))
-    same, at, even = same[order], at[order], even[order]
-    starts = np.ones(len(order), bool)
-    starts[1:] = (same[1:] != same[:-1]) | (at[1:] != at[:-1] + 1) | ~even[1:]
-    starts |= _every(starts, LONGEST)
+    key = np.zeros(len(parts[0][0]), np.int64)
+    for values, bits in parts:
+        key <<= bits
+        key |= values
+    key.sort()
+    starts = np.ones(len(key), bool)
+    shade = key[1:] >> parts[-1][1] & 255
+    starts[1:] = (key[1:] != key[:-1] + 1) | ~even[shade]
+    if size:
+        starts |= (key & ((1 << parts[-1][1]) - 1)) % size == 0
     first = np.flatnonzero(starts)
-    count = np.diff(first, append=len(order))
-    chosen = order[first]
-    long, across = (count, faces.wide[chosen]) if grows else (faces.long[chosen], count)
-    return Faces(
-        faces.direction,
-        faces.low[chosen],
-        long,
-        across,
-        faces.block[chosen],
-        faces.shade[chosen],
-    )
+    count = np.diff(first, append=len(key))
+    # A run that is too long is cut into pieces.
+    pieces = (count + (LONGEST - 1)) // LONGEST
+    many = np.repeat(np.arange(len(first)), pieces)
+    before = LONGEST * (np.arange(len(many)) - (np.cumsum(pieces) - pieces)[many])
+    return key[first[many] + before], np.minimum(count[many] - before, LONGEST)
 
 
-def _every(starts: np.ndarray, longest: int) -> np.ndarray:
-    """Return where a run that begins at ``starts`` must be cut, to be at most ``longest`` long."""
-    at = np.arange(len(starts))
-    begin = np.maximum.accumulate(np.where(starts, at, 0))
-    return np.asarray((at - begin) % longest == 0)
+# By the packed shade: whether it is the same at both ends along, or across.
+_CORNERS = np.arange(256)[:, None] >> np.array([6, 4, 2, 0]) & 3
+EVEN_ALONG = (_CORNERS[:, [0, 3]] == _CORNERS[:, [1, 2]]).all(axis=1)
+EVEN_ACROSS = (_CORNERS[:, [0, 1]] == _CORNERS[:, [3, 2]]).all(axis=1)

@@ -209,7 +209,7 @@ class Land:
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1
-        found = meshed(self.world, region, self.colours, self.settings.voxel)
+        found = [mesh for (mesh,) in meshed(self.world, region, self.colours, self.settings.voxel)]
         low, high = zip(*map(bounding_box, found), strict=True)
         self.low[region] = self.scale * np.min(low, axis=0)
         self.high[region] = self.scale * np.max(high, axis=0)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from landscape.voxel.blocks import BLOCKS, PLANT_TILES, TILES
-from landscape.voxel.faces import DIRECTIONS, Faces, visible_faces
+from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, Shown, shown_in, visible_faces
 
 VERTEX = np.dtype([("coordinate", "<f4", 2), ("colour", "u1", 4), ("position", "<f4", 3)])
 ALL_TILES = (*TILES, "plants")
@@ -18,6 +18,8 @@ ALL_TILES = (*TILES, "plants")
 SHADES = np.array([1.0, 0.80, 0.64, 0.52], np.float32)
 OVERLAP = 0.006  # blocks, chosen: of quads that are seen from nearby
 TINT_STEP = 0.22  # chosen: how far the noise changes the tint of natural blocks
+TINT_STEPS = tuple(np.float32(TINT_STEP * part) for part in (1.0, 0.50, 0.30))  # red, green, blue
+X_Z_Y = (0, 2, 1)  # where x, z and y are in a position
 # Corners of a quad as fractions along and across, in the order of the shades.
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
 
@@ -75,36 +77,52 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
     direction = faces.direction
     corners = CORNERS[::-1] if direction.swapped else CORNERS
     shade = faces.shade[:, ::-1] if direction.swapped else faces.shade
-    sides = np.stack([faces.long, faces.wide], axis=1).astype(np.float32)
-    place = (faces.low + np.array(origin)).astype(np.float32)
-    outwards = look.overlap * (2 * corners - 1)
-    across = corners * sides[:, None, :] + outwards  # (m, 4, 2)
-    at = np.repeat(place[:, None, :], 4, axis=1)
-    at[..., direction.along] += across[..., 0]
-    at[..., direction.across] += across[..., 1]
-    at[..., direction.axis] += direction.sign > 0
+    # Along each axis, the least and the greatest place of a face.
+    low = faces.low.T + np.array(origin)[:, None]
+    high = low.copy()
+    high[direction.along] += faces.long
+    high[direction.across] += faces.wide
+    if direction.sign > 0:
+        low[direction.axis] += 1
+        high[direction.axis] += 1
 
     found = np.empty((len(faces), 4), VERTEX)
-    found["position"] = at[..., [0, 2, 1]]  # [x, z, y] to x, y, z
-    found["coordinate"] = at[..., [direction.along, direction.across]]
-    if direction.across == 2:  # row 0 of a tile is its upper edge
-        found["coordinate"][..., 1] *= -1
-    found["colour"] = colours(faces, shade, at, look)
+    position, coordinate = found["position"], found["coordinate"]
+    # Row 0 of a tile is its upper edge.
+    turned = -1 if direction.across == 2 else 1
+    position[..., X_Z_Y[direction.axis]] = low[direction.axis][:, None]
+    for s, axis in enumerate((direction.along, direction.across)):
+        ends = [
+            (end + out).astype(np.float32)
+            for end, out in ((low[axis], -look.overlap), (high[axis], look.overlap))
+        ]
+        for corner in range(4):
+            end = ends[int(corners[corner, s])]
+            position[:, corner, X_Z_Y[axis]] = end
+            coordinate[:, corner, s] = end * turned if s else end
+    # Which corners lie at the far end along x and z.
+    far = {direction.along: corners[:, 0] > 0, direction.across: corners[:, 1] > 0}
+    x, z = (
+        np.where(far.get(axis, np.zeros(4, bool)), high[axis][:, None], low[axis][:, None])
+        for axis in (0, 1)
+    )
+    found["colour"] = colours(faces, shade, x, z, look)
     return brighter_diagonal(found, shade)
 
 
-def colours(faces: Faces, shade: np.ndarray, at: np.ndarray, look: Look) -> np.ndarray:
-    """Return the colours (m, 4, 4), uint8, of corners at (m, 4, 3) [x, z, y]."""
+def colours(
+    faces: Faces, shade: np.ndarray, x: np.ndarray, z: np.ndarray, look: Look
+) -> np.ndarray:
+    """Return the colours (m, 4, 4), uint8, of corners over the corners of columns x, z (m, 4)."""
     k = DIRECTIONS.index(faces.direction)
-    tint = np.repeat((TINTS[faces.block] * look.light[k, :3])[:, None, :], 4, axis=1)
-    tint *= SHADES[shade][..., None]
-    natural = NATURAL[faces.block]
-    last = len(look.tint) - 1
-    x, z = (np.clip(np.rint(at[natural][..., axis]), 0, last).astype(np.intp) for axis in (0, 1))
-    noise = look.tint[x, z][..., None]
-    tint[natural] *= 1.0 + TINT_STEP * noise * np.array([1.0, 0.50, 0.30], np.float32)
-    found = np.full((len(faces), 4, 4), 255, np.uint8)
-    found[..., :3] = np.clip(tint + 0.5, 0, 255)
+    tint = (TINTS * look.light[k, :3]).astype(np.float32)[faces.block]
+    last_x, last_z = look.tint.shape[0] - 1, look.tint.shape[1] - 1
+    noise = look.tint[np.minimum(x, last_x), np.minimum(z, last_z)] * NATURAL[faces.block][:, None]
+    dark = SHADES[shade]
+    found = np.empty((len(faces), 4, 4), np.uint8)
+    for channel, strength in enumerate(TINT_STEPS):
+        value = tint[:, channel, None] * dark * (1 + strength * noise)
+        found[..., channel] = np.minimum(value + np.float32(0.5), 255)
     found[..., 3] = round(255 * look.light[k, 3])
     return found
 
@@ -114,6 +132,8 @@ def brighter_diagonal(vertices: np.ndarray, shade: np.ndarray) -> np.ndarray:
 
     Split along the darker pair, one dark corner would darken half the quad and look like a spike.
     """
+    if not shade.any():
+        return vertices
     dark = shade.astype(np.int16)
     turned = dark[:, 0] + dark[:, 2] > dark[:, 1] + dark[:, 3]
     vertices[turned] = np.roll(vertices[turned], 1, axis=1)
@@ -163,17 +183,52 @@ def region_mesh(
 
     ``origin`` is the place [x, z, y] of the first block within the edge.
     """
-    sets, keys = [], []
+    return region_meshes(blocks, 0, origin, look, merge, occlusion, plants)[0]
+
+
+def region_meshes(
+    blocks: np.ndarray,
+    size: int,
+    origin: tuple[int, int, int],
+    look: Look,
+    merge: str = "rectangles",
+    occlusion: bool = True,
+    plants: bool = True,
+    shown: Shown | None = None,
+) -> list[RegionMesh]:
+    """Return the meshes of regions that lie one after the other along z.
+
+    They are the same as :func:`region_mesh` makes of each, but numpy is called once for all.
+    ``size`` columns are a region; 0 means that there is only one. ``shown`` is what
+    :func:`shown_in` returns, if that is known.
+    """
+    number = -(-(blocks.shape[1] - 2 * EDGE) // size) if size else 1
+    shape = number, len(ALL_TILES)
+    counts = np.zeros((*shape, len(DIRECTIONS)), np.int32)
+    found: list[list[np.ndarray]] = [[] for _ in range(shape[0] * shape[1])]
+    shown = shown or shown_in(blocks)
     for k, direction in enumerate(DIRECTIONS):
-        faces = visible_faces(blocks, direction, merge, occlusion)
-        sets.append(quads(faces, origin, look))
-        keys.append(FACE_TILES[faces.block, k].astype(np.intp) * len(DIRECTIONS) + k)
+        faces = visible_faces(blocks, direction, merge, occlusion, shown, size)
+        key = FACE_TILES[faces.block, k].astype(np.uint16)
+        if size:
+            key += (faces.low[:, 1] // size * len(ALL_TILES)).astype(np.uint16)
+        vertices = quads(faces.sorted_by(key), origin, look)
+        many = np.bincount(key, minlength=len(found))
+        ends = np.cumsum(many)
+        counts[..., k] = 4 * many.reshape(shape)
+        for each in np.flatnonzero(many):
+            found[each].append(vertices[ends[each] - many[each] : ends[each]])
     if plants:
-        crossed = plant_quads(blocks[1:-1, 1:-1, 1:-1], origin, look)
-        sets.append(crossed)
-        keys.append(np.full(len(crossed), len(TILES) * len(DIRECTIONS) + UP))
-    key = np.concatenate(keys)
-    order = np.argsort(key, kind="stable")
-    counts = 4 * np.bincount(key, minlength=len(ALL_TILES) * len(DIRECTIONS))
-    vertices = np.concatenate(sets)[order].reshape(-1)
-    return RegionMesh(vertices, counts.reshape(len(ALL_TILES), len(DIRECTIONS)).astype(np.int32))
+        x, z, y = origin
+        for region in range(number):
+            columns = slice(region * size, (region + 1) * size) if size else slice(None)
+            inner = blocks[1:-1, 1:-1, 1:-1][:, columns]
+            crossed = plant_quads(inner, (x, z + region * size, y), look)
+            counts[region, -1, UP] = crossed.size
+            found[region * shape[1] + shape[1] - 1].append(crossed)
+    meshes = []
+    for region, count in enumerate(counts):
+        parts = [part for some in found[region * shape[1] :][: shape[1]] for part in some]
+        whole = np.concatenate(parts) if parts else np.empty((0, 4), VERTEX)
+        meshes.append(RegionMesh(whole.reshape(-1), count))
+    return meshes

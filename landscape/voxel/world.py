@@ -82,19 +82,23 @@ class World:
         found[:, :, y >= height] = AIR
         return found
 
-    def with_edge(self, region: int) -> tuple[np.ndarray, tuple[int, int, int]]:
+    def with_edge(self, region: int, number: int = 1) -> tuple[np.ndarray, Cell]:
         """Return a region's blocks with an edge all around, and the place [x, z, y] within it.
+
+        The blocks may also be those of ``number`` regions, one after the other along z.
 
         Only levels where a face may be visible are returned. Beyond the map the land goes on as at
         its border, and below it is rock.
         """
         x, z = self.region_columns(region)
-        reach = np.arange(-EDGE, self.region_size + EDGE)
-        across, along = (np.clip(at + reach, 0, self.side - 1) for at in (x, z))
+        across, along = (
+            np.clip(np.arange(at - EDGE, at + count * self.region_size + EDGE), 0, self.side - 1)
+            for at, count in ((x, 1), (z, number))
+        )
         inner = self.blocks[across[0] : across[-1] + 1, along[0] : along[-1] + 1]
         low, high = levels_in_use(inner)
         height = inner.shape[2]
-        found = np.full((len(reach), len(reach), high - low + 2 * EDGE), AIR, np.uint8)
+        found = np.full((len(across), len(along), high - low + 2 * EDGE), AIR, np.uint8)
         bottom, top = max(low - EDGE, 0), min(high + EDGE, height)
         start = bottom - (low - EDGE)
         columns = inner[np.ix_(across - across[0], along - along[0])][:, :, bottom:top]
