@@ -39,7 +39,8 @@ SCENES: dict[str, str] = {
 class Moment:
     """What a frame shows: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4).
 
-    The pose's ``y`` must be a number. ``detail`` says how finely to draw it.
+    The pose's ``y`` must be a number. ``detail`` says how finely to draw it. ``walking`` says that
+    it is the next frame of a walk: what is costly may then be spread over several.
     """
 
     pose: Pose
@@ -49,6 +50,7 @@ class Moment:
     stroke: int = 0
     wireframe: bool = False
     detail: Detail = FULL
+    walking: bool = False
 
 
 class Terrain(Protocol):

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,8 @@ import pytest
 from landscape.elements import sun
 from landscape.render import Offscreen
 from landscape.voxel.blocks import SOLID
-from landscape.voxel.shadow_map import light_axes, light_matrix
+from landscape.voxel.shadow_map import FRAMES
+from landscape.voxel.sun_view import light_axes, light_matrix
 from landscape.voxel.voxel import clip_matrix
 
 SIZE = (160, 120)
@@ -138,3 +140,63 @@ def test_shadows_are_drawn_again_only_when_the_eye_has_left_or_a_block_has_chang
         land.rebuild(0)
         view.draw()
         assert sent == [1, 1]
+
+
+COARSE = {"shadow__size": 512, "shadow__distance": 6.0}  # the square moves by 1.5 units
+
+
+def frame_at(view: Offscreen, x: float, walking: bool) -> np.ndarray:
+    """Draw a frame from x units east of ABOVE, as the next of a walk or as a still."""
+    pose = replace(view.moment.pose, x=ABOVE[0] + x)
+    view.moment = replace(view.moment, pose=pose, walking=walking)
+    return view.draw().astype(int)
+
+
+def counted(view: Offscreen) -> list[int]:
+    """Return a list that grows by the number of regions sent each time the sun's are."""
+    land, sent = view.scene.land, []
+    draw_shapes = land.draw_shapes
+    land.draw_shapes = lambda choice: (sent.append(len(choice.regions)), draw_shapes(choice))
+    return sent
+
+
+def test_in_a_walk_another_squares_depths_are_drawn_over_several_frames_and_then_shown() -> None:
+    with opened(**COARSE) as view:
+        still = frame_at(view, 1.6, walking=False)
+        frame_at(view, 0.0, walking=False)
+        sent = counted(view)
+        former = view.scene.shadow.matrix
+        frames = [frame_at(view, 1.6, walking=True) for _ in range(FRAMES)]
+        assert (view.scene.shadow.matrix != former).any()
+        # The frame that ends the picture still shows it; all that is near lies in both.
+        assert (frames[-1] == still).all()
+        assert all((frame == still).mean() > 0.999 for frame in frames)
+        assert len(sent) == FRAMES and max(sent) < sum(sent) / 4 and sum(sent) <= 36
+        frame_at(view, 1.6, walking=True)
+        assert len(sent) == FRAMES
+
+
+def test_a_walk_that_jumps_far_has_its_shadows_at_once() -> None:
+    with opened(**COARSE) as view:
+        still = frame_at(view, 0.0, walking=False)
+        frame_at(view, 12.0, walking=False)
+        sent = counted(view)
+        assert (frame_at(view, 0.0, walking=True) == still).all()
+        assert len(sent) == 1
+
+
+def test_a_block_that_changes_while_the_next_depths_are_drawn_has_its_shadow_before_and_after() -> (
+    None
+):
+    with opened(**COARSE) as view:
+        frame_at(view, 0.0, walking=False)
+        for k in range(FRAMES):
+            frame_at(view, 1.6, walking=True)
+            if k == FRAMES // 2:
+                world = view.scene.land.world
+                x, z = (int(at / world.block) for at in (ABOVE[0] + 1.4, ABOVE[2]))
+                top = int(world.ground[x, z])
+                view.scene.land.change({(x, z, top + up): 3 for up in range(6)})
+        frame = frame_at(view, 1.6, walking=True)
+        frame_at(view, 30.0, walking=False)
+        assert (frame == frame_at(view, 1.6, walking=False)).all()

@@ -61,10 +61,13 @@ class DepthTarget:
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
 
     @contextmanager
-    def drawing(self, part: tuple[int, int, int, int] | None = None) -> Iterator[None]:
+    def drawing(
+        self, part: tuple[int, int, int, int] | None = None, clear: bool = True
+    ) -> Iterator[None]:
         """Let the block draw depths into the cleared texture; then restore the framebuffer.
 
         Only ``part`` of it is cleared and drawn, if given: x, y, width and height in texels.
+        Without ``clear`` the block adds to what is there.
         """
         previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
         viewport = gl.glGetIntegerv(gl.GL_VIEWPORT).tolist()
@@ -75,7 +78,8 @@ class DepthTarget:
                 if part is not None:
                     gl.glEnable(gl.GL_SCISSOR_TEST)
                     gl.glScissor(*part)
-                gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
+                if clear:
+                    gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
                 yield
         finally:
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)

@@ -9,7 +9,9 @@ shadow. What remains in shadow, the light of the sky, is mixed in by the combine
 - unit 1 has the picture of depths, and multiplies by unit 0's tile (GL_ARB_texture_env_crossbar);
 - unit 2 multiplies by the vertex colour.
 The picture covers a square around the eye that moves in whole texels, so that shadows of what
-stands still do not crawl, and is drawn again only when it has moved or the land has changed.
+stands still do not crawl, and is drawn again only when it has moved or the land has changed. In a
+walk that would take too long for one frame: a second picture is drawn, some regions in each frame,
+and replaces the first, which still holds all but a strip, when it is done.
 State used: a framebuffer object, GL_POLYGON_OFFSET_FILL, texture units 0 to 2, GL_COMBINE.
 What is wrong without: ``shadow.offset`` (faces shade themselves in stripes), ``shadow.snapped``
 (edges crawl). Beyond the square there are no shadows, only faces turned away from the sun.
@@ -29,68 +31,16 @@ from landscape.gl.extensions import COMBINE, CROSSBAR
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture import Texture
 from landscape.voxel.settings import Settings
-from landscape.voxel.visibility import CORNERS
+from landscape.voxel.sun_view import enlarged, light_matrix, part_of
 
 NEEDS = (*depth_target.NEEDS, COMBINE, CROSSBAR)
 UNITS = 3
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
-AROUND = 2  # texels, chosen: drawn around what has changed
 STEP = 64  # texels, chosen: the square moves by whole multiples of this
-
-
-def light_axes(towards: np.ndarray) -> np.ndarray:
-    """Return the rotation (3, 3) to the sun's eye space: rows right, up and towards the sun."""
-    right = np.cross((0.0, 1.0, 0.0), towards)
-    if np.linalg.norm(right) < 1e-6:
-        right = np.array([1.0, 0.0, 0.0])
-    right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(towards, right), towards])
-
-
-def light_matrix(
-    towards: np.ndarray, eye: np.ndarray, reach: float, depth: float, step: float
-) -> np.ndarray:
-    """Return the sun's projection times view (4, 4), for column vectors.
-
-    It covers a square of ``reach`` units to each side of the eye and ``depth`` units towards the
-    sun and away. The middle of the square is a multiple of ``step`` units; 0 leaves it at the eye.
-    """
-    axes = light_axes(towards)
-    middle = axes @ eye
-    if step:
-        middle[:2] = np.round(middle[:2] / step) * step
-        middle[2] = np.round(middle[2])
-    scale = np.array([1 / reach, 1 / reach, -1 / depth])
-    found = np.eye(4)
-    found[:3, :3] = scale[:, None] * axes
-    found[:3, 3] = -scale * middle
-    return found
-
-
-def part_of(
-    boxes: Sequence[tuple[np.ndarray, np.ndarray]], matrix: np.ndarray, side: int
-) -> tuple[int, int, int, int]:
-    """Return the part of the picture in which boxes, in units, are: x, y, width, height in texels.
-
-    ``matrix`` (4, 4) is the sun's, ``side`` that of the picture.
-    """
-    ends = np.array(boxes)[:, CORNERS.astype(int), np.arange(3)].reshape(-1, 3)
-    x, y, _ = matrix[:3, :3] @ ends.T + matrix[:3, 3:]
-    low, high = (
-        [int(np.clip((edge(at) * 0.5 + 0.5) * side + out, 0, side)) for at in (x, y)]
-        for edge, out in ((np.min, -AROUND), (np.max, AROUND + 1))
-    )
-    return low[0], low[1], max(high[0] - low[0], 1), max(high[1] - low[1], 1)
-
-
-def enlarged(matrix: np.ndarray, part: tuple[int, int, int, int], side: int) -> np.ndarray:
-    """Return a matrix that lets only a part of the picture be seen, but in the whole of it."""
-    found = matrix.copy()
-    for axis in (0, 1):
-        scale = side / part[2 + axis]
-        middle = (part[axis] + part[2 + axis] / 2) / side * 2 - 1
-        found[axis] = scale * (found[axis] - middle * found[3])
-    return found
+FRAMES = 12  # chosen: over how many the next picture is drawn
+Share = tuple[int, int]  # k, n: every n-th of the land's regions, from k on
+WHOLE: Share = 0, 1
+LEFT = 3 * STEP  # texels, chosen: so far from its middle a picture is drawn whole, at once
 
 
 class ShadowMap:
@@ -100,52 +50,105 @@ class ShadowMap:
         """Make the depth texture."""
         self.settings = settings
         self.target = DepthTarget(settings.shadow.size)
+        self._next: DepthTarget | None = None  # the second picture: only a walk needs it
         self._white = Texture(np.full((1, 1, 3), 255, np.uint8), mipmaps=False)
         self._units = DisplayList(self._set_units)
-        self._drawn: tuple[bytes, int] | None = None
+        self._version: int | None = None  # the land's, of what is drawn
         self.matrix = np.eye(4)
+        self._coming = self.matrix  # the matrix of the second picture
+        self._parts = 0  # how much of the second picture is drawn
 
     def update(
         self,
         eye: np.ndarray,
         version: int,
         touched: Sequence[tuple[np.ndarray, np.ndarray]],
-        draw: Callable[[np.ndarray], None],
+        draw: Callable[[np.ndarray, Share], None],
+        walking: bool = False,
     ) -> None:
         """Draw the picture again if the eye has left its square, or ``version`` is another.
 
         Only the part of ``touched`` is drawn, boxes in units, if all changes were in these: one
         for each version. ``draw`` sends the land's shapes that are seen through the matrix it is
-        given; the modelview is then the world's.
+        given, of a share of its regions: k, n for every n-th from k on; the modelview is then the
+        world's. When ``walking``, another square's picture is drawn over the next frames.
         """
+        matrix, size = self._around(eye), self.settings.shadow.size
+        known = self._version == version - len(touched)
+        self._version = version
+        away = np.abs(matrix - self.matrix)[:2, 3].max() / 2 * size  # texels
+        if known and walking and self.settings.shadow.snapped and away <= LEFT:
+            self._change(self.target, self.matrix, touched, draw)
+            if self._next and self._parts:
+                self._change(self._next, self._coming, touched, draw)
+            self._draw_next(matrix, draw)
+            return
+        self._parts = 0
+        if known and (matrix == self.matrix).all():
+            self._change(self.target, matrix, touched, draw)
+        else:
+            self.matrix = matrix
+            with self._drawing(self.target, matrix):
+                draw(matrix, WHOLE)
+
+    def _around(self, eye: np.ndarray) -> np.ndarray:
+        """Return the sun's matrix (4, 4) for the square around an eye."""
         values = self.settings.shadow
-        texel = 2 * values.distance / values.size
-        towards = sun.direction(self.settings.sun).astype(np.float64)
-        step = STEP * texel if values.snapped else 0.0
+        step = STEP * 2 * values.distance / values.size if values.snapped else 0.0
         # Towards the sun, what casts a shadow may be as far away as the shadow is long.
         depth = 2 * values.distance + 10.0
-        self.matrix = light_matrix(towards, eye, values.distance, depth, step)
-        wanted = self.matrix.tobytes(), version
-        if wanted == self._drawn:
-            return
-        former, self._drawn = self._drawn, wanted
-        part, seen = None, self.matrix
-        if former == (wanted[0], version - len(touched)):
-            part = part_of(touched, self.matrix, values.size)
-            seen = enlarged(self.matrix, part, values.size)
+        towards = sun.direction(self.settings.sun).astype(np.float64)
+        return light_matrix(towards, eye, values.distance, depth, step)
+
+    def _change(
+        self,
+        target: DepthTarget,
+        matrix: np.ndarray,
+        touched: Sequence[tuple[np.ndarray, np.ndarray]],
+        draw: Callable[[np.ndarray, Share], None],
+    ) -> None:
+        """Draw the part of a picture again in which boxes are, in units."""
+        if touched:
+            part = part_of(touched, matrix, target.side)
+            with self._drawing(target, matrix, part):
+                draw(enlarged(matrix, part, target.side), WHOLE)
+
+    def _draw_next(self, matrix: np.ndarray, draw: Callable[[np.ndarray, Share], None]) -> None:
+        """Begin the second picture if another square is wanted, or go on; then show it."""
+        if not self._parts:
+            if (matrix == self.matrix).all():
+                return
+            self._coming = matrix
+            self._next = self._next or DepthTarget(self.target.side)
+        assert self._next is not None
+        with self._drawing(self._next, self._coming, clear=self._parts == 0):
+            draw(self._coming, (self._parts, FRAMES))
+        self._parts = (self._parts + 1) % FRAMES
+        if not self._parts:
+            self.target, self._next, self.matrix = self._next, self.target, self._coming
+
+    @contextmanager
+    def _drawing(
+        self,
+        target: DepthTarget,
+        matrix: np.ndarray,
+        part: tuple[int, int, int, int] | None = None,
+        clear: bool = True,
+    ) -> Iterator[None]:
+        """Let the block draw into a picture, or a part of it, as the sun sees it."""
         with (
-            self.target.drawing(part),
+            target.drawing(part, clear),
             flat_projection(),
             attrib(gl.GL_ENABLE_BIT | gl.GL_POLYGON_BIT),
         ):
             gl.glMatrixMode(gl.GL_PROJECTION)
-            gl.glLoadMatrixf(np.ascontiguousarray(self.matrix.T, np.float32))
+            gl.glLoadMatrixf(np.ascontiguousarray(matrix.T, np.float32))
             gl.glMatrixMode(gl.GL_MODELVIEW)
             gl.glDisable(gl.GL_FOG)
-            if values.offset:
+            if self.settings.shadow.offset:
                 gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
                 gl.glPolygonOffset(2.0, 4.0)
-            draw(seen)
+            yield
 
     def _set_units(self) -> None:
         """Set the equations of the three units; unit 1 is active before it, unit 0 after it."""
@@ -191,11 +194,13 @@ class ShadowMap:
         if settings.shadow.color != self.settings.shadow.color:
             return False
         self.settings = settings
-        self._drawn = None
+        self._version = None
         return True
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
         self._units.release()
         self.target.release()
+        if self._next is not None:
+            self._next.release()
         self._white.release()

@@ -115,7 +115,7 @@ class Voxel(Played, Ground):
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
         clip = clip_matrix()
         self.land.catch_up()
-        self._draw_shadows(frame)
+        self._draw_shadows(frame, moment.walking)
         begin_pass("main")
         shore = self._shore(frame)
         # Without pictures the ground under water is seen through it.
@@ -184,8 +184,8 @@ class Voxel(Played, Ground):
                 draw = partial(land.draw_shapes, choice)
                 self.textures.draw(frame, pictures, draw, values.picture)
 
-    def _draw_shadows(self, frame: Frame) -> None:
-        """Draw the sun's picture of depths, if it must be drawn again."""
+    def _draw_shadows(self, frame: Frame, walking: bool) -> None:
+        """Draw the sun's picture of depths, if it must be drawn again; a part of it in a walk."""
         if "land" not in self.shown or not self.settings.shadow.enabled:
             self.land.touched.clear()
             return
@@ -196,7 +196,10 @@ class Voxel(Played, Ground):
                 frame.eye,
                 self.land.version,
                 self.land.touched,
-                lambda clip: self.land.draw_shapes(self.land.seen_by_sun(clip, towards)),
+                lambda clip, share: self.land.draw_shapes(
+                    self.land.seen_by_sun(clip, towards, share)
+                ),
+                walking,
             )
         self.land.touched.clear()
 

@@ -352,7 +352,7 @@ class Walk:
         self._context.make_current()
         walker = self.walker
         steps = walker.step, walker.stroke
-        moment = Moment(walker.pose, self._size, self.kt, *steps, self._wireframe)
+        moment = Moment(walker.pose, self._size, self.kt, *steps, self._wireframe, walking=True)
         # A screenshot has all the detail, and so has what the inspector looks into.
         scene, whole = self.place.scene, self._shoot or self.inspection.open
         self.inspection.draw(
