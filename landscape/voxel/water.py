@@ -45,7 +45,7 @@ GLINTS = (Need((1, 3), ("GL_ARB_texture_env_dot3", "GL_EXT_texture_env_dot3")),)
 EVEN = 0.4  # chosen: how much is mirrored at all angles, where Fresnel's term is not known
 PLAIN = 0.8  # chosen: alpha of water that is a plain colour
 STEEPER = 2.2  # times, chosen: the ripples' slopes; gentle ones would all glint at once
-NARROW = 0.11  # chosen: how far below 1 the cosine may be for a ripple to glint
+NARROW = 0.095  # chosen: how far below 1 the cosine may be for a ripple to glint
 DRIFT = 0.0011  # chosen: units per kt by which it moves
 
 
