@@ -8,6 +8,7 @@ import pytest
 from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.voxel.blocks import BLOCKS, SOLID, block
+from landscape.voxel.landmarks import grow
 from landscape.voxel.models import castle as castles
 from landscape.voxel.models import finds
 from landscape.voxel.models.castle_keep import HEIGHT, KEEP
@@ -236,3 +237,14 @@ def walked(model: np.ndarray, start: tuple[int, int, int]) -> np.ndarray:
                         found[there] = True
                         waiting.append(there)
     return found[1:-1, 1:-1]
+
+
+def test_flowers_grow_where_trees_may_not_but_only_on_grass():
+    tops, kinds = np.full((60, 60), 3, np.int16), np.full((60, 60), block("grass"), np.uint8)
+    blocks = np.zeros((60, 60, 40), np.uint8)
+    blocks[..., :3] = block("grass")
+    blocks[20:40, 20:40, 2] = block("gravel")  # a court
+    grow(blocks, tops, kinds, np.zeros((60, 60), bool), np.random.default_rng(0))
+    plants = np.array([each.plant for each in BLOCKS])[blocks[..., 3]]
+    assert plants.sum() > 50 and not plants[20:40, 20:40].any()
+    assert not blocks[..., 4:].any()  # no tree

@@ -121,6 +121,7 @@ def grow(
 ) -> None:
     """Plant trees and flowers where there is grass and nothing else, in place.
 
+    Trees only stand in the columns that are ``free``; flowers grow right up to the walls.
     ``tops`` and ``kinds`` (n, n) are the heights and the topmost blocks of the bare land.
     """
     grass = kinds == block("grass")
@@ -129,7 +130,8 @@ def grow(
         model = shapes[kind][int(rng.integers(SHAPES))]
         turned = np.rot90(model, int(rng.integers(4)))
         put(blocks, turned[::-1] if rng.random() < 0.5 else turned, (x, z, int(tops[x, z])))
-    sown = plants(grass & free, rng)
+    below = np.take_along_axis(blocks, tops[..., None].astype(np.intp) - 1, axis=2)[..., 0]
+    sown = plants(grass & (below == block("grass")), rng)
     at = np.nonzero(sown)
     at = (*at, tops[at])
     blocks[at] = np.where(blocks[at] == AIR, sown[at[:2]], blocks[at])
