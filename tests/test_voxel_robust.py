@@ -18,6 +18,8 @@ from landscape.gl.extensions import Need
 from landscape.keys import with_settings
 from landscape.scene import Moment
 from landscape.voxel.build import source
+from landscape.voxel.mesh import Look, region_mesh
+from landscape.voxel.region_buffer import RegionBuffer
 from landscape.voxel.voxel import SCENE, Voxel
 
 SMALL = {"voxel.regions": 4, "voxel.region_size": 30, "shadow.size": 256}
@@ -154,6 +156,25 @@ def test_with_few_texture_units_the_water_and_the_land_do_with_less(
     assert is_sound(found, whole)
     active = [int(call.args[0]) for call in recorder.calls if call.name == "glActiveTexture"]
     assert max(active, default=int(gl.GL_TEXTURE0)) < int(gl.GL_TEXTURE0) + units
+
+
+@pytest.mark.parametrize("kept", [True, False])
+def test_shares_of_the_buffer_hold_their_meshes_wherever_the_vertices_are(
+    stage: Stage, kept: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if kept:
+        hide(monkeypatch, "GL_ARB_vertex_buffer_object")
+    blocks = np.pad(np.full((6, 6, 4), 1, np.uint8), 1)
+    colours = Look(np.ones((6, 4)), np.zeros((60, 60), np.float32))
+    meshes = [region_mesh(blocks[: 4 + k], (0, 0, 0), colours, "none") for k in range(4)]
+    buffer = RegionBuffer(list(meshes[:3]))
+    try:
+        assert buffer.replace(1, meshes[3]) and buffer.replace(2, meshes[0])
+        for share, mesh in enumerate((meshes[0], meshes[3], meshes[0])):
+            found = buffer.mesh(share)
+            assert (found.vertices == mesh.vertices).all() and (found.counts == mesh.counts).all()
+    finally:
+        buffer.release()
 
 
 def test_without_shadows_faces_are_lit_as_if_there_were_none(

@@ -37,6 +37,7 @@ BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "me
          "trees", "buildings")  # fmt: skip
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
 FAR_OVERLAP = 0.02  # blocks, chosen: from afar, pixels are larger
+MOST_KEPT = 1000  # columns, chosen: larger worlds are not cached; they would fill the cache
 MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once, in regions of one row
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
@@ -155,6 +156,10 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, l
         repr(([getattr(values, name) for name in BUILT], seed)),
         colours.light.tobytes(),
     )
+
+    if side > MOST_KEPT:
+        place = world(values, assets, seed)
+        return place, colours, meshes(place, colours, values)
 
     def make() -> tuple[np.ndarray, ...]:
         place = world(values, assets, seed)

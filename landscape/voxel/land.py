@@ -50,8 +50,7 @@ class Land:
     """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units.
 
     ``version`` grows whenever the meshes for far change, which shadows are drawn with; ``touched``
-    are boxes, in units, of the blocks that have done so since it was last emptied. ``meshes`` are
-    those of all regions for near, then those for far.
+    are boxes, in units, of the blocks that have done so since it was last emptied.
     """
 
     def __init__(self, settings: Settings, assets: Assets, seed: int) -> None:
@@ -62,15 +61,20 @@ class Land:
         # Boxes [x, z, y] of changed blocks of which the meshes for far still know nothing.
         self._late: list[tuple[list[int], list[int]]] = []
         self._due: list[tuple[list[int], list[int]]] = []
-        self.world, self.colours, self.meshes = built(settings, assets, seed)
-        self.buffer = RegionBuffer(self.meshes)
-        boxes = np.array([bounding_box(mesh) for mesh in self.meshes]) * self.world.block
+        self.world, self.colours, found = built(settings, assets, seed)
+        boxes = np.array([bounding_box(mesh) for mesh in found]) * self.world.block
+        self.buffer = RegionBuffer(found)
         boxes = boxes.reshape(LEVELS, -1, 2, 3)
         self.low, self.high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
         pictures = tiles(assets)
         mipmaps = settings.voxel.mipmaps
         self._textures = [Texture(pictures[name], mipmaps=mipmaps) for name in TILES]
         self._textures.append(Texture(plants(assets), repeat=False, mipmaps=mipmaps))
+
+    @property
+    def meshes(self) -> list[RegionMesh]:
+        """Copies of the meshes of all regions for near, then for far, then where distant."""
+        return [self.buffer.mesh(share) for share in range(len(self.buffer.start))]
 
     @property
     def scale(self) -> float:
@@ -180,7 +184,7 @@ class Land:
         least, most = (np.array(end)[[0, 2, 1]] for end in (low, high))
         for region in regions_around(self.world, low, high):
             change = self.world, region, low, high, self.colours, self.settings.voxel.occlusion
-            self._replace(region, patched(self.meshes[region], *change))
+            self._replace(region, patched(self.buffer.mesh(region), *change))
             # Faces of the blocks next to these may be new.
             self.low[region] = np.minimum(self.low[region], (least - 1) * self.scale)
             self.high[region] = np.maximum(self.high[region], (most + 1) * self.scale)
@@ -196,7 +200,7 @@ class Land:
             for region in regions_around(self.world, low, high):
                 share = region + FAR * len(self.low)
                 change = self.world, region, low, high, colours
-                self._replace(share, patched(self.meshes[share], *change, False, plants=False))
+                self._replace(share, patched(self.buffer.mesh(share), *change, False, plants=False))
                 self._stale.add(region)
             self.version += 1
             ends = (np.array(end)[[0, 2, 1]] * self.scale for end in (low, high))
@@ -225,10 +229,11 @@ class Land:
 
     def _replace(self, share: int, mesh: RegionMesh) -> None:
         """Upload one of a region's meshes."""
-        self.meshes[share] = mesh
         if not self.buffer.replace(share, mesh):
+            every = self.meshes
+            every[share] = mesh
             self.buffer.release()
-            self.buffer = RegionBuffer(self.meshes)
+            self.buffer = RegionBuffer(every)
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the land must be built again."""

@@ -10,7 +10,7 @@ State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
 """
 
 import ctypes
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 import numpy as np
@@ -25,6 +25,7 @@ MULTI_DRAW = Need((1, 4), ("GL_EXT_multi_draw_arrays",))
 FOG_COORDINATES = Need((1, 4), ("GL_EXT_fog_coord",))
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
 Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
+LARGE = 1 << 23  # vertices, chosen: a larger buffer has no such margin
 SPARE = 512  # vertices, chosen: and by at least this
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
 
@@ -38,10 +39,14 @@ class RegionBuffer:
     ``low`` and ``high`` (shares, tiles) are the least and greatest heights of vertices in blocks.
     """
 
-    def __init__(self, meshes: Sequence[RegionMesh]) -> None:
-        """Upload meshes; each has a share of its own."""
+    def __init__(self, meshes: list[RegionMesh]) -> None:
+        """Upload meshes, each of which has a share of its own, and empty the list.
+
+        So there is only one copy of the vertices of a large world; :meth:`mesh` gives them back.
+        """
         sizes = np.array([len(mesh.vertices) for mesh in meshes])
-        self.room = (np.maximum(sizes * MARGIN, sizes + SPARE) // 4 * 4).astype(np.int64)
+        margin = MARGIN if sizes.sum() < LARGE else 1.0
+        self.room = (np.maximum(sizes * margin, sizes + SPARE) // 4 * 4).astype(np.int64)
         self.start = np.cumsum(self.room) - self.room
         self.first = np.zeros((len(meshes), len(ALL_TILES), len(DIRECTIONS)), np.int32)
         self.count = np.zeros_like(self.first)
@@ -49,15 +54,17 @@ class RegionBuffer:
         self.high = -self.low
         self._free = int(self.room.sum())
         self._end = self._free + RESERVE
-        whole = np.zeros(self._end, VERTEX)
-        for share, mesh in enumerate(meshes):
-            whole[self.start[share] :][: len(mesh.vertices)] = mesh.vertices
-            self._enter(share, mesh)
-        self.name = int(gl.glGenBuffers(1)) if has(BUFFERS) else 0
-        self._kept = None if self.name else whole  # where OpenGL does not keep the vertices
         self._multi_draw = has(MULTI_DRAW)
+        self.name = int(gl.glGenBuffers(1)) if has(BUFFERS) else 0
+        # The vertices, where OpenGL does not keep them.
+        self._kept = None if self.name else np.zeros(self._end, VERTEX)
         if self.name:
-            self._fill(whole)
+            size = self._end * VERTEX.itemsize
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+            gl.glBufferData(gl.GL_ARRAY_BUFFER, size, None, gl.GL_STATIC_DRAW)
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        for share in reversed(range(len(meshes))):
+            self.replace(share, meshes.pop())
 
     def _enter(self, share: int, mesh: RegionMesh) -> None:
         """Note where the vertices of a share lie."""
@@ -75,10 +82,20 @@ class RegionBuffer:
             self.low[share, some] = np.minimum.reduceat(heights, begins)
             self.high[share, some] = np.maximum.reduceat(heights, begins)
 
-    def _fill(self, vertices: np.ndarray) -> None:
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
-        gl.glBufferData(gl.GL_ARRAY_BUFFER, vertices.nbytes, as_bytes(vertices), gl.GL_STATIC_DRAW)
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+    def mesh(self, share: int) -> RegionMesh:
+        """Return a copy of a share's mesh."""
+        counts = self.count[share].copy()
+        begin, size = int(self.start[share]), int(counts.sum())
+        if self._kept is not None:
+            return RegionMesh(self._kept[begin:][:size].copy(), counts)
+        vertices = np.empty(size, VERTEX)
+        place = begin * VERTEX.itemsize
+        if size:
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+            data = as_bytes(vertices)
+            gl.glGetBufferSubData(gl.GL_ARRAY_BUFFER, place, data.nbytes, data)
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        return RegionMesh(vertices, counts)
 
     def replace(self, share: int, mesh: RegionMesh) -> bool:
         """Replace a share's vertices; return False, changing nothing, if there is no room.
@@ -96,7 +113,7 @@ class RegionBuffer:
         begin = int(self.start[share])
         if self._kept is not None:
             self._kept[begin:][:size] = mesh.vertices
-        else:
+        elif size:
             place = begin * VERTEX.itemsize
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
             data = as_bytes(mesh.vertices)
