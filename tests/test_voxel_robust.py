@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from gl_state import changes, snapshot
 from stage import Stage
 
 import landscape.voxel
@@ -261,3 +262,34 @@ def test_odd_places_are_drawn_without_a_word(
     finally:
         scene.release()
     assert not recwarn.list and capsys.readouterr() == ("", "")
+
+
+DRAWN: dict[str, tuple[set[str], dict[str, Any]]] = {
+    "land": ({"land"}, {"shadow.enabled": False}),
+    "land with shadows": ({"land"}, {}),
+    "sky": ({"sky"}, {}),
+    "water": ({"water"}, {}),
+    "water over land, with the sky": ({"land", "sky", "water"}, {}),
+    "regions": ({"land"}, {"debug.regions": True}),
+    "textures": ({"land", "water"}, {"debug.textures": True}),
+    "what a walker holds": ({"land", "highlight", "crosshair", "sword"}, {}),
+}
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_every_pass_leaves_the_state_as_a_frame_without_it_does(stage: Stage, name: str) -> None:
+    shown, changed = DRAWN[name]
+    settings = with_settings(SCENE.settings, SMALL | changed)
+    scene = Voxel(settings, Assets(), 0, (*SEEN, "highlight", "crosshair", "sword"))
+    moment = Moment(POSE, stage.size, 20.0)
+    try:
+        with stage.borrowed():
+            scene.shown = set()
+            scene.draw(moment)
+            before = snapshot()
+            scene.shown = set(shown)
+            scene.draw(moment)
+            found = changes(before, snapshot())
+    finally:
+        scene.release()
+    assert not found
