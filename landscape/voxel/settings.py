@@ -145,6 +145,13 @@ class Water:
 
 
 @dataclass(frozen=True)
+class Overlay:
+    """What a walker has before the eyes."""
+
+    map: bool = setting(True, "section 9", "show the map", needs=("map",))
+
+
+@dataclass(frozen=True)
 class Debug:
     """What one may look at while walking, besides the picture."""
 
@@ -182,6 +189,7 @@ class Settings:
     shadow: Shadow = Shadow()
     sky: Sky = Sky()
     water: Water = Water()
+    overlay: Overlay = Overlay()
     debug: Debug = Debug()
 
 

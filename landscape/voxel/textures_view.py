@@ -23,6 +23,7 @@ from landscape.voxel.settings import PICTURES
 NEEDS = (*depth_target.NEEDS, COMBINE)
 UNITS = 2
 MARGIN = 0.02  # chosen, of the window's width
+ABOVE = 0.07  # chosen, of the window's width: below them is room for the bar of blocks
 START = np.full(4, 0.75, np.float32)  # what is subtracted before each scaling by 4
 BEHIND = (0.08, 0.10, 0.13)  # chosen: beside a picture that is shown alone
 EYE_DEPTHS = 512  # texels, chosen: side of the picture of what the eye sees
@@ -71,8 +72,8 @@ class TexturesView:
                 return
             for k, name in enumerate(PICTURES):
                 left = MARGIN + k * step
-                high = MARGIN + (step - MARGIN) * aspect
-                self._show(shown[name], left, left + step - MARGIN, MARGIN, high)
+                high = ABOVE + (step - MARGIN) * aspect
+                self._show(shown[name], left, left + step - MARGIN, ABOVE, high)
 
     def _show(
         self,

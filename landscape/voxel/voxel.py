@@ -14,12 +14,14 @@ from landscape.frame import Frame
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import begin_pass, drawing, gl
+from landscape.gl.state import attrib
 from landscape.keys import Toggle
 from landscape.scene import SEED, Moment, Scene, View, begin_frame
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
+from landscape.voxel.map import Map
 from landscape.voxel.played import Played
 from landscape.voxel.region_buffer import EVERYWHERE, Span
 from landscape.voxel.regions_view import draw_boxes, draw_from_outside
@@ -83,6 +85,7 @@ class Voxel(Played, Ground):
             self.sky = self._built(("sky",), Sky, settings, assets)
             self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
+            self.map = self._built(("map",), Map, settings, assets, self.land)
         except BaseException:
             self.release()
             raise
@@ -120,7 +123,9 @@ class Voxel(Played, Ground):
         shore = self._shore(frame)
         # Without pictures the ground under water is seen through it.
         opaque = shore is not None and self.water.images is not None
-        with clipped(shore.level, above=True) if shore and opaque else nullcontext():
+        above = clipped(shore.level, above=True) if shore and opaque else nullcontext()
+        with above, attrib(gl.GL_POLYGON_BIT):
+            gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
             self._draw_land(frame, (shore.level, np.inf) if shore and opaque else EVERYWHERE)
         self._draw("sky", self.sky, frame)
         if shore and self._visible(frame):
@@ -132,6 +137,7 @@ class Voxel(Played, Ground):
         self.draw_aim(frame)
         self._draw_debug(frame, clip)
         self._draw("sword", self.sword, frame)
+        self._draw("map", self.map, frame)
 
     def depth(self, shore: Shore) -> np.ndarray:
         """Return how deep the water is at its points in view, in units; negative on land."""
