@@ -42,6 +42,18 @@ def test_without_reflection_the_water_mirrors_the_sky_alone() -> None:
     assert (without == sky).all() and (whole != sky).any(axis=-1).mean() > 0.02
 
 
+@pytest.mark.parametrize("height", [0.9, 1.6, 4.0])
+def test_the_sky_in_the_water_is_the_sky_upside_down(height: float) -> None:
+    pose = (4.8, height, 4.8, 30.0, 0.0)
+    with opened(pose, water__reflection=False) as view:
+        view.scene.shown = {"sky", "water"}
+        mirrored = read(view, "reflection")
+        view.scene.shown = {"sky"}
+        sky = view.draw().astype(float)
+    assert len(np.unique(sky.reshape(-1, 3), axis=0)) > 500
+    assert np.abs(mirrored[::-1] - sky).max() <= 2
+
+
 def test_without_refraction_the_water_has_its_own_colour_all_over() -> None:
     with opened(SEA_POSE, water__color=(0.2, 0.4, 0.6)) as view:
         assert len(np.unique(read(view, "refraction").reshape(-1, 3), axis=0)) > 20

@@ -118,6 +118,7 @@ class Sky:
         with attrib(groups | gl.GL_CURRENT_BIT), matrix():
             gl.glTranslatef(*frame.eye.tolist())
             gl.glDisable(gl.GL_FOG)
+            gl.glDisable(gl.GL_CLIP_PLANE0)  # in the water's mirror it would cut the box
             gl.glDepthRange(1.0, 1.0)
             gl.glDepthFunc(gl.GL_LEQUAL)
             gl.glDepthMask(gl.GL_FALSE)

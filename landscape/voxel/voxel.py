@@ -249,7 +249,9 @@ class Voxel(Played, Ground):
         frame = replace(frame, mirrored=True)
         if self.settings.water.reflection:
             self._draw_land(frame, (self.water.level, np.inf))
-        self._draw("sky", self.sky, frame)
+        # The box of the sky is drawn around the eye: here around the camera under the water.
+        below = replace(frame.pose, y=mirrored_height(frame.eye_y, self.water.level))
+        self._draw("sky", self.sky, replace(frame, pose=below))
 
     def _draw_under(self, frame: Frame, span: Span) -> None:
         """Draw what lies under the water, unless that is off: then its colour is all one sees."""
