@@ -14,6 +14,7 @@ from commands import TESTS, Done, environment, python
 
 from landscape import languages
 from landscape.errors import InputError
+from landscape.gallery.scene_captions import VIEW_TEXTS
 from landscape.languages import LOCALE, reworded, translator
 
 SCRIPT = TESTS.parent / "scripts" / "catalogues"
@@ -184,13 +185,17 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     (locale / "docs" / "README.po").write_text(HEAD + "".join(entries), encoding="utf-8")
     (tmp_path / "README.md").write_text(README)
     kept = tmp_path / "screenshots"
-    (kept / "hall").mkdir(parents=True)
-    path, gallery, hall = (each / "README.fr.md" for each in (tmp_path, kept, kept / "hall"))
+    folders = [tmp_path, kept, *(kept / name for name in VIEW_TEXTS)]
+    for folder in folders[2:]:
+        folder.mkdir(parents=True)
+    path, gallery, hall, *others = (each / "README.fr.md" for each in folders)
     told = "stale: scripts/catalogues update writes it"
-    assert list(readme.stale("fr")) == [f"{each}: {told}" for each in (path, gallery, hall)]
+    stale = [path, gallery, hall, *others]
+    assert list(readme.stale("fr")) == [f"{each}: {told}" for each in stale]
     readme.write("fr")
     assert gallery.read_text(encoding="utf-8") == "the gallery in fr"
     assert hall.read_text(encoding="utf-8") == "hall in fr"
+    assert [each.read_text(encoding="utf-8") for each in others] == ["voxel in fr"]
     assert path.read_text(encoding="utf-8") == LISEZMOI.replace("_", "\u00a0")
     assert list(readme.stale("fr")) == []
     (tmp_path / "README.md").write_text(README.replace("Thin", "Light"))

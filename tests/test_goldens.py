@@ -30,6 +30,7 @@ from landscape.island import Island
 from landscape.keys import with_settings
 from landscape.scene import Moment
 from landscape.settings import TIMES, Settings
+from landscape.voxel.voxel import SCENE as VOXEL
 
 pytestmark = pytest.mark.golden
 
@@ -342,6 +343,6 @@ def test_a_missing_golden_fails_and_a_difference_leaves_three_pictures(
 def test_every_golden_picture_belongs_to_a_test() -> None:
     wanted = {*ELEMENTS, *(f"sword_{k}" for k in range(1, 5))}
     wanted |= {f"{scene}_{preset}" for scene in (*SCENES, "dusk") for preset in ("2006", "best")}
-    wanted |= {f"lesson_{lesson.name}" for lesson in lessons()} | {*VIEWS}
+    wanted |= {f"lesson_{lesson.name}" for lesson in lessons()} | {*VIEWS, *VOXEL.views}
     assert {path.stem for path in pictures.GOLDEN.glob("*.png")} == wanted
     assert pictures.RENDERER.exists()

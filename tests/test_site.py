@@ -14,7 +14,7 @@ from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import lessons
 from landscape.course.lesson_command import described
 from landscape.course.pages import as_markdown, blocks
-from landscape.gallery.scene_captions import INTRODUCTIONS, VIEW_TEXTS
+from landscape.gallery.scene_captions import INTRODUCTIONS, STEPS, VIEW_TEXTS
 from landscape.languages import LANGUAGES, translator
 from landscape.scene import scene
 
@@ -134,22 +134,26 @@ def test_the_page_of_an_exercise_has_two_pictures_its_task_and_its_lessons(
             assert f"(../exercises/{each.name}.md)" in found[f"lessons/{name}"]
 
 
+@pytest.mark.parametrize("name", VIEW_TEXTS)
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_the_page_of_the_hall_shows_every_view_and_a_slider_for_every_safeguard(
-    language: str, site: Any, tmp_path: Path
+def test_the_page_of_a_scene_shows_every_picture_and_a_slider_for_every_safeguard(
+    language: str, name: str, site: Any, tmp_path: Path
 ) -> None:
-    page = pages(site, language, tmp_path)["hall/index"]
-    hall = scene("hall")
+    page = pages(site, language, tmp_path)[f"{name}/index"]
+    kind = scene(name)
     kept = {path.name for path in site.gallery.pictures()}
-    for view in VIEW_TEXTS["hall"]:
+    steps = [step for _, _, steps in STEPS.get(name, ()) for step in steps]
+    for view in (*VIEW_TEXTS[name], *(step.name for step in steps)):
         assert f"{{figure}} ../pictures/{view}.webp" in page
         assert f"{view}.webp" in kept
-    for fix in hall.fixes:
+    for fix in kind.fixes:
         before, after = (f"{fix.name}_{when}.webp" for when in ("before", "after"))
         assert f"{{before-after}} ../pictures/{before} ../pictures/{after}" in page
         assert {before, after} <= kept
-    for text in (*INTRODUCTIONS["hall"], *(text for fix in hall.fixes for text in fix.seen)):
-        assert translator(language, "gallery")(text) in page
+    texts = [*INTRODUCTIONS[name], *(step.look for step in steps)]
+    for text in (*texts, *(text for fix in kind.fixes for text in fix.seen)):
+        text = translator(language, "gallery")(text).replace("../../docs/", "../documents/")
+        assert text in page
 
 
 def test_a_committed_picture_is_taken_as_it_is_if_it_is_webp_already(

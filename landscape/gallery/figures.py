@@ -20,22 +20,25 @@ from landscape.files.progress import Progress
 from landscape.gallery import page, scene_page
 from landscape.gallery.compare import agree, agree_lossy, amplified
 from landscape.gallery.panels import FigurePanel, PanelRenderer, named_panels
-from landscape.gallery.scene_captions import VIEW_TEXTS
+from landscape.gallery.scene_captions import QUALITY, VIEW_TEXTS
 from landscape.languages import LANGUAGES
 from landscape.scene import scene
 
 RENDERER = "renderer.txt"  # names the OpenGL that drew the committed pictures
-QUALITY = 84  # chosen: of WebP
 
 
 @dataclass(frozen=True)
 class Gallery:
-    """Where a gallery's pictures lie, their format, its panels, and its page by language."""
+    """Where a gallery's pictures lie, their format, its panels, and its page by language.
+
+    ``quality`` is that of pictures in a format with a loss, 0 to 100.
+    """
 
     folder: str
     suffix: str
     panels: list[FigurePanel]
     page: Callable[[str], str]
+    quality: int = 0
 
     @property
     def lossy(self) -> bool:
@@ -51,9 +54,9 @@ def gallery(names: list[str]) -> Gallery:
     """
     if len(names) == 1 and names[0] in VIEW_TEXTS:
         kind = scene(names[0])
-        return Gallery(
-            kind.name, "webp", scene_page.panels(kind), partial(scene_page.page, kind.name)
-        )
+        of_scene = partial(scene_page.page, kind.name)
+        panels = scene_page.panels(kind)
+        return Gallery(kind.name, "webp", panels, of_scene, QUALITY[kind.name])
     for name in names:
         if name in VIEW_TEXTS:
             raise InputError(f"figures {name!r}: expected no other names beside it")
@@ -78,7 +81,7 @@ def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bo
         path, renderer = folder / f"{panel.name}.{wanted.suffix}", opengl or renderer
         if wanted.lossy:
             if not path.exists() or not agree_lossy(read_image(path, "RGB"), picture):
-                write_whole(path, as_webp(picture))
+                write_whole(path, as_webp(picture, wanted.quality))
         elif not path.exists() or not np.array_equal(read_image(path, "RGB"), picture):
             save_png(picture, path, small=True)
     if renderer and not wanted.lossy:
@@ -88,10 +91,10 @@ def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bo
         write_whole(folder / name, wanted.page(language).encode())
 
 
-def as_webp(picture: np.ndarray) -> bytes:
-    """Return a picture as a WebP file."""
+def as_webp(picture: np.ndarray, quality: int) -> bytes:
+    """Return a picture as a WebP file, of a quality from 0 to 100."""
     buffer = io.BytesIO()
-    Image.fromarray(picture).save(buffer, "WEBP", quality=QUALITY, method=6)
+    Image.fromarray(picture).save(buffer, "WEBP", quality=quality, method=6)
     return buffer.getvalue()
 
 

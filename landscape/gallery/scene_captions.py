@@ -1,4 +1,27 @@
-"""What a scene's page of the gallery says: its introduction, and two texts for each view."""
+"""What a scene's page of the gallery says: its introduction, and two texts for each picture."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+QUALITY = {"hall": 84, "voxel": 60}  # chosen: of a scene's pictures as WebP
+
+
+@dataclass(frozen=True)
+class Step:
+    """A picture of a view drawn in another way: its title and captions, and how it is drawn.
+
+    ``only`` names the elements that are drawn, all that stand there if it is empty.
+    """
+
+    name: str
+    view: str
+    title: str
+    seen: str
+    look: str
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    only: tuple[str, ...] = ()
+
 
 # The title, then the paragraphs before the first picture.
 INTRODUCTIONS: dict[str, tuple[str, ...]] = {
@@ -11,6 +34,16 @@ INTRODUCTIONS: dict[str, tuple[str, ...]] = {
         "Each effect needs safeguards. The second part of this page takes away one at a time, and "
         "shows what it prevents. Each is a setting, and its name is also that of a view: after "
         "`landscape walk mirror_stencil`, V turns it off and on.",
+    ),
+    "voxel": (
+        "The island in voxels",
+        "The island once more, as 500 x 500 columns of cubes. A student's project had five shaders "
+        "for such a terrain; here it is drawn with fixed-function OpenGL, and "
+        "[docs/voxels.md](../../docs/voxels.md) says what became of each shader. `landscape walk "
+        "voxel` begins in the first view.",
+        "After the views come the passes of one frame, one by one, and then what each pass and "
+        "each technique adds, in pairs. Each is a setting, and its name is also that of a view: "
+        "after `landscape walk voxel_refraction`, V turns it off and on.",
     ),
 }
 
@@ -73,6 +106,137 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
             "shown.",
         ),
     },
+    "voxel": {
+        "voxel_bay": (
+            "a green sea dragon of cubes at a beach of cubes, in calm blue water",
+            "The dragon is made of the mesh that swims in the island's bay: a block wherever the "
+            "mesh is. Water shows the ground near the beach, and mirrors dragon and sky farther "
+            "away.",
+        ),
+        "voxel_castle": (
+            "a castle of cubes with pointed towers and red banners on a green hill",
+            "Corners between blocks are darker. Each face has one of a few tiles, and its vertex "
+            "colours vary the tint over the land.",
+        ),
+        "voxel_cliff": (
+            "a grey mountain of cubes with snow and a beacon on its top, trees at its foot",
+            "The material of a column follows its height and its slope: rock where it is steep, "
+            "then snow, grass, earth, sand.",
+        ),
+        "voxel_water": (
+            "a rocky islet in calm, glittering water, and in front the ground below it",
+            "In front one looks into the water, in the distance at its mirror image. The ground "
+            "darkens with its depth. Ripples that mirror the sun glint.",
+        ),
+        "voxel_forest": (
+            "a glade with flowers, trees of cubes around it, and a mountain behind them",
+            "Trees grow block by block, no two alike. Grass and flowers are crossed quads with "
+            "holes, by the alpha test.",
+        ),
+        "voxel_regions": (
+            "the land under a grid of green boxes, and in a corner the whole map from outside",
+            "Each region of 50 x 50 columns has a box. Those in the frustum are drawn, green; the "
+            "others are culled, red. The inset shows frustum and regions from outside.",
+        ),
+    },
+}
+
+# By scene: sections of further pictures, each with its heading and its introduction.
+STEPS: dict[str, tuple[tuple[str, str, tuple[Step, ...]], ...]] = {
+    "voxel": (
+        (
+            "The passes of a frame",
+            "What OpenGL draws for the view voxel_bay: three textures, and the picture step by "
+            "step.",
+            (
+                Step(
+                    "voxel_pass_shadow",
+                    "voxel_bay",
+                    "the depths that the sun sees",
+                    "a grey picture of the island from above, nearer parts darker",
+                    "The land around the eye, drawn from the sun into a depth texture. "
+                    "It is kept until the eye has moved far enough or a block changes.",
+                    {"debug.picture": "shadow"},
+                ),
+                Step(
+                    "voxel_pass_reflection",
+                    "voxel_bay",
+                    "what the water mirrors",
+                    "dragon and trees upside down, and below them an upside-down sky",
+                    "The land above the water, mirrored at its plane, and the sky, in a texture of "
+                    "half the window's size.",
+                    {"debug.picture": "reflection"},
+                ),
+                Step(
+                    "voxel_pass_refraction",
+                    "voxel_bay",
+                    "what lies under the water",
+                    "a beach that goes down into dark blue",
+                    "The land under the water, flattened to 3/4 of its depth, and "
+                    "darker with depth by the fog coordinate.",
+                    {"debug.picture": "refraction"},
+                ),
+                Step(
+                    "voxel_pass_land",
+                    "voxel_bay",
+                    "the land alone",
+                    "the dragon on the dry ground of its bay, in even light",
+                    "The tiles times the vertex colours, which hold light, tint and dark corners.",
+                    {"shadow.enabled": False},
+                    ("land",),
+                ),
+                Step(
+                    "voxel_pass_shadows",
+                    "voxel_bay",
+                    "the land with shadows",
+                    "the same with shadows below the dragon and behind the steps",
+                    "The same, compared with the depths that the sun sees at each pixel.",
+                    only=("land",),
+                ),
+                Step(
+                    "voxel_pass_water",
+                    "voxel_bay",
+                    "land and water",
+                    "the dragon in its bay, with haze instead of a sky",
+                    "One grid of quads in four texture units mixes the two textures by Fresnel's "
+                    "term.",
+                    only=("land", "water"),
+                ),
+                Step(
+                    "voxel_pass_sky",
+                    "voxel_bay",
+                    "the whole picture",
+                    "the dragon in its bay under a sky with clouds",
+                    "The sky, a cube map, is drawn where nothing else is.",
+                ),
+            ),
+        ),
+        (
+            "To look at while walking",
+            "The settings of `debug` show more than the picture. In the walk, L shows the regions "
+            "and K the textures, as in the project that this follows.",
+            (
+                Step(
+                    "voxel_debug_textures",
+                    "voxel_bay",
+                    "the four textures along the lower edge",
+                    "the sea dragon in its bay, and four small pictures in a row below it",
+                    "From the left: reflection, refraction, the depths that the sun sees, and "
+                    "those that the eye sees.",
+                    {"debug.textures": True},
+                ),
+                Step(
+                    "voxel_debug_edges",
+                    "voxel_cliff",
+                    "the edges of all quads",
+                    "a mountain of cubes with black lines around each quad",
+                    "Equal faces are merged; dark corners keep faces apart, and far regions have "
+                    "none.",
+                    {"debug.edges": True},
+                ),
+            ),
+        ),
+    ),
 }
 
 PAIRS_TEXT = (

@@ -1,6 +1,7 @@
-"""A scene's own page of the gallery: its views, then its safeguards in pairs, without and with.
+"""A scene's own page of the gallery: its views, and its safeguards in pairs, without and with.
 
-`landscape figures hall` draws its pictures; they lie in screenshots/hall, as WebP.
+Between them may stand other pictures of the views, such as a frame's passes. `landscape figures
+hall` draws the pictures; they lie in screenshots/hall, as WebP.
 """
 
 import shlex
@@ -10,17 +11,19 @@ from typing import Any
 import numpy as np
 
 from landscape.gallery.panels import FigurePanel, PanelRenderer, as_text
-from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, VIEW_TEXTS
+from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS, Step
 from landscape.languages import Translator, translator
 from landscape.scene import Scene, View, scene
 
-VIEW_SIZE, PAIR_SIZE = (960, 540), (480, 300)  # chosen
+VIEW_SIZE, STEP_SIZE, PAIR_SIZE = (960, 540), (640, 360), (480, 300)  # chosen
 
 
 def panels(kind: Scene) -> list[FigurePanel]:
-    """Return the panels of a scene's views that have a caption, then two for each fix."""
-    views = [_view_panel(kind, kind.views[name]) for name in VIEW_TEXTS[kind.name]]
-    return views + [_fix_panel(kind, fix, after) for fix in kind.fixes for after in (False, True)]
+    """Return the panels of a scene's views that have a caption, of steps, then two for each fix."""
+    found = [_view_panel(kind, kind.views[name]) for name in VIEW_TEXTS[kind.name]]
+    for _heading, _text, steps in STEPS.get(kind.name, ()):
+        found += [_step_panel(kind, step) for step in steps]
+    return found + [_fix_panel(kind, fix, after) for fix in kind.fixes for after in (False, True)]
 
 
 def _view_panel(kind: Scene, view: View) -> FigurePanel:
@@ -32,6 +35,19 @@ def _view_panel(kind: Scene, view: View) -> FigurePanel:
     seen, look = VIEW_TEXTS[kind.name][view.name]
     command = f"landscape render {view.name} --size {size}"
     return FigurePanel(view.name, view.shows, seen, look, command, draw)
+
+
+def _step_panel(kind: Scene, step: Step) -> FigurePanel:
+    only = step.only or None
+    command = ["landscape", "render", step.view, "--size", "{}x{}".format(*STEP_SIZE)]
+    command += ["--only", ",".join(only)] if only else []
+    for key, value in step.settings.items():
+        command += ["--set", f"{key}={as_text(value)}"]
+
+    def draw(renderer: PanelRenderer) -> np.ndarray:
+        return renderer.scene_picture(kind.name, step.view, step.settings, None, STEP_SIZE, only)
+
+    return FigurePanel(step.name, step.title, step.seen, step.look, shlex.join(command), draw)
 
 
 def _fix_panel(kind: Scene, fix: Any, after: bool) -> FigurePanel:
@@ -67,15 +83,19 @@ def page(name: str, language: str = "en") -> str:
         lines += [_(paragraph), ""]
     for view in VIEW_TEXTS[name]:
         lines += _view_entry(by_name[view], _)
+    for heading, text, steps in STEPS.get(name, ()):
+        lines += [f"## {_(heading)}", "", _(text), ""]
+        for step in steps:
+            lines += _view_entry(by_name[step.name], _, level="###")
     lines += [f"## {_('Safeguards, off and on')}", "", _(PAIRS_TEXT), ""]
     for fix in kind.fixes:
         lines += _pair_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)
     return "\n".join(lines)
 
 
-def _view_entry(panel: FigurePanel, _: Translator) -> list[str]:
+def _view_entry(panel: FigurePanel, _: Translator, level: str = "##") -> list[str]:
     return [
-        f"## {panel.name}",
+        f"{level} {panel.name}",
         "",
         _("**{name}**: {title}.").format(name=panel.name, title=_(panel.title)),
         "",

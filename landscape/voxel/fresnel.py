@@ -11,7 +11,7 @@ import numpy as np
 from landscape.gl.cube_map import face_directions
 
 SIDE = 128  # texels, chosen: side of a face
-EVEN = 0.145  # chosen: the cosine at which water mirrors nearly half of the light
+EVEN = 0.172  # chosen: the cosine at which water mirrors 40 % of the light
 STRAIGHT = 0.02  # of water, refractive index 1.33, looked at from straight above
 
 

@@ -8,6 +8,8 @@ from landscape.frame import Pose
 from landscape.voxel.safeguard import Safeguard, pair
 
 GLADE = Pose(18.0, None, 18.0, 88.0, 4.0)
+BEACH = Pose(8.0, 1.0, 30.0, 20.0, -14.0)
+COILS = Pose(13.0, 0.92, 30.2, 330.0, -5.0)
 FROM_ABOVE = Pose(21.0, 4.5, 29.0, 10.0, -12.0)
 
 LAND: tuple[Safeguard, ...] = (
@@ -54,7 +56,8 @@ LAND: tuple[Safeguard, ...] = (
         flaw="The simple meshes for far regions are drawn here, too: without plants, and without "
         "dark corners.",
         look="Look at the ground near the eye.",
-        how="Each region has two meshes in the vertex buffer. The distance of its box chooses one.",
+        how="Each region has several meshes in the vertex buffer. The distance of its box "
+        "chooses one.",
         seen=("a forest on a bare lawn", "a forest with grass and flowers on its ground"),
     ),
     Safeguard(
@@ -143,7 +146,7 @@ WATER: tuple[Safeguard, ...] = (
     Safeguard(
         "voxel_reflection",
         "Land in the water's mirror",
-        "voxel_water",
+        BEACH,
         20.0,
         **pair("water.reflection"),
         flaw="The water mirrors only the sky, as if there were no land.",
@@ -155,7 +158,7 @@ WATER: tuple[Safeguard, ...] = (
     Safeguard(
         "voxel_refraction",
         "The ground under the water",
-        "voxel_water",
+        BEACH,
         20.0,
         **pair("water.refraction"),
         flaw="Under its mirror image the water has one plain colour.",
@@ -167,7 +170,7 @@ WATER: tuple[Safeguard, ...] = (
     Safeguard(
         "voxel_depth",
         "Darker with depth",
-        "voxel_water",
+        BEACH,
         20.0,
         {"water.clear": 1000.0},
         {"water.clear": 9.0},
@@ -180,7 +183,7 @@ WATER: tuple[Safeguard, ...] = (
     Safeguard(
         "voxel_fresnel",
         "Clear from above, a mirror from aside",
-        "voxel_water",
+        BEACH,
         20.0,
         **pair("water.by_angle"),
         flaw="Water that mirrors as much everywhere: too much in front, where one looks down into "
@@ -196,10 +199,10 @@ WATER: tuple[Safeguard, ...] = (
     Safeguard(
         "voxel_ripples",
         "Ripples",
-        "voxel_water",
+        COILS,
         20.0,
         {"water.ripples": 0.0},
-        {"water.ripples": 1.0},
+        {"water.ripples": 3.0},
         flaw="The water is a sheet of glass.",
         look="Look at the edges of what is mirrored.",
         how="The coordinates by which both textures are looked up are moved at the vertices of a "

@@ -20,7 +20,7 @@ def supported(settings: Settings) -> Settings:
         most = largest_texture()
         tell(f"landscape: shadow.size: {most} instead of {shadow.size}, this OpenGL's largest")
         shadow = replace(shadow, size=most)
-    wanted = debug.textures
+    wanted = debug.textures or debug.picture != "none"
     if wanted and not possible("debug.textures", textures_view.NEEDS, textures_view.UNITS):
-        debug = replace(debug, textures=False)
+        debug = replace(debug, textures=False, picture="none")
     return replace(settings, shadow=shadow, debug=debug)

@@ -18,7 +18,7 @@ from landscape.course.pages import blocks, page
 from landscape.fixes import FIXES
 from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels
-from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, VIEW_TEXTS
+from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS
 from landscape.scene import SCENES, scene
 from landscape.voxel.blocks import BLOCKS
 from landscape.window.settings_list import rows
@@ -34,6 +34,7 @@ DOCUMENTS = (
     "docs/exercises.md",
     "docs/assets.md",
     "docs/performance.md",
+    "docs/voxels.md",
 )
 """The documents that are translated, below the root of the project."""
 
@@ -141,6 +142,10 @@ def gallery() -> Iterator[Message]:
         texts = [*INTRODUCTIONS[name], PAIRS_TEXT]
         for view, captions in VIEW_TEXTS[name].items():
             texts += [kind.views[view].shows, *captions]
+        for heading, text, steps in STEPS.get(name, ()):
+            texts += [heading, text]
+            for step in steps:
+                texts += [step.title, step.seen, step.look]
         for fix in kind.fixes:
             texts += [fix.flaw, *fix.seen, fix.look, fix.how]
         yield from (Message(text, source) for text in texts)

@@ -12,7 +12,7 @@ from landscape.fixes import FIXES
 from landscape.gallery import scene_page
 from landscape.gallery.page import ADDED, FIXED, FIXES_TEXT, PARTS, anchor
 from landscape.gallery.panels import FigurePanel, panels
-from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, VIEW_TEXTS
+from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS
 from landscape.languages import translator
 from landscape.scene import scene
 
@@ -66,6 +66,10 @@ def _scene(name: str, language: str) -> str:
     lines = [f"# {_(title)}", *(_plain(_(text)) for text in introduction)]
     for view in VIEW_TEXTS[name]:
         lines += _figure(panels[view], language)
+    for heading, text, steps in STEPS.get(name, ()):
+        lines += [f"## {_(heading)}", _(text)]
+        for step in steps:
+            lines += _figure(panels[step.name], language)
     lines += [f"## {_('Safeguards, off and on')}", _(PAIRS_TEXT)]
     for fix in kind.fixes:
         lines += _fix(fix, panels, language)
@@ -113,5 +117,5 @@ def _fix(fix: Any, panels: dict[str, FigurePanel], language: str) -> list[str]:
 
 def _plain(text: str) -> str:
     """Return a text whose links into the code are code, and those into docs/ lead to pages."""
-    text = re.sub(r"\(\.\./docs/(\w+\.md)(#[\w-]+)?\)", r"(../documents/\1)", text)
+    text = re.sub(r"\((?:\.\./)+docs/(\w+\.md)(#[\w-]+)?\)", r"(../documents/\1)", text)
     return re.sub(r"\[([^\]]+)\]\(\.\./(?!documents)[^)]*\)", r"`\1`", text)

@@ -32,6 +32,8 @@ def pages(language: str) -> dict[str, str]:
          _("The island as it is today, in nine views.")),
         ("hall/index", "hall.webp", _("The great hall"),
          _("The castle's hall of classic effects, and what each of them needs.")),
+        ("voxel/index", "voxel_castle.webp", _("The island in voxels"),
+         _("A terrain of cubes with reflection, refraction and shadows, pass by pass.")),
         ("documents/tools", "fig42a.webp", _("The tools"),
          _("Any call, any pixel, any state of a frame, laid open.")),
         ("documents/built", "best_fig35g.webp", _("How it is built"),
