@@ -46,7 +46,8 @@ def build_castle(blocks: np.ndarray, tops: np.ndarray, sea: int) -> list[Site]:
     floor = int(np.median(tops[x - wide : x + wide, z - deep : z + deep]))
     hole = np.where(castle.hollow(model), EMPTIED, 0).astype(np.uint8)
     put(blocks, hole, (x, z, floor), castle.FLOOR)
-    blocks[blocks == EMPTIED] = 0
+    around = blocks[x - wide - 1 : x + wide + 2, z - deep - 1 : z + deep + 2]
+    around[around == EMPTIED] = 0
     put(blocks, model, (x, z, floor), castle.FLOOR)
     return [Site(x, z, CASTLE_REACH), Site(x, z + CASTLE_REACH + WAY // 2, WAY // 2)]
 

@@ -28,6 +28,7 @@ Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x co
 LARGE = 1 << 23  # vertices, chosen: a larger buffer has no such margin
 SPARE = 512  # vertices, chosen: and by at least this
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
+FINISHED = 64  # chosen: so many shares of a large world are uploaded at a time
 
 Span = tuple[float, float]
 EVERYWHERE: Span = (-np.inf, np.inf)
@@ -45,8 +46,9 @@ class RegionBuffer:
         So there is only one copy of the vertices of a large world; :meth:`mesh` gives them back.
         """
         sizes = np.array([len(mesh.vertices) for mesh in meshes])
-        margin = MARGIN if sizes.sum() < LARGE else 1.0
-        self.room = (np.maximum(sizes * margin, sizes + SPARE) // 4 * 4).astype(np.int64)
+        large = sizes.sum() >= LARGE
+        margin, spare = (1.0, 0) if large else (MARGIN, SPARE)
+        self.room = (np.maximum(sizes * margin, sizes + spare) // 4 * 4).astype(np.int64)
         self.start = np.cumsum(self.room) - self.room
         self.first = np.zeros((len(meshes), len(ALL_TILES), len(DIRECTIONS)), np.int32)
         self.count = np.zeros_like(self.first)
@@ -65,6 +67,8 @@ class RegionBuffer:
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
         for share in reversed(range(len(meshes))):
             self.replace(share, meshes.pop())
+            if large and share % FINISHED == 0:
+                gl.glFinish()  # Mesa keeps copies of what is still to be uploaded
 
     def _enter(self, share: int, mesh: RegionMesh) -> None:
         """Note where the vertices of a share lie."""
