@@ -19,7 +19,7 @@ from landscape.effects.settings import Settings
 from landscape.effects.shafts import sheets
 from landscape.effects.shapes import turned
 from landscape.effects.surfaces import Surface, cells, charts, fractions, needed, normals
-from landscape.effects.torches import PLACES, flames, halos
+from landscape.effects.torches import flames, halos, torches
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets, shipped
 from landscape.files.images import read_image
@@ -29,6 +29,7 @@ from landscape.keys import with_settings
 from landscape.scene import Moment, begin_frame
 
 SUN = direction(Settings().sun).astype(float)
+PLACES = torches(Settings().shadow)
 
 
 def triangles(surfaces: list[Surface]) -> np.ndarray:
@@ -223,20 +224,20 @@ def test_a_light_left_out_never_brightens(picture) -> None:
 
 def test_flames_face_the_eye_and_stand_on_their_torches() -> None:
     eye = np.array([1.6, 0.1, 2.7])
-    corners = flames(eye, 20.0).reshape(len(PLACES), 4, 5)
+    corners = flames(PLACES, eye, 20.0).reshape(len(PLACES), 4, 5)
     for place, quad in zip(PLACES, corners[..., 2:].astype(float), strict=True):
         across, up = quad[1] - quad[0], quad[3] - quad[0]
         facing = np.cross(across, up)
         assert abs(across @ (place - eye)) < 1e-6 and facing @ (eye - place) > 0
         np.testing.assert_allclose(quad[:2].mean(axis=0)[[0, 2]], place[[0, 2]], atol=1e-6)
         assert quad[0][1] < place[1] < quad[3][1]
-    fixed = flames(eye, 20.0, faces=False).reshape(len(PLACES), 4, 5)
+    fixed = flames(PLACES, eye, 20.0, faces=False).reshape(len(PLACES), 4, 5)
     assert np.ptp(fixed[0, :, 4]) == 0.0
 
 
 def test_a_glow_is_parallel_to_the_screen_and_as_strong_as_asked() -> None:
     right, up = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
-    found = halos(right, up, 20.0, 0.5).reshape(len(PLACES), 4, 8)
+    found = halos(PLACES, right, up, 20.0, 0.5).reshape(len(PLACES), 4, 8)
     assert (np.ptp(found[:, :, 7], axis=1) == 0).all()
     assert np.abs(found[..., 2:5] / 0.5 - 1).max() <= 0.12 + 1e-6
 

@@ -17,8 +17,8 @@ surface, as in the rose window until the sky covers it. Without ``shadow.offset`
 have nearly the same depth and fight pixel by pixel; glPolygonOffset brings the shadow a little
 nearer. Without ``shadow.behind`` the matrix is drawn with both signs, as by a program that divides
 by w' itself and forgets its sign: what is higher than the torch then has an anti-shadow on the
-floor, on the torch's other side (here beyond the south wall, as the torch is far away), and a sun
-behind the wall casts shadows onto its inside.
+floor, on the torch's other side; a torch between statue and wall (``shadow.flame``) throws it onto
+the wall upside down; and a sun behind the wall casts shadows onto its inside.
 A planar shadow has hard edges and falls on planes alone: pillars and vault receive none.
 """
 
@@ -33,7 +33,7 @@ import numpy as np
 from landscape.effects import plan
 from landscape.effects.exhibits.picture import Part, part_of_polygon
 from landscape.effects.mirror import FLOOR
-from landscape.effects.settings import Settings
+from landscape.effects.settings import Settings, Shadow
 from landscape.elements import sun
 from landscape.frame import Frame
 from landscape.geometry.planar import shadow_matrix, shadows_of
@@ -45,21 +45,19 @@ SHADED = {"sun": 4, "torch": 8}  # those of what a light does not reach
 ALL = RECEIVER | sum(SHADED.values())
 FLOOR_PLANE = np.array([0.0, 1.0, 0.0, 0.0])
 NORTH_PLANE = np.array([0.0, 0.0, 1.0, -plan.INSIDE.north])
-FLAME = 0.022  # chosen: height of the flame's brightest part above the torch
 OFFSET = -2.0, -4.0  # the document has -2, -1; more units, as the shadow's triangles are long
 MARGIN = 1e-6  # units: shadows lie on the plane but for rounding
 FAR_AWAY = 1e3  # chosen: units, beyond any receiver
 WAVER = ((0.61, 0.9), (0.37, 0.7), (0.83, 1.0))  # chosen: turns per kt; strength along x, y, z
 
 
-def flame(kt: float, flicker: float) -> np.ndarray:
-    """Return where the torch shines from at ``kt``, (4,); it wavers by up to ``flicker`` units."""
-    x, y, z = plan.TORCH
+def flame(kt: float, shadow: Shadow) -> np.ndarray:
+    """Return where the torch shines from at ``kt``, (4,): its flame, which wavers."""
     moved = [
         amplitude * (math.sin(turn * kt + 2.0 * k) + math.sin(0.43 * turn * kt + k)) / 2
         for k, (turn, amplitude) in enumerate(WAVER)
     ]
-    return np.array([x, y + FLAME, z, 1.0]) + flicker * np.array([*moved, 0.0])
+    return np.array([*shadow.flame, 1.0]) + shadow.flicker * np.array([*moved, 0.0])
 
 
 class Receiver(NamedTuple):
@@ -148,7 +146,7 @@ class PlanarShadow:
         if wanted.light in ("sun", "both"):
             found["sun"] = np.append(sun.direction(self._settings.sun), 0.0)
         if wanted.light in ("torch", "both"):
-            found["torch"] = flame(frame.kt, wanted.flicker)
+            found["torch"] = flame(frame.kt, wanted)
         if not wanted.behind:
             return {name: (light, None) for name, light in found.items()}
         seen: dict[str, tuple[np.ndarray, Part | None]] = {}

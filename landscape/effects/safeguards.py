@@ -9,6 +9,7 @@ from landscape.frame import Pose
 
 BRONZE = {"environment": "none"}
 LOW_SUN = {"azimuth": 4.0, "elevation": 7.0}  # degrees: beyond the north wall
+BEFORE_WALL = {"flame": (1.6, 0.22, 0.85), "method": "darken"}  # between the wall and the statue
 
 SAFEGUARDS: tuple[Safeguard, ...] = (
     Safeguard(
@@ -123,6 +124,23 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         look="Look at the shadow on the wall.",
         how="GL_POLYGON_OFFSET_FILL brings the shadow a little nearer to the eye.",
         seen=("a shadow torn into stripes and specks", "an unbroken shadow"),
+    ),
+    Safeguard(
+        "shadow_behind",
+        "What is behind the light casts no shadow",
+        Pose(1.80, 0.12, 1.02, 322.0, 8.0),
+        20.0,
+        **pair("shadow.behind", shadow=BEFORE_WALL),
+        flaw="The torch has been brought between the dragon and the north wall, so that the "
+        "dragon's shadow falls to the south. But lines from the dragon through the flame meet the "
+        "wall, too: the matrix casts an anti-shadow there, upside down.",
+        look="Look at the wall around the window.",
+        how="The matrix gives what is behind the light a negative w, and OpenGL clips it. The "
+        "flaw is drawn by the same matrix with the opposite sign.",
+        seen=(
+            "a dragon's shadow upside down on a wall, although a flame burns before the wall",
+            "a flame before a wall without shadows",
+        ),
     ),
     Safeguard(
         "shadow_sun",

@@ -6,6 +6,7 @@ A safeguard is a setting that is on: turned off, it shows the artefact that it p
 from dataclasses import dataclass
 from typing import ClassVar
 
+from landscape.effects import plan
 from landscape.effects.exhibits.settings import Exhibits
 from landscape.keys import Value, setting
 from landscape.settings import UNITS, Camera, Clock, Fog, Sun, Walk
@@ -155,6 +156,15 @@ class Shadow:
         unit="units",
         needs=("shadow.light!=sun",),
     )
+    flame: tuple[float, ...] = setting(
+        (plan.TORCH[0], plan.TORCH[1] + plan.TORCH_FLAME, plan.TORCH[2]),
+        "chosen",
+        "where the torch's flame is: x, y, z; the light in the light map stays where it was baked",
+        0,
+        plan.SIZE,
+        unit="units",
+        needs=("shadow.light!=sun",),
+    )
     stencil: bool = setting(
         True, GLSKEL_SHADOW, "only the surface is darkened, and no pixel twice by one light"
     )
@@ -217,8 +227,8 @@ class Mist:
     NEEDS: ClassVar[tuple[str, ...]] = ("mist", "mist.enabled")
 
     enabled: bool = setting(False, "glSkel, transparent textures", "mist lies over the floor")
-    sheets: int = setting(7, "chosen", "how many sheets it is made of", 1, 30, unit="sheets")
-    density: float = setting(0.42, "chosen", "opacity of a sheet where it is densest", 0, 1)
+    sheets: int = setting(5, "chosen", "how many sheets it is made of", 1, 30, unit="sheets")
+    density: float = setting(0.53, "chosen", "opacity of a sheet where it is densest", 0, 1)
     sorted: bool = setting(
         True, "glSkel, transparent textures", "the sheets are blended from far to near"
     )

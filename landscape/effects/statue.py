@@ -179,7 +179,7 @@ class Statue:
         gl.glLightfv(gl.GL_LIGHT2, gl.GL_DIFFUSE, fire)
         gl.glLightfv(gl.GL_LIGHT2, gl.GL_SPECULAR, fire)
         gl.glLightf(gl.GL_LIGHT2, gl.GL_QUADRATIC_ATTENUATION, REACH**-2)
-        place = flame(frame.kt, self._settings.shadow.flicker)
+        place = flame(frame.kt, self._settings.shadow)
         gl.glLightfv(gl.GL_LIGHT2, gl.GL_POSITION, place.astype(np.float32))
 
     @staticmethod

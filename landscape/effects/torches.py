@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from landscape.effects import plan
-from landscape.effects.settings import Settings
+from landscape.effects.settings import Settings, Shadow
 from landscape.elements.castle_fire import flame_frame
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
@@ -24,10 +24,8 @@ from landscape.gl.calls import gl
 from landscape.gl.state import attrib
 from landscape.gl.texture import Texture
 
-PLACES = np.array([plan.TORCH, *plan.PILLAR_TORCHES])
 WIDTH, HEIGHT, SUNK = 0.026, 0.062, 0.008  # chosen: of a flame; it begins within the bowl
-HALO = 0.15  # chosen: radius of the glow, in units
-CENTRE = 0.022  # chosen: height of the glow's middle above the torch
+HALO = 0.12  # chosen: radius of the glow, in units
 COLOUR = (1.0, 0.56, 0.22)  # chosen
 FLICKER = 0.12  # chosen: the glow's change, as a fraction
 SIDE = 64  # of the glow's texture
@@ -37,38 +35,47 @@ def halo_image() -> np.ndarray:
     """Return the glow, uint8 (SIDE, SIDE, 3): bright in the middle, black at the edge."""
     axis = (np.arange(SIDE) + 0.5) / SIDE * 2 - 1
     radius = np.minimum(np.hypot(axis[:, None], axis[None, :]), 1.0)
-    light = 0.35 * (1 - radius) ** 2 + 0.65 * np.maximum(1 - radius / 0.45, 0.0) ** 2
+    light = 0.38 * (1 - radius) ** 2 + 0.65 * np.maximum(1 - radius / 0.56, 0.0) ** 2
     return np.asarray(255 * light[..., None] * np.array(COLOUR) + 0.5, np.uint8)
 
 
-def flames(eye: np.ndarray, kt: float, faces: bool = True) -> np.ndarray:
+def torches(shadow: Shadow) -> np.ndarray:
+    """Return where the torches are, (n, 3); the first casts the statue's shadow."""
+    x, y, z = shadow.flame
+    return np.array([(x, y - plan.TORCH_FLAME, z), *plan.PILLAR_TORCHES])
+
+
+def flames(places: np.ndarray, eye: np.ndarray, kt: float, faces: bool = True) -> np.ndarray:
     """Return the flames' corners, float32 (4 n, 5): s, t, x, y, z, counter-clockwise to the eye.
 
-    Row 0 of a picture is the flame's top.
+    ``places`` (n, 3) are the torches'. Row 0 of a picture is the flame's top.
     """
-    away = PLACES[:, [0, 2]] - eye[[0, 2]] if faces else np.tile([0.0, -1.0], (len(PLACES), 1))
+    away = places[:, [0, 2]] - eye[[0, 2]] if faces else np.tile([0.0, -1.0], (len(places), 1))
     away = away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-6)
     across = np.stack([-away[:, 1], np.zeros(len(away)), away[:, 0]], axis=1)
-    found = np.empty((len(PLACES), 4, 5), np.float32)
-    for number in range(len(PLACES)):
+    found = np.empty((len(places), 4, 5), np.float32)
+    for number in range(len(places)):
         column, row = flame_frame(kt + 10.0 * number)
         found[number, :, 0] = 0.25 * (column + np.array([0, 1, 1, 0]))
         found[number, :, 1] = 0.25 * (row + np.array([1, 1, 0, 0]))
     for k, (aside, up) in enumerate(((-1, 0), (1, 0), (1, 1), (-1, 1))):
-        found[:, k, 2:] = PLACES + aside * WIDTH * across
+        found[:, k, 2:] = places + aside * WIDTH * across
         found[:, k, 3] += up * HEIGHT - SUNK
     return found.reshape(-1, 5)
 
 
-def halos(right: np.ndarray, up: np.ndarray, kt: float, strength: float) -> np.ndarray:
+def halos(
+    places: np.ndarray, right: np.ndarray, up: np.ndarray, kt: float, strength: float
+) -> np.ndarray:
     """Return the glows' corners, float32 (4 n, 8): s, t, red, green, blue, x, y, z."""
-    found = np.empty((len(PLACES), 4, 8), np.float32)
-    for number in range(len(PLACES)):
+    found = np.empty((len(places), 4, 8), np.float32)
+    for number in range(len(places)):
         beat = math.sin(0.61 * kt + 2.1 * number) + math.sin(0.23 * kt + 1.3 * number)
         found[number, :, 2:5] = strength * (1 + FLICKER * beat / 2)
+    middles = places + (0.0, plan.TORCH_FLAME, 0.0)
     for k, (a, b) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
         found[:, k, :2] = (a + 1) / 2, (b + 1) / 2
-        found[:, k, 5:] = PLACES + (0.0, CENTRE, 0.0) + HALO * (a * right + b * up)
+        found[:, k, 5:] = middles + HALO * (a * right + b * up)
     return found.reshape(-1, 8)
 
 
@@ -88,7 +95,7 @@ class Torches:
 
     def draw(self, frame: Frame) -> None:
         """Blend the flames, then add their glow."""
-        values = self._settings.torches
+        values, places = self._settings.torches, torches(self._settings.shadow)
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
@@ -97,11 +104,11 @@ class Torches:
             gl.glColor3f(1.0, 1.0, 1.0)
             self._fire.bind()
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            send(gl.GL_T2F_V3F, flames(frame.eye, frame.kt, values.faces))
+            send(gl.GL_T2F_V3F, flames(places, frame.eye, frame.kt, values.faces))
             if values.glow > 0.0:
                 self._halo.bind()
                 gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
-                send(gl.GL_T2F_C3F_V3F, halos(frame.right, frame.up, frame.kt, values.glow))
+                send(gl.GL_T2F_C3F_V3F, halos(places, frame.right, frame.up, frame.kt, values.glow))
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""

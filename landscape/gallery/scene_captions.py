@@ -95,7 +95,7 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
             "solids. Each is drawn with its effect when one is near, and without it from afar.",
         ),
         "hall_exhibit_volume": (
-            "a bronze knot beside a torch, and its black shadow on the walls of an alcove",
+            "a bronze knot beside a torch, and its dark shadow on the walls of an alcove",
             "From each edge of the knot's outline, as the flame sees it, a face leads away. These "
             "faces enclose what is in the shadow. The stencil buffer counts them for each pixel; "
             "where the count is 0, the torch's light is added.",
