@@ -1,6 +1,6 @@
 """The great hall: its elements, and the order in which a frame draws them, which is the lesson."""
 
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from typing import Any
 
@@ -89,13 +89,12 @@ class Hall(Ground):
             if self.statue and stencil:
                 shadowing = settings, self._cast, self.statue.box
                 self.shadow = self._built(("shadow",), PlanarShadow, *shadowing)
-            mark = self.statue.send if self.statue else lambda: None
             self.sky = self._built(("sky",), MovingSky, settings, assets)
             self.exhibits = self._built(("exhibits",), Cabinet, settings, assets, stencil)
             self.torches = self._built(("torches",), Torches, settings, assets)
             self.shafts = self._built(("shafts",), Shafts, settings)
             self.mist = self._built(("mist",), Mist, settings, assets)
-            self.tone = self._built(("tone",), Tone, settings, assets, mark, stencil)
+            self.tone = self._built(("tone",), Tone, settings, assets, stencil)
             self.flight = self._built(("flight",), Flight, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
             if self.statue and self.room:
@@ -141,6 +140,9 @@ class Hall(Ground):
         self._draw_image(frame)
         gl.glFlush()
         self._draw_floor(frame)
+        self._draw_basin(frame)  # after the image, which would have to be drawn through it
+        # The net of light is blended over the stone.
+        self._draw("caustics", self.caustics, frame)
         gl.glFlush()
         self._draw("pool", self.pool, frame)  # blended over its bed
 
@@ -169,19 +171,25 @@ class Hall(Ground):
         self._draw("room", self.room, frame)
         # OpenGL executes the calls so far while Python goes on; so below.
         gl.glFlush()
-        self._draw_basin(frame)
+        if frame.mirrored and not self.settings.mirror.clip:
+            self._draw_basin(frame)
         self._draw("door", self.entrance, frame)
-        self._draw("statue", self.statue, frame)
-        self._shade_wall(frame)
         self._draw("exhibits", self.exhibits, frame)
-        # The net of light is blended over the stone.
-        self._draw("caustics", self.caustics, frame)
+        with self._marking(frame):
+            self._draw("statue", self.statue, frame)
+        self._shade_wall(frame)
         self._draw("sky", self.sky, frame)
         if frame.mirrored:
             self._draw("torches", self.torches, frame)
         values = self.settings
         if values.flight.path and not values.flight.enabled:
             self._draw("flight", self.flight, frame)
+
+    def _marking(self, frame: Frame) -> AbstractContextManager[None]:
+        """Let what is drawn be marked for the change of tone, if that needs it."""
+        if self.tone is None or "tone" not in self.shown or frame.mirrored:
+            return nullcontext()
+        return self.tone.marking()  # type: ignore[no-any-return]
 
     def _draw_basin(self, frame: Frame) -> None:
         """Draw the pool's bed and sides, with the caustics on them if that takes one pass."""

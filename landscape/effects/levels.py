@@ -10,6 +10,7 @@ from landscape.effects import plan
 from landscape.frame import Frame
 
 BAYS = len(plan.BAYS) - 1
+ALONG = BAYS  # the number of what is as long as several bays
 LEVELS = (1e-5, 0.0015, 0.003, 0.005)  # chosen: units by which each level may differ from the plan
 SIMPLIFIED = "stone", "iron", "wood"  # materials of many small triangles; others have one level
 PIXELS = 1.5  # chosen: pixels by which a level may differ from the plan
@@ -21,7 +22,9 @@ def levels_of(material: str) -> range:
 
 
 def bay_of(points: np.ndarray) -> int:
-    """Return the number of the bay in which the middle of points (..., 3) lies."""
+    """Return the number of the bay in which points (..., 3) lie, or ALONG."""
+    if np.ptp(points[..., 2]) > 1.1 * (plan.BAYS[1] - plan.BAYS[0]):
+        return ALONG
     return int(np.clip(np.searchsorted(plan.BAYS, points[..., 2].mean()) - 1, 0, BAYS - 1))
 
 

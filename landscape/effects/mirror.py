@@ -1,14 +1,14 @@
 """The polished floor: the hall drawn a second time, mirrored at the floor, under a blended floor.
 
 Technique: planar reflection ("glSkel, reflection"; Kilgard's reflectdino). The floor's visible
-pixels are marked in the stencil buffer: drawn with the depth test and without colour. In them the
-depth is set back to the farthest, as what lies beneath the floor must not hide the image. There
+pixels are marked in the stencil buffer: drawn with the depth test, without colour and depth. There
 the hall is drawn again under the matrix diag(1, -1, 1, 1), as the floor is y = 0. Then the floor is
-blended over its own image. The alpha of a polished stone depends on the angle: with
+blended over its own image, and only after it the pool's basin is drawn: what lies beneath the floor
+would hide the image. The alpha of a polished stone depends on the angle: with
 ``mirror.fresnel`` a small texture of alpha is laid around the viewer by GL_OBJECT_LINEAR, whose
 radius is the tangent of the angle between the line of sight and the normal; it costs a texture
 unit and no geometry. The floor has one side; from below, ``mirror.underside`` draws another.
-State used: modelview, stencil bit FLOOR, GL_CLIP_PLANE0, front face, light positions, depth range,
+State used: modelview, stencil bit FLOOR, GL_CLIP_PLANE0, front face, light positions,
 blending, texture unit UNIT with its texture coordinates.
 Polished stone is rougher than a mirror: with ``mirror.fades`` the image of the room is dimmer the
 higher above the floor is what it shows. The stone has vertex colours for it, which cost no filling.
@@ -116,21 +116,15 @@ class Mirror:
 
     @staticmethod
     def _mark(send: Callable[[], None]) -> None:
-        """Mark the visible floor in the stencil buffer, and set the depth back where it is."""
+        """Mark the visible floor in the stencil buffer; nothing was drawn behind it so far."""
         groups = gl.GL_STENCIL_BUFFER_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
-        with attrib(groups | gl.GL_VIEWPORT_BIT):
+        with attrib(groups):
             gl.glEnable(gl.GL_STENCIL_TEST)
             gl.glStencilMask(FLOOR)
             gl.glStencilFunc(gl.GL_ALWAYS, FLOOR, FLOOR)
             gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
             gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
             gl.glDepthMask(gl.GL_FALSE)
-            send()
-            gl.glStencilFunc(gl.GL_EQUAL, FLOOR, FLOOR)
-            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
-            gl.glDepthMask(gl.GL_TRUE)
-            gl.glDepthFunc(gl.GL_ALWAYS)
-            gl.glDepthRange(1.0, 1.0)
             send()
 
     def draw_floor(self, frame: Frame, draw: Callable[[], None]) -> None:
@@ -168,7 +162,11 @@ class Mirror:
         if not self._values.underside:
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
-        with attrib(groups):
+        with attrib(groups | gl.GL_STENCIL_BUFFER_BIT):
+            # What it hides is marked for nothing any more.
+            gl.glEnable(gl.GL_STENCIL_TEST)
+            gl.glStencilFunc(gl.GL_ALWAYS, 0, ~0)
+            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
             gl.glEnable(gl.GL_CULL_FACE)
             gl.glFrontFace(gl.GL_CW)
             gl.glColor3f(*UNDERSIDE)

@@ -19,7 +19,7 @@ import numpy as np
 
 from landscape.effects.architecture import hall
 from landscape.effects.kept_meshes import kept_meshes
-from landscape.effects.levels import BAYS, LEVELS, bay_of, level_for, levels_of
+from landscape.effects.levels import ALONG, LEVELS, bay_of, level_for, levels_of
 from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
 from landscape.effects.materials import MATERIALS
 from landscape.effects.mirror import fading
@@ -126,11 +126,11 @@ class Room:
             for (sheet, material, bay, level), part in parts.items()
             if not bay and level == "0"
         }
-        bays = [{k[1:]: m for k, m in parts.items() if k[2] == str(n)} for n in range(BAYS)]
+        bays = [{k[1:]: m for k, m in parts.items() if k[2] == str(n)} for n in range(ALONG + 1)]
         self._bays = [
             [compiled(self._in_level(bay, level)) for level in range(len(LEVELS))] for bay in bays
         ]
-        # The image is not as sharp as to need the finest level.
+        # The image is so dim that each bay may be coarser by one level in it.
         self._faded = [
             [compiled(self._in_level(bay, level), True) for level in range(1, len(LEVELS))]
             for bay in bays
@@ -172,8 +172,9 @@ class Room:
             self._draw(("wall",), (), ("north",))
 
     def _bay(self, number: int, level: int, fades: bool) -> DisplayList:
-        """Return a bay's list of a level, or of that after the finest, if it ``fades``."""
-        return self._faded[number][max(level - 1, 0)] if fades else self._bays[number][level]
+        """Return a bay's list of a level, or of the next coarser one, if it ``fades``."""
+        faded = self._faded[number]
+        return faded[min(level, len(faded) - 1)] if fades else self._bays[number][level]
 
     def levels(self, frame: Frame) -> dict[int, int]:
         """Return the number of the level of detail of each bay in view, by the bay's number."""

@@ -7,22 +7,23 @@ bias. Two ways, by ``tone.method``:
   negative bias needs GL_FUNC_REVERSE_SUBTRACT (OpenGL 1.4); a scale above 1 needs further passes
   of (GL_DST_COLOR, GL_ONE), which multiply by 1 + colour, at most by 2: doubling.
 - pixels: glCopyPixels of the window onto itself, with scale and bias by glPixelTransfer.
-A part of the picture (``tone.area``) is marked in the stencil buffer by drawing the statue again.
+A part of the picture (``tone.area``) is marked in the stencil buffer while the statue is drawn.
 What is wrong with blending: the frame buffer holds 0..1 in 8 bits and clamps after each pass, so
 the bias comes before a scale above 1, and its rounding is then enlarged. Without ``tone.doubling``
 alpha stops at 1 and so does the contrast.
 State used: GL_BLEND and its equation, the stencil test, pixel transfer, raster position.
 """
 
-from collections.abc import Callable
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.gl.calls import gl
-from landscape.gl.state import attrib, flat_projection, front_faces
+from landscape.gl.state import attrib, flat_projection
 
-MARK = 1  # the stencil's value where the statue is
+MARK = 16  # the stencil bit of the statue
 
 
 def doublings(scale: float) -> list[float]:
@@ -37,29 +38,50 @@ def doublings(scale: float) -> list[float]:
 class Tone:
     """Brightness and contrast, applied to what has been drawn."""
 
-    def __init__(
-        self, settings: Settings, assets: Assets, mark: Callable[[], None], stencil: bool = True
-    ) -> None:
-        """Take the function that draws the statue, to mark it, if there is a ``stencil`` buffer."""
-        self._settings, self._mark, self._stencil = settings, mark, stencil
+    def __init__(self, settings: Settings, assets: Assets, stencil: bool = True) -> None:
+        """Take the settings; without a ``stencil`` buffer no part of the picture is changed."""
+        self._settings, self._stencil = settings, stencil
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing is built from them."""
         self._settings = settings
         return True
 
+    @property
+    def _changes(self) -> bool:
+        """Whether there is anything to change, and a way to do it."""
+        tone = self._settings.tone
+        possible = tone.area == "picture" or self._stencil
+        return possible and (tone.brightness, tone.contrast) != (0.0, 1.0)
+
+    @contextmanager
+    def marking(self) -> Iterator[None]:
+        """Mark the pixels of what the block draws, if a part of the picture will be changed.
+
+        What is drawn later must not cover them, or clear their marks.
+        """
+        if self._settings.tone.area == "picture" or not self._changes:
+            yield
+            return
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_STENCIL_BUFFER_BIT):
+            gl.glEnable(gl.GL_STENCIL_TEST)
+            gl.glStencilMask(MARK)
+            gl.glStencilFunc(gl.GL_ALWAYS, MARK, MARK)
+            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
+            yield
+
     def draw(self, frame: Frame) -> None:
         """Change the picture drawn so far, if there is anything to change."""
+        if not self._changes:
+            return
         tone = self._settings.tone
-        if (tone.brightness, tone.contrast) == (0.0, 1.0):
-            return
-        if tone.area != "picture" and not self._stencil:
-            return
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         groups |= gl.GL_STENCIL_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_PIXEL_MODE_BIT
         with attrib(groups):
             if tone.area != "picture":
-                self._mark_statue(outside=tone.area == "surroundings")
+                gl.glEnable(gl.GL_STENCIL_TEST)
+                gl.glStencilFunc(gl.GL_EQUAL, MARK if tone.area == "statue" else 0, MARK)
+                gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
             gl.glDisable(gl.GL_DEPTH_TEST)
             gl.glDepthMask(gl.GL_FALSE)
             with flat_projection():
@@ -68,20 +90,6 @@ class Tone:
                     self._copy(frame)
                 else:
                     self._blend()
-
-    def _mark_statue(self, outside: bool) -> None:
-        """Let what follows pass only where the statue shows, or only outside of it."""
-        gl.glClear(gl.GL_STENCIL_BUFFER_BIT)
-        gl.glEnable(gl.GL_STENCIL_TEST)
-        gl.glStencilFunc(gl.GL_ALWAYS, MARK, ~0)
-        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_REPLACE)
-        gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
-        gl.glDepthFunc(gl.GL_LEQUAL)
-        with front_faces():
-            self._mark()
-        gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
-        gl.glStencilFunc(gl.GL_NOTEQUAL if outside else gl.GL_EQUAL, MARK, ~0)
-        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
 
     def _blend(self) -> None:
         tone = self._settings.tone

@@ -35,7 +35,7 @@ def measure_tone(
     found: list[dict[str, Any]] = []
     statue = Statue(values, assets)
     try:
-        tone = Tone(values, assets, statue.send)
+        tone = Tone(values, assets)
         frame = begin_frame(Moment(pose, size, view.kt), values.camera, values.sun, values.fog)
         for brightness, contrast, area in CASES:
             case = {"brightness": brightness, "contrast": contrast, "area": area}
@@ -43,7 +43,8 @@ def measure_tone(
             def draw(method: str, case: Mapping[str, Any] = case) -> None:
                 changes = {f"tone.{name}": value for name, value in case.items()}
                 tone.apply(keys.with_settings(values, {**changes, "tone.method": method}))
-                statue.send()
+                with tone.marking():
+                    statue.send()
                 tone.draw(frame)
 
             ways = {method: partial(draw, method) for method in METHODS}

@@ -1,5 +1,6 @@
 """Where in the picture a box lies, and what of the view it takes to draw only that part."""
 
+import math
 from itertools import product
 from typing import NamedTuple
 
@@ -38,17 +39,20 @@ def part(
     corners = np.array([(*corner, 1.0) for corner in product(*ends)]) @ clip.T
     if (corners[:, 3] <= 1e-6).any():
         return Part(0, 0, *size, -1.0)
-    return _around(corners[:, :3] / corners[:, 3:], size)
+    return _around((corners[:, :3] / corners[:, 3:]).tolist(), size)
 
 
-def _around(places: np.ndarray, size: tuple[int, int]) -> Part | None:
-    """Return the part of a picture that holds places (n, 3) from -1 to 1."""
-    pixels = (places[:, :2] + 1.0) / 2.0 * size
-    left, bottom = np.clip(np.floor(pixels.min(axis=0)), 0, size).astype(int).tolist()
-    right, top = np.clip(np.ceil(pixels.max(axis=0)), 0, size).astype(int).tolist()
+def _around(places: list[list[float]], size: tuple[int, int]) -> Part | None:
+    """Return the part of a picture that holds places (x, y, z) from -1 to 1."""
+    width, height = size
+    across, up, away = zip(*places, strict=True)
+    left = max(math.floor((min(across) + 1.0) / 2.0 * width), 0)
+    bottom = max(math.floor((min(up) + 1.0) / 2.0 * height), 0)
+    right = min(math.ceil((max(across) + 1.0) / 2.0 * width), width)
+    top = min(math.ceil((max(up) + 1.0) / 2.0 * height), height)
     if right <= left or top <= bottom:
         return None
-    return Part(left, bottom, right - left, top - bottom, max(float(places[:, 2].min()), -1.0))
+    return Part(left, bottom, right - left, top - bottom, max(min(away), -1.0))
 
 
 def part_of(frame: Frame, low: tuple[float, ...], high: tuple[float, ...]) -> Part | None:
@@ -62,17 +66,17 @@ def polygon_part(clip: np.ndarray, corners: np.ndarray, size: tuple[int, int]) -
 
     As :func:`part`, but what is behind the eye is cut off.
     """
-    places = np.column_stack([corners, np.ones(len(corners))]) @ clip.T
-    before = places[:, 3] - BEFORE
-    found = [places[before >= 0]]
-    after = np.roll(np.arange(len(places)), -1)
-    for k in np.flatnonzero((before >= 0) != (before[after] >= 0)):
-        share = before[k] / (before[k] - before[after[k]])
-        found.append((places[k] + share * (places[after[k]] - places[k]))[None])
-    kept = np.concatenate(found)
-    if not len(kept):
+    # For a few corners plain Python takes a fraction of numpy's time.
+    rows = clip.tolist()
+    places = [[a * x + b * y + c * z + d for a, b, c, d in rows] for x, y, z in corners.tolist()]
+    kept = [place for place in places if place[3] >= BEFORE]
+    for here, there in zip(places, places[1:] + places[:1], strict=True):
+        if (here[3] >= BEFORE) != (there[3] >= BEFORE):
+            share = (here[3] - BEFORE) / (here[3] - there[3])
+            kept.append([a + share * (b - a) for a, b in zip(here, there, strict=True)])
+    if not kept:
         return None
-    return _around(kept[:, :3] / kept[:, 3:], size)
+    return _around([[x / w, y / w, z / w] for x, y, z, w in kept], size)
 
 
 def part_of_polygon(frame: Frame, corners: np.ndarray) -> Part | None:
