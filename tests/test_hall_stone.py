@@ -11,7 +11,7 @@ from stage import SIZE, Stage
 from landscape.effects import plan
 from landscape.effects.architecture import hall, shell
 from landscape.effects.hall import SCENE, Hall
-from landscape.effects.levels import LEVELS, SIMPLIFIED
+from landscape.effects.levels import ALONG, LEVELS, SIMPLIFIED
 from landscape.effects.light import FILE, SIDE, SIZES, light_map, of_plane, on_plane, placed
 from landscape.effects.materials import MATERIALS
 from landscape.effects.room import meshes
@@ -326,3 +326,11 @@ def test_each_level_has_fewer_triangles_than_the_one_before_and_no_ring_becomes_
     assert all(fewer < 0.85 * more for more, fewer in zip(counts, counts[1:], strict=False))
     ring = turned(0.0, 0.0, [(0.004, 0.1), (0.004, 0.0)], "iron", 10)
     assert 4 <= len(needed(ring.points, 1, LEVELS[-1])) < 10
+
+
+def test_what_is_longer_than_a_bay_is_in_none_and_each_bay_stays_within_its_ends() -> None:
+    for (sheet, _, bay, _), part in meshes().items():
+        if sheet == "hall" and bay and int(bay) != ALONG:
+            north, south = plan.BAYS[int(bay)], plan.BAYS[int(bay) + 1]
+            assert part.vertices[:, 2].min() > north - 0.25, (bay, part.vertices[:, 2].min())
+            assert part.vertices[:, 2].max() < south + 0.25, (bay, part.vertices[:, 2].max())

@@ -8,6 +8,7 @@ from hall_pictures import HallPictures
 from stage import Stage
 
 from landscape.effects.tone import doublings
+from landscape.frame import Pose
 
 SHOWN = ("room", "floor", "statue", "tone")
 Draw = Callable[..., np.ndarray]
@@ -89,3 +90,13 @@ def test_flames_shine_undimmed_before_dimmed_surroundings(
     assert (lit - dark).max() > 200
     everything = drawn(*SHOWN, "torches", area="picture", contrast=0.0)
     assert everything.max() == 0
+
+
+def test_a_floor_seen_from_below_hides_the_statue_s_mark(hall_pictures: HallPictures) -> None:
+    below = Pose(1.6, -0.3, 1.2, 0.0, 80.0)
+    shown = (*SHOWN, "mirror")
+    plain = hall_pictures(below, only=shown)
+    dark = hall_pictures(
+        below, only=shown, settings={"tone.area": "surroundings", "tone.contrast": 0.5}
+    )
+    assert np.abs(dark - expected(plain, 0.0, 0.5)).max() <= 1 and plain.max() > 20
