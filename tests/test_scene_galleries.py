@@ -12,7 +12,7 @@ from landscape.languages import LANGUAGES
 from landscape.scene import scene
 
 KEPT = Path(__file__).resolve().parents[1] / "screenshots"
-MOST = 1_500_000  # bytes, chosen: of a scene's pictures together
+MOST = {"hall": 1_800_000, "voxel": 1_200_000}  # bytes, chosen: of a scene's pictures together
 NAMES = list(VIEW_TEXTS)
 
 
@@ -37,7 +37,7 @@ def test_every_panel_has_its_picture_and_no_other_lies_there(name: str) -> None:
     for each, size in wanted.items():
         with Image.open(kept / f"{each}.webp") as picture:
             assert picture.size == size, each
-    assert sum(path.stat().st_size for path in kept.glob("*.webp")) < MOST
+    assert sum(path.stat().st_size for path in kept.glob("*.webp")) < MOST[name]
 
 
 @pytest.mark.parametrize("name", NAMES)
