@@ -2,10 +2,13 @@
 
 import itertools
 from collections.abc import Callable
+from types import SimpleNamespace
 
 import pytest
 
-from landscape.frame import FULL
+from landscape.frame import FULL, Pose
+from landscape.scene import Moment
+from landscape.window import steady
 from landscape.window.pace import STANDING, WALKING, Pace
 
 BUDGET = 1 / 30
@@ -99,3 +102,31 @@ def test_without_a_rate_everything_is_drawn_however_long_it_takes() -> None:
     for _ in range(100):
         pace.frame(2.0, 2.0, True)
     assert pace.detail == FULL and not pace.interlaced
+
+
+def test_what_changes_in_the_scene_does_not_fade_in(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A frame after a changed setting or block is drawn as one in motion: not interlaced."""
+    clock = iter(itertools.count(0.0, 0.04))
+    quiet = SimpleNamespace(get_time=lambda: next(clock), swap_buffers=lambda window: None)
+    monkeypatch.setattr(steady, "glfw", quiet)
+    monkeypatch.setattr(steady, "gl", SimpleNamespace(glFinish=lambda: None))
+    interlaced: list[bool] = []
+
+    class Noted:
+        def draw(self, moment: Moment, draw: object, lines: bool) -> None:
+            interlaced.append(lines)
+
+    shown = steady.Steady(30)
+    shown._stretch = Noted()  # type: ignore[assignment]
+    still = Moment(Pose(1.0, 1.0, 1.0), (8, 8))
+
+    def frames(count: int, blocks: int) -> list[bool]:
+        interlaced.clear()
+        for _ in range(count):
+            shown.draw(still, lambda moment: None, scene=("settings", blocks))
+            shown.show(None)
+        return list(interlaced)
+
+    assert all(frames(200, 0)[-20:])
+    first, *rest = frames(60, 1)
+    assert first and not any(rest[:3]) and all(rest[-10:])

@@ -356,8 +356,8 @@ class Walk:
         # A screenshot has all the detail, and so has what the inspector looks into.
         scene, whole = self.place.scene, self._shoot or self.inspection.open
         self.inspection.draw(
-            lambda: self.steady.draw(moment, scene.draw, whole),
-            (moment, self.place.settings, frozenset(scene.shown)),
+            lambda: self.steady.draw(moment, scene.draw, whole, self.place.shows),
+            (moment, *self.place.shows),
             self._size,
         )
         if self._help:

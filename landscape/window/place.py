@@ -40,6 +40,12 @@ class Place:
         return self._scene
 
     @property
+    def shows(self) -> tuple[object, ...]:
+        """What the picture depends on besides the moment: settings, elements, changed blocks."""
+        changes = self.scene.changes if isinstance(self.scene, Diggable) else 0
+        return self.settings, frozenset(self.scene.shown), changes
+
+    @property
     def is_open(self) -> bool:
         """Whether the scene is open."""
         return self._scene is not None

@@ -31,10 +31,20 @@ class Steady:
         """How much less is drawn: a level of the pace, 0 for everything."""
         return self._pace.level
 
-    def draw(self, moment: Moment, draw: Callable[[Moment], None], whole: bool = False) -> None:
-        """Let ``draw`` draw a moment; ``whole`` asks for all its detail."""
+    def draw(
+        self,
+        moment: Moment,
+        draw: Callable[[Moment], None],
+        whole: bool = False,
+        scene: tuple[object, ...] = (),
+    ) -> None:
+        """Let ``draw`` draw a moment; ``whole`` asks for all its detail.
+
+        ``scene`` is what else the picture depends on: when it is another one than before, the
+        picture does not stand still, or what has changed would only fade in.
+        """
         self._began = glfw.get_time()
-        shown = moment.pose, moment.stroke, moment.size, moment.wireframe
+        shown = moment.pose, moment.stroke, moment.size, moment.wireframe, scene
         self._moved, self._shown = shown != self._shown, shown
         if not whole:
             moment = replace(moment, detail=self._pace.detail)
