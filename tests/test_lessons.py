@@ -35,6 +35,7 @@ SYMBOLS = {
     **{"PAGE_UP": "Prior", "PAGE_DOWN": "Next", "HOME": "Home", "END": "End"},
     **{name: name.capitalize() for name in ("LEFT", "RIGHT", "UP", "DOWN")},
 }
+PRESSED = [name for name in NAMES if lesson(name).pressed]  # keys, before the picture
 each_lesson = pytest.mark.parametrize("name", NAMES)
 
 
@@ -121,15 +122,32 @@ def test_a_wrong_tag_is_found(tmp_path: Path) -> None:
 @pytest.mark.golden
 @each_lesson
 def test_a_lesson_looks_as_it_did(
-    name: str, shell: Shell, tmp_path: Path, pytestconfig: pytest.Config, stage: object
+    name: str, watcher: Watcher, tmp_path: Path, pytestconfig: pytest.Config, stage: object
+) -> None:
+    with Image.fromarray(picture_of(name, watcher, tmp_path)) as image:
+        small = np.asarray(image.reduce(SMALL))
+    pictures.check(f"lesson_{name}", small, pytestconfig.getoption("--update-golden"))
+
+
+def picture_of(name: str, watcher: Watcher, folder: Path) -> np.ndarray:
+    """Return the picture (480, 640, 3) of a lesson, of the frame that it names."""
+    found, file = lesson(name), folder / "picture.rgb"
+    drawn = watcher(found.file, found.frame, events=presses(found.pressed), file=str(file))
+    assert drawn.error == "", drawn.details
+    assert (drawn.out, drawn.err, drawn.size) == ("", "", [640, 480])
+    return np.fromfile(file, np.uint8).reshape(480, 640, 3)
+
+
+@pytest.mark.parametrize("name", ["text", "matrix_stack", PRESSED[0], PRESSED[-1]])
+def test_the_picture_of_a_lesson_is_written_to_a_file(
+    name: str, shell: Shell, watcher: Watcher, tmp_path: Path
 ) -> None:
     path = tmp_path / f"{name}.png"
     done = shell("lesson", name, "--out", path, "--lang", "en")
     assert (done.status, done.out, done.err) == (0, f"{path}\n", "")
     with Image.open(path) as image:
-        assert image.size == (640, 480)
-        small = np.asarray(image.reduce(SMALL))
-    pictures.check(f"lesson_{name}", small, pytestconfig.getoption("--update-golden"))
+        assert image.mode == "RGB"
+        assert (np.asarray(image) == picture_of(name, watcher, tmp_path)).all()
 
 
 @each_lesson

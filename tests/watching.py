@@ -65,11 +65,15 @@ class Watch:
     """An observer that counts each frame's calls, and reads the frame ``wanted``, or each.
 
     With ``each``, ``pictures`` are the checksums of the frames up to it, and no call is counted;
-    ``grids`` are what ``grid`` makes of them, if that is asked for, too.
+    ``grids`` are what ``grid`` makes of them, if that is asked for, too. The pixels of the frame
+    ``wanted`` are written to ``file``, top row first.
     """
 
-    def __init__(self, wanted: int | None = None, each: bool = False, grids: bool = False) -> None:
+    def __init__(
+        self, wanted: int | None = None, each: bool = False, grids: bool = False, file: str = ""
+    ) -> None:
         self.each, self.wanted, self._with_grids = each or grids, wanted, grids
+        self._file = file
         self.pictures: list[str] = []
         self.grids: list[Any] = []
         self.calls: list[tuple[str, tuple[Any, ...]]] = []
@@ -122,6 +126,8 @@ class Watch:
             self.grids.append(grid(picture))
         if self.wanted is not None and number != self.wanted:
             return None
+        if self._file:
+            Path(self._file).write_bytes(picture.tobytes())
         return {"picture": self.pictures[-1], "size": [width, height],
                 "colours": colours(picture), "calls": self.plain_calls(),
                 "centre": picture[height // 2, width // 2].tolist()}  # fmt: skip
@@ -185,7 +191,8 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
     from landscape.capture.program import run
     from landscape.errors import InputError, NoOpenGLError
 
-    observer = Watch(asked.get("frame"), asked.pop("each", False), asked.pop("grids", False))
+    more = {name: asked.pop(name) for name in ("each", "grids", "file") if name in asked}
+    observer = Watch(asked.get("frame"), **more)
     out, err = io.StringIO(), io.StringIO()
     reply: dict[str, Any] = {}
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):

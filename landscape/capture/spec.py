@@ -7,6 +7,7 @@ objects and a few more; the ARB and EXT names of known functions are understood.
 """
 
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 from landscape.capture.spec_arguments import (
@@ -38,6 +39,7 @@ CREATED = (
 )
 
 
+@cache
 def draws(name: str) -> bool:
     """Return whether a call writes into the framebuffer; glBegin, for its block up to glEnd.
 

@@ -58,7 +58,7 @@ class Call:
         Only the first arguments need be given; None stands for any.
         """
         return (
-            name in (self.name, self.base)
+            (name == self.name or name == self.base)
             and len(self.args) >= len(first)
             and all(a is None or a == b for a, b in zip(first, self.args, strict=False))
         )
@@ -129,7 +129,7 @@ class Frame:
     @cached_property
     def draws(self) -> list[Draw]:
         """What is drawn, in order."""
-        return list(_draws(self.top))
+        return list(drawn(self.top))
 
     def find(self, name: str, *first: Any) -> list[Call]:
         """Return the frame's calls of a function (see :meth:`Call.is_`), in order."""
@@ -194,12 +194,13 @@ def load(path: Path, answer: Mapping[str, Any], folder: Path, wanted: Sequence[i
 
 
 def _call(found: Mapping[str, Any], states: Sequence[Mapping[str, Any]]) -> Call:
+    line = int(found["line"]) if found["own"] else NO_LINE
+    basic = str(found["name"]), list(found["args"]), line, str(found["function"])
+    if len(found) == 5:  # as most: what every call has, and no more
+        return Call(*basic)
     index = found.get("state")
     return Call(
-        str(found["name"]),
-        list(found["args"]),
-        int(found["line"]) if found["own"] else NO_LINE,
-        str(found["function"]),
+        *basic,
         states[index] if index is not None else {},
         found.get("arrays", ()),
         [_call(each, states) for each in found["inside"]] if "inside" in found else (),
@@ -216,8 +217,9 @@ def _expanded(calls: Sequence[Call]) -> Iterator[Call]:
 def matrix(name: str, args: Sequence[Any]) -> np.ndarray | None:
     """Return the matrix (4, 4) that a call multiplies with or loads; None for other calls."""
     known = spec.function(name)
-    base = known.base if known is not None else name
-    found = np.eye(4)
+    if known is None or known.group != "matrix":
+        return None
+    base, found = known.base, np.eye(4)
     if base == "glTranslate":
         found[:3, 3] = args
     elif base == "glScale":
@@ -289,7 +291,8 @@ class _Current:
                 self.modelview = found if loads else self.modelview @ found
 
 
-def _draws(calls: Sequence[Call]) -> Iterator[Draw]:
+def drawn(calls: Sequence[Call]) -> Iterator[Draw]:
+    """Yield what a frame's calls draw, in order; each is computed when it is asked for."""
     now = _Current()
     yield from _drawn(calls, now, listed=False)
 
@@ -298,6 +301,7 @@ def _drawn(calls: Sequence[Call], now: _Current, listed: bool) -> Iterator[Draw]
     begun: Call | None = None
     rows: list[list[list[float]]] = []
     for call in calls:
+        base = call.base
         if call.state:
             now.take(call.state)
         elif listed:
@@ -312,13 +316,13 @@ def _drawn(calls: Sequence[Call], now: _Current, listed: bool) -> Iterator[Draw]
             begun = None
         elif call.name == "glPopAttrib":
             now.taken.clear()
-        elif call.base == "glVertex":
+        elif base == "glVertex":
             rows.append([_vector(call, 4), now.normal, now.color, now.texture])
-        elif call.base == "glNormal":
+        elif base == "glNormal":
             now.normal = _vector(call, 3)
-        elif call.base == "glColor":
+        elif base == "glColor":
             now.color = _vector(call, 4)
-        elif call.base == "glTexCoord":
+        elif base == "glTexCoord":
             now.texture = _vector(call, 4)
         elif call.name in ("glDrawArrays", "glDrawElements"):
             yield _draw(call, str(call.args[0]), _from_arrays(call, now), now)

@@ -30,7 +30,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from landscape.capture import spec
-from landscape.course.evidence import NO_LINE, Call, Draw, Evidence, Frame
+from landscape.course.evidence import NO_LINE, Call, Draw, Evidence, Frame, drawn
 from landscape.languages import filled
 
 LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
@@ -162,9 +162,10 @@ def grade(tests: Iterable[Test], work: Evidence, solution: Evidence) -> list[Res
     That is where a frame has another size, or nothing is drawn in it.
     """
     found: dict[str, Result] = {}
+    nothing = _nothing_to_check(work, solution)
     for each in tests:
         if all(found[needed.key].passed for needed in each.needs):
-            told = _nothing_to_check(work, solution) or _checked(each, work, solution)
+            told = nothing or _checked(each, work, solution)
             if told is not None and work.early is not None:
                 told = _without_context(*work.early)
             found[each.key] = Result(each, told is None, told)
@@ -218,8 +219,9 @@ def _nothing_to_check(work: Evidence, solution: Evidence) -> Hint | None:
 
 def _empty(frame: Frame) -> bool:
     """Return whether nothing is drawn in a frame; it may be cleared."""
-    others = [c for c in frame.calls if spec.draws(c.name) and c.name not in ("glBegin", "glClear")]
-    return not others and vertices(frame) == 0
+    if any(spec.draws(c.name) and c.name not in ("glBegin", "glClear") for c in frame.calls):
+        return False
+    return not any(len(draw.vertices) for draw in drawn(frame.top))  # mostly one is enough
 
 
 def vertices(frame: Frame) -> int:

@@ -5,7 +5,7 @@ import numpy as np
 from landscape.course.grading import _, compare, hint, test
 from landscape.course.triangles import covered
 
-FRAMES = (0, 15)
+FRAMES = (0, 5)
 LAMP = np.array((1.2, 3.2, 0.6, 1))
 NEAR = 0.02  # chosen: units by which the light may be elsewhere
 

@@ -2,7 +2,7 @@
 
 from landscape.course.grading import _, between, compare, hint, test, vertices
 
-FRAMES = (0, 8)
+FRAMES = (0, 3)
 
 
 @test(

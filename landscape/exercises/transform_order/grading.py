@@ -5,7 +5,7 @@ import numpy as np
 from landscape.course.grading import _, between, compare, hint, test
 from landscape.course.triangles import covered
 
-FRAMES = (0, 10)
+FRAMES = (0, 4)
 YEARS = {number: 200 + 90 * number / 60 for number in FRAMES}  # degrees
 MONTHS = {number: 50 + 300 * number / 60 for number in FRAMES}
 NEAR = 0.05  # chosen: units by which a ball may be elsewhere
