@@ -6,6 +6,7 @@ the pool and the other torches are followed apart, so that hall_bake.py can choo
 """
 
 import math
+from functools import cache
 
 import numpy as np
 from numba import njit, prange
@@ -18,6 +19,7 @@ from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import Mesh, centred, grid_triangles, vertex_normals
 from landscape.studio.dragon import dragon
 from landscape.studio.rays import FAR, hit, tree
+from landscape.studio.sculpture import PaintedMesh
 
 ORIGINS = {"hall": (0, 0), "floor": (1024, 0), "north": (1536, 0)}  # of the sheets: x, y
 CANVAS = 2048, 1024  # width and height of all sheets side by side
@@ -76,9 +78,15 @@ def parts() -> list[tuple[slice, slice]]:
     return found
 
 
+@cache
+def sculpted() -> PaintedMesh:
+    """Return the dragon, which takes seconds to make, and the same wherever it is placed."""
+    return dragon()
+
+
 def statue() -> np.ndarray:
     """Return the statue's triangles (n, 3, 3), of a coarser mesh."""
-    vertices, triangles, _ = dragon()
+    vertices, triangles, _ = sculpted()
     points = centred(vertices)
     unit = clustered(Mesh(points, vertex_normals(points, triangles), triangles), STATUE_CELL)
     x, y, z = plan.STATUE_SCALE * unit.vertices.astype(float).T
