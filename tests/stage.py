@@ -104,8 +104,12 @@ class Stage:
 
 def live_names() -> tuple[set[int], set[int]]:
     """Return the names of all existing textures and display lists."""
-    names = range(1, 6000)  # Mesa assigns names in ascending order and does not reuse them
-    return {n for n in names if gl.glIsTexture(n)}, {n for n in names if gl.glIsList(n)}
+    # Mesa assigns names in ascending order, so all that exist lie below the ones it gives now.
+    next_texture, next_list = int(gl.glGenTextures(1)), int(gl.glGenLists(1))
+    gl.glDeleteTextures(np.array([next_texture], np.uint32))
+    gl.glDeleteLists(next_list, 1)
+    textures = {name for name in range(1, next_texture) if gl.glIsTexture(name)}
+    return textures, {name for name in range(1, next_list) if gl.glIsList(name)}
 
 
 def project(
