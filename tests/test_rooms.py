@@ -16,6 +16,7 @@ FLOORS = (
     ("keys", "languages"),
     ("arguments", "conditions", "settings"),
     ("geometry",),
+    ("flyover",),
     ("gl",),
     ("capture",),
     ("elements",),

@@ -1,0 +1,74 @@
+"""The fly-over's constants and switches as settings; see :mod:`landscape.keys`.
+
+Each technique has a switch. With one off, the picture is made in the simple way: it takes longer,
+or it shows the flaw that the technique avoids.
+"""
+
+from dataclasses import dataclass
+
+from landscape.errors import InputError
+from landscape.keys import Value, setting
+from landscape.settings import UNITS
+
+DOCUMENT = (
+    "fly-over, section 2.1"  # the document of the student project, "Transformation 3D vers 2D"
+)
+ENVIRONMENT = "fly-over, section 2.3"  # the same, "Format du fichier d'environnement"
+FARTHEST = 1e5  # units, chosen
+
+
+@dataclass(frozen=True)
+class Flyover:
+    """The view volume, the terrain, and the techniques that make drawing it fast."""
+
+    left: float = setting(-1.0, DOCUMENT, "left edge of the near rectangle", -100, 100, unit=UNITS)
+    right: float = setting(1.0, DOCUMENT, "right edge of the near rectangle", -100, 100, unit=UNITS)
+    top: float = setting(1.0, DOCUMENT, "top edge of the near rectangle", -100, 100, unit=UNITS)
+    bottom: float = setting(-1.0, DOCUMENT, "bottom edge of it", -100, 100, unit=UNITS)
+    near: float = setting(1.5, DOCUMENT, "distance of the near plane", 1e-3, 1000, unit=UNITS)
+    far: float = setting(4096.0, DOCUMENT, "distance of the far plane", 1, FARTHEST, unit=UNITS)
+    widen: bool = setting(
+        True,
+        "chosen",
+        "left and right move apart by width over height of the picture; off, it is stretched",
+    )
+    unit: float = setting(
+        1.0, ENVIRONMENT, "distance between two pixels of the height image", 1e-3, 1000, unit=UNITS
+    )
+    relief: float = setting(
+        64.0, "chosen", "height of black above white in the height image", 0, 1e4, unit=UNITS
+    )
+    black_high: bool = setting(True, ENVIRONMENT, "black is high; off, white is")
+    mirror: bool = setting(
+        True, ENVIRONMENT, "the terrain is continued by mirror images of itself, without end"
+    )
+    far_undetailed: float = setting(
+        256.0,
+        "chosen",
+        "the far plane while detail is off, if it is nearer: each pixel is then a vertex",
+        1,
+        2048,
+        unit=UNITS,
+        needs=("not flyover.detail",),
+    )
+
+
+@dataclass(frozen=True)
+class Settings:
+    """All groups."""
+
+    flyover: Flyover = Flyover()
+
+
+PRESETS: dict[str, dict[str, Value]] = {"best": {}}
+
+
+def check(settings: Settings) -> None:
+    """Raise InputError where the values of two settings contradict each other."""
+    ours = settings.flyover
+    for low, high in (("left", "right"), ("bottom", "top"), ("near", "far")):
+        if getattr(ours, low) >= getattr(ours, high):
+            raise InputError(
+                f"setting flyover.{low}: expected less than flyover.{high} "
+                f"({getattr(ours, high):g}), not {getattr(ours, low):g}"
+            )

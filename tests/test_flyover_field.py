@@ -1,0 +1,93 @@
+"""The fly-over's terrain: height images, mirror images, and levels of detail."""
+
+import numpy as np
+import pytest
+
+from landscape.errors import InputError
+from landscape.flyover.height_field import height_field, mirrored
+from landscape.flyover.settings import Flyover
+
+
+def image(side: int, seed: int = 3) -> np.ndarray:
+    return np.random.default_rng(seed).integers(0, 256, (side, side)).astype(np.float32)
+
+
+def test_vertices_are_the_pixels_mirrored_at_each_border_without_end() -> None:
+    assert mirrored(np.arange(-5, 14), 4).tolist() == [
+        *(3, 4, 3, 2, 1),
+        *(0, 1, 2, 3, 4, 3, 2, 1),
+        *(0, 1, 2, 3, 4, 3),
+    ]
+
+
+def test_black_is_high_or_by_a_setting_white() -> None:
+    pixels = np.array([[0, 255], [51, 102]], np.uint8)
+    low = height_field(pixels, Flyover(relief=10.0))
+    assert low.height([0, 1, 0, 1], [0, 0, 1, 1]).tolist() == [10, 0, 8, 6]
+    high = height_field(pixels, Flyover(relief=10.0, black_high=False))
+    assert high.height([0, 1, 0, 1], [0, 0, 1, 1]).tolist() == [0, 10, 2, 4]
+
+
+def test_heights_are_linear_between_pixels_and_continuous_at_the_borders() -> None:
+    pixels = image(16)
+    field = height_field(pixels, Flyover(relief=255.0, black_high=False, unit=2.0))
+    assert field.size == 32.0
+    assert field.height(2 * 3.25, 2 * 7.0) == pytest.approx(
+        0.75 * pixels[7, 3] + 0.25 * pixels[7, 4], rel=1e-6
+    )
+    across = np.random.default_rng(1).uniform(-100, 100, (2, 500))
+    assert np.allclose(field.height(*across), field.height(-across[0], across[1]))
+    assert np.allclose(field.height(*across), field.height(across[0], 64 - across[1]))
+    borders = np.array([-32.0, 0.0, 32.0, 64.0])
+    before, after = field.height(borders - 1e-7, 5.0), field.height(borders + 1e-7, 5.0)
+    assert np.allclose(before, after, atol=1e-4)
+
+
+def test_the_gradient_is_the_slope_of_the_heights() -> None:
+    field = height_field(image(16), Flyover(relief=40.0, unit=0.5))
+    x, y = np.random.default_rng(2).uniform(-20, 20, (2, 200))
+    d = 1e-4
+    along_x = (field.height(x + d, y) - field.height(x - d, y)) / (2 * d)
+    along_y = (field.height(x, y + d) - field.height(x, y - d)) / (2 * d)
+    expected = np.stack([along_x, along_y], axis=1)
+    # A point nearer than d to a vertex's line has another slope on the other side.
+    close = np.isclose(field.gradient(x, y), expected, rtol=1e-3, atol=1e-3).all(axis=1)
+    assert close.mean() > 0.99
+
+
+def test_each_level_has_half_the_vertices_and_averages_of_the_one_below() -> None:
+    field = height_field(image(8), Flyover(relief=255.0))
+    assert [level.shape for level in field.levels] == [(9, 9), (5, 5), (3, 3), (2, 2), (2, 2)]
+    fine, coarse = field.levels[:2]
+    weights = np.array([1, 2, 1]) / 4
+    for row, column in ((0, 0), (1, 2), (3, 4), (4, 4)):
+        near = [mirrored(2 * at + np.arange(-1, 2), 8) for at in (row, column)]
+        assert coarse[row, column] == pytest.approx(
+            weights @ fine[np.ix_(*near)] @ weights, rel=1e-6
+        )
+    assert np.ptp(field.levels[-1]) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("shape", "nearest"),
+    (
+        ((100, 100), "64x64 or 128x128, not 100x100"),
+        ((64, 128), "128x128, not 128x64"),
+        ((1, 1), "2x2, not 1x1"),
+        ((0, 0), "2x2, not 0x0"),
+        ((8192, 8192), "4096x4096, not 8192x8192"),
+    ),
+)
+def test_other_sizes_are_refused_by_one_line(shape: tuple[int, int], nearest: str) -> None:
+    with pytest.raises(InputError) as caught:
+        height_field(np.zeros(shape, np.uint8), name="hills.png")
+    assert str(caught.value) == (
+        "hills.png: expected a square image whose side is a power of two, such as " + nearest
+    )
+
+
+def test_an_image_of_colours_or_of_numbers_that_are_not_finite_is_refused() -> None:
+    with pytest.raises(InputError, match=r"^height image: expected one number for each pixel"):
+        height_field(np.zeros((4, 4, 3), np.uint8))
+    with pytest.raises(InputError, match=r"^height image: expected finite heights$"):
+        height_field(np.full((4, 4), np.nan))

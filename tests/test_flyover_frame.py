@@ -1,0 +1,80 @@
+"""Frames of the fly-over: what is drawn, and that OpenGL is not needed for it."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from landscape.errors import InputError
+from landscape.flyover import frame
+from landscape.flyover.camera import Camera
+from landscape.flyover.height_field import HeightField, height_field
+from landscape.flyover.settings import Settings
+from landscape.keys import with_settings
+
+SIZE = (160, 120)
+
+
+def hills(side: int = 64, seed: int = 1) -> HeightField:
+    """Return smooth hills of some 20 units' height."""
+    at = np.arange(side) / side * 2 * np.pi
+    random = np.random.default_rng(seed)
+    image = np.zeros((side, side))
+    for k in (1, 2, 3, 5):
+        for m in (1, 2, 4):
+            a, b = random.uniform(0, 6, 2)
+            image += np.outer(np.sin(k * at + a), np.sin(m * at + b)) / (k + m)
+    image = (image - image.min()) / np.ptp(image) * 255
+    return height_field(image, Settings().flyover)
+
+
+def test_a_frame_is_drawn_where_opengl_and_glfw_cannot_be_imported() -> None:
+    program = """
+import sys
+sys.modules["OpenGL"] = sys.modules["glfw"] = None
+import numpy as np
+from landscape.flyover import frame
+from landscape.flyover.camera import Camera
+from landscape.flyover.height_field import height_field
+from landscape.flyover.settings import Settings
+flat = height_field(np.zeros((16, 16), np.uint8))
+drawn = frame.draw(flat, Camera(0, 0, 80, 0, 0.3, 0), Settings(), (80, 60))
+assert (drawn.picture[:20] == 255).all() and (drawn.picture[40:] == 0).any(axis=2).sum() > 100
+"""
+    subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_a_picture_shares_the_memory_of_the_opaque_rgba_that_a_texture_takes() -> None:
+    drawn = frame.draw(hills(), Camera(10, 10, 90, 0, 0.3, 0.5), Settings(), SIZE)
+    assert drawn.picture.shape == (120, 160, 3) and drawn.picture.dtype == np.uint8
+    assert drawn.rgba.flags.c_contiguous and (drawn.rgba[..., 3] == 255).all()
+    assert np.shares_memory(drawn.picture, drawn.rgba)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    (
+        ({"left": 2.0}, "setting flyover.left: expected less than flyover.right (1), not 2"),
+        ({"bottom": 1.0}, "setting flyover.bottom: expected less than flyover.top (1), not 1"),
+        ({"far": 1.0}, "setting flyover.near: expected less than flyover.far (1), not 1.5"),
+    ),
+)
+def test_settings_that_contradict_each_other_are_refused(
+    changes: dict[str, float], message: str
+) -> None:
+    settings = with_settings(Settings(), {f"flyover.{k}": v for k, v in changes.items()})
+    with pytest.raises(InputError) as caught:
+        frame.draw(hills(), Camera(0, 0, 50), settings, SIZE)
+    assert str(caught.value) == message
+
+
+def test_settings_that_are_not_numbers_are_refused() -> None:
+    with pytest.raises(InputError, match=r"^setting flyover.near: expected a number"):
+        with_settings(Settings(), {"flyover.near": float("nan")})
+
+
+@pytest.mark.parametrize("size", ((0, 10), (10, 1 << 20), (10,), "wide"))
+def test_sizes_that_are_none_are_refused(size: object) -> None:
+    with pytest.raises(InputError, match=r"^size .*: expected"):
+        frame.draw(hills(), Camera(0, 0, 50), Settings(), size)  # type: ignore[arg-type]
