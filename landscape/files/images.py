@@ -2,6 +2,7 @@
 
 import warnings
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 from PIL import Image
@@ -39,7 +40,22 @@ def open_image(path: Path) -> Image.Image:
     """Open and decode an image; InputError where that fails."""
     try:
         check_plain(path, MOST_BYTES)
-        with warnings.catch_warnings(), path.open("rb") as file:
+        with path.open("rb") as file:
+            return decoded_image(file, str(path))
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such image file") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: expected an image file, found a folder") from None
+    except PermissionError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    except OSError as error:
+        raise InputError(f"{path}: expected an image such as PNG ({error})") from None
+
+
+def decoded_image(file: BinaryIO, name: str) -> Image.Image:
+    """Decode an image from an open file; InputError, beginning with ``name``, where that fails."""
+    try:
+        with warnings.catch_warnings():
             # Pillow warns about large images, which are allowed, and about damage that it could
             # repair.
             warnings.simplefilter("ignore")
@@ -49,21 +65,13 @@ def open_image(path: Path) -> Image.Image:
             image.load()
             if image.mode == "P":
                 image = image.convert("RGBA" if "transparency" in image.info else "RGB")
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such image file") from None
-    except IsADirectoryError:
-        raise InputError(f"{path}: expected an image file, found a folder") from None
-    except PermissionError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
-    except InputError:
-        raise
     except Image.DecompressionBombError:
         most = f"{MOST_PIXELS // 10**6} megapixels"
-        raise InputError(f"{path}: the image is too large; expected at most {most}") from None
+        raise InputError(f"{name}: the image is too large; expected at most {most}") from None
     except Exception as error:
         # A decoder may raise any kind of exception: all of them mean a damaged file.
-        reason = str(error).split(" <_io")[0].split(f" {str(path)!r}")[0] or type(error).__name__
-        raise InputError(f"{path}: expected an image such as PNG ({reason})") from None
+        reason = str(error).split(" <_io")[0].split(f" {name!r}")[0] or type(error).__name__
+        raise InputError(f"{name}: expected an image such as PNG ({reason})") from None
     return image
 
 
@@ -83,6 +91,14 @@ def read_heights(path: Path) -> np.ndarray:
     image = open_image(path)
     if max(image.size) > MAX_SIZE:
         image.thumbnail((MAX_SIZE, MAX_SIZE))
+    return red_values(image)
+
+
+def red_values(image: Image.Image) -> np.ndarray:
+    """Return the red channel of a decoded image as float32 (h, w) in 0..255.
+
+    16 bits keep their precision; floats are taken as 0..1.
+    """
     if image.mode.startswith("I"):
         return np.clip(np.asarray(image, np.float32), 0.0, 65535.0) / np.float32(257.0)
     if image.mode == "F":

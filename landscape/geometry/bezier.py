@@ -25,16 +25,6 @@ def evaluate(curve: np.ndarray, t: np.ndarray | float) -> np.ndarray:
     return np.asarray(powers @ BERNSTEIN @ np.asarray(curve, np.float64))
 
 
-def line(start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return a straight line between two points (d,) as a cubic (4, d), its speed even in t."""
-    return np.stack([start, (2 * start + end) / 3, (start + 2 * end) / 3, end])
-
-
-def quadratic(start: np.ndarray, control: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return the curve of three control points (d,), which is a parabola, as a cubic (4, d)."""
-    return np.stack([start, (start + 2 * control) / 3, (end + 2 * control) / 3, end])
-
-
 class BezierPath:
     """Sub-paths that are travelled one after the other; from one to the next the place jumps.
 

@@ -12,7 +12,7 @@ from landscape.gl.context import BACKENDS
 
 PACKAGES = (
     "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs",
-    "polib", "tqdm",
+    "polib", "tqdm", "svgelements",
 )  # fmt: skip
 SECONDS = 60  # chosen: a backend that takes longer is considered to hang
 

@@ -1,0 +1,324 @@
+"""Environment files: a height image, a camera's path and points to look at, drawn in Inkscape.
+
+The file is an SVG, as the software fly-over has it: the height image, embedded or linked; a layer
+named "camera" with the path; and there, or on a layer named "targets", circles, whose centres are
+the points that the camera turns to. A layer goes by the name that Inkscape shows (inkscape:label),
+not by its id, and may be hidden. Transforms, viewBox and units are those of SVG; lines, quadratic
+curves and arcs are turned into cubic Bezier curves. svgelements reads paths, transforms and
+lengths. No OpenGL.
+"""
+
+import base64
+import contextlib
+import io
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NamedTuple
+from urllib.parse import unquote
+
+import numpy as np
+from PIL import Image
+
+from landscape.errors import InputError, short
+from landscape.files.images import decoded_image, open_image, red_values
+from landscape.files.svg_tree import Element, read_tree
+
+CAMERA, TARGETS = "camera", "targets"  # the layers' names: section 2.3, and chosen
+PIXELS_PER_INCH = 96.0  # CSS
+MOST_CURVES = 10_000  # chosen: of all paths together
+MOST_TARGETS = 10_000  # chosen
+MOST_TEXT = 1 << 19  # chosen: characters of paths and transforms, which take seconds to read
+MOST_CLOSED = 1_000  # chosen: svgelements takes a time that grows with their square
+PATH_DATA = re.compile(r"[\s,MmZzLlHhVvCcSsQqTtAaEe0-9.+-]*")
+
+
+@dataclass(frozen=True)
+class SvgEnvironment:
+    """What an environment file holds. Places are in pixels from the image's top left corner."""
+
+    name: str
+    image: np.ndarray  # float32 (h, w) in 0..255: the red channel, on white
+    subpaths: tuple[np.ndarray, ...]  # each (n, 4, 2): n >= 1 cubics, each starts where one ends
+    targets: np.ndarray  # float64 (m, 2), in the file's order
+
+
+class Place(NamedTuple):
+    """Where an element stands."""
+
+    transform: np.ndarray  # (3, 3), to the outermost coordinates
+    viewport: tuple[float, float]  # width and height that percentages refer to
+    layer: str = ""  # the camera's or the targets', if it is on one of them
+    hidden: bool = False
+
+
+@dataclass
+class Found:
+    """What was found in a file, in the outermost coordinates."""
+
+    layer: bool = False  # a layer for the camera
+    clones: bool = False  # on it
+    subpaths: list[np.ndarray] = field(default_factory=list)
+    curves: int = 0  # in them
+    targets: list[np.ndarray] = field(default_factory=list)
+    image: tuple[Element, Place] | None = None
+    characters: int = 0  # of paths and transforms
+
+    def text(self, text: str) -> str:
+        """Return a text that is to be read; InputError where all of them are too long."""
+        self.characters += len(text)
+        if self.characters > MOST_TEXT:
+            raise InputError(f"expected at most {MOST_TEXT} characters of paths and transforms")
+        return text
+
+
+def read(path: Path) -> SvgEnvironment:
+    """Read an environment file; InputError, one line, where something is missing or wrong."""
+    # What overflows is found by its result.
+    with np.errstate(all="ignore"):
+        return _read(path)
+
+
+def _read(path: Path) -> SvgEnvironment:
+    found = Found()
+    root = read_tree(path)
+    with _named(path):
+        _collect(root, Place(np.eye(3), (0.0, 0.0)), found)
+    if not found.layer:
+        raise InputError(f'{path}: expected a layer "{CAMERA}", with the camera\'s path')
+    if not found.subpaths:
+        hint = "; a clone must be unlinked first" if found.clones else ""
+        raise InputError(
+            f'{path}: expected a path of more than one point on the layer "{CAMERA}"{hint}'
+        )
+    if found.image is None:
+        raise InputError(f"{path}: expected the height image, embedded or linked")
+    element, place = found.image
+    image = _image(path, element.attributes.get("href", ""))
+    with _named(path):
+        to_pixels = _to_pixels(element, place, image.size)
+        subpaths = tuple(_moved(to_pixels, curves) for curves in found.subpaths)
+        targets = _moved(to_pixels, np.array(found.targets, np.float64).reshape(-1, 2))
+    return SvgEnvironment(path.stem, _over_white(image), subpaths, targets)
+
+
+@contextlib.contextmanager
+def _named(path: Path) -> Iterator[None]:
+    """Let errors begin with the file's name."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def _collect(element: Element, around: Place, found: Found) -> None:
+    """Add what is in an element that stands in the place ``around``."""
+    if element.tag not in ("svg", "g", "a", "switch", "image") and not around.layer:
+        return
+    place = around._replace(
+        transform=around.transform @ _transform(found.text(element.get("transform"))),
+        hidden=around.hidden or element.hidden,
+    )
+    if element.tag == "svg":
+        place = _viewport(element, place)
+    label = element.get("inkscape:label").lower()
+    if element.tag == "g" and label in (CAMERA, TARGETS):
+        place = place._replace(layer=label)
+        found.layer = found.layer or label == CAMERA
+    for child in element.children:
+        _collect(child, place, found)
+    if element.tag == "image":
+        if found.image is None and not place.layer and not place.hidden:
+            found.image = element, place
+    elif element.tag in ("circle", "ellipse"):
+        found.targets.append(_centre(element, place, "cx", "cy"))
+    elif element.get("sodipodi:type") == "arc":  # a circle as well, but one that is a path
+        found.targets.append(_centre(element, place, "sodipodi:cx", "sodipodi:cy"))
+    elif place.layer == CAMERA:
+        found.clones = found.clones or element.tag == "use"
+        curves = _subpaths(found.text(_path_data(element)))
+        found.subpaths += [_moved(place.transform, each) for each in curves]
+        found.curves += sum(map(len, curves))
+    if found.curves > MOST_CURVES or len(found.targets) > MOST_TARGETS:
+        raise InputError(f"expected at most {MOST_CURVES} nodes and {MOST_TARGETS} circles")
+
+
+def _length(element: Element, name: str, whole: float, default: float) -> float:
+    """Return a coordinate or length in user units; percentages are those of ``whole``."""
+    from svgelements import Length
+
+    text = element.get(name)
+    if text in ("", "auto"):
+        return default
+    try:
+        value = float(Length(text).value(ppi=PIXELS_PER_INCH, relative_length=whole))
+    except (TypeError, ValueError):
+        value = np.nan
+    if not np.isfinite(value) or text[:1] not in "+-.0123456789":
+        raise InputError(f"<{element.tag}>, {name}: expected a length, not {short(text)}")
+    return value
+
+
+def _transform(text: str) -> np.ndarray:
+    """Return an attribute ``transform`` as a matrix (3, 3) for columns x, y, 1."""
+    from svgelements import Matrix
+
+    if not text:
+        return np.eye(3)
+    try:
+        m = Matrix(text)
+        matrix = np.array([[m.a, m.c, m.e], [m.b, m.d, m.f], [0, 0, 1]], np.float64)
+    except (ArithmeticError, IndexError, TypeError, ValueError):
+        raise InputError(f"expected a transform, not {short(text)}") from None
+    return matrix
+
+
+def _fitted(element: Element, box: tuple[float, ...], inner: tuple[float, ...]) -> np.ndarray:
+    """Return the matrix (3, 3) that fits a rectangle ``inner`` into a ``box``: x, y, w, h each."""
+    from svgelements import Viewbox
+
+    aspect = element.get("preserveAspectRatio") or "xMidYMid"
+    return _transform(Viewbox.viewbox_transform(*box, *inner, aspect))
+
+
+def _viewport(element: Element, place: Place) -> Place:
+    """Return the place inside an <svg>, from its viewBox, or from its size where it has none."""
+    outer = place.viewport
+    numbers = element.get("viewBox").replace(",", " ").split()
+    try:
+        x, y, width, height = map(float, numbers or ("0", "0", "nan", "nan"))
+    except ValueError:
+        raise InputError("expected a viewBox of four numbers") from None
+    if numbers and not (width > 0 and height > 0 and np.isfinite([x, y, width, height]).all()):
+        raise InputError("expected a viewBox of finite size")
+    inside = (x, y, width, height) if numbers else (0.0, 0.0, *outer)
+    # The outermost <svg> is as large as its viewBox says where its size is not given.
+    whole = outer if any(outer) else inside[2:]
+    corner = [_length(element, key, side, 0.0) for key, side in zip("xy", whole, strict=True)]
+    sides = zip(("width", "height"), whole, strict=True)
+    size = [_length(element, key, side, side) for key, side in sides]
+    if not numbers:
+        moved = np.array([[1, 0, corner[0]], [0, 1, corner[1]], [0, 0, 1]])
+        return place._replace(transform=place.transform @ moved, viewport=(size[0], size[1]))
+    fitted = _fitted(element, (*corner, *size), inside)
+    return place._replace(transform=place.transform @ fitted, viewport=(width, height))
+
+
+def _centre(element: Element, place: Place, *names: str) -> np.ndarray:
+    """Return the centre (2,) of a circle."""
+    sides = zip(names, place.viewport, strict=True)
+    return _moved(place.transform, np.array([_length(element, *each, 0.0) for each in sides]))
+
+
+def _moved(transform: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Return points (..., 2) transformed by a matrix (3, 3)."""
+    moved = points @ transform[:2, :2].T + transform[:2, 2]
+    if not np.isfinite(moved).all():
+        raise InputError("expected finite coordinates")
+    return np.asarray(moved)
+
+
+def _path_data(element: Element) -> str:
+    """Return a shape as the data of a path."""
+    if element.tag == "line":
+        x1, y1, x2, y2 = (element.get(name) or "0" for name in ("x1", "y1", "x2", "y2"))
+        return f"M {x1},{y1} {x2},{y2}"
+    if element.tag in ("polyline", "polygon"):
+        points = element.get("points")
+        return f"M {points} {'Z' * (element.tag == 'polygon')}" if points else ""
+    return element.get("d")
+
+
+def _subpaths(data: str) -> list[np.ndarray]:
+    """Return the data of a path as sub-paths, each (n, 4, 2), in its own coordinates.
+
+    A sub-path of one point is left out.
+    """
+    from svgelements import Move
+    from svgelements import Path as PathData
+
+    if not PATH_DATA.fullmatch(data):
+        raise InputError(f"expected the data of a path, not {short(data)}")
+    if data.lower().count("z") > MOST_CLOSED:
+        raise InputError(f"expected a path with at most {MOST_CLOSED} closed parts")
+    found: list[list[np.ndarray]] = []
+    try:
+        for segment in PathData(data):
+            if isinstance(segment, Move):
+                found.append([])
+            else:
+                found[-1] += _cubics(segment)
+    except (ArithmeticError, AttributeError, IndexError, TypeError, ValueError):
+        raise InputError(f"expected the data of a path, not {short(data)}") from None
+    moving = [np.array(curves) for curves in found if curves]
+    return [each for each in moving if np.ptp(each.reshape(-1, 2), axis=0).any()]
+
+
+def _cubics(segment: Any) -> list[np.ndarray]:
+    """Return a segment of a path as cubics (4, 2)."""
+    from svgelements import Arc, CubicBezier, QuadraticBezier
+
+    start, end = np.array(segment.start), np.array(segment.end)
+    if isinstance(segment, CubicBezier):
+        return [np.array([start, segment.control1, segment.control2, end])]
+    curves = list(segment.as_cubic_curves()) if isinstance(segment, Arc) else []
+    if curves:
+        return [curve for each in curves for curve in _cubics(each)]
+    # A parabola of control points s, c, e is the cubic of s, (s + 2c) / 3, (e + 2c) / 3, e; a
+    # straight line is a parabola with c in the middle.
+    middle = (
+        np.array(segment.control) if isinstance(segment, QuadraticBezier) else (start + end) / 2
+    )
+    return [np.array([start, (start + 2 * middle) / 3, (end + 2 * middle) / 3, end])]
+
+
+def _to_pixels(element: Element, place: Place, size: tuple[int, int]) -> np.ndarray:
+    """Return the matrix (3, 3) from the outermost coordinates to an image's pixels."""
+    corner = [_length(element, *each, 0.0) for each in zip("xy", place.viewport, strict=True)]
+    natural = zip(("width", "height"), place.viewport, size, strict=True)
+    sides = [_length(element, *each) for each in natural]
+    if min(sides) <= 0:
+        raise InputError("<image>: expected a width and a height above 0")
+    matrix = place.transform @ _fitted(element, (*corner, *sides), (0.0, 0.0, *size))
+    if not np.isfinite(matrix).all() or abs(np.linalg.det(matrix)) < 1e-12:
+        raise InputError("<image>: expected a transform that leaves the image an area")
+    return np.asarray(np.linalg.inv(matrix))
+
+
+def _image(path: Path, link: str) -> Image.Image:
+    """Return the image that a link leads to: embedded, or in the file's folder or below it."""
+    kind, _, data = link.strip().partition(",")
+    if kind.startswith("data:"):
+        try:
+            embedded = base64.b64decode(data) if kind.endswith(";base64") else b""
+        except ValueError:
+            embedded = b""
+        if not embedded:
+            raise InputError(f"{path}: <image>: expected data in base64")
+        return decoded_image(io.BytesIO(embedded), f"{path}: embedded image")
+    name = unquote(link.strip().removeprefix("file://"))
+    # Compared as they are written: a symbolic link in the folder is the user's own.
+    folder = os.path.abspath(path.parent)
+    target = os.path.abspath(os.path.join(folder, name))
+    if not name or "\0" in name or not target.startswith(os.path.join(folder, "")):
+        raise InputError(
+            f"{path}: <image>: expected an embedded image or a file in the same folder, not "
+            f"{short(link)}"
+        )
+    try:
+        return open_image(Path(target))
+    except InputError as error:
+        raise InputError(f"{path}: linked image {error}") from None
+
+
+def _over_white(image: Image.Image) -> np.ndarray:
+    """Return an image's red channel, float32 (h, w) in 0..255; what is transparent is white.
+
+    White is the paper that one sees in Inkscape, and the lowest height.
+    """
+    if image.mode in ("RGBA", "LA", "PA"):
+        paper = Image.new("RGBA", image.size, "white")
+        image = Image.alpha_composite(paper, image.convert("RGBA"))
+    return red_values(image)
