@@ -29,7 +29,7 @@ from landscape.files.svg_tree import Element, read_tree
 CAMERA, TARGETS = "camera", "targets"  # the layers' names: section 2.3, and chosen
 PIXELS_PER_INCH = 96.0  # CSS
 MOST_CURVES = 10_000  # chosen: of all paths together
-MOST_TARGETS = 10_000  # chosen
+MOST_TARGETS = 1_000  # chosen
 MOST_TEXT = 1 << 19  # chosen: characters of paths and transforms, which take seconds to read
 MOST_CLOSED = 1_000  # chosen: svgelements takes a time that grows with their square
 PATH_DATA = re.compile(r"[\s,MmZzLlHhVvCcSsQqTtAaEe0-9.+-]*")

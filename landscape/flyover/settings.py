@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from landscape.errors import InputError
 from landscape.keys import Value, setting
-from landscape.settings import UNITS
+from landscape.settings import PER_SECOND, UNITS
 
 DOCUMENT = (
     "fly-over, section 2.1"  # the document of the student project, "Transformation 3D vers 2D"
@@ -41,6 +41,41 @@ class Flyover:
     black_high: bool = setting(True, ENVIRONMENT, "black is high; off, white is")
     mirror: bool = setting(
         True, ENVIRONMENT, "the terrain is continued by mirror images of itself, without end"
+    )
+    height: float = setting(
+        2.0,
+        ENVIRONMENT,
+        "distance of the camera above the ground on its path",
+        0.01,
+        1e4,
+        unit=UNITS,
+    )
+    speed: float = setting(
+        20.0, "chosen", "how fast the camera goes along its path", 0.1, 1e4, unit=PER_SECOND
+    )
+    turn: float = setting(
+        60.0,
+        "chosen",
+        "how fast it turns to the nearest point to look at",
+        0.1,
+        1e4,
+        unit="degrees per second",
+    )
+    ease: float = setting(
+        0.5,
+        "chosen",
+        "time in which it starts and stops turning; 0 is at once",
+        0,
+        10,
+        unit="seconds",
+    )
+    smooth: float = setting(
+        4.0,
+        "chosen",
+        "how far around it the highest ground counts; 0 is a fixed distance, as in section 2.3",
+        0,
+        100,
+        unit=UNITS,
     )
     far_undetailed: float = setting(
         256.0,

@@ -1,0 +1,79 @@
+"""Environments: a terrain, a path over it, and points to look at (section 2.3).
+
+An environment is a file drawn in Inkscape (:mod:`landscape.files.svg_environment`), or one of those
+that come with the program, by its name.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from landscape.errors import InputError
+from landscape.files.assets import shipped
+from landscape.files.svg_environment import read
+from landscape.flyover.flight import Flight
+from landscape.flyover.height_field import HeightField, check_image, height_field
+from landscape.flyover.settings import Flyover
+from landscape.geometry.bezier import BezierPath
+
+NAMES = ("island", "alps", "dunes")  # of those that come with the program
+PREFIX = "flyover_"  # of their files
+SHORTEST = 1.0  # pixels, chosen: the length of a path
+
+
+@dataclass(frozen=True)
+class Environment:
+    """An environment; places are in pixels of the height image, from its top left corner."""
+
+    name: str
+    image: np.ndarray  # float32 (N, N) in 0..255
+    subpaths: tuple[np.ndarray, ...]  # each (n, 4, 2), cubic Bezier curves
+    targets: np.ndarray  # (m, 2)
+
+    @property
+    def side(self) -> int:
+        """N, the number of pixels on a side of the image, which is a power of two."""
+        return len(self.image)
+
+    @cached_property
+    def path(self) -> BezierPath:
+        """The camera's path, in pixels."""
+        return BezierPath(self.subpaths)
+
+    def field(self, settings: Flyover) -> HeightField:
+        """Return the terrain; it is computed anew at each call."""
+        return height_field(self.image, settings, self.name)
+
+    def flight(self, field: HeightField, settings: Flyover) -> Flight:
+        """Return the flight along the path over a terrain."""
+        path = BezierPath([each * settings.unit for each in self.subpaths])
+        return Flight(path, self.targets * settings.unit, field.height, settings)
+
+
+def open_environment(file: str | Path) -> Environment:
+    """Return the environment in an SVG file, or a shipped one by its name.
+
+    InputError, one line, where something is missing or wrong.
+    """
+    path = Path(file)
+    if str(file) in NAMES and not path.exists():
+        path = shipped() / f"{PREFIX}{file}.svg"
+    elif path.suffix.lower() != ".svg":
+        raise InputError(f"{file}: expected a file that ends in .svg, or one of {', '.join(NAMES)}")
+    found = read(path)
+    check_image(found.image, f"{path}: height image")
+    environment = Environment(str(file), found.image, found.subpaths, found.targets)
+    if environment.path.length < SHORTEST:
+        raise InputError(f"{path}: expected a path of at least {SHORTEST:g} pixel")
+    flown = environment.path.at(np.linspace(0, environment.path.length, 100_000))
+    for places, what in ((flown, "the path"), (found.targets, "a point to look at")):
+        outside = places[((places < 0) | (places > environment.side)).any(axis=1)]
+        if len(outside):
+            x, y = outside[0]
+            raise InputError(
+                f"{path}: {what} is outside the map: expected x and y from 0 to "
+                f"{environment.side} pixels, not {x:.6g}, {y:.6g}"
+            )
+    return environment

@@ -1,0 +1,146 @@
+"""The flight: a camera along a path, a fixed distance above the ground (section 2.3).
+
+The camera goes along Bezier curves at constant speed and turns to the nearest of some points, at a
+set rate: when another point becomes the nearest, it turns there, the short way around. Where the
+camera is follows from the time alone, but where it looks follows from where it looked before. So
+the angles are computed once for the whole flight, in small steps, and read from that table: the
+camera at any moment is the same, whatever moments were asked for before.
+
+Section 2.3 has the camera turn at one rate, which starts and stops it with a jerk; ``flyover.ease``
+gives it time to. A fixed distance above rough ground jolts the camera; with ``flyover.smooth`` it
+follows a smooth curve over the ground's highest places around it.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from landscape.flyover.camera import Camera
+from landscape.flyover.settings import Flyover
+from landscape.geometry.bezier import BezierPath
+
+STEPS_PER_SECOND = 60  # chosen: of the table
+MOST_STEPS = 100_000  # chosen: in a flight of more than half an hour they are longer
+REACH = 1.0  # units, chosen: over which the path's direction is taken where there is no target
+STEEPEST = math.radians(40)  # chosen: over a target the camera would look straight down
+BATCH = 4096  # steps whose nearest targets are computed at once, chosen: they take 30 MB
+Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
+class Flight:
+    """A camera as a function of time. A flight without end begins anew after ``duration`` seconds.
+
+    Between sub-paths the camera jumps, and looks at the nearest target at once.
+    """
+
+    def __init__(
+        self, path: BezierPath, targets: np.ndarray, ground: Ground, settings: Flyover
+    ) -> None:
+        """Plan a flight along ``path`` over heights ``ground(x, y)``; all lengths are in units.
+
+        ``targets`` (m, 2) are places on the ground to look at; without any the camera looks ahead.
+        """
+        self._path, self._ground, self._settings = path, ground, settings
+        self.duration = path.length / settings.speed
+        # A path of one closed part goes on where it began, and the camera turns on.
+        self._endless = path.closed == (True,)
+        self._parts = [
+            self._table(first, last, targets)
+            for first, last in zip(path.starts[:-1], path.starts[1:], strict=True)
+        ]
+
+    def camera(self, time_s: float) -> Camera:
+        """Return the camera at a time in seconds."""
+        distance = time_s % self.duration * self._settings.speed
+        at, z, theta_y, theta_z = self._parts[int(self._path.part(distance))]
+        x, y = self._path.at(distance)
+        if self._settings.smooth:
+            height = np.interp(distance, at, z)
+        else:
+            height = self._ground(x, y) + self._settings.height
+        pitch, yaw = np.interp(distance, at, theta_y), np.interp(distance, at, theta_z)
+        return Camera(float(x), float(y), float(height), 0.0, float(pitch), float(yaw))
+
+    def _table(self, first: float, last: float, targets: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Return distances, heights and angles theta_y, theta_z (n,) along a sub-path."""
+        settings = self._settings
+        steps = math.ceil(min((last - first) / settings.speed * STEPS_PER_SECOND, MOST_STEPS))
+        at = np.linspace(first, last, max(steps, 1) + 1)
+        inside = np.minimum(at, np.nextafter(last, first))  # the end belongs to this part, too
+        places = self._path.at(inside)
+        z = self._ground(*places.T) + settings.height
+        step = (at[1] - at[0]) / settings.speed
+        if settings.smooth:
+            z = smoothed(z, round(settings.smooth / (at[1] - at[0])), self._endless)
+        if len(targets):
+            away = nearest(places, targets) - places
+            below = z - self._ground(*(places + away).T)
+        else:
+            away = self._path.direction(inside, REACH)
+            below = -np.gradient(z, at)
+        theta_z = np.arctan2(away[:, 1], away[:, 0])
+        theta_y = np.clip(np.arctan2(below, np.hypot(*away.T)), -STEEPEST, STEEPEST)
+        rate = math.radians(settings.turn)
+        angles = []
+        for wanted in (theta_y, theta_z):
+            turned = follow(wanted, step, rate, settings.ease, (float(wanted[0]), 0.0))
+            if self._endless:  # the second round begins as the first one ends
+                speed = float(turned[-1] - turned[-2]) / step
+                turned = follow(wanted, step, rate, settings.ease, (float(turned[-1]), speed))
+            angles.append(turned)
+        return at, z, *angles
+
+
+def nearest(places: np.ndarray, targets: np.ndarray) -> np.ndarray:
+    """Return for each place (n, 2) the nearest target (n, 2) of all (m, 2)."""
+    found = []
+    for first in range(0, len(places), BATCH):
+        x, y = places[first : first + BATCH].T[..., None] - targets.T[:, None]
+        found.append(np.argmin(x * x + y * y, axis=1))
+    return np.asarray(targets[np.concatenate(found)])
+
+
+def follow(
+    wanted: np.ndarray, step: float, rate: float, ease: float, start: tuple[float, float]
+) -> np.ndarray:
+    """Return angles (n,) that turn after ``wanted`` ones (n,), by at most ``rate`` a second.
+
+    All in radians. They begin with the angle and the speed ``start``; ``step`` seconds are between
+    two of them. They take the short way around, and are not wrapped. To reach the full rate, and to
+    stop, takes ``ease`` seconds.
+    """
+    angle, speed = start
+    change = rate / ease * step if ease else math.inf  # of the speed, in one step
+    turned = [angle]
+    for goal in wanted[1:].tolist():
+        left = math.remainder(goal - angle, math.tau)
+        fastest = min(rate, abs(left) / step)
+        if ease:
+            # From this speed, less by `change` in each step, it stops there.
+            stops = math.sqrt(change**2 / 4 + 2 * rate / ease * abs(left)) - change / 2
+            fastest = min(fastest, stops)
+        aim = math.copysign(fastest, left)
+        speed += min(max(aim - speed, -change), change)
+        angle += speed * step
+        turned.append(angle)
+    return np.array(turned)
+
+
+def smoothed(heights: np.ndarray, reach: int, around: bool) -> np.ndarray:
+    """Return a smooth curve (n,) over heights (n,), never below one of them.
+
+    It is the mean, over ``reach`` heights to either side, of the highest within that reach of each:
+    every one of these is at least as high as the height in the middle. ``around`` continues the
+    heights at their ends with those of the other end.
+    """
+    reach = max(min(reach, len(heights) - 1), 1)
+    # In a closed path the last height is the first one again.
+    if around:
+        padded = np.pad(heights[:-1], 2 * reach, mode="wrap")
+    else:
+        padded = np.pad(heights, 2 * reach, mode="edge")
+    highest = np.lib.stride_tricks.sliding_window_view(padded, 2 * reach + 1).max(axis=1)
+    summed = np.concatenate([[0.0], np.cumsum(highest)])
+    mean = (summed[2 * reach + 1 :] - summed[: -2 * reach - 1]) / (2 * reach + 1)
+    return np.append(mean, mean[0]) if around else mean
