@@ -6,8 +6,10 @@ import math
 import numpy as np
 import pytest
 
+from landscape.flyover.environment import Environment
 from landscape.flyover.flight import STEEPEST, Flight, follow, nearest
 from landscape.flyover.height_field import height_field
+from landscape.flyover.scene_flight import SceneFlight
 from landscape.flyover.settings import Flyover
 from landscape.geometry.bezier import BezierPath
 
@@ -149,3 +151,29 @@ def test_the_nearest_of_many_points_is_found_for_many_places() -> None:
     expected = [targets[np.hypot(*(targets - place).T).argmin()] for place in places[:200]]
     np.testing.assert_array_equal(nearest(places, targets)[:200], expected)
     assert len(nearest(places, targets)) == 9000
+
+
+class Ramp:
+    """A map that rises to the east."""
+
+    size = 40.0
+
+    def height(self, x: float, z: float) -> float:
+        """Return the height of the ground; nothing may ask beyond the map."""
+        assert 0 <= x <= self.size and 0 <= z <= self.size
+        return 0.1 * x
+
+
+def test_a_path_is_flown_over_a_scene_of_another_size() -> None:
+    image = np.zeros((128, 128), np.float32)
+    corner_to_corner = np.array([[(0, 0), (40, 40), (80, 80), (128, 128)]], np.float64)
+    over = Environment("test", image, (corner_to_corner,), np.array([(128.0, 0.0)]))
+    flight = SceneFlight(over, Ramp(), 0.3, Flyover(smooth=0.0))
+    assert flight.duration == pytest.approx(128 * 2**0.5 / 20)
+    start, middle = flight.pose(0.0), flight.pose(flight.duration / 2)
+    # The point to look at is in the north-east; north is -z, and a yaw of 90 degrees is east.
+    assert (start.x, start.y, start.z, start.yaw) == pytest.approx((0, 0.3, 0, 90))
+    assert (middle.x, middle.y, middle.z) == pytest.approx((20, 2.3, 20), abs=0.01)
+    assert middle.yaw == pytest.approx(45, abs=1)
+    assert middle.pitch == pytest.approx(math.degrees(math.atan2(1.7, 20 * 2**0.5)), abs=0.2)
+    assert flight.pose(flight.duration - 1e-9).x == pytest.approx(40)
