@@ -1,26 +1,48 @@
-"""The vertices of tiles."""
+"""The vertices of tiles at their levels of detail, on their way to the next level.
+
+See :mod:`.levels`. A vertex whose row or column is odd glides to the even one before it, so that at
+the end of the way each quad of the next level is covered by one quad of this one, and the edges
+of the other three lie on its edges. Heights go from those of one level to those of the next.
+"""
 
 import numpy as np
 
 from landscape.flyover.camera import Camera, Points
-from landscape.flyover.height_field import HeightField, mirrored
-from landscape.flyover.quad_tree import PATCH, Tiles
+from landscape.flyover.height_field import HeightField
+from landscape.flyover.levels import Levels
+from landscape.flyover.quad_tree import Tiles
 
 
-def vertices(field: HeightField, tiles: Tiles, camera: Camera, mirror: bool) -> Points:
-    """Return x, y, z of the tiles' vertices relative to the camera, (n, PATCH + 1, PATCH + 1).
+def vertices(
+    field: HeightField,
+    tiles: Tiles,
+    camera: Camera,
+    levels: Levels,
+    mirror: bool = True,
+    before: int = 0,
+) -> Points:
+    """Return x, y, z of the tiles' vertices relative to the camera, float64 (n, s, s) each.
 
-    Rows run along y. Without ``mirror`` the plane ends where the image does.
+    Rows run along y. s is ``levels.patch`` + 1, and ``before`` more if so many rows and columns
+    before the tiles' own are wanted. Without ``mirror`` the plane ends where the image does.
     """
-    along = np.arange(PATCH + 1)
-    column = tiles.column[:, None] * PATCH + along
-    row = tiles.row[:, None] * PATCH + along
+    along = np.arange(-before, levels.patch + 1)
+    column = tiles.column[:, None] * levels.patch + along
+    row = tiles.row[:, None] * levels.patch + along
     if not mirror:
-        column, row = np.clip(column, 0, field.side), np.clip(row, 0, field.side)
-    heights = field.levels[0][
-        mirrored(row, field.side)[:, :, None], mirrored(column, field.side)[:, None, :]
-    ]
-    shape = heights.shape
-    x = np.broadcast_to((column * field.unit - camera.x)[:, None, :], shape)
-    y = np.broadcast_to((row * field.unit - camera.y)[:, :, None], shape)
-    return x, y, heights - camera.z
+        last = np.maximum(field.side >> tiles.level, 1)[:, None]
+        column, row = np.clip(column, 0, last), np.clip(row, 0, last)
+    unit = field.unit * 2.0 ** tiles.level[:, None]
+    shape = (len(tiles), len(along), len(along))
+    x = (column * unit - camera.x)[:, None, :]
+    y = (row * unit - camera.y)[:, :, None]
+    z = field.at(tiles.level, row, column).astype(np.float64)
+    if levels.first and levels.glide < 1.0:
+        part = levels.gliding(tiles.level[:, None, None], x, y)
+        # At 0 and at 1 these are exactly the positions in the one level and in the other.
+        x = (column[:, None, :] - part * (column & 1)[:, None, :]) * unit[:, None] - camera.x
+        y = (row[:, :, None] - part * (row & 1)[:, :, None]) * unit[:, None] - camera.y
+        z *= 1.0 - part
+        z += part * field.at(tiles.level + 1, row >> 1, column >> 1)
+    z -= camera.z
+    return np.broadcast_to(x, shape), np.broadcast_to(y, shape), z

@@ -10,6 +10,7 @@ the level below it, with weights 1, 2, 1: distant terrain drawn from single pixe
 The average of a mirrored terrain is mirrored, too. Levels coarser than the image are flat.
 """
 
+import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,23 +23,51 @@ from landscape.flyover.settings import Flyover
 
 MOST_SIDE = 4096  # pixels, chosen
 WHITE = 255.0
+AROUND = 32  # vertices, chosen
 
 
 @dataclass(frozen=True)
 class HeightField:
-    """Heights in units at all levels of detail, level l float32 (M + 1, M + 1) where M = N / 2^l.
+    """Heights in units at all levels of detail, level l (M + 1, M + 1) where M = N / 2^l.
 
-    Row along y and column along x. ``unit`` is the distance between vertices at level 0. The last
-    level is flat; it stands for all that are coarser.
+    ``values`` float32 (n,) are all levels, one after the other, each row by row along y. ``side``
+    is N, and ``unit`` the distance between vertices at level 0. The last level is flat; it stands
+    for all that are coarser. ``name`` is a hash of the heights.
     """
 
-    levels: Sequence[np.ndarray]
+    values: np.ndarray
+    side: int
     unit: float = 1.0
+    name: str = ""
 
-    @property
-    def side(self) -> int:
-        """N, the number of pixels on a side of the image."""
-        return len(self.levels[0]) - 1
+    @cached_property
+    def sides(self) -> np.ndarray:
+        """M of each level, int64."""
+        # The last level, whose vertices are 2N apart, has M = 1 for want of a smaller number.
+        return np.maximum(self.side >> np.arange(self.side.bit_length() + 1), 1)
+
+    @cached_property
+    def offsets(self) -> np.ndarray:
+        """Where each level begins in ``values``, int64."""
+        return np.cumsum((self.sides + 1) ** 2) - (self.sides + 1) ** 2
+
+    @cached_property
+    def levels(self) -> list[np.ndarray]:
+        """The heights of each level, (M + 1, M + 1), row along y and column along x."""
+        pairs = zip(self.offsets.tolist(), (self.sides + 1).tolist(), strict=True)
+        return [self.values[at : at + n * n].reshape(n, n) for at, n in pairs]
+
+    def at(self, level: np.ndarray, row: np.ndarray, column: np.ndarray) -> np.ndarray:
+        """Return the heights of vertices, float32 (n, rows, columns).
+
+        They are the ``row`` (n, rows) and ``column`` (n, columns) at ``level`` (n,), whole numbers
+        counted from the map's corner, on the endless plane.
+        """
+        which = np.minimum(level, len(self.sides) - 1)[:, None]
+        side = self.sides[which]
+        begin = self.offsets[which] + mirrored(row, side) * (side + 1)
+        places = begin[:, :, None] + mirrored(column, side)[:, None, :]
+        return np.asarray(self.values.take(places))
 
     @property
     def size(self) -> float:
@@ -55,6 +84,26 @@ class HeightField:
         """The greatest height in units."""
         return float(self.levels[0].max())
 
+    @cached_property
+    def _tops(self) -> np.ndarray:
+        """The greatest height around the corners of squares of AROUND vertices, (T + 1, T + 1)."""
+        count = max(self.side // AROUND, 1)
+        inside = self.levels[0][:-1, :-1].reshape(count, self.side // count, count, -1)
+        squares = np.pad(inside.max(axis=(1, 3)), 1, "edge")
+        return np.maximum(
+            np.maximum(squares[:-1, :-1], squares[1:, :-1]),
+            np.maximum(squares[:-1, 1:], squares[1:, 1:]),
+        )
+
+    def top(self, x: float, y: float) -> float:
+        """Return a height that no terrain near a point exceeds, and that changes gradually.
+
+        Near means on the square of AROUND vertices where the point is.
+        """
+        squares = HeightField(self._tops.ravel(), len(self._tops) - 1)
+        side = self.size / squares.side
+        return float(squares.height(x / side, y / side))
+
     def height(self, x: np.ndarray | float, y: np.ndarray | float) -> np.ndarray:
         """Return heights in units at points of the plane, linear between the vertices."""
         return self._corners(x, y)[0]
@@ -69,16 +118,15 @@ class HeightField:
         column, row = np.floor(u).astype(np.int64), np.floor(v).astype(np.int64)
         s, t = u - column, v - row
         left, right = mirrored(column, self.side), mirrored(column + 1, self.side)
-        near, far = mirrored(row, self.side), mirrored(row + 1, self.side)
-        h = self.levels[0]
-        a, b = h[near, left].astype(np.float64), h[near, right].astype(np.float64)
-        c, d = h[far, left].astype(np.float64), h[far, right].astype(np.float64)
+        near, far = (mirrored(each, self.side) * (self.side + 1) for each in (row, row + 1))
+        corners = np.stack([near + left, near + right, far + left, far + right])
+        a, b, c, d = self.values[corners].astype(np.float64)
         first, second = a + s * (b - a), c + s * (d - c)
         along_x = ((b - a) * (1 - t) + (d - c) * t) / self.unit
         return first + t * (second - first), along_x, (second - first) / self.unit
 
 
-def mirrored(index: np.ndarray, side: int) -> np.ndarray:
+def mirrored(index: np.ndarray, side: np.ndarray | int) -> np.ndarray:
     """Return the vertex from 0 to ``side`` that a vertex of the mirrored plane repeats.
 
     ``side`` is a power of two.
@@ -98,8 +146,9 @@ def height_field(
     values = np.ascontiguousarray(image, np.float32)
     above = WHITE - values if settings.black_high else values
     heights = above * np.float32(settings.relief / WHITE)
-    levels = recall((str(heights.shape), heights.tobytes()), lambda: averages(heights))
-    return HeightField(levels, settings.unit)
+    key = hashlib.blake2b(heights.tobytes(), digest_size=20).hexdigest()
+    (values,) = recall(("fly-over levels", key), lambda: (averages(heights),))
+    return HeightField(values, len(heights), settings.unit, key)
 
 
 def check_image(image: np.ndarray, name: str) -> None:
@@ -126,12 +175,13 @@ def nearest_sides(side: int) -> tuple[int, ...]:
     return tuple(sorted(found))
 
 
-def averages(heights: np.ndarray) -> tuple[np.ndarray, ...]:
+def averages(heights: np.ndarray) -> np.ndarray:
     """Return the heights (N, N) at all levels of detail, see :class:`HeightField`."""
     levels = [np.pad(heights, (0, 1), "edge")]
     while len(levels[-1]) > 2:
         levels.append(halved(halved(levels[-1]).T).T)
-    return *map(np.ascontiguousarray, levels), np.full((2, 2), levels[-1].mean(), np.float32)
+    flat = np.full((2, 2), levels[-1].mean(), np.float32)
+    return np.concatenate([level.ravel() for level in (*levels, flat)])
 
 
 def halved(heights: np.ndarray) -> np.ndarray:

@@ -14,7 +14,11 @@ DOCUMENT = (
     "fly-over, section 2.1"  # the document of the student project, "Transformation 3D vers 2D"
 )
 ENVIRONMENT = "fly-over, section 2.3"  # the same, "Format du fichier d'environnement"
+SUMMARY = "fly-over, section 3"  # its list of techniques
 FARTHEST = 1e5  # units, chosen
+# Of a tile's side. Its diagonal is 1.4 of them, and a tile may begin at one end of a level's reach:
+# from 2.8 up, the levels on both sides of a border differ by one.
+LEAST_DENSITY = 3.0
 
 
 @dataclass(frozen=True)
@@ -77,6 +81,51 @@ class Flyover:
         100,
         unit=UNITS,
     )
+    bounding_volumes: bool = setting(
+        True, ENVIRONMENT, "tiles of terrain whose box is off the screen are dropped as a whole"
+    )
+    quad_tree: bool = setting(
+        True,
+        SUMMARY,
+        "boxes are tested from large to small: four tiles at once, or sixteen, and so on",
+        needs=("flyover.bounding_volumes",),
+    )
+    back_faces: bool = setting(
+        True, SUMMARY, "edges whose two triangles are turned away from the camera are dropped"
+    )
+    strips: bool = setting(
+        True, ENVIRONMENT, "an edge that two triangles share is drawn once, not twice"
+    )
+    patch: str = setting(
+        "8", "chosen", "quads on a side of a tile", choices=("4", "8", "16"), unit="quads"
+    )
+    detail: bool = setting(
+        True, ENVIRONMENT, "distant terrain has fewer vertices; off, each pixel of the image is one"
+    )
+    density: float = setting(
+        40.0,
+        "chosen",
+        "how far each level of detail reaches; higher draws more lines",
+        12,
+        400,
+        unit="quads",
+        needs=("flyover.detail",),
+    )
+    morph: bool = setting(
+        True,
+        "chosen",
+        "vertices glide to where the next level has them; off, there are cracks, and edges pop up",
+        needs=("flyover.detail",),
+    )
+    morph_part: float = setting(
+        0.4,
+        "chosen",
+        "part of a level's reach in which they glide, less where tiles are too large for it",
+        0.01,
+        0.5,
+        unit="of the reach",
+        needs=("flyover.detail", "flyover.morph"),
+    )
     far_undetailed: float = setting(
         256.0,
         "chosen",
@@ -107,3 +156,9 @@ def check(settings: Settings) -> None:
                 f"setting flyover.{low}: expected less than flyover.{high} "
                 f"({getattr(ours, high):g}), not {getattr(ours, low):g}"
             )
+    least = LEAST_DENSITY * int(ours.patch)
+    if ours.detail and ours.density < least:
+        raise InputError(
+            f"setting flyover.density: expected at least {least:g}, three times flyover.patch, "
+            f"not {ours.density:g}"
+        )
