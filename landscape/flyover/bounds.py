@@ -5,6 +5,7 @@ box contains all of these. Boxes depend on the terrain only and are cached.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -39,6 +40,7 @@ def mirrored(tile: np.ndarray, side: np.ndarray) -> np.ndarray:
     return np.minimum(repeated, 2 * side - 1 - repeated)
 
 
+@lru_cache(maxsize=2)
 def bounds(field: HeightField, patch: int) -> Bounds:
     """Return the bounds of a terrain's tiles of ``patch`` x ``patch`` quads."""
     count = max((field.side // patch).bit_length(), 0)  # of levels whose tiles are in the image

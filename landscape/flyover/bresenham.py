@@ -52,7 +52,8 @@ class Runs:
     For line ``index`` of those that were given, k goes from ``first`` over ``count`` steps along
     the longer side, from ``u`` up. ``v``, ``du`` and ``dv`` are the shorter side's start and the
     lengths of both. ``down`` is 1 where a pixel halfway between two goes to the lower v. All (n,)
-    int64.
+    int64. ``slope`` and ``start`` are float64: the shorter side at k is ``start + slope * k``,
+    rounded down.
     """
 
     index: np.ndarray
@@ -63,6 +64,8 @@ class Runs:
     down: np.ndarray
     first: np.ndarray
     count: np.ndarray
+    slope: np.ndarray
+    start: np.ndarray
 
     def __getitem__(self, which: slice | np.ndarray) -> "Runs":
         """Return some of the runs."""
@@ -99,12 +102,12 @@ def chunks(
             runs = clipped(at, ends[1], ends[0], ends[3], ends[2], height, width)
         for part in divided(runs):
             near = (np.maximum(np.abs(part.u), np.abs(part.v)) + part.du).max() < NEARBY
-            owner, major, minor = fast_steps(part) if near else steps(part)
+            major, minor = fast_steps(part) if near else steps(part)
             if along_x:
                 minor *= width
             else:
                 major *= width
-            yield np.add(major, minor, out=major), part.index[owner]
+            yield np.add(major, minor, out=major), np.repeat(part.index, part.count)
 
 
 def divided(runs: Runs) -> Iterator[Runs]:
@@ -152,38 +155,35 @@ def clipped(
         else:
             first[at] = np.maximum(first[at], -leave // (-2 * d) + 1)
             last[at] = np.minimum(last[at], -enter // (-2 * d))
-    seen = last >= first
-    count = (last - first + 1)[seen]
-    return Runs(index[seen], u[seen], v[seen], du[seen], dv[seen], down[seen], first[seen], count)
+    seen = np.flatnonzero(last >= first)
+    u, v, du, dv, down, first = (each[seen] for each in (u, v, du, dv, down, first))
+    longer = np.maximum(du, 1)  # it is 0 for a line of one pixel
+    # Halfway between two pixels, half of the least difference that there can be, 1 / 2 du, decides.
+    start = v + 0.5 + (0.25 - 0.5 * down) / longer
+    count = last[seen] - first + 1
+    return Runs(index[seen], u, v, du, dv, down, first, count, dv / longer, start)
 
 
-def steps(runs: Runs) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the run, u and v of each pixel of all runs, by the closed form."""
+def steps(runs: Runs) -> tuple[np.ndarray, np.ndarray]:
+    """Return u and v of each pixel of all runs, by the closed form."""
     owner = np.repeat(np.arange(len(runs.count)), runs.count)
     k = np.arange(len(owner)) + (runs.first - np.cumsum(runs.count) + runs.count)[owner]
     du, dv, down = runs.du[owner], runs.dv[owner], runs.down[owner]
-    # A line of one pixel has a longer side of 0.
     made = (2 * k * dv + du - down) // np.maximum(2 * du, 1)
-    return owner, runs.u[owner] + k, runs.v[owner] + made
+    return runs.u[owner] + k, runs.v[owner] + made
 
 
-def fast_steps(runs: Runs) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def fast_steps(runs: Runs) -> tuple[np.ndarray, np.ndarray]:
     """Return the same as :func:`steps`, for lines of coordinates below NEARBY.
 
-    Division takes longest there. Here each line has its slope and where it crosses k = 0, and one
-    number counts on through all pixels. Halfway between two pixels a quarter of the least
-    difference that there can be, 1 / du, decides.
+    There, division takes longest. Here, each line has its slope, and one number counts on through
+    all pixels; k is what it exceeds the number ``before`` the line by.
     """
-    longer = np.maximum(runs.du, 1)
-    slope = runs.dv / longer
     before = np.cumsum(runs.count) - runs.count - runs.first
-    start = runs.v + 0.5 + (0.25 - 0.5 * runs.down) / longer - slope * before
-    owner = np.repeat(np.arange(len(runs.count)), runs.count)
-    place = np.arange(len(owner))
+    major = np.repeat(runs.u - before, runs.count)
+    major += np.arange(len(major))
+    minor = np.repeat(runs.slope, runs.count)
+    minor *= np.arange(len(major), dtype=np.float64)
+    minor += np.repeat(runs.start - runs.slope * before, runs.count)
     # On the screen v is not negative, so that rounding towards 0 is rounding down.
-    minor = slope[owner]
-    minor *= place
-    minor += start[owner]
-    major = (runs.u - before)[owner]
-    major += place
-    return owner, major, minor.astype(np.int64)
+    return major, minor.astype(np.int64)

@@ -26,7 +26,7 @@ WHITE = 255.0
 AROUND = 32  # vertices, chosen
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class HeightField:
     """Heights in units at all levels of detail, level l (M + 1, M + 1) where M = N / 2^l.
 
@@ -143,10 +143,10 @@ def height_field(
     """
     settings = settings or Flyover()
     check_image(image, name)
-    values = np.ascontiguousarray(image, np.float32)
-    above = WHITE - values if settings.black_high else values
-    heights = above * np.float32(settings.relief / WHITE)
-    key = hashlib.blake2b(heights.tobytes(), digest_size=20).hexdigest()
+    values = np.asarray(image, np.float32)
+    heights = WHITE - values if settings.black_high else values.copy()
+    heights *= np.float32(settings.relief / WHITE)
+    key = hashlib.blake2b(np.ascontiguousarray(heights).data, digest_size=20).hexdigest()
     (values,) = recall(("fly-over levels", key), lambda: (averages(heights),))
     return HeightField(values, len(heights), settings.unit, key)
 
