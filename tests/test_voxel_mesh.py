@@ -5,13 +5,26 @@ import itertools
 import numpy as np
 import pytest
 
-from landscape.voxel.blocks import AIR, BLOCKS, SOLID, block
+from landscape.gl.texture import mip_levels
+from landscape.voxel.blocks import AIR, BLOCKS, SOLID, TILES, block
 from landscape.voxel.distant import distant_mesh, halved
 from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, visible_faces
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials
-from landscape.voxel.mesh import ALL_TILES, OVERLAP, Look, region_mesh, region_meshes
+from landscape.voxel.mesh import (
+    DRY,
+    OVERLAP,
+    PLANTS,
+    SETS,
+    SHORE,
+    WET,
+    Look,
+    region_mesh,
+    region_meshes,
+)
 from landscape.voxel.relief import roughened
+from landscape.voxel.tile_column import PLACES, ROWS, WIDEST, column, first_row
+from landscape.voxel.tiles import SIDE
 from landscape.voxel.world import World
 
 MERGES = ("rectangles", "runs", "none")
@@ -150,7 +163,7 @@ def test_blocks_are_joined_by_eight_into_the_uppermost_that_is_solid() -> None:
 
 
 @pytest.mark.parametrize("size", (4, 5))
-def test_a_distant_region_has_walls_all_around_and_covers_its_blocks(size: int) -> None:
+def test_a_distant_region_has_walls_where_its_neighbours_are_lower(size: int) -> None:
     blocks = np.zeros((2 * size, 2 * size, 8), np.uint8)
     blocks[:, :, :3] = block("rock")
     blocks[size + 1, 1, 3:6] = block("oak log")
@@ -161,9 +174,24 @@ def test_a_distant_region_has_walls_all_around_and_covers_its_blocks(size: int) 
     wide = size + size % 2
     assert low[[0, 2]] == pytest.approx([size, 0], abs=0.02)
     assert high == pytest.approx([size + wide, 6, wide], abs=0.02)
-    sides = dict(zip([each.name for each in DIRECTIONS], mesh.counts.sum(axis=0), strict=True))
-    assert all(sides[name] for name in ("east", "west", "south", "north", "up"))
-    assert mesh.counts[-1].sum() == 0
+    # Two blocks of the neighbours close each cell, but for the uppermost, with one block of land.
+    # Cells that reach into a neighbour have walls down to the bottom.
+    open_to = dict.fromkeys(("west", "south"), 2 if size % 2 == 0 else 0)
+    lowest = dict(
+        zip(
+            [each.name for each in DIRECTIONS],
+            (
+                mesh.vertices["position"][ends - count : ends, 1].min() if count else None
+                for ends, count in zip(
+                    np.cumsum(mesh.counts.sum(axis=1)), mesh.counts.sum(axis=1), strict=True
+                )
+            ),
+            strict=False,
+        )
+    )
+    for name, height in open_to.items():
+        assert lowest[name] == pytest.approx(height, abs=0.03)
+    assert mesh.counts[PLANTS].sum() == 0
 
 
 def plain_look(side: int) -> Look:
@@ -175,7 +203,7 @@ def test_quads_are_counter_clockwise_from_outside_and_as_large_as_their_faces(me
     blocks = some_blocks(3, 0.5, (1, 3))
     mesh = region_mesh(blocks, (0, 0, 0), plain_look(9), merge)
     quads = mesh.vertices["position"].reshape(-1, 4, 3).astype(np.float64)
-    way = np.concatenate([np.repeat(np.arange(6), each) for each in mesh.counts // 4])
+    way = np.repeat(np.arange(len(mesh.counts)), mesh.counts.sum(axis=1) // 4)
     edges = quads[:, 1] - quads[:, 0], quads[:, 2] - quads[:, 1]
     normals = np.cross(*edges)
     # x, z, y of a direction to x, y, z.
@@ -193,12 +221,47 @@ def test_a_tile_stands_upright_on_sides_and_is_repeated_once_a_block() -> None:
     blocks = np.zeros((6, 6, 6), np.uint8)
     blocks[1:5, 1:5, 1:5] = block("grass")
     mesh = region_mesh(blocks, (0, 0, 0), plain_look(6))
-    tile = ALL_TILES.index("grass_side")
-    start = int(mesh.counts[:tile].sum())
-    vertices = mesh.vertices[start : start + int(mesh.counts[tile].sum())]
-    height = vertices["position"][:, 1]
+    tile = TILES.index("grass_side")
+    vertices = mesh.vertices[: 4 * (mesh.counts[:2].sum() // 4)]  # east and west
+    height, (s, t) = vertices["position"][:, 1], vertices["coordinate"].T
+    assert vertices["position"][:, 2] == pytest.approx(s)
     # Row 0 of a tile is its upper edge, so t falls as y rises.
-    assert vertices["coordinate"][:, 1] == pytest.approx(-height)
+    assert (t * ROWS).tolist() == pytest.approx((first_row(np.array(tile)) + 4 - height).tolist())
+
+
+def test_a_merged_face_reads_its_own_tile_alone_in_every_mip_level() -> None:
+    pictures = [np.full((SIDE, SIDE, 3), 10 + 10 * tile, np.uint8) for tile in range(len(TILES))]
+    levels = mip_levels(column(pictures))[: SIDE.bit_length()]
+    assert levels[-1].shape[:2] == (ROWS, 1)
+    for tile in (0, 1, len(TILES) - 1):
+        begin = float(first_row(np.array(tile)))
+        for level in levels:
+            # The texels that linear filtering reads, for t from one end to the other.
+            ends = (np.array([begin, begin + WIDEST]) / ROWS) * len(level) - 0.5
+            first, last = int(np.floor(ends[0])), int(np.ceil(ends[1]))
+            assert (level[first : last + 1] == 10 + 10 * tile).all(), (tile, len(level))
+
+
+def test_no_face_is_wider_than_its_tile_is_repeated() -> None:
+    blocks = np.zeros((32, 32, 6), np.uint8)
+    blocks[:, :, :3] = block("grass")
+    quads = region_mesh(blocks, (0, 0, 0), plain_look(32)).vertices.reshape(-1, 4)
+    rows = quads["coordinate"][..., 1] * ROWS - first_row(np.array(TILES.index("grass_top")))
+    assert rows.min() == pytest.approx(-OVERLAP, abs=1e-3)
+    assert rows.max() == pytest.approx(WIDEST + OVERLAP, abs=1e-3)
+    assert PLACES == WIDEST + 1
+
+
+def test_faces_are_sorted_by_whether_they_are_under_water() -> None:
+    blocks = some_blocks(8, 0.5, (1, 3, 29))
+    look = Look(np.ones((6, 4)), np.zeros((10, 10), np.float32), shore=(3, 5))
+    mesh = region_mesh(blocks, (0, 0, 0), look)
+    part = np.repeat(np.tile(np.arange(SETS), len(mesh.counts)), mesh.counts.ravel() // 4)
+    height = mesh.vertices["position"][:, 1].reshape(-1, 4)
+    low, high = height.min(axis=1) + OVERLAP, height.max(axis=1) - OVERLAP
+    wet, dry = high <= 3.001, low >= 4.999
+    assert (part == np.where(dry, DRY, np.where(wet, WET, SHORE))).all()
+    assert all((part == each).any() for each in (WET, SHORE, DRY))
 
 
 def test_plants_are_crossed_quads_and_hide_nothing() -> None:
@@ -207,8 +270,8 @@ def test_plants_are_crossed_quads_and_hide_nothing() -> None:
     bare = region_mesh(blocks, (0, 0, 0), plain_look(5))
     blocks[2, 2, 2] = block("poppy")
     planted = region_mesh(blocks, (0, 0, 0), plain_look(5))
-    assert (planted.counts[:-1] == bare.counts[:-1]).all()
-    assert planted.counts[-1].sum() == 2 * 4
+    assert (planted.counts[:PLANTS] == bare.counts[:PLANTS]).all()
+    assert planted.counts[PLANTS].sum() == 2 * 4
 
 
 def test_regions_meshed_one_by_one_make_the_mesh_of_the_whole_map() -> None:
@@ -235,7 +298,7 @@ def test_no_face_is_made_at_the_border_of_the_map_or_under_it() -> None:
     place = World(blocks, np.full((4, 4), 2, np.int16), 4, 1, 0.08)
     inner, origin = place.with_edge(0)
     mesh = region_mesh(inner, origin, plain_look(4), "none")
-    per_direction = mesh.counts.sum(axis=0) // 4
+    per_direction = mesh.counts[:PLANTS].sum(axis=1) // 4
     assert dict(zip([each.name for each in DIRECTIONS], per_direction, strict=True)) == {
         "east": 0, "west": 0, "up": 16, "down": 0, "south": 0, "north": 0,
     }  # fmt: skip

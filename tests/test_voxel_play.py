@@ -18,15 +18,17 @@ from PIL import Image
 from landscape.errors import InputError
 from landscape.geometry.bodies import Body, Wish
 from landscape.render import Offscreen
-from landscape.voxel.blocks import AIR, SOLID, TILES, block
+from landscape.voxel.blocks import AIR, SOLID, block
 from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, Place, moved
-from landscape.voxel.mesh import Look, RegionMesh, region_mesh
+from landscape.voxel.mesh import DRY, PLANTS, SETS, SHORE, WET, Look, RegionMesh, region_mesh
 from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.picking import picked
+from landscape.voxel.tile_column import PLACES, ROWS
 from landscape.voxel.world import World
 from landscape.voxel.world_file import decoded, encoded
 
 EYE = 1.625
+SEA = 4  # the lowest level of dry land
 ROCK = block("rock")
 
 
@@ -204,21 +206,25 @@ def test_the_block_under_the_cross_hair_is_the_first_one_on_the_line_of_sight() 
 # A changed block, and the mesh around it.
 
 
-def unit_faces(mesh: RegionMesh) -> dict[tuple, tuple]:
+def unit_faces(mesh: RegionMesh, sea: int) -> dict[tuple, tuple]:
     """Return the tile and the corners' darkness of each unit face of a mesh, by place and way."""
     found = {}
     starts = np.cumsum(mesh.counts.ravel()) - mesh.counts.ravel()
     for number, (start, count) in enumerate(zip(starts, mesh.counts.ravel(), strict=True)):
-        tile, turn = divmod(number, 6)
+        turn, part = divmod(number, SETS)
         for quad in mesh.vertices[start : start + count].reshape(-1, 4):
             corners = quad["position"][:, [0, 2, 1]]
-            if tile == len(TILES):
+            if turn == PLANTS:
                 key = ("plant", *np.round(corners[0], 2).tolist())
                 assert key not in found, "a plant is drawn twice"
-                found[key] = tile, []
+                found[key] = part, []
                 continue
             at = np.rint(corners).astype(int)
             low, high = at.min(axis=0), at.max(axis=0)
+            # Rows of the column in which each tile is there several times.
+            tile = int(quad["coordinate"][:, 1].min() * ROWS) // PLACES
+            expected = DRY if low[2] >= sea + 1 else WET if high[2] <= sea - 1 else SHORE
+            assert part == expected
             # Where faces are merged, the darkness does not change along them.
             dark = sorted(zip((at > low).tolist(), quad["colour"][:, 0].tolist(), strict=True))
             for cell in np.ndindex(*np.maximum(high - low, 1)):
@@ -234,9 +240,10 @@ def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
     heights = rng.integers(3, 9, (side, side))
     blocks = np.where(np.arange(24) < heights[..., None], ROCK, AIR).astype(np.uint8)
     blocks[8:18, 8:18, :9] = ROCK  # level, so that faces are merged
-    world = World(blocks, heights, size, 4, 0.08)
+    world = World(blocks, heights, size, SEA, 0.08)
     # No noise and no differences of light: a colour tells the darkness of a corner.
-    look = Look(np.ones((6, 4)), np.zeros((side + 1, side + 1), np.float32))
+    shore = SEA - 1, SEA + 1
+    look = Look(np.ones((6, 4)), np.zeros((side + 1, side + 1), np.float32), shore=shore)
 
     def whole(region: int) -> RegionMesh:
         return region_mesh(*world.with_edge(region), look)
@@ -252,7 +259,7 @@ def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
             meshes[region] = patched(meshes[region], world, region, cell, high, look)
         if number % 6 == 5:
             for region in range(4):
-                assert unit_faces(meshes[region]) == unit_faces(whole(region))
+                assert unit_faces(meshes[region], SEA) == unit_faces(whole(region), SEA)
     put = {cell: int(world.blocks[cell]) for cell in world.former}
     assert all(world.former[cell] != kind for cell, kind in put.items())
 
@@ -276,12 +283,12 @@ def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_a
         with drawn.targeted():
             # Meshes for where a region is distant are made again when they are first drawn.
             land.choose(np.eye(4), np.zeros(3), near=0.0, far=0.0)
-            before = [unit_faces(mesh) for mesh in land.meshes]
+            before = [unit_faces(mesh, land.world.sea) for mesh in land.meshes]
             for region in range(4):
                 land.rebuild(region)
         for patched_faces, mesh in zip(before, land.meshes, strict=True):
             assert {key: face[0] for key, face in patched_faces.items()} == {
-                key: face[0] for key, face in unit_faces(mesh).items()
+                key: face[0] for key, face in unit_faces(mesh, land.world.sea).items()
             }
         # All of the picture of depths is drawn again: not only the parts that have changed.
         assert (np.abs(picture.astype(int) - drawn.draw()).max(axis=-1) > 12).sum() < 8

@@ -4,6 +4,7 @@ All of it is kept in the cache, so that it is made once.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -26,7 +27,7 @@ from landscape.voxel.landmarks import (
     place_rabbit,
 )
 from landscape.voxel.materials import filled, strata, top_materials, variation
-from landscape.voxel.mesh import ALL_TILES, VERTEX, Look, RegionMesh, region_meshes
+from landscape.voxel.mesh import SETS, TURNS, VERTEX, Look, RegionMesh, region_meshes
 from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
@@ -100,10 +101,14 @@ def face_light(light: Sun, shadow: Shadow) -> np.ndarray:
     return np.clip(found, 0.0, 1.0)
 
 
-def look(side: int, light: Sun, shadow: Shadow, seed: int) -> Look:
-    """Return what the colours depend on, for a map of ``side`` columns."""
+def look(settings: Settings, seed: int) -> Look:
+    """Return what the vertices depend on besides the blocks."""
+    values = settings.voxel
+    side = values.regions * values.region_size
     tint = variation(side + 1, TINT_SIZE, np.random.default_rng(seed + 1))
-    return Look(face_light(light, shadow), tint)
+    # The water is between these, and so is all that is drawn of what lies under it.
+    shore = values.sea - 1, values.sea + 1
+    return Look(face_light(settings.sun, settings.shadow), tint, shore=shore)
 
 
 def meshes(place: World, colours: Look, values: Voxel) -> list[RegionMesh]:
@@ -142,14 +147,15 @@ def meshed(
 
 def seen_from_afar(colours: Look) -> Look:
     """Return what the meshes for far are made with: no dark corners, and a larger overlap."""
-    return Look(colours.light * (*3 * [FAR_SHADE], 1.0), colours.tint, FAR_OVERLAP)
+    light = colours.light * (*3 * [FAR_SHADE], 1.0)
+    return replace(colours, light=light, overlap=FAR_OVERLAP)
 
 
 def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, list[RegionMesh]]:
     """Return the world, its colours and its meshes, from the cache if they were built before."""
     values = settings.voxel
     side = values.regions * values.region_size
-    colours = look(side, settings.sun, settings.shadow, seed)
+    colours = look(settings, seed)
     parts = (
         "voxel world",
         content(assets.path(values.height_image, "voxel.height_image")),
@@ -172,7 +178,7 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, l
     place = World(blocks, ground, values.region_size, values.sea, values.block)
     vertices = data.view(VERTEX)
     ends = np.cumsum(counts.reshape(len(counts), -1).sum(axis=1))
-    shape = len(ALL_TILES), len(DIRECTIONS)
+    shape = len(TURNS), SETS
     found = [
         RegionMesh(vertices[end - count.sum() : end], count.reshape(shape))
         for end, count in zip(ends, counts, strict=True)

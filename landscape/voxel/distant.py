@@ -1,8 +1,9 @@
 """Regions far away: their blocks joined by eight, so that there are a third as many faces.
 
 A cell of 2 x 2 x 2 blocks is solid if any of them is, so that no distant region is lower than it is
-drawn from nearby; and it has walls all around, so that no gap shows where a region that is drawn
-finely is lower than its distant neighbour. From afar a block measures two pixels.
+drawn from nearby. Its sides have walls wherever blocks of its neighbours leave them free, so that
+no gap shows where a region that is drawn finely is lower than its distant neighbour. From afar a
+block measures two pixels.
 """
 
 from dataclasses import replace
@@ -30,6 +31,33 @@ def halved(blocks: np.ndarray) -> np.ndarray:
     return found
 
 
+def closed(columns: np.ndarray) -> np.ndarray:
+    """Return what closes the sides of cells, (n, h): rock, or air where a wall is needed.
+
+    ``columns`` (2 n, 2 h) are the blocks in front of those sides. Four of them close one.
+    """
+    solid = np.pad(SOLID[columns], [(0, side % 2) for side in columns.shape])
+    every = solid[::2, ::2] & solid[1::2, ::2] & solid[::2, 1::2] & solid[1::2, 1::2]
+    return np.where(every, block("rock"), AIR)
+
+
+def cells_of(blocks: np.ndarray) -> np.ndarray:
+    """Return the cells of one region's blocks, both with an edge all around, but not in height.
+
+    The edge of the cells is solid only where no wall is needed. If the sides are odd, the last
+    cells reach into the next region, and there are always walls.
+    """
+    found = np.pad(halved(blocks[EDGE:-EDGE, EDGE:-EDGE]), [(EDGE, EDGE), (EDGE, EDGE), (0, 0)])
+    deep, side = (each - 2 * EDGE for each in blocks.shape[:2])
+    found[0, EDGE:-EDGE] = closed(blocks[0, EDGE:-EDGE])
+    found[EDGE:-EDGE, 0] = closed(blocks[EDGE:-EDGE, 0])
+    if deep % 2 == 0:
+        found[-1, EDGE:-EDGE] = closed(blocks[-1, EDGE:-EDGE])
+    if side % 2 == 0:
+        found[EDGE:-EDGE, -1] = closed(blocks[EDGE:-EDGE, -1])
+    return found
+
+
 def distant_meshes(
     blocks: np.ndarray, size: int, origin: tuple[int, int, int], look: Look, merge: str
 ) -> list[RegionMesh]:
@@ -39,27 +67,25 @@ def distant_meshes(
     Plants are left out, and corners are not darker.
     """
     x, z, low = origin
-    inner = blocks[EDGE:-EDGE, EDGE:-EDGE]
     bottom = low - EDGE
     if bottom % 2:  # cells of all regions begin at even levels
-        inner = np.concatenate([inner[:, :, :1], inner], axis=2)
+        blocks = np.concatenate([blocks[:, :, :1], blocks], axis=2)
         bottom -= 1
-    starts = range(0, inner.shape[1], size)
-    # With air around each region's cells they have walls, and are meshed together without joining.
-    parts = [np.pad(halved(inner[:, start : start + size]), EDGE) for start in starts]
-    cells = np.concatenate(parts, axis=1)
+    starts = range(0, blocks.shape[1] - 2 * EDGE, size)
+    parts = [cells_of(blocks[:, start : start + size + 2 * EDGE]) for start in starts]
+    cells = np.pad(np.concatenate(parts, axis=1), [(0, 0), (0, 0), (EDGE, EDGE)])
     cells[:, :, 0] = block("rock")
     deep, side = parts[0].shape[:2]
     last = len(look.tint) - 1
     across = np.minimum(x + 2 * np.arange(deep), last)
     along = [np.minimum(z + start + 2 * np.arange(side), last) for start in starts]
     tint = look.tint[np.ix_(across, np.concatenate(along))]
-    of_cells = replace(look, tint=tint)
+    shore = (look.shore[0] - bottom) / 2, (look.shore[1] - bottom) / 2
+    of_cells = replace(look, tint=tint, shore=shore, repeat=2)
     meshes = region_meshes(cells, side, (0, 0, 0), of_cells, merge, occlusion=False, plants=False)
     for k, (start, mesh) in enumerate(zip(starts, meshes, strict=True)):
         mesh.vertices["position"] *= 2
         mesh.vertices["position"] += np.array([x, bottom, z + start - 2 * k * side], np.float32)
-        mesh.vertices["coordinate"] *= 2
     return meshes
 
 

@@ -150,12 +150,14 @@ def visible_faces(
     occlusion: bool = True,
     shown: Shown | None = None,
     region_size: int = 0,
+    widest: int = LONGEST,
 ) -> Faces:
     """Return the faces that blocks [x, z, y], uint8 with an edge all around, show in a direction.
 
     ``merge`` is "rectangles", "runs" or "none". ``shown`` is what :func:`shown_in` returns, if that
     is known. If the blocks are those of several regions, one after the other along z,
-    ``region_size`` says how many columns each has; no face goes over from one to the next.
+    ``region_size`` says how many columns each has; no face goes over from one to the next. No
+    rectangle is more than ``widest`` blocks wide.
     """
     blocks = np.ascontiguousarray(blocks)
     shown = shown or shown_in(blocks)
@@ -184,7 +186,7 @@ def visible_faces(
         wide = np.ones(len(key), np.intp)
     if merge == "rectangles":
         parts = ((layer, 12), (along, 12), (long, 5), (kinds, 8), (shade, 8), (across, 12))
-        key, wide = joined(parts, EVEN_ACROSS, region_size if direction.across == 1 else 0)
+        key, wide = joined(parts, EVEN_ACROSS, region_size if direction.across == 1 else 0, widest)
         layer, along, long, kinds, shade, across = split(key, parts)
         low = rows(direction, layer, along, across)
     corners = shade[:, None] >> np.array([6, 4, 2, 0], np.uint8) & 3
@@ -215,12 +217,14 @@ def split(key: np.ndarray, parts: Parts) -> list[np.ndarray]:
     return found[::-1]
 
 
-def joined(parts: Parts, even: np.ndarray, size: int = 0) -> tuple[np.ndarray, np.ndarray]:
+def joined(
+    parts: Parts, even: np.ndarray, size: int = 0, longest: int = LONGEST
+) -> tuple[np.ndarray, np.ndarray]:
     """Join equal faces that follow each other in the last of the parts; the shade is before it.
 
     Return the number of each run's first face, and how many it joins. Only faces whose shade does
     not change from one to the next may be joined: ``even`` (256,) says of which this is so. At
-    multiples of ``size`` runs end.
+    multiples of ``size`` runs end, and after ``longest`` faces.
     """
     key = np.zeros(len(parts[0][0]), np.int64)
     for values, bits in parts:
@@ -235,10 +239,10 @@ def joined(parts: Parts, even: np.ndarray, size: int = 0) -> tuple[np.ndarray, n
     first = np.flatnonzero(starts)
     count = np.diff(first, append=len(key))
     # A run that is too long is cut into pieces.
-    pieces = (count + (LONGEST - 1)) // LONGEST
+    pieces = (count + (longest - 1)) // longest
     many = np.repeat(np.arange(len(first)), pieces)
-    before = LONGEST * (np.arange(len(many)) - (np.cumsum(pieces) - pieces)[many])
-    return key[first[many] + before], np.minimum(count[many] - before, LONGEST)
+    before = longest * (np.arange(len(many)) - (np.cumsum(pieces) - pieces)[many])
+    return key[first[many] + before], np.minimum(count[many] - before, longest)
 
 
 # By the packed shade: whether it is the same at both ends along, or across.

@@ -1,7 +1,8 @@
-"""The land of cubes: which regions are drawn, and their faces, tile by tile.
+"""The land of cubes: which regions are drawn, and their faces.
 
-Technique: one shared vertex buffer; of each tile one texture and one glMultiDrawArrays that sends
-its faces in all visible regions, nearest first, so that what they hide fails the depth test early.
+Technique: one shared vertex buffer, one texture with all tiles, and one glMultiDrawArrays that
+sends the faces of all visible regions, nearest first, so that what they hide fails the depth test
+early. Plants, which have holes and two sides, are a second one.
 State used: GL_TEXTURE_2D, GL_CULL_FACE, GL_ALPHA_TEST for plants; the modelview matrix scales
 blocks to units.
 What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge``.
@@ -15,16 +16,16 @@ import numpy as np
 from landscape.files.assets import Assets
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib, matrix
-from landscape.gl.texture import Texture
+from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar
 from landscape.voxel.distant import distant_mesh
-from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.mesh import RegionMesh
 from landscape.voxel.patch import patched, regions_around
-from landscape.voxel.region_buffer import EVERYWHERE, RegionBuffer, Span
+from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Part, RegionBuffer
 from landscape.voxel.settings import Settings
-from landscape.voxel.tiles import plants, tiles
+from landscape.voxel.tile_column import column
+from landscape.voxel.tiles import SIDE, plants, tiles
 from landscape.voxel.visibility import distances, facing, visible_in_world
 from landscape.voxel.world import Cell
 
@@ -36,14 +37,14 @@ LEAST_ALPHA = 0.5  # chosen: texels of plants with less are not drawn
 class Choice(NamedTuple):
     """Regions to draw, nearest first, and in which directions their faces may be seen (n, 6).
 
-    ``shares`` are those of the buffer that hold their meshes. ``span`` are two heights in blocks:
-    what lies wholly above or below them need not be sent.
+    ``shares`` are those of the buffer that hold their meshes. ``part`` says whether what lies under
+    water or above it need not be sent.
     """
 
     regions: np.ndarray
     shares: np.ndarray
     facing: np.ndarray
-    span: Span = EVERYWHERE
+    part: Part = ALL
 
 
 class Land:
@@ -68,8 +69,13 @@ class Land:
         self.low, self.high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
         pictures = tiles(assets)
         mipmaps = settings.voxel.mipmaps
-        self._textures = [Texture(pictures[name], mipmaps=mipmaps) for name in TILES]
-        self._textures.append(Texture(plants(assets), repeat=False, mipmaps=mipmaps))
+        # Down to the level in which a tile is one texel. Where OpenGL allows no texture as large as
+        # the column, its tiles are coarser.
+        levels = mip_levels(column([pictures[name] for name in TILES]))[: SIDE.bit_length()]
+        largest = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE))
+        levels = [level for level in levels if len(level) <= largest]
+        self._tiles = Texture(levels if mipmaps else levels[:1], mipmaps=mipmaps)
+        self._plants = Texture(plants(assets), repeat=False, mipmaps=mipmaps)
 
     @property
     def meshes(self) -> list[RegionMesh]:
@@ -87,19 +93,22 @@ class Land:
         eye: np.ndarray,
         near: float,
         far: float,
-        span: Span = EVERYWHERE,
+        part: Part = ALL,
     ) -> Choice:
         """Return what to draw: with ``clip`` (4, 4), projection times modelview, from ``eye``.
 
         Regions within ``near`` units are drawn with the meshes for near, beyond ``far`` units with
-        those for where they are distant. ``span`` are the heights in units that will be visible.
+        those for where they are distant. ``part`` of the land will be visible.
         """
         values = self.settings.voxel
         away = distances(self.low, self.high, eye)
         seen = np.ones(len(away), bool)
         if values.cull:
             seen = visible_in_world(self.low, self.high, clip) & (away < values.distance)
-            seen &= (self.high[:, 1] > span[0]) & (self.low[:, 1] < span[1])
+            if part == ABOVE:
+                seen &= self.high[:, 1] > self.world.water * self.scale
+            elif part == UNDER:
+                seen &= self.low[:, 1] < (self.world.water + 1) * self.scale
         regions = np.flatnonzero(seen)
         regions = regions[np.argsort(away[regions], kind="stable")]
         level = (away[regions] >= near).astype(np.intp) + (away[regions] >= max(near, far))
@@ -108,8 +117,7 @@ class Land:
         ways = facing(self.low[regions], self.high[regions], eye)
         if not values.facing:
             ways[:] = True
-        blocks = span[0] / self.scale, span[1] / self.scale
-        return Choice(regions, regions + level * len(self.low), ways, blocks)
+        return Choice(regions, regions + level * len(self.low), ways, part)
 
     def _refresh(self, region: int) -> None:
         """Mesh a region for where it is distant again, if its blocks have changed."""
@@ -143,37 +151,20 @@ class Land:
             gl.glScalef(self.scale, self.scale, self.scale)
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_CULL_FACE)
-            self.send(choice)
-
-    def send(self, choice: Choice) -> None:
-        """Send the faces of each tile with its texture bound; the caller has set all else."""
-        for tile, texture in enumerate(self._textures):
-            some = self.buffer.holds(tile, choice.shares, choice.span)
-            if not some.any():
-                continue
-            texture.bind()
-            if tile == len(TILES):
-                self._send_plants(choice.shares[some])
-            else:
-                self.buffer.draw(tile, choice.shares[some], choice.facing[some])
-
-    def _send_plants(self, shares: np.ndarray) -> None:
-        """Send the plants, whose quads have two sides and holes."""
-        gl.glDisable(gl.GL_CULL_FACE)
-        gl.glEnable(gl.GL_ALPHA_TEST)
-        gl.glAlphaFunc(gl.GL_GREATER, LEAST_ALPHA)
-        every = np.ones((len(shares), len(DIRECTIONS)), bool)
-        self.buffer.draw(len(TILES), shares, every)
-        gl.glDisable(gl.GL_ALPHA_TEST)
-        gl.glEnable(gl.GL_CULL_FACE)
+            self._tiles.bind()
+            self.buffer.draw(choice.shares, choice.facing, choice.part)
+            self._plants.bind()
+            gl.glDisable(gl.GL_CULL_FACE)
+            gl.glEnable(gl.GL_ALPHA_TEST)
+            gl.glAlphaFunc(gl.GL_GREATER, LEAST_ALPHA)
+            self.buffer.draw_plants(choice.shares, choice.part)
 
     def draw_shapes(self, choice: Choice) -> None:
         """Draw all faces but those of plants, without textures, as a shadow map needs them."""
         with attrib(gl.GL_ENABLE_BIT), matrix(), self.buffer.bound():
             gl.glScalef(self.scale, self.scale, self.scale)
             gl.glEnable(gl.GL_CULL_FACE)
-            for tile in range(len(TILES)):
-                self.buffer.draw(tile, choice.shares, choice.facing)
+            self.buffer.draw(choice.shares, choice.facing)
 
     def change(self, blocks: Mapping[Cell, int]) -> None:
         """Change blocks that lie close together, and at once what can be seen of them."""
@@ -250,8 +241,8 @@ class Land:
     def release(self) -> None:
         """Delete the buffer and the textures; may be called twice."""
         self.buffer.release()
-        for texture in self._textures:
-            texture.release()
+        self._tiles.release()
+        self._plants.release()
 
 
 def bounding_box(mesh: RegionMesh) -> tuple[np.ndarray, np.ndarray]:

@@ -1,8 +1,8 @@
-"""The vertices of a region: what OpenGL is sent, sorted by tile and by direction.
+"""The vertices of a region: what OpenGL is sent, sorted by direction, and by where the water is.
 
 Four vertices a quad, in the format GL_T2F_C4UB_V3F of glInterleavedArrays (OpenGL 1.1). A merged
-quad repeats its tile, so texture coordinates count blocks. The colour is the block's tint, times
-the light of the direction, times the darkness of the corner.
+quad repeats its tile: s counts blocks, t the rows of the column in which all tiles are. The colour
+is the block's tint, times the light of the direction, times the darkness of the corner.
 """
 
 from dataclasses import dataclass
@@ -11,9 +11,13 @@ import numpy as np
 
 from landscape.voxel.blocks import BLOCKS, PLANT_TILES, TILES
 from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, Shown, shown_in, visible_faces
+from landscape.voxel.tile_column import ROWS, WIDEST, first_row
 
 VERTEX = np.dtype([("coordinate", "<f4", 2), ("colour", "u1", 4), ("position", "<f4", 3)])
-ALL_TILES = (*TILES, "plants")
+TURNS = (*(each.name for each in DIRECTIONS), "plants")  # how faces are turned
+PLANTS = len(DIRECTIONS)  # their index in TURNS
+WET, SHORE, DRY = range(3)  # faces wholly under water, those near its surface, those above it
+SETS = 3
 # Chosen: how much lighter or darker corners are with 0 to 3 blocks around them.
 SHADES = np.array([1.0, 0.80, 0.64, 0.52], np.float32)
 OVERLAP = 0.006  # blocks, chosen: of quads that are seen from nearby
@@ -25,11 +29,10 @@ CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
 
 
 def face_tiles() -> np.ndarray:
-    """Return the index in ALL_TILES of each block's faces, (blocks, 6) in order of DIRECTIONS."""
+    """Return the index in TILES of each block's faces, (blocks, 6) in order of DIRECTIONS."""
     found = np.zeros((len(BLOCKS), len(DIRECTIONS)), np.uint8)
     for number, block in enumerate(BLOCKS):
         if block.plant:
-            found[number] = len(TILES)
             continue
         side, bottom = block.side or block.top, block.bottom or block.top
         for k, direction in enumerate(DIRECTIONS):
@@ -48,9 +51,9 @@ PLANT_COLUMN = np.array([PLANT_TILES.index(each.top) if each.plant else 0 for ea
 
 @dataclass(frozen=True)
 class RegionMesh:
-    """Vertices (4 m,) of VERTEX, sorted by tile and then by direction.
+    """Vertices (4 m,) of VERTEX, sorted as in TURNS and then into the three sets.
 
-    ``counts`` (tiles, 6) says how many vertices there are of each.
+    ``counts`` (7, 3) says how many vertices there are of each.
     """
 
     vertices: np.ndarray
@@ -64,12 +67,21 @@ class Look:
     ``light`` (6, 4) is the colour of the light on faces in each of DIRECTIONS, with the alpha that
     shadows need, and ``tint`` (n + 1, n + 1) a noise of -1..1 over the corners of the columns,
     [x, z]. Quads overlap their neighbours by ``overlap`` blocks, so that no background shows
-    through where a corner of one meets the side of another (a T-junction).
+    through where a corner of one meets the side of another (a T-junction). ``shore`` are two
+    heights: faces are WET up to the first, and DRY from the second on. ``repeat`` is how often a
+    tile is repeated along the side of a block.
     """
 
     light: np.ndarray
     tint: np.ndarray
     overlap: float = OVERLAP
+    shore: tuple[float, float] = (-np.inf, np.inf)
+    repeat: int = 1
+
+    @property
+    def widest(self) -> int:
+        """How many blocks wide a face may be, so that its tile is repeated often enough."""
+        return WIDEST // self.repeat
 
 
 def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
@@ -88,7 +100,9 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
 
     found = np.empty((len(faces), 4), VERTEX)
     position, coordinate = found["position"], found["coordinate"]
+    tile = first_row(FACE_TILES[faces.block, DIRECTIONS.index(direction)])
     # Row 0 of a tile is its upper edge.
+    top = tile + (faces.wide * look.repeat if direction.across == 2 else 0)
     turned = -1 if direction.across == 2 else 1
     position[..., X_Z_Y[direction.axis]] = low[direction.axis][:, None]
     for s, axis in enumerate((direction.along, direction.across)):
@@ -99,7 +113,11 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
         for corner in range(4):
             end = ends[int(corners[corner, s])]
             position[:, corner, X_Z_Y[axis]] = end
-            coordinate[:, corner, s] = end * turned if s else end
+            if s:
+                row = top + (end - low[axis]) * (turned * look.repeat)
+                coordinate[:, corner, s] = row * np.float32(1 / ROWS)
+            else:
+                coordinate[:, corner, s] = end * look.repeat
     # Which corners lie at the far end along x and z.
     far = {direction.along: corners[:, 0] > 0, direction.across: corners[:, 1] > 0}
     x, z = (
@@ -108,6 +126,15 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
     )
     found["colour"] = colours(faces, shade, x, z, look)
     return brighter_diagonal(found, shade)
+
+
+def sets(faces: Faces, bottom: int, look: Look) -> np.ndarray:
+    """Return whether faces are WET, SHORE or DRY, (m,); ``bottom`` is the region's lowest level."""
+    direction = faces.direction
+    low = faces.low[:, 2] + (bottom + (direction.axis == 2 and direction.sign > 0))
+    high = low + faces.wide if direction.across == 2 else low
+    wet, dry = look.shore
+    return np.asarray(SHORE - (high <= wet).astype(np.intp) + (low >= dry))
 
 
 def colours(
@@ -171,6 +198,14 @@ def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) ->
     return found.reshape(-1, 4)
 
 
+def plant_sets(vertices: np.ndarray, look: Look) -> np.ndarray:
+    """Return whether plants are WET, SHORE or DRY, (m,), from their vertices (m, 4)."""
+    height = vertices["position"][..., 1]
+    wet, dry = look.shore
+    high, low = height.max(axis=1, initial=-np.inf), height.min(axis=1, initial=np.inf)
+    return np.asarray(SHORE - (high <= wet).astype(np.intp) + (low >= dry))
+
+
 def region_mesh(
     blocks: np.ndarray,
     origin: tuple[int, int, int],
@@ -203,32 +238,30 @@ def region_meshes(
     :func:`shown_in` returns, if that is known.
     """
     number = -(-(blocks.shape[1] - 2 * EDGE) // size) if size else 1
-    shape = number, len(ALL_TILES)
-    counts = np.zeros((*shape, len(DIRECTIONS)), np.int32)
-    found: list[list[np.ndarray]] = [[] for _ in range(shape[0] * shape[1])]
+    counts = np.zeros((number, len(TURNS), SETS), np.int32)
+    found: list[list[np.ndarray]] = [[] for _ in range(number)]
     shown = shown or shown_in(blocks)
     for k, direction in enumerate(DIRECTIONS):
-        faces = visible_faces(blocks, direction, merge, occlusion, shown, size)
-        key = FACE_TILES[faces.block, k].astype(np.uint16)
+        faces = visible_faces(blocks, direction, merge, occlusion, shown, size, look.widest)
+        key = sets(faces, origin[2], look)
         if size:
-            key += (faces.low[:, 1] // size * len(ALL_TILES)).astype(np.uint16)
+            key += faces.low[:, 1] // size * SETS
         vertices = quads(faces.sorted_by(key), origin, look)
-        many = np.bincount(key, minlength=len(found))
-        ends = np.cumsum(many)
-        counts[..., k] = 4 * many.reshape(shape)
-        for each in np.flatnonzero(many):
-            found[each].append(vertices[ends[each] - many[each] : ends[each]])
+        many = np.bincount(key, minlength=number * SETS).reshape(number, SETS)
+        counts[:, k] = 4 * many
+        ends = np.cumsum(many.sum(axis=1))
+        for region in range(number):
+            found[region].append(vertices[ends[region] - many[region].sum() : ends[region]])
     if plants:
         x, z, y = origin
         for region in range(number):
             columns = slice(region * size, (region + 1) * size) if size else slice(None)
             inner = blocks[1:-1, 1:-1, 1:-1][:, columns]
             crossed = plant_quads(inner, (x, z + region * size, y), look)
-            counts[region, -1, UP] = crossed.size
-            found[region * shape[1] + shape[1] - 1].append(crossed)
-    meshes = []
-    for region, count in enumerate(counts):
-        parts = [part for some in found[region * shape[1] :][: shape[1]] for part in some]
-        whole = np.concatenate(parts) if parts else np.empty((0, 4), VERTEX)
-        meshes.append(RegionMesh(whole.reshape(-1), count))
-    return meshes
+            key = plant_sets(crossed, look)
+            counts[region, PLANTS] = 4 * np.bincount(key, minlength=SETS)
+            found[region].append(crossed[np.argsort(key, kind="stable")])
+    return [
+        RegionMesh(np.concatenate(parts).reshape(-1), count)
+        for parts, count in zip(found, counts, strict=True)
+    ]

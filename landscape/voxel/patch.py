@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from landscape.voxel.blocks import SOLID, TILES
+from landscape.voxel.blocks import SOLID
 from landscape.voxel.faces import (
     DIRECTIONS,
     EDGE,
@@ -22,19 +22,18 @@ from landscape.voxel.faces import (
     shown_kinds,
 )
 from landscape.voxel.mesh import (
-    ALL_TILES,
-    FACE_TILES,
-    UP,
+    PLANTS,
+    SETS,
     VERTEX,
     Look,
     RegionMesh,
     plant_quads,
+    plant_sets,
     quads,
+    sets,
 )
 from landscape.voxel.world import World
 
-TURNS = len(DIRECTIONS)
-PLANTS = len(TILES)  # their index in ALL_TILES
 X_Z_Y = [0, 2, 1]
 Corner = list[int]  # [x, z, y]
 
@@ -51,8 +50,8 @@ def touched(
 ) -> tuple[np.ndarray, list[list[Rectangle]]]:
     """Return which quads (m,) cover blocks of the box from ``low`` to ``high``.
 
-    Also, per direction, which blocks' faces those are. ``key`` (m,) is each quad's tile times the
-    number of directions, plus its direction.
+    Also, per direction, which blocks' faces those are. ``key`` (m,) is the index in TURNS of each
+    quad times the number of sets, plus its set.
     """
     position = mesh.vertices["position"]
     one, other = position[0::4], position[2::4]  # corners that face each other
@@ -66,8 +65,8 @@ def touched(
     found = np.zeros(len(key), bool)
     rectangles: list[list[Rectangle]] = [[] for _ in DIRECTIONS]
     for n, m in enumerate(near.tolist()):
-        tile, turn = divmod(int(key[m]), TURNS)
-        if tile == PLANTS:
+        turn = int(key[m]) // SETS
+        if turn == PLANTS:
             # It is not in the middle of its block, but its middle is in the block.
             begin = np.floor((least[n] + most[n]) / 2).astype(int).tolist()
             end = [at + 1 for at in begin]
@@ -78,7 +77,7 @@ def touched(
             end[direction.axis] = begin[direction.axis] + 1
         if all(begin[a] < high[a] and end[a] > low[a] for a in range(3)):
             found[m] = True
-            if tile != PLANTS:
+            if turn != PLANTS:
                 rectangles[turn].append(Rectangle(begin, end))
     return found, rectangles
 
@@ -159,21 +158,21 @@ def patched(
     out, rectangles = touched(mesh, key, low, high)
     found, place = faces_again(world, low, high, rectangles, occlusion)
     origin = place[0], place[1], place[2]
-    sets, keys = [mesh.vertices.reshape(-1, 4)], [key]
+    parts, keys = [mesh.vertices.reshape(-1, 4)], [key]
     for k, faces in enumerate(found):
         if len(faces):
-            sets.append(quads(faces, origin, look))
-            keys.append(FACE_TILES[faces.block, k].astype(np.int16) * TURNS + k)
+            parts.append(quads(faces, origin, look))
+            keys.append(k * SETS + sets(faces, origin[2], look))
     if plants:
         inner = tuple(slice(*ends) for ends in zip(low, high, strict=True))
         crossed = plant_quads(world.blocks[inner], (low[0], low[1], low[2]), look)
-        sets.append(crossed)
-        keys.append(np.full(len(crossed), PLANTS * TURNS + UP, np.int16))
+        parts.append(crossed)
+        keys.append(PLANTS * SETS + plant_sets(crossed, look))
     key = np.concatenate(keys)
     order = np.argsort(key, kind="stable")
     order = order[~np.concatenate([out, np.zeros(len(key) - len(out), bool)])[order]]
-    counts = 4 * np.bincount(key[order], minlength=len(ALL_TILES) * TURNS)
+    counts = 4 * np.bincount(key[order], minlength=mesh.counts.size)
     # As plain numbers, four vertices a row, whole quads are copied at once.
-    numbers = np.concatenate([each.view(np.float32).reshape(-1, VERTEX.itemsize) for each in sets])
+    numbers = np.concatenate([each.view(np.float32).reshape(-1, VERTEX.itemsize) for each in parts])
     vertices = numbers[order].reshape(-1).view(VERTEX)
-    return RegionMesh(vertices, counts.reshape(len(ALL_TILES), TURNS).astype(np.int32))
+    return RegionMesh(vertices, counts.reshape(mesh.counts.shape).astype(np.int32))

@@ -2,8 +2,8 @@
 
 The document weighs one buffer for the whole scene against one a region, and takes the first: what
 costs is the number of OpenGL calls, not of vertices. Here, too, a region is a share of the one
-buffer, in which the vertices of a tile and of a direction follow each other, and a
-glMultiDrawArrays (OpenGL 1.4) sends those of a tile in all visible regions at once.
+buffer, in which the vertices of a direction follow each other, and one glMultiDrawArrays
+(OpenGL 1.4) sends those of all visible regions.
 Without buffers the vertices stay in the program's memory (vertex arrays, OpenGL 1.1), and without
 glMultiDrawArrays there is a call for each region and direction; neither changes the picture.
 State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
@@ -17,8 +17,7 @@ import numpy as np
 
 from landscape.gl.calls import gl
 from landscape.gl.extensions import Need, has
-from landscape.voxel.faces import DIRECTIONS
-from landscape.voxel.mesh import ALL_TILES, VERTEX, RegionMesh
+from landscape.voxel.mesh import DRY, PLANTS, SETS, SHORE, TURNS, VERTEX, WET, RegionMesh
 
 BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
 MULTI_DRAW = Need((1, 4), ("GL_EXT_multi_draw_arrays",))
@@ -30,14 +29,16 @@ SPARE = 512  # vertices, chosen: and by at least this
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
 FINISHED = 64  # chosen: so many shares of a large world are uploaded at a time
 
-Span = tuple[float, float]
-EVERYWHERE: Span = (-np.inf, np.inf)
+# The sets of faces that are drawn, from one to another: all of them, those that are not wholly
+# under water, and those that are not wholly above it.
+Part = tuple[int, int]
+ALL, ABOVE, UNDER = (WET, DRY), (SHORE, DRY), (WET, SHORE)
 
 
 class RegionBuffer:
-    """Owner of the buffer. ``first`` and ``count`` (shares, tiles, 6) say what lies where.
+    """Owner of the buffer. ``at`` (shares, 7, 4) says where the vertices of each direction begin.
 
-    ``low`` and ``high`` (shares, tiles) are the least and greatest heights of vertices in blocks.
+    Those of its second and its third set, and where the third ends, come after it.
     """
 
     def __init__(self, meshes: list[RegionMesh]) -> None:
@@ -50,10 +51,7 @@ class RegionBuffer:
         margin, spare = (1.0, 0) if large else (MARGIN, SPARE)
         self.room = (np.maximum(sizes * margin, sizes + spare) // 4 * 4).astype(np.int64)
         self.start = np.cumsum(self.room) - self.room
-        self.first = np.zeros((len(meshes), len(ALL_TILES), len(DIRECTIONS)), np.int32)
-        self.count = np.zeros_like(self.first)
-        self.low = np.full(self.first.shape[:2], np.inf)
-        self.high = -self.low
+        self.at = np.zeros((len(meshes), len(TURNS), SETS + 1), np.int32)
         self._free = int(self.room.sum())
         self._end = self._free + RESERVE
         self._multi_draw = has(MULTI_DRAW)
@@ -72,23 +70,13 @@ class RegionBuffer:
 
     def _enter(self, share: int, mesh: RegionMesh) -> None:
         """Note where the vertices of a share lie."""
-        flat = mesh.counts.ravel()
-        starts = self.start[share] + np.cumsum(flat) - flat
-        self.first[share] = starts.reshape(mesh.counts.shape)
-        self.count[share] = mesh.counts
-        per_tile = mesh.counts.sum(axis=1)
-        some = per_tile > 0
-        ends = np.cumsum(per_tile)
-        heights = mesh.vertices["position"][:, 1]
-        self.low[share], self.high[share] = np.inf, -np.inf
-        if some.any():
-            begins = (ends - per_tile)[some]
-            self.low[share, some] = np.minimum.reduceat(heights, begins)
-            self.high[share, some] = np.maximum.reduceat(heights, begins)
+        ends = self.start[share] + np.cumsum(mesh.counts).reshape(mesh.counts.shape)
+        self.at[share, :, 0] = ends[:, 0] - mesh.counts[:, 0]
+        self.at[share, :, 1:] = ends
 
     def mesh(self, share: int) -> RegionMesh:
         """Return a copy of a share's mesh."""
-        counts = self.count[share].copy()
+        counts = np.diff(self.at[share])
         begin, size = int(self.start[share]), int(counts.sum())
         if self._kept is not None:
             return RegionMesh(self._kept[begin:][:size].copy(), counts)
@@ -146,20 +134,25 @@ class RegionBuffer:
                 gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
             gl.glPopClientAttrib()
 
-    def holds(self, tile: int, shares: np.ndarray, span: Span) -> np.ndarray:
-        """Return which shares (n,) have faces of a tile between two heights in blocks."""
-        return np.asarray((self.high[shares, tile] > span[0]) & (self.low[shares, tile] < span[1]))
-
-    def draw(self, tile: int, shares: np.ndarray, facing: np.ndarray) -> None:
-        """Draw a tile's faces of some shares, in their order, in the directions of ``facing``.
+    def draw(self, shares: np.ndarray, facing: np.ndarray, part: Part = ALL) -> None:
+        """Draw the faces of some shares, in their order, in the directions of ``facing``.
 
         ``facing`` (shares, 6) says for each of ``shares`` which directions may be seen.
         """
-        count = np.where(facing, self.count[shares, tile], 0)
-        sent = count > 0
-        if not sent.any():
+        self._send(self.at[shares, :PLANTS], facing, part)
+
+    def draw_plants(self, shares: np.ndarray, part: Part = ALL) -> None:
+        """Draw the plants of some shares."""
+        self._send(self.at[shares, PLANTS], None, part)
+
+    def _send(self, at: np.ndarray, wanted: np.ndarray | None, part: Part) -> None:
+        """Draw the vertices of ``at`` (..., 4) that are ``wanted``."""
+        first = at[..., part[0]]
+        count = at[..., part[1] + 1] - first
+        sent = count > 0 if wanted is None else (count > 0) & wanted
+        first, count = first[sent], count[sent]
+        if not len(first):
             return
-        first, count = self.first[shares, tile][sent], count[sent]
         if self._multi_draw:
             gl.glMultiDrawArrays(gl.GL_QUADS, first, count, len(first))
             return

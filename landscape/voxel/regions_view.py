@@ -3,7 +3,8 @@
 Boxes of regions that are drawn are green, those outside the frustum or too far away red. In a
 second viewport the whole map is seen from above and behind the eye, with the frustum's edges: what
 is culled is missing there.
-State used: GL_LINES, glViewport and GL_SCISSOR_TEST for the second viewport, glDepthRange.
+State used: GL_LINES, GL_BLEND, glViewport and GL_SCISSOR_TEST for the second viewport, the depth
+range.
 """
 
 from contextlib import AbstractContextManager
@@ -21,7 +22,8 @@ SEEN, CULLED, VIEW = (0.35, 1.0, 0.45), (1.0, 0.30, 0.25), (1.0, 0.95, 0.4)  # c
 EDGES = np.array([(a, b) for a in range(8) for b in range(a) if (a ^ b) in (1, 2, 4)])
 PART = 0.42  # chosen: side of the second viewport, as a fraction of the window's height
 ABOVE, BEHIND, LEAN = 34.0, 30.0, 48.0  # units and degrees, chosen: where the map is seen from
-LINE = 1.5  # pixels, chosen
+LINE = 1.0  # pixels, chosen
+FAINT = 0.3  # chosen: opacity of the boxes in the second viewport, where they are close together
 FAR = 30.0  # units, chosen: how much of the frustum is shown
 
 
@@ -44,25 +46,27 @@ def frustum_lines(clip: np.ndarray, eye: np.ndarray) -> np.ndarray:
     return np.array([*rays, *rim], np.float32)
 
 
-def send_lines(ends: np.ndarray, colour: tuple[float, float, float]) -> None:
+def send_lines(ends: np.ndarray, colour: tuple[float, float, float], opacity: float = 1.0) -> None:
     """Send lines, two ends (n, 3) each."""
-    gl.glColor3f(*colour)
+    gl.glColor4f(*colour, opacity)
     gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
     gl.glVertexPointer(3, gl.GL_FLOAT, 0, ends)
     gl.glDrawArrays(gl.GL_LINES, 0, len(ends))
     gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
 
 
-def draw_boxes(land: Land, choice: Choice) -> None:
+def draw_boxes(land: Land, choice: Choice, opacity: float = 1.0) -> None:
     """Draw the bounding boxes of all regions, in the colour of those that are drawn, or not."""
     seen = np.zeros(len(land.low), bool)
     seen[choice.regions] = True
-    groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LINE_BIT
+    groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LINE_BIT | gl.GL_COLOR_BUFFER_BIT
     with attrib(groups):
         gl.glDisable(gl.GL_FOG)
+        gl.glEnable(gl.GL_BLEND)
+        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
         gl.glLineWidth(LINE)
-        send_lines(box_lines(land.low[~seen], land.high[~seen]), CULLED)
-        send_lines(box_lines(land.low[seen], land.high[seen]), SEEN)
+        send_lines(box_lines(land.low[~seen], land.high[~seen]), CULLED, opacity)
+        send_lines(box_lines(land.low[seen], land.high[seen]), SEEN, opacity)
 
 
 def draw_from_outside(
@@ -95,6 +99,6 @@ def draw_from_outside(
         everywhere = np.ones_like(choice.facing)
         with lit:
             land.draw(choice._replace(facing=everywhere))
-        draw_boxes(land, choice)
+        draw_boxes(land, choice, FAINT)
         gl.glLineWidth(LINE)
         send_lines(frustum_lines(clip, frame.eye), VIEW)

@@ -69,8 +69,8 @@ LAND: tuple[Safeguard, ...] = (
         flaw="Far away, one pixel covers many texels of a tile, and shows one of them: noise that "
         "flickers as one walks.",
         look="Compare the hills and the woods in the distance.",
-        how="Each tile is a texture of its own with mip levels, and no tile bleeds into another, "
-        "as in an atlas.",
+        how="All tiles are one texture with mip levels. Around each there is more of the same "
+        "tile, so that none bleeds into another.",
         seen=("far hills with a grainy pattern", "far hills in calm colours"),
     ),
     Safeguard(

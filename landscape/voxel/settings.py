@@ -36,8 +36,8 @@ class Voxel:
     height_image: str = setting(
         "height16.png", "chosen", "the heights: the image's red channel", unit="image file"
     )
-    regions: int = setting(10, REGIONS, "regions on each side of the map", 1, 64)
-    region_size: int = setting(50, REGIONS, "columns on each side of a region", 1, 1000)
+    regions: int = setting(25, REGIONS, "regions on each side of the map", 1, 64)
+    region_size: int = setting(20, REGIONS, "columns on each side of a region", 1, 1000)
     block: float = setting(0.08, "chosen", "side of a cube", 0.001, 100, unit=UNITS)
     levels: int = setting(
         96, "chosen", "height of the relief from red 0 to red 256", 1, 400, unit=BLOCKS

@@ -1,8 +1,4 @@
-"""The pictures of the blocks: a strip of square tiles, one of plants, and ripples.
-
-Each tile becomes a texture of its own: GL_REPEAT then repeats it over a face of many blocks, and
-mip levels never mix two tiles.
-"""
+"""The pictures of the blocks: a strip of square tiles, one of plants, and ripples."""
 
 import numpy as np
 

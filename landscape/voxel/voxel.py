@@ -23,7 +23,7 @@ from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
 from landscape.voxel.map import Map
 from landscape.voxel.played import Played
-from landscape.voxel.region_buffer import EVERYWHERE, Span
+from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Part
 from landscape.voxel.regions_view import draw_boxes, draw_from_outside
 from landscape.voxel.safeguards import SAFEGUARDS
 from landscape.voxel.settings import PRESETS, Settings
@@ -126,7 +126,7 @@ class Voxel(Played, Ground):
         above = clipped(shore.level, above=True) if shore and opaque else nullcontext()
         with above, attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
-            self._draw_land(frame, (shore.level, np.inf) if shore and opaque else EVERYWHERE)
+            self._draw_land(frame, ABOVE if opaque else ALL)
         self._draw("sky", self.sky, frame)
         if shore and self._visible(frame):
             self._draw_images(frame, shore.level)
@@ -145,10 +145,10 @@ class Voxel(Played, Ground):
         x, _, z = np.moveaxis(shore.points / block, -1, 0)
         return np.asarray(shore.level - block * self.heights.height(x, z))
 
-    def _draw_land(self, frame: Frame, span: Span = EVERYWHERE, below: bool = False) -> None:
+    def _draw_land(self, frame: Frame, part: Part = ALL, below: bool = False) -> None:
         """Draw the land that the current matrices let one see.
 
-        ``span`` are the heights in units that can be visible; ``below`` fogs it by its depth.
+        ``part`` says which of it can be visible; ``below`` fogs it by its depth.
         """
         if "land" not in self.shown:
             return
@@ -158,7 +158,7 @@ class Voxel(Played, Ground):
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
                 near, far = 0.0, values.water.far
-            choice = self.land.choose(clip_matrix(), eye, near, far, span)
+            choice = self.land.choose(clip_matrix(), eye, near, far, part)
             with self._lit():
                 self.land.draw(choice, fog_by_height=below)
 
@@ -236,27 +236,21 @@ class Voxel(Played, Ground):
             images.draw_reflection(frame.viewport, level, lambda: self._draw_mirrored(frame))
         begin_pass("refraction")
         with drawing("water"):
-            under = -np.inf, level + block
-            images.draw_refraction(
-                frame.viewport,
-                level,
-                block,
-                lambda: self._draw_under(frame, under),
-            )
+            images.draw_refraction(frame.viewport, level, block, lambda: self._draw_under(frame))
 
     def _draw_mirrored(self, frame: Frame) -> None:
         """Draw what is mirrored: the land, unless that is off, and the sky behind it."""
         frame = replace(frame, mirrored=True)
         if self.settings.water.reflection:
-            self._draw_land(frame, (self.water.level, np.inf))
+            self._draw_land(frame, ABOVE)
         # The box of the sky is drawn around the eye: here around the camera under the water.
         below = replace(frame.pose, y=mirrored_height(frame.eye_y, self.water.level))
         self._draw("sky", self.sky, replace(frame, pose=below))
 
-    def _draw_under(self, frame: Frame, span: Span) -> None:
+    def _draw_under(self, frame: Frame) -> None:
         """Draw what lies under the water, unless that is off: then its colour is all one sees."""
         if self.settings.water.refraction:
-            self._draw_land(frame, span, below=self.water.images.darkens)
+            self._draw_land(frame, UNDER, below=self.water.images.darkens)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:
         """Draw an element if it was built and is shown now."""
