@@ -126,7 +126,7 @@ def one_by_one(field: HeightField, camera: Camera, size: tuple[int, int]) -> np.
 def test_frames_are_those_of_a_program_that_draws_triangle_by_triangle() -> None:
     field = hills(16)
     random = np.random.default_rng(1)
-    plain = {"mirror": False, "detail": False, "back_faces": False}
+    plain = dict.fromkeys(("mirror", "detail", "back_faces", "hidden_lines"), False)
     settings = with_settings(Settings(), {f"flyover.{k}": v for k, v in plain.items()})
     for _ in range(12):
         x, y = random.uniform(-4, 20, 2)

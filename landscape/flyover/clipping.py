@@ -7,7 +7,7 @@ x, the distance along the line of sight (section 2.1 warns of zero), so a line w
 than the near plane is cut there. At the screen's edges nothing is cut: see :mod:`.bresenham`.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -102,3 +102,9 @@ def projected(
         column[at], row[at] = project(near, cut_y, cut_z, volume, size)
     (x0, y0, depth0), (x1, y1, depth1) = ends
     return Lines(a, b, x0, y0, x1, y1, depth0, depth1)
+
+
+def joined(parts: list[Lines]) -> Lines:
+    """Return all lines of some parts; their vertices ``a`` and ``b`` are those of each part."""
+    names = [field.name for field in fields(Lines)]
+    return Lines(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))

@@ -6,7 +6,17 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from landscape import arguments
-from landscape.flyover import bresenham, clipping, culling, detail, edges, quad_tree
+from landscape.flyover import (
+    bresenham,
+    clipping,
+    colours,
+    culling,
+    detail,
+    edges,
+    filled,
+    floating_horizon,
+    quad_tree,
+)
 from landscape.flyover.bounds import bounds
 from landscape.flyover.camera import Camera, camera_transform, frustum
 from landscape.flyover.height_field import HeightField
@@ -15,7 +25,6 @@ from landscape.flyover.quad_tree import Tiles, View
 from landscape.flyover.settings import Settings, check
 
 BATCH = 1 << 13  # vertices computed at once, chosen: as for bresenham.CHUNK
-PAPER, INK = 0xFFFFFFFF, 0xFF000000  # white and black as 0xAABBGGRR (section 2.2)
 COUNTS = ("boxes", "tiles", "vertices", "considered", "on screen", "lines", "pixels")
 
 
@@ -43,36 +52,63 @@ def draw(terrain: HeightField, camera: Camera, settings: Settings, size: tuple[i
     InputError if settings contradict each other, or the size is not one.
     """
     check(settings)
-    width, height = arguments.size(size)
+    width, height = size = arguments.size(size)
     ours = settings.flyover
-    volume = frustum(ours, (width, height))
-    picture = np.full(width * height, PAPER, np.uint32)
+    volume = frustum(ours, size)
+    if ours.mode == "filled":
+        return Frame(filled.draw(terrain, camera, settings, size))
     around = levels(terrain, camera, volume, ours)
     boxes = bounds(terrain, around.patch)
-    tiles, tested = quad_tree.select(
-        View(terrain, boxes, camera, volume, (width, height), ours, around)
-    )
+    tiles, tested = quad_tree.select(View(terrain, boxes, camera, volume, size, ours, around))
     counts = dict.fromkeys(COUNTS, 0)
     counts |= {"boxes": tested, "tiles": len(tiles)}
     before = int(ours.back_faces and ours.strips)
+    edges_of = edges.of_strips if ours.strips else edges.of_triangles
+    # What is above the screen may hide what is on it.
+    watched = np.uint8(~clipping.TOP & 0xFF if ours.hidden_lines else 0xFF)
+    ink = colours.Ink(colours.PALETTES[ours.colours], terrain, ours.visible, size)
+    found = []
     for part in batches(tiles, BATCH // (around.patch + 1) ** 2):
         points = detail.vertices(terrain, part, camera, around, ours.mirror, before)
+        heights = points[2].ravel() + camera.z
         points = camera_transform(*points, camera)
-        code = clipping.codes(points, volume, (width, height))
+        code = clipping.codes(points, volume, size)
         area = (terrain.unit * 2.0**part.level) ** 2
         facing = culling.facing(points, area) if ours.back_faces else None
-        edges_of = edges.of_strips if ours.strips else edges.of_triangles
-        (a, b), on_screen = edges_of(code, facing)
+        (a, b), on_screen = edges_of(code & watched, facing)
         x, y, z = (each.ravel() for each in points)
-        lines = clipping.projected((x, y, z), a, b, volume, (width, height))
+        lines = clipping.projected((x, y, z), a, b, volume, size)
+        found.append((lines, ink.of(lines, heights)))
         counts["vertices"] += code.size
         counts["considered"] += len(part) * (3 if ours.strips else 6) * around.patch**2
         counts["on screen"] += on_screen
         counts["lines"] += len(a)
-        for at, _line in bresenham.chunks(lines.x0, lines.y0, lines.x1, lines.y1, (width, height)):
-            picture[at] = INK
-            counts["pixels"] += len(at)
+        if not ours.hidden_lines:
+            counts["pixels"] += draw_lines(*found.pop(), ink, None, size)
+    if found:
+        lines, colour = clipping.joined([each for each, _ in found]), [each for _, each in found]
+        horizon = floating_horizon.Horizon(lines, camera, volume, size)
+        counts["pixels"] += draw_lines(lines, np.concatenate(colour), ink, horizon, size)
+    picture = ink.on(colours.background(ink.palette, camera, volume, size))
     return Frame(picture.view(np.uint8).reshape(height, width, 4), counts)
+
+
+def draw_lines(
+    lines: clipping.Lines,
+    colour: np.ndarray,
+    ink: colours.Ink,
+    horizon: floating_horizon.Horizon | None,
+    size: tuple[int, int],
+) -> int:
+    """Draw lines, without what is below a horizon if there is one; return the number of pixels."""
+    count = 0
+    for at, owner in bresenham.chunks(lines.x0, lines.y0, lines.x1, lines.y1, size):
+        if horizon is not None:
+            seen = horizon.shows(at, owner)
+            at, owner = at[seen], owner[seen]
+        ink.draw(at, colour.take(owner))
+        count += len(at)
+    return count
 
 
 def batches(tiles: Tiles, most: int) -> Iterator[Tiles]:

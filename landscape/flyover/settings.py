@@ -5,6 +5,7 @@ or it shows the flaw that the technique avoids.
 """
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from landscape.errors import InputError
 from landscape.keys import Value, setting
@@ -19,6 +20,7 @@ FARTHEST = 1e5  # units, chosen
 # Of a tile's side. Its diagonal is 1.4 of them, and a tile may begin at one end of a level's reach:
 # from 2.8 up, the levels on both sides of a border differ by one.
 LEAST_DENSITY = 3.0
+LINES = ("flyover.mode=lines",)
 
 
 @dataclass(frozen=True)
@@ -135,6 +137,82 @@ class Flyover:
         unit=UNITS,
         needs=("not flyover.detail",),
     )
+    mode: str = setting(
+        "lines",
+        "fly-over, section 2.1",
+        "what is drawn: the triangles' edges, or the ground with its colours",
+        choices=("lines", "filled"),
+    )
+    hidden_lines: bool = setting(
+        True,
+        "chosen",
+        "lines behind the terrain are removed; off, one sees through it",
+        needs=LINES,
+    )
+    colours: str = setting(
+        "plain",
+        "fly-over, section 2.2.2",
+        "colours of the lines: black on white, fading with distance, by height, or a green screen",
+        choices=("plain", "distance", "height", "phosphor"),
+        needs=LINES,
+    )
+    visible: float = setting(
+        1400.0, "chosen", "how far one sees through the haze", 1, FARTHEST, unit=UNITS
+    )
+
+
+@dataclass(frozen=True)
+class Filled:
+    """The ground with its colours, light, water and sky."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("flyover.mode=filled",)
+
+    smooth: bool = setting(
+        True, "chosen", "the ground is a surface; off, it is blocks as in 1992, and texels squares"
+    )
+    levels: bool = setting(True, "chosen", "far ground comes from smaller copies; off, it glitters")
+    step: float = setting(
+        0.02,
+        "chosen",
+        "distance from one look at the ground to the next",
+        0.002,
+        0.5,
+        unit="times the distance",
+    )
+    fog: bool = setting(True, "chosen", "far ground fades into the haze")
+    shadows: bool = setting(True, "chosen", "the sun's shadows")
+    occlusion: bool = setting(True, "chosen", "hollows, which see less of the sky, are darker")
+    reflection: bool = setting(True, "chosen", "water mirrors the sky")
+    clouds: bool = setting(True, "chosen", "there are clouds")
+    edges: bool = setting(True, "chosen", "ridges are blended with what is behind them")
+    sea: float = setting(
+        0.1,
+        "chosen",
+        "height of the water; 0 is none",
+        0,
+        1,
+        unit="times the relief",
+    )
+    sun_azimuth: float = setting(
+        215.0, "chosen", "where the sun is, from +x towards +y", -360, 360, unit="degrees"
+    )
+    sun_elevation: float = setting(
+        32.0, "chosen", "height of the sun above the horizon", 1, 90, unit="degrees"
+    )
+    texels: int = setting(
+        2048,
+        "chosen",
+        "side of the picture of the ground and its mirror images; a power of two below it is taken",
+        16,
+        8192,
+        unit="texels",
+    )
+    image: str = setting(
+        "none",
+        "chosen",
+        "picture of the ground, instead of colours by height; none is without",
+        unit="image file",
+    )
 
 
 @dataclass(frozen=True)
@@ -142,9 +220,10 @@ class Settings:
     """All groups."""
 
     flyover: Flyover = Flyover()
+    filled: Filled = Filled()
 
 
-PRESETS: dict[str, dict[str, Value]] = {"best": {}}
+PRESETS: dict[str, dict[str, Value]] = {"best": {"flyover.colours": "height"}}
 
 
 def check(settings: Settings) -> None:

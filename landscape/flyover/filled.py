@@ -1,0 +1,221 @@
+"""Filled mode: the terrain with its colours, in the manner of voxel space.
+
+Voxel space, from Comanche (NovaLogic, 1992), draws a height field column by column, front to back,
+without triangles, z buffer or OpenGL: :mod:`.march` finds which ground each pixel shows, and
+:mod:`.shade` colours it. The switches of 1992 are all there: with ``smooth`` off the ground is
+blocks, with ``levels`` off far ground glitters, with ``light`` off it is flat.
+
+Columns must be vertical planes. So the columns are those of a camera that looks level, and each
+pixel of the picture finds its own among them. That is exact for every pitch and roll, as long as
+neither the point below the eye nor the one above it is close to the picture; steeper pitches than
+:func:`steepest` are drawn as that.
+"""
+
+import math
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from landscape.flyover import march, shade
+from landscape.flyover.camera import Camera, Frustum, frustum
+from landscape.flyover.height_field import HeightField
+from landscape.flyover.look import look
+from landscape.flyover.settings import Settings
+
+LEAST = 0.25  # how far the picture stays from the point below the eye, chosen; 0 touches it
+BAND = 48  # rows coloured together, chosen: their arrays fit into the processor's cache
+RIDGE = 1.1  # what is behind a ridge is this many times as far away at least, chosen
+LONGEST = 4.0  # steps in the middle distance, pixels of the height image, chosen
+WORKERS = 2  # chosen: numpy releases Python's lock, so two threads use two cores
+
+
+@dataclass(frozen=True)
+class View:
+    """A picture's pixels as rays, and the columns and rows that are walked for it.
+
+    ``across`` (w,) and ``up`` (h,) are the pixels' directions to the right and up, per unit of
+    distance along the line of sight. ``lateral`` (c,) are the columns' directions to the right,
+    per unit of distance along a level line of sight; ``slopes`` (r,) the rows' rise, per the same.
+    """
+
+    across: np.ndarray
+    up: np.ndarray
+    lateral: np.ndarray
+    slopes: np.ndarray
+    pitch: float
+    roll: float
+    row_of: tuple[float, float]
+
+    @property
+    def level(self) -> bool:
+        """Whether the columns and rows walked are the picture's."""
+        return self.pitch == 0 and self.roll == 0
+
+
+def steepest(volume: Frustum, roll: float) -> float:
+    """Return the steepest pitch in radians whose picture keeps clear of the point below the eye."""
+    high = max(abs(volume.top), abs(volume.bottom))
+    wide = max(abs(volume.left), abs(volume.right))
+    reach = (high * abs(math.cos(roll)) + wide * abs(math.sin(roll))) / volume.near
+    return math.atan2(1, reach) - math.atan2(LEAST, math.hypot(1, reach))
+
+
+def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
+    """Return the rays of a picture of ``size`` (width, height)."""
+    width, height = size
+    # Pixel p holds what the projection rounds up to p: its centre is half a pixel before that.
+    across = np.arange(width) - 0.5
+    across = (volume.left + across / width * (volume.right - volume.left)) / volume.near
+    step = (volume.top - volume.bottom) / volume.near / height
+    up = volume.top / volume.near - (np.arange(height) - 0.5) * step
+    roll = camera.theta_x
+    most = steepest(volume, roll)
+    pitch = min(max(camera.theta_y, -most), most)
+    sin, cos = math.sin(pitch), math.cos(pitch)
+    corners = [(y, z) for y in (across[0], across[-1]) for z in (up[0], up[-1])]
+    turned = [unrolled(y, z, roll) for y, z in corners]
+    if pitch == 0 and roll == 0:
+        lateral, rows = across, up
+    else:
+        ends = [y / (cos + z * sin) for y, z in turned]
+        pixel = across[1] - across[0] if width > 1 else 1.0
+        lateral = np.arange(min(ends), max(ends) + pixel, pixel)
+        highest, lowest = max(z for _, z in turned), min(z for _, z in turned)
+        rows = up if roll == 0 else np.arange(highest, lowest - step, -step)
+    slopes = (rows * cos - sin) / (cos + rows * sin)
+    return View(
+        across.astype(np.float32),
+        up.astype(np.float32),
+        lateral.astype(np.float32),
+        slopes.astype(np.float32),
+        pitch,
+        roll,
+        (float(rows[0]), step),
+    )
+
+
+def unrolled(y: float, z: float, roll: float) -> tuple[float, float]:
+    """Return a direction of the picture, right and up, before the camera was rolled."""
+    sin, cos = math.sin(roll), math.cos(roll)
+    return cos * y - sin * z, sin * y + cos * z
+
+
+def rows_of(heights: np.ndarray, away: np.ndarray, rays: View) -> np.ndarray:
+    """Return the rows at which heights above the eye (s, c) at distances (s, c) are projected."""
+    slope = heights / away
+    sin, cos = np.float32(math.sin(rays.pitch)), np.float32(math.cos(rays.pitch))
+    if rays.pitch:
+        below = cos - slope * sin
+        up = (slope * cos + sin) / np.maximum(below, np.float32(1e-6))
+        if sin < 0:
+            up[below <= 0] = -1e9
+    else:
+        up = slope
+    first, step = rays.row_of
+    up *= np.float32(-1 / step)
+    up += np.float32(first / step + 0.5)
+    return up
+
+
+def draw(
+    field: HeightField, camera: Camera, settings: Settings, size: tuple[int, int]
+) -> np.ndarray:
+    """Return a filled picture, uint8 (height, width, 4), of ``size`` (width, height).
+
+    InputError if the image of the ground cannot be read.
+    """
+    width, height = size
+    ours, seen = settings.filled, look(field, settings)
+    volume = frustum(settings.flyover, size)
+    rays = view(camera, volume, size)
+    path = march.steps(
+        volume.near,
+        min(volume.far, settings.flyover.visible) if ours.fog else volume.far,
+        ours.step,
+        LONGEST * field.unit,
+        len(field.levels) if ours.levels else 1,
+        field.unit,
+    )
+    forward = np.array([[math.cos(camera.theta_z)], [math.sin(camera.theta_z)]], np.float32)
+    right = np.stack([-forward[1], forward[0]])
+    directions = forward + right * rays.lateral
+    heights = np.empty((len(path.distances), len(rays.lateral)), np.float32)
+    filled = np.empty((len(rays.slopes), len(rays.lateral)), np.int16)
+    eye, mirror = (camera.x, camera.y, camera.z), settings.flyover.mirror
+
+    def columns(first: int) -> None:
+        part = slice(first, first + march.BLOCK)
+        block = np.empty((len(heights), len(rays.lateral[part])), np.float32)
+        march.walk(field, path, eye, directions[:, part], seen.sea, ours.smooth, mirror, block)
+        heights[:, part] = block
+        filled[:, part] = march.filled_by(
+            rows_of(block, path.distances[:, None], rays), len(filled)
+        )
+
+    scene = shade.Scene(heights, filled, path.distances, forward[:, 0], right[:, 0], eye)
+    colouring = shade.Colouring(scene, seen, settings, rays.lateral)
+    picture = np.empty((height, width), np.uint32)
+
+    def rows(first: int) -> None:
+        # One row more: ridges are blended with what is above them.
+        part = slice(max(first - 1, 0), min(first + BAND, height))
+        at, slope, lateral = pixels(rays, part, filled.shape)
+        colours = colouring.band(at, slope, lateral)
+        if ours.edges and ours.smooth:
+            blend_edges(colours, at, scene, rays)
+        picture[first : part.stop] = colours[first - part.start :]
+
+    with ThreadPoolExecutor(WORKERS) as pool:
+        list(pool.map(columns, range(0, len(rays.lateral), march.BLOCK)))
+        list(pool.map(rows, range(0, height, BAND)))
+    return picture.view(np.uint8).reshape(height, width, 4)
+
+
+def blend_edges(colours: np.ndarray, at: np.ndarray, scene: shade.Scene, rays: View) -> None:
+    """Blend ridges with what is above them, in place, by how much of their pixel they cover.
+
+    ``colours`` (n, w) are rows of the picture, and ``at`` their places in the scene.
+    """
+    columns = scene.filled.shape[1]
+    step = scene.filled.ravel().take(at)
+    away = np.append(scene.distances, np.float32(np.inf)).take(step)
+    ridge = np.flatnonzero(away[:-1] > RIDGE * away[1:]) + at.shape[1]
+    if not len(ridge):
+        return
+    row, column = np.divmod(at.ravel()[ridge], columns)
+    its = step.ravel()[ridge].astype(np.int64)
+    heights = scene.heights.ravel().take(its * columns + column)
+    top = rows_of(heights[None, :], scene.distances[its], rays)[0]
+    covered = (np.clip(row - top, 0, 1) * 256).astype(np.uint32)
+    flat = colours.ravel()
+    flat[ridge] = shade.blend(flat[ridge - at.shape[1]], flat[ridge], covered) | shade.OPAQUE
+    colours[:] = flat.reshape(colours.shape)
+
+
+def pixels(
+    rays: View, part: slice, shape: tuple[int, ...]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return what is walked for the pixels of some rows (n, w): place, slope and lateral direction.
+
+    ``shape`` is (rows, columns) of what is walked; the place is ``row * columns + column``.
+    """
+    rows, columns = shape
+    up = rays.up[part]
+    if rays.level:
+        at = np.arange(part.start, part.stop)[:, None] * columns + np.arange(columns)
+        slope = np.broadcast_to(rays.slopes[part, None], at.shape)
+        return at, slope, np.broadcast_to(rays.lateral, at.shape)
+    sin, cos = np.float32(math.sin(rays.roll)), np.float32(math.cos(rays.roll))
+    y = cos * rays.across - sin * up[:, None]
+    z = sin * rays.across + cos * up[:, None] if rays.roll else up[:, None]
+    sin, cos = np.float32(math.sin(rays.pitch)), np.float32(math.cos(rays.pitch))
+    flat = 1 / (cos + z * sin)
+    lateral, slope = y * flat, np.broadcast_to((z * cos - sin) * flat, y.shape)
+    pixel = rays.lateral[1] - rays.lateral[0]
+    column = ((lateral - rays.lateral[0]) * (1 / pixel) + np.float32(0.5)).astype(np.int64)
+    first, step = rays.row_of
+    row = ((np.float32(first) - z) * np.float32(1 / step) + np.float32(0.5)).astype(np.int64)
+    np.clip(column, 0, columns - 1, out=column)
+    np.clip(row, 0, rows - 1, out=row)
+    return row * columns + column, slope, lateral
