@@ -13,12 +13,13 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
+from copies import copies, differ_late
 from PIL import Image
 
 from landscape.files.assets import shipped
@@ -153,17 +154,36 @@ def walked(given: str, done: Done) -> Done:
     return done
 
 
-def landscape(*args: str | Path, env: Mapping[str, str] | None = None, **options: Any) -> Done:
-    """Run `landscape ARGS` in a new process, as from a shell."""
-    done = subprocess.run(
-        [sys.executable, "-m", "landscape", *map(str, args)],
-        capture_output=True,
-        text=True,
-        timeout=SECONDS,
-        env=dict(env or environment()),
-        **options,
-    )
-    return walked(" ".join(map(str, args)), Done(done.returncode, done.stdout, done.stderr))
+def landscape(
+    *args: str | Path, env: Mapping[str, str] | None = None, cwd: Path | None = None
+) -> Done:
+    """Run `landscape ARGS` in a process of its own, as from a shell."""
+    return _run("", args, env, cwd)
+
+
+def python(code: str, *args: str, env: Mapping[str, str] | None = None) -> Done:
+    """Run Python code in a process of its own."""
+    return _run(code, args, env, None)
+
+
+def _run(
+    code: str, args: Sequence[str | Path], env: Mapping[str, str] | None, cwd: Path | None
+) -> Done:
+    """Run code, or `landscape ARGS`, in a copy of a process that has imported the program.
+
+    Python is started anew if its start depends on the environment.
+    """
+    words, usual, cwd = list(map(str, args)), environment(), cwd or Path.cwd()
+    env = usual if env is None else env
+    if differ_late(usual, env):
+        done = Done(*copies(code, words, cwd, env, SECONDS))
+    else:
+        command = [sys.executable, *(("-c", code) if code else ("-m", "landscape")), *words]
+        ended = subprocess.run(
+            command, capture_output=True, text=True, timeout=SECONDS, env=dict(env), cwd=cwd
+        )
+        done = Done(ended.returncode, ended.stdout, ended.stderr)
+    return walked(" ".join((code, *words)), done)
 
 
 @contextlib.contextmanager
@@ -203,18 +223,6 @@ def bound_by_rights() -> list[str]:
         return ["env"]
     kept_out = "-dac_override,-dac_read_search"
     return ["setpriv", f"--bounding-set={kept_out}", f"--inh-caps={kept_out}"]
-
-
-def python(code: str, *args: str, env: Mapping[str, str] | None = None) -> Done:
-    """Run Python code in a new process."""
-    done = subprocess.run(
-        [sys.executable, "-c", code, *args],
-        capture_output=True,
-        text=True,
-        timeout=SECONDS,
-        env=dict(env or environment()),
-    )
-    return walked(" ".join((code, *args)), Done(done.returncode, done.stdout, done.stderr))
 
 
 def end(server: "subprocess.Popen[Any]") -> None:

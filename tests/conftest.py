@@ -26,6 +26,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from copies import copies
 from gl_state import changes, snapshot
 from hall_pictures import HallPictures
 from stage import Stage, write_plain
@@ -42,6 +43,7 @@ def pytest_collection_finish() -> None:
 
 
 def pytest_sessionfinish() -> None:
+    copies.end()
     if not WORKER:
         shutil.rmtree(os.environ["LANDSCAPE_CACHE"], ignore_errors=True)
 
