@@ -168,9 +168,12 @@ def _drop_errors() -> None:
 
 def difference(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, list[Any]]:
     """Return what differs, name to [before, after]; None for what one of them does not have."""
-    names = dict.fromkeys((*before, *after))
-    pairs = {name: [before.get(name), after.get(name)] for name in names}
-    return {name: pair for name, pair in pairs.items() if pair[0] != pair[1]}
+    found = {}
+    for name in dict.fromkeys((*before, *after)):
+        old, new = before.get(name), after.get(name)
+        if old != new:
+            found[name] = [old, new]
+    return found
 
 
 SINGLE_OR_DOUBLE = ("GL_FRONT", "GL_BACK", "GL_COLOR_ATTACHMENT0")

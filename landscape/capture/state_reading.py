@@ -39,6 +39,9 @@ INTS = (ctypes.c_int * 16)()
 FLOATS = (ctypes.c_float * 16)()
 DOUBLES = (ctypes.c_double * 16)()
 ADDRESS = (ctypes.c_void_p * 1)()
+PIXEL_MAPS = [name for name in VARIABLES if name.startswith("GL_PIXEL_MAP_")]
+COEFFICIENTS = [each for each in VARIABLES.values() if each.query == "coefficients"]
+STENCIL_MASKS = [n for n in VARIABLES if n.startswith("GL_STENCIL_") and n.endswith("MASK")]
 
 Step = tuple[str, Callable[..., Any], tuple[Any, ...], Callable[[], Any]]
 """The name of a variable, the query, its arguments, and what takes the value from a buffer."""
@@ -253,7 +256,7 @@ def _read_images(found: State) -> None:
     found["GL_POLYGON_STIPPLE.pattern"] = [
         int.from_bytes(rows[at : at + 4], "big") for at in range(0, 128, 4)
     ]
-    for name in (name for name in VARIABLES if name.startswith("GL_PIXEL_MAP_")):
+    for name in PIXEL_MAPS:
         size = whole(f"{name}_SIZE")
         values = (ctypes.c_float * size)()
         raw.glGetPixelMapfv(enum(name), values)
@@ -266,14 +269,13 @@ def _read_images(found: State) -> None:
 
 def _read_coefficients(found: State) -> None:
     """Read the control points of the evaluators, as many as their orders say."""
-    for name, variable in VARIABLES.items():
-        if variable.query == "coefficients":
-            target = variable.asked[0]
-            order = found[f"{target}.GL_ORDER"]
-            points = order[0] * order[1] if isinstance(order, list) else order
-            values = (ctypes.c_float * (points * len(variable.initial)))()
-            raw.glGetMapfv(enum(target), enum("GL_COEFF"), values)
-            found[name] = values[:]
+    for variable in COEFFICIENTS:
+        target = variable.asked[0]
+        order = found[f"{target}.GL_ORDER"]
+        points = order[0] * order[1] if isinstance(order, list) else order
+        values = (ctypes.c_float * (points * len(variable.initial)))()
+        raw.glGetMapfv(enum(target), enum("GL_COEFF"), values)
+        found[variable.name] = values[:]
 
 
 def _widen_masks(found: State) -> None:
@@ -282,10 +284,6 @@ def _widen_masks(found: State) -> None:
     OpenGL answers with the bits that the buffer has; the mask itself is as likely to have more.
     """
     every = (1 << whole("GL_STENCIL_BITS")) - 1
-    for name in found:
-        if (
-            name.startswith("GL_STENCIL_")
-            and name.endswith("MASK")
-            and found[name] & every == every
-        ):
+    for name in STENCIL_MASKS:
+        if name in found and found[name] & every == every:
             found[name] = EVERY

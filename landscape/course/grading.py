@@ -219,9 +219,10 @@ def _nothing_to_check(work: Evidence, solution: Evidence) -> Hint | None:
 
 def _empty(frame: Frame) -> bool:
     """Return whether nothing is drawn in a frame; it may be cleared."""
-    if any(spec.draws(c.name) and c.name not in ("glBegin", "glClear") for c in frame.calls):
+    if any(spec.draws(name) for name in frame.names - {"glBegin", "glClear"}):
         return False
-    return not any(len(draw.vertices) for draw in drawn(frame.top))  # mostly one is enough
+    draws = drawn(frame.top, frame.numbers)
+    return not any(len(draw.vertices) for draw in draws)  # mostly one is enough
 
 
 def vertices(frame: Frame) -> int:

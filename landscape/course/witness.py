@@ -1,19 +1,8 @@
 """What is noted of a program while it runs in the sandbox: pictures, calls, and states.
 
-The evidence is a file of JSON, and a file of pixels for each frame that is looked at. It says
-
-- "frames": number to {"size", "pixels" (a file's name), "setup" and "calls"};
-- "states": OpenGL's state at the calls that draw, by the names of capture/state.py; the first is
-  whole, the others are what differs from it;
-- "early": null, or the first function that was called without a context, in vain, and the line;
-- "error", if the program did not get that far: what went wrong, by one of the words of
-  landscape.course.troubles, and the "line" of the program and other values for its message.
-
-A call is {"name", "args", "line", "function", "own", "way", "state", "inside", "arrays"}. "own"
-says whether the line is the program's, not that of a module it imports; "way" holds the lines of
-the program that lead to the call, from the outermost, each with the function that it calls; "state"
-is an index of "states"; "inside" holds the calls of a display list, "arrays" the pointer calls of a
-draw call that reads vertex arrays.
+It is written as evidence_file.py says. A program that did not get to its last frame has "error"
+instead: what went wrong, by one of the words of landscape.course.troubles, and the "line" of the
+program and other values for its message.
 """
 
 import json
@@ -25,19 +14,17 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-import numpy as np
-
 from landscape.capture import program, spec, state
 from landscape.capture.program import Window
 from landscape.capture.program_source import ProgramError
+from landscape.course.evidence_file import Writer, only_gives_numbers
 from landscape.course.refusals import Refusals
 from landscape.course.troubles import SENTENCES
 from landscape.errors import InputError
-from landscape.gl.calls import begin_pass, frame_begins, gl, outermost, recording, unnoted
+from landscape.gl.calls import begin_pass, briefly, frame_begins, gl, outermost, recording, unnoted
 from landscape.gl.framebuffer import read_pixels
-from landscape.gl.notes import Call, plain, shown
+from landscape.gl.notes import Brief, Call
 
-LONGEST = 30_000  # chosen: numbers of an array that are kept
 MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
 LONGEST_CALL = 80  # chosen: characters of a call's arguments in a message
 # What changes between two draw calls without changing the rest of the state.
@@ -49,7 +36,7 @@ def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
     """Run a program and write the evidence; ``leave`` ends the process."""
     refusals = Refusals(job["path"], job["folder"])
     sys.addaudithook(refusals)
-    witness = Witness(job["frames"], answer.parent)
+    witness = Witness(job["path"], job["frames"], answer.parent)
 
     def end(found: dict[str, Any]) -> None:
         answer.write_text(json.dumps(found))
@@ -123,14 +110,16 @@ def _exception(details: str) -> dict[str, Any]:
 
 def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
     """Return what notes the calls of an OpenGL function."""
-    return outermost(name, function, spec.draws(name))
+    noted = outermost(name, function, spec.draws(name))
+    return briefly(name, function, noted) if only_gives_numbers(name) else noted
 
 
 class Witness(ExitStack):
     """Observes a program (see capture/program.py) up to the last of some frames."""
 
-    def __init__(self, frames: Sequence[int], folder: Path) -> None:
+    def __init__(self, program: str, frames: Sequence[int], folder: Path) -> None:
         super().__init__()
+        self._program, self._writer = program, Writer(program)
         self._wanted, self._folder = set(frames), folder
         self._unnoted = ExitStack()
         self._frames: dict[int, dict[str, Any]] = {}
@@ -151,6 +140,7 @@ class Witness(ExitStack):
         self.window = window
         self._recorder = self.enter_context(recording(complete=True))
         self._recorder.before = self._before
+        self._recorder.brief = []
         begin_pass("setup")
 
     def frame_began(self, number: int) -> None:
@@ -161,6 +151,7 @@ class Witness(ExitStack):
             self._of_call.clear()
             setup = {id(call) for call in self._recorder.calls}
             self._ways = {key: way for key, way in self._ways.items() if key in setup}
+            self._recorder.brief = []
             frame_begins()
         self._begin = len(self._recorder.calls)
         self._changed = True
@@ -179,12 +170,12 @@ class Witness(ExitStack):
             name = f"frame-{number}.rgb"
             (self._folder / name).write_bytes(pixels.tobytes())
             calls = self._recorder.calls
-            setup = [c for c in calls if c.pass_ == "setup"]
+            frame = [call for call in calls if call.pass_ != "setup"]
+            brief = self._recorder.brief or ()
             self._frames[number] = {
                 "size": list(size),
                 "pixels": name,
-                "setup": [self._written(call) for call in setup],
-                "calls": [self._written(call) for call in calls if call.pass_ != "setup"],
+                "calls": self._block(frame, brief, len(calls) - len(frame)),
             }
         if number == max(self._wanted):
             self.finished()
@@ -195,22 +186,39 @@ class Witness(ExitStack):
     def evidence(self) -> dict[str, Any]:
         """Return all that was noted."""
         first = self._states[0] if self._states else {}
-        others = [state.difference(first, each) for each in self._states[1:]]
-        states = [first, *({name: pair[1] for name, pair in each.items()} for each in others)]
+        others = [
+            {name: value for name, value in each.items() if value != first[name]}
+            for each in self._states[1:]
+        ]
+        setup = [call for call in self._recorder.calls if call.pass_ == "setup"]
         return {
             "frames": self._frames,
-            "states": states,
+            "setup": self._block(setup),
+            "states": [first, *others],
             "early": self.window.early if self.window is not None else None,
+            **self._writer.written(self._folder),
         }
+
+    def _block(self, calls: Sequence[Call], brief: Sequence[Brief] = (), before: int = 0) -> Any:
+        more = {}
+        for call in calls:
+            found: dict[str, Any] = {}
+            if id(call) in self._ways:
+                found["way"] = self._ways[id(call)]
+            if id(call) in self._of_call:
+                found["state"] = self._of_call[id(call)]
+            if found:
+                more[id(call)] = found
+        return self._writer.block(calls, more, brief, before)
 
     def _before(self, call: Call) -> None:
         """Read the state before a call that draws."""
-        if len(self._recorder.calls) - self._begin > MOST_CALLS:
+        if len(self._recorder.calls) + len(self._recorder.brief or ()) - self._begin > MOST_CALLS:
             raise MemoryError
         group, draws = _kind(call.name)
         if group == "vertex":
             return
-        self._ways[id(call)] = _way(call)
+        self._ways[id(call)] = _way(call, self._program)
         if draws or call.name.startswith("glCallList"):
             self._of_call[id(call)] = self._state_now()
             self._changed = self._changed or call.name.startswith("glCallList")
@@ -231,26 +239,6 @@ class Witness(ExitStack):
         self._changed = self._moved = False
         return len(self._states) - 1
 
-    def _written(self, call: Call) -> dict[str, Any]:
-        site = call.site
-        found: dict[str, Any] = {
-            "name": call.name,
-            "args": _arguments(call.name, call.args) if call.args else [],
-            "line": site.line,
-            "function": site.function,
-            "own": _program() == site.path,
-        }
-        if id(call) in self._ways:
-            found["way"] = self._ways[id(call)]
-        if id(call) in self._of_call:
-            found["state"] = self._of_call[id(call)]
-        # Not for each glArrayElement: thousands of them would write the arrays thousands of times.
-        if call.arrays and spec.draws(call.name):
-            found["arrays"] = [[name, _arguments(name, args)] for name, args in call.arrays]
-        if call.executed:
-            found["inside"] = [self._written(inner) for inner in call.listed]
-        return found
-
 
 @cache
 def _kind(name: str) -> tuple[str, bool]:
@@ -259,44 +247,17 @@ def _kind(name: str) -> tuple[str, bool]:
     return known.group if known is not None else "", spec.draws(name)
 
 
-def _program() -> Any:
-    return sys.modules["__main__"].__dict__.get("__file__")
-
-
-def _way(call: Call) -> list[tuple[int, str]]:
+def _way(call: Call, program: str) -> list[tuple[int, str]]:
     """Return the program's lines that lead to a call that is being made, and what each calls."""
     at: FrameType | None = sys._getframe(1)
     while at is not None and at.f_code.co_filename != call.site.path:
         at = at.f_back
-    path, found, called = _program(), [], call.name
+    found, called = [], call.name
     while at is not None:
-        if at.f_code.co_filename == path:
+        if at.f_code.co_filename == program:
             found.append((at.f_lineno, called))
+            if at.f_code.co_name == "<module>":
+                break
         called = at.f_code.co_name
         at = at.f_back
     return found[::-1]
-
-
-def _arguments(name: str, args: tuple[Any, ...]) -> list[Any]:
-    """Return the arguments as JSON: enumerants by name, arrays whole if they are not too long."""
-    if name in ("glClear", "glPushAttrib"):
-        return shown(name, args)
-    return [_argument(value) for value in args]
-
-
-def _argument(value: Any) -> Any:
-    if type(value) in (float, int):
-        return value
-    if isinstance(value, (bytes, bytearray)):
-        return {"bytes": len(value)}
-    if hasattr(value, "_length_") and hasattr(value, "_type_"):
-        value = list(value)
-    if isinstance(value, (list, tuple, np.ndarray)):
-        try:
-            array = np.asarray(value)
-        except ValueError:
-            return plain(str(type(value)))
-        if array.dtype.kind in "biuf" and array.size <= LONGEST:
-            return array.tolist()
-        return {"shape": list(array.shape)}
-    return plain(value)

@@ -14,19 +14,20 @@ Tests, ``landscape trace`` and the lessons are built on this module. One thread 
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ContextDecorator, contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext
 from itertools import islice
 from typing import Any
 
 import numpy as np
 
 from landscape.gl.client import ClientArrays, concerns_arrays, frozen, list_base
-from landscape.gl.notes import Call, Edits, Site, caller, shown
+from landscape.gl.drawing import drawing, drawn_now
+from landscape.gl.notes import Brief, Call, Edits, Site, caller, known_files, shown
 
 __all__ = [
-    "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "drawing", "drawn_now",
-    "edited", "frame_begins", "gl", "lists_now", "make_again", "noting", "outermost", "recording",
-    "replacing", "unnoted", "unrecorded", "use_lists",
+    "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "briefly",
+    "drawing", "drawn_now", "edited", "frame_begins", "gl", "lists_now", "make_again", "noting",
+    "outermost", "recording", "replacing", "unnoted", "unrecorded", "use_lists",
 ]  # fmt: skip
 
 
@@ -100,11 +101,13 @@ class Recorder:
     """What a recording has collected; calls compiled into a list are listed under it.
 
     ``complete``: arrays are copied, so that the calls can be made again later (capture/tape.py).
-    ``before`` and ``after`` are told of each call that is recorded, when it is made.
+    ``before`` and ``after`` are told of each call that is recorded, when it is made. ``brief``, if
+    it is a list, takes short notes of calls that only give numbers: most calls of many programs.
     """
 
     def __init__(self, complete: bool = False) -> None:
         self.calls: list[Call] = []
+        self.brief: list[Brief] | None = None
         self.complete = complete
         self.client = ClientArrays()
         self.before: Callable[[Call], None] | None = None
@@ -141,7 +144,6 @@ _again: tuple[tuple[str, ...], str, Site] | None = None  # what made the call th
 _inside = False  # whether a call of a program that does not know the seam is being made
 unrecorded: list[Callable[[str, Site], None]] = []  # told of such calls while there is no recording
 _begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
-_drawing: list[tuple[str, ...]] = [("frame",)]
 current_pass = "setup"
 
 
@@ -214,32 +216,6 @@ def replacing(name: str, function: Callable[..., Any]) -> Iterator[Callable[...,
             _noted[name] = original
 
 
-class drawing(ContextDecorator):
-    """Say which element the block draws: ``with drawing("water"):``, or as a decorator.
-
-    Several names share what is drawn. The innermost block applies; outside all blocks the element
-    is "frame".
-    """
-
-    def __init__(self, element: str, *others: str) -> None:
-        self._elements = (element, *others)
-
-    def __enter__(self) -> None:
-        _drawing.append(self._elements)
-
-    def __exit__(self, *_: object) -> None:
-        _drawing.pop()
-
-
-def drawn_now() -> tuple[str, ...]:
-    """Return the names that the innermost drawing() block gave.
-
-    A context manager that draws by itself reads them before its own drawing() block, and runs its
-    caller's block inside ``drawing(*names)``.
-    """
-    return _drawing[-1]
-
-
 def begin_pass(name: str) -> None:
     """Say which pass of the frame begins: reflection, main or overlay; setup while building."""
     global current_pass
@@ -287,7 +263,7 @@ def noting_function(
             elements, pass_, site = _again
         else:
             site, pass_ = caller(sys._getframe(1)), current_pass
-            elements = (site.function,) if by_function else _drawing[-1]
+            elements = (site.function,) if by_function else drawn_now()
         skipped = False
         if _edits is not None:
             changed = _edits.change(name, args, elements, pass_, site)
@@ -364,9 +340,33 @@ def outermost(name: str, function: Callable[..., Any], draws: bool) -> Callable[
     return called
 
 
+def briefly(
+    name: str, function: Callable[..., Any], noted: Callable[..., Any]
+) -> Callable[..., Any]:
+    """Return ``function``, which only gives numbers, with a short note of each call if asked for.
+
+    ``noted`` notes a call where that does not say enough: in display lists, in the setup, with
+    edits, or from a library.
+    """
+
+    def called(*args: Any, **named: Any) -> Any:
+        if _recorder is None:
+            return noted(*args, **named) if unrecorded else function(*args, **named)
+        brief, frame = _recorder.brief, sys._getframe(1)
+        full = _inside or _open is not None or _edits is not None or current_pass == "setup"
+        known = known_files.get(frame.f_code.co_filename)
+        if brief is None or full or named or not known:
+            return noted(*args, **named)
+        result = function(*args)
+        brief.append((len(_recorder.calls), name, frame.f_code, frame.f_lasti, args))
+        return result
+
+    return called
+
+
 def _begin(site: Site, name: int, mode: int) -> None:
     global _open
-    element = _drawing[-1][0]
+    element = drawn_now()[0]
     _open = _lists[int(name)] = Listing(site, element, _begun[site, element])
     _begun[site, element] += 1
     if _edits is not None:

@@ -120,6 +120,11 @@ class Call:
         return entry
 
 
+Brief = tuple[int, str, CodeType, int, tuple[Any, ...]]
+"""A short note of a call: how many calls the recorder had, the name, the code and the instruction
+that calls, and the arguments."""
+
+
 class Edits(Protocol):
     """What changes calls as they are made (see capture/edits.py)."""
 
@@ -166,7 +171,7 @@ def plain(value: Any) -> Any:
     return getattr(value, "value", type(value).__name__)
 
 
-_files: dict[str, str] = {}  # source path to name in a trace, or ""
+known_files: dict[str, str] = {}  # source path to name in a trace, or ""
 _sites: dict[tuple[CodeType, int], Site] = {}
 
 
@@ -175,9 +180,9 @@ def caller(frame: FrameType) -> Site:
     at: FrameType | None = frame
     while at is not None:
         path = at.f_code.co_filename
-        file = _files.get(path)
+        file = known_files.get(path)
         if file is None:
-            file = _files[path] = traced_file(path)
+            file = known_files[path] = traced_file(path)
         if file:
             return _site(file, at)
         at = at.f_back
@@ -188,9 +193,19 @@ def _site(file: str, frame: FrameType) -> Site:
     code, line = frame.f_code, frame.f_lineno
     site = _sites.get((code, line))
     if site is None:
-        site = Site(file, line, code.co_qualname.replace("<locals>.", ""), code.co_filename)
-        _sites[code, line] = site
+        site = _sites[code, line] = Site(file, line, qualified(code), code.co_filename)
     return site
+
+
+def qualified(code: CodeType) -> str:
+    """Return the qualified name of a function, as in "Water.draw"."""
+    return code.co_qualname.replace("<locals>.", "")
+
+
+def line_of(code: CodeType, instruction: int) -> int:
+    """Return the line of an instruction, a frame's ``f_lasti``."""
+    found = (number for begin, end, number in code.co_lines() if begin <= instruction < end)
+    return next(found, None) or code.co_firstlineno
 
 
 def traced_file(path: str) -> str:
