@@ -2,6 +2,7 @@
 
 import io
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -47,7 +48,7 @@ def test_the_shipped_assets_pass_every_check() -> None:
 
 
 def test_every_asset_of_the_studio_is_checked(studio: Any) -> None:
-    assert set(studio.table()) == set(checks.SIZES) | set(checks.MESHES)
+    assert set(studio.table()) == {*checks.SIZES, *checks.MESHES, *checks.ENVIRONMENTS}
 
 
 # ---- every measure finds its fault ------------------------------------------------------------
@@ -227,6 +228,14 @@ def test_exceeding_the_total_size_is_found(tmp_path: Path) -> None:
     with (tmp_path / "dragon.ply").open("ab") as file:
         file.write(bytes(checks.MAX_BYTES))
     assert failures(tmp_path, checks.check_files) == {("all", "bytes")}
+
+
+def test_a_map_whose_path_is_short_is_found(tmp_path: Path) -> None:
+    text = (shipped() / "flyover_alps.svg").read_text(encoding="utf-8")
+    short = re.sub(r' d="[^"]*"', ' d="M 1,1 L 300,300"', text)
+    (tmp_path / "flyover_alps.svg").write_text(short, encoding="utf-8")
+    found = failures(tmp_path, checks.check_environments)
+    assert found == {("flyover_alps.svg", "flight")}
 
 
 def test_a_detail_that_darkens_is_found(tmp_path: Path) -> None:

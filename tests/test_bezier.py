@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from landscape.geometry.bezier import BezierPath, evaluate
+from landscape.geometry.bezier import BezierPath, evaluate, through
 
 
 def line(start: np.ndarray, end: np.ndarray) -> np.ndarray:
@@ -83,24 +83,19 @@ def test_beyond_the_ends_a_place_is_the_end() -> None:
     np.testing.assert_allclose(path.at(np.array([-5.0, path.length + 5])), [(0, 0), (90, 140)])
 
 
-def test_the_direction_is_the_tangent_and_rounds_corners_over_its_reach() -> None:
-    square = np.array([(0.0, 0), (100.0, 0), (100.0, 100.0)])
-    path = BezierPath([np.stack([line(square[0], square[1]), line(square[1], square[2])])])
-    directions = path.direction(np.array([0.0, 50.0, 100.0, 150.0, 200.0]), 2.0)
-    half = 0.5**0.5
-    np.testing.assert_allclose(
-        directions, [(1, 0), (1, 0), (half, half), (0, 1), (0, 1)], atol=1e-6
-    )
-
-
-def test_the_direction_does_not_look_across_a_cut_and_passes_the_start_of_a_circle() -> None:
-    path = BezierPath([CIRCLE, ELSEWHERE])
-    directions = path.direction(path.starts, 3.0)
-    np.testing.assert_allclose(directions, [(0, 1), (0.6, 0.8), (0.6, 0.8)], atol=1e-3)
-
-
-def test_a_path_without_length_has_no_direction() -> None:
+def test_a_path_without_length_is_a_place() -> None:
     path = BezierPath([np.full((1, 4, 2), 7.0)])
     assert path.length == 0
     np.testing.assert_array_equal(path.at(0.0), (7, 7))
-    np.testing.assert_array_equal(path.direction(0.0, 1.0), (0, 0))
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_a_path_through_points_is_smooth(closed: bool) -> None:
+    points = np.array([(0.0, 0), (30, 10), (50, 60), (10, 40)])
+    curves = through(points, closed)
+    assert len(curves) == (4 if closed else 3) and BezierPath([curves]).closed == (closed,)
+    np.testing.assert_allclose(curves[:, 0], points[: len(curves)])
+    np.testing.assert_allclose(curves[:-1, 3], curves[1:, 0])
+    np.testing.assert_allclose(curves[:-1, 3] - curves[:-1, 2], curves[1:, 1] - curves[1:, 0])
+    # At (30, 10) the tangent is parallel to the line from (0, 0) to (50, 60).
+    np.testing.assert_allclose((curves[1, 1] - curves[1, 0]) * 6, (50, 60))

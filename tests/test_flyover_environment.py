@@ -1,13 +1,14 @@
 """Environments by file and by name."""
 
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from environments import embedded, image, layer, path, png, svg, written
 
 from landscape.errors import InputError
-from landscape.flyover.environment import open_environment
+from landscape.flyover.environment import NAMES, export_island, open_environment
 from landscape.flyover.settings import Flyover
 
 
@@ -60,3 +61,50 @@ def test_control_points_may_lie_outside_the_map(tmp_path: Path) -> None:
 def test_what_is_no_environment_is_refused(name: str) -> None:
     with pytest.raises(InputError, match=r"expected a file that ends in \.svg, or one of island"):
         open_environment(name)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_environment_that_comes_with_the_program_is_a_flight_near_the_ground(
+    name: str,
+) -> None:
+    environment, settings = open_environment(name), Flyover()
+    assert environment.side == 512 and environment.name == name
+    field = environment.field(settings)
+    assert field.highest - field.lowest > 50
+    flight = environment.flight(field, settings)
+    assert 30 < flight.duration < 90
+    seen = [flight.camera(t) for t in np.linspace(0, flight.duration, 300)]
+    above = [camera.z - field.height(camera.x, camera.y) for camera in seen]
+    assert min(above) > 1.9 and np.mean(above) < 8
+    # There is something to see: the land rises and falls along the way.
+    assert np.ptp([camera.z for camera in seen]) > 1
+
+
+def test_the_island_is_exported_as_a_file_that_reads_back_equal(tmp_path: Path) -> None:
+    export_island(tmp_path / "my island.svg")
+    written, own = open_environment(tmp_path / "my island.svg"), open_environment("island")
+    np.testing.assert_array_equal(written.image, own.image)
+    np.testing.assert_array_equal(written.subpaths, own.subpaths)
+    np.testing.assert_array_equal(written.targets, own.targets)
+    # Inkscape shows its layers, and a note that says what they are.
+    tree = ElementTree.parse(tmp_path / "my island.svg")
+    label = "{http://www.inkscape.org/namespaces/inkscape}label"
+    labels = [element.get(label) for element in tree.iter() if element.get(label)]
+    assert labels == ["map", "camera", "targets"]
+    assert any("camera" in (element.text or "") for element in tree.iter())
+
+
+def test_an_export_that_is_impossible_leaves_nothing(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("x")
+    (tmp_path / "folder.svg").mkdir()
+    for name in ("island.png", "file/island.svg", "folder.svg"):
+        with pytest.raises(InputError, match=name):
+            export_island(tmp_path / name)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder.svg"]
+
+
+def test_the_sea_of_the_island_is_white_and_the_summit_is_dark() -> None:
+    image = open_environment("island").image
+    assert (image[0] == image[0, 0]).all() and image[0, 0] == image.max() > 250
+    row, column = np.unravel_index(image.argmin(), image.shape)
+    assert abs(row - 128) < 12 and abs(column - 166) < 12

@@ -117,8 +117,13 @@ def test_with_ease_the_camera_starts_and_stops_gently_and_turns_no_farther() -> 
 def test_without_points_the_camera_looks_along_the_path_and_down_the_slope() -> None:
     seen = flown([ACROSS]).camera(1.0)
     assert (seen.theta_x, seen.theta_y, seen.theta_z) == (0, pytest.approx(0), pytest.approx(0))
+    bend = flown([CIRCLE]).camera(1.0)
+    # At 20 units on a circle of radius 60 the chord of the next 12 units is half of 12 further.
+    assert bend.theta_z % math.tau == pytest.approx(math.pi / 2 + (20 + 6) / 60, abs=0.01)
     downhill = flown([ACROSS], ground=lambda x, y: -0.5 * np.asarray(x)).camera(1.0)
     assert downhill.theta_y == pytest.approx(math.atan(0.5))
+    end = flown([ACROSS]).camera(90 / 20 - 1e-6)
+    assert end.theta_z == pytest.approx(0)
 
 
 def test_over_a_point_the_camera_does_not_look_straight_down() -> None:

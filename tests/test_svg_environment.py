@@ -42,7 +42,7 @@ def test_an_environment_has_an_image_a_path_and_targets(tmp_path: Path) -> None:
     assert found.name == "valley"
     assert found.image.shape == (64, 64) and found.image.dtype == np.float32
     assert (found.image[:, 0] == 250).all() and (found.image[:, -1] == 5).all()
-    assert [each.shape for each in found.subpaths] == [(3, 4, 2)]
+    assert [each.shape for each in found.subpaths] == [(2, 4, 2)]
     np.testing.assert_allclose(found.subpaths[0][0], [(10, 32), (10, 10), (54, 10), (54, 32)])
     # The control point of the smooth segment is the mirror image of the one before.
     np.testing.assert_allclose(found.subpaths[0][1], [(54, 32), (54, 54), (10, 54), (10, 32)])

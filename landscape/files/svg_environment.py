@@ -258,9 +258,11 @@ def _subpaths(data: str) -> list[np.ndarray]:
 
 def _cubics(segment: Any) -> list[np.ndarray]:
     """Return a segment of a path as cubics (4, 2)."""
-    from svgelements import Arc, CubicBezier, QuadraticBezier
+    from svgelements import Arc, Close, CubicBezier, QuadraticBezier
 
     start, end = np.array(segment.start), np.array(segment.end)
+    if isinstance(segment, Close) and (start == end).all():
+        return []
     if isinstance(segment, CubicBezier):
         return [np.array([start, segment.control1, segment.control2, end])]
     curves = list(segment.as_cubic_curves()) if isinstance(segment, Arc) else []

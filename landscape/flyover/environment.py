@@ -12,14 +12,19 @@ import numpy as np
 
 from landscape.errors import InputError
 from landscape.files.assets import shipped
+from landscape.files.output import write_whole
 from landscape.files.svg_environment import read
+from landscape.files.svg_writing import environment_text
+from landscape.flyover import island
 from landscape.flyover.flight import Flight
 from landscape.flyover.height_field import HeightField, check_image, height_field
 from landscape.flyover.settings import Flyover
 from landscape.geometry.bezier import BezierPath
 
-NAMES = ("island", "alps", "dunes")  # of those that come with the program
+ISLAND = "island"
+NAMES = (ISLAND, "alps", "canyon")  # of those that come with the program
 PREFIX = "flyover_"  # of their files
+WHITE16 = np.float32(257.0)  # a grey of 16 bits over one of 8
 SHORTEST = 1.0  # pixels, chosen: the length of a path
 
 
@@ -59,6 +64,8 @@ def open_environment(file: str | Path) -> Environment:
     """
     path = Path(file)
     if str(file) in NAMES and not path.exists():
+        if str(file) == ISLAND:
+            return Environment(ISLAND, island.image() / WHITE16, (island.path(),), island.targets())
         path = shipped() / f"{PREFIX}{file}.svg"
     elif path.suffix.lower() != ".svg":
         raise InputError(f"{file}: expected a file that ends in .svg, or one of {', '.join(NAMES)}")
@@ -77,3 +84,14 @@ def open_environment(file: str | Path) -> Environment:
                 f"{environment.side} pixels, not {x:.6g}, {y:.6g}"
             )
     return environment
+
+
+def export_island(path: Path) -> None:
+    """Write the environment of the island as an SVG for Inkscape, whole or not at all.
+
+    InputError if it cannot be written, or its name does not end in .svg: it could not be opened.
+    """
+    if path.suffix.lower() != ".svg":
+        raise InputError(f"{path}: expected a name that ends in .svg")
+    text = environment_text(island.image(), [island.path()], island.targets())
+    write_whole(path, text.encode())

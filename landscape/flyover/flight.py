@@ -22,7 +22,7 @@ from landscape.geometry.bezier import BezierPath
 
 STEPS_PER_SECOND = 60  # chosen: of the table
 MOST_STEPS = 100_000  # chosen: in a flight of more than half an hour they are longer
-REACH = 1.0  # units, chosen: over which the path's direction is taken where there is no target
+AHEAD = 12.0  # units, chosen: how far ahead on its path it looks where there is no target
 STEEPEST = math.radians(40)  # chosen: over a target the camera would look straight down
 BATCH = 4096  # steps whose nearest targets are computed at once, chosen: they take 30 MB
 Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -77,8 +77,13 @@ class Flight:
             away = nearest(places, targets) - places
             below = z - self._ground(*(places + away).T)
         else:
-            away = self._path.direction(inside, REACH)
-            below = -np.gradient(z, at)
+            # Near the end it keeps looking in the direction that it has.
+            start = inside if self._endless else np.maximum(np.minimum(inside, last - AHEAD), first)
+            ahead = np.minimum(start + AHEAD, last)
+            if self._endless:
+                ahead = (start + AHEAD) % last
+            away = self._path.at(ahead) - self._path.at(start)
+            below = np.interp(start, at, z) - np.interp(ahead, at, z)
         theta_z = np.arctan2(away[:, 1], away[:, 0])
         theta_y = np.clip(np.arctan2(below, np.hypot(*away.T)), -STEEPEST, STEEPEST)
         rate = math.radians(settings.turn)

@@ -25,6 +25,17 @@ def evaluate(curve: np.ndarray, t: np.ndarray | float) -> np.ndarray:
     return np.asarray(powers @ BERNSTEIN @ np.asarray(curve, np.float64))
 
 
+def through(points: np.ndarray, closed: bool) -> np.ndarray:
+    """Return cubics (n, 4, d) of a smooth path through points (m, d): a Catmull-Rom spline.
+
+    Its tangent at a point is parallel to the line from the point before to the one after.
+    """
+    ends = (points[-1:], points[:2]) if closed else (points[:1], points[-1:])
+    row = np.concatenate([ends[0], points, ends[1]])
+    before, start, end, after = row[:-3], row[1:-2], row[2:-1], row[3:]
+    return np.stack([start, start + (end - before) / 6, end - (after - start) / 6, end], axis=1)
+
+
 class BezierPath:
     """Sub-paths that are travelled one after the other; from one to the next the place jumps.
 
@@ -69,18 +80,3 @@ class BezierPath:
         """
         columns = [np.interp(distance, self._distances, column) for column in self._points.T]
         return np.stack(columns, axis=-1)
-
-    def direction(self, distance: np.ndarray | float, reach: float) -> np.ndarray:
-        """Return unit vectors (..., d) along the path at distances (...).
-
-        Each points from the place ``reach`` before to the place ``reach`` after, on the same
-        sub-path: a corner is rounded over that distance. On a closed one the two may lie on either
-        side of its start. 0 where a sub-path has no length.
-        """
-        k = self.part(distance)
-        first, last = self.starts[k], np.nextafter(self.starts[k + 1], -np.inf)
-        closed, span = np.array(self.closed)[k], np.maximum(last - first, 1e-300)
-        ends = np.stack([np.subtract(distance, reach), np.add(distance, reach)])
-        ends = np.where(closed, first + (ends - first) % span, np.clip(ends, first, last))
-        step = np.subtract(*self.at(ends)[::-1])
-        return np.asarray(step / np.maximum(np.linalg.norm(step, axis=-1, keepdims=True), 1e-300))

@@ -26,6 +26,7 @@ MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
     "caustics", "mosaic", "masonry", "gate", "trees", "deer", "plants", "herbs", "rabbit",
     "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles", "voxel_plants", "voxel_ripples",
+    "environments",
 )  # fmt: skip
 
 PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte
@@ -80,13 +81,15 @@ def texts() -> dict[str, Callable[[], str]]:
 
 
 def encoded(made: Any, colours: int = 0, made_from: str = "") -> bytes:
-    """Encode the result of a maker: pixels as PNG, (vertices, faces, colours) as PLY.
+    """Encode the result of a maker: pixels as PNG, (vertices, faces, colours) as PLY, text.
 
     If ``colours`` is not 0, an RGB image is reduced to a palette of that size. ``made_from`` is
     written into the PNG, as the text of MADE_FROM.
     """
     if isinstance(made, tuple):
         return ply(*made)
+    if isinstance(made, str):
+        return made.encode()
     image = Image.fromarray(np.ascontiguousarray(made))
     if colours:
         image = image.quantize(colours, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)

@@ -17,6 +17,7 @@ from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image
 from landscape.files.meshes import read_ply
+from landscape.flyover.environment import open_environment
 from landscape.geometry.mesh import vertex_normals
 from landscape.settings import TIMES, preset
 from landscape.tools.asset_measures import (
@@ -85,7 +86,9 @@ TILES = (
 )  # fmt: skip
 MID_GREY = ("ground_detail.png", "ground_sand.png", "ground_rock.png")
 SHEETS = {"fire.png": 4}  # sprite sheets: frames per side
-MAX_BYTES = 18_000_000  # of all assets together
+# Of the software fly-over: maps of 512 x 512 with a path that is 700 to 1500 pixels long.
+ENVIRONMENTS = ("flyover_alps.svg", "flyover_canyon.svg")
+MAX_BYTES = 20_000_000  # of all assets together
 
 # Chosen: x, z and the limits of y of the places that the named views rely on.
 PLACES = {
@@ -125,10 +128,10 @@ class Finding:
 def check_files(assets: Assets) -> Iterator[Finding]:
     """Check that every asset exists with its size and mode, and the size of all together."""
     total = 0
-    for name in (*SIZES, *MESHES):
+    for name in (*SIZES, *MESHES, *ENVIRONMENTS):
         path = assets.path(name)
         total += path.stat().st_size
-        if name in MESHES:
+        if name in MESHES or name in ENVIRONMENTS:
             continue
         image = open_image(path)
         mode = "RGB" if image.mode == "P" and SIZES[name][2] == "RGB" else image.mode
@@ -254,8 +257,22 @@ def check_meshes(assets: Assets) -> Iterator[Finding]:
         yield Finding(name, "centred", ok, text, {"middle": middle, "reach": reach})
 
 
+def check_environments(assets: Assets) -> Iterator[Finding]:
+    """Check the size of each map, the length of its path, and that it uses the range of heights."""
+    for name in ENVIRONMENTS:
+        environment = open_environment(assets.path(name))
+        length, range_ = environment.path.length, float(np.ptp(environment.image))
+        ok = environment.side == 512 and 700 < length < 1500 and range_ > 200
+        text = (
+            f"{environment.side}x{environment.side}, path {length:.0f} pixels, "
+            f"{len(environment.targets)} points to look at, {range_:.0f} of 255 greys"
+        )
+        yield Finding(name, "flight", ok, text, {"length": length, "range": range_})
+
+
 CHECKS: tuple[Callable[[Assets], Iterator[Finding]], ...] = (
     check_files, check_tiles, check_sky, check_sprites, check_heights, check_meshes,
+    check_environments,
 )  # fmt: skip
 
 
