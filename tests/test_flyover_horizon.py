@@ -9,6 +9,7 @@ import pytest
 from landscape.flyover import bresenham, clipping, floating_horizon
 from landscape.flyover.camera import Camera, Frustum, camera_transform
 from landscape.flyover.clipping import Lines
+from landscape.flyover.edges import Edges
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.noise import noise
 from landscape.flyover.settings import Flyover
@@ -61,7 +62,7 @@ def stage(field: HeightField, camera: Camera, reach: int = 24) -> Stage:
     pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     pairs = np.unique(np.sort(pairs, axis=1), axis=0)
     a, b = pairs[(points[0][pairs] > VOLUME.near).all(axis=1)].T
-    lines = clipping.projected(points, a, b, VOLUME, SIZE)
+    lines = clipping.projected(points, Edges(a, b), VOLUME, SIZE)
     at, owner = bresenham.pixels(lines.x0, lines.y0, lines.x1, lines.y1, SIZE)
     return Stage(points, triangles, camera, lines, at, owner)
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from landscape.errors import InputError
-from landscape.flyover import culling, detail, edges, frame, quad_tree
+from landscape.flyover import clipping, culling, detail, edges, frame, quad_tree
 from landscape.flyover.bounds import bounds
-from landscape.flyover.camera import Camera, frustum
+from landscape.flyover.camera import Camera, Frustum, frustum
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.levels import levels
 from landscape.flyover.quad_tree import Tiles, View
@@ -59,7 +59,7 @@ def borders(field: HeightField, camera: Camera, settings: Flyover) -> tuple[int,
     """
     view = view_of(field, camera, replace(settings, bounding_volumes=False))
     tiles, _tested = quad_tree.select(view)
-    points = np.stack(detail.vertices(field, tiles, camera, view.levels), axis=-1)
+    points = np.stack(detail.vertices(field, tiles, camera, view.levels)[0], axis=-1)
     side = view.levels.patch << tiles.level
     met, differing = 0, []
     for start, grid in ((tiles.column, points), (tiles.row, points.transpose(0, 2, 1, 3))):
@@ -165,17 +165,19 @@ def pictures(field: HeightField, camera: Camera, **changes: object) -> tuple[np.
 def test_volumes_tree_and_strips_save_work_and_change_no_pixel() -> None:
     field = rough()
     for camera in random_cameras(12):
-        fast, counts = pictures(field, camera)
+        fast, counts = pictures(field, camera, fade=False)
         for name, saved in (
             ("bounding_volumes", "considered"),
             ("quad_tree", "boxes"),
             ("strips", "considered"),
         ):
-            slow, more = pictures(field, camera, **{name: False})
+            slow, more = pictures(field, camera, fade=False, **{name: False})
             assert np.array_equal(slow, fast), (name, camera)
             assert more[saved] > counts[saved]
-        front, counts = pictures(field, camera, hidden_lines=False)
-        seen_through, more = pictures(field, camera, hidden_lines=False, back_faces=False)
+        front, counts = pictures(field, camera, fade=False, hidden_lines=False)
+        seen_through, more = pictures(
+            field, camera, fade=False, hidden_lines=False, back_faces=False
+        )
         assert (seen_through >= front).all() and more["lines"] >= counts["lines"]
 
 
@@ -211,7 +213,7 @@ def test_without_mirror_images_the_terrain_ends_at_the_image_s_border() -> None:
     for settings in (NEAR, replace(NEAR, detail=False)):
         view = view_of(field, Camera(8, 8, 100, 0, 1.5), replace(settings, mirror=False))
         tiles, _tested = quad_tree.select(view)
-        x, y, _z = detail.vertices(field, tiles, view.camera, view.levels, mirror=False)
+        x, y, _z = detail.vertices(field, tiles, view.camera, view.levels, mirror=False)[0]
         assert (x.min(), x.max(), y.min(), y.max()) == (-8, 8, -8, 8)
 
 
@@ -239,15 +241,52 @@ def test_strips_have_each_edge_of_the_triangles_once() -> None:
     random = np.random.default_rng(2)
     code = np.zeros((5, 6, 6), np.uint8)
     facing = random.random((2, 5, 5, 5)) < 0.4
-    (a, b), on_screen = edges.of_strips(code, (facing[0], facing[1]))
-    strips = list(zip(a.tolist(), b.tolist(), strict=True))
-    assert len(set(strips)) == len(strips) and on_screen == 5 * 3 * 4 * 4
-    (a, b), on_screen = edges.of_triangles(code, (facing[0], facing[1]))
-    assert on_screen == 5 * 6 * 5 * 5
-    triangles = {(min(pair), max(pair)) for pair in zip(a.tolist(), b.tolist(), strict=True)}
+    found = edges.of_strips(code, (facing[0], facing[1]))
+    strips = list(zip(found.a.tolist(), found.b.tolist(), strict=True))
+    assert len(set(strips)) == len(strips) and found.on_screen == 5 * 3 * 4 * 4
+    found = edges.of_triangles(code, (facing[0], facing[1]))
+    assert found.on_screen == 5 * 6 * 5 * 5
+    pairs = zip(found.a.tolist(), found.b.tolist(), strict=True)
+    triangles = {(min(pair), max(pair)) for pair in pairs}
     # Without the first row and column, which are not the tile's own, and without the last edges.
     own = {(a, b) for a, b in triangles if 1 <= a % 6 < 5 and 1 <= a // 6 % 6 < 5}
     assert set(strips) == own
+
+
+def test_edges_that_the_next_level_does_not_have_vanish_on_the_way_to_it() -> None:
+    code = np.zeros((1, 5, 5), np.uint8)
+    whole = edges.of_strips(code, None, np.zeros((1, 5, 5)))
+    assert whole.fading is not None and len(whole.a) == 48 and not whole.fading.any()
+    half = edges.of_strips(code, None, np.full((1, 5, 5), 0.5))
+    assert half.fading is not None and np.unique(half.fading).tolist() == [-0.5, 0.0, 0.5]
+    # An end that stays is on a row or a column that the next level has.
+    stays = np.where(half.fading < 0, half.b, half.a)[half.fading != 0]
+    assert ((stays // 5 % 2 == 0) | (stays % 5 % 2 == 0)).all()
+    gone = edges.of_strips(code, None, np.ones((1, 5, 5)))
+    glided = [
+        tuple((each // 5 // 2 * 2, each % 5 // 2 * 2) for each in pair)
+        for pair in zip(gone.a.tolist(), gone.b.tolist(), strict=True)
+    ]
+    left = [(a, b) for a, b in glided if a != b]
+    assert len(left) == len(set(left)) == 12  # three for each of the next level's four quads
+
+
+def test_outlines_do_not_vanish() -> None:
+    code, part = np.zeros((1, 6, 6), np.uint8), np.ones((1, 6, 6))
+    first, second = np.zeros((2, 1, 5, 5), bool)
+    first[0, 2, 1] = True  # the triangle on the far side of the tile's second row
+    found = edges.of_strips(code, (first, second), part)
+    assert (2 * 6 + 1, 2 * 6 + 2) in zip(found.a.tolist(), found.b.tolist(), strict=True)
+
+
+def test_lines_that_fade_are_shorter_at_the_end_that_goes() -> None:
+    points = (np.full(2, 2.0), np.array([0.0, 1.0]), np.zeros(2))
+    a, b = np.array([0, 0, 0]), np.array([1, 1, 1])
+    lines = clipping.projected(
+        points, edges.Edges(a, b, np.array([0.0, 0.25, -0.25]), 3), Frustum(), (400, 400)
+    )
+    assert lines.x0.tolist() == [200, 200, 238]
+    assert lines.x1.tolist() == [350, 312, 350]
 
 
 def test_boxes_hold_all_vertices_of_their_tiles_and_of_their_children() -> None:
@@ -255,7 +294,7 @@ def test_boxes_hold_all_vertices_of_their_tiles_and_of_their_children() -> None:
     for camera in flight(5):
         view = view_of(field, camera, replace(NEAR, bounding_volumes=False))
         tiles, _tested = quad_tree.select(view)
-        z = detail.vertices(field, tiles, camera, view.levels)[2] + camera.z
+        z = detail.vertices(field, tiles, camera, view.levels)[0][2] + camera.z
         while len(tiles):
             low, high = view.bounds.at(tiles.level, tiles.row, tiles.column).T
             assert (z.min(axis=(1, 2)) >= low - 1e-4).all()

@@ -12,6 +12,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from landscape.flyover.camera import Frustum, Points, project
+from landscape.flyover.edges import Edges
 
 NEAR, FAR, LEFT, RIGHT, TOP, BOTTOM = (1 << bit for bit in range(6))
 # Chosen: a rounded end may be up to a pixel away from where it was, and so may the line's pixels.
@@ -81,14 +82,14 @@ def codes(points: Points, volume: Frustum, size: tuple[int, int]) -> np.ndarray:
     return code
 
 
-def projected(
-    points: Points, a: np.ndarray, b: np.ndarray, volume: Frustum, size: tuple[int, int]
-) -> Lines:
-    """Return lines between vertices ``a`` and ``b`` (n,) of points (m,) in the camera's frame.
+def projected(points: Points, edges: Edges, volume: Frustum, size: tuple[int, int]) -> Lines:
+    """Return edges between points (m,) in the camera's frame as lines.
 
-    Lines must reach beyond the near plane; those that begin nearer are cut there.
+    Edges must reach beyond the near plane; those that begin nearer are cut there. Those that fade
+    are shorter by the part that is missing.
     """
     x, y, z = points
+    a, b = edges.a, edges.b
     in_front = np.maximum(x, volume.near)
     column, row = project(in_front, y, z, volume, size)
     ends = [[column[a], row[a], in_front[a]], [column[b], row[b], in_front[b]]]
@@ -100,6 +101,9 @@ def projected(
         cut_z = z[inside] + part * (z[outside] - z[inside])
         near = np.full(len(at), volume.near)
         column[at], row[at] = project(near, cut_y, cut_z, volume, size)
+    if edges.fading is not None:
+        shorten(ends[0], ends[1], edges.fading)
+        shorten(ends[1], ends[0], -edges.fading)
     (x0, y0, depth0), (x1, y1, depth1) = ends
     return Lines(a, b, x0, y0, x1, y1, depth0, depth1)
 
@@ -108,3 +112,16 @@ def joined(parts: list[Lines]) -> Lines:
     """Return all lines of some parts; their vertices ``a`` and ``b`` are those of each part."""
     names = [field.name for field in fields(Lines)]
     return Lines(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+
+
+def shorten(stays: list[np.ndarray], goes: list[np.ndarray], missing: np.ndarray) -> None:
+    """Move lines' ends towards their other ends, where ``missing`` (n,), a part of them, is > 0.
+
+    Ends are columns, rows and depths, (n,) each.
+    """
+    at = np.flatnonzero(missing > 0)
+    part = missing[at]
+    for end, other in zip(goes[:2], stays[:2], strict=True):
+        end[at] += np.rint((other[at] - end[at]) * part).astype(np.int64)
+    # It is the inverse depth that changes evenly on the screen.
+    goes[2][at] = 1 / ((1 - part) / goes[2][at] + part / stays[2][at])

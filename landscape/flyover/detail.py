@@ -20,11 +20,12 @@ def vertices(
     levels: Levels,
     mirror: bool = True,
     before: int = 0,
-) -> Points:
-    """Return x, y, z of the tiles' vertices relative to the camera, float64 (n, s, s) each.
+) -> tuple[Points, np.ndarray | None]:
+    """Return x, y, z of the tiles' vertices relative to the camera, and how far each has glided.
 
-    Rows run along y. s is ``levels.patch`` + 1, and ``before`` more if so many rows and columns
-    before the tiles' own are wanted. Without ``mirror`` the plane ends where the image does.
+    Float64 (n, s, s) each, rows along y. s is ``levels.patch`` + 1, and ``before`` more if so many
+    rows and columns before the tiles' own are wanted. The second result is from 0 to 1, or None if
+    no vertex glides. Without ``mirror`` the plane ends where the image does.
     """
     along = np.arange(-before, levels.patch + 1)
     column = tiles.column[:, None] * levels.patch + along
@@ -37,6 +38,7 @@ def vertices(
     x = (column * unit - camera.x)[:, None, :]
     y = (row * unit - camera.y)[:, :, None]
     z = field.at(tiles.level, row, column).astype(np.float64)
+    part = None
     if levels.first and levels.glide < 1.0:
         part = levels.gliding(tiles.level[:, None, None], x, y)
         # At 0 and at 1 these are exactly the positions in the one level and in the other.
@@ -45,4 +47,4 @@ def vertices(
         z *= 1.0 - part
         z += part * field.at(tiles.level + 1, row >> 1, column >> 1)
     z -= camera.z
-    return np.broadcast_to(x, shape), np.broadcast_to(y, shape), z
+    return (np.broadcast_to(x, shape), np.broadcast_to(y, shape), z), part

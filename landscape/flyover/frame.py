@@ -63,26 +63,28 @@ def draw(terrain: HeightField, camera: Camera, settings: Settings, size: tuple[i
     counts = dict.fromkeys(COUNTS, 0)
     counts |= {"boxes": tested, "tiles": len(tiles)}
     before = int(ours.back_faces and ours.strips)
-    edges_of = edges.of_strips if ours.strips else edges.of_triangles
     # What is above the screen may hide what is on it.
     watched = np.uint8(~clipping.TOP & 0xFF if ours.hidden_lines else 0xFF)
     ink = colours.Ink(colours.PALETTES[ours.colours], terrain, ours.visible, size)
     found = []
     for part in batches(tiles, BATCH // (around.patch + 1) ** 2):
-        points = detail.vertices(terrain, part, camera, around, ours.mirror, before)
+        points, glided = detail.vertices(terrain, part, camera, around, ours.mirror, before)
         heights = points[2].ravel() + camera.z
         points = camera_transform(*points, camera)
         code = clipping.codes(points, volume, size)
         area = (terrain.unit * 2.0**part.level) ** 2
         facing = culling.facing(points, area) if ours.back_faces else None
-        (a, b), on_screen = edges_of(code & watched, facing)
+        if ours.strips:
+            drawn = edges.of_strips(code & watched, facing, glided if ours.fade else None)
+        else:
+            drawn = edges.of_triangles(code & watched, facing)
         x, y, z = (each.ravel() for each in points)
-        lines = clipping.projected((x, y, z), a, b, volume, size)
+        lines = clipping.projected((x, y, z), drawn, volume, size)
         found.append((lines, ink.of(lines, heights)))
         counts["vertices"] += code.size
         counts["considered"] += len(part) * (3 if ours.strips else 6) * around.patch**2
-        counts["on screen"] += on_screen
-        counts["lines"] += len(a)
+        counts["on screen"] += drawn.on_screen
+        counts["lines"] += len(drawn.a)
         if not ours.hidden_lines:
             counts["pixels"] += draw_lines(*found.pop(), ink, None, size)
     if found:

@@ -128,6 +128,12 @@ class Flyover:
         unit="of the reach",
         needs=("flyover.detail", "flyover.morph"),
     )
+    fade: bool = setting(
+        True,
+        "chosen",
+        "edges that the next level does not have get shorter before it; off, they are double",
+        needs=("flyover.detail", "flyover.morph", "flyover.strips"),
+    )
     far_undetailed: float = setting(
         256.0,
         "chosen",
