@@ -160,10 +160,10 @@ def test_the_table_of_rings_gives_what_one_horizon_raised_from_front_to_back_giv
 
     edges, (column, row, ring) = marks(300), marks(2000)
     pixels = column, row, ring - 3
-    table = floating_horizon.rows_by_ring(edges, columns)
+    table = floating_horizon.rows_by_ring([tuple(map(np.copy, edges))], rings, columns)
     found = floating_horizon.above(pixels, table)
     assert 0.1 < found.mean() < 0.9
-    assert (found == floating_horizon.above_one_by_one(pixels, edges, columns)).all()
+    assert (found == floating_horizon.above_one_by_one(pixels, edges, rings, columns)).all()
 
 
 def test_a_slope_close_by_whose_edges_are_all_above_the_screen_hides_what_is_behind_it() -> None:

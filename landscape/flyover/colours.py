@@ -8,6 +8,7 @@ low to high.
 
 import math
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -94,6 +95,7 @@ def background(
     return np.array(np.broadcast_to(table[shade], (height, width)))
 
 
+@cache
 def shades(palette: Palette) -> np.ndarray:
     """Return a palette's colours of lines, uint32 (SHADES, STEPS): by distance and by height."""
     colours = ramp(palette.ramp)

@@ -21,19 +21,22 @@ nothing is hidden where one looks straight down.
 """
 
 import math
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
 
 import numpy as np
 
+from landscape.flyover.bresenham import CHUNK
 from landscape.flyover.camera import Camera, Frustum
 from landscape.flyover.clipping import Lines
 
-RINGS = 1024  # chosen: each is 0.8 % of its distance thick at most, thinner than a triangle
+# Rings for each doubling of the distance: so many leading bits of a float32's fraction. Each ring
+# is 1 to 2 % of its distance thick, thinner than a triangle.
+RING_BITS = 6
 # Chosen. A pixel is compared with what is nearer by this many rings, else a line that leads away
 # from the eye would hide its own next pixels; and it may be this many rows below the horizon, else
 # lines that are rounded to pixels would hide each other.
-BEFORE, SLACK = 2, 1.0
+BEFORE, SLACK = 1, 1.0
 # How far level a ray must go for each unit along the line of sight, chosen. It is 0 for one that
 # goes straight down.
 LEAST = 0.25
@@ -41,53 +44,56 @@ NOWHERE = 1e9  # a row below all screens
 Marks = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
-@dataclass(frozen=True)
 class Levelled:
     """Pixels of a picture as pixels of a camera at the same place that looks level."""
 
-    camera: Camera
-    volume: Frustum
-    size: tuple[int, int]
+    def __init__(self, camera: Camera, volume: Frustum, size: tuple[int, int]) -> None:
+        """Prepare the projection of a picture of ``size`` (width, height)."""
+        width, height = size
+        self.unchanged = camera.theta_x == 0 and camera.theta_y == 0
+        pixel = (volume.right - volume.left) / volume.near / width
+        line = (volume.top - volume.bottom) / volume.near / height
+        # A pixel holds what the projection rounds up to it: its centre is half a pixel before.
+        # Offsets to the right and up, as a + b column + c row.
+        y = np.array([volume.left / volume.near - pixel / 2, pixel, 0])
+        z = np.array([volume.top / volume.near + line / 2, 0, -line])
+        sin, cos = math.sin(camera.theta_x), math.cos(camera.theta_x)
+        y, z = cos * y - sin * z, sin * y + cos * z
+        sin, cos = math.sin(camera.theta_y), math.cos(camera.theta_y)
+        ahead = np.array([1, 0, 0])
+        self.level = (cos * ahead + sin * z).tolist()
+        self.across = (y / pixel).tolist()
+        self.up = ((sin * ahead - cos * z) / line).tolist()
+        self.offsets = (
+            0.5 - volume.left / volume.near / pixel,
+            0.5 + volume.top / volume.near / line,
+        )
+        corners = np.array([0, width - 1, 0, width - 1]), np.array([0, 0, height - 1, height - 1])
+        columns = self.pixels(*corners)[0]
+        self.first, self.last = math.floor(columns.min()), math.ceil(columns.max())
 
     def pixels(
         self, column: np.ndarray, row: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray | float]:
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         """Return the level column and row, and the level distance per unit along the line of sight.
 
-        Rows may be off the level screen, and columns beside it. Where the distance would be less
-        than LEAST the result has no meaning.
+        The distance is None if it is 1 everywhere, because the camera looks level. Where it would
+        be less than LEAST, it is LEAST, and the column and the row have no meaning. Rows may be off
+        the level screen, and columns beside it.
         """
-        if self.camera.theta_x == 0 and self.camera.theta_y == 0:
-            return column, row, 1.0
-        volume, line, pixel = self.volume, self.line, self.pixel
-        # A pixel holds what the projection rounds up to it: its centre is half a pixel before.
-        y = (column - 0.5) * pixel + volume.left / volume.near
-        z = volume.top / volume.near - (row - 0.5) * line
-        sin, cos = math.sin(self.camera.theta_x), math.cos(self.camera.theta_x)
-        y, z = cos * y - sin * z, sin * y + cos * z
-        sin, cos = math.sin(self.camera.theta_y), math.cos(self.camera.theta_y)
-        level = cos + z * sin
-        y, z = (each / np.maximum(level, LEAST) for each in (y, z * cos - sin))
-        across = (y - volume.left / volume.near) / pixel + 0.5
-        return across, (volume.top / volume.near - z) / line + 0.5, level
+        if self.unchanged:
+            return column, row, None
 
-    @property
-    def pixel(self) -> float:
-        """How far apart columns are, at a distance of 1."""
-        return (self.volume.right - self.volume.left) / self.volume.near / self.size[0]
+        def linear(by: list[float]) -> np.ndarray:
+            return np.asarray(column * by[1] + (row * by[2] + by[0]))
 
-    @property
-    def line(self) -> float:
-        """How far apart rows are, at a distance of 1."""
-        return (self.volume.top - self.volume.bottom) / self.volume.near / self.size[1]
-
-    @cached_property
-    def columns(self) -> tuple[int, int]:
-        """The first level column that the picture shows, and the last."""
-        width, height = self.size
-        corners = np.array([0, width - 1, 0, width - 1]), np.array([0, 0, height - 1, height - 1])
-        columns = self.pixels(*corners)[0]
-        return math.floor(columns.min()), math.ceil(columns.max())
+        level = np.maximum(linear(self.level), LEAST)
+        across, down = linear(self.across), linear(self.up)
+        across /= level
+        down /= level
+        across += self.offsets[0]
+        down += self.offsets[1]
+        return across, down, level
 
 
 class Horizon:
@@ -98,13 +104,15 @@ class Horizon:
     ) -> None:
         """Enter all lines of a frame; they must include those above the screen."""
         self.levelled = Levelled(camera, volume, size)
-        self.first, self.last = self.levelled.columns
-        column, row, near = crossings(lines, self.levelled)
-        # Corners of the far plane are farther than the plane.
-        self.per_octave = (RINGS - 1) / math.log2(4 * volume.far / volume.near)
-        self.nearest = math.log2(1 / (volume.near * LEAST))
-        marks = column - self.first, row, self.ring(near)
-        self.table = rows_by_ring(marks, self.last - self.first + 1)
+        self.width = size[0]
+        # Corners of the far plane are farther than the plane, and what looks level is nearer.
+        self.rings = rings(np.array([LEAST * volume.near / 2, 4 * volume.far]))
+        columns = self.levelled.last - self.levelled.first + 1
+        marks = (
+            (column - self.levelled.first, row, self.ring(near))
+            for column, row, near in crossings(lines, self.levelled)
+        )
+        self.table = rows_by_ring(marks, int(np.ptp(self.rings)) + 1, columns)
         self.nearness = Nearness(lines)
 
     def shows(self, at: np.ndarray, owner: np.ndarray) -> np.ndarray:
@@ -113,35 +121,52 @@ class Horizon:
         ``at`` (n,) is each pixel's place in the picture and ``owner`` its line, as they come from
         :mod:`.bresenham`.
         """
-        y, x = np.divmod(at, self.levelled.size[0])
-        column, row, level = self.levelled.pixels(x, y)
+        y = ((at + 0.5) * (1 / self.width)).astype(np.int32)
+        x = at.astype(np.int32) - y * np.int32(self.width)
         near = self.nearness(owner, x, y)
-        if isinstance(level, np.ndarray):
-            far_enough = np.maximum(level, LEAST)
-            near /= far_enough
-            # A row of the picture is more than one level row where the camera looks down.
-            row -= SLACK / far_enough**2
-            column = np.clip(np.rint(column), self.first, self.last).astype(np.int64)
-            return above((column - self.first, row, self.ring(near) - BEFORE), self.table) | (
-                level < LEAST
-            )
-        return above((column - self.first, row - SLACK, self.ring(near) - BEFORE), self.table)
+        levelled = self.levelled
+        if levelled.unchanged:
+            return above((x - levelled.first, y - SLACK, self.ring(near) - BEFORE), self.table)
+        column, row, level = levelled.pixels(x.astype(np.float32), y.astype(np.float32))
+        assert level is not None
+        near /= level
+        # A row of the picture is more than one level row where the camera looks down.
+        row -= SLACK / (level * level)
+        np.clip(column, levelled.first, levelled.last, out=column)
+        column += 0.5 - levelled.first
+        pixels = column.astype(np.int64), row, self.ring(near) - BEFORE
+        return above(pixels, self.table) | (level <= LEAST)
 
     def ring(self, near: np.ndarray) -> np.ndarray:
         """Return the rings, int64 (n,), of points by their inverse distances; 0 is the nearest."""
-        ring = (np.float32(self.nearest) - np.log2(near.astype(np.float32))) * self.per_octave
-        return np.clip(ring, 0, RINGS - 1).astype(np.int64)
+        first, last = self.rings
+        return np.clip(rings(1 / near), first, last).astype(np.int64) - first
 
 
-def rows_by_ring(edges: Marks, columns: int) -> np.ndarray:
-    """Return the horizon at each ring, float32 (RINGS, columns), of edges up to that ring.
+def rings(distance: np.ndarray) -> np.ndarray:
+    """Return the rings of distances, int32 (n,), in proportion to their logarithm, or nearly.
 
-    Edges are columns from 0 to ``columns`` - 1, rows, and rings.
+    The bits of a positive float32, its exponent and its fraction, read as a whole number, increase
+    by as much from each power of two to the next.
     """
-    column, row, ring = edges
-    table = np.full(RINGS * columns, NOWHERE, np.float32)
-    np.minimum.at(table, ring * columns + column, row)
-    return np.minimum.accumulate(table.reshape(RINGS, columns), axis=0)
+    return distance.astype(np.float32).view(np.int32) >> np.int32(23 - RING_BITS)
+
+
+def rows_by_ring(edges: Iterable[Marks], count: int, columns: int) -> np.ndarray:
+    """Return the horizon at each of ``count`` rings, float32 (count, columns).
+
+    ``edges`` are columns from 0 to ``columns`` - 1, rows, and rings, some at a time.
+    """
+    flat = np.full(count * columns, NOWHERE, np.float32)
+    for column, row, ring in edges:
+        ring *= columns
+        ring += column
+        np.minimum.at(flat, ring, row)
+    table = flat.reshape(count, columns)
+    # In place and row by row: eight times as fast as minimum.accumulate along columns.
+    for nearer, farther in pairwise(table):
+        np.minimum(nearer, farther, out=farther)
+    return table
 
 
 def above(pixels: Marks, table: np.ndarray) -> np.ndarray:
@@ -151,11 +176,11 @@ def above(pixels: Marks, table: np.ndarray) -> np.ndarray:
     return np.asarray((row <= horizon) | (ring < 0))
 
 
-def above_one_by_one(pixels: Marks, edges: Marks, columns: int) -> np.ndarray:
+def above_one_by_one(pixels: Marks, edges: Marks, count: int, columns: int) -> np.ndarray:
     """Return the same as :func:`above` by a loop from front to back, with a single horizon."""
     horizon = [NOWHERE] * columns
     seen = pixels[2] < 0
-    for ring in range(RINGS):
+    for ring in range(count):
         for column, row, _ in zip(*(each[edges[2] == ring] for each in edges), strict=True):
             horizon[column] = min(horizon[column], row)
         for pixel in np.flatnonzero(pixels[2] == ring):
@@ -175,37 +200,54 @@ class Nearness:
         longer = np.where(steep, dy, dx)
         start, end = 1 / lines.depth0, 1 / lines.depth1
         slope = (end - start) / np.where(longer == 0, 1, longer)
-        self.along_x, self.along_y = np.where(steep, 0, slope), np.where(steep, slope, 0)
-        self.base = start - self.along_x * lines.x0 - self.along_y * lines.y0
+        along_x, along_y = np.where(steep, 0, slope), np.where(steep, slope, 0)
+        base = start - along_x * lines.x0 - along_y * lines.y0
+        self.terms = [each.astype(np.float32) for each in (base, along_x, along_y)]
 
     def __call__(self, owner: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Return the inverse distances of pixels (n,) at column x and row y of lines ``owner``."""
-        return np.asarray(
-            self.base.take(owner) + self.along_x.take(owner) * x + self.along_y.take(owner) * y
-        )
+        base, along_x, along_y = (each.take(owner) for each in self.terms)
+        along_x *= x
+        along_y *= y
+        base += along_x
+        base += along_y
+        # On the last pixel rounding may lead beyond the far end.
+        return np.maximum(base, np.float32(1e-9), out=base)
 
 
-def crossings(lines: Lines, levelled: Levelled) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return each level column that each line crosses: column, row there, and inverse distance."""
+def crossings(lines: Lines, levelled: Levelled) -> Iterator[Marks]:
+    """Yield each level column that each line crosses: column, row there, and inverse distance."""
     ends = []
     for x, y, depth in ((lines.x0, lines.y0, lines.depth0), (lines.x1, lines.y1, lines.depth1)):
         column, row, level = levelled.pixels(x, y)
-        ends.append((column, row, 1 / (depth * np.maximum(level, LEAST)), level))
+        ends.append((column, row, 1 / (depth if level is None else depth * level), level))
     (x0, y0, near0, level0), (x1, y1, near1, level1) = ends
-    low, high = levelled.columns
-    begin = np.ceil(np.maximum(np.minimum(x0, x1), low)).astype(np.int64)
-    end = np.floor(np.minimum(np.maximum(x0, x1), high)).astype(np.int64)
-    count = np.maximum(end - begin + 1, 0)
+    begin = np.ceil(np.maximum(np.minimum(x0, x1), levelled.first))
+    end = np.floor(np.minimum(np.maximum(x0, x1), levelled.last))
     # A line within one column raises nothing that the other edges at its ends do not raise, too.
-    count = np.where((level0 < LEAST) | (level1 < LEAST) | (x0 == x1), 0, count)
-    kept = np.flatnonzero(count)
-    count = count[kept]
-    x0, y0, x1, y1, near0, near1, begin = (
-        each[kept] for each in (x0, y0, x1, y1, near0, near1, begin)
-    )
+    crossing = (end >= begin) & (x0 != x1)
+    if level0 is not None and level1 is not None:
+        crossing &= (level0 > LEAST) & (level1 > LEAST)
+    kept = np.flatnonzero(crossing)
+    x0, y0, near0, x1, y1, near1 = (each[kept] for each in (x0, y0, near0, x1, y1, near1))
+    begin = begin[kept].astype(np.int64)
+    count = end[kept].astype(np.int64) - begin + 1
     rise, approach = (y1 - y0) / (x1 - x0), (near1 - near0) / (x1 - x0)
-    start = begin - np.cumsum(count) + count
-    column = np.arange(count.sum()) + np.repeat(start, count)
-    rows = np.repeat(y0 - rise * x0, count) + np.repeat(rise, count) * column
-    near = np.repeat(near0 - approach * x0, count) + np.repeat(approach, count) * column
-    return column, rows.astype(np.float32), near
+    row, near = y0 - rise * x0, near0 - approach * x0
+    if not len(count):
+        return
+    total = np.cumsum(count)
+    behind = begin - total + count
+    ends_at = np.searchsorted(total, np.arange(CHUNK, total[-1], CHUNK)) + 1
+    for first, last in pairwise((0, *ends_at.tolist(), len(total))):
+        owner = np.repeat(np.arange(first, last), count[first:last])
+        before = total[first] - count[first]
+        column = behind.take(owner)
+        column += np.arange(before, before + len(owner))
+        found = []
+        for slope, start in ((rise, row), (approach, near)):
+            value = slope.take(owner)
+            value *= column
+            value += start.take(owner)
+            found.append(value.astype(np.float32))
+        yield column, found[0], np.maximum(found[1], np.float32(1e-9), out=found[1])
