@@ -31,8 +31,8 @@ from landscape.flyover.camera import Camera, Frustum
 from landscape.flyover.clipping import Lines
 
 # Rings for each doubling of the distance: so many leading bits of a float32's fraction. Each ring
-# is 1 to 2 % of its distance thick, thinner than a triangle.
-RING_BITS = 6
+# is 2 to 3 % of its distance thick, thinner than a triangle.
+RING_BITS = 5
 # Chosen. A pixel is compared with what is nearer by this many rings, else a line that leads away
 # from the eye would hide its own next pixels; and it may be this many rows below the horizon, else
 # lines that are rounded to pixels would hide each other.
@@ -106,7 +106,7 @@ class Horizon:
         self.levelled = Levelled(camera, volume, size)
         self.width = size[0]
         # Corners of the far plane are farther than the plane, and what looks level is nearer.
-        self.rings = rings(np.array([LEAST * volume.near / 2, 4 * volume.far]))
+        self.rings = rings(1 / np.array([LEAST * volume.near / 2, 4 * volume.far]))
         columns = self.levelled.last - self.levelled.first + 1
         marks = (
             (column - self.levelled.first, row, self.ring(near))
@@ -140,16 +140,19 @@ class Horizon:
     def ring(self, near: np.ndarray) -> np.ndarray:
         """Return the rings, int64 (n,), of points by their inverse distances; 0 is the nearest."""
         first, last = self.rings
-        return np.clip(rings(1 / near), first, last).astype(np.int64) - first
+        found = first - rings(near)
+        np.maximum(found, 0, out=found)
+        np.minimum(found, first - last, out=found)
+        return found.astype(np.int64)
 
 
-def rings(distance: np.ndarray) -> np.ndarray:
-    """Return the rings of distances, int32 (n,), in proportion to their logarithm, or nearly.
+def rings(near: np.ndarray) -> np.ndarray:
+    """Return a number for each inverse distance, int32 (n,), nearly in proportion to its logarithm.
 
     The bits of a positive float32, its exponent and its fraction, read as a whole number, increase
     by as much from each power of two to the next.
     """
-    return distance.astype(np.float32).view(np.int32) >> np.int32(23 - RING_BITS)
+    return near.astype(np.float32, copy=False).view(np.int32) >> np.int32(23 - RING_BITS)
 
 
 def rows_by_ring(edges: Iterable[Marks], count: int, columns: int) -> np.ndarray:
