@@ -29,6 +29,7 @@ class HallPictures:
         kt: float = 20.0,
         only: tuple[str, ...] = (),
         settings: dict[str, Any] | None = None,
+        wireframe: bool = False,
     ) -> np.ndarray:
         """Return the picture of a view or a pose, int16 (h, w, 3), top row first."""
         values = with_settings(SCENE.settings, settings or {})
@@ -40,7 +41,8 @@ class HallPictures:
                 if hall is not None:
                     hall.release()
                 hall = self.halls[only] = Hall(values, Assets(), 0, only)
-            hall.draw(Moment(placed(pose, hall, values.walk.eye), SIZE, kt))
+            pose = placed(pose, hall, values.walk.eye)
+            hall.draw(Moment(pose, SIZE, kt, wireframe=wireframe))
             gl.glFinish()
             return read_pixels(SIZE).astype(np.int16)
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from gl_state import changes, snapshot
+from hall_pictures import HallPictures
 from stage import SIZE, Stage
 
 from landscape.capture.buffers import Buffers
@@ -226,3 +227,12 @@ def test_the_image_of_the_room_fades_with_its_height(stage, halls) -> None:
     faded, _ = drawn(stage, halls, along, {"mirror.fades": True}, STONE)
     assert (faded == image)[~floor].all() and (faded <= image + 2)[floor].mean() > 0.95
     assert faded[floor].mean() < 0.9 * image[floor].mean()
+
+
+def test_in_wireframe_one_looks_through_the_stone(hall_pictures: HallPictures) -> None:
+    background = np.round(255 * np.array(SCENE.settings.fog.color))
+    shares = []
+    for wireframe in (False, True):
+        picture = hall_pictures("hall_mirror", wireframe=wireframe)
+        shares.append((abs(picture - background).max(-1) <= 2).mean())
+    assert shares[0] < 0.02 and shares[1] > 0.3

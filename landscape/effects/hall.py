@@ -31,6 +31,7 @@ from landscape.frame import Frame
 from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.extensions import Need, first_missing, has_stencil, texture_units
+from landscape.gl.state import attrib
 from landscape.scene import Moment, Scene, View, begin_frame
 
 # Of the stone's light maps, the pool and the clouds; without these there is no hall.
@@ -135,23 +136,25 @@ class Hall(Ground):
         if values.flight.enabled and "flight" in self.shown:
             moment = replace(moment, pose=self.flight.pose(moment.kt))
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
-        self._draw_hall(frame)
-        gl.glFlush()
-        self._draw_image(frame)
-        gl.glFlush()
-        self._draw_floor(frame)
-        self._draw_basin(frame)  # after the image, which would have to be drawn through it
-        # The net of light is blended over the stone.
-        self._draw("caustics", self.caustics, frame)
-        gl.glFlush()
-        self._draw("pool", self.pool, frame)  # blended over its bed
-
-        # Blended: each after all that is opaque behind it.
         dimmed = "tone" in self.shown and values.tone.area == "surroundings"
-        if not dimmed:
-            self._draw("torches", self.torches, frame)
-        self._draw("shafts", self.shafts, frame)
-        self._draw("mist", self.mist, frame)
+        with attrib(gl.GL_POLYGON_BIT):
+            gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
+            self._draw_hall(frame)
+            gl.glFlush()
+            self._draw_image(frame)
+            gl.glFlush()
+            self._draw_floor(frame)
+            self._draw_basin(frame)  # after the image, which would have to be drawn through it
+            # The net of light is blended over the stone.
+            self._draw("caustics", self.caustics, frame)
+            gl.glFlush()
+            self._draw("pool", self.pool, frame)  # blended over its bed
+
+            # Blended: each after all that is opaque behind it.
+            if not dimmed:
+                self._draw("torches", self.torches, frame)
+            self._draw("shafts", self.shafts, frame)
+            self._draw("mist", self.mist, frame)
 
         # What has been drawn so far is the picture that these change.
         begin_pass("picture")
