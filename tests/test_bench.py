@@ -329,6 +329,15 @@ def test_a_view_below_the_ground_of_another_island_is_measured_above_it() -> Non
     assert drawn[0].pose.y == 9.0 + preset("2006").walk.eye
 
 
+def test_frames_are_those_of_a_walk() -> None:
+    drawn: list[Moment] = []
+    flat = SimpleNamespace(settings=preset("2006"), height=lambda x, z: 0.0, draw=drawn.append)
+    for arriving in (False, True):
+        given = find_view("fig35a")[1], cast(OpenScene, flat), set[str](), bench.Options()
+        bench.draw_view(*given, arriving=arriving)
+    assert [moment.walking for moment in drawn] == [True, True]
+
+
 def test_brightness_and_contrast_are_timed_both_ways_in_the_hall_alone() -> None:
     options = bench.Options(("hall_contrast",), (64, 48), rounds=1, starts=0)
     names: list[str] = []

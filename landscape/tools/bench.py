@@ -226,7 +226,12 @@ def _measure_group(
 def draw_view(
     view: View, opened: OpenScene, shown: set[str], options: Options, arriving: bool = False
 ) -> None:
-    """Draw one frame of a view of an open scene; if ``arriving``, the frame one step before."""
+    """Draw one frame of a view of an open scene; if ``arriving``, the frame one step before.
+
+    It is a frame of a walk. In a still, a scene may draw at once what a walk draws over several
+    frames, such as the next square of a shadow map, and a view on the border of two would pay for
+    that in each frame.
+    """
     opened.shown = shown
     values = opened.settings
     eye = values.walk.eye
@@ -238,7 +243,8 @@ def draw_view(
         pose = replace(pose, x=pose.x - back * x, z=pose.z - back * z, yaw=pose.yaw - LOOK / RATE)
         kt -= values.clock.kt_per_second / RATE
     wireframe = options.wireframe or view.wireframe
-    opened.draw(Moment(pose, options.size, kt, stroke=view.stroke, wireframe=wireframe))
+    moment = Moment(pose, options.size, kt, stroke=view.stroke, wireframe=wireframe, walking=True)
+    opened.draw(moment)
 
 
 def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, Any]:
