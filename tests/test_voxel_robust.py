@@ -18,9 +18,10 @@ from landscape.gl.calls import gl, recording
 from landscape.gl.extensions import Need
 from landscape.keys import with_settings
 from landscape.scene import Moment
+from landscape.voxel.blocks import block
 from landscape.voxel.build import source
 from landscape.voxel.mesh import Look, region_mesh
-from landscape.voxel.region_buffer import RegionBuffer
+from landscape.voxel.region_buffer import Light, RegionBuffer
 from landscape.voxel.voxel import SCENE, Voxel
 
 SMALL = {"voxel.regions": 4, "voxel.region_size": 30, "shadow.size": 256}
@@ -174,6 +175,36 @@ def test_shares_of_the_buffer_hold_their_meshes_wherever_the_vertices_are(
         for share, mesh in enumerate((meshes[0], meshes[3], meshes[0])):
             found = buffer.mesh(share)
             assert (found.vertices == mesh.vertices).all() and (found.counts == mesh.counts).all()
+    finally:
+        buffer.release()
+
+
+@pytest.mark.parametrize("kept", [True, False])
+def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
+    stage: Stage, kept: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if kept:
+        hide(monkeypatch, "GL_ARB_vertex_buffer_object")
+    rng = np.random.default_rng(1)
+    blocks = np.pad(rng.choice([0, 1, block("fern")], (9, 6, 6)).astype(np.uint8), 1)
+    white = Look(np.ones((6, 4)), np.zeros((60, 60), np.float32))
+    meshes = [region_mesh(blocks[: 5 + k], (0, 0, 0), white) for k in range(5)]
+    buffer = RegionBuffer(list(meshes[:4]))
+    times = rng.uniform(0.3, 1.4, (7, 3)).astype(np.float32)
+    try:
+        for light in (Light(times / 2, np.arange(7, dtype=np.uint8)),
+                      Light(times, np.arange(9, 16, dtype=np.uint8))):  # fmt: skip
+            buffer.relight(light)
+        assert buffer.replace(1, meshes[4])  # in the light it was made in
+        for share, mesh in enumerate((meshes[0], meshes[4], meshes[2], meshes[3])):
+            turns = np.repeat(np.arange(7), mesh.counts.sum(axis=1))
+            made = mesh.vertices["colour"]
+            begin = int(buffer.start[share])
+            shown = buffer._read(begin, len(made))["colour"]
+            expected = np.minimum(np.floor(made[:, :3] * times[turns] + 0.5), 255)
+            assert len(made) and np.abs(shown[:, :3] - expected).max() <= 1
+            assert (shown[:, 3] == 9 + turns).all()
+            assert (buffer.mesh(share).vertices == mesh.vertices).all()
     finally:
         buffer.release()
 

@@ -123,7 +123,36 @@ def test_changed_settings_that_cannot_be_applied_change_nothing(
         island = opened(islands, {})
         island.draw(SHORE)
         first = stage.read()
-        for changed in ({"shadow.enabled": False}, {"water.fresnel": 0.3}, {"sky.set": "sunset"}):
+        for changed in ({"shadow.enabled": False}, {"water.fresnel": 0.3}, {"shadow.size": 64}):
             assert not island.apply(with_settings(island.settings, changed))
         island.draw(SHORE)
         assert np.array_equal(first, stage.read())
+
+
+def test_another_time_of_day_is_applied_to_the_open_island_and_looks_as_if_opened_in_it(
+    stage: Stage, islands: dict[str, Voxel]
+) -> None:
+    noon, sunset = (with_settings(SCENE.settings, {**SMALL, "time": t}) for t in ("noon", "sunset"))
+    pictures = []
+    with stage.borrowed():
+        if "island" in islands:
+            islands.pop("island").release()
+
+        def drawn(island: Voxel) -> None:
+            begin(island)
+            island.draw(SHORE)
+            pictures.append(stage.read().astype(int))
+
+        island = Voxel(noon, Assets(), 0, ELEMENTS)
+        drawn(island)
+        for values in (sunset, noon):
+            assert island.apply(values)
+            drawn(island)
+        island.release()
+        island = Voxel(sunset, Assets(), 0, ELEMENTS)
+        drawn(island)
+        island.release()
+    at_noon, applied, again, fresh = pictures
+    assert (at_noon == again).all()
+    assert (np.abs(applied - fresh).max(axis=-1) > 4).mean() < 0.01
+    assert (np.abs(applied - at_noon).max(axis=-1) > 20).mean() > 0.3

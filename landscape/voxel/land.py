@@ -20,9 +20,9 @@ from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar
 from landscape.voxel.distant import distant_mesh
-from landscape.voxel.mesh import RegionMesh
+from landscape.voxel.mesh import UP, RegionMesh
 from landscape.voxel.patch import patched, regions_around
-from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Part, RegionBuffer
+from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Light, Part, RegionBuffer
 from landscape.voxel.settings import Settings
 from landscape.voxel.tile_column import column
 from landscape.voxel.tiles import SIDE, plants, tiles
@@ -112,10 +112,23 @@ class Land:
         regions = np.flatnonzero(seen)
         regions = regions[np.argsort(away[regions], kind="stable")]
         level = (away[regions] >= near).astype(np.intp) + (away[regions] >= max(near, far))
-        for region in regions[level == DISTANT]:
-            self._refresh(int(region))
+        return self._chosen(regions, level, eye, part)
+
+    def from_afar(self, choice: Choice, eye: np.ndarray) -> Choice:
+        """Return the regions of a choice as they are drawn for an eye far away."""
+        away = distances(self.low, self.high, eye)[choice.regions]
+        regions = choice.regions[np.argsort(away, kind="stable")]
+        return self._chosen(regions, np.full(len(regions), DISTANT), eye)
+
+    def _chosen(
+        self, regions: np.ndarray, level: np.ndarray, eye: np.ndarray, part: Part = ALL
+    ) -> Choice:
+        """Return regions with one of their meshes each, and the directions an eye may see."""
+        if self._stale:
+            for region in regions[level == DISTANT]:
+                self._refresh(int(region))
         ways = facing(self.low[regions], self.high[regions], eye)
-        if not values.facing:
+        if not self.settings.voxel.facing:
             ways[:] = True
         return Choice(regions, regions + level * len(self.low), ways, part)
 
@@ -225,18 +238,35 @@ class Land:
             every[share] = mesh
             self.buffer.release()
             self.buffer = RegionBuffer(every)
+            if (self.colours.light != face_light(self.settings.sun, self.settings.shadow)).any():
+                self.buffer.relight(self._light())
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False if the land must be built again."""
+        """Apply settings; return False if the land must be built again.
+
+        Another light needs no other meshes, only other colours.
+        """
         now, then = self.settings, settings
         names = (*BUILT, "mipmaps")
         changed = [name for name in names if getattr(now.voxel, name) != getattr(then.voxel, name)]
-        light, other = (face_light(each.sun, each.shadow) for each in (now, then))
-        lit_alike = now.shadow.enabled == then.shadow.enabled and (light == other).all()
-        if changed or not lit_alike:
+        if changed or now.shadow.enabled != then.shadow.enabled:
             return False
         self.settings = settings
+        light, other = (face_light(each.sun, each.shadow) for each in (now, then))
+        if (light != other).any():
+            self.buffer.relight(self._light())
         return True
+
+    def _light(self) -> Light:
+        """Return how the light differs from that in which the meshes are made."""
+        light = face_light(self.settings.sun, self.settings.shadow)
+        times = light[:, :3] / self.colours.light[:, :3]
+        alpha = np.rint(255 * light[:, 3])
+        # Plants are lit from above, and in the shade only where they are in shadow.
+        return Light(
+            np.concatenate([times, times[UP : UP + 1]]).astype(np.float32),
+            np.append(alpha, 255).astype(np.uint8),
+        )
 
     def release(self) -> None:
         """Delete the buffer and the textures; may be called twice."""

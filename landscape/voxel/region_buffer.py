@@ -12,6 +12,7 @@ State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
 import ctypes
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,12 +28,30 @@ Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x co
 LARGE = 1 << 23  # vertices, chosen: a larger buffer has no such margin
 SPARE = 512  # vertices, chosen: and by at least this
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
+AT_ONCE = 1 << 18  # vertices, chosen: so many are lit anew at a time
 FINISHED = 64  # chosen: so many shares of a large world are uploaded at a time
 
 # The sets of faces that are drawn, from one to another: all of them, those that are not wholly
 # under water, and those that are not wholly above it.
 Part = tuple[int, int]
 ALL, ABOVE, UNDER = (WET, DRY), (SHORE, DRY), (WET, SHORE)
+
+
+class Light(NamedTuple):
+    """Another light than that in which meshes are made: of each direction, and of plants.
+
+    Colours are multiplied by ``times`` (7, 3); ``alpha`` (7,), uint8, takes the place of theirs.
+    """
+
+    times: np.ndarray
+    alpha: np.ndarray
+
+    def on(self, colours: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return colours (n, 4), uint8, in this light; ``turns`` (n,) are as in TURNS."""
+        found = np.empty_like(colours)
+        found[:, :3] = np.minimum(colours[:, :3] * self.times[turns] + np.float32(0.5), 255)
+        found[:, 3] = self.alpha[turns]
+        return found
 
 
 class RegionBuffer:
@@ -58,6 +77,9 @@ class RegionBuffer:
         self.name = int(gl.glGenBuffers(1)) if has(BUFFERS) else 0
         # The vertices, where OpenGL does not keep them.
         self._kept = None if self.name else np.zeros(self._end, VERTEX)
+        # Their colours in the light that they were made in, once they are shown in another.
+        self._made: np.ndarray | None = None
+        self._light: Light | None = None
         if self.name:
             size = self._end * VERTEX.itemsize
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
@@ -78,15 +100,9 @@ class RegionBuffer:
         """Return a copy of a share's mesh."""
         counts = np.diff(self.at[share])
         begin, size = int(self.start[share]), int(counts.sum())
-        if self._kept is not None:
-            return RegionMesh(self._kept[begin:][:size].copy(), counts)
-        vertices = np.empty(size, VERTEX)
-        place = begin * VERTEX.itemsize
-        if size:
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
-            data = as_bytes(vertices)
-            gl.glGetBufferSubData(gl.GL_ARRAY_BUFFER, place, data.nbytes, data)
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        vertices = self._read(begin, size)
+        if self._made is not None:
+            vertices["colour"] = self._made[begin:][:size]
         return RegionMesh(vertices, counts)
 
     def replace(self, share: int, mesh: RegionMesh) -> bool:
@@ -102,17 +118,64 @@ class RegionBuffer:
                 return False
             self.start[share], self.room[share] = self._free, room
             self._free += room
-        begin = int(self.start[share])
-        if self._kept is not None:
-            self._kept[begin:][:size] = mesh.vertices
-        elif size:
-            place = begin * VERTEX.itemsize
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
-            data = as_bytes(mesh.vertices)
-            gl.glBufferSubData(gl.GL_ARRAY_BUFFER, place, data.nbytes, data)
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        begin, vertices = int(self.start[share]), mesh.vertices
+        if self._made is not None and self._light:
+            self._made[begin:][:size] = vertices["colour"]
+            turns = np.repeat(np.arange(len(TURNS)), mesh.counts.sum(axis=1))
+            vertices = vertices.copy()
+            vertices["colour"] = self._light.on(vertices["colour"], turns)
+        self._write(begin, vertices)
         self._enter(share, mesh)
         return True
+
+    def relight(self, light: Light) -> None:
+        """Show all meshes in another light than they were made in, those that come later as well.
+
+        What is read from the buffer, or replaced in it, is still in the light it was made in.
+        """
+        self._light = light
+        first = self._made is None
+        if self._made is None:
+            self._made = np.zeros((self._end, 4), np.uint8)
+        # Where each direction of each share begins, and so, up to the next, which one it is.
+        starts = self.at[:, :, 0].ravel()
+        order = np.argsort(starts, kind="stable")
+        starts = starts[order]
+        for begin in range(0, self._free, AT_ONCE):
+            end = min(begin + AT_ONCE, self._free)
+            one, last = np.searchsorted(starts, (begin, end), "right")
+            edges = np.clip(starts[max(one - 1, 0) : last], begin, end)
+            turns = np.repeat(
+                order[max(one - 1, 0) : last] % len(TURNS), np.diff(edges, append=end)
+            )
+            vertices = self._read(begin, end - begin)
+            made = self._made[begin:end]
+            if first:
+                made[:] = vertices["colour"]
+            vertices["colour"] = light.on(made, turns)
+            self._write(begin, vertices)
+
+    def _read(self, begin: int, size: int) -> np.ndarray:
+        """Return a copy of vertices as they are shown."""
+        if self._kept is not None:
+            return self._kept[begin:][:size].copy()
+        vertices = np.empty(size, VERTEX)
+        if size:
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+            data, place = as_bytes(vertices), begin * VERTEX.itemsize
+            gl.glGetBufferSubData(gl.GL_ARRAY_BUFFER, place, data.nbytes, data)
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        return vertices
+
+    def _write(self, begin: int, vertices: np.ndarray) -> None:
+        """Put vertices into the buffer."""
+        if self._kept is not None:
+            self._kept[begin:][: len(vertices)] = vertices
+        elif len(vertices):
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+            data, place = as_bytes(vertices), begin * VERTEX.itemsize
+            gl.glBufferSubData(gl.GL_ARRAY_BUFFER, place, data.nbytes, data)
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
 
     @contextmanager
     def bound(self, fog_by_height: bool = False) -> Iterator[None]:

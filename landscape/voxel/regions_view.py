@@ -95,10 +95,10 @@ def draw_from_outside(
         gl.glRotatef(frame.pose.yaw, 0.0, 1.0, 0.0)
         back = np.array([frame.back[0], 0.0, frame.back[2]])
         back = back / max(np.linalg.norm(back), 1e-9) * BEHIND
-        gl.glTranslatef(*(-(np.array([middle, ABOVE, middle]) + back)).tolist())
-        everywhere = np.ones_like(choice.facing)
+        eye = np.array([middle, ABOVE, middle]) + back
+        gl.glTranslatef(*(-eye).tolist())
         with lit:
-            land.draw(choice._replace(facing=everywhere))
+            land.draw(land.from_afar(choice, eye))
         draw_boxes(land, choice, FAINT)
         gl.glLineWidth(LINE)
         send_lines(frustum_lines(clip, frame.eye), VIEW)

@@ -188,12 +188,14 @@ class ShadowMap:
             yield
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False if texture or display list must be made again."""
+        """Apply settings; return False if the texture must be made again."""
         if settings.shadow.size != self.settings.shadow.size:
             return False
-        if settings.shadow.color != self.settings.shadow.color:
-            return False
+        other = settings.shadow.color != self.settings.shadow.color
         self.settings = settings
+        if other:
+            self._units.release()
+            self._units = DisplayList(self._set_units)
         self._version = None
         return True
 

@@ -86,18 +86,18 @@ class Sky:
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the pictures, make the cube map and compile the box."""
-        self.settings = settings
+        self.settings, self._assets = settings, assets
         self._map: CubeMap | None = None
         if not possible("sky", (cube_map.NEED,)):
             return
-        self._map = CubeMap(self._faces(assets), mipmaps=False)
+        self._map = CubeMap(self._faces(settings), mipmaps=False)
         self._list = DisplayList(send_box)
 
-    def _faces(self, assets: Assets) -> np.ndarray:
+    def _faces(self, settings: Settings) -> np.ndarray:
         """Return the images of the cube map, uint8 (6, n, n, 3), made once."""
-        prefix = {"day": "sky_"}.get(self.settings.sky.set, f"sky_{self.settings.sky.set}_")
-        paths = {name: assets.path(f"{prefix}{name}.png") for name in PICTURES}
-        haze = 255.0 * np.array(self.settings.fog.color)
+        prefix = {"day": "sky_"}.get(settings.sky.set, f"sky_{settings.sky.set}_")
+        paths = {name: self._assets.path(f"{prefix}{name}.png") for name in PICTURES}
+        haze = 255.0 * np.array(settings.fog.color)
 
         def make() -> tuple[np.ndarray]:
             pictures = {name: read_image(path, "RGB") for name, path in paths.items()}
@@ -128,9 +128,12 @@ class Sky:
             gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False if the cube map must be made again."""
-        if (settings.sky, settings.fog.color) != (self.settings.sky, self.settings.fog.color):
-            return False
+        """Apply settings, with another cube map for another sky; InputError for its pictures."""
+        now, then = self.settings, settings
+        if self._map is not None and (now.sky, now.fog.color) != (then.sky, then.fog.color):
+            other = CubeMap(self._faces(settings), mipmaps=False)
+            self._map.release()
+            self._map = other
         self.settings = settings
         return True
 

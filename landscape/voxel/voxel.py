@@ -100,15 +100,23 @@ class Voxel(Played, Ground):
         return element
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False, changing nothing, if an element must be built again."""
+        """Apply settings; return False, changing nothing, if an element must be built again.
+
+        InputError, changing nothing either, for a file that cannot be used.
+        """
         settings = supported(settings)
         taken: list[Any] = []
-        for element in self._owned:
-            if not element.apply(settings):
+        done = False
+        try:
+            for element in self._owned:
+                if not element.apply(settings):
+                    return False
+                taken.append(element)
+            done = True
+        finally:
+            if not done:
                 for each in taken:
                     each.apply(self.settings)
-                return False
-            taken.append(element)
         self.settings = settings
         return True
 
