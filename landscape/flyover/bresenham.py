@@ -138,23 +138,11 @@ def clipped(
     du, dv = np.abs(u1 - u0), np.where(back, v0 - v1, v1 - v0)
     # Halfway between two pixels, the line goes on in the direction in which it was given.
     down = (v1 < v0).astype(np.int64)
-    first, last = np.maximum(-u, 0), np.minimum(longest - 1 - u, du)
-    low, high = -v, highest - 1 - v
-    last[(dv == 0) & ((low > 0) | (high < 0))] = -1
-    for sign in (1, -1):
-        at = np.flatnonzero(
-            (sign * dv > 0) & ((low > np.minimum(dv, 0)) | (high < np.maximum(dv, 0)))
-        )
-        n, d, tie = du[at], dv[at], down[at]
-        # The shorter side's steps s(k) = floor((2 k d + n - tie) / 2 n); s(k) >= a from or up to
-        enter = 2 * n * low[at] - n + tie
-        leave = 2 * n * (high[at] + 1) - n + tie
-        if sign > 0:
-            first[at] = np.maximum(first[at], -(-enter // (2 * d)))
-            last[at] = np.minimum(last[at], -(-leave // (2 * d)) - 1)
-        else:
-            first[at] = np.maximum(first[at], -leave // (-2 * d) + 1)
-            last[at] = np.minimum(last[at], -enter // (-2 * d))
+    first, last = np.zeros_like(du), du.copy()
+    beyond = (u < 0) | (u + du >= longest)
+    beyond |= (np.minimum(v, v + dv) < 0) | (np.maximum(v, v + dv) >= highest)
+    at = np.flatnonzero(beyond)
+    first[at], last[at] = on_screen(u[at], v[at], du[at], dv[at], down[at], longest, highest)
     seen = np.flatnonzero(last >= first)
     u, v, du, dv, down, first = (each[seen] for each in (u, v, du, dv, down, first))
     longer = np.maximum(du, 1)  # it is 0 for a line of one pixel
@@ -162,6 +150,35 @@ def clipped(
     start = v + 0.5 + (0.25 - 0.5 * down) / longer
     count = last[seen] - first + 1
     return Runs(index[seen], u, v, du, dv, down, first, count, dv / longer, start)
+
+
+def on_screen(
+    u: np.ndarray,
+    v: np.ndarray,
+    du: np.ndarray,
+    dv: np.ndarray,
+    down: np.ndarray,
+    longest: int,
+    highest: int,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the first and the last k at which lines (n,) are on the screen, see :class:`Runs`.
+
+    The last is less than the first for a line that is not.
+    """
+    first, last = np.maximum(-u, 0), np.minimum(longest - 1 - u, du)
+    # The shorter side has made s(k) = floor((2 k dv + du - down) / 2 du) steps. It is below the
+    # lower edge while s(k) < -v, and above the upper edge where s(k) >= highest - v.
+    enter, leave = (2 * du * steps - du + down for steps in (-v, highest - v))
+    twice = 2 * np.where(dv == 0, 1, dv)
+    rising = np.maximum(first, -(-enter // twice)), np.minimum(last, -(-leave // twice) - 1)
+    falling = np.maximum(first, -leave // -twice + 1), np.minimum(last, -enter // -twice)
+    level = first, np.where((v < 0) | (v >= highest), first - 1, last)
+    cases = [dv > 0, dv < 0]
+    begin, end = (
+        np.select(cases, list(each[:2]), each[2])
+        for each in zip(rising, falling, level, strict=True)
+    )
+    return begin, end
 
 
 def steps(runs: Runs) -> tuple[np.ndarray, np.ndarray]:

@@ -95,16 +95,19 @@ def of_strips(
         own = moved(first, 0, 0), moved(second, 0, 0), moved(first, 0, 0)
         either = [a | b for a, b in zip(own, beside, strict=True)]
         both = [a & b & c for a, b, c in zip(both, own, beside, strict=True)]
-    places = moved(np.arange(code.size).reshape(code.shape), 0, 0)
+    # As large as the grid, so that an edge's place there is that of its first vertex.
+    drawn = np.zeros(code.shape, bool)
+    corner = moved(code, 0, 0)
     starts, ends, vanishing, on_screen = [], [], [], 0
     for family, way in enumerate(FAMILIES):
-        drawn = (moved(code, 0, 0) & moved(code, *way)) == 0
-        on_screen += int(np.count_nonzero(drawn))
-        if either:
-            drawn &= either[family]
-        starts.append(places[drawn])
+        seen = (corner & moved(code, *way)) == 0
+        on_screen += int(np.count_nonzero(seen))
+        moved(drawn, 0, 0)[:] = seen & either[family] if either else seen
+        starts.append(np.flatnonzero(drawn))
         ends.append(starts[-1] + way[0] * code.shape[2] + way[1])
-        vanishing.append(both[family][drawn])
+        if part is not None:
+            moved(drawn, 0, 0)[:] = both[family]
+            vanishing.append(drawn.take(starts[-1]))
     edges = Edges(np.concatenate(starts), np.concatenate(ends), None, on_screen)
     if part is None:
         return edges

@@ -12,6 +12,7 @@ to drop their lines.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -59,6 +60,14 @@ class View:
     size: tuple[int, int]
     settings: Flyover
     levels: Levels
+
+    @cached_property
+    def walls(self) -> tuple[np.ndarray, np.ndarray]:
+        """The view volume's planes in the terrain's directions: normals (6, 3), and distances."""
+        along_x, along_y, along_z = np.eye(3)
+        axes = np.stack(camera_transform(along_x, along_y, along_z, self.camera))
+        walls = planes(self.volume, self.size)
+        return walls[:, :3] @ axes, walls[:, 3:]
 
     def origin(self, tiles: Tiles) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return x and y of tiles' corners relative to the camera, and their sides' length."""
@@ -121,9 +130,6 @@ def in_view(tiles: Tiles, view: View) -> np.ndarray:
     low, high = view.bounds.at(tiles.level, tiles.row, tiles.column).T
     middle = np.stack([x + side / 2, y + side / 2, (low + high) / 2.0 - view.camera.z])
     half = np.stack([side / 2, side / 2, (high - low) / 2.0])
-    along_x, along_y, along_z = np.eye(3)
-    axes = np.stack(camera_transform(along_x, along_y, along_z, view.camera))
-    walls = planes(view.volume, view.size)
-    normals = walls[:, :3] @ axes
-    farthest = normals @ middle + np.abs(normals) @ half + walls[:, 3:]
+    normals, distances = view.walls
+    farthest = normals @ middle + np.abs(normals) @ half + distances
     return np.asarray((farthest >= -ROUNDING * (1 + view.levels.reach)).all(axis=0))
