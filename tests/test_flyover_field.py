@@ -1,9 +1,12 @@
 """The fly-over's terrain: height images, mirror images, and levels of detail."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from landscape.errors import InputError
+from landscape.flyover.bounds import bounds
 from landscape.flyover.height_field import height_field, mirrored
 from landscape.flyover.settings import Flyover
 
@@ -91,3 +94,20 @@ def test_an_image_of_colours_or_of_numbers_that_are_not_finite_is_refused() -> N
         height_field(np.zeros((4, 4, 3), np.uint8))
     with pytest.raises(InputError, match=r"^height image: expected finite heights$"):
         height_field(np.full((4, 4), np.nan))
+
+
+def test_damaged_caches_of_levels_and_boxes_are_made_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path))
+    first = height_field(image(32))
+    boxes = bounds(first, 8)
+    files = sorted(tmp_path.glob("*.arrays"))
+    assert len(files) == 2
+    for path in files:
+        data = bytearray(path.read_bytes())
+        data[-20] ^= 255
+        path.write_bytes(data)
+    again = height_field(image(32))
+    assert np.array_equal(first.values, again.values)
+    assert np.array_equal(boxes.values, bounds(again, 8).values)

@@ -21,7 +21,7 @@ from landscape.flyover.camera import Camera, Frustum
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.settings import Flyover
 
-MOST_TILES = 1 << 18  # of one level, chosen: 16 million quads of 8 x 8 a tile take some 10 seconds
+MOST_TILES = 1 << 16  # without detail, chosen: 4 million quads of 8 x 8 a tile take some 5 seconds
 
 
 @dataclass(frozen=True)
@@ -88,8 +88,11 @@ def levels(field: HeightField, camera: Camera, volume: Frustum, settings: Flyove
     coarsest = max(math.ceil(math.log2(reach / first)), 0)
     if not settings.detail:
         tile = patch * field.unit
-        most = math.sqrt(MOST_TILES) * tile / 2 * far / reach
-        if far > most:
+        across = 2 * reach / tile
+        if not settings.mirror:
+            across = min(across, field.side / patch)
+        if across > math.sqrt(MOST_TILES):
+            most = math.sqrt(MOST_TILES) * tile / 2 * far / reach
             raise InputError(
                 f"setting flyover.far_undetailed: expected at most {most:.0f} with this frustum and"
                 f" flyover.unit={field.unit:g}, not {far:g}"
