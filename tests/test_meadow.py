@@ -316,6 +316,20 @@ def test_a_reused_selection_shows_what_a_new_one_would(sow, fade: bool) -> None:
     assert meadow.choice(looking(Pose(20.3, 3.1, 20.0, 10.0, -5.0))) is not kept
 
 
+def test_what_is_drawn_does_not_depend_on_what_has_grown_before(
+    sow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Cells with few suitable places: that they have fewer blades than their share shows only when
+    # these have grown.
+    found = growth_module.places_in_cells
+    monkeypatch.setattr(
+        growth_module, "places_in_cells", lambda *a: [places[:40] for places in found(*a)]
+    )
+    meadow = sow(fade=True, count=500_000)
+    first, again = (meadow.select(looking(NORTH)) for _ in range(2))
+    assert np.array_equal(first.positions, again.positions)
+
+
 def test_new_settings_or_a_new_window_size_cause_a_new_selection(sow) -> None:
     meadow = sow(fade=True, count=200_000)
     kept = meadow.choice(looking(NORTH))

@@ -42,7 +42,11 @@ LEAST = 40_000  # chosen: the number of blades that are kept in any case, 4 MB
 
 
 class Growth:
-    """The blades of all cells; ``counts`` (cells,) is how many each has when complete."""
+    """The blades of all cells; ``counts`` (cells,) is how many each has when complete.
+
+    ``shared`` (cells,) is how many each was to have, by which its blades are thinned out: that
+    there are fewer is not known before they have grown.
+    """
 
     def __init__(
         self, settings: Settings, ground: Ground, seed: int, ends: tuple[np.ndarray, np.ndarray]
@@ -56,7 +60,7 @@ class Growth:
         share, count = cover(self._painted, self.across), settings.grass.count
         self.near = nearness(count / (share.sum() * CELL**2)) if share.any() else NEAR
         self.counts = shared_out(count, share, seed)
-        self._shared = self.counts.copy()
+        self.shared = self.counts.copy()
         self._patches: dict[int, Patch] = {}  # by cell, the most recently used last
         self.grown = 0
 
@@ -120,7 +124,7 @@ class Growth:
         while self.grown > most:
             cell = next(iter(self._patches))
             self.grown -= len(self._patches.pop(cell).positions)
-            self.counts[cell] = self._shared[cell]
+            self.counts[cell] = self.shared[cell]
 
     def _layer(self, total: int, have: int) -> int:
         """Return the end of the layer that begins at blade ``have``; each doubles the blades."""
@@ -164,7 +168,7 @@ class Growth:
         if grass.fade:
             ranges = np.concatenate(
                 [
-                    thinned_ranges(int(self.counts[cell]), self.near, first, first + count)
+                    thinned_ranges(int(self.shared[cell]), self.near, first, first + count)
                     for (cell, first, _), count in zip(layers, blades, strict=True)
                 ]
             )

@@ -95,7 +95,7 @@ class Meadow:
         numbers, nearest = numbers[seen], nearest[seen]
         counts = growth.counts[numbers]
         if grass.fade:
-            counts = count_at(counts, growth.near, nearest, frame.detail.grass)
+            counts = count_at(growth.shared[numbers], growth.near, nearest, frame.detail.grass)
         wanted = counts.tolist()
         patches = growth.patches(numbers.tolist(), wanted)
         found = [patch.only(slice(n)) for patch, n in zip(patches, wanted, strict=True)]
