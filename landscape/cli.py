@@ -9,20 +9,20 @@ import io
 import json
 import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import astuple, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from landscape import keys
 from landscape.capture.guard import guarded
 from landscape.errors import InputError, NoOpenGLError, short
 from landscape.files.processes import end_tidily
 from landscape.frame import Pose
 from landscape.options import parse
-from landscape.scene import SCENES, Scene, View, find_view, listed_views, scene, without_effect
+from landscape.scene import SCENES, View, find_view, listed_views, scene
+from landscape.tools.given import given_changes, notify, offscreen_options, tell_of_no_effect
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -79,47 +79,6 @@ def _silence_output() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, Any]:
-    """Return the settings of --settings and --set, the latter winning.
-
-    A notice on standard error names each key that one of the scenes has renamed.
-    """
-    changes = keys.read_toml(options.settings) if options.settings else {}
-    changes |= dict(options.changes)
-    _notify(
-        options,
-        [line for kind in kinds for line in keys.current_names(kind.settings, changes)[1]],
-    )
-    return changes
-
-
-def _notify(options: argparse.Namespace, lines: Sequence[str]) -> None:
-    """Print each line once on standard error, unless the user wants quiet."""
-    told: set[str] = vars(options).setdefault("told", set())
-    for line in dict.fromkeys(lines):
-        if line not in told and not options.quiet and sys.stderr is not None:
-            print(f"landscape: {line}", file=sys.stderr)
-        told.add(line)
-
-
-def _tell_of_no_effect(
-    options: argparse.Namespace, views: Sequence[tuple[Scene, View]], changes: Mapping[str, Any]
-) -> None:
-    """Print a notice for each setting given that changes nothing in any of these views."""
-    _notify(options, without_effect(views, options.preset, changes, options.only))
-
-
-def _offscreen_options(options: argparse.Namespace) -> dict[str, Any]:
-    return {
-        "preset": options.preset,
-        "backend": options.backend,
-        "samples": options.samples,
-        "assets": options.assets,
-        "only": options.only,
-        "seed": options.seed,
-    }
-
-
 def _edits(options: argparse.Namespace) -> list[Any]:
     """Return the edits of --edits, none without it."""
     from landscape.capture.edit_files import read
@@ -140,11 +99,11 @@ def _walk(options: argparse.Namespace) -> int:
         begin = replace(begin, pose=options.pose)
     if options.kt is not None:
         begin = replace(begin, kt=options.kt)
-    changes = _changes(options, kind)
+    changes = given_changes(options, kind)
     if options.replay is None:
         only = kind.shown(begin) if options.only is None else options.only
         told = kind.notices(replace(begin, shown=()), options.preset, changes, only, walking=True)
-        _notify(options, list(told.values()))
+        notify(options, list(told.values()))
     return walk(
         kind,
         begin,
@@ -182,14 +141,14 @@ def _render(options: argparse.Namespace) -> int:
         raise InputError("render: expected a VIEW or --pose; `landscape views` lists the views")
     paths = output_paths(options.out, [name for name, _ in views])
     jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
-    changes = _changes(options, *(kind for kind, _ in places))
+    changes = given_changes(options, *(kind for kind, _ in places))
     arguments = {"size": options.size, "settings": changes, "place": options.scene}
-    arguments |= _offscreen_options(options) | {"world": options.world}
+    arguments |= offscreen_options(options) | {"world": options.world}
     edits = _edits(options)
     with Progress(len(jobs), options.quiet) as progress:
         missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
-    _notify(options, missed)
-    _tell_of_no_effect(options, places, changes)
+    notify(options, missed)
+    tell_of_no_effect(options, places, changes)
     if not options.quiet:
         print("\n".join(map(str, paths)))
     return 0
@@ -212,7 +171,10 @@ def _figures(options: argparse.Namespace) -> int:
     kept = Path(__file__).resolve().parents[1] / "screenshots"
     if not kept.is_dir():
         kept = Path("screenshots")
-    drawing = {**_offscreen_options(options), "settings": _changes(options, *map(scene, SCENES))}
+    drawing = {
+        **offscreen_options(options),
+        "settings": given_changes(options, *map(scene, SCENES)),
+    }
     del drawing["preset"]
     if options.update:
         figures.update(options.names, kept, drawing, options.quiet)
@@ -247,7 +209,7 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
             size=options.size,
             backend=options.backend,
             preset=options.preset,
-            settings=_changes(options, *kinds),
+            settings=given_changes(options, *kinds),
             only=options.only,
             assets=options.assets,
             seed=options.seed,
@@ -255,7 +217,7 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
             edits=options.edits,
             frame=options.frame,
             events=options.events,
-            tell=partial(_notify, options),
+            tell=partial(notify, options),
         )
         work = partial(_reported, partial(frame_commands.RUN[name], target, options))
         programs = [path for path in (options.target, other) if path and path.endswith(".py")]
@@ -272,18 +234,17 @@ def _inspect(options: argparse.Namespace) -> int:
         raise InputError(f"{short(options.target)}: expected the path of a .py program; {walk}")
 
     def work() -> int:
-        _notify(options, inspect(options.target, options.edits, options.lang))
+        notify(options, inspect(options.target, options.edits, options.lang))
         return 0
 
     return guarded(options.target, lambda: _reported(work)) if options.own_process else work()
 
 
-def _course(name: str) -> Callable[[argparse.Namespace], int]:
-    """Return the function of a command of the course."""
+def _in(room: str) -> Callable[[argparse.Namespace], int]:
+    """Return the function of a command that has a module of its own, with a function ``run``."""
 
     def run(options: argparse.Namespace) -> int:
-        command = import_module(f"landscape.course.{name}_command")
-        status: int = command.run(options)
+        status: int = import_module(f"landscape.{room}").run(options)
         return status
 
     return run
@@ -329,17 +290,17 @@ def _bench(options: argparse.Namespace) -> int:
 
     names = options.views or scene().main
     places = [find_view(name) for name in names]
-    changes = _changes(options, *(kind for kind, _ in places))
+    changes = given_changes(options, *(kind for kind, _ in places))
     asked = bench.Options(
         views=names,
         size=options.size,
         settings=changes,
         wireframe=options.wireframe,
-        **_offscreen_options(options),
+        **offscreen_options(options),
     )
     with Progress(bench.steps(asked), options.quiet) as progress:
         result = bench.measure(asked, progress.step)
-    _tell_of_no_effect(options, places, changes)
+    tell_of_no_effect(options, places, changes)
     if options.json is not None:
         write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())
     if not options.quiet:
@@ -362,7 +323,7 @@ def _exercise(action: str) -> Callable[[argparse.Namespace], int]:
 def _settings(options: argparse.Namespace) -> int:
     from landscape.tools.settings_list import as_text, rows
 
-    found = rows(options.preset, _changes(options, *map(scene, SCENES)), options.word)
+    found = rows(options.preset, given_changes(options, *map(scene, SCENES)), options.word)
     print(json.dumps(found, indent=1) if options.json else "\n".join(as_text(found)))
     return 0
 
@@ -385,8 +346,8 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "state": _frame("state"),
     "strip": _frame("strip"),
     "inspect": _inspect,
-    "lesson": _course("lesson"),
-    "lecture": _course("lecture"),
+    "lesson": _in("course.lesson_command"),
+    "lecture": _in("course.lecture_command"),
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,
@@ -395,6 +356,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "exercise start": _exercise("start"),
     "exercise check": _exercise("check"),
     "bench": _bench,
+    "film": _in("film.command"),
     "settings": _settings,
     "doctor": _doctor,
 }

@@ -12,6 +12,7 @@ from landscape.course import help as course_help
 from landscape.course import options as course_options
 from landscape.course.language import told_in
 from landscape.errors import InputError
+from landscape.film import options as film_options
 from landscape.languages import LANGUAGES
 from landscape.scene import SCENES, SEED, scene
 from landscape.tools import frame_options
@@ -183,9 +184,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
 
     frame_options.add(command, _of_a_frame, _one_element, _pair, _count, _language)
     frame_options.add_inspect(command, _language)
-    course_options.add_lesson(command, _language, _backend_option)
-    course_options.add_exercise(command, group, _language)
-    course_options.add_lecture(command, _language, _size, _count)
+    course_options.add(command, group, _language, _backend_option, _size, _count)
     if language != "en":
         course_help.put(commands, language)
 
@@ -232,6 +231,8 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     bench.add_argument("--json", type=Path, metavar="FILE", help="write the results as JSON")
     _size_option(bench, (800, 600), "size of the frames")
     _common(bench, samples=0)
+
+    film_options.add(command, _common, _language, _size_option, _number)
 
     values = command("settings", "list the settings: all, or some", "fog --preset 2006")
     values.add_argument(

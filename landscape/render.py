@@ -2,7 +2,7 @@
 
 import logging
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
@@ -135,11 +135,7 @@ class Offscreen:
 
     def draw(self, kt: float | None = None) -> np.ndarray:
         """Draw a frame at ``kt`` (the view's own by default): uint8 (h, w, 3), top row first."""
-        with self._current():
-            assert self._target is not None
-            self._target.bind()
-            self.submit(kt)
-            return self._target.read()
+        return self.picture(lambda: self.submit(kt))
 
     def submit(self, kt: float | None = None) -> None:
         """Send the frame's calls to OpenGL, without reading the picture back."""
@@ -178,6 +174,13 @@ class Offscreen:
             assert self._target is not None
             self._target.bind()
             yield
+
+    def picture(self, draw: Callable[[], None]) -> np.ndarray:
+        """Return what the OpenGL calls of ``draw`` draw: uint8 (h, w, 3), top row first."""
+        with self.targeted():
+            draw()
+            assert self._target is not None
+            return self._target.read()
 
     @contextmanager
     def _current(self) -> Iterator[None]:

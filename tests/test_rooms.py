@@ -26,6 +26,7 @@ FLOORS = (
     ("island", "effects", "voxel"),
     ("render",),
     ("window", "tools", "gallery", "studio"),
+    ("film",),
     ("course",),
     ("lessons", "exercises"),
     ("__init__",),

@@ -20,6 +20,20 @@ LECTURE = _("a text file, see docs/lecture.md; default: the whole course")
 COPY = _("copy it, with what it reads, into a folder to be changed there; default: the current one")
 
 
+def add(
+    command: Callable[..., argparse.ArgumentParser],
+    group: Callable[[str, str, str], Any],
+    language: Callable[..., None],
+    backend: Callable[[argparse.ArgumentParser], None],
+    size: Callable[[str], Any],
+    count: Callable[[str], Any],
+) -> None:
+    """Add the commands of the course; each argument adds an option, or reads its value."""
+    add_lesson(command, language, backend)
+    add_exercise(command, group, language)
+    add_lecture(command, language, size, count)
+
+
 def add_lesson(
     command: Callable[[str, str, str], argparse.ArgumentParser],
     language: Callable[[argparse.ArgumentParser, str], None],

@@ -69,6 +69,11 @@ class Output:
             raise _cannot_be_written(self._name, error) from None
 
     @property
+    def place(self) -> str:
+        """The path of the temporary file, for a library that writes it by itself; "" if none."""
+        return self._temporary
+
+    @property
     def closed(self) -> bool:
         """Whether the file is complete or discarded."""
         return self._file.closed

@@ -90,6 +90,13 @@ class Voxel(Played, Ground):
             self.release()
             raise
 
+    def roof(self, x: float, z: float) -> float:
+        """Return the height in units of the highest block at x, z, or of the water."""
+        block, blocks = self.settings.voxel.block, self.land.world.blocks
+        i, k = (int(min(max(each / block, 0), len(blocks) - 1)) for each in (x, z))
+        top = int(np.flatnonzero(blocks[i, k]).max(initial=-1)) + 1
+        return max(top * block, self.height(x, z))
+
     def _built(self, names: tuple[str, ...], kind: type, *given: Any) -> Any:
         """Build an element if any of its names may be shown; otherwise return None."""
         if self.shown.isdisjoint(names):

@@ -1,0 +1,1 @@
+"""Films: from a frame's number to its picture, drawn by several processes, and encoded."""

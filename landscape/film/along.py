@@ -1,0 +1,85 @@
+"""Clips along a path drawn in Inkscape: over the map of a scene, or by the software fly-over.
+
+Where the camera is and where it looks is up to :mod:`landscape.flyover`. Over a scene it flies at
+twice the height of a walker's eyes, and over what stands there: where the drawing's path leads
+through a castle or a tree, its roof counts as the ground.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from landscape.film.clip import Pictures
+from landscape.film.stage import Stage
+from landscape.film.views import Look
+from landscape.flyover.environment import Environment
+from landscape.flyover.frame import draw
+from landscape.flyover.scene_flight import SceneFlight
+from landscape.flyover.settings import Settings
+from landscape.geometry.camera_path import NEAR, standing_near
+from landscape.scene import OpenScene
+
+EYES_UP = 2.0  # chosen: heights of a walker's eye above the ground
+ROOF = 4.0  # chosen: units above the ground; what is higher cannot be flown over
+
+
+class Roofs:
+    """A scene's map with what stands on it, as heights to fly over."""
+
+    def __init__(self, opened: OpenScene) -> None:
+        """Take an open scene, whose obstacles may change."""
+        self._opened, self.size = opened, opened.size
+        self._height = getattr(opened, "roof", opened.height)
+
+    def height(self, x: float, z: float) -> float:
+        """Return the height in units of the ground at x, z, or of what stands there."""
+        ground = float(self._height(x, z))
+        near = standing_near(self._opened.obstacles, x, z, 2 * NEAR)
+        return max((each.top for each in near if each.top < ground + ROOF), default=ground)
+
+
+@dataclass(frozen=True)
+class Along:
+    """A flight over a scene; it takes as long as over the drawing's own terrain, or ``seconds``."""
+
+    environment: Environment
+    look: Look
+    seconds: float
+    speed: float
+
+    def open(self, stage: Stage) -> Pictures:
+        """Return what draws it."""
+        opened = self.look.open(stage)
+        eye = EYES_UP * opened.settings.walk.eye
+        settings = replace(Settings().flyover, speed=self.speed)
+        flight = SceneFlight(self.environment, Roofs(opened), eye, settings)
+        # At the very end it would begin again.
+        last = math.nextafter(flight.duration, 0.0)
+        return lambda seconds: self.look.draw(stage, flight.pose(min(seconds, last)), seconds)
+
+
+@dataclass(frozen=True)
+class Software:
+    """A flight of the software fly-over, without OpenGL, from ``begin`` seconds after its start."""
+
+    environment: Environment
+    settings: Settings
+    seconds: float
+    begin: float = 0.0
+
+    @cached_property
+    def flight(self) -> Any:
+        """The terrain, and the flight over it."""
+        field = self.environment.field(self.settings.flyover)
+        return field, self.environment.flight(field, self.settings.flyover)
+
+    def open(self, stage: Stage) -> Pictures:
+        """Return what draws it."""
+        field, flight = self.flight
+
+        def picture(seconds: float) -> Any:
+            at = min(self.begin + seconds, math.nextafter(flight.duration, 0.0))
+            return draw(field, flight.camera(at), self.settings, stage.size).picture
+
+        return picture

@@ -1,0 +1,84 @@
+"""The command `landscape film`: from its options to a film on the disk."""
+
+import argparse
+import os
+from contextlib import closing, suppress
+from pathlib import Path
+
+import numpy as np
+
+from landscape.files.processes import interrupts_held
+from landscape.files.progress import Progress
+from landscape.film.cut import Film
+from landscape.film.encode import Encoder, check, encoder
+from landscape.film.sources import Wanted, film_of, places
+from landscape.film.stage import Drawing
+from landscape.film.workers import cores, drawn
+from landscape.languages import choose
+from landscape.tools.given import given_changes, notify, tell_of_no_effect
+
+SAMPLED = 12  # chosen: how many frames the palette of a GIF is made from
+
+
+def run(options: argparse.Namespace) -> int:
+    """Draw a film; return the exit status. Raises InputError and NoOpenGLError."""
+    drawing = Drawing(options.size, options.samples, options.backend, options.assets, options.seed)
+    wanted = Wanted(
+        drawing,
+        fps=options.fps,
+        seconds=options.seconds,
+        scene=options.scene,
+        preset=options.preset,
+        only=options.only,
+        kt=options.kt,
+        wireframe=options.wireframe,
+        language=options.lang or choose(os.environ),
+    )
+    found = places(options.views, wanted)
+    changes = given_changes(options, *(kind for kind, _ in found))
+    wanted = Wanted(**{**vars(wanted), "changes": changes})
+    check(options.out, options.size, wanted.rate)
+    film = film_of(options.views, wanted)
+    kept = write(film, options.out, options.jobs or cores(), options.quiet)
+    if found:
+        tell_of_no_effect(options, found, changes)
+    if kept < film.frames:
+        notify(options, [f"interrupted: {options.out} has {kept} of {film.frames} frames"])
+        return 130
+    if not options.quiet:
+        print(options.out)
+    return 0
+
+
+def write(film: Film, out: Path, jobs: int, quiet: bool = True) -> int:
+    """Draw a film by ``jobs`` processes into a file; return how many frames it has.
+
+    They are fewer than the film's after Ctrl-C; if there is none yet, KeyboardInterrupt goes on,
+    and nothing is written. InputError and NoOpenGLError, too, leave what stood there before.
+    """
+    encoded: Encoder | None = None
+    done = 0
+    try:
+        with Progress(film.frames, quiet) as progress:
+            encoded = encoder(out, film.drawing.size, film.fps, lambda: samples(film, jobs))
+            with suppress(KeyboardInterrupt), closing(drawn(film, jobs)) as pictures:
+                for pixels in pictures:
+                    with interrupts_held():
+                        encoded.add(pixels)
+                        done += 1
+                    progress.step("frames")
+        if not done:
+            raise KeyboardInterrupt
+        with interrupts_held():
+            encoded.finish()
+    finally:
+        if encoded is not None:
+            encoded.discard()
+    return done
+
+
+def samples(film: Film, jobs: int) -> list[np.ndarray]:
+    """Return some of the film's pictures, small, from all over it."""
+    count = min(SAMPLED, film.frames)
+    numbers = [(2 * k + 1) * film.frames // (2 * count) for k in range(count)]
+    return [pixels[::2, ::2] for pixels in drawn(film, jobs, numbers)]

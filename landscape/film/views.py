@@ -1,0 +1,123 @@
+"""Clips of named views: a moment in one of them, or a flight through several.
+
+The flight's path keeps clear of ground and obstacles (geometry/camera_path.py). Its orientation is
+SLERP between the views' own, with a level horizon: what roll SLERP would give is left out.
+"""
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from landscape.film.clip import Pictures
+from landscape.film.stage import Stage
+from landscape.frame import Pose
+from landscape.geometry.camera_path import HOLD, Travel, through
+from landscape.geometry.quaternion import from_angles, to_angles
+from landscape.scene import Moment, OpenScene, placed, raised
+
+FLIGHT = 2.0  # chosen: times the walking speed; as fast as one flies in a walk
+TURNING = 28.0  # chosen: degrees per second, the mean that sets how long a turn takes
+LEAST = 2.5  # chosen: seconds from one view to the next
+FAST_ENOUGH = 14.0  # chosen: the most seconds that takes
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a scene is looked at: its name, settings, elements, and animation time at the start."""
+
+    scene: str
+    values: Any
+    shown: tuple[str, ...]
+    kt: float = 0.0
+    wireframe: bool = False
+    stroke: int = 0
+
+    def open(self, stage: Stage) -> OpenScene:
+        """Return the scene, open on a stage."""
+        return stage.scene(self.scene, self.values, self.shown)
+
+    def draw(self, stage: Stage, pose: Pose, seconds: float) -> np.ndarray:
+        """Return the picture from a pose, so many seconds after the start."""
+        kt = self.kt + seconds * self.values.clock.kt_per_second
+        moment = Moment(pose, stage.size, kt, 0.0, self.stroke, self.wireframe)
+        return stage.draw(self.open(stage), moment)
+
+
+def standing(pose: Pose, opened: OpenScene) -> Pose:
+    """Return a view's pose in an open scene: with a height, and above the ground."""
+    eye = opened.settings.walk.eye
+    return raised(placed(pose, opened, eye), opened, eye)
+
+
+@dataclass(frozen=True)
+class Still:
+    """A moment: the camera stands, and time runs."""
+
+    look: Look
+    pose: Pose
+    seconds: float
+
+    def lasting(self, seconds: float) -> "Still":
+        """Return it as long as this."""
+        return replace(self, seconds=seconds)
+
+    def open(self, stage: Stage) -> Pictures:
+        """Return what draws it."""
+        pose = standing(self.pose, self.look.open(stage))
+        return lambda seconds: self.look.draw(stage, pose, seconds)
+
+
+@dataclass(frozen=True)
+class Flight:
+    """A flight through two or more poses of one scene, ``spans`` seconds from each to the next."""
+
+    look: Look
+    poses: tuple[Pose, ...]
+    spans: tuple[float, ...]
+    seconds: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Know how long it is before anything is opened."""
+        object.__setattr__(self, "seconds", sum(self.spans) + 2 * HOLD)
+
+    def lasting(self, seconds: float) -> "Flight":
+        """Return it as long as this, but for its rests at both ends if that is too short."""
+        factor = max(seconds - 2 * HOLD, 0.05) / sum(self.spans)
+        return Flight(self.look, self.poses, tuple(factor * span for span in self.spans))
+
+    def travel(self, opened: OpenScene) -> Travel:
+        """Return the camera's travel in an open scene."""
+        poses = [standing(pose, opened) for pose in self.poses]
+        places = np.array([(pose.x, pose.y, pose.z) for pose in poses])
+        # Where it can be asked for, the height of what stands there as well.
+        roof = getattr(opened, "roof", opened.height)
+        path = through(places, roof, opened.obstacles)
+        turns = [from_angles(pose.yaw, pose.pitch, pose.roll) for pose in poses]
+        return Travel(path, turns, np.array(self.spans))
+
+    def open(self, stage: Stage) -> Pictures:
+        """Return what draws it."""
+        travel = self.travel(self.look.open(stage))
+
+        def picture(seconds: float) -> np.ndarray:
+            (x, y, z), turn = travel.at(seconds)
+            yaw, pitch, _ = to_angles(turn)
+            pose = Pose(float(x), float(y), float(z), yaw, pitch)
+            return self.look.draw(stage, pose, seconds)
+
+        return picture
+
+
+def spans(poses: tuple[Pose, ...], speed: float) -> tuple[float, ...]:
+    """Return how many seconds a flight takes from each pose to the next, at a walk's speed."""
+    found = []
+    for here, there in zip(poses, poses[1:], strict=False):
+        away = math.hypot(there.x - here.x, there.z - here.z)
+        if here.y is not None and there.y is not None:
+            away = math.hypot(away, there.y - here.y)
+        turn = abs((there.yaw - here.yaw + 180.0) % 360.0 - 180.0)
+        seconds = max(away / max(FLIGHT * speed, 1e-3), turn / TURNING, LEAST)
+        found.append(min(seconds, FAST_ENOUGH))
+    return tuple(found)
