@@ -59,10 +59,32 @@ def cloud_cover(
     bulk = np.clip((field - COVER) / 1.5, 0, 1)
     step = towards[:2] / max(float(np.hypot(*towards[:2])), 1e-6) * 9
     behind = np.roll(bulk, (-round(step[1]), -round(step[0])), (0, 1))
-    bright = np.clip(0.72 + 1.3 * (bulk - behind) - 0.25 * bulk, 0, 1)
-    away = SCALE * size / np.maximum(tangent, 1e-3)
-    x = (away * np.cos(azimuth)).astype(np.int64) & (size - 1)
-    y = (away * np.sin(azimuth)).astype(np.int64) & (size - 1)
+    bright = np.clip(0.70 + 1.2 * (bulk - behind) - 0.25 * bulk, 0, 1)
+    layers = [smooth_step(0.0, 0.5, bulk), bright]
+    away = (SCALE * size / np.maximum(tangent, 1e-3))[:, 0]
+    # Far clouds are close together: they are looked up in smaller copies of the pattern.
+    texels = away * (2 * np.pi / len(azimuth)) * np.hypot(1, 1 / np.maximum(tangent[:, 0], 1e-3))
+    level = np.clip(np.log2(texels) - 0.5, 0, 7).astype(int)
+    amount, light = np.empty((2, len(tangent), len(azimuth)), np.float32)
+    for k in range(int(level.max()) + 1):
+        rows = np.flatnonzero(level == k)
+        x, y = (away[rows, None] / 2**k * turn(azimuth) for turn in (np.cos, np.sin))
+        for found, layer in zip((amount, light), layers, strict=True):
+            found[rows] = sampled(layer, x, y)
+        layers = [
+            (each[::2, ::2] + each[1::2, ::2] + each[::2, 1::2] + each[1::2, 1::2]) / 4
+            for each in layers
+        ]
     visible = smooth_step(0.05, 0.30, tangent)
-    amount = smooth_step(0.0, 0.45, bulk)[y, x] * visible
-    return amount, bright[y, x]
+    return amount * visible, light
+
+
+def sampled(layer: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Return a pattern (n, n), repeated without end, at x, y in its texels, bilinearly."""
+    n = len(layer)
+    column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
+    u, v = (x - column).astype(np.float32), (y - row).astype(np.float32)
+    left, right, top, below = column % n, (column + 1) % n, row % n, (row + 1) % n
+    upper = layer[top, left] * (1 - u) + layer[top, right] * u
+    lower = layer[below, left] * (1 - u) + layer[below, right] * u
+    return np.asarray(upper * (1 - v) + lower * v)

@@ -160,8 +160,8 @@ def draw(
     def rows(first: int) -> None:
         # One row more: ridges are blended with what is above them.
         part = slice(max(first - 1, 0), min(first + BAND, height))
-        at, slope, lateral = pixels(rays, part, filled.shape)
-        colours = colouring.band(at, slope, lateral)
+        at, column, slope, lateral = pixels(rays, part, filled.shape)
+        colours = colouring.band(at, column, slope, lateral)
         if ours.edges and ours.smooth:
             blend_edges(colours, at, scene, rays)
         picture[first : part.stop] = colours[first - part.start :]
@@ -195,17 +195,19 @@ def blend_edges(colours: np.ndarray, at: np.ndarray, scene: shade.Scene, rays: V
 
 def pixels(
     rays: View, part: slice, shape: tuple[int, ...]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return what is walked for the pixels of some rows (n, w): place, slope and lateral direction.
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return what is walked for the pixels of some rows: place, column, slope, lateral direction.
 
-    ``shape`` is (rows, columns) of what is walked; the place is ``row * columns + column``.
+    All are (n, w). ``shape`` is (rows, columns) of what is walked; the place is ``row * columns +
+    column``.
     """
     rows, columns = shape
     up = rays.up[part]
     if rays.level:
-        at = np.arange(part.start, part.stop)[:, None] * columns + np.arange(columns)
+        column = np.broadcast_to(np.arange(columns), (len(up), columns))
+        at = np.arange(part.start, part.stop)[:, None] * columns + column
         slope = np.broadcast_to(rays.slopes[part, None], at.shape)
-        return at, slope, np.broadcast_to(rays.lateral, at.shape)
+        return at, column, slope, np.broadcast_to(rays.lateral, at.shape)
     sin, cos = np.float32(math.sin(rays.roll)), np.float32(math.cos(rays.roll))
     y = cos * rays.across - sin * up[:, None]
     z = sin * rays.across + cos * up[:, None] if rays.roll else up[:, None]
@@ -218,4 +220,4 @@ def pixels(
     row = ((np.float32(first) - z) * np.float32(1 / step) + np.float32(0.5)).astype(np.int64)
     np.clip(column, 0, columns - 1, out=column)
     np.clip(row, 0, rows - 1, out=row)
-    return row * columns + column, slope, lateral
+    return row * columns + column, column, slope, lateral

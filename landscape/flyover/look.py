@@ -76,7 +76,7 @@ def _made(field: HeightField, settings: Settings) -> Look:
         ("sky", f"{towards.tolist()} {ours.clouds} {rows}"),
         lambda: (dome(towards, ours.clouds, rows),),
     )
-    grain = np.clip(noise(GRAIN, SEED, 0.8, 8) * 50 + 128, 0, 255).astype(np.uint8)
+    grain = np.clip(noise(GRAIN, SEED, 1.0, 6) * 50 + 128, 0, 255).astype(np.uint8)
     bits = texels.bit_length() - 1
     return Look(Pyramid(picture, offsets, bits, 2 * field.size), sky, grain, sea)
 

@@ -4,6 +4,7 @@ All colours are uint32, red in the lowest byte. Red and blue are blended at once
 one, and green beside them: half the multiplications.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,10 @@ from landscape.flyover.settings import Settings
 PAIR, MIDDLE = np.uint32(0x00FF00FF), np.uint32(0x0000FF00)
 OPAQUE = np.uint32(0xFF000000)
 SLANT = 2.0  # texels that a pixel may hold before the next smaller copy is taken, chosen
+FRESNEL = 1024  # entries of the table of how much water mirrors, by the angle
+MIRROR = 0.9  # of the light that smooth water mirrors, chosen
+RIPPLES = 0.0006  # how much they incline the water, chosen
+GRAIN = 0.28  # how dark the darkest grains are, chosen
 CLOSE = 60.0  # distance up to which the grain of the ground is seen, units, chosen
 
 
@@ -54,72 +59,86 @@ class Colouring:
         visible = settings.flyover.visible
         far = scene.distances
         pyramid = look.ground
-        texel = pyramid.period / (1 << pyramid.bits)
+        self.texel = pyramid.period / (1 << pyramid.bits)
         pixel = float(lateral[1] - lateral[0])
         # The ground is seen at a slant: along the ray a pixel holds more of it than across.
-        wide = SLANT * pixel * far / texel
+        wide = SLANT * pixel * far / self.texel
         level = np.log2(np.maximum(wide, 1)) if self.switches.levels else far * 0
         self.level = np.minimum(level.astype(np.int64), pyramid.bits)
         haze = 1 - np.exp(-((far * (2.3 / visible)) ** 1.4))
         haze = haze / haze[-1] if self.switches.fog else far * 0
         self.haze = (haze * 256 + 0.5).astype(np.uint32)
+        # Whole periods make all coordinates positive: then rounding to 0 is rounding down.
+        around = math.ceil(2 * float(far[-1]) / pyramid.period * max(abs(lateral)) + 1)
+        self.start = [np.float32(e % pyramid.period + around * pyramid.period) for e in scene.eye]
         columns = look.sky.shape[1]
         turn = np.arctan2(
             scene.forward[1] + scene.right[1] * lateral, scene.forward[0] + scene.right[0] * lateral
         )
         self.azimuth = (turn / (2 * np.pi) % 1 * columns).astype(np.int64) % columns
+        # Rise per distance over the ground, of rays that rise by 1 per level distance.
+        self.flatness = (1 / np.sqrt(1 + lateral * lateral)).astype(np.float32)
         self.horizon = look.sky[0].take(self.azimuth)
-        self.flat = look.sky.ravel()
+        self.flat_sky, self.flat_grain = look.sky.ravel(), look.grain.ravel()
+        steep = np.arange(FRESNEL) / FRESNEL * 2
+        sine = steep / np.sqrt(1 + steep * steep)
+        mirrored = MIRROR * (0.02 + 0.98 * (1 - sine) ** 5)
+        self.fresnel = (mirrored * 256).astype(np.uint32)
 
-    def band(self, at: np.ndarray, slope: np.ndarray, lateral: np.ndarray) -> np.ndarray:
+    def band(
+        self, at: np.ndarray, column: np.ndarray, slope: np.ndarray, lateral: np.ndarray
+    ) -> np.ndarray:
         """Return the colours of some pixels, all arrays (n, w).
 
-        ``at`` is their place among the scene's rows and columns, ``slope`` the rise of their rays
-        and ``lateral`` their direction to the right, per unit of distance.
+        ``at`` and ``column`` are their place and column in the scene, ``slope`` the rise of their
+        rays and ``lateral`` their direction to the right, per unit of level distance.
         """
         shape = at.shape
-        at, slope, lateral = at.ravel(), slope.ravel(), lateral.ravel()
-        columns = self.scene.filled.shape[1]
-        step = self.scene.filled.ravel().take(at)
-        ground = np.flatnonzero(step < len(self.scene.distances))
-        out = np.empty(len(at), np.uint32)
-        if len(ground) < len(at):
-            sky = np.flatnonzero(step == len(self.scene.distances))
-            out[sky] = self.sky(at[sky] % columns, slope[sky], lateral[sky])
+        step = self.scene.filled.ravel().take(at.ravel())
+        column, slope, lateral = column.ravel(), slope.ravel(), lateral.ravel()
+        last = len(self.scene.distances)
+        ground = np.flatnonzero(step < last)
+        if len(ground) == len(step):
+            return (self.ground(column, step, slope, lateral) | OPAQUE).reshape(shape)
+        out = np.empty(len(step), np.uint32)
+        sky = np.flatnonzero(step == last)
+        out[sky] = self.sky(column.take(sky), slope.take(sky))
         if len(ground):
-            if len(ground) < len(at):
-                at, slope, lateral, step = at[ground], slope[ground], lateral[ground], step[ground]
-            out[ground] = self.ground(at % columns, step.astype(np.int64), slope, lateral)
+            rays = (each.take(ground) for each in (column, step, slope, lateral))
+            out[ground] = self.ground(*rays)
         return (out | OPAQUE).reshape(shape)
 
-    def sky(self, column: np.ndarray, slope: np.ndarray, lateral: np.ndarray) -> np.ndarray:
+    def sky(self, column: np.ndarray, slope: np.ndarray) -> np.ndarray:
         """Return the sky's colours along rays (n,)."""
         rows, columns = self.look.sky.shape
-        tangent = np.maximum(slope, 0) / np.sqrt(1 + lateral * lateral)
-        row = (tangent / (1 + tangent) * rows).astype(np.int64)
-        return self.flat.take(row * columns + self.azimuth.take(column), mode="clip")
+        tangent = np.maximum(slope, 0)
+        tangent *= self.flatness.take(column)
+        share = tangent + 1
+        np.divide(tangent, share, out=tangent)
+        tangent *= np.float32(rows)
+        place = tangent.astype(np.int64)
+        place *= columns
+        place += self.azimuth.take(column)
+        return self.flat_sky.take(place, mode="clip")
 
     def ground(
         self, column: np.ndarray, step: np.ndarray, slope: np.ndarray, lateral: np.ndarray
     ) -> np.ndarray:
         """Return the ground's colours along rays (n,) that meet it at or just before a step."""
-        scene, look = self.scene, self.look
+        step = step.astype(np.int64)
         away = self.distance(column, step, slope)
         sideways = away * lateral
-        scale = np.float32((1 << look.ground.bits) / look.ground.period)
-        size = 1 << look.ground.bits
-        places = []
-        for axis in (0, 1):
-            start = np.float32(scene.eye[axis] % look.ground.period)
-            place = away * scene.forward[axis]
-            place += sideways * scene.right[axis]
-            place += start
-            places.append(place)
-        x, y = (place * scale for place in places)
+        x, y = (
+            away * self.scene.forward[axis] + sideways * self.scene.right[axis] + self.start[axis]
+            for axis in (0, 1)
+        )
+        x *= np.float32(1 / self.texel)
+        y *= np.float32(1 / self.texel)
         colour = self.texels(x, y, self.level.take(step))
-        colour = self.close_up(colour, x, y, away, size)
+        if self.switches.smooth:
+            self.close_up(colour, x, y, away)
         if self.switches.reflection:
-            colour = self.mirror(colour, column, slope, lateral, away, places)
+            self.mirror(colour, column, slope, away, x, y)
         if self.switches.fog:
             colour = blend(colour, self.horizon.take(column), self.haze.take(step))
         return colour
@@ -133,25 +152,33 @@ class Colouring:
         there = scene.distances.take(step)
         if not self.switches.smooth:
             return there
-        before = np.maximum(step - 1, 0)
         columns = scene.heights.shape[1]
         heights = scene.heights.ravel()
-        here = scene.distances.take(before)
-        gap = slope * here - heights.take(before * columns + column)
-        closing = gap - slope * there + heights.take(step * columns + column)
-        part = gap / np.maximum(closing, np.float32(1e-6))
-        np.clip(part, 0, 1, out=part)
+        place = step * columns
+        place += column
+        above = slope * there
+        np.subtract(heights.take(place), above, out=above)
+        place -= columns
+        here = scene.distances.take(step - 1, mode="clip")
+        gap = slope * here
+        gap -= heights.take(place, mode="clip")
+        # ``gap`` is how far the ray is above the ground before, ``above`` how far below it then.
+        above += gap
+        gap /= np.maximum(above, np.float32(1e-6), out=above)
+        np.maximum(gap, 0, out=gap)
+        np.minimum(gap, 1, out=gap)
         there -= here
-        part *= there
-        part += here
-        return part
+        gap *= there
+        gap += here
+        return gap
 
     def texels(self, x: np.ndarray, y: np.ndarray, level: np.ndarray) -> np.ndarray:
         """Return the nearest texels of the ground's picture at x, y (n,), of each pixel's level."""
         pyramid = self.look.ground
-        size = 1 << pyramid.bits
-        column = np.floor(x).astype(np.int64) & (size - 1)
-        row = np.floor(y).astype(np.int64) & (size - 1)
+        mask = (1 << pyramid.bits) - 1
+        column, row = x.astype(np.int64), y.astype(np.int64)
+        column &= mask
+        row &= mask
         column >>= level
         row >>= level
         row <<= pyramid.bits - level
@@ -159,69 +186,76 @@ class Colouring:
         row += pyramid.offsets.take(level)
         return pyramid.texels.take(row, mode="clip")
 
-    def close_up(
-        self, colour: np.ndarray, x: np.ndarray, y: np.ndarray, away: np.ndarray, size: int
-    ) -> np.ndarray:
-        """Return colours (n,) with those close by blended between texels, and with their grain."""
-        if not self.switches.smooth:
-            return colour
+    def close_up(self, colour: np.ndarray, x: np.ndarray, y: np.ndarray, away: np.ndarray) -> None:
+        """Blend colours (n,) close by between texels, and add the grain of the ground, in place."""
         near = np.flatnonzero(away < CLOSE)
         if not len(near):
-            return colour
-        x, y, away = x[near] - np.float32(0.5), y[near] - np.float32(0.5), away[near]
-        left, top = np.floor(x), np.floor(y)
-        u, v = (((a - b) * 256).astype(np.uint32) for a, b in ((x, left), (y, top)))
-        column, row = left.astype(np.int64), top.astype(np.int64)
-        mask = size - 1
-        rows = (row & mask) * size, (row + 1 & mask) * size
-        places = column & mask, column + 1 & mask
+            return
+        x, y, away = x.take(near), y.take(near), away.take(near)
+        dark = self.grain(x, y, 11.0) * np.clip(1 - away * np.float32(1.5 / CLOSE), 0, 1)
+        dark += self.grain(x, y, 53.0) * np.clip(1 - away * np.float32(6 / CLOSE), 0, 1)
+        x -= np.float32(0.5)
+        y -= np.float32(0.5)
+        column, row = x.astype(np.int64), y.astype(np.int64)
+        x -= column
+        y -= row
+        u, v = (x * 256).astype(np.uint32), (y * 256).astype(np.uint32)
+        bits = self.look.ground.bits
+        mask = (1 << bits) - 1
+        next_column, next_row = column + 1 & mask, (row + 1 & mask) << bits
+        column &= mask
+        row &= mask
+        row <<= bits
         texels = self.look.ground.texels
-        upper, lower = (
-            blend(texels.take(r + places[0]), texels.take(r + places[1]), u) for r in rows
-        )
-        water = colour[near] & OPAQUE
+        upper = blend(texels.take(row + column), texels.take(row + next_column), u)
+        lower = blend(texels.take(next_row + column), texels.take(next_row + next_column), u)
         smooth = blend(upper, lower, v)
-        grain = self.look.grain
-        n = len(grain)
-        dark = np.zeros(len(near), np.float32)
-        for repeats, reach in ((5.0, CLOSE), (37.0, CLOSE / 5)):
-            a = np.floor(x * np.float32(repeats)).astype(np.int64) & (n - 1)
-            b = np.floor(y * np.float32(repeats)).astype(np.int64) & (n - 1)
-            fade = np.clip(1 - away * np.float32(1 / reach), 0, 1)
-            dark += fade * grain.ravel().take(b * n + a)
-        wet = (water >> np.uint32(24)).astype(np.float32) * np.float32(1 / 255)
-        weight = (dark * (1 - wet) * np.float32(0.28)).astype(np.uint32)
-        colour[near] = blend(smooth, np.zeros_like(smooth), np.minimum(weight, 256)) | water
-        return colour
+        water = colour.take(near) & OPAQUE
+        dry = (256 - (water >> np.uint32(24))).astype(np.float32)
+        dry *= dark
+        dry *= np.float32(GRAIN / 256)
+        keep = 256 - np.minimum(dry, 250).astype(np.uint32)
+        smooth = ((smooth & PAIR) * keep >> np.uint32(8)) & PAIR | (
+            ((smooth & MIDDLE) >> np.uint32(8)) * keep & MIDDLE
+        )
+        colour[near] = smooth | water
+
+    def grain(self, x: np.ndarray, y: np.ndarray, repeats: float) -> np.ndarray:
+        """Return the grain's pattern at x, y (n,) in texels, uint8 (n,)."""
+        n = len(self.look.grain)
+        column = (x * np.float32(repeats)).astype(np.int64)
+        row = (y * np.float32(repeats)).astype(np.int64)
+        column &= n - 1
+        row &= n - 1
+        row *= n
+        row += column
+        return self.flat_grain.take(row)
 
     def mirror(
         self,
         colour: np.ndarray,
         column: np.ndarray,
         slope: np.ndarray,
-        lateral: np.ndarray,
         away: np.ndarray,
-        places: list[np.ndarray],
-    ) -> np.ndarray:
-        """Return colours (n,) with the sky mirrored in what is water, more so at grazing angles."""
-        wet = colour >> np.uint32(24)
-        water = np.flatnonzero(wet)
+        x: np.ndarray,
+        y: np.ndarray,
+    ) -> None:
+        """Mirror the sky in what is water, more so at grazing angles, in place; all (n,)."""
+        water = np.flatnonzero(colour >> np.uint32(24))
         if not len(water):
-            return colour
-        down = np.maximum(-slope[water], 0)
-        grain = self.look.grain
-        n = len(grain)
-        ripple = np.zeros(len(water), np.float32)
-        for repeats in (3.0, 13.0):
-            a, b = (
-                np.floor(p[water] * np.float32(repeats)).astype(np.int64) & (n - 1) for p in places
-            )
-            ripple += grain.ravel().take(b * n + a)
+            return
+        x, y, away, column = (each.take(water) for each in (x, y, away, column))
+        down = np.maximum(-slope.take(water), 0)
+        ripple = self.grain(x, y, 1.5).astype(np.float32)
+        ripple += self.grain(x, y, 7.0)
         ripple -= 255
-        ripple *= np.float32(0.0006) / (1 + away[water] * np.float32(0.02))
-        tangent = down / np.sqrt(1 + lateral[water] ** 2)
-        fresnel = np.float32(0.02) + np.float32(0.98) * (1 - tangent / np.sqrt(1 + tangent**2)) ** 5
-        sky = self.sky(column[water], np.maximum(down + ripple, np.float32(0.01)), lateral[water])
-        weight = (fresnel * wet[water] * np.float32(0.9)).astype(np.uint32)
-        colour[water] = blend(colour[water], sky, weight)
-        return colour
+        ripple *= np.float32(RIPPLES) / (1 + away * np.float32(0.02))
+        steep = down * self.flatness.take(column)
+        steep *= FRESNEL / 2
+        weight = self.fresnel.take(steep.astype(np.int64), mode="clip")
+        down += ripple
+        sky = self.sky(column, np.maximum(down, np.float32(0.01)))
+        own = colour.take(water)
+        weight *= own >> np.uint32(24)
+        weight >>= np.uint32(8)
+        colour[water] = blend(own, sky, weight)
