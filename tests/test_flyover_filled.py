@@ -13,6 +13,7 @@ from landscape.flyover.camera import Camera, Frustum, camera_transform
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.noise import noise
 from landscape.flyover.settings import Flyover, Settings
+from landscape.flyover.shores import PLACES, STRIDE, shores
 from landscape.keys import with_settings
 
 SIZE = (160, 120)
@@ -216,3 +217,44 @@ def test_an_unseen_picture_of_the_ground_comes_from_the_cache(tmp_path, monkeypa
     monkeypatch.setattr(looks, "bake", None)
     again = looks.look(hills(), settings)
     assert again is not first and (again.ground.texels == first.ground.texels).all()
+
+
+@pytest.mark.parametrize("size", ((1, 1), (1, 40), (40, 1), (33, 17)))
+def test_pictures_of_any_size_and_from_anywhere_can_be_drawn(size: tuple[int, int]) -> None:
+    settings = with_settings(Settings(), SMALL | {"flyover.visible": 30.0})
+    for camera in (
+        Camera(20, 20, 40),
+        Camera(1e7, -1e7, 30, 0.5, 0.3, 1),
+        Camera(20, 20, -50, 3.1, -1.5, 0),
+    ):
+        drawn = frame.draw(hills(), camera, settings, size)
+        assert drawn.rgba.shape == (size[1], size[0], 4)
+        assert drawn.counts["pixels"] == size[0] * size[1]
+
+
+def test_water_mirrors_the_land_behind_it_and_none_from_where_it_is_low() -> None:
+    # One column: water, then from step 60 on a wall 12 high, as far as one sees.
+    distances = np.arange(1, 181, dtype=np.float32)
+    land = np.zeros((180, 8), np.float32)
+    land[60:, :4] = 12.0
+    found = shores(land, distances)
+    step = STRIDE * PLACES
+    for place in range(60 // step):
+        away = 60 - place * step
+        slope = found.slope[place, 0]
+        assert 12 / (away + STRIDE) <= slope <= 12 / max(away - STRIDE, 1), place
+        assert abs(found.shore[place, 0] - 60) <= STRIDE >= abs(found.crest[place, 0] - 60)
+    assert not found.slope[:, 1].any()
+
+
+def test_a_wall_behind_water_is_mirrored_in_it(red: str) -> None:
+    pixels = np.zeros((64, 64))
+    pixels[:, 32:] = 255
+    field = height_field(pixels, Flyover(relief=24.0, black_high=False))
+    changes = {"filled__sea": 0.4, "filled__image": red, "filled__fog": False}
+    at = Camera(5, 20, 12)
+    with_land = look(field, at, **changes)
+    without = look(field, at, filled__reflection=False, **changes)
+    shore = np.flatnonzero(is_red(without[:, 80]))[-1]
+    water = with_land[shore + 4 : shore + 14, 60:100]
+    assert is_red(water).mean() > 0.6 and not is_red(with_land[115:]).any()

@@ -54,7 +54,7 @@ def cloud_cover(
 
     The clouds are a flat layer; each is lit on the side of the sun.
     """
-    size = 1024
+    size = len(tangent)
     field = noise(size, 5, 1.45, 4)
     bulk = np.clip((field - COVER) / 1.5, 0, 1)
     step = towards[:2] / max(float(np.hypot(*towards[:2])), 1e-6) * 9

@@ -22,9 +22,11 @@ from landscape.flyover.camera import Camera, Frustum, frustum
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.look import look
 from landscape.flyover.settings import Settings
+from landscape.flyover.shores import shores
 
 LEAST = 0.25  # how far the picture stays from the point below the eye, chosen; 0 touches it
 BAND = 48  # rows coloured together, chosen: their arrays fit into the processor's cache
+LOW = 0.01  # height of land that water does not mirror, chosen
 RIDGE = 1.1  # what is behind a ridge is this many times as far away at least, chosen
 LONGEST = 4.0  # steps in the middle distance, pixels of the height image, chosen
 WORKERS = 2  # chosen: numpy releases Python's lock, so two threads use two cores
@@ -37,6 +39,7 @@ class View:
     ``across`` (w,) and ``up`` (h,) are the pixels' directions to the right and up, per unit of
     distance along the line of sight. ``lateral`` (c,) are the columns' directions to the right,
     per unit of distance along a level line of sight; ``slopes`` (r,) the rows' rise, per the same.
+    ``pixel`` is how far apart columns are; ``row_of`` are the first row's place and the rows' step.
     """
 
     across: np.ndarray
@@ -46,6 +49,7 @@ class View:
     pitch: float
     roll: float
     row_of: tuple[float, float]
+    pixel: float
 
     @property
     def level(self) -> bool:
@@ -69,6 +73,7 @@ def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
     across = (volume.left + across / width * (volume.right - volume.left)) / volume.near
     step = (volume.top - volume.bottom) / volume.near / height
     up = volume.top / volume.near - (np.arange(height) - 0.5) * step
+    pixel = (volume.right - volume.left) / volume.near / width
     roll = camera.theta_x
     most = steepest(volume, roll)
     pitch = min(max(camera.theta_y, -most), most)
@@ -79,7 +84,6 @@ def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
         lateral, rows = across, up
     else:
         ends = [y / (cos + z * sin) for y, z in turned]
-        pixel = across[1] - across[0] if width > 1 else 1.0
         lateral = np.arange(min(ends), max(ends) + pixel, pixel)
         highest, lowest = max(z for _, z in turned), min(z for _, z in turned)
         rows = up if roll == 0 else np.arange(highest, lowest - step, -step)
@@ -92,6 +96,7 @@ def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
         pitch,
         roll,
         (float(rows[0]), step),
+        pixel,
     )
 
 
@@ -120,8 +125,8 @@ def rows_of(heights: np.ndarray, away: np.ndarray, rays: View) -> np.ndarray:
 
 def draw(
     field: HeightField, camera: Camera, settings: Settings, size: tuple[int, int]
-) -> np.ndarray:
-    """Return a filled picture, uint8 (height, width, 4), of ``size`` (width, height).
+) -> tuple[np.ndarray, dict[str, int]]:
+    """Return a filled picture, uint8 (height, width, 4), of ``size`` (width, height), and counts.
 
     InputError if the image of the ground cannot be read.
     """
@@ -153,8 +158,6 @@ def draw(
             rows_of(block, path.distances[:, None], rays), len(filled)
         )
 
-    scene = shade.Scene(heights, filled, path.distances, forward[:, 0], right[:, 0], eye)
-    colouring = shade.Colouring(scene, seen, settings, rays.lateral)
     picture = np.empty((height, width), np.uint32)
 
     def rows(first: int) -> None:
@@ -168,8 +171,14 @@ def draw(
 
     with ThreadPoolExecutor(WORKERS) as pool:
         list(pool.map(columns, range(0, len(rays.lateral), march.BLOCK)))
+        # Rounding must not make land of water.
+        land = np.maximum(heights - np.float32(seen.sea - camera.z + LOW), 0)
+        banks = shores(land, path.distances) if ours.reflection else None
+        scene = shade.Scene(heights, filled, path.distances, forward[:, 0], right[:, 0], eye, banks)
+        colouring = shade.Colouring(scene, seen, settings, rays.lateral, rays.pixel)
         list(pool.map(rows, range(0, height, BAND)))
-    return picture.view(np.uint8).reshape(height, width, 4)
+    counts = {"columns": heights.shape[1], "steps": len(heights), "pixels": picture.size}
+    return picture.view(np.uint8).reshape(height, width, 4), counts
 
 
 def blend_edges(colours: np.ndarray, at: np.ndarray, scene: shade.Scene, rays: View) -> None:
@@ -214,8 +223,9 @@ def pixels(
     sin, cos = np.float32(math.sin(rays.pitch)), np.float32(math.cos(rays.pitch))
     flat = 1 / (cos + z * sin)
     lateral, slope = y * flat, np.broadcast_to((z * cos - sin) * flat, y.shape)
-    pixel = rays.lateral[1] - rays.lateral[0]
-    column = ((lateral - rays.lateral[0]) * (1 / pixel) + np.float32(0.5)).astype(np.int64)
+    column = ((lateral - rays.lateral[0]) * np.float32(1 / rays.pixel) + np.float32(0.5)).astype(
+        np.int64
+    )
     first, step = rays.row_of
     row = ((np.float32(first) - z) * np.float32(1 / step) + np.float32(0.5)).astype(np.int64)
     np.clip(column, 0, columns - 1, out=column)

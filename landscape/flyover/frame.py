@@ -56,7 +56,7 @@ def draw(terrain: HeightField, camera: Camera, settings: Settings, size: tuple[i
     ours = settings.flyover
     volume = frustum(ours, size)
     if ours.mode == "filled":
-        return Frame(filled.draw(terrain, camera, settings, size))
+        return Frame(*filled.draw(terrain, camera, settings, size))
     around = levels(terrain, camera, volume, ours)
     boxes = bounds(terrain, around.patch)
     tiles, tested = quad_tree.select(View(terrain, boxes, camera, volume, size, ours, around))

@@ -38,7 +38,7 @@ def steps(
     In the middle they are not longer than ``longest`` units until ``growth / 2`` is longer still.
     """
     at, found = near, [near]
-    while at < far:
+    while at < far or len(found) < 2:
         at += max(min(growth * at, longest), 0.5 * growth * at)
         found.append(at)
     distances = np.array(found, np.float32)

@@ -17,4 +17,5 @@ def noise(
     weight = np.where((periods >= coarsest) & (periods <= finest), periods, np.inf) ** -slope
     phases = generator.random(weight.shape) * 2j * np.pi
     waves = np.fft.irfft2(weight * np.exp(phases), (size, size))
-    return np.asarray(waves / waves.std(), np.float32)
+    # Where the picture is too small for any of the waves, there is none.
+    return np.asarray(waves / (waves.std() or 1), np.float32)

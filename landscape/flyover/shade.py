@@ -11,6 +11,7 @@ import numpy as np
 
 from landscape.flyover.look import Look
 from landscape.flyover.settings import Settings
+from landscape.flyover.shores import ACROSS, PLACES, STRIDE, Shores
 
 PAIR, MIDDLE = np.uint32(0x00FF00FF), np.uint32(0x0000FF00)
 OPAQUE = np.uint32(0xFF000000)
@@ -26,7 +27,8 @@ CLOSE = 60.0  # distance up to which the grain of the ground is seen, units, cho
 class Scene:
     """What :mod:`.march` found: heights above the eye (s, c), which step fills each pixel (r, c).
 
-    ``distances`` (s,) are those of the steps. ``forward`` and ``right`` (2,) span the plane.
+    ``distances`` (s,) are those of the steps. ``forward`` and ``right`` (2,) span the plane;
+    ``shores`` are the land that water mirrors.
     """
 
     heights: np.ndarray
@@ -35,6 +37,7 @@ class Scene:
     forward: np.ndarray
     right: np.ndarray
     eye: tuple[float, float, float]
+    shores: Shores | None
 
 
 def blend(one: np.ndarray, other: np.ndarray, weight: np.ndarray) -> np.ndarray:
@@ -54,13 +57,15 @@ def blend(one: np.ndarray, other: np.ndarray, weight: np.ndarray) -> np.ndarray:
 class Colouring:
     """The tables of one frame, and the colours of its pixels."""
 
-    def __init__(self, scene: Scene, look: Look, settings: Settings, lateral: np.ndarray) -> None:
+    def __init__(
+        self, scene: Scene, look: Look, settings: Settings, lateral: np.ndarray, pixel: float
+    ) -> None:
+        """Prepare a frame whose columns go to ``lateral`` (c,), ``pixel`` apart."""
         self.scene, self.look, self.switches = scene, look, settings.filled
         visible = settings.flyover.visible
         far = scene.distances
         pyramid = look.ground
         self.texel = pyramid.period / (1 << pyramid.bits)
-        pixel = float(lateral[1] - lateral[0])
         # The ground is seen at a slant: along the ray a pixel holds more of it than across.
         wide = SLANT * pixel * far / self.texel
         level = np.log2(np.maximum(wide, 1)) if self.switches.levels else far * 0
@@ -138,7 +143,7 @@ class Colouring:
         if self.switches.smooth:
             self.close_up(colour, x, y, away)
         if self.switches.reflection:
-            self.mirror(colour, column, slope, away, x, y)
+            self.mirror(colour, (column, step, slope, lateral, away), x, y)
         if self.switches.fog:
             colour = blend(colour, self.horizon.take(column), self.haze.take(step))
         return colour
@@ -188,7 +193,7 @@ class Colouring:
 
     def close_up(self, colour: np.ndarray, x: np.ndarray, y: np.ndarray, away: np.ndarray) -> None:
         """Blend colours (n,) close by between texels, and add the grain of the ground, in place."""
-        near = np.flatnonzero(away < CLOSE)
+        near = np.flatnonzero((away < CLOSE) & (colour < OPAQUE))
         if not len(near):
             return
         x, y, away = x.take(near), y.take(near), away.take(near)
@@ -234,18 +239,20 @@ class Colouring:
     def mirror(
         self,
         colour: np.ndarray,
-        column: np.ndarray,
-        slope: np.ndarray,
-        away: np.ndarray,
+        rays: tuple[np.ndarray, ...],
         x: np.ndarray,
         y: np.ndarray,
     ) -> None:
-        """Mirror the sky in what is water, more so at grazing angles, in place; all (n,)."""
+        """Mirror sky and land in what is water, more so at grazing angles, in place; all (n,).
+
+        ``rays`` are columns, steps, slopes, lateral directions and distances.
+        """
         water = np.flatnonzero(colour >> np.uint32(24))
         if not len(water):
             return
-        x, y, away, column = (each.take(water) for each in (x, y, away, column))
-        down = np.maximum(-slope.take(water), 0)
+        x, y = x.take(water), y.take(water)
+        column, step, slope, lateral, away = (each.take(water) for each in rays)
+        down = np.maximum(-slope, 0)
         ripple = self.grain(x, y, 1.5).astype(np.float32)
         ripple += self.grain(x, y, 7.0)
         ripple -= 255
@@ -254,8 +261,46 @@ class Colouring:
         steep *= FRESNEL / 2
         weight = self.fresnel.take(steep.astype(np.int64), mode="clip")
         down += ripple
-        sky = self.sky(column, np.maximum(down, np.float32(0.01)))
+        up = np.maximum(down, np.float32(0.002))
+        mirrored = self.sky(column, up)
+        self.land(mirrored, up, column, step, lateral)
         own = colour.take(water)
         weight *= own >> np.uint32(24)
         weight >>= np.uint32(8)
-        colour[water] = blend(own, sky, weight)
+        colour[water] = blend(own, mirrored, weight)
+
+    def land(
+        self,
+        mirrored: np.ndarray,
+        up: np.ndarray,
+        column: np.ndarray,
+        step: np.ndarray,
+        lateral: np.ndarray,
+    ) -> None:
+        """Enter the land into what water mirrors, in place, where rays that rise by ``up`` meet it.
+
+        ``column`` and ``step`` are where the water is; all (n,).
+        """
+        shores, far = self.scene.shores, self.scene.distances
+        assert shores is not None
+        columns = shores.slope.shape[1]
+        place, part = np.divmod(step.astype(np.float32) * np.float32(1 / (STRIDE * PLACES)), 1)
+        at = place.astype(np.int64) * columns + column // ACROSS
+        slope = shores.slope.ravel().take(at)
+        following = shores.slope.ravel().take(at + columns, mode="clip")
+        slope += (following - slope) * part
+        meets = np.flatnonzero(up < slope)
+        if not len(meets):
+            return
+        at, column, lateral = at.take(meets), column.take(meets), lateral.take(meets)
+        crest = shores.crest.ravel().take(at).astype(np.int64)
+        away = far.take(shores.shore.ravel().take(at))
+        away += (far.take(crest) - away) * (up.take(meets) / slope.take(meets))
+        sideways = away * lateral
+        x, y = (
+            (away * self.scene.forward[k] + sideways * self.scene.right[k] + self.start[k])
+            * np.float32(1 / self.texel)
+            for k in (0, 1)
+        )
+        seen = self.texels(x, y, self.level.take(crest))
+        mirrored[meets] = blend(seen, self.horizon.take(column), self.haze.take(crest))
