@@ -86,6 +86,12 @@ def _edits(options: argparse.Namespace) -> list[Any]:
     return read(options.edits) if options.edits else []
 
 
+WALK_OPTIONS = (
+    "size", "fullscreen", "record", "replay", "frames", "fps", "backend", "only", "seed",
+    "wireframe", "quiet", "edits", "world", "path",
+)  # fmt: skip
+
+
 def _walk(options: argparse.Namespace) -> int:
     from landscape.files.assets import Assets
     from landscape.window.command import walk
@@ -94,6 +100,8 @@ def _walk(options: argparse.Namespace) -> int:
     kind, named = find_view(options.view or scene().start)
     begin = kind.as_walked(named, options.preset)
     if options.pose is not None:
+        if options.path is not None:
+            raise InputError("--pose: a walk along --path begins there; expected one of the two")
         if any(number and abs(number) > MAX_NUMBER for number in astuple(options.pose)):
             raise InputError(f"--pose: expected numbers up to {MAX_NUMBER:g}")
         begin = replace(begin, pose=options.pose)
@@ -109,21 +117,9 @@ def _walk(options: argparse.Namespace) -> int:
         begin,
         settings=kind.values(kind.preset_of(begin), begin.settings, changes),
         assets=Assets(options.assets),
-        size=options.size,
-        fullscreen=options.fullscreen,
-        record=options.record,
-        replay=options.replay,
         language=options.lang,
-        frames=options.frames,
-        fps=options.fps,
-        backend=options.backend,
-        only=options.only,
-        seed=options.seed,
-        wireframe=options.wireframe,
         given=changes,
-        quiet=options.quiet,
-        edits=options.edits,
-        world=options.world,
+        **{name: getattr(options, name) for name in WALK_OPTIONS},
     )
 
 

@@ -21,6 +21,10 @@ from landscape.window.pace import FPS
 Commands = Mapping[str, Callable[[argparse.Namespace], int]]
 
 POSE = "where the eye is; angles in degrees; Y may be `ground`: eye height above the ground"
+ALONG = (
+    "begin with a flight along the path drawn in this file (docs/environments.md); or along that "
+    "of island, alps or canyon"
+)
 KT = "animation time; default: the view's own"
 SCENE = "the scene that --pose is in; default: the island"
 JSON = "print JSON"
@@ -120,12 +124,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
     walk.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
     walk.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
-    walk.add_argument(
-        "--kt",
-        type=_number,
-        metavar="N",
-        help="animation time at the beginning; default: the view's own",
-    )
+    walk.add_argument("--kt", type=_number, metavar="N", help=f"at the beginning: {KT}")
     walk.add_argument(
         "--size",
         type=_size,
@@ -138,6 +137,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     walk.add_argument("--world", type=Path, metavar="FILE", help=f"{WORLD}, loaded and saved")
     walk.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     walk.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
+    walk.add_argument("--path", metavar="FILE.svg", help=ALONG)
     walk.add_argument(
         "--fps",
         type=_rate,

@@ -11,11 +11,13 @@ from landscape import keys
 from landscape.capture.edit_files import read as read_edits
 from landscape.errors import InputError
 from landscape.files.assets import Assets, recording
+from landscape.flyover.environment import open_environment
 from landscape.languages import choose
 from landscape.scene import SEED, Scene, View, scene
 from landscape.window import words
 from landscape.window.app import Walk
 from landscape.window.builder import WorldFile
+from landscape.window.course import Course
 from landscape.window.loop import run
 from landscape.window.pace import FPS
 from landscape.window.recording import Plan, Writer, read
@@ -43,6 +45,7 @@ def walk(
     fps: float = FPS,
     edits: Path | None = None,
     world: Path | None = None,
+    path: str | None = None,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
@@ -53,14 +56,19 @@ def walk(
     less detail where that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
     ``language`` is "en" or "fr"; without it the environment chooses, or a replay its file.
     ``edits`` is a file of edits to OpenGL calls, ``world`` one of changed blocks, which a replay
-    only reads; a recording does not contain what is in them. ``given`` are the settings among
-    ``settings`` that the user has set: they go with him through doors.
+    only reads; a recording does not contain what is in them. ``path`` is an SVG file, or the name
+    of an environment of the fly-over, along whose path the walk begins; it cannot be recorded.
+    ``given`` are the settings among ``settings`` that the user has set: they go with him through
+    doors.
     Raises InputError and NoOpenGLError.
     """
     if backend == "egl":
         raise InputError("--backend egl: it opens no window; expected auto, glfw or osmesa")
     if backend == "osmesa" and frames is None and replay is None:
         raise InputError("--backend osmesa: no window to leave by; expected --frames as well")
+    if path is not None and (record is not None or replay is not None):
+        raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
+    environment = open_environment(path) if path is not None else None
     ticks = None
     if replay is not None:
         plan, recorded = read(recording(replay))
@@ -96,7 +104,10 @@ def walk(
         enlarged = size is None and replay is None
         options = backend, fullscreen, kept_rate, enlarged, changes
         with Walk(plan, assets, *options, world=kept_world) as opened:
-            run(opened, ticks, writer, frames)
+            course = None
+            if environment is not None:
+                course = Course(environment, opened.place.scene, settings, plan.language)
+            run(opened, ticks, writer, frames, course)
         if opened.resizer.refused and not quiet:
             wanted, got = ("{}x{}".format(*size) for size in opened.resizer.refused)
             told = words.text(plan.language, "resized", wanted=wanted, given=got)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from landscape.window.app import Walk
+from landscape.window.course import Course
 from landscape.window.recording import Tick, Writer
 
 
@@ -11,8 +12,12 @@ def run(
     ticks: Iterator[Tick] | None = None,
     writer: Writer | None = None,
     frames: int | None = None,
+    course: Course | None = None,
 ) -> int:
-    """Walk live or replay ``ticks``, for at most ``frames`` frames; return how many were drawn."""
+    """Walk live or replay ``ticks``, for at most ``frames`` frames; return how many were drawn.
+
+    A ``course`` carries the walker along a path.
+    """
     drawn = 0
     while frames is None or drawn < frames:
         if walk.resting():
@@ -28,7 +33,11 @@ def run(
             continue
         if writer is not None:
             writer.add(tick)
+        if course is not None:
+            tick = course.take(tick)
         walk.advance(tick)
+        if course is not None:
+            walk.walker = course.carried(walk.walker, tick.seconds)
         walk.draw()
         walk.present()
         drawn += 1

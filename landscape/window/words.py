@@ -107,6 +107,8 @@ TEXTS: Texts = {
     "fly.off": "walking",
     "swim.on": "deep water: swimming",
     "swim.off": "back on foot",
+    "path": "flying along the path; a step of your own ends it",
+    "path.left": "the path is left: flying",
     "edge": "the edge of the map",
     "map.on": "map on",
     "map.off": "map off",

@@ -36,6 +36,7 @@ DOCUMENTS = (
     "docs/assets.md",
     "docs/performance.md",
     "docs/voxels.md",
+    "docs/environments.md",
 )
 """The documents that are translated, below the root of the project."""
 
