@@ -166,6 +166,8 @@ class Land:
             gl.glEnable(gl.GL_CULL_FACE)
             self._tiles.bind()
             self.buffer.draw(choice.shares, choice.facing, choice.part)
+            if not self.buffer.has_plants(choice.shares, choice.part):
+                return
             self._plants.bind()
             gl.glDisable(gl.GL_CULL_FACE)
             gl.glEnable(gl.GL_ALPHA_TEST)

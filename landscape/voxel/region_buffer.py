@@ -204,6 +204,11 @@ class RegionBuffer:
         """
         self._send(self.at[shares, :PLANTS], facing, part)
 
+    def has_plants(self, shares: np.ndarray, part: Part = ALL) -> bool:
+        """Return whether there are plants in a part of some of these shares."""
+        at = self.at[shares, PLANTS]
+        return bool((at[:, part[1] + 1] > at[:, part[0]]).any())
+
     def draw_plants(self, shares: np.ndarray, part: Part = ALL) -> None:
         """Draw the plants of some shares."""
         self._send(self.at[shares, PLANTS], None, part)

@@ -52,7 +52,7 @@ class ShadowMap:
         self.target = DepthTarget(settings.shadow.size)
         self._next: DepthTarget | None = None  # the second picture: only a walk needs it
         self._white = Texture(np.full((1, 1, 3), 255, np.uint8), mipmaps=False)
-        self._units = DisplayList(self._set_units)
+        self._state: DisplayList | None = None  # what draws with the picture, once there is one
         self._version: int | None = None  # the land's, of what is drawn
         self.matrix = np.eye(4)
         self._coming = self.matrix  # the matrix of the second picture
@@ -88,6 +88,7 @@ class ShadowMap:
             self._change(self.target, matrix, touched, draw)
         else:
             self.matrix = matrix
+            self._forget_state()
             with self._drawing(self.target, matrix):
                 draw(matrix, WHOLE)
 
@@ -126,6 +127,7 @@ class ShadowMap:
         self._parts = (self._parts + 1) % FRAMES
         if not self._parts:
             self.target, self._next, self.matrix = self._next, self.target, self._coming
+            self._forget_state()
 
     @contextmanager
     def _drawing(
@@ -150,8 +152,17 @@ class ShadowMap:
                 gl.glPolygonOffset(2.0, 4.0)
             yield
 
-    def _set_units(self) -> None:
-        """Set the equations of the three units; unit 1 is active before it, unit 0 after it."""
+    def _set_state(self) -> None:
+        """Bind the picture, generate its coordinates, and set the equations of the three units."""
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self.target.bind()
+        planes = np.ascontiguousarray(BIAS @ self.matrix, np.float32)
+        for name, plane in zip("STRQ", planes, strict=True):
+            coordinate = getattr(gl, f"GL_{name}")
+            gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
+            gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, plane)
+            gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE0"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
         gl.glActiveTexture(gl.GL_TEXTURE2)
@@ -168,23 +179,22 @@ class ShadowMap:
         shade = np.array([*self.settings.shadow.color, 1.0], np.float32)
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, shade)
 
+    def _forget_state(self) -> None:
+        """Let the state be compiled again: the picture, its place or its colour is another."""
+        if self._state is not None:
+            self._state.release()
+            self._state = None
+
     @contextmanager
     def applied(self) -> Iterator[None]:
         """Let the block draw what shadows fall on, with its tiles on unit 0.
 
-        The modelview matrix must be the camera's, mirrored or not.
+        The modelview matrix must be the camera's, mirrored or not. All is in a display list, which
+        takes the planes through the matrix that is current when it is called.
         """
-        planes = np.ascontiguousarray(BIAS @ self.matrix, np.float32)
+        self._state = self._state or DisplayList(self._set_state)
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
-            gl.glActiveTexture(gl.GL_TEXTURE1)
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            self.target.bind()
-            for name, plane in zip("STRQ", planes, strict=True):
-                coordinate = getattr(gl, f"GL_{name}")
-                gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
-                gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, plane)
-                gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
-            self._units.call()
+            self._state.call()
             yield
 
     def apply(self, settings: Settings) -> bool:
@@ -194,14 +204,13 @@ class ShadowMap:
         other = settings.shadow.color != self.settings.shadow.color
         self.settings = settings
         if other:
-            self._units.release()
-            self._units = DisplayList(self._set_units)
+            self._forget_state()
         self._version = None
         return True
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
-        self._units.release()
+        self._forget_state()
         self.target.release()
         if self._next is not None:
             self._next.release()

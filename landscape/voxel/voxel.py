@@ -141,10 +141,10 @@ class Voxel(Played, Ground):
         above = clipped(shore.level, above=True) if shore and opaque else nullcontext()
         with above, attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
-            self._draw_land(frame, ABOVE if opaque else ALL)
+            self._draw_land(frame, clip, ABOVE if opaque else ALL)
         self._draw("sky", self.sky, frame)
         if shore and self._visible(frame):
-            self._draw_images(frame, shore.level)
+            self._draw_images(frame, clip, shore.level)
             begin_pass("water")
             with drawing("water"):
                 self.water.draw(frame, clip, shore.points, self.depth(shore))
@@ -160,8 +160,10 @@ class Voxel(Played, Ground):
         x, _, z = np.moveaxis(shore.points / block, -1, 0)
         return np.asarray(shore.level - block * self.heights.height(x, z))
 
-    def _draw_land(self, frame: Frame, part: Part = ALL, below: bool = False) -> None:
-        """Draw the land that the current matrices let one see.
+    def _draw_land(
+        self, frame: Frame, clip: np.ndarray, part: Part = ALL, below: bool = False
+    ) -> None:
+        """Draw the land that can be seen through the current matrices, whose product is ``clip``.
 
         ``part`` says which of it can be visible; ``below`` fogs it by its depth.
         """
@@ -173,7 +175,7 @@ class Voxel(Played, Ground):
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
                 near, far = 0.0, values.water.far
-            choice = self.land.choose(clip_matrix(), eye, near, far, part)
+            choice = self.land.choose(clip, eye, near, far, part)
             with self._lit():
                 self.land.draw(choice, fog_by_height=below)
 
@@ -241,31 +243,38 @@ class Voxel(Played, Ground):
             query.ask(frame)
             return bool(query.shows())
 
-    def _draw_images(self, frame: Frame, level: float) -> None:
-        """Draw the pictures of what the water mirrors, and of what lies under it."""
+    def _draw_images(self, frame: Frame, clip: np.ndarray, level: float) -> None:
+        """Draw the pictures of what the water mirrors, and of what lies under it.
+
+        ``clip`` is the camera's projection times modelview.
+        """
         images, block = self.water.images, self.settings.voxel.block
         if images is None:
             return
         begin_pass("reflection")
         with drawing("water"):
-            images.draw_reflection(frame.viewport, level, lambda: self._draw_mirrored(frame))
+            images.draw_reflection(
+                frame.viewport, level, lambda mirror: self._draw_mirrored(frame, clip @ mirror)
+            )
         begin_pass("refraction")
         with drawing("water"):
-            images.draw_refraction(frame.viewport, level, block, lambda: self._draw_under(frame))
+            images.draw_refraction(
+                frame.viewport, level, block, lambda flat: self._draw_under(frame, clip @ flat)
+            )
 
-    def _draw_mirrored(self, frame: Frame) -> None:
+    def _draw_mirrored(self, frame: Frame, clip: np.ndarray) -> None:
         """Draw what is mirrored: the land, unless that is off, and the sky behind it."""
         frame = replace(frame, mirrored=True)
         if self.settings.water.reflection:
-            self._draw_land(frame, ABOVE)
+            self._draw_land(frame, clip, ABOVE)
         # The box of the sky is drawn around the eye: here around the camera under the water.
         below = replace(frame.pose, y=mirrored_height(frame.eye_y, self.water.level))
         self._draw("sky", self.sky, replace(frame, pose=below))
 
-    def _draw_under(self, frame: Frame) -> None:
+    def _draw_under(self, frame: Frame, clip: np.ndarray) -> None:
         """Draw what lies under the water, unless that is off: then its colour is all one sees."""
         if self.settings.water.refraction:
-            self._draw_land(frame, UNDER, below=self.water.images.darkens)
+            self._draw_land(frame, clip, UNDER, below=self.water.images.darkens)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:
         """Draw an element if it was built and is shown now."""

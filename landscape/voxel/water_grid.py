@@ -67,13 +67,15 @@ def water_grid(frame: Frame, level: float, far: float) -> np.ndarray | None:
 
 def ripple_slopes(x: np.ndarray, z: np.ndarray, kt: float) -> np.ndarray:
     """Return the slopes (..., 2) along x and z of the ripples at x, z at time ``kt``."""
-    found = np.zeros((*x.shape, 2))
-    for degrees, length, speed, slope in RIPPLES:
-        angle = math.radians(degrees)
-        along = np.array([math.cos(angle), math.sin(angle)])
-        phase = (x * along[0] + z * along[1]) / length + kt * speed / 100.0
-        found += (slope * np.cos(2 * math.pi * phase))[..., None] * along
-    return found
+    degrees, length, speed, slope = np.array(RIPPLES).T
+    angle = np.radians(degrees)
+    along = np.stack([np.cos(angle), np.sin(angle)])
+    # Whole lengths are left out before 32 bits are too few for them.
+    begun = (kt * speed / 100.0) % 1.0
+    phase = np.stack([x, z], axis=-1) @ (along / length) + begun
+    return np.asarray(
+        (slope * np.cos(np.float32(2 * math.pi) * phase.astype(np.float32))) @ along.T
+    )
 
 
 def screen_fade() -> np.ndarray:

@@ -26,8 +26,14 @@ from landscape.voxel.region_buffer import FOG_COORDINATES
 from landscape.voxel.settings import Water
 
 NEEDS = texture_target.NEEDS
-MIRROR = np.diag([1.0, -1.0, 1.0, 1.0]).astype(np.float32)
 FLATTER = 0.75  # 1 / 1.33: how much nearer to the surface things under water look from above
+
+
+def about(level: float, times: float) -> np.ndarray:
+    """Return the matrix (4, 4) that scales heights above or below ``level``; -1 mirrors them."""
+    found = np.diag([1.0, times, 1.0, 1.0])
+    found[1, 3] = level - times * level
+    return found
 
 
 @contextmanager
@@ -66,20 +72,23 @@ class WaterImages:
         return TextureTarget(size)
 
     def draw_reflection(
-        self, viewport: tuple[int, int], level: float, draw: Callable[[], None]
+        self, viewport: tuple[int, int], level: float, draw: Callable[[np.ndarray], None]
     ) -> None:
-        """Draw what the water mirrors: ``draw`` is called under the mirror matrix."""
+        """Draw what the water mirrors: ``draw`` is called under the mirror matrix, and with it."""
         self.reflection = self._target(self.reflection, viewport)
         with self.reflection.drawing(), matrix(), attrib(gl.GL_POLYGON_BIT):
-            gl.glTranslatef(0.0, level, 0.0)
-            gl.glMultMatrixf(MIRROR)
-            gl.glTranslatef(0.0, -level, 0.0)
+            mirror = about(level, -1.0)
+            gl.glMultMatrixf(np.ascontiguousarray(mirror.T, np.float32))
             gl.glFrontFace(gl.GL_CW)
             with clipped(level, above=True):
-                draw()
+                draw(mirror)
 
     def draw_refraction(
-        self, viewport: tuple[int, int], level: float, block: float, draw: Callable[[], None]
+        self,
+        viewport: tuple[int, int],
+        level: float,
+        block: float,
+        draw: Callable[[np.ndarray], None],
     ) -> None:
         """Draw what lies under the water, darker with depth; ``block`` is a cube's side in units.
 
@@ -91,13 +100,12 @@ class WaterImages:
         with attrib(groups):
             gl.glClearColor(*values.color, 1.0)
             with self.refraction.drawing(), matrix():
-                gl.glTranslatef(0.0, level, 0.0)
-                gl.glScalef(1.0, FLATTER, 1.0)
-                gl.glTranslatef(0.0, -level, 0.0)
+                flatter = about(level, FLATTER)
+                gl.glMultMatrixf(np.ascontiguousarray(flatter.T, np.float32))
                 if self.darkens:
                     self._fog_by_depth(level / block)
                 with clipped(level + block, above=False):
-                    draw()
+                    draw(flatter)
             if self.darkens:  # Mesa's glPopAttrib does not restore it.
                 gl.glFogi(gl.GL_FOG_COORD_SRC, gl.GL_FRAGMENT_DEPTH)
 
