@@ -64,7 +64,7 @@ def cloud_cover(
     away = (SCALE * size / np.maximum(tangent, 1e-3))[:, 0]
     # Far clouds are close together: they are looked up in smaller copies of the pattern.
     texels = away * (2 * np.pi / len(azimuth)) * np.hypot(1, 1 / np.maximum(tangent[:, 0], 1e-3))
-    level = np.clip(np.log2(texels) - 0.5, 0, 7).astype(int)
+    level = np.clip(np.log2(texels) - 0.5, 0, size.bit_length() - 2).astype(int)
     amount, light = np.empty((2, len(tangent), len(azimuth)), np.float32)
     for k in range(int(level.max()) + 1):
         rows = np.flatnonzero(level == k)

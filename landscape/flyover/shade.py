@@ -20,7 +20,8 @@ FRESNEL = 1024  # entries of the table of how much water mirrors, by the angle
 MIRROR = 0.9  # of the light that smooth water mirrors, chosen
 RIPPLES = 0.0006  # how much they incline the water, chosen
 GRAIN = 0.28  # how dark the darkest grains are, chosen
-CLOSE = 60.0  # distance up to which the grain of the ground is seen, units, chosen
+BARE = np.uint32(0x00404A4C)  # the colour of a rock that is mirrored, chosen
+CLOSE = 100.0  # distance up to which the grain of the ground is seen, units, chosen
 
 
 @dataclass(frozen=True)
@@ -197,8 +198,8 @@ class Colouring:
         if not len(near):
             return
         x, y, away = x.take(near), y.take(near), away.take(near)
-        dark = self.grain(x, y, 11.0) * np.clip(1 - away * np.float32(1.5 / CLOSE), 0, 1)
-        dark += self.grain(x, y, 53.0) * np.clip(1 - away * np.float32(6 / CLOSE), 0, 1)
+        dark = self.grain(x, y, 11.0) * np.clip(1 - away * np.float32(2.5 / CLOSE), 0, 1)
+        dark += self.grain(x, y, 53.0) * np.clip(1 - away * np.float32(10 / CLOSE), 0, 1)
         x -= np.float32(0.5)
         y -= np.float32(0.5)
         column, row = x.astype(np.int64), y.astype(np.int64)
@@ -303,4 +304,6 @@ class Colouring:
             for k in (0, 1)
         )
         seen = self.texels(x, y, self.level.take(crest))
+        # Steps are long: where one has gone past a rock into the water, rock is still seen.
+        seen = np.where(seen >> np.uint32(24) > 100, BARE, seen)
         mirrored[meets] = blend(seen, self.horizon.take(column), self.haze.take(crest))
