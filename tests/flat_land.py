@@ -11,9 +11,9 @@ from landscape.geometry.height_field import HeightField
 from landscape.settings import Settings
 
 
-def flat(height: float = 3.0) -> Ground:
-    """A ground of one height and one green, without OpenGL."""
-    field = HeightField(np.full((5, 5), height, np.float32), 40.0, 0.6)
+def flat(height: float = 3.0, size: float = 40.0) -> Ground:
+    """A ground of one height and one green, ``size`` units wide, without OpenGL."""
+    field = HeightField(np.full((5, 5), height, np.float32), size, 0.6)
 
     def colour(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         green = np.where(np.asarray(x) < 20, 0.5, 0.2)  # green in the west, grey in the east

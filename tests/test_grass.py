@@ -119,15 +119,16 @@ def sow(stage: Stage, plain: Assets):
         grass.release()
 
 
-def everything(grass: Grass) -> Blades:
-    """Return all blades of an island of 80 x 80 cells."""
-    cells = [grass.cell(number) for number in range(6400)]
+def everything(grass: Grass, across: int = 80) -> Blades:
+    """Return all blades of an island of ``across`` x ``across`` cells."""
+    cells = [grass.cell(number) for number in range(across**2)]
     return Blades(*(np.concatenate(arrays) for arrays in zip(*cells, strict=True)))
 
 
 def test_as_many_blades_grow_as_asked_for(sow) -> None:
-    assert len(everything(sow()).positions) == 50_000
-    assert len(everything(sow(count=0)).positions) == 0
+    small_land = flat(size=10.0)
+    assert len(everything(sow(small_land), 20).positions) == 50_000
+    assert len(everything(sow(small_land, count=0), 20).positions) == 0
 
 
 def test_blades_are_spread_evenly_over_flat_land(sow) -> None:
@@ -161,18 +162,18 @@ def test_another_seed_grows_other_grass(sow) -> None:
 
 def test_no_blade_stands_in_the_water_and_a_drowned_island_bears_none(sow) -> None:
     at = np.linspace(0, 6, 40, dtype=np.float32)
-    slope = HeightField(np.repeat(at[None, :], 40, axis=0), 40.0, 3.0)
-    places = everything(sow(cast(Ground, SimpleNamespace(field=slope)))).positions
+    slope = HeightField(np.repeat(at[None, :], 40, axis=0), 10.0, 3.0)
+    places = everything(sow(cast(Ground, SimpleNamespace(field=slope))), 20).positions
     assert len(places) == 50_000 and (places[:, 1] > 3.0).all()
-    assert len(everything(sow(flat(0.1))).positions) == 0
+    assert len(everything(sow(flat(0.1, 10.0)), 20).positions) == 0
 
 
 def test_no_blade_stands_in_the_castle(stage: Stage, plain: Assets) -> None:
-    settings = small({"grass.count": 50_000, "castle.x": 20.0, "castle.z": 20.0})
-    grass = Grass(settings, plain, flat(), 7)
-    places = everything(grass).positions
+    settings = small({"grass.count": 5_000, "castle.x": 5.0, "castle.z": 5.0})
+    grass = Grass(settings, plain, flat(size=10.0), 7)
+    places = everything(grass, 20).positions
     grass.release()
-    assert np.hypot(places[:, 0] - 20, places[:, 2] - 20).min() == pytest.approx(0.75, abs=0.1)
+    assert np.hypot(places[:, 0] - 5, places[:, 2] - 5).min() == pytest.approx(0.75, abs=0.1)
 
 
 def test_greenness_is_0_for_rock_and_1_for_a_meadow() -> None:
