@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-STRIDE = 6  # of so many steps the highest land counts, chosen
-PLACES = 3  # of so many of these the first is a place that is looked from, chosen
+STRIDE = 3  # of so many steps the highest land counts, chosen
+PLACES = 2  # of so many of these the first is a place that is looked from, chosen
 ACROSS = 4  # of so many columns the first is looked along, chosen
 FINE = 1 << 15  # rises for each unit of slope that are told apart
 STEEPEST = 60.0  # a slope that counts as upright
@@ -40,8 +40,8 @@ def shores(land: np.ndarray, distances: np.ndarray) -> Shores:
     rise[: len(land)] = land[:, ::ACROSS]
     rise = rise.reshape(count, STRIDE, -1).max(axis=1)
     away = distances[::STRIDE]
-    # Somewhere among so many steps there is land; at the last of them one is most likely behind it.
-    last = np.minimum(np.arange(count) * STRIDE + STRIDE - 1, len(land) - 1)
+    # Somewhere among so many steps there is land.
+    middle = np.minimum(np.arange(count) * STRIDE + STRIDE // 2, len(land) - 1)
     shape = -(-count // PLACES), rise.shape[1]
     slope, shore = np.zeros(shape, np.float32), np.zeros(shape, np.int64)
     crest = np.zeros(shape, np.int64)
@@ -58,6 +58,6 @@ def shores(land: np.ndarray, distances: np.ndarray) -> Shores:
         np.minimum(ahead, FINE * STEEPEST, out=ahead)
         most = (ahead.astype(np.int32) * 1024 + index[k + 1 :]).max(axis=0)
         slope[place] = (most >> 10) * np.float32(1 / FINE)
-        crest[place] = last.take(most & 1023)
-        shore[place] = last.take(begins[k + 1])
+        crest[place] = middle.take(most & 1023)
+        shore[place] = middle.take(begins[k + 1])
     return Shores(slope, shore, crest)
