@@ -20,17 +20,18 @@ from landscape.voxel.visibility import CORNERS
 SEEN, CULLED, VIEW = (0.35, 1.0, 0.45), (1.0, 0.30, 0.25), (1.0, 0.95, 0.4)  # chosen
 # The edges of a box, as pairs of its corners in the order of CORNERS.
 EDGES = np.array([(a, b) for a in range(8) for b in range(a) if (a ^ b) in (1, 2, 4)])
+TOPS = EDGES[(CORNERS[EDGES][..., 1] == 1).all(axis=1)]  # those of the upper side
 PART = 0.42  # chosen: side of the second viewport, as a fraction of the window's height
 ABOVE, BEHIND, LEAN = 34.0, 30.0, 48.0  # units and degrees, chosen: where the map is seen from
 LINE = 1.0  # pixels, chosen
-FAINT = 0.3  # chosen: opacity of the boxes in the second viewport, where they are close together
+FAINT = 0.4  # chosen: opacity of the boxes in the second viewport, where they are close together
 FAR = 30.0  # units, chosen: how much of the frustum is shown
 
 
-def box_lines(low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Return the ends, float32 (24 n, 3), of the edges of boxes (n, 3)."""
+def box_lines(low: np.ndarray, high: np.ndarray, edges: np.ndarray = EDGES) -> np.ndarray:
+    """Return the ends, float32 (2 m n, 3), of the edges (m, 2) of boxes (n, 3)."""
     corners = low[:, None] + CORNERS * (high - low)[:, None]
-    return np.ascontiguousarray(corners[:, EDGES].reshape(-1, 3), np.float32)
+    return np.ascontiguousarray(corners[:, edges].reshape(-1, 3), np.float32)
 
 
 def frustum_lines(clip: np.ndarray, eye: np.ndarray) -> np.ndarray:
@@ -55,7 +56,7 @@ def send_lines(ends: np.ndarray, colour: tuple[float, float, float], opacity: fl
     gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
 
 
-def draw_boxes(land: Land, choice: Choice, opacity: float = 1.0) -> None:
+def draw_boxes(land: Land, choice: Choice, edges: np.ndarray = EDGES, opacity: float = 1.0) -> None:
     """Draw the bounding boxes of all regions, in the colour of those that are drawn, or not."""
     seen = np.zeros(len(land.low), bool)
     seen[choice.regions] = True
@@ -65,8 +66,8 @@ def draw_boxes(land: Land, choice: Choice, opacity: float = 1.0) -> None:
         gl.glEnable(gl.GL_BLEND)
         gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
         gl.glLineWidth(LINE)
-        send_lines(box_lines(land.low[~seen], land.high[~seen]), CULLED, opacity)
-        send_lines(box_lines(land.low[seen], land.high[seen]), SEEN, opacity)
+        send_lines(box_lines(land.low[~seen], land.high[~seen], edges), CULLED, opacity)
+        send_lines(box_lines(land.low[seen], land.high[seen], edges), SEEN, opacity)
 
 
 def draw_from_outside(
@@ -99,6 +100,6 @@ def draw_from_outside(
         gl.glTranslatef(*(-eye).tolist())
         with lit:
             land.draw(land.from_afar(choice, eye))
-        draw_boxes(land, choice, FAINT)
+        draw_boxes(land, choice, TOPS, FAINT)
         gl.glLineWidth(LINE)
         send_lines(frustum_lines(clip, frame.eye), VIEW)
