@@ -208,6 +208,10 @@ WRONG = {
     "half a point": (svg(image(), layer(path("M 0,0 L 3"))), "expected the data of a path"),
     "no start": (svg(image(), layer(path("L 3,3 4,4"))), "expected the data of a path"),
     "infinite": (svg(image(), layer(path("M 0,0 L 1e999,3"))), "expected finite coordinates"),
+    "very far": (
+        svg(image(), layer(path("M 0,0 L 1e200,3"))),
+        "expected coordinates of at most 1e+09 pixels",
+    ),
     "overflow": (
         svg(image(), layer(layer(path(LINE), more=HUGE), more=HUGE)),
         "expected finite coordinates",

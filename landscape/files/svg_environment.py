@@ -30,6 +30,7 @@ CAMERA, TARGETS = "camera", "targets"  # the layers' names: section 2.3, and cho
 PIXELS_PER_INCH = 96.0  # CSS
 MOST_CURVES = 10_000  # chosen: of all paths together
 MOST_TARGETS = 1_000  # chosen
+FARTHEST = 1e9  # pixels, chosen: products of coordinates must not overflow
 MOST_TEXT = 1 << 19  # chosen: characters of paths and transforms, which take seconds to read
 MOST_CLOSED = 1_000  # chosen: svgelements takes a time that grows with their square
 PATH_DATA = re.compile(r"[\s,MmZzLlHhVvCcSsQqTtAaEe0-9.+-]*")
@@ -101,6 +102,9 @@ def _read(path: Path) -> SvgEnvironment:
         to_pixels = _to_pixels(element, place, image.size)
         subpaths = tuple(_moved(to_pixels, curves) for curves in found.subpaths)
         targets = _moved(to_pixels, np.array(found.targets, np.float64).reshape(-1, 2))
+    for places in (*subpaths, targets):
+        if np.abs(places).max(initial=0.0) > FARTHEST:
+            raise InputError(f"{path}: expected coordinates of at most {FARTHEST:.0e} pixels")
     return SvgEnvironment(path.stem, _over_white(image), subpaths, targets)
 
 
@@ -284,7 +288,7 @@ def _to_pixels(element: Element, place: Place, size: tuple[int, int]) -> np.ndar
     if min(sides) <= 0:
         raise InputError("<image>: expected a width and a height above 0")
     matrix = place.transform @ _fitted(element, (*corner, *sides), (0.0, 0.0, *size))
-    if not np.isfinite(matrix).all() or abs(np.linalg.det(matrix)) < 1e-12:
+    if not np.isfinite(matrix).all() or abs(np.linalg.det(matrix)) < 1e-24:
         raise InputError("<image>: expected a transform that leaves the image an area")
     return np.asarray(np.linalg.inv(matrix))
 
