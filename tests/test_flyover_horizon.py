@@ -147,6 +147,21 @@ def test_hidden_lines_equal_a_z_buffer_but_for_pixels_beside_silhouettes(name: s
     assert not (expected & ~around(ours, True)).any()
 
 
+@pytest.mark.parametrize("name", CAMERAS)
+def test_lines_that_are_hidden_as_a_whole_have_no_pixel_that_is_seen(name: str) -> None:
+    up, pitch, roll, yaw = CAMERAS[name]
+    hidden = 0
+    for seed in range(4):
+        field = terrain(seed)
+        angles = math.radians(roll), math.radians(pitch), yaw + seed
+        scene = stage(field, Camera(9.3, 20.6, float(field.height(9.3, 20.6)) + up, *angles))
+        horizon = floating_horizon.Horizon(scene.lines, scene.camera, VOLUME, SIZE)
+        hides = horizon.hides(scene.lines)
+        assert not (hides[scene.owner] & horizon.shows(scene.at, scene.owner)).any()
+        hidden += int(hides[np.unique(scene.owner)].sum())
+    assert hidden > 40 or "steep" in name
+
+
 def test_the_table_of_rings_gives_what_one_horizon_raised_from_front_to_back_gives() -> None:
     random = np.random.default_rng(3)
     columns, rings = 30, 40

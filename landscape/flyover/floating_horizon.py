@@ -22,6 +22,7 @@ nothing is hidden where one looks straight down.
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -40,6 +41,7 @@ BEFORE, SLACK = 1, 1.0
 # How far level a ray must go for each unit along the line of sight, chosen. It is 0 for one that
 # goes straight down.
 LEAST = 0.25
+BLOCK = 16  # columns whose horizon is compared with a whole line, chosen
 NOWHERE = 1e9  # a row below all screens
 Marks = tuple[np.ndarray, np.ndarray, np.ndarray]
 
@@ -114,6 +116,40 @@ class Horizon:
         )
         self.table = rows_by_ring(marks, int(np.ptp(self.rings)) + 1, columns)
         self.nearness = Nearness(lines)
+
+    @cached_property
+    def lowest(self) -> np.ndarray:
+        """The lowest horizon of each BLOCK of columns: its greatest row, (rings, blocks)."""
+        rings, columns = self.table.shape
+        padded = np.pad(self.table, ((0, 0), (0, -columns % BLOCK)), "edge")
+        return np.asarray(padded.reshape(rings, -1, BLOCK).max(axis=2))
+
+    def hides(self, lines: Lines) -> np.ndarray:
+        """Return lines of which no pixel is seen, bool (n,); not all such lines are found.
+
+        That saves most of the work where hills hide what is behind them: a line's highest end is
+        compared with the lowest horizon over its columns, at the distance of its nearer end.
+        """
+        levelled = self.levelled
+        column0, row0, level0 = levelled.pixels(lines.x0, lines.y0)
+        column1, row1, level1 = levelled.pixels(lines.x1, lines.y1)
+        least: np.ndarray | float = 1.0
+        if level0 is not None and level1 is not None:
+            least = np.minimum(level0, level1)
+        # A pixel is up to one beside the line, which may be more on the level picture.
+        aside = 2 / least
+        top = np.minimum(row0, row1) - (SLACK + 1) * aside * aside
+        last = self.table.shape[1] - 1
+        first, end = (
+            np.clip(each - levelled.first, 0, last).astype(np.int64) // BLOCK
+            for each in (np.minimum(column0, column1) - aside, np.maximum(column0, column1) + aside)
+        )
+        near = 1.01 / (np.minimum(lines.depth0, lines.depth1) * least)
+        ring = self.ring(near) - BEFORE
+        place = np.maximum(ring, 0) * self.lowest.shape[1]
+        blocks = place + first, place + (first + end) // 2, place + end
+        horizon = np.max([self.lowest.ravel().take(each) for each in blocks], axis=0)
+        return (top > horizon) & (ring >= 0) & (end - first <= 2) & (least > 1.1 * LEAST)
 
     def shows(self, at: np.ndarray, owner: np.ndarray) -> np.ndarray:
         """Return which pixels of the lines are seen, bool (n,).

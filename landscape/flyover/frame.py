@@ -104,7 +104,12 @@ def draw_lines(
 ) -> int:
     """Draw lines, without what is below a horizon if there is one; return the number of pixels."""
     count = 0
-    for at, owner in bresenham.chunks(lines.x0, lines.y0, lines.x1, lines.y1, size):
+    kept = np.arange(len(lines.a))
+    if horizon is not None:
+        kept = np.flatnonzero(~horizon.hides(lines))
+    x0, y0, x1, y1 = (each[kept] for each in (lines.x0, lines.y0, lines.x1, lines.y1))
+    for at, owner in bresenham.chunks(x0, y0, x1, y1, size):
+        owner = kept.take(owner)
         if horizon is not None:
             seen = horizon.shows(at, owner)
             at, owner = at[seen], owner[seen]
