@@ -236,14 +236,20 @@ def _inspect(options: argparse.Namespace) -> int:
     return guarded(options.target, lambda: _reported(work)) if options.own_process else work()
 
 
-def _in(room: str) -> Callable[[argparse.Namespace], int]:
-    """Return the function of a command that has a module of its own, with a function ``run``."""
+def _of(module: str, function: str = "run") -> Callable[[argparse.Namespace], int]:
+    """Return the function of a command that another module has; it is imported when it runs."""
 
     def run(options: argparse.Namespace) -> int:
-        status: int = import_module(f"landscape.{room}").run(options)
+        status: int = getattr(import_module(f"landscape.{module}"), function)(options)
         return status
 
     return run
+
+
+def _flyover(options: argparse.Namespace) -> int:
+    from landscape.tools.flyover_command import run
+
+    return run(options, lambda *given: import_module("landscape.window.flyover").show(*given))
 
 
 def _assets_build(options: argparse.Namespace) -> int:
@@ -304,18 +310,6 @@ def _bench(options: argparse.Namespace) -> int:
     return 0
 
 
-def _exercise(action: str) -> Callable[[argparse.Namespace], int]:
-    """Return the function of `landscape exercise ACTION`."""
-
-    def run(options: argparse.Namespace) -> int:
-        from landscape.course import exercise_commands as commands
-
-        actions = {"list": commands.list_, "start": commands.start_, "check": commands.check}
-        return actions[action](options)
-
-    return run
-
-
 def _settings(options: argparse.Namespace) -> int:
     from landscape.tools.settings_list import as_text, rows
 
@@ -342,17 +336,18 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "state": _frame("state"),
     "strip": _frame("strip"),
     "inspect": _inspect,
-    "lesson": _in("course.lesson_command"),
-    "lecture": _in("course.lecture_command"),
+    "lesson": _of("course.lesson_command"),
+    "lecture": _of("course.lecture_command"),
+    "flyover": _flyover,
     "assets build": _assets_build,
     "assets check": _assets_check,
     "assets sheet": _assets_sheet,
     "assets fetch-stanford": _assets_fetch,
-    "exercise list": _exercise("list"),
-    "exercise start": _exercise("start"),
-    "exercise check": _exercise("check"),
+    "exercise list": _of("course.exercise_commands", "list_"),
+    "exercise start": _of("course.exercise_commands", "start_"),
+    "exercise check": _of("course.exercise_commands", "check"),
     "bench": _bench,
-    "film": _in("film.command"),
+    "film": _of("film.command"),
     "settings": _settings,
     "doctor": _doctor,
 }

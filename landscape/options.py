@@ -15,7 +15,7 @@ from landscape.errors import InputError
 from landscape.film import options as film_options
 from landscape.languages import LANGUAGES
 from landscape.scene import SCENES, SEED, scene
-from landscape.tools import frame_options
+from landscape.tools import flyover_options, frame_options, option_values
 from landscape.window.pace import FPS
 
 Commands = Mapping[str, Callable[[argparse.Namespace], int]]
@@ -123,11 +123,13 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
 
     walk = command("walk", "walk a scene in a window", "fig35a --fullscreen")
     walk.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
-    walk.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
-    walk.add_argument("--kt", type=_number, metavar="N", help=f"at the beginning: {KT}")
+    walk.add_argument("--pose", type=option_values.pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
+    walk.add_argument(
+        "--kt", type=option_values.number, metavar="N", help=f"at the beginning: {KT}"
+    )
     walk.add_argument(
         "--size",
-        type=_size,
+        type=option_values.size,
         metavar="WxH",
         help="default: 1280x720, larger on a fine display; in a replay the recorded sizes",
     )
@@ -140,7 +142,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     walk.add_argument("--path", metavar="FILE.svg", help=ALONG)
     walk.add_argument(
         "--fps",
-        type=_rate,
+        type=option_values.rate,
         default=FPS,
         metavar="N",
         help="frames per second to keep, by drawing less detail if need be; 0: draw all of it; "
@@ -148,7 +150,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     )
     walk.add_argument(
         "--frames",
-        type=_count,
+        type=option_values.count,
         metavar="N",
         help="end after N frames; default: when the window is closed",
     )
@@ -161,10 +163,10 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
 
     render = command("render", "render views to PNG files", "fig35e --out castle.png")
     render.add_argument("views", nargs="*", metavar="VIEW", help="see `landscape views`")
-    render.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
+    render.add_argument("--pose", type=option_values.pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
     render.add_argument("--scene", choices=tuple(SCENES), default="", help=SCENE)
     render.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
-    render.add_argument("--kt", type=_number, metavar="N", help=KT)
+    render.add_argument("--kt", type=option_values.number, metavar="N", help=KT)
     render.add_argument("--world", type=Path, metavar="FILE", help=WORLD)
     frame_options.edits_option(render)
     _size_option(render, (800, 600), "size of the pictures")
@@ -182,9 +184,11 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     figures.add_argument("--update", action="store_true", help="replace the committed pictures")
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
-    frame_options.add(command, _of_a_frame, _one_element, _pair, _count, _language)
+    pair, count, size = option_values.pair, option_values.count, option_values.size
+    frame_options.add(command, _of_a_frame, _one_element, pair, count, _language)
     frame_options.add_inspect(command, _language)
-    course_options.add(command, group, _language, _backend_option, _size, _count)
+    flyover_options.add(command, _language)
+    course_options.add(command, group, _language, _backend_option, size, count)
     if language != "en":
         course_help.put(commands, language)
 
@@ -232,7 +236,7 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     _size_option(bench, (800, 600), "size of the frames")
     _common(bench, samples=0)
 
-    film_options.add(command, _common, _language, _size_option, _number)
+    film_options.add(command, _common, _language, _size_option, option_values.number)
 
     values = command("settings", "list the settings: all, or some", "fog --preset 2006")
     values.add_argument(
@@ -263,7 +267,7 @@ def _print_help(parser: argparse.ArgumentParser) -> Callable[[argparse.Namespace
 def _size_option(parser: argparse.ArgumentParser, size: tuple[int, int], what: str) -> None:
     parser.add_argument(
         "--size",
-        type=_size,
+        type=option_values.size,
         default=size,
         metavar="WxH",
         help=f"{what} in pixels; default: {size[0]}x{size[1]}",
@@ -294,7 +298,7 @@ def _language(parser: argparse.ArgumentParser, what: str = "language of the capt
 def _backend_option(parser: Any) -> None:
     parser.add_argument(
         "--backend",
-        type=_backend,
+        type=option_values.backend,
         default="auto",
         metavar="|".join(arguments.BACKENDS),
         help="how OpenGL is opened; default: %(default)s, the first that works",
@@ -310,7 +314,7 @@ def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW
     add(
         "--set",
         action="append",
-        type=_pair,
+        type=option_values.pair,
         default=[],
         metavar="KEY=VALUE",
         dest="changes",
@@ -324,77 +328,21 @@ def _common(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW
         help="a file of settings, as in [fog] density = 0.05; --set overrides it",
     )
     add("--assets", type=Path, metavar="DIR", help=OWN_FILES)
-    only = add("--only", type=_elements, metavar="ELEMENT,...")
+    only = add("--only", type=option_values.elements, metavar="ELEMENT,...")
     _explain(only, "draw only some elements of %(elements)s; default: those of the view")
     add("--wireframe", action="store_true", help="draw lines instead of faces")
     add(
         "--samples",
-        type=_samples,
+        type=option_values.samples,
         default=samples,
         metavar="0|4",
         help="samples per pixel against aliasing; default: %(default)s",
     )
     add(
         "--seed",
-        type=_count,
+        type=option_values.count,
         default=SEED,
         metavar="N",
         help="seed of everything random; default: %(default)s",
     )
     add("-q", "--quiet", action="store_true", help=QUIET)
-
-
-def _checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any:
-    """Check the value that a text stands for; argparse shows the text if it is wrong."""
-    try:
-        return check(value, *more, given=repr(text))
-    except InputError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
-
-
-def _size(text: str) -> Any:
-    sides = [arguments.digits(side) for side in text.lower().split("x")]
-    if len(sides) != 2 or not all(isinstance(side, int) for side in sides):
-        raise argparse.ArgumentTypeError(f"{text!r}: expected WxH such as 800x600")
-    return _checked(arguments.size, text, sides)
-
-
-def _count(text: str) -> Any:
-    return _checked(arguments.whole, text, arguments.digits(text), "")
-
-
-def _rate(text: str) -> Any:
-    rate = _number(text)
-    if rate != 0 and not 1 <= rate <= 1000:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a number from 1 to 1000, or 0")
-    return rate
-
-
-def _samples(text: str) -> Any:
-    return _checked(arguments.choice, text, arguments.digits(text), "", arguments.SAMPLES)
-
-
-def _backend(text: str) -> Any:
-    return _checked(arguments.choice, text, text, "", arguments.BACKENDS)
-
-
-def _number(text: str) -> Any:
-    return _checked(arguments.number, text, arguments.real(text), "")
-
-
-def _pair(text: str) -> tuple[str, str]:
-    key, equals, value = text.partition("=")
-    if not equals:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected KEY=VALUE such as fog.density=0.05")
-    return key.strip(), value.strip()
-
-
-def _elements(text: str) -> tuple[str, ...]:
-    return arguments.names(text, "only")
-
-
-def _pose(text: str) -> Any:
-    parts = tuple(arguments.real(part.strip()) for part in text.split(","))
-    if len(parts) != 5:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y,Z,YAW,PITCH")
-    return _checked(arguments.pose, text, parts)

@@ -229,7 +229,16 @@ class Settings:
     filled: Filled = Filled()
 
 
-PRESETS: dict[str, dict[str, Value]] = {"best": {"flyover.colours": "height"}}
+# "document" is the project as the document asks for it, "best" is what one should see first.
+PRESETS: dict[str, dict[str, Value]] = {
+    "document": {
+        "flyover.widen": False,
+        "flyover.smooth": 0.0,
+        "flyover.ease": 0.0,
+        "flyover.hidden_lines": False,
+    },
+    "best": {"flyover.colours": "height"},
+}
 
 
 def check(settings: Settings) -> None:

@@ -1,0 +1,109 @@
+"""`landscape flyover`: flies over a terrain without OpenGL, in pictures or in a table of times."""
+
+import argparse
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+from landscape.errors import InputError
+from landscape.files.output import check_writable, output_paths, save_png, write_whole
+from landscape.files.progress import Progress
+from landscape.flyover import frame
+from landscape.flyover.environment import Environment, export_island, open_environment
+from landscape.flyover.settings import PRESETS, Settings, check
+from landscape.keys import preset, read_toml, with_settings
+from landscape.tools.flyover_options import EXPORT, SIZE
+
+FASTEST = 1000.0  # frames per second, chosen
+MOST_FRAMES = 100_000  # chosen: almost an hour at 30 frames per second
+Watch = Callable[[Environment, Settings, argparse.Namespace], int]
+
+
+def run(options: argparse.Namespace, watch: Watch) -> int:
+    """Do what the command line asks; return the exit status. Raises InputError.
+
+    ``watch`` shows the flight in a window.
+    """
+    if options.file == EXPORT:
+        return export(options)
+    if options.export:
+        raise InputError(f"flyover {options.file} {options.export}: expected one environment")
+    if not 0 < options.fps <= FASTEST:
+        raise InputError(f"--fps {options.fps:g}: expected a number above 0, up to {FASTEST:g}")
+    if options.json is not None and not options.bench:
+        raise InputError("--json: expected --bench, whose results it writes")
+    if options.bench and options.out is not None:
+        raise InputError("--out: not with --bench, which keeps no pictures")
+    values = settings_of(options)
+    environment = open_environment(options.file)
+    if options.bench:
+        return bench(environment, values, options)
+    if options.out is not None:
+        return draw(environment, values, options)
+    return watch(environment, values, options)
+
+
+def settings_of(options: argparse.Namespace) -> Settings:
+    """Return the settings of --preset, --settings and --set, each overriding the one before."""
+    changes = read_toml(options.settings) if options.settings else {}
+    values = preset(Settings(), PRESETS, options.preset)
+    values = with_settings(values, changes | dict(options.changes))
+    check(values)
+    return values
+
+
+def export(options: argparse.Namespace) -> int:
+    """Write the island as an environment."""
+    if not options.export:
+        raise InputError("flyover export: expected the name of the file to write, such as mine.svg")
+    if options.bench or options.out is not None or options.frames is not None:
+        raise InputError("flyover export: expected neither --bench nor --out nor --frames")
+    path = Path(options.export)
+    export_island(path)
+    if not options.quiet:
+        print(path)
+    return 0
+
+
+def draw(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Draw the flight's frames, each from its own time alone, to PNG files."""
+    size = options.size or SIZE
+    terrain = environment.field(values.flyover)
+    flight = environment.flight(terrain, values.flyover)
+    whole = max(round(flight.duration * options.fps), 1)
+    count = min(whole, MOST_FRAMES) if options.frames is None else options.frames
+    single = options.out.suffix.lower() == ".png"
+    if options.frames is None and single:
+        count = 1
+    if not 1 <= count <= MOST_FRAMES:
+        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+    paths = output_paths(options.out, [f"frame-{number:05}" for number in range(count)])
+    with Progress(count, options.quiet) as progress:
+        for number, path in enumerate(paths):
+            camera = flight.camera(number / options.fps)
+            save_png(frame.draw(terrain, camera, values, size).picture, path)
+            progress.step(path.name)
+    if not options.quiet:
+        print(*paths, sep="\n")
+    return 0
+
+
+def bench(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Measure every technique along the path; print a table, or write it as JSON, too."""
+    from landscape.tools import flyover_bench
+
+    if options.json is not None:
+        check_writable(options.json, "--json ")
+    count = flyover_bench.FRAMES if options.frames is None else options.frames
+    if not 1 <= count <= MOST_FRAMES:
+        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+    rows = flyover_bench.rows(values)
+    with Progress(len(rows) * count, options.quiet) as progress:
+        result = flyover_bench.measure(
+            environment, rows, options.size or SIZE, count, progress.step
+        )
+    if options.json is not None:
+        write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())
+    if not options.quiet:
+        print(flyover_bench.report(result))
+    return 0

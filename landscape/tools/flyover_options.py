@@ -1,0 +1,68 @@
+"""The options of `landscape flyover`."""
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+from landscape.flyover.environment import ISLAND, NAMES
+from landscape.tools.option_values import count, number, pair, size
+
+SIZE = 1024, 768  # chosen: the size at which its speed is stated
+EXPORT = "export"
+FILE = (
+    "an environment drawn in Inkscape, FILE.svg, or one that comes with the program: "
+    f"{', '.join(NAMES)}; default: {ISLAND}. `{EXPORT} FILE.svg` writes the island as an "
+    "environment, to be changed in Inkscape"
+)
+OUT = (
+    "draw it without a screen: a folder for one PNG per frame, FILE.png for a single frame, or a "
+    "film, FILE.mp4, .webm or .gif"
+)
+FRAMES = (
+    "how many frames; default: of a flight that is drawn to files, all; of --bench 12; in the "
+    "window, until it is closed"
+)
+FPS = "frames per second of flight; default: %(default)g"
+BENCH = "fly the path without each technique, with each alone and with all; print how long it took"
+PRESET = "best, or document: black lines on white as the project asks for; default: best"
+
+
+def add(
+    command: Callable[[str, str, str], argparse.ArgumentParser],
+    language: Callable[[argparse.ArgumentParser, str], None],
+) -> None:
+    """Add `landscape flyover`; ``language`` adds --lang."""
+    flyover = command(
+        "flyover", "fly over a terrain, drawn without OpenGL", "alps --set flyover.mode=filled"
+    )
+    flyover.add_argument("file", nargs="?", default=ISLAND, metavar="FILE.svg|NAME", help=FILE)
+    flyover.add_argument("export", nargs="?", default="", help=argparse.SUPPRESS)
+    flyover.add_argument("--size", type=size, metavar="WxH", help=f"default: {SIZE[0]}x{SIZE[1]}")
+    flyover.add_argument("--frames", type=count, metavar="N", help=FRAMES)
+    flyover.add_argument("--fps", type=number, default=30.0, metavar="N", help=FPS)
+    flyover.add_argument("--out", type=Path, metavar="DIR|FILE", help=OUT)
+    flyover.add_argument("--bench", action="store_true", help=BENCH)
+    flyover.add_argument(
+        "--json", type=Path, metavar="FILE", help="with --bench: write the results as JSON"
+    )
+    flyover.add_argument("--preset", default="best", metavar="best|document", help=PRESET)
+    flyover.add_argument(
+        "--set",
+        action="append",
+        type=pair,
+        default=[],
+        metavar="KEY=VALUE",
+        dest="changes",
+        help="change a setting, as in flyover.mode=filled; may be repeated; `landscape settings "
+        "flyover` lists the keys and their values",
+    )
+    flyover.add_argument(
+        "--settings",
+        type=Path,
+        metavar="FILE.toml",
+        help="a file of settings, as in [flyover] detail = false; --set overrides it",
+    )
+    language(flyover, "language of the window")
+    flyover.add_argument(
+        "-q", "--quiet", action="store_true", help="print neither progress nor file names"
+    )
