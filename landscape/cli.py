@@ -249,7 +249,11 @@ def _of(module: str, function: str = "run") -> Callable[[argparse.Namespace], in
 def _flyover(options: argparse.Namespace) -> int:
     from landscape.tools.flyover_command import run
 
-    return run(options, lambda *given: import_module("landscape.window.flyover").show(*given))
+    return run(
+        options,
+        watch=lambda *given: import_module("landscape.window.flyover").show(*given),
+        film=lambda *given: import_module("landscape.film.flyover_film").run(*given),
+    )
 
 
 def _assets_build(options: argparse.Namespace) -> int:

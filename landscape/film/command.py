@@ -42,6 +42,11 @@ def run(options: argparse.Namespace) -> int:
     kept = write(film, options.out, options.jobs or cores(), options.quiet)
     if found:
         tell_of_no_effect(options, found, changes)
+    return finished(film, kept, options)
+
+
+def finished(film: Film, kept: int, options: argparse.Namespace) -> int:
+    """Say what was written, ``kept`` frames of a film; return the exit status."""
     if kept < film.frames:
         notify(options, [f"interrupted: {options.out} has {kept} of {film.frames} frames"])
         return 130

@@ -15,8 +15,8 @@ from landscape.film.replay import Recorded
 from landscape.film.stage import Drawing
 from landscape.film.views import Flight, Look, Still, spans
 from landscape.flyover.environment import NAMES, open_environment
-from landscape.flyover.settings import Settings
-from landscape.keys import with_settings
+from landscape.flyover.settings import BEST, PRESETS, Settings
+from landscape.keys import preset, with_settings
 from landscape.scene import SCENES, Scene, View, find_view, placed, scene
 from landscape.window.recording import read
 
@@ -158,7 +158,8 @@ def _along(word: str, wanted: Wanted) -> Part:
     environment = open_environment(word)
     seconds = wanted.seconds
     if wanted.scene == SOFTWARE:
-        settings = with_settings(Settings(), wanted.changes)
+        chosen = preset(Settings(), PRESETS, wanted.preset or BEST)
+        settings = with_settings(chosen, wanted.changes)
         length = environment.path.length * settings.flyover.unit / settings.flyover.speed
         if seconds is not None:
             faster = {"flyover.speed": settings.flyover.speed * length / seconds}

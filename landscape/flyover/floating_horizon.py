@@ -278,7 +278,7 @@ def crossings(lines: Lines, levelled: Levelled) -> Iterator[Marks]:
     total = np.cumsum(count)
     behind = begin - total + count
     ends_at = np.searchsorted(total, np.arange(CHUNK, total[-1], CHUNK)) + 1
-    for first, last in pairwise((0, *ends_at.tolist(), len(total))):
+    for first, last in pairwise(dict.fromkeys((0, *ends_at.tolist(), len(total)))):
         owner = np.repeat(np.arange(first, last), count[first:last])
         before = total[first] - count[first]
         column = behind.take(owner)

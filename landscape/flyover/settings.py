@@ -229,6 +229,7 @@ class Settings:
     filled: Filled = Filled()
 
 
+BEST = "best"
 # "document" is the project as the document asks for it, "best" is what one should see first.
 PRESETS: dict[str, dict[str, Value]] = {
     "document": {
@@ -237,7 +238,7 @@ PRESETS: dict[str, dict[str, Value]] = {
         "flyover.ease": 0.0,
         "flyover.hidden_lines": False,
     },
-    "best": {"flyover.colours": "height"},
+    BEST: {"flyover.colours": "height"},
 }
 
 

@@ -16,13 +16,14 @@ from landscape.tools.flyover_options import EXPORT, SIZE
 
 FASTEST = 1000.0  # frames per second, chosen
 MOST_FRAMES = 100_000  # chosen: almost an hour at 30 frames per second
-Watch = Callable[[Environment, Settings, argparse.Namespace], int]
+FILMS = (".mp4", ".webm", ".gif")
+Shown = Callable[[Environment, Settings, argparse.Namespace], int]
 
 
-def run(options: argparse.Namespace, watch: Watch) -> int:
+def run(options: argparse.Namespace, watch: Shown, film: Shown) -> int:
     """Do what the command line asks; return the exit status. Raises InputError.
 
-    ``watch`` shows the flight in a window.
+    ``watch`` shows the flight in a window, ``film`` draws it to a file.
     """
     if options.file == EXPORT:
         return export(options)
@@ -38,9 +39,11 @@ def run(options: argparse.Namespace, watch: Watch) -> int:
     environment = open_environment(options.file)
     if options.bench:
         return bench(environment, values, options)
-    if options.out is not None:
-        return draw(environment, values, options)
-    return watch(environment, values, options)
+    if options.out is None:
+        return watch(environment, values, options)
+    if options.out.suffix.lower() in FILMS:
+        return film(environment, values, options)
+    return draw(environment, values, options)
 
 
 def settings_of(options: argparse.Namespace) -> Settings:

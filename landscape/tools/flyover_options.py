@@ -5,6 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from landscape.flyover.environment import ISLAND, NAMES
+from landscape.flyover.settings import BEST
 from landscape.tools.option_values import count, number, pair, size
 
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
@@ -45,7 +46,7 @@ def add(
     flyover.add_argument(
         "--json", type=Path, metavar="FILE", help="with --bench: write the results as JSON"
     )
-    flyover.add_argument("--preset", default="best", metavar="best|document", help=PRESET)
+    flyover.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
     flyover.add_argument(
         "--set",
         action="append",

@@ -1,0 +1,31 @@
+"""`landscape flyover --out FILE.mp4`: a film of the software fly-over, drawn by all cores."""
+
+import argparse
+from fractions import Fraction
+
+from landscape.errors import InputError
+from landscape.film.along import Software
+from landscape.film.command import finished, write
+from landscape.film.cut import Film, Part
+from landscape.film.encode import check
+from landscape.film.stage import Drawing
+from landscape.film.workers import cores
+from landscape.flyover.environment import Environment
+from landscape.flyover.settings import Settings
+from landscape.scene import SEED
+from landscape.tools.flyover_options import SIZE
+
+
+def run(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Draw the flight, or its first --frames frames, to a film; return the exit status."""
+    rate = Fraction(options.fps).limit_denominator(1001)
+    if options.frames == 0:
+        raise InputError("--frames 0: expected a number from 1")
+    if options.frames is None:
+        seconds = environment.path.length * values.flyover.unit / values.flyover.speed
+    else:
+        seconds = options.frames / float(rate)
+    drawing = Drawing(options.size or SIZE, 0, "auto", None, SEED)
+    check(options.out, drawing.size, rate)
+    film = Film((Part(Software(environment, values, seconds)),), drawing, rate)
+    return finished(film, write(film, options.out, cores(), options.quiet), options)
