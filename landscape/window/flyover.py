@@ -166,6 +166,8 @@ class Flying:
         if name in digits:
             key = digits[name]
             value = keys.next_value(self.settings, key)
+            if value == "filled":
+                self._wait()  # the ground's light is computed once
             self.settings = with_settings(self.settings, {key: value})
             self._say(words.toggled(self._language, self._word(f"flyover.{key}"), value))
         elif name == "help":
@@ -176,6 +178,12 @@ class Flying:
         elif name in ("next_fix", "previous_fix"):
             self.paused = True
             self.time += STEP if name == "next_fix" else -STEP
+
+    def _wait(self) -> None:
+        """Say over the last picture that what follows takes a moment."""
+        assert self.context is not None
+        self._panel.draw(self.context.pixels(), message=self._word("loading"))
+        self.context.show()
 
     def rows(self, name: Namer = system_name) -> list[tuple[str, str]]:
         """Return the rows of the help: keys, and what they do."""
@@ -217,7 +225,7 @@ class Flying:
         if now - self._since < COUNTED:
             return
         rate = f"{self._frames / (now - self._since):.0f}"
-        key = "flyover.lines" if counts else "flyover.ground"
+        key = "flyover.lines" if "lines" in counts else "flyover.ground"
         shown = {name.replace(" ", "_"): f"{count:,}" for name, count in counts.items()}
         self._counted = self._word(key, rate=rate, **shown)
         self._frames, self._since = 0, now

@@ -1,0 +1,153 @@
+"""The fly-over's window: the picture on a quad, the flight along the path, free flight, keys."""
+
+import argparse
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from landscape.flyover import frame
+from landscape.flyover.camera import Camera
+from landscape.flyover.environment import open_environment
+from landscape.flyover.settings import PRESETS, Settings
+from landscape.gl.framebuffer import read_pixels
+from landscape.gl.glfw_library import glfw
+from landscape.keys import get, next_value, with_settings
+from landscape.window import words
+from landscape.window.bindings import us_name
+from landscape.window.flyover import FILLED, LINES, Flying, show
+from landscape.window.free_flight import LEAST, STEEPEST, advance, moves
+from landscape.window.walker import Intent
+
+SIZE = (96, 72)
+
+
+@pytest.fixture(scope="module")
+def flying() -> Iterator[Flying]:
+    """A window on GLFW's null platform, at the beginning of the flight over the island."""
+    settings = with_settings(Settings(), PRESETS["best"])
+    window = Flying(open_environment("island"), settings, SIZE, "en", headless=True)
+    yield window
+    window.close()
+
+
+def press(window: Flying, key: int, mods: int = 0) -> None:
+    window.key(key, glfw.PRESS, mods)
+    window.key(key, glfw.RELEASE)
+
+
+def test_the_window_shows_the_picture_pixel_for_pixel(flying: Flying) -> None:
+    flying.advance(Intent(), (), 0.5)
+    flying._until = flying._counted = ""  # type: ignore[assignment]
+    assert flying.context is not None
+    size = flying.context.pixels()
+    drawn = frame.draw(flying.terrain, flying.camera, flying.settings, size)
+    flying.context.make_current()
+    flying._picture.draw(drawn.rgba)
+    assert np.array_equal(read_pixels(size), drawn.picture) and drawn.picture.std() > 5
+
+
+def test_the_flight_follows_the_path_pauses_and_goes_by_steps(flying: Flying) -> None:
+    flying.free, flying.paused, flying.time = False, False, 0.0
+    flying.advance(Intent(), (), 2.0)
+    assert flying.camera == flying.flight.camera(2.0)
+    flying.advance(Intent(), ("time",), 2.0)
+    assert flying.paused and flying.camera == flying.flight.camera(2.0)
+    flying.advance(Intent(), ("next_fix",), 2.0)
+    assert flying.camera == flying.flight.camera(2.0 + 1 / 30)
+    flying.advance(Intent(), ("previous_fix", "time"), 0.0)
+    assert not flying.paused and flying.time == pytest.approx(2.0)
+
+
+def test_plus_and_minus_change_how_fast_it_goes(flying: Flying) -> None:
+    flying.free, flying.paused, flying.time, flying.speed = False, False, 0.0, 1.0
+    press(flying, glfw.KEY_KP_ADD)
+    press(flying, glfw.KEY_KP_ADD)
+    flying.advance(Intent(), (), 1.0)
+    assert flying.time == pytest.approx(2.0)
+    for _ in range(30):
+        press(flying, glfw.KEY_MINUS)
+    assert flying.speed == 1 / 16
+
+
+def test_keys_of_flight_leave_the_path_and_f_returns_to_it(flying: Flying) -> None:
+    flying.free, flying.paused, flying.time = False, False, 1.0
+    flying.advance(Intent(), (), 0.0)
+    on_path = flying.camera
+    flying.advance(Intent(forward=1.0), (), 0.1)
+    assert flying.free and flying.camera != on_path and flying.time == 1.0
+    flying.advance(Intent(fly=True), (), 0.0)
+    assert not flying.free and flying.camera == on_path
+
+
+def test_each_digit_switches_a_technique_and_says_so(flying: Flying) -> None:
+    start = flying.settings
+    try:
+        for mode, digits in (("lines", LINES), ("filled", FILLED)):
+            for digit, key in digits.items():
+                flying.settings = with_settings(start, {"flyover.mode": mode})
+                wanted = next_value(flying.settings, key)
+                press(flying, glfw.KEY_0 + int(digit))
+                assert flying.listen()
+                assert get(flying.settings, key) == wanted != get(start, key) or key.endswith(
+                    "mode"
+                )
+                assert words.text("en", f"flyover.{key}") in flying._message
+    finally:
+        flying.settings = start
+
+
+def test_the_help_lists_every_key_in_both_languages(flying: Flying) -> None:
+    for mode, digits in (("lines", LINES), ("filled", FILLED)):
+        flying.settings = with_settings(flying.settings, {"flyover.mode": mode})
+        for language in ("en", "fr"):
+            flying._language = language
+            rows = dict(flying.rows(us_name))
+            assert rows.keys() >= {"W A S D", "P", "N", "F", "+ -", *digits}
+            assert all(rows.values())
+    flying._language = "en"
+    flying.settings = with_settings(flying.settings, {"flyover.mode": "lines"})
+
+
+def test_escape_ends_the_flight(flying: Flying) -> None:
+    press(flying, glfw.KEY_ESCAPE)
+    assert not flying.listen() and flying.listen()
+
+
+def test_free_flight_goes_where_the_camera_looks_and_never_into_the_ground(flying: Flying) -> None:
+    camera = Camera(100.0, 100.0, 500.0, 0.3, math.radians(30), math.radians(90))
+    moved = advance(camera, Intent(forward=1.0), flying.terrain, 10.0, 1.0)
+    assert (moved.x, moved.theta_x) == (pytest.approx(100.0), 0.0)
+    assert moved.y == pytest.approx(100 + 10 * math.cos(math.radians(30)))
+    assert moved.z == pytest.approx(500 - 10 * math.sin(math.radians(30)))
+    right = advance(camera, Intent(right=1.0), flying.terrain, 10.0, 1.0)
+    assert right.x == pytest.approx(90.0)  # it looks along +y, whose right hand is -x
+    steep = advance(camera, Intent(look=(0.0, 1e6)), flying.terrain, 10.0, 1.0)
+    assert steep.theta_y == STEEPEST
+    down = advance(steep, Intent(forward=1.0), flying.terrain, 1e4, 10.0)
+    assert down.z == pytest.approx(float(flying.terrain.height(down.x, down.y)) + LEAST)
+    assert moves(Intent(turn=-1.0)) and moves(Intent(look=(0.0, 1.0))) and not moves(Intent())
+
+
+def test_it_ends_after_the_frames_that_are_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn = []
+
+    class Window:
+        def __init__(self, *given: object) -> None:
+            self.given = given
+
+        def listen(self) -> bool:
+            return True
+
+        def draw(self) -> bool:
+            drawn.append(self.given)
+            return len(drawn) % 2 == 0  # every other time it has no area
+
+        def close(self) -> None:
+            drawn.append("closed")
+
+    monkeypatch.setattr("landscape.window.flyover.Flying", Window)
+    options = argparse.Namespace(lang="fr", size=None, frames=2)
+    assert show(open_environment("island"), Settings(), options) == 0
+    assert len(drawn) == 5 and drawn[-1] == "closed" and drawn[0][3] == "fr"
