@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType
+from typing import Any
 
 from landscape.errors import InputError
 from landscape.files.input import read_bounded
@@ -113,13 +114,27 @@ def _read_other(path: Path, modules: set[str], seen: set[Path]) -> bool:
 
 def _imported(tree: ast.Module) -> Iterator[str]:
     """Yield the full names of what a file imports, of the names taken from modules too."""
-    for node in ast.walk(tree):
+    for node in _statements(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             module = node.module or ""
             yield module
             yield from (f"{module}.{alias.name}".lstrip(".") for alias in node.names)
+
+
+# What holds further statements: also of `except` and `case`, which are none themselves.
+BLOCKS = ("body", "orelse", "finalbody", "handlers", "cases")
+
+
+def _statements(node: Any) -> Iterator[Any]:
+    """Yield the statements inside a node; ast.walk looks at every expression too."""
+    for name in BLOCKS:
+        block = getattr(node, name, None)
+        if isinstance(block, list):  # that of a lambda is an expression
+            for each in block:
+                yield each
+                yield from _statements(each)
 
 
 def _beside(folder: Path, parts: list[str]) -> list[Path]:

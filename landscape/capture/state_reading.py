@@ -23,7 +23,7 @@ from landscape.capture.state_tables import (
     UNITS,
     Kind,
 )
-from landscape.capture.state_variables import VARIABLES, Variable
+from landscape.capture.state_variables import VARIABLES
 from landscape.errors import InputError
 from landscape.gl.calls import gl
 from landscape.gl.raw import raw
@@ -58,7 +58,7 @@ class Plan:
         for unit in (None, *range(units)):
             mine = [v for v in map(VARIABLES.__getitem__, names) if v.unit == unit]
             self.flags[unit] = [(v.name, enum(v.asked[0])) for v in mine if v.kind == FLAG]
-            self.steps[unit] = [_step(v) for v in mine if v.kind not in (FLAG, LIST)]
+            self.steps[unit] = [_step(v.name) for v in mine if v.kind not in (FLAG, LIST)]
 
     @functools.cached_property
     def single(self) -> dict[str, tuple[int | None, Callable[[], Any]]]:
@@ -127,6 +127,17 @@ def _plan(version: str, units: int, lights: int, planes: int) -> Plan:
     return Plan(tuple(names), units)
 
 
+def prepare() -> None:
+    """Look up all functions and enumerants, which takes longer than to read a state.
+
+    That needs the platform, but no context.
+    """
+    Plan(tuple(VARIABLES), MOST)
+    for variable in VARIABLES.values():
+        if isinstance(variable.kind, tuple):
+            _names(variable.kind)
+
+
 def read_now() -> State:
     """Return the state of the current context, the attribute stacks by their depth only."""
     todo = plan()
@@ -182,8 +193,10 @@ def _run(todo: Plan, unit: int | None, found: State) -> None:
         found[name] = take()
 
 
-def _step(variable: Variable) -> Step:
+@functools.cache
+def _step(name: str) -> Step:
     """Return the query of a variable that is a number, an enumerant, a vector or a pointer."""
+    variable = VARIABLES[name]
     query, kind = variable.query, variable.kind
     buffer: Any = INTS
     if kind == POINTER:

@@ -49,6 +49,8 @@ THREADS = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 # What each program needs, imported once.
 PRELOADED = (
     *("OpenGL.GL", "OpenGL.GLU", "OpenGL.arrays.ctypespointers", "OpenGL.arrays.numpymodule"),
+    *("OpenGL.arrays.nones", "OpenGL.arrays.lists", "OpenGL.arrays.strings"),
+    "OpenGL.arrays.ctypesarrays",
     *("PIL.Image", "numpy.random", "landscape.course.witness", "landscape.gl.glfw_library"),
 )
 ANSWER = "evidence.json"
@@ -201,14 +203,16 @@ def _prepare(stack: contextlib.ExitStack) -> str:
     # Without either, Python's refusal of sockets remains.
     any(libc.unshare(flags) == 0 for flags in NAMESPACES)
     try:
-        bind(Source(Path(), compile("", "", "exec"), frozenset(), True), "auto")
+        backend = bind(Source(Path(), compile("", "", "exec"), frozenset(), True), "auto")
     except NoOpenGLError as error:
         return str(error)
-    for name in PRELOADED:
+    for name in (*PRELOADED, *(["OpenGL.osmesa"] if backend == "osmesa" else [])):
         import_module(name)
+    from landscape.capture import state_reading
     from landscape.capture.program import prepared
     from landscape.course.witness import make
 
+    state_reading.prepare()
     stack.enter_context(prepared(make))
     sys.dont_write_bytecode = True
     gc.collect()

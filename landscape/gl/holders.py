@@ -61,11 +61,12 @@ def _held(held: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
 
 
 def _belongs(name: str, packages: Sequence[str]) -> bool:
-    return any(name == package or name.startswith(package + ".") for package in packages)
+    return name in packages or name.startswith(tuple(f"{package}." for package in packages))
 
 
 def _modules(packages: Sequence[str]) -> list[ModuleType]:
-    loaded = list(sys.modules.items())
+    some, beginnings = list(sys.modules.items()), tuple(packages)
+    loaded = [(name, module) for name, module in some if name.startswith(beginnings)]
     return [module for name, module in loaded if module and _belongs(name, packages)]
 
 
