@@ -12,7 +12,7 @@ from typing import Any
 
 from landscape.film.clip import Pictures
 from landscape.film.stage import Stage
-from landscape.film.views import Look
+from landscape.film.views import Look, roof
 from landscape.flyover.environment import Environment
 from landscape.flyover.frame import draw
 from landscape.flyover.scene_flight import SceneFlight
@@ -30,7 +30,7 @@ class Roofs:
     def __init__(self, opened: OpenScene) -> None:
         """Take an open scene, whose obstacles may change."""
         self._opened, self.size = opened, opened.size
-        self._height = getattr(opened, "roof", opened.height)
+        self._height = roof(opened)
 
     def height(self, x: float, z: float) -> float:
         """Return the height in units of the ground at x, z, or of what stands there."""

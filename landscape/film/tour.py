@@ -91,11 +91,11 @@ def parts(preset: str | None, changes: Mapping[str, Any], language: str) -> list
     meadow = shot(
         "island",
         [
-            (19.55, None, 25.5, 34.0, -2.0),
-            (20.2, None, 24.45, 46.0, -4.0),
-            (20.3, None, 23.75, 76.0, -7.0),
+            (20.0, None, 24.72, 36.0, -2.0),
+            (20.05, None, 24.45, 44.0, -3.0),
+            (20.02, None, 24.2, 70.0, -4.0),
         ],
-        [4.6, 3.4],
+        [4.4, 3.4],
         kt=120.0,
     )
     castle = shot(
@@ -121,15 +121,15 @@ def parts(preset: str | None, changes: Mapping[str, Any], language: str) -> list
     voxel = shot(
         "voxel",
         [
-            (13.8, 1.25, 31.9, 345.0, 3.0),
-            (16.6, 2.8, 28.8, 6.0, -4.0),
+            (14.6, 1.3, 32.3, 345.0, 3.0),
+            (17.6, 3.0, 29.2, 4.0, -4.0),
             (22.5, 4.4, 24.4, 22.0, -8.0),
             (28.2, 3.85, 21.2, 317.0, 4.0),
         ],
         [3.0, 4.0, 4.0],
     )
     # The same seconds of one flight twice, so that the lines turn into the ground that they span.
-    drawn = {"flyover.colours": "phosphor"}
+    drawn = {"flyover.colours": "phosphor", "flyover.height": 24.0}
     lines = Software(open_environment("canyon"), with_settings(Settings(), drawn), LINES, SET_OUT)
     filled = replace(
         lines,

@@ -6,14 +6,14 @@ SLERP between the views' own, with a level horizon: what roll SLERP would give i
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
 from landscape.film.clip import Pictures
 from landscape.film.stage import Stage
 from landscape.frame import Pose
-from landscape.geometry.camera_path import HOLD, Travel, through
+from landscape.geometry.camera_path import HOLD, Heights, Travel, through
 from landscape.geometry.quaternion import from_angles, to_angles
 from landscape.scene import Moment, OpenScene, placed, raised
 
@@ -43,6 +43,19 @@ class Look:
         kt = self.kt + seconds * self.values.clock.kt_per_second
         moment = Moment(pose, stage.size, kt, 0.0, self.stroke, self.wireframe)
         return stage.draw(self.open(stage), moment)
+
+
+@runtime_checkable
+class Roofed(Protocol):
+    """An open scene that knows what stands on its ground by its height, not as obstacles."""
+
+    def roof(self, x: float, z: float) -> float:
+        """Return the height in units of what is highest at x, z."""
+
+
+def roof(opened: OpenScene) -> Heights:
+    """Return the heights of a scene that a camera stays above."""
+    return opened.roof if isinstance(opened, Roofed) else opened.height
 
 
 def standing(pose: Pose, opened: OpenScene) -> Pose:
@@ -91,9 +104,7 @@ class Flight:
         """Return the camera's travel in an open scene."""
         poses = [standing(pose, opened) for pose in self.poses]
         places = np.array([(pose.x, pose.y, pose.z) for pose in poses])
-        # Where it can be asked for, the height of what stands there as well.
-        roof = getattr(opened, "roof", opened.height)
-        path = through(places, roof, opened.obstacles)
+        path = through(places, roof(opened), opened.obstacles)
         turns = [from_angles(pose.yaw, pose.pitch, pose.roll) for pose in poses]
         return Travel(path, turns, np.array(self.spans))
 
