@@ -205,7 +205,7 @@ def test_plants_grow_in_patches_of_their_kind_only_where_they_may():
     found = plants(places, np.random.default_rng(1))
     assert not found[~places].any()
     kinds = [number for number in np.unique(found) if number]
-    assert len(kinds) == 6 and all(BLOCKS[number].plant for number in kinds)
+    assert len(kinds) == 8 and all(BLOCKS[number].plant for number in kinds)
     assert 0.03 < (found[places] > 0).mean() < 0.2
     for name in ("poppy", "cornflower", "heather"):
         here = (found == block(name))[:, 50:]
@@ -244,7 +244,8 @@ def test_flowers_grow_where_trees_may_not_but_only_on_grass():
     blocks = np.zeros((60, 60, 40), np.uint8)
     blocks[..., :3] = block("grass")
     blocks[20:40, 20:40, 2] = block("gravel")  # a court
-    grow(blocks, tops, kinds, np.zeros((60, 60), bool), np.random.default_rng(0))
+    nowhere = np.zeros((60, 60), bool)
+    grow(blocks, tops, kinds, nowhere, nowhere, np.random.default_rng(0))
     plants = np.array([each.plant for each in BLOCKS])[blocks[..., 3]]
     assert plants.sum() > 50 and not plants[20:40, 20:40].any()
     assert not blocks[..., 4:].any()  # no tree

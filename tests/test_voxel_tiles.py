@@ -8,8 +8,9 @@ from PIL import Image
 
 from landscape.errors import InputError
 from landscape.files.assets import Assets
+from landscape.gl.texture import mip_levels
 from landscape.tools.asset_measures import seams
-from landscape.voxel.blocks import BLOCKS, PLANT_TILES, TILES
+from landscape.voxel.blocks import BLOCKS, HOLED, PLANT_TILES, TILES
 from landscape.voxel.tiles import (
     FILE,
     PLANTS_FILE,
@@ -20,7 +21,7 @@ from landscape.voxel.tiles import (
     tiles,
 )
 
-SIDES = ("grass_side", "snow_side")
+SIDES = ("grass_side", "turf_side", "snow_side")
 # Those with a frame around each block.
 FRAMED = ("log_top", "lamp")
 
@@ -42,8 +43,9 @@ def mean(tile: np.ndarray) -> np.ndarray:
 
 def test_each_tile_is_where_its_name_says(shown: dict[str, np.ndarray]) -> None:
     assert tuple(shown) == TILES
-    assert {tile.shape for tile in shown.values()} == {(SIDE, SIDE, 3)}
-    means = {name: mean(tile) for name, tile in shown.items()}
+    for name, tile in shown.items():
+        assert tile.shape == (SIDE, SIDE, 4 if name in HOLED else 3), name
+    means = {name: mean(tile)[:3] for name, tile in shown.items()}
     assert means["grass_top"].argmax() == 1
     assert max(means, key=lambda name: means[name].sum()) == "snow"
     assert means["slate"].argmax() == 2
@@ -54,12 +56,12 @@ def test_each_tile_is_where_its_name_says(shown: dict[str, np.ndarray]) -> None:
 
 @pytest.mark.parametrize("name", ["leaves", "needles", "hide"])
 def test_tiles_that_blocks_tint_are_nearly_grey(shown: dict[str, np.ndarray], name: str) -> None:
-    assert np.ptp(mean(shown[name])) < 12
+    assert np.ptp(mean(shown[name])[:3]) < 12
 
 
 def test_sides_are_grass_or_snow_above_and_earth_below(shown: dict[str, np.ndarray]) -> None:
     for side, top in (("grass_side", "grass_top"), ("snow_side", "snow")):
-        above, below = mean(shown[side][:6]), mean(shown[side][-16:])
+        above, below = mean(shown[side][:3]), mean(shown[side][-8:])
         assert np.abs(above - mean(shown[top])).max() < 45
         assert np.abs(below - mean(shown["earth"])).max() < 12
 
@@ -72,7 +74,7 @@ def test_a_tile_has_no_seam(shown: dict[str, np.ndarray], name: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in TILES if name not in (*SIDES, *FRAMED)])
 def test_a_repeated_tile_shows_no_grid(shown: dict[str, np.ndarray], name: str) -> None:
-    spectrum = np.abs(np.fft.fft2(shown[name].mean(axis=2))) / SIDE**2
+    spectrum = np.abs(np.fft.fft2(shown[name][..., :3].mean(axis=2))) / SIDE**2
     k = np.fft.fftfreq(SIDE) * SIDE
     once = np.hypot(*np.meshgrid(k, k)) < 1.5  # one light and one dark spot per tile
     once[0, 0] = False
@@ -125,8 +127,8 @@ def test_ripples_are_no_single_wave() -> None:
 @pytest.mark.parametrize(
     ("file", "read", "asked"),
     [
-        (FILE, tiles, f"64x{64 * len(TILES)}"),
-        (PLANTS_FILE, plants, f"{64 * len(PLANT_TILES)}x64"),
+        (FILE, tiles, f"32x{32 * len(TILES)}"),
+        (PLANTS_FILE, plants, f"{32 * len(PLANT_TILES)}x32"),
         (RIPPLES_FILE, ripples, "128x128"),
     ],
 )
@@ -135,3 +137,13 @@ def test_a_strip_of_another_size_is_named(tmp_path: Path, file: str, read, asked
     with pytest.raises(InputError) as raised:
         read(Assets(tmp_path))
     assert str(raised.value) == f"{tmp_path / file}: expected {asked} pixels, found 64x128"
+
+
+@pytest.mark.parametrize("name", HOLED)
+def test_leaves_have_holes_that_are_closed_from_afar(
+    shown: dict[str, np.ndarray], name: str
+) -> None:
+    alpha = shown[name][..., 3]
+    assert set(np.unique(alpha)) == {0, 255}
+    assert 0.1 < (alpha == 0).mean() < 0.35
+    assert min(level[..., 3].min() for level in mip_levels(shown[name])[3:]) > 127

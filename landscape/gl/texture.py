@@ -60,6 +60,7 @@ class Texture:
         trilinear: bool = True,
         lod_bias: float = 0.0,
         mipmaps: bool = True,
+        crisp: bool = False,
     ) -> None:
         """Upload an image, uint8 (h, w, 1, 3 or 4), or a list of its mip levels.
 
@@ -68,6 +69,8 @@ class Texture:
         Without ``trilinear`` only the nearer of two mip levels is sampled, which is a third
         cheaper. Without ``mipmaps`` there are none: in the mip levels of an atlas, neighbouring
         pictures would bleed into each other.
+        A ``crisp`` texture is not smoothed within a level: texels are seen one by one, and it is
+        cheaper.
         ``lod_bias`` is added to the mip level that OpenGL chooses; below 0 the texture is sharper
         (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
@@ -79,12 +82,14 @@ class Texture:
         previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
         gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
         minified = gl.GL_LINEAR_MIPMAP_LINEAR if trilinear else gl.GL_LINEAR_MIPMAP_NEAREST
+        if crisp:
+            minified = gl.GL_NEAREST_MIPMAP_LINEAR
         if not mipmaps:
-            minified = gl.GL_LINEAR
+            minified = gl.GL_NEAREST if crisp else gl.GL_LINEAR
         parameters = {
             gl.GL_TEXTURE_WRAP_S: wrap,
             gl.GL_TEXTURE_WRAP_T: wrap,
-            gl.GL_TEXTURE_MAG_FILTER: gl.GL_LINEAR,
+            gl.GL_TEXTURE_MAG_FILTER: gl.GL_NEAREST if crisp else gl.GL_LINEAR,
             gl.GL_TEXTURE_MIN_FILTER: minified,
         }
         for name, value in parameters.items():

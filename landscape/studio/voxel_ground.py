@@ -4,6 +4,7 @@ import numpy as np
 
 from landscape.studio.images import smoothstep
 from landscape.studio.voxel_paint import (
+    SIDE,
     TO_LIGHT,
     Canvas,
     axes,
@@ -16,11 +17,11 @@ from landscape.studio.voxel_paint import (
     spread,
     stepped,
 )
-from landscape.voxel.tiles import SIDE
 
 # All chosen: ramps of colour, dark to light.
-GRASS = ((44, 92, 50), (76, 132, 54), (112, 166, 62), (150, 192, 74), (196, 218, 104))
+GRASS = ((52, 96, 44), (94, 136, 48), (132, 170, 56), (168, 196, 68), (208, 222, 100))
 EARTH = ((90, 62, 50), (126, 89, 65), (158, 117, 82), (186, 147, 106), (214, 179, 136))
+TRODDEN = ((120, 92, 70), (160, 128, 94), (190, 158, 118), (212, 184, 142), (230, 206, 166))
 PEBBLE = ((104, 90, 88), (158, 142, 128), (206, 190, 166))
 ROCK = ((82, 82, 90), (122, 120, 120), (158, 154, 146), (192, 185, 170), (224, 216, 196))
 SAND = ((190, 152, 104), (216, 184, 130), (234, 208, 154), (246, 228, 180), (254, 244, 210))
@@ -137,7 +138,7 @@ def snow() -> np.ndarray:
 
 def grass_side() -> np.ndarray:
     """Return earth with grass hanging over it: rows of blades, the upper over the lower."""
-    rng = np.random.default_rng(71)
+    rng = np.random.default_rng(76)
     canvas = Canvas(shaded(earth(), 17.0, 9.0, noise(1.8, 72, 2.0)[0]), wrap_y=False)
     for row, (top, long, tone) in enumerate(((11, 12, 0.20), (7, 12, 0.34), (3, 11, 0.46),
                                              (-1, 10, 0.58), (-5, 9, 0.72))):  # fmt: skip
@@ -151,10 +152,46 @@ def grass_side() -> np.ndarray:
     return canvas.colour
 
 
-def shaded(colour: np.ndarray, edge: float, over: float, uneven: np.ndarray) -> np.ndarray:
-    """Return a tile (h, w, 3) in shadow above the row ``edge`` (texels), less over ``over``.
+def turf_side() -> np.ndarray:
+    """Return the side of a low step, overgrown to its foot: grass that hangs down in layers."""
+    rng = np.random.default_rng(73)
+    canvas = Canvas(ramp(GRASS, 0.10 + 0.02 * noise(1.4, 74)), wrap_y=False)
+    for top, long, tone in ((48, 22, 0.20), (38, 22, 0.26), (28, 21, 0.33), (19, 19, 0.38),
+                            (11, 17, 0.46), (4, 15, 0.58), (-5, 13, 0.76)):  # fmt: skip
+        count = 13
+        for k in rng.permutation(count):
+            x = (k + rng.uniform(-0.4, 0.4)) * SIDE / count
+            length = long * (0.65 + 0.6 * rng.random())
+            path = curve((x, top), np.pi / 2 + rng.normal(0, 0.2), length, rng.normal(0, 0.35))
+            tones = tone + rng.normal(0, 0.05) + np.linspace(-0.04, 0.08, 7)
+            canvas.stroke(path, blade_widths(3.0, belly=0.45), GRASS, tones, 0.05)
+    return canvas.colour
 
-    ``uneven`` (w,) moves the edge by a texel or two.
+
+def path() -> np.ndarray:
+    """Return trodden earth: fine and pale, with small stones and a few blades of grass."""
+    rng = np.random.default_rng(91)
+    canvas = Canvas(ramp(TRODDEN, 0.52 + 0.05 * noise(1.0, 92, 4.0)))
+    for count, size, tone in ((44, 4.0, 0.46), (40, 3.0, 0.60)):
+        for place in spread(count, int(rng.integers(1000))):
+            radii = size * rng.uniform(0.7, 1.2), size * rng.uniform(0.5, 0.8)
+            value, turn = tone + rng.normal(0, 0.05), rng.normal(0, 0.6)
+            canvas.blob(place, radii, turn, TRODDEN, value, 0.08, seed=int(rng.integers(1000)))
+    for place in spread(9, 93):
+        radii = rng.uniform(1.8, 3.2), rng.uniform(1.5, 2.2)
+        canvas.blob(place + 0.9, radii, 0.2, TRODDEN, 0.05, 0.0)
+        canvas.blob(place, radii, 0.2, PEBBLE, 0.62, 0.3)
+    for place in spread(4, 94):
+        for turn in rng.uniform(0, 2 * np.pi, 3):
+            blade = curve(place, turn, rng.uniform(4.0, 7.0))
+            canvas.stroke(blade, blade_widths(1.2), GRASS, np.linspace(0.3, 0.6, 7), 0.03)
+    return levelled(canvas.colour)
+
+
+def shaded(colour: np.ndarray, edge: float, over: float, uneven: np.ndarray) -> np.ndarray:
+    """Return a tile (h, w, 3) in shadow above the height ``edge`` (units), less over ``over``.
+
+    ``uneven`` (w,) moves the edge by a unit or two.
     """
     _, y = axes()
     dark = smoothstep(edge + over, edge, y + 1.5 * uneven[None, :])[..., None]

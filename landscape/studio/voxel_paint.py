@@ -1,8 +1,8 @@
 """Tools to paint the tiles of the blocks: ramps of colour, cells, brush strokes that wrap.
 
-Coordinates are in texels of the finished tile, x right and y down; the light comes from the upper
-left. Everything is drawn OVER times larger and reduced. Colours are sRGB in 0..1: tiles are painted
-as one paints by hand, with a few tones of one ramp, dark and cool to light and warm.
+Coordinates go from 0 to SIDE over a tile, x right and y down; the light comes from the upper left.
+Everything is drawn OVER times larger and reduced. Colours are sRGB in 0..1: tiles are painted as
+one paints by hand, with a few tones of one ramp, dark and cool to light and warm.
 """
 
 from collections.abc import Callable, Sequence
@@ -13,15 +13,17 @@ from scipy import ndimage
 from scipy.spatial import cKDTree
 
 from landscape.studio.images import shrink, smoothstep, spectral_noise, to_uint8
-from landscape.voxel.tiles import SIDE
+from landscape.voxel.tiles import SIDE as TEXELS
 
-OVER = 4  # supersampling factor
+SIDE = 64  # units of painting across a tile: two to a texel
+OVER = 4  # samples per unit
+CRISP = 1.25  # chosen: contrast that a tile gains when it is reduced, since texels stay visible
 TO_LIGHT = np.array([-0.6, -0.8])  # chosen: the direction of the light, x and y
 Colours = Sequence[tuple[int, int, int]]
 
 
 def axes(width: int = SIDE, height: int = SIDE) -> tuple[np.ndarray, np.ndarray]:
-    """Return x and y of the samples of a picture, each (height * OVER, width * OVER), texels."""
+    """Return x and y of the samples of a picture, each (height * OVER, width * OVER), units."""
     across, down = ((np.arange(side * OVER) + 0.5) / OVER for side in (width, height))
     x, y = np.meshgrid(across, down)
     return x, y
@@ -75,7 +77,7 @@ def spread(count: int, seed: int, stretch: float = 1.0) -> np.ndarray:
 class Cells(NamedTuple):
     """The cells around points: at each sample, its own point and the borders to others.
 
-    ``own`` (h, w) is the point's number, ``offset`` (h, w, 2) the way from it in texels; the others
+    ``own`` (h, w) is the point's number, ``offset`` (h, w, 2) the way from it; the others
     are (h, w, k): the neighbours' numbers, the distance to the border with each, and the unit
     vector (h, w, k, 2) towards each.
     """
@@ -87,7 +89,7 @@ class Cells(NamedTuple):
     towards: np.ndarray
 
     def light(self, width: float) -> np.ndarray:
-        """Return the light, -1 to 1, on borders that are rounded over ``width`` texels."""
+        """Return the light, -1 to 1, on borders that are rounded over ``width`` units."""
         facing = self.towards @ TO_LIGHT
         near = np.clip(1.0 - self.gap / width, 0.0, 1.0)
         first = near.argmax(axis=-1)[..., None]
@@ -101,7 +103,7 @@ class Cells(NamedTuple):
 
 
 def cells(points: np.ndarray, bend: float, seed: int, stretch: float = 1.0) -> Cells:
-    """Return the cells of points (n, 2) on a tile that wraps; ``bend`` texels of noise warp them.
+    """Return the cells of points (n, 2) on a tile that wraps; ``bend`` units of noise warp them.
 
     With ``stretch``, distances in y count for less by that factor.
     """
@@ -141,7 +143,7 @@ class Canvas:
         high: np.ndarray,
         brush: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]],
     ) -> None:
-        """Paint over the box from ``low`` to ``high`` (x, y; texels).
+        """Paint over the box from ``low`` to ``high`` (x, y; units).
 
         The brush takes x and y of samples and returns their colours (..., 3) and cover (...).
         """
@@ -264,5 +266,12 @@ def levelled(
 
 
 def finished(samples: np.ndarray) -> np.ndarray:
-    """Return samples (h, w, 3) reduced to the tile, uint8 (SIDE, SIDE, 3)."""
-    return to_uint8(shrink(samples, OVER))
+    """Return samples (h, w, 3 or 4) reduced to a tile, uint8 (TEXELS, TEXELS, 3 or 4).
+
+    A texel is drawn or not: there is no alpha between.
+    """
+    small = shrink(samples, OVER * SIDE // TEXELS)
+    middle = small[..., :3].mean(axis=(0, 1))
+    small[..., :3] = middle + CRISP * (small[..., :3] - middle)
+    small[..., 3:] = small[..., 3:] > 0.5
+    return to_uint8(np.clip(small, 0.0, 1.0))

@@ -4,11 +4,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from landscape.studio.images import bleed, shrink, smoothstep, to_uint8
+from landscape.studio.images import bleed, shrink, to_uint8
 from landscape.studio.voxel_ground import GRASS
-from landscape.studio.voxel_paint import OVER, Canvas, blade_widths, curve, leaf_widths
+from landscape.studio.voxel_paint import OVER, SIDE, Canvas, blade_widths, curve, leaf_widths
 from landscape.voxel.blocks import PLANT_TILES
-from landscape.voxel.tiles import PLANTS_FILE, SIDE
+from landscape.voxel.tiles import PLANTS_FILE
+from landscape.voxel.tiles import SIDE as TEXELS
 
 # All chosen: ramps of colour, dark to light.
 FERN = ((30, 74, 48), (58, 112, 56), (94, 148, 66), (140, 186, 84), (190, 216, 118))
@@ -18,8 +19,12 @@ YELLOW = ((196, 124, 18), (238, 180, 24), (255, 218, 52), (255, 244, 150))
 BLUE = ((38, 48, 132), (64, 86, 190), (98, 132, 228), (164, 190, 250))
 PINK = ((112, 46, 106), (164, 78, 150), (206, 122, 186), (240, 178, 220))
 DARK = ((30, 22, 32), (58, 42, 54), (96, 78, 84))
+WHITE = ((176, 182, 200), (226, 228, 234), (250, 250, 246), (255, 255, 255))
+BROWN = ((66, 42, 34), (104, 70, 50), (146, 104, 70))
+NEEDLE = ((84, 94, 112), (136, 146, 154), (186, 194, 190), (240, 244, 226))
 HEATH = ((48, 66, 48), (82, 102, 62), (122, 138, 82))
 UP = -np.pi / 2
+LEAST = 0.4  # chosen: a texel is drawn if this much of it is covered
 FOOT = SIDE + 1.0  # stems begin below the lower edge
 
 
@@ -145,6 +150,59 @@ def heather(canvas: Canvas, rng: np.random.Generator) -> None:
                 canvas.blob(place, (1.3, 1.6), 0.0, PINK, tone, 0.35, 0.05)
 
 
+def daisy(canvas: Canvas, rng: np.random.Generator) -> None:
+    """Paint a clump of daisies, low over their leaves."""
+    grass_blades(canvas, rng, 12, 8.0, 18.0, 1.8)
+    tips = ((12.0, 44.0), (24.0, 36.0), (38.0, 40.0), (52.0, 46.0), (31.0, 50.0))
+    stems(canvas, rng, tips, 0.7)
+    for x, y in tips:
+        for k in range(9):
+            angle = 2 * np.pi * k / 9
+            petal = np.array([x + 3.6 * np.cos(angle), y + 3.0 * np.sin(angle)])
+            canvas.blob(petal, (2.4, 1.4), angle, WHITE, 0.7 - 0.2 * np.sin(angle), 0.2, 0.0)
+        canvas.blob(np.array([x, y]), (2.0, 1.8), 0.0, YELLOW, 0.55, 0.3, 0.0)
+
+
+def reed(canvas: Canvas, rng: np.random.Generator) -> None:
+    """Paint reeds: high narrow leaves and brown heads."""
+    for length in np.linspace(60.0, 34.0, 13):
+        place = SIDE / 2 + 8.0 * float(np.clip(rng.normal(), -1.5, 1.5))
+        lean = (place - SIDE / 2) * 0.008 + rng.normal(0, 0.04)
+        path = curve((place, FOOT), UP + lean, length, lean, 9)
+        tones = rng.uniform(0.3, 0.6) + np.linspace(-0.2, 0.2, 9)
+        canvas.stroke(path, blade_widths(1.7, 9), FERN, tones, 0.06)
+    for x, top in ((24.0, 12.0), (35.0, 6.0), (44.0, 18.0)):
+        path = np.array([[0.6 * x + 13.0, FOOT], [x, top + 14.0], [x, top]])
+        canvas.stroke(path[:2], np.full(2, 0.9), STEM, np.full(2, 0.5))
+        canvas.stroke(path[1:], np.full(2, 2.2), BROWN, np.full(2, 0.6), 0.3)
+
+
+def bush(canvas: Canvas, rng: np.random.Generator) -> None:
+    """Paint a low bush: twigs with round leaves."""
+    for lean in rng.permutation(np.linspace(-1.0, 1.0, 9)):
+        length = 46.0 - 16.0 * abs(lean) + rng.normal(0, 2.0)
+        path = curve((SIDE / 2 + 4.0 * lean, FOOT), UP + 0.5 * lean, length, 0.4 * lean, 11)
+        canvas.stroke(path, np.linspace(1.2, 0.6, 11), BROWN, np.linspace(0.1, 0.4, 11))
+        for j in range(3, 11):
+            for side in (-1, 1):
+                place = path[j] + [3.6 * side, rng.normal(0, 1.0)]
+                tone = 0.25 + 0.05 * j - 0.1 * side + rng.normal(0, 0.08)
+                canvas.blob(place, (3.4, 2.6), 0.6 * side, GRASS, tone, 0.3, 0.05)
+
+
+def spruce_tip(canvas: Canvas, rng: np.random.Generator) -> None:
+    """Paint the pointed top of a spruce, pale: blocks tint it."""
+    for y in range(60, 8, -4):
+        reach = 3.0 + 0.36 * y
+        for side in (-1, 1):
+            lean = np.pi / 2 + side * rng.uniform(0.8, 1.1)
+            path = curve((SIDE / 2, y - 6.0), lean, reach, 0.3 * side, 7)
+            tones = 0.35 - 0.1 * side + np.linspace(-0.1, 0.3, 7)
+            canvas.stroke(path, blade_widths(3.0, 7, 0.5), NEEDLE, tones, 0.08)
+    path = np.array([[SIDE / 2, FOOT], [SIDE / 2, 6.0]])
+    canvas.stroke(path, np.array([2.0, 0.9]), NEEDLE, np.array([0.2, 0.8]), 0.1)
+
+
 PAINTERS: dict[str, Callable[[Canvas, np.random.Generator], None]] = {
     "tall_grass": tall_grass,
     "fern": fern,
@@ -152,26 +210,28 @@ PAINTERS: dict[str, Callable[[Canvas, np.random.Generator], None]] = {
     "buttercup": buttercup,
     "cornflower": cornflower,
     "heather": heather,
+    "daisy": daisy,
+    "reed": reed,
+    "bush": bush,
+    "spruce_tip": spruce_tip,
 }
 
 
 def picture(name: str) -> np.ndarray:
-    """Return a plant, uint8 (SIDE, SIDE, 4), with steep alpha and colour in transparent texels."""
+    """Return a plant, uint8 (TEXELS, TEXELS, 4), with colour in transparent texels, too."""
     canvas = Canvas(wrap_x=False, wrap_y=False)
     PAINTERS[name](canvas, np.random.default_rng(300 + PLANT_TILES.index(name)))
     alpha = canvas.alpha[..., None]
-    small = shrink(np.concatenate([canvas.colour * alpha, alpha], axis=2), OVER)
+    small = shrink(np.concatenate([canvas.colour * alpha, alpha], axis=2), OVER * SIDE // TEXELS)
     colour = small[..., :3] / np.maximum(small[..., 3:], 1e-6)
-    # Alpha tested at one half: a steep edge keeps its place when magnified linearly.
-    crisp = smoothstep(0.15, 0.85, small[..., 3:])
-    crisp = np.where(crisp < 0.02, 0.0, crisp)
+    crisp = np.where(small[..., 3:] > LEAST, 1.0, 0.0)
     # Even steps of colour make a smaller file.
     colour = np.round(colour * 51.0) / 51.0
     return bleed(to_uint8(np.concatenate([colour, crisp], axis=2)))
 
 
 def voxel_plants() -> np.ndarray:
-    """Return the strip, uint8 (SIDE, SIDE * len(PLANT_TILES), 4), in the order of PLANT_TILES."""
+    """Return the strip, uint8 (TEXELS, TEXELS * n, 4), in the order of the n PLANT_TILES."""
     return np.concatenate([picture(name) for name in PLANT_TILES], axis=1)
 
 

@@ -7,10 +7,10 @@ from PIL import Image
 
 from landscape.studio import voxel_ground, voxel_wood, voxel_works
 from landscape.studio.voxel_paint import finished
-from landscape.voxel.blocks import TILES
+from landscape.voxel.blocks import HOLED, TILES
 from landscape.voxel.tiles import FILE
 
-COLOURS = 64  # chosen: per tile; the loss is not visible, and the file is half as large
+COLOURS = 32  # chosen: per tile; the loss is not visible, and the file is half as large
 
 
 def painter(name: str) -> Callable[[], np.ndarray]:
@@ -23,14 +23,16 @@ def painter(name: str) -> Callable[[], np.ndarray]:
 
 
 def tile(name: str) -> np.ndarray:
-    """Return a tile, uint8 (SIDE, SIDE, 3), of at most COLOURS colours."""
-    image = Image.fromarray(finished(painter(name)()))
+    """Return a tile, uint8 (SIDE, SIDE, 4), of at most COLOURS colours."""
+    found = finished(painter(name)())
+    image = Image.fromarray(np.ascontiguousarray(found[..., :3]))
     few = image.quantize(COLOURS, Image.Quantize.MEDIANCUT, kmeans=1, dither=Image.Dither.NONE)
-    return np.asarray(few.convert("RGB"))
+    alpha = found[..., 3:] if name in HOLED else np.full((*found.shape[:2], 1), 255, np.uint8)
+    return np.concatenate([np.asarray(few.convert("RGB")), alpha], axis=2)
 
 
 def voxel_tiles() -> np.ndarray:
-    """Return the strip, uint8 (SIDE * len(TILES), SIDE, 3), in the order of TILES."""
+    """Return the strip, uint8 (SIDE * len(TILES), SIDE, 4), in the order of TILES."""
     return np.concatenate([tile(name) for name in TILES])
 
 

@@ -81,10 +81,10 @@ def log_top() -> np.ndarray:
 
 
 def leaves() -> np.ndarray:
-    """Return rosettes of leaves, in three layers over a dark ground."""
+    """Return rosettes of leaves, in three layers, with holes between them."""
     rng = np.random.default_rng(141)
-    canvas = Canvas(ramp(LEAF, 0.16 + 0.02 * noise(1.6, 142)))
-    for count, tone, long in ((26, 0.34, 13.0), (20, 0.52, 13.5), (12, 0.82, 12.5)):
+    canvas = Canvas()
+    for count, tone, long in ((5, 0.34, 12.0), (8, 0.58, 11.5), (8, 0.84, 10.5)):
         for place in spread(count, int(rng.integers(1000))):
             turn, lift = rng.uniform(0, 2 * np.pi), rng.normal(0, 0.03)
             for k in rng.permutation(5):
@@ -96,14 +96,14 @@ def leaves() -> np.ndarray:
                 canvas.stroke(path + [0.5, 0.9], leaf_widths(half), LEAF, under)
                 tones = tone + lift + np.linspace(-0.13, 0.10, 9) + rng.normal(0, 0.025)
                 canvas.stroke(path, leaf_widths(half), LEAF, tones, 0.07)
-    return levelled(canvas.colour, broad=1.25)
+    return with_holes(canvas, 142)
 
 
 def needles() -> np.ndarray:
-    """Return sprays of needles that hang and spread like brushes, in three layers."""
+    """Return sprays of needles that hang and spread like brushes, in three layers, with holes."""
     rng = np.random.default_rng(151)
-    canvas = Canvas(ramp(LEAF, 0.12 + 0.02 * noise(1.6, 152)))
-    for count, tone in ((28, 0.34), (26, 0.58), (19, 0.84)):
+    canvas = Canvas()
+    for count, tone in ((26, 0.34), (24, 0.58), (19, 0.84)):
         for place in spread(count, int(rng.integers(1000))):
             down = np.pi / 2 + rng.normal(0, 0.3)
             for aside in (-1.15, 1.15, -0.75, 0.75, -0.38, 0.38, 0.0):
@@ -111,4 +111,15 @@ def needles() -> np.ndarray:
                 path = curve(place - [0, 4], down + aside, long, -0.45 * aside, 6)
                 lit = tone + 0.06 * np.sign(aside) + np.linspace(-0.20, 0.14, 6)
                 canvas.stroke(path, blade_widths(1.25, 6, 0.5), LEAF, lit, 0.04)
-    return levelled(canvas.colour, broad=1.15)
+    return with_holes(canvas, 152)
+
+
+def with_holes(canvas: Canvas, seed: int) -> np.ndarray:
+    """Return a tile of leaves (h, w, 4): where none is painted, dark leaves farther inside.
+
+    From nearby these are holes that one looks through; from afar they are drawn.
+    """
+    alpha = canvas.alpha[..., None]
+    inside = ramp(LEAF, 0.14 + 0.02 * noise(1.6, seed))
+    colour = levelled(canvas.colour * alpha + inside * (1.0 - alpha), broad=1.2)
+    return np.concatenate([colour, alpha], axis=2)

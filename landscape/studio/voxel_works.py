@@ -3,8 +3,17 @@
 import numpy as np
 
 from landscape.studio.images import smoothstep
-from landscape.studio.voxel_paint import OVER, Canvas, axes, levelled, noise, ramp, smeared, stepped
-from landscape.voxel.tiles import SIDE
+from landscape.studio.voxel_paint import (
+    OVER,
+    SIDE,
+    Canvas,
+    axes,
+    levelled,
+    noise,
+    ramp,
+    smeared,
+    stepped,
+)
 
 # All chosen: ramps of colour, dark to light.
 LIMESTONE = ((104, 92, 90), (150, 134, 120), (190, 172, 146), (218, 202, 172), (242, 230, 204))
@@ -91,7 +100,7 @@ def slate() -> np.ndarray:
     value = value - 0.30 * smoothstep(3.6, 0.0, covered) * ~under
     value = value - 0.30 * smoothstep(0.75, 0.3, edge)
     tint = rng.normal(0, 1, (COURSES, 4))[r, number][..., None] * np.array([0.016, 0.004, -0.006])
-    return levelled(ramp(SLATE, value) + tint, 1.5, 0.3)
+    return levelled(ramp(SLATE, value) + tint, 1.5, 0.2)
 
 
 def planks() -> np.ndarray:

@@ -12,12 +12,17 @@ AIR = 0
 
 # The tiles in the order of the strip voxel_tiles.png, from the top; each is square and repeats.
 TILES = (
-    *("grass_top", "grass_side", "earth", "rock", "sand", "gravel", "snow", "snow_side"),
+    *("grass_top", "grass_side", "turf_side", "earth", "path", "rock", "sand", "gravel"),
+    *("snow", "snow_side"),
     *("bark", "birch_bark", "log_top", "leaves", "needles"),
     *("brick", "slate", "planks", "hide", "lamp"),
 )
+HOLED = ("leaves", "needles")  # tiles with holes, which show from nearby
 # The plants in the order of the columns of voxel_plants.png, from the left.
-PLANT_TILES = ("tall_grass", "fern", "poppy", "buttercup", "cornflower", "heather")
+PLANT_TILES = (
+    *("tall_grass", "fern", "poppy", "buttercup", "cornflower", "heather"),
+    *("daisy", "reed", "bush", "spruce_tip"),
+)
 
 WHITE = (255, 255, 255)
 Colour = tuple[int, int, int]
@@ -45,7 +50,7 @@ BLOCKS = (
     Block("air", "rock"),
     Block("rock", "rock", tint=(236, 232, 230), natural=True),
     Block("earth", "earth", natural=True),
-    Block("grass", "grass_top", "grass_side", "earth", natural=True),
+    Block("grass", "grass_top", "grass_side", "earth", (230, 240, 230), natural=True),
     Block("sand", "sand", natural=True),
     Block("gravel", "gravel", natural=True),
     Block("snow", "snow", "snow_side", "earth"),
@@ -81,12 +86,21 @@ BLOCKS = (
     Block("pale rock", "rock", tint=(255, 250, 236), natural=True),
     Block("warm rock", "rock", tint=(250, 226, 196), natural=True),
     Block("deep snow", "snow", "snow", "rock"),
-    Block("turf", "grass_top", tint=(226, 228, 208), natural=True),
+    Block("turf", "grass_top", "turf_side", "earth", (216, 232, 214), natural=True),
+    Block("path", "path", "earth", "earth", natural=True),
+    Block("daisies", "daisy", plant=True),
+    Block("reeds", "reed", natural=True, plant=True),
+    Block("bush", "bush", natural=True, plant=True),
+    Block("spruce tip", "spruce_tip", tint=(62, 104, 74), natural=True, plant=True),
     Block("deep scales", "hide", tint=(38, 108, 96)),
     Block("bright scales", "hide", tint=(92, 172, 122)),
 )
 NUMBERS = {block.name: number for number, block in enumerate(BLOCKS)}
 SOLID = np.array([number > 0 and not block.plant for number, block in enumerate(BLOCKS)])
+# What a face may be seen through: 2 for nothing, 1 for leaves, 0 for air and plants. A block shows
+# its face to a neighbour that is less dense.
+LEAFY = np.array([block.top in HOLED for block in BLOCKS])
+DENSITY = np.where(SOLID, np.where(LEAFY, 1, 2), 0).astype(np.uint8)
 
 
 def block(name: str) -> int:

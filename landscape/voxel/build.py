@@ -14,6 +14,7 @@ from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights
 from landscape.settings import Sun
+from landscape.voxel.blocks import TILES
 from landscape.voxel.distant import distant_meshes
 from landscape.voxel.faces import DIRECTIONS, shown_in
 from landscape.voxel.heights import Heights, heights
@@ -22,12 +23,21 @@ from landscape.voxel.landmarks import (
     build_castle,
     free_columns,
     grow,
+    lay_paths,
     place_dragon,
     place_finds,
     place_rabbit,
 )
 from landscape.voxel.materials import filled, strata, top_materials, variation
-from landscape.voxel.mesh import SETS, TURNS, VERTEX, Look, RegionMesh, region_meshes
+from landscape.voxel.mesh import (
+    SETS,
+    TURNS,
+    VERTEX,
+    Look,
+    RegionMesh,
+    region_meshes,
+    shown_tiles,
+)
 from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
@@ -37,6 +47,8 @@ TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and 
 BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "merge", "occlusion",
          "trees", "buildings")  # fmt: skip
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
+# Which of TILES only what is built has.
+BUILDINGS = np.isin(TILES, ("brick", "slate", "planks", "hide", "lamp"))
 FAR_OVERLAP = 0.02  # blocks, chosen: from afar, pixels are larger
 MOST_KEPT = 1000  # columns, chosen: larger worlds are not cached; they would fill the cache
 MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once, in regions of one row
@@ -45,6 +57,8 @@ FAR_SHADE = 0.93  # measured: how dark the corners are on average
 SKYLIGHT = {"up": 0.64, "down": 0.42}
 SIDELIGHT = 0.54
 SUNLIGHT = 0.52
+BLUE_SKY = np.array([0.94, 0.98, 1.06])
+WARMER = 0.35  # chosen: how far the light of the sky has the colour of the sun's
 
 
 def source(values: Voxel, assets: Assets) -> Heights:
@@ -72,11 +86,16 @@ def world(values: Voxel, assets: Assets, seed: int) -> World:
     sites: list[Site] = []
     if values.buildings:
         sites = build_castle(blocks, tops, values.sea)
+        gate = sites[:1]
         sites += place_rabbit(blocks, tops, values.sea, sites, assets)
         sites += place_finds(blocks, tops, values.sea, sites, rng)
-        place_dragon(blocks, tops, values.sea, assets)
+        jetty = place_dragon(blocks, tops, values.sea, assets)
+        if gate:
+            goals = [*gate, *sites[2:], *jetty]
+            kinds = lay_paths(blocks, tops, kinds, values.sea, goals, rng)
     if values.trees:
-        grow(blocks, tops, kinds, free_columns(len(blocks), sites), rng)
+        shore = abs(tops - values.sea + 0.5) < 1
+        grow(blocks, tops, kinds, free_columns(len(blocks), sites), shore, rng)
     return World(blocks, tops, values.region_size, values.sea, values.block)
 
 
@@ -89,11 +108,12 @@ def face_light(light: Sun, shadow: Shadow) -> np.ndarray:
     """
     towards = sun.direction(light)
     found = np.ones((len(DIRECTIONS), 4))
+    air = BLUE_SKY * (1.0 - WARMER * (1.0 - np.array(light.diffuse)))
     left = max(math.fsum(shadow.color) / 3.0, LEAST_LEFT)
     for k, direction in enumerate(DIRECTIONS):
         axis = {0: 0, 1: 2, 2: 1}[direction.axis]  # of [x, z, y] in x, y, z
         faced = max(direction.sign * float(towards[axis]), 0.0)
-        sky = SKYLIGHT.get(direction.name, SIDELIGHT) * np.array([0.94, 0.98, 1.06])
+        sky = SKYLIGHT.get(direction.name, SIDELIGHT) * air
         found[k, :3] = sky + SUNLIGHT * faced**0.5 * np.array(light.diffuse)
         if shadow.enabled and not faced:
             found[k, :3] /= left
@@ -131,7 +151,8 @@ def meshed(
     """Return the meshes of ``number`` regions from one on, for near, for far, and where distant.
 
     Dark corners keep faces from being merged. From afar they do not show, and without them, and
-    without plants, there are two thirds as many quads. Distant blocks are joined by eight.
+    without plants, there are two thirds as many quads. Distant blocks are joined by eight, but not
+    where something is built.
     """
     blocks, origin = place.with_edge(region, number)
     size, merge, plain = place.region_size, values.merge, seen_from_afar(colours)
@@ -142,7 +163,16 @@ def meshed(
     far = region_meshes(
         blocks, size, origin, plain, merge, occlusion=False, plants=False, shown=shown
     )
-    return near, far, distant_meshes(blocks, size, origin, plain, merge)
+    distant = distant_meshes(blocks, size, origin, plain, merge)
+    distant = [
+        fine if shows_buildings(fine) else coarse for fine, coarse in zip(far, distant, strict=True)
+    ]
+    return near, far, distant
+
+
+def shows_buildings(mesh: RegionMesh) -> bool:
+    """Return whether a mesh has faces of what is built, which would be lumps in larger blocks."""
+    return bool(BUILDINGS[shown_tiles(mesh)].any())
 
 
 def seen_from_afar(colours: Look) -> Look:

@@ -1,8 +1,9 @@
 """The faces of blocks that can be seen, found with numpy: no loop goes over blocks.
 
-A face is exposed where the block is solid and its neighbour is not. Its corners are darker where
-other blocks stand around them (ambient occlusion). Equal faces side by side are merged: into runs
-along a row, and equal runs of following rows into rectangles.
+A face is exposed where the block is denser than its neighbour: where one is solid and the other
+air, or the other is of leaves, which have holes. Its corners are darker where other blocks stand
+around them (ambient occlusion). Equal faces side by side are merged: into runs along a row, and
+equal runs of following rows into rectangles.
 """
 
 from collections.abc import Sequence
@@ -11,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from landscape.voxel.blocks import SOLID, block
+from landscape.voxel.blocks import DENSITY, block
 
 
 class Direction(NamedTuple):
@@ -70,13 +71,13 @@ class Faces:
         return Faces(self.direction, *(each[order] for each in kept))
 
 
-def exposed(solid: np.ndarray, direction: Direction) -> np.ndarray:
-    """Return which blocks show a face in a direction, bool, without the edge of ``solid``."""
+def exposed(density: np.ndarray, direction: Direction) -> np.ndarray:
+    """Return which blocks show a face in a direction, bool, without the edge of ``density``."""
     inner = tuple(slice(EDGE, -EDGE) for _ in range(3))
     beyond = list(inner)
     start = EDGE + direction.sign
-    beyond[direction.axis] = slice(start, solid.shape[direction.axis] - EDGE + direction.sign)
-    return np.asarray(solid[inner] & ~solid[tuple(beyond)])
+    beyond[direction.axis] = slice(start, density.shape[direction.axis] - EDGE + direction.sign)
+    return np.asarray(density[inner] > density[tuple(beyond)])
 
 
 def shown_kinds(blocks: np.ndarray, at: np.ndarray, direction: Direction) -> np.ndarray:
@@ -123,21 +124,22 @@ class Shown(NamedTuple):
 
 def shown_in(blocks: np.ndarray) -> Shown:
     """Return which of blocks [x, z, y], uint8 with an edge all around, show a face."""
-    whole = solid = SOLID[np.ascontiguousarray(blocks)]
-    steps = np.array(solid.strides) // solid.itemsize
-    within = np.zeros_like(solid)
+    density = DENSITY[np.ascontiguousarray(blocks)]
+    solid = density > 0
+    steps = np.array(density.strides)
+    within = np.zeros_like(density)
     inner = tuple(slice(EDGE, -EDGE) for _ in range(3))
-    within[inner] = solid[inner]
-    within, solid = within.ravel(), solid.ravel()
+    within[inner] = density[inner]
+    within, density = within.ravel(), density.ravel()
     found = []
     for direction in DIRECTIONS:
         # Nothing at an edge is within, so a neighbour one step on never lies beyond the array.
         step = int(steps[direction.axis])
         if direction.sign > 0:
-            found.append(np.flatnonzero(within[:-step] > solid[step:]))
+            found.append(np.flatnonzero(within[:-step] > density[step:]))
         else:
-            found.append(np.flatnonzero(within[step:] > solid[:-step]) + step)
-    return Shown(whole, found)
+            found.append(np.flatnonzero(within[step:] > density[:-step]) + step)
+    return Shown(solid, found)
 
 
 Parts = Sequence[tuple[np.ndarray, int]]

@@ -2,10 +2,11 @@
 
 Technique: one shared vertex buffer, one texture with all tiles, and one glMultiDrawArrays that
 sends the faces of all visible regions, nearest first, so that what they hide fails the depth test
-early. Plants, which have holes and two sides, are a second one.
-State used: GL_TEXTURE_2D, GL_CULL_FACE, GL_ALPHA_TEST for plants; the modelview matrix scales
-blocks to units.
-What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge``.
+early. Where some are nearby, it has the alpha test, since leaves have holes. Plants, which also
+have two sides, are a second one.
+State used: GL_TEXTURE_2D, GL_CULL_FACE, GL_ALPHA_TEST; the modelview matrix scales blocks to units.
+What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge``, ``voxel.crisp``,
+``voxel.holes``.
 """
 
 from collections.abc import Mapping
@@ -18,7 +19,7 @@ from landscape.gl.calls import gl
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
-from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar
+from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar, shows_buildings
 from landscape.voxel.distant import distant_mesh
 from landscape.voxel.mesh import UP, RegionMesh
 from landscape.voxel.patch import patched, regions_around
@@ -31,7 +32,7 @@ from landscape.voxel.world import Cell
 
 FAR, DISTANT = 1, 2  # which of a region's meshes, after that for near
 LEVELS = 3
-LEAST_ALPHA = 0.5  # chosen: texels of plants with less are not drawn
+LEAST_ALPHA = 0.5  # chosen: texels of plants and of leaves nearby with less are not drawn
 
 
 class Choice(NamedTuple):
@@ -68,14 +69,14 @@ class Land:
         boxes = boxes.reshape(LEVELS, -1, 2, 3)
         self.low, self.high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
         pictures = tiles(assets)
-        mipmaps = settings.voxel.mipmaps
+        mipmaps, crisp = settings.voxel.mipmaps, settings.voxel.crisp
         # Down to the level in which a tile is one texel. Where OpenGL allows no texture as large as
         # the column, its tiles are coarser.
         levels = mip_levels(column([pictures[name] for name in TILES]))[: SIDE.bit_length()]
         largest = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE))
         levels = [level for level in levels if len(level) <= largest]
-        self._tiles = Texture(levels if mipmaps else levels[:1], mipmaps=mipmaps)
-        self._plants = Texture(plants(assets), repeat=False, mipmaps=mipmaps)
+        self._tiles = Texture(levels if mipmaps else levels[:1], mipmaps=mipmaps, crisp=crisp)
+        self._plants = Texture(plants(assets), repeat=False, mipmaps=mipmaps, crisp=crisp)
 
     @property
     def meshes(self) -> list[RegionMesh]:
@@ -138,7 +139,9 @@ class Land:
             self._stale.remove(region)
             blocks, origin = self.world.with_edge(region)
             colours = seen_from_afar(self.colours)
-            mesh = distant_mesh(blocks, origin, colours, self.settings.voxel.merge)
+            mesh = self.buffer.mesh(region + FAR * len(self.low))
+            if not shows_buildings(mesh):
+                mesh = distant_mesh(blocks, origin, colours, self.settings.voxel.merge)
             self._replace(region + DISTANT * len(self.low), mesh)
             low, high = (self.scale * end for end in bounding_box(mesh))
             self.low[region] = np.minimum(self.low[region], low)
@@ -165,14 +168,23 @@ class Land:
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_CULL_FACE)
             self._tiles.bind()
+            nearby = bool((choice.shares < len(self.low)).any())
+            holed = self.settings.voxel.holes and nearby and choice.part != UNDER
+            if holed:
+                self._leave_holes()
             self.buffer.draw(choice.shares, choice.facing, choice.part)
             if not self.buffer.has_plants(choice.shares, choice.part):
                 return
             self._plants.bind()
             gl.glDisable(gl.GL_CULL_FACE)
-            gl.glEnable(gl.GL_ALPHA_TEST)
-            gl.glAlphaFunc(gl.GL_GREATER, LEAST_ALPHA)
+            if not holed:
+                self._leave_holes()
             self.buffer.draw_plants(choice.shares, choice.part)
+
+    def _leave_holes(self) -> None:
+        """Draw from now on only where a texture is not transparent."""
+        gl.glEnable(gl.GL_ALPHA_TEST)
+        gl.glAlphaFunc(gl.GL_GREATER, LEAST_ALPHA)
 
     def draw_shapes(self, choice: Choice) -> None:
         """Draw all faces but those of plants, without textures, as a shadow map needs them."""
@@ -249,7 +261,7 @@ class Land:
         Another light needs no other meshes, only other colours.
         """
         now, then = self.settings, settings
-        names = (*BUILT, "mipmaps")
+        names = (*BUILT, "mipmaps", "crisp")
         changed = [name for name in names if getattr(now.voxel, name) != getattr(then.voxel, name)]
         if changed or now.shadow.enabled != then.shadow.enabled:
             return False

@@ -38,7 +38,7 @@ def map_picture(world: World, assets: Assets) -> np.ndarray:
     colours = np.zeros((len(BLOCKS), 3))
     for number, block in enumerate(BLOCKS):
         if SOLID[number]:
-            colours[number] = pictures[block.top].mean(axis=(0, 1)) * block.tint / 255.0
+            colours[number] = pictures[block.top][..., :3].mean(axis=(0, 1)) * block.tint / 255.0
     solid = SOLID[world.blocks]
     top = solid.shape[2] - 1 - solid[:, :, ::-1].argmax(axis=2).T  # [z, x] from here on
     x, z = np.meshgrid(np.arange(world.side), np.arange(world.side))

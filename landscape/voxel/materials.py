@@ -22,6 +22,7 @@ SOIL = 3  # blocks of earth under grass, or of sand under sand
 STRATA = (("rock", 3), ("dark rock", 1), ("rock", 2), ("pale rock", 2), ("rock", 2),
           ("warm rock", 2))  # fmt: skip
 BENT, BENT_SIZE = 7.0, 70.0
+BARE, BARE_SIZE = 0.03, 11.0  # chosen: fraction of the grass that is bare, in patches of this size
 
 
 def smooth_noise(side: int, cells: int, rng: np.random.Generator) -> np.ndarray:
@@ -52,6 +53,9 @@ def top_materials(source: Heights, sea: int, rng: np.random.Generator) -> np.nda
     found = np.full(above.shape, block("grass"), np.uint8)
     found[steep + 0.25 * wander > EARTHY] = block("earth")
     found[steep + 0.3 * wander > ROCKY] = block("rock")
+    bare = variation(len(above), BARE_SIZE, rng)
+    worn = bare > np.quantile(bare, 1.0 - BARE)
+    found[(found == block("grass")) & worn] = block("path")
     high = above / highest + 0.07 * wander - SNOW
     white = (high > 0) & (steep < ROCKY + SNOWY / (1 - SNOW) * high)
     found[white] = np.where(steep < EARTHY / 2, block("snow"), block("deep snow"))[white]
@@ -75,7 +79,7 @@ def profiles(kinds: np.ndarray, height: int, shifts: int) -> np.ndarray:
     layers = np.repeat([block(name) for name, _ in STRATA], [thick for _, thick in STRATA])
     level = np.arange(height)
     rock = layers[(level + np.arange(shifts)[:, None]) % len(layers)]
-    under = {"grass": "earth", "earth": "earth", "snow": "earth", "sand": "sand"}
+    under = {"grass": "earth", "path": "earth", "earth": "earth", "snow": "earth", "sand": "sand"}
     soils = {block(top): block(soil) for top, soil in under.items()}
     found = np.zeros((len(kinds), height + 1, shifts, height), np.uint8)
     for columns, kind in zip(found, kinds.tolist(), strict=True):

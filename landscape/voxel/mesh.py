@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.voxel.blocks import BLOCKS, PLANT_TILES, TILES
+from landscape.voxel.blocks import BLOCKS, PLANT_TILES, TILES, block
 from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, Shown, shown_in, visible_faces
-from landscape.voxel.tile_column import ROWS, WIDEST, first_row
+from landscape.voxel.tile_column import PLACES, ROWS, WIDEST, first_row
 
 VERTEX = np.dtype([("coordinate", "<f4", 2), ("colour", "u1", 4), ("position", "<f4", 3)])
 TURNS = (*(each.name for each in DIRECTIONS), "plants")  # how faces are turned
@@ -21,8 +21,10 @@ SETS = 3
 # Chosen: how much lighter or darker corners are with 0 to 3 blocks around them.
 SHADES = np.array([1.0, 0.80, 0.64, 0.52], np.float32)
 OVERLAP = 0.006  # blocks, chosen: of quads that are seen from nearby
-TINT_STEP = 0.22  # chosen: how far the noise changes the tint of natural blocks
-TINT_STEPS = tuple(np.float32(TINT_STEP * part) for part in (1.0, 0.50, 0.30))  # red, green, blue
+# Chosen: how far the noise changes the tint of natural blocks: red, green and blue. Grass goes from
+# lush to dry.
+TINT_STEP = np.array([0.22, 0.11, 0.07])
+GRASS_STEP = np.array([0.30, 0.05, 0.05])
 X_Z_Y = (0, 2, 1)  # where x, z and y are in a position
 # Corners of a quad as fractions along and across, in the order of the shades.
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
@@ -31,20 +33,23 @@ CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
 def face_tiles() -> np.ndarray:
     """Return the index in TILES of each block's faces, (blocks, 6) in order of DIRECTIONS."""
     found = np.zeros((len(BLOCKS), len(DIRECTIONS)), np.uint8)
-    for number, block in enumerate(BLOCKS):
-        if block.plant:
+    for number, kind in enumerate(BLOCKS):
+        if kind.plant:
             continue
-        side, bottom = block.side or block.top, block.bottom or block.top
+        side, bottom = kind.side or kind.top, kind.bottom or kind.top
         for k, direction in enumerate(DIRECTIONS):
-            name = {"up": block.top, "down": bottom}.get(direction.name, side)
+            name = {"up": kind.top, "down": bottom}.get(direction.name, side)
             found[number, k] = TILES.index(name)
     return found
 
 
+TIP = block("spruce tip")
 UP = [each.name for each in DIRECTIONS].index("up")
 FACE_TILES = face_tiles()
 TINTS = np.array([block.tint for block in BLOCKS], np.float32)
 NATURAL = np.array([block.natural for block in BLOCKS])
+GRASSY = np.array([block.top == "grass_top" for block in BLOCKS])
+STEPS = (NATURAL[:, None] * np.where(GRASSY[:, None], GRASS_STEP, TINT_STEP)).astype(np.float32)
 PLANT = np.array([block.plant for block in BLOCKS])
 PLANT_COLUMN = np.array([PLANT_TILES.index(each.top) if each.plant else 0 for each in BLOCKS])
 
@@ -110,14 +115,17 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
             (end + out).astype(np.float32)
             for end, out in ((low[axis], -look.overlap), (high[axis], look.overlap))
         ]
+        ends_of_tile = low[axis], high[axis]
         for corner in range(4):
             end = ends[int(corners[corner, s])]
             position[:, corner, X_Z_Y[axis]] = end
+            # The overlap shows no more of the tile: beyond its edge is its opposite side.
+            at = ends_of_tile[int(corners[corner, s])]
             if s:
-                row = top + (end - low[axis]) * (turned * look.repeat)
+                row = top + (at - low[axis]) * (turned * look.repeat)
                 coordinate[:, corner, s] = row * np.float32(1 / ROWS)
             else:
-                coordinate[:, corner, s] = end * look.repeat
+                coordinate[:, corner, s] = at * look.repeat
     # Which corners lie at the far end along x and z.
     far = {direction.along: corners[:, 0] > 0, direction.across: corners[:, 1] > 0}
     x, z = (
@@ -144,11 +152,12 @@ def colours(
     k = DIRECTIONS.index(faces.direction)
     tint = (TINTS * look.light[k, :3]).astype(np.float32)[faces.block]
     last_x, last_z = look.tint.shape[0] - 1, look.tint.shape[1] - 1
-    noise = look.tint[np.minimum(x, last_x), np.minimum(z, last_z)] * NATURAL[faces.block][:, None]
+    noise = look.tint[np.minimum(x, last_x), np.minimum(z, last_z)].astype(np.float32)
+    steps = STEPS[faces.block]
     dark = SHADES[shade]
     found = np.empty((len(faces), 4, 4), np.uint8)
-    for channel, strength in enumerate(TINT_STEPS):
-        value = tint[:, channel, None] * dark * (1 + strength * noise)
+    for channel in range(3):
+        value = tint[:, channel, None] * dark * (1 + steps[:, channel, None] * noise)
         found[..., channel] = np.minimum(value + np.float32(0.5), 255)
     found[..., 3] = round(255 * look.light[k, 3])
     return found
@@ -167,22 +176,29 @@ def brighter_diagonal(vertices: np.ndarray, shade: np.ndarray) -> np.ndarray:
     return vertices
 
 
+def shown_tiles(mesh: RegionMesh) -> np.ndarray:
+    """Return the index in TILES of each vertex of a mesh without plants, (m,)."""
+    return np.asarray(mesh.vertices["coordinate"][:, 1] * (ROWS / PLACES)).astype(np.intp)
+
+
 def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) -> np.ndarray:
     """Return two crossed quads (m, 4) for each plant in a region, blocks without an edge.
 
-    Plants do not stand in rows: each is moved a little from the middle of its block.
+    Plants do not stand in rows: each is moved a little from the middle of its block, except the tip
+    of a tree.
     """
     place = np.argwhere(PLANT[blocks])
     kinds = blocks[tuple(place.T)]
     place = place + np.array(origin)
     # A number from the place, so that a plant stays where it is when its region is built again.
     jitter = (place @ np.array([73, 151, 37]))[:, None] * np.array([0.61803, 0.75488])
-    middle = place[:, :2] + 0.5 + 0.5 * (jitter % 1.0 - 0.5)
+    moved = np.where(kinds == TIP, 0.0, 0.5)[:, None] * (jitter % 1.0 - 0.5)
+    middle = place[:, :2] + 0.5 + moved
     found = np.empty((len(place), 2, 4), VERTEX)
     column = PLANT_COLUMN[kinds]
     last = len(look.tint) - 1
     noise = look.tint[tuple(np.minimum(place[:, :2], last).T)][:, None]
-    tint = TINTS[kinds] * look.light[UP, :3] * (1.0 + TINT_STEP * noise * NATURAL[kinds][:, None])
+    tint = TINTS[kinds] * look.light[UP, :3] * (1.0 + STEPS[kinds] * noise)
     for quad, (dx, dz) in enumerate(((0.36, 0.36), (0.36, -0.36))):
         for corner, (side, top) in enumerate(((-1, 0), (1, 0), (1, 1), (-1, 1))):
             vertex = found[:, quad, corner]

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from landscape.voxel.blocks import SOLID
+from landscape.voxel.blocks import DENSITY
 from landscape.voxel.faces import (
     DIRECTIONS,
     EDGE,
@@ -107,13 +107,14 @@ def faces_again(
     place = [min([low[a], *(each.low[a] for each in every)]) for a in range(3)]
     end = [max([high[a], *(each.high[a] for each in every)]) for a in range(3)]
     blocks = world.around(place, end)
-    solid = SOLID[blocks]
+    density = DENSITY[blocks]
+    solid = density > 0
     steps = np.array(blocks.strides)
     around = tuple(slice(low[a] - place[a], high[a] - place[a] + 2 * EDGE) for a in range(3))
     found = []
     for some, direction in zip(rectangles, DIRECTIONS, strict=True):
         left = [part for each in some for part in remainders(each, low, high, direction)]
-        shown = np.argwhere(exposed(solid[around], direction)) + np.array(low)
+        shown = np.argwhere(exposed(density[around], direction)) + np.array(low)
         at = np.concatenate([shown, np.array([part.low for part in left], np.intp).reshape(-1, 3)])
         at -= np.array(place)
         sides = np.ones((len(at), 3), np.intp)

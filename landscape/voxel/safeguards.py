@@ -219,7 +219,7 @@ WATER: tuple[Safeguard, ...] = (
         flaw="The water mirrors sky and land, but not the sun, which is in no picture.",
         look="Look below the sun.",
         how="GL_DOT3_RGBA of a map of normals and of the half vector between sun and eye, which is "
-        "the vertex colour; a threshold and a square leave the glints.",
+        "the vertex colour; a threshold and a steep line leave the glints.",
         seen=("a sea without glints", "a sea with a path of glints towards the sun"),
     ),
 )

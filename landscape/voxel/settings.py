@@ -23,6 +23,7 @@ TIMES: dict[str, dict[str, Value]] = {
         "shadow.color": (0.58, 0.51, 0.62),
         "fog.color": (0.84, 0.61, 0.52),
         "water.color": (0.10, 0.13, 0.16),
+        "water.horizon": (0.46, 0.37, 0.44),
     },
 }
 
@@ -51,6 +52,12 @@ class Voxel:
     )
     occlusion: bool = setting(True, "chosen", "corners between blocks are darker")
     mipmaps: bool = setting(True, "chosen", "tiles have mip levels; off, far land is noisy")
+    crisp: bool = setting(
+        True, "Minecraft", "texels of tiles show one by one from nearby; off, they are smoothed"
+    )
+    holes: bool = setting(
+        True, "Minecraft", "one looks through between leaves; off, they are closed"
+    )
     facing: bool = setting(
         True, "ClassiCube", "faces that are turned away from the eye are not sent"
     )
@@ -138,6 +145,14 @@ class Water:
     sparkle: float = setting(1.0, PASSES, "how wide the sun's glints are", 0, 4)
     color: tuple[float, ...] = setting(
         (0.03, 0.20, 0.27), "chosen", "colour of deep water", 0, 1, unit="RGB"
+    )
+    horizon: tuple[float, ...] = setting(
+        (0.36, 0.55, 0.72),
+        "chosen",
+        "colour of the sea at the horizon, under haze",
+        0,
+        1,
+        unit="RGB",
     )
     clear: float = setting(
         9.0, "chosen", "depth from which nothing is seen any more", 0.1, 1000, unit=BLOCKS

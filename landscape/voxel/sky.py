@@ -5,7 +5,8 @@ cube map (GL_ARB_texture_cube_map, OpenGL 1.3). Unlike the island's sky box it n
 edges, and it is drawn after the land, where the depth buffer is still empty. Its six images are
 made from the island's pictures, which show the walls and the ceiling of a box half as high as wide.
 State used: GL_TEXTURE_CUBE_MAP, the depth function, the depth range.
-What is wrong with it: the clouds do not move, and below the horizon there is nothing but haze.
+Below the horizon it has the colour of the sea there, so that one sees where the sea ends.
+What is wrong with it: the clouds do not move.
 """
 
 import numpy as np
@@ -54,11 +55,12 @@ def sampled(picture: np.ndarray, s: np.ndarray, t: np.ndarray) -> np.ndarray:
 
 
 def sky_colours(
-    pictures: dict[str, np.ndarray], directions: np.ndarray, haze: np.ndarray
+    pictures: dict[str, np.ndarray], directions: np.ndarray, haze: np.ndarray, sea: np.ndarray
 ) -> np.ndarray:
     """Return the sky's colours (n, 3) in unit directions (n, 3): x east, y up, z south.
 
-    The ray meets either a wall of the pictures' box or its ceiling. Below the horizon is ``haze``.
+    The ray meets either a wall of the pictures' box or its ceiling. Towards the horizon they turn
+    into the colour ``haze`` (3,), and below it is that of the ``sea`` (3,).
     """
     x, y, z = directions.T
     reach = np.maximum(np.maximum(np.abs(x), np.abs(z)), 1e-9)
@@ -78,7 +80,13 @@ def sky_colours(
     s, t = ((each[at] / y[at] * HEIGHT + 1) / 2 for each in (x, z))
     found[at] = sampled(pictures["top"], s, t)
     clear = np.clip(y / BLEND, 0.0, 1.0)[:, None]
-    return found * clear + np.asarray(haze) * (1 - clear)
+    found = found * clear + np.asarray(haze) * (1 - clear)
+    return np.where((y < 0)[:, None], sea, found)
+
+
+def colours(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the cube map is made of."""
+    return settings.sky, settings.fog.color, settings.water.horizon
 
 
 class Sky:
@@ -98,17 +106,18 @@ class Sky:
         prefix = {"day": "sky_"}.get(settings.sky.set, f"sky_{settings.sky.set}_")
         paths = {name: self._assets.path(f"{prefix}{name}.png") for name in PICTURES}
         haze = 255.0 * np.array(settings.fog.color)
+        sea = 255.0 * np.array(settings.water.horizon)
 
         def make() -> tuple[np.ndarray]:
             pictures = {name: read_image(path, "RGB") for name, path in paths.items()}
             faces = np.empty((6, SIDE, SIDE, 3), np.uint8)
             for face, directions in zip(faces, face_directions(SIDE), strict=True):
-                colours = sky_colours(pictures, directions.reshape(-1, 3), haze)
+                colours = sky_colours(pictures, directions.reshape(-1, 3), haze, sea)
                 face[:] = (colours + 0.5).astype(np.uint8).reshape(SIDE, SIDE, 3)
             return (faces,)
 
         pixels = [content(path) for path in paths.values()]
-        return recall(["voxel sky", haze.tobytes(), *pixels], make)[0]
+        return recall(["voxel sky", haze.tobytes(), sea.tobytes(), *pixels], make)[0]
 
     def draw(self, frame: Frame) -> None:
         """Draw the sky where nothing else is, mirrored or not as the modelview matrix is."""
@@ -129,8 +138,7 @@ class Sky:
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings, with another cube map for another sky; InputError for its pictures."""
-        now, then = self.settings, settings
-        if self._map is not None and (now.sky, now.fog.color) != (then.sky, then.fog.color):
+        if self._map is not None and colours(settings) != colours(self.settings):
             other = CubeMap(self._faces(settings), mipmaps=False)
             self._map.release()
             self._map = other

@@ -12,7 +12,7 @@ import numpy as np
 from landscape.voxel.blocks import TILES
 from landscape.voxel.tiles import SIDE
 
-ROWS = 128  # tiles one above the other, chosen: 8192 texels, which is as many as most allow
+ROWS = 256  # tiles one above the other, chosen: 8192 texels, which is as many as most allow
 PLACES = ROWS // len(TILES)  # in the column, for each tile
 WIDEST = PLACES - 1  # blocks: how wide a face may be; half a tile more is above it and below
 
@@ -23,8 +23,13 @@ def first_row(tile: np.ndarray) -> np.ndarray:
 
 
 def column(pictures: list[np.ndarray]) -> np.ndarray:
-    """Return the column, uint8 (ROWS * SIDE, SIDE, 3), of the pictures (SIDE, SIDE, 3) of TILES."""
-    found = np.zeros((ROWS, SIDE, SIDE, 3), np.uint8)
+    """Return the column, uint8 (ROWS * SIDE, SIDE, 4), of the pictures of TILES.
+
+    They are (SIDE, SIDE, 3), or 4 if they have holes.
+    """
+    found = np.full((ROWS, SIDE, SIDE, 4), 255, np.uint8)
     for tile, picture in enumerate(pictures):
-        found[tile * PLACES : (tile + 1) * PLACES] = np.roll(picture, SIDE // 2, axis=0)
-    return found.reshape(-1, SIDE, 3)
+        found[tile * PLACES : (tile + 1) * PLACES, ..., : picture.shape[2]] = np.roll(
+            picture, SIDE // 2, axis=0
+        )
+    return found.reshape(-1, SIDE, 4)

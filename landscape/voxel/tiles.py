@@ -5,9 +5,9 @@ import numpy as np
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
-from landscape.voxel.blocks import PLANT_TILES, TILES
+from landscape.voxel.blocks import HOLED, PLANT_TILES, TILES
 
-SIDE = 64  # chosen: texels per side of a tile
+SIDE = 32  # chosen: texels per side of a tile
 RIPPLES_SIDE = 128  # chosen
 FILE, PLANTS_FILE, RIPPLES_FILE = "voxel_tiles.png", "voxel_plants.png", "voxel_ripples.png"
 
@@ -15,11 +15,14 @@ FILE, PLANTS_FILE, RIPPLES_FILE = "voxel_tiles.png", "voxel_plants.png", "voxel_
 def tiles(assets: Assets) -> dict[str, np.ndarray]:
     """Return the tiles of TILES by name, each uint8 (SIDE, SIDE, 3), row 0 the upper edge.
 
-    InputError names a file that is missing or not a strip of that many tiles.
+    Those of HOLED have a fourth channel, 0 in their holes. InputError names a file that is missing
+    or not a strip of that many tiles.
     """
-    strip = _strip(assets, FILE, "RGB", SIDE, SIDE * len(TILES))
-    parts = np.split(strip, len(TILES))
-    return {name: np.ascontiguousarray(part) for name, part in zip(TILES, parts, strict=True)}
+    strip = _strip(assets, FILE, "RGBA", SIDE, SIDE * len(TILES))
+    parts = zip(TILES, np.split(strip, len(TILES)), strict=True)
+    return {
+        name: np.ascontiguousarray(part if name in HOLED else part[..., :3]) for name, part in parts
+    }
 
 
 def plants(assets: Assets) -> np.ndarray:

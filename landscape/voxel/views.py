@@ -13,12 +13,12 @@ VIEWS = {
     view.name: replace(view, shown=STANDING)
     for view in (
         View("voxel_bay", "the sea dragon in the bay", Pose(13.8, 1.2, 31.4, 345.0, 3.0), 20.0),
-        View("voxel_castle", "the castle on its hill", Pose(28.2, 3.75, 20.9, 317.0, 5.0), 20.0),
+        View("voxel_castle", "the castle on its hill", Pose(26.9, 3.7, 20.6, 330.0, 5.0), 20.0),
         View("voxel_cliff", "the mountain and its beacon", Pose(9.0, 3.6, 16.5, 15.0, 5.0), 20.0),
         View("voxel_water", "through clear water one sees the ground, in it the shore",
              Pose(16.7, 1.25, 32.9, 146.0, -15.0), 20.0),
         View("voxel_forest", "a glade in the forest below the mountain",
-             Pose(15.5, 1.75, 22.6, 8.0, 2.0), 20.0),
+             Pose(18.95, 1.7, 24.6, 8.0, 3.0), 20.0),
         View("voxel_regions", "the regions' boxes, culled ones red; the frustum from outside",
              Pose(20.3, 4.6, 27.2, 12.0, -18.0), 20.0, settings={"debug.regions": True}),
     )

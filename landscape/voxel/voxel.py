@@ -254,7 +254,10 @@ class Voxel(Played, Ground):
         begin_pass("reflection")
         with drawing("water"):
             images.draw_reflection(
-                frame.viewport, level, lambda mirror: self._draw_mirrored(frame, clip @ mirror)
+                frame.viewport,
+                level,
+                block,
+                lambda mirror: self._draw_mirrored(frame, clip @ mirror),
             )
         begin_pass("refraction")
         with drawing("water"):

@@ -38,14 +38,16 @@ from landscape.voxel.water_images import WaterImages
 from landscape.voxel.world import BELOW
 
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
-RIPPLE_SIZE = 0.9  # units, chosen: the side of the map of normals on the water
+RIPPLE_SIZE = 1.3  # units, chosen: the side of the map of normals on the water
 PICTURES = (*water_images.NEEDS, COMBINE)
 BY_ANGLE = (cube_map.NEED, CROSSBAR)
 GLINTS = (Need((1, 3), ("GL_ARB_texture_env_dot3", "GL_EXT_texture_env_dot3")),)
 EVEN = 0.4  # chosen: how much is mirrored at all angles, where Fresnel's term is not known
 PLAIN = 0.8  # chosen: alpha of water that is a plain colour
 STEEPER = 2.2  # times, chosen: the ripples' slopes; gentle ones would all glint at once
-NARROW = 0.095  # chosen: how far below 1 the cosine may be for a ripple to glint
+NARROW = 0.032  # chosen: how far below 1 the cosine may be for a ripple to glint
+SHARES = (0.4, 0.5, 0.6)  # chosen: of long, middling and short waves in the ripples
+SHARPER = -1.0  # mip levels, chosen: farther away ripples would be too level to glint
 DRIFT = 0.0011  # chosen: units per kt by which it moves
 
 
@@ -71,7 +73,8 @@ class Water:
             faces = fresnel_faces(settings.water.fresnel, settings.water.by_angle)
             self._fresnel = CubeMap(faces, mipmaps=False)
         if possible("water.sparkle", GLINTS, 4):
-            self._normals = Texture(steepened(ripples(assets), STEEPER))
+            normals = steepened(finer(ripples(assets)), STEEPER)
+            self._normals = Texture(normals, lod_bias=SHARPER)
 
     @property
     def level(self) -> float:
@@ -102,17 +105,22 @@ class Water:
             ways.insert(0, flat[:, [0, 2]] / RIPPLE_SIZE + drift)
         if self._fresnel:
             ways.append(flat - frame.eye)
-        groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT
+        groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT | gl.GL_FOG_BIT
         with attrib(groups), self._projected(clip), arrays(flat, half, ways):
             self._combine()
+            gl.glFogfv(gl.GL_FOG_COLOR, np.array([*values.horizon, 1.0], np.float32))
             gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
     def _draw_plain(self, points: np.ndarray) -> None:
         """Draw the water as a blended colour."""
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
-        with attrib(groups), client_arrays(np.ascontiguousarray(points, np.float32)):
+        with (
+            attrib(groups | gl.GL_FOG_BIT),
+            client_arrays(np.ascontiguousarray(points, np.float32)),
+        ):
             gl.glEnable(gl.GL_BLEND)
+            gl.glFogfv(gl.GL_FOG_COLOR, np.array([*self.settings.water.horizon, 1.0], np.float32))
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             gl.glColor4f(*self.settings.water.color, PLAIN)
             gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
@@ -154,7 +162,7 @@ class Water:
         gl.glActiveTexture(self._unit(1))
         gl.glEnable(gl.GL_TEXTURE_2D)
         images.refraction.bind()
-        # What remains of the alpha above a threshold, four times as much; then the same squared.
+        # What remains of the alpha above a threshold, four times as much; unit 2 makes it 32 times.
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"})
         combine({"COMBINE_ALPHA": "SUBTRACT", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "CONSTANT"})
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
@@ -170,7 +178,7 @@ class Water:
         even = min(EVEN * self.settings.water.fresnel, 1.0)
         constant = np.array([0.0, 0.0, 0.0, even], np.float32)
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
-        combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "PREVIOUS"})
+        combine({"COMBINE_ALPHA": "ADD", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "PREVIOUS"})
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
         if not (self._fresnel or self._normals):
             return
@@ -201,6 +209,26 @@ class Water:
         for owned in (self.images, self.query, self._normals, self._fresnel):
             if owned is not None:
                 owned.release()
+
+
+def finer(normals: np.ndarray) -> np.ndarray:
+    """Return a map of normals, uint8 (2 n, 2 n, 3), with shorter waves, too, than one (n, n, 3).
+
+    It is the map at twice its size, and across that the same map once and at a third of its size.
+    So glints are small points near the eye, and the pattern does not repeat sooner.
+    """
+    decoded = normals / 127.5 - 1.0
+    slope = decoded[..., :2] / decoded[..., 2:]
+    at = np.arange(2 * len(slope))
+    rows = (slope[at // 2] + slope[(at + 1) // 2 % len(slope)]) / 2
+    wide = (rows[:, at // 2] + rows[:, (at + 1) // 2 % len(slope)]) / 2
+    across = np.moveaxis(slope, 0, 1)[..., ::-1]
+    own, small = (across[np.ix_(times * at % len(slope), times * at % len(slope))]
+                  for times in (1, 3))  # fmt: skip
+    total = np.tensordot(SHARES, np.stack([wide, own, small]), 1)
+    found = np.concatenate([total, np.ones((*total.shape[:2], 1))], axis=2)
+    found /= np.linalg.norm(found, axis=-1, keepdims=True)
+    return np.rint((found + 1.0) * 127.5).astype(np.uint8)
 
 
 def steepened(normals: np.ndarray, times: float) -> np.ndarray:

@@ -26,6 +26,9 @@ from landscape.voxel.region_buffer import FOG_COORDINATES
 from landscape.voxel.settings import Water
 
 NEEDS = texture_target.NEEDS
+# Blocks, chosen: so far below the water's level the mirrored land goes on. Ripples at the shore
+# show it, not a light line of sky. No block's top is so near below the water.
+MIRRORED_BELOW = 0.5
 FLATTER = 0.75  # 1 / 1.33: how much nearer to the surface things under water look from above
 
 
@@ -72,15 +75,22 @@ class WaterImages:
         return TextureTarget(size)
 
     def draw_reflection(
-        self, viewport: tuple[int, int], level: float, draw: Callable[[np.ndarray], None]
+        self,
+        viewport: tuple[int, int],
+        level: float,
+        block: float,
+        draw: Callable[[np.ndarray], None],
     ) -> None:
-        """Draw what the water mirrors: ``draw`` is called under the mirror matrix, and with it."""
+        """Draw what the water mirrors: ``draw`` is called under the mirror matrix, and with it.
+
+        ``block`` is a cube's side in units.
+        """
         self.reflection = self._target(self.reflection, viewport)
         with self.reflection.drawing(), matrix(), attrib(gl.GL_POLYGON_BIT):
             mirror = about(level, -1.0)
             gl.glMultMatrixf(np.ascontiguousarray(mirror.T, np.float32))
             gl.glFrontFace(gl.GL_CW)
-            with clipped(level, above=True):
+            with clipped(level - MIRRORED_BELOW * block, above=True):
                 draw(mirror)
 
     def draw_refraction(

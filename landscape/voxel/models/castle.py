@@ -19,6 +19,8 @@ WALK = FLOOR + 8  # the first free level above the wall-walk
 WEST, EAST, NORTH, SOUTH = 4, 32, 8, 34  # the middle of each curtain wall
 GATE = 15  # x of the western of the gate passage's three columns
 STEPS = 7  # steps down in front of the gate
+# From the middle of the plan to where the steps in front of the gate end, x and z.
+DOORSTEP = (GATE + 1 - PLAN[0] // 2, SOUTH + 4 + STEPS - PLAN[1] // 2)
 TALL = 56  # levels of room to build in
 
 # x, z, radius of the room with its wall, blocks of wall above the wall-walk, height of the cone.

@@ -9,7 +9,7 @@ KEEP = (18, 11)  # x and z of its north-western corner
 SIDE = (12, 12)  # outer size along x and z; the walls are two blocks thick
 DOOR = 7  # from the western side to the door in the south
 HEIGHT = 21  # from the court to its top
-HALL = (8, 11, 8, 7)  # x, z and size of the hall
+HALL = (8, 11, 10, 7)  # x, z and size of the hall, which ends at the keep's wall
 
 
 def keep(model: np.ndarray, floor: int) -> None:
@@ -134,16 +134,16 @@ def hall(model: np.ndarray, floor: int) -> None:
         gable = slice(rows[0] + 1, rows[1])
         model[x : x + wide, gable, floor + 5 + step] = block("brick")
         for row in rows:
-            model[x - 1 : x + wide + 1, row, floor + 4 + step : floor + 6 + step] = block("slate")
+            model[x - 1 : x + wide, row, floor + 4 + step : floor + 6 + step] = block("slate")
     inside = (slice(x + 1, x + wide - 1), slice(z + 1, z + deep - 1))
     model[(*inside, slice(floor, floor + 5))] = 0
     model[(*inside, slice(floor - 1, floor))] = block("planks")
     south = z + deep - 1
     model[x + 3 : x + 5, south, floor : floor + 3] = 0
-    for cx in (x + 1, x + 6):
+    for cx in (x + 1, x + wide - 3):
         model[cx, south, floor + 2 : floor + 4] = block("lamp")
     model[x + 3 : x + 5, z, floor + 2 : floor + 4] = block("dark")
     model[x + wide // 2, z + deep // 2, floor + 4] = block("lamp")
-    model[x + 1 : x + 6, z + 1, floor] = block("planks")
+    model[x + 2 : x + 7, z + 1, floor] = block("planks")
     # The chimney.
-    model[x + wide - 2, z + 1, floor : floor + 11] = block("dark brick")
+    model[x + 1, z + 1, floor : floor + 11] = block("dark brick")

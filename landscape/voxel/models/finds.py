@@ -8,7 +8,7 @@ chosen, in blocks.
 import numpy as np
 
 from landscape.voxel.blocks import block
-from landscape.voxel.models.shapes import disc, line
+from landscape.voxel.models.shapes import blob, disc, line
 
 FLOOR = 4  # the level of the ground in the ruin, the stone circle, the beacon and the well
 DECK = 6  # the level just above the sea in the jetty, whose posts go below it
@@ -149,6 +149,16 @@ def beacon() -> np.ndarray:
     model[4:7, 4:7, FLOOR + 9 : FLOOR + 11] = block("lamp")
     for step, wide in enumerate((3.6, 2.9, 2.2, 1.5, 0.5)):
         model[..., FLOOR + 12 + step][disc(plan, middle, wide)] = block("slate")
+    return model
+
+
+def boulder(rng: np.random.Generator) -> np.ndarray:
+    """Return a boulder of one to a dozen blocks, sunk a block into the ground."""
+    model = np.zeros((7, 7, 4), np.uint8)
+    size = rng.uniform(0.7, 1.8)
+    for _ in range(2):
+        x, z = 3 + rng.uniform(-0.7, 0.7, 2)
+        blob(model, (x, z, 1.0), (size, size * rng.uniform(0.7, 1.0), 0.8 * size), block("rock"))
     return model
 
 

@@ -12,14 +12,17 @@ from landscape.voxel.materials import variation
 # All chosen. Kind, size of its patches in columns, how much of the land they cover, how densely it
 # grows in them.
 PLANTS = (
-    ("tall grass", 22.0, 0.45, 0.20),
-    ("fern", 16.0, 0.12, 0.16),
-    ("heather", 26.0, 0.12, 0.30),
-    ("buttercup", 18.0, 0.14, 0.13),
-    ("cornflower", 15.0, 0.10, 0.13),
-    ("poppy", 17.0, 0.13, 0.16),
+    ("tall grass", 15.0, 0.32, 0.34),
+    ("fern", 12.0, 0.07, 0.28),
+    ("heather", 18.0, 0.07, 0.42),
+    ("buttercup", 12.0, 0.07, 0.28),
+    ("cornflower", 11.0, 0.06, 0.28),
+    ("poppy", 12.0, 0.07, 0.32),
+    ("daisies", 10.0, 0.08, 0.28),
+    ("bush", 26.0, 0.12, 0.03),
 )
-SPARSE = 0.012  # chosen: how many of the other columns have grass
+REEDS = ("reeds", 13.0, 0.2, 0.30)  # the same, of the shore
+SPARSE = 0.008  # chosen: how many of the other columns have grass
 GROVE = 46.0  # columns, size of the largest groves, chosen
 WOODED = 0.34  # fraction of the places that groves cover, chosen
 SPACING = {"oak": 7.5, "birch": 5.0, "spruce": 6.0, "hawthorn": 6.0}  # columns, chosen
@@ -35,14 +38,27 @@ def plants(places: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     side = len(places)
     found = np.zeros(places.shape, np.uint8)
     found[rng.random(places.shape) < SPARSE] = block("tall grass")
-    for name, size, cover, density in PLANTS:
-        field = variation(side, size, rng)
-        edge = np.quantile(field, 1 - cover)
-        # Denser towards the middle of a patch, so that it thins out at its border.
-        inside = np.clip((field - edge) / max(float(field.max()) - edge, 1e-6), 0, 1)
-        found[rng.random(places.shape) < density * 2 * inside**0.7] = block(name)
+    for kind in PLANTS:
+        found[_patches(side, kind, rng)] = block(kind[0])
     found[~places] = 0
     return found
+
+
+def reeds(places: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """Return in which of the ``places`` (n, n) on the shore reeds grow, bool."""
+    return np.asarray(places & _patches(len(places), REEDS, rng))
+
+
+def _patches(
+    side: int, kind: tuple[str, float, float, float], rng: np.random.Generator
+) -> np.ndarray:
+    """Return the columns (side, side) of a kind of PLANTS, bool."""
+    _, size, cover, density = kind
+    field = variation(side, size, rng)
+    edge = np.quantile(field, 1 - cover)
+    # Denser towards the middle of a patch, so that it thins out at its border.
+    inside = np.clip((field - edge) / max(float(field.max()) - edge, 1e-6), 0, 1)
+    return np.asarray(rng.random(field.shape) < density * 2 * inside**0.7)
 
 
 def forest(

@@ -1,8 +1,8 @@
 """Trees: oak, birch, spruce and hawthorn, no two alike.
 
-A crown is a handful of flattened blobs around branches, with the underside cut flat, so that one
-sees the trunk and the branches below it; a few blocks are broken out of its corners. All sizes are
-chosen, in blocks.
+A crown is a handful of flattened masses around the ends of branches, apart enough to let one see
+the sky between them, and the trunk and the branches below; at their edges they thin out. All sizes
+are chosen, in blocks.
 """
 
 from collections.abc import Callable
@@ -33,84 +33,103 @@ def tree(kind: str, rng: np.random.Generator) -> np.ndarray:
 
 
 def _oak(model: np.ndarray, rng: np.random.Generator) -> None:
-    """A round, broad crown in several masses; big ones fork into branches that show."""
+    """A broad crown of several masses at the ends of branches, with the sky between them."""
     log, leaves = block("oak log"), block("oak leaves")
     big = rng.random() < BIG
-    trunk = int(rng.integers(4, 6)) if big else int(rng.integers(3, 5))
-    reach, size = (4.4, 2.9) if big else (1.9, 2.35)
+    trunk = int(rng.integers(4, 7)) if big else int(rng.integers(3, 6))
     line(model, (MIDDLE, MIDDLE, 0), (MIDDLE, MIDDLE, trunk + 2), log)
     if big:
         model[MIDDLE : MIDDLE + 2, MIDDLE : MIDDLE + 2, : trunk + 1] = log
-    limbs = 5 if big else 4
+    limbs = int(rng.integers(5, 7)) if big else int(rng.integers(3, 6))
     turn = rng.random() * 2 * np.pi
     for number in range(limbs):
-        angle = turn + 2 * np.pi * (number + 0.25 * rng.random()) / limbs
-        far = reach * rng.uniform(0.75, 1.05)
+        angle = turn + 2 * np.pi * (number + rng.uniform(-0.2, 0.2)) / limbs
+        far = (4.6 if big else 2.8) * rng.uniform(0.7, 1.1)
+        size = (2.5 if big else 1.9) * rng.uniform(0.75, 1.15)
         x, z = MIDDLE + far * np.cos(angle), MIDDLE + far * np.sin(angle)
-        y = trunk + rng.uniform(1.2, 3.2 if big else 2.4)
+        y = trunk + rng.uniform(0.2, 3.6 if big else 2.4)
         line(model, (MIDDLE, MIDDLE, trunk - int(rng.integers(0, 2))), (x, z, y), log)
-        blob(model, (x, z, y + 0.6), (size, size, size * 0.62), leaves)
-    top = trunk + (4.2 if big else 3.2)
-    blob(model, (MIDDLE, MIDDLE, top), (size + 0.5, size + 0.5, size * 0.85), leaves)
-    _break(model, leaves, rng, 0.30)
+        blob(model, (x, z, y + 0.9), (size, size, 0.8 * size), leaves, 2.0)
+    x, z = MIDDLE + rng.uniform(-0.8, 0.8, 2)
+    size = rng.uniform(2.8, 3.4) if big else rng.uniform(2.1, 2.8)
+    blob(model, (x, z, trunk + (4.8 if big else 3.6)), (size, size, 0.85 * size), leaves, 2.0)
+    _thin(model, leaves, rng, 0.4)
 
 
 def _birch(model: np.ndarray, rng: np.random.Generator) -> None:
-    """Slender and light: a narrow crown in uneven steps, with twigs that hang from it."""
+    """Slender and light: small clumps around a trunk that shows, with twigs that hang from them."""
     log, leaves = block("birch log"), block("birch leaves")
-    height = int(rng.integers(7, 11))
+    height = int(rng.integers(7, 13))
     model[MIDDLE, MIDDLE, :height] = log
     low = int(rng.integers(3, 5))
-    side = rng.uniform(-0.35, 0.35, 2)
-    for y in range(low, height + 2):
-        up = (y - low) / (height + 1 - low)
-        radius = 0.7 + 1.45 * np.sin(np.pi * min(0.16 + 0.84 * up, 0.97)) + rng.uniform(-0.25, 0.3)
-        x, z = MIDDLE + side + rng.uniform(-0.35, 0.35, 2)
-        blob(model, (x, z, y), (radius, radius, 0.6), leaves, 2.0)
-    model[MIDDLE, MIDDLE, height - 1 : height + 2] = leaves
-    _break(model, leaves, rng, 0.32)
+    turn = rng.random() * 2 * np.pi
+    clumps = int(round((height - low) * 0.9))
+    for number in range(clumps):
+        up = number / max(clumps - 1, 1)
+        # Clumps go around the trunk by about a third of a turn each, widest below the middle.
+        angle = turn + 2.2 * number + rng.uniform(-0.4, 0.4)
+        far = (0.4 + 1.0 * np.sin(np.pi * min(0.25 + 0.7 * up, 0.95))) * rng.uniform(0.7, 1.1)
+        x, z = MIDDLE + far * np.cos(angle), MIDDLE + far * np.sin(angle)
+        y = low + up * (height - low)
+        size = 1.85 - 0.45 * up
+        blob(model, (x, z, y), (size, size, 1.1), leaves, 2.0)
+    model[MIDDLE, MIDDLE, height : height + 2] = leaves
+    _thin(model, leaves, rng, 0.25)
     # Twigs hang one or two blocks from the outermost leaves.
-    for x, z, y in _undersides(model, leaves, rng, 4):
+    for x, z, y in _undersides(model, leaves, rng, 5):
         model[x, z, max(y - int(rng.integers(1, 3)), 2) : y] = leaves
 
 
 def _spruce(model: np.ndarray, rng: np.random.Generator) -> None:
-    """A cone in tiers: each is a wide layer below a narrower one, and there is a tip."""
+    """A slender cone: wide whorls of branches with the trunk between them, up to a pointed tip."""
     log, needles = block("spruce log"), block("spruce needles")
-    tiers = int(rng.integers(3, 6))
-    y = int(rng.integers(1, 3))
-    widest = 1.5 + 0.55 * tiers + rng.uniform(-0.2, 0.3)
-    for tier in range(tiers):
-        radius = widest * (1 - 0.78 * tier / tiers)
-        for part, high in ((1.0, 1), (0.62, 1 + (tier % 2 == 0 and tiers < 5))):
-            for level in range(y, y + high):
-                x, z = np.ogrid[: ROOM[0], : ROOM[1]]
-                dx, dz = np.abs(x - MIDDLE), np.abs(z - MIDDLE)
-                r = max(radius * part, 0.8)
-                plan = (dx + dz <= 1.28 * r) & (np.maximum(dx, dz) <= r)
-                model[..., level][plan] = needles
-            y += high
-    model[MIDDLE, MIDDLE, :y] = log
-    model[MIDDLE, MIDDLE, y - 3 : y + 2] = needles
-    _break(model, needles, rng, 0.22)
+    x, z = np.ogrid[: ROOM[0], : ROOM[1]]
+    dx, dz = np.abs(x - MIDDLE), np.abs(z - MIDDLE)
+    whorls = int(rng.integers(3, 6))
+    y = int(rng.integers(1, 4))
+    for whorl in range(whorls):
+        wide = 0.8 + (whorls - whorl) * rng.uniform(0.62, 0.85)
+        for part in (1.0, 0.66, 0.2):
+            r = max(wide * part, 1.0 if part > 0.5 else 0.0)
+            plan = (dx + dz <= 1.35 * r) & (np.maximum(dx, dz) <= r)
+            model[..., y][plan] = needles
+            y += 1
+    _thin(model, needles, rng, 0.3)
+    model[MIDDLE, MIDDLE, : y - 4] = log
+    model[MIDDLE, MIDDLE, y - 4 : y] = needles
+    model[MIDDLE, MIDDLE, y] = block("spruce tip")
 
 
 def _hawthorn(model: np.ndarray, rng: np.random.Generator) -> None:
-    """Low and wide on two crooked stems; half of them are in blossom, in clouds on the top."""
+    """Low and wide on crooked stems; half of them are in blossom, in clouds on the top."""
     log, leaves = block("hawthorn log"), block("hawthorn leaves")
     turn = rng.random() * 2 * np.pi
+    tall = rng.uniform(2.2, 3.6)
     model[MIDDLE, MIDDLE, :2] = log
-    for number in range(3):
-        angle = turn + 2 * np.pi * (number + 0.3 * rng.random()) / 3
-        far = rng.uniform(1.5, 2.4)
+    stems = int(rng.integers(2, 5))
+    for number in range(stems):
+        angle = turn + 2 * np.pi * (number + 0.3 * rng.random()) / stems
+        far = rng.uniform(1.4, 2.8)
         x, z = MIDDLE + far * np.cos(angle), MIDDLE + far * np.sin(angle)
-        y = rng.uniform(2.6, 3.6)
+        y = tall + rng.uniform(-0.4, 0.8)
         line(model, (MIDDLE, MIDDLE, 1), (x, z, y), log)
-        blob(model, (x, z, y + 0.5), (2.2, 2.2, 1.25), leaves)
-    blob(model, (MIDDLE, MIDDLE, 4.1), (2.3, 2.3, 1.5), leaves)
-    _break(model, leaves, rng, 0.3)
+        size = rng.uniform(1.5, 2.2)
+        blob(model, (x, z, y + 0.6), (size, size, 0.75 * size), leaves, 2.0)
+    blob(model, (MIDDLE, MIDDLE, tall + 1.3), (1.8, 1.8, 1.4), leaves, 2.0)
+    _thin(model, leaves, rng, 0.35)
     if rng.random() < 0.5:
         _blossom(model, leaves, rng)
+
+
+def bush(rng: np.random.Generator) -> np.ndarray:
+    """Return a bush of a few blocks of leaves that stands on the ground, uint8 [x, z, y]."""
+    model = np.zeros((7, 7, 3), np.uint8)
+    leaves = block(str(rng.choice(["oak leaves", "hawthorn leaves", "birch leaves"])))
+    for _ in range(int(rng.integers(1, 4))):
+        x, z = 3 + rng.uniform(-1.2, 1.2, 2)
+        size = rng.uniform(0.7, 1.3)
+        blob(model, (x, z, 0.0), (size, size, rng.uniform(0.6, 1.3)), leaves, 2.0)
+    return model
 
 
 def _blossom(model: np.ndarray, leaves: int, rng: np.random.Generator) -> None:
@@ -136,10 +155,11 @@ def _neighbours(cells: np.ndarray) -> np.ndarray:
     return counts
 
 
-def _break(model: np.ndarray, leaves: int, rng: np.random.Generator, chance: float) -> None:
-    """Take away some of the leaves that have three neighbours or fewer: corners, never logs."""
-    corners = (model == leaves) & (_neighbours(model > 0) <= 3)
-    model[corners & (rng.random(model.shape) < chance)] = 0
+def _thin(model: np.ndarray, leaves: int, rng: np.random.Generator, chance: float) -> None:
+    """Take away leaves at the edge of a crown, never logs: more of them the fewer neighbours."""
+    for fewest, share in ((4, 0.3), (3, 1.0)):
+        edge = (model == leaves) & (_neighbours(model > 0) <= fewest)
+        model[edge & (rng.random(model.shape) < share * chance)] = 0
 
 
 def _undersides(
