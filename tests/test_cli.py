@@ -270,6 +270,18 @@ def test_settings_takes_a_group_part_of_a_key_or_a_word(
     assert [row["key"] for row in shell("settings", word, "--json").json()] == wanted
 
 
+def test_settings_of_the_software_flyover_are_listed_by_their_groups(shell: Shell) -> None:
+    done = shell("settings", "flyover", "--json", "--set", "flyover.mode=filled")
+    by = {row["key"]: row for row in done.json()}
+    assert by["flyover.mode"]["value"] == "filled" and by["flyover.mode"]["scene"] == "flyover"
+    assert by["flyover.colours"]["presets"] == {"document": "plain", "best": "height"}
+    assert "flyover.mode is filled" in by["flyover.hidden_lines"]["ignored"]
+    text = shell("settings", "filled", "--preset", "document").out
+    assert "filled.clouds" in text and "now ignored while flyover.mode is lines" in text
+    wrong = shell("settings", "flyover", "--set", "flyover.mode=walls")
+    assert (wrong.status, wrong.out) == (2, "") and "flyover.mode: expected" in wrong.err
+
+
 def test_settings_refuses_an_unknown_word_with_the_groups(shell: Shell) -> None:
     done = shell("settings", "treacle")
     assert (done.status, done.out) == (2, "") and done.err.count("\n") == 1

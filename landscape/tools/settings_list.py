@@ -7,10 +7,30 @@ from typing import Any
 from landscape import keys
 from landscape.conditions import WALK, conditions, ignored, in_words, terms, value_text
 from landscape.errors import InputError
+from landscape.flyover import settings as flyover
 from landscape.scene import SCENES, Scene, check_options, scene
 
 WIDTH = 80  # columns of the narrowest terminal
 Row = dict[str, Any]
+
+
+class Flyover:
+    """The software fly-over: it has settings as a scene has, but there are no views of it."""
+
+    name, elements = "flyover", ()
+    settings, presets = flyover.Settings(), flyover.PRESETS
+
+    def values(self, name: str | None, changes: Mapping[str, Any] | None = None) -> Any:
+        """Return the settings of a preset (None: the default) with changes."""
+        chosen = keys.preset(self.settings, self.presets, name or flyover.BEST)
+        return keys.with_settings(chosen, changes or {})
+
+    def groups(self) -> tuple[str, ...]:
+        """Return the names of the groups of its settings."""
+        return tuple(dict.fromkeys(key.partition(".")[0] for key in keys.fields(flyover.Settings)))
+
+
+FLYOVER = Flyover()
 
 
 def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list[Row]:
@@ -18,9 +38,13 @@ def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list
 
     A key that several scenes have is listed once, with the first; ``scenes`` are the values of the
     others.
-    ``word`` is a group, part of a key, or a word of what a setting does; "" means all. Raises
+    ``word`` is a group, part of a key, or a word of what a setting does; "" means all. The groups
+    of the software fly-over, which no view has, are listed when they are asked for by name. Raises
     InputError if it is none of these, and for a change that no scene accepts.
     """
+    if word in FLYOVER.groups():
+        FLYOVER.values(preset, changes)  # which raises for a key that it does not have
+        return [row for row in _rows_of(FLYOVER, preset, changes) if _group(row) == word]
     check_options(preset, changes, None)
     listed: dict[str, Row] = {}
     for name in SCENES:
@@ -29,20 +53,26 @@ def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list
             if first is not row:
                 first["scenes"][name] = row["value"]
     found = list(listed.values())
-    groups = list(dict.fromkeys(row["key"].split(".")[0] for row in found))
+    groups = list(dict.fromkeys(map(_group, found)))
     if word in groups:
-        return [row for row in found if row["key"].split(".")[0] == word]
+        return [row for row in found if _group(row) == word]
     sought = word.lower()
     kept = [row for row in found if sought in row["key"] or sought in row["does"].lower()]
     if not kept:
         raise InputError(
             f"settings {word!r}: expected part of a key, a word of a description, or a group: "
-            f"{', '.join(groups)}"
+            f"{', '.join((*groups, *FLYOVER.groups()))}"
         )
     return kept
 
 
-def _rows_of(kind: Scene, preset: str | None, changes: Mapping[str, Any]) -> Iterator[Row]:
+def _group(row: Row) -> str:
+    return str(row["key"].partition(".")[0])
+
+
+def _rows_of(
+    kind: Scene | Flyover, preset: str | None, changes: Mapping[str, Any]
+) -> Iterator[Row]:
     current, _ = keys.current_names(kind.settings, changes)
     own = {key: v for key, v in current.items() if key in keys.fields(type(kind.settings))}
     values = kind.values(preset if preset in kind.presets else None, own)
@@ -60,11 +90,15 @@ def _rows_of(kind: Scene, preset: str | None, changes: Mapping[str, Any]) -> Ite
         }
 
 
+def _named(name: str) -> Scene | Flyover:
+    return FLYOVER if name == FLYOVER.name else scene(name)
+
+
 def as_text(found: Sequence[Row]) -> Iterator[str]:
     """Yield the lines that print these settings, group by group, at most WIDTH columns each."""
     group = ""
     for row in found:
-        kind = type(scene(row["scene"]).settings)
+        kind = type(_named(row["scene"]).settings)
         name = row["key"].split(".")[0]
         if f"{row['scene']}.{name}" != group:
             yield from ([""] if group else [])

@@ -154,7 +154,7 @@ TEXTS: Texts = {
     "flyover.flyover.mode": "lines or ground",
     "flyover.filled.smooth": "smooth ground, not blocks",
     "flyover.filled.levels": "smaller copies far away",
-    "flyover.filled.fog": "haze",
+    "flyover.filled.fog": "haze far away",
     "flyover.filled.shadows": "shadows",
     "flyover.filled.occlusion": "darker hollows",
     "flyover.filled.reflection": "the sky in the water",
