@@ -1,6 +1,7 @@
 """`landscape flyover`: pictures and tables without a screen, and without OpenGL."""
 
 import json
+import math
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,8 @@ import pytest
 from PIL import Image
 
 from landscape.cli import main
+from landscape.film.along import Software
+from landscape.film.cut import Film
 from landscape.flyover import frame
 from landscape.flyover.environment import open_environment
 from landscape.flyover.settings import PRESETS, Settings
@@ -55,6 +58,42 @@ def test_each_frame_is_drawn_from_its_own_time(tmp_path: Path) -> None:
         with Image.open(tmp_path / name) as image:
             wanted = frame.draw(terrain, flight.camera(seconds), values, (64, 48)).picture
             assert np.array_equal(np.asarray(image), wanted), name
+
+
+def test_a_flight_to_files_begins_at_its_second_and_ends_with_the_flight(tmp_path: Path) -> None:
+    environment = open_environment("island")
+    last = math.floor(environment.duration(Settings().flyover)) - 1
+    for words in (["--at", str(last), "--fps", "1"], ["--at", "4.5"]):
+        out = tmp_path / ("a.png" if words[1] == "4.5" else "rest")
+        assert main(["flyover", *SMALL, *words, "--out", str(out), "-q"]) == 0
+    values = with_settings(Settings(), PRESETS["best"])
+    terrain = environment.field(values.flyover)
+    flight = environment.flight(terrain, values.flyover)
+    count = round(flight.duration - last)
+    assert len(list((tmp_path / "rest").iterdir())) == count <= 2
+    for name, seconds in (("a.png", 4.5), (f"rest/frame-0000{count - 1}.png", last + count - 1)):
+        with Image.open(tmp_path / name) as image:
+            wanted = frame.draw(terrain, flight.camera(seconds), values, (64, 48)).picture
+            assert np.array_equal(np.asarray(image), wanted), name
+
+
+@pytest.mark.parametrize(("begin", "frames"), [("4.5", 60), ("43.37", 1)])
+def test_a_film_begins_at_its_second(
+    begin: str, frames: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    films: list[Film] = []
+
+    def write(film: Film, *_: object) -> int:
+        films.append(film)
+        return film.frames
+
+    monkeypatch.setattr("landscape.film.flyover_film.write", write)
+    count = ["--frames", "60"] if frames == 60 else []
+    words = ["--at", begin, *count, "--out", str(tmp_path / "a.mp4"), "-q"]
+    assert main(["flyover", *SMALL, *words]) == 0
+    clip = films[0].parts[0].clip
+    assert isinstance(clip, Software) and clip.begin == float(begin)
+    assert films[0].frames == frames
 
 
 def test_settings_come_from_the_preset_a_file_and_the_command_line(tmp_path: Path) -> None:
@@ -130,6 +169,11 @@ def test_the_island_is_written_as_an_environment_and_flown(tmp_path: Path) -> No
         (("--fps", "nan"), "--fps: 'nan'"),
         (("--frames", "0", "--bench"), "--frames 0: expected a number from 1"),
         (("--frames", "-1", "--bench"), "--frames: '-1'"),
+        (("--at", "-1"), "--at -1: expected seconds from 0"),
+        (("--at", "nan"), "--at: 'nan'"),
+        (("--at", "noon"), "--at: 'noon'"),
+        (("--at", "44", "--out", "a.png"), "--at 44: expected less than the 43.4 seconds"),
+        (("--at", "3", "--bench"), "--at: not with --bench"),
         (("--json", "a.json"), "--json: expected --bench"),
         (("--bench", "--out", "a"), "--out: not with --bench"),
         (("--bench", "--json", "/"), "--json /: expected a file, found a folder"),

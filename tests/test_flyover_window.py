@@ -135,19 +135,20 @@ def test_it_ends_after_the_frames_that_are_asked_for(monkeypatch: pytest.MonkeyP
 
     class Window:
         def __init__(self, *given: object) -> None:
-            self.given = given
+            self.given, self.time = given, 0.0
 
         def listen(self) -> bool:
             return True
 
         def draw(self) -> bool:
-            drawn.append(self.given)
+            drawn.append((*self.given, self.time))
             return len(drawn) % 2 == 0  # every other time it has no area
 
         def close(self) -> None:
             drawn.append("closed")
 
     monkeypatch.setattr("landscape.window.flyover.Flying", Window)
-    options = argparse.Namespace(lang="fr", size=None, frames=2)
+    options = argparse.Namespace(lang="fr", size=None, frames=2, at=2.5)
     assert show(open_environment("island"), Settings(), options) == 0
     assert len(drawn) == 5 and drawn[-1] == "closed" and drawn[0][3] == "fr"
+    assert drawn[0][-1] == options.at

@@ -22,10 +22,10 @@ def run(environment: Environment, values: Settings, options: argparse.Namespace)
     if options.frames == 0:
         raise InputError("--frames 0: expected a number from 1")
     if options.frames is None:
-        seconds = environment.path.length * values.flyover.unit / values.flyover.speed
+        seconds = max(environment.duration(values.flyover) - options.at, 1 / float(rate))
     else:
         seconds = options.frames / float(rate)
     drawing = Drawing(options.size or SIZE, 0, "auto", None, SEED)
     check(options.out, drawing.size, rate)
-    film = Film((Part(Software(environment, values, seconds)),), drawing, rate)
+    film = Film((Part(Software(environment, values, seconds, options.at)),), drawing, rate)
     return finished(film, write(film, options.out, cores(), options.quiet), options)

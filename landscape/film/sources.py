@@ -160,7 +160,7 @@ def _along(word: str, wanted: Wanted) -> Part:
     if wanted.scene == SOFTWARE:
         chosen = preset(Settings(), PRESETS, wanted.preset or BEST)
         settings = with_settings(chosen, wanted.changes)
-        length = environment.path.length * settings.flyover.unit / settings.flyover.speed
+        length = environment.duration(settings.flyover)
         if seconds is not None:
             faster = {"flyover.speed": settings.flyover.speed * length / seconds}
             settings = with_settings(settings, faster)

@@ -51,6 +51,10 @@ class Environment:
         """Return the terrain; it is computed anew at each call."""
         return height_field(self.image, settings, self.name)
 
+    def duration(self, settings: Flyover) -> float:
+        """Return how long a flight along the path takes, in seconds."""
+        return self.path.length * settings.unit / settings.speed
+
     def flight(self, field: HeightField, settings: Flyover) -> Flight:
         """Return the flight along the path over a terrain."""
         path = BezierPath([each * settings.unit for each in self.subpaths])

@@ -31,12 +31,21 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown) -> int:
         raise InputError(f"flyover {options.file} {options.export}: expected one environment")
     if not 0 < options.fps <= FASTEST:
         raise InputError(f"--fps {options.fps:g}: expected a number above 0, up to {FASTEST:g}")
+    if options.at < 0:
+        raise InputError(f"--at {options.at:g}: expected seconds from 0")
+    if options.bench and options.at:
+        raise InputError("--at: not with --bench, which flies the whole path")
     if options.json is not None and not options.bench:
         raise InputError("--json: expected --bench, whose results it writes")
     if options.bench and options.out is not None:
         raise InputError("--out: not with --bench, which keeps no pictures")
     values = settings_of(options)
     environment = open_environment(options.file)
+    duration = environment.duration(values.flyover)
+    if options.at >= duration:
+        raise InputError(
+            f"--at {options.at:g}: expected less than the {duration:.1f} seconds of the flight"
+        )
     if options.bench:
         return bench(environment, values, options)
     if options.out is None:
@@ -73,7 +82,7 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
     size = options.size or SIZE
     terrain = environment.field(values.flyover)
     flight = environment.flight(terrain, values.flyover)
-    whole = max(round(flight.duration * options.fps), 1)
+    whole = max(round((flight.duration - options.at) * options.fps), 1)
     count = min(whole, MOST_FRAMES) if options.frames is None else options.frames
     single = options.out.suffix.lower() == ".png"
     if options.frames is None and single:
@@ -83,7 +92,7 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
     paths = output_paths(options.out, [f"frame-{number:05}" for number in range(count)])
     with Progress(count, options.quiet) as progress:
         for number, path in enumerate(paths):
-            camera = flight.camera(number / options.fps)
+            camera = flight.camera(options.at + number / options.fps)
             save_png(frame.draw(terrain, camera, values, size).picture, path)
             progress.step(path.name)
     if not options.quiet:

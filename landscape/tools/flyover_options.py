@@ -20,11 +20,12 @@ OUT = (
     "film, FILE.mp4, .webm or .gif"
 )
 FRAMES = (
-    "how many frames; default: of a flight that is drawn to files, all; of --bench 12; in the "
+    "how many frames; default: of a flight that is drawn to files, all from --at on; of --bench 12; in the "
     "window, until it is closed"
 )
 FPS = "frames per second of flight; default: %(default)g"
 BENCH = "fly the path without each technique, with each alone and with all; print how long it took"
+AT = "seconds of the flight at which it begins; default: %(default)g"
 PRESET = "best, or document: black lines on white as the project asks for; default: best"
 
 
@@ -41,6 +42,7 @@ def add(
     flyover.add_argument("--size", type=size, metavar="WxH", help=f"default: {SIZE[0]}x{SIZE[1]}")
     flyover.add_argument("--frames", type=count, metavar="N", help=FRAMES)
     flyover.add_argument("--fps", type=number, default=30.0, metavar="N", help=FPS)
+    flyover.add_argument("--at", type=number, default=0.0, metavar="SECONDS", help=AT)
     flyover.add_argument("--out", type=Path, metavar="DIR|FILE", help=OUT)
     flyover.add_argument("--bench", action="store_true", help=BENCH)
     flyover.add_argument(

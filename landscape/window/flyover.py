@@ -53,6 +53,7 @@ def show(environment: Environment, settings: Settings, options: argparse.Namespa
     """Fly until the user closes the window, or for --frames frames; return the exit status."""
     language = options.lang or choose(os.environ)
     window = Flying(environment, settings, options.size or SIZE, language, not options.size)
+    window.time = options.at
     try:
         drawn = 0
         while (options.frames is None or drawn < options.frames) and window.listen():
