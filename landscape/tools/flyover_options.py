@@ -20,8 +20,8 @@ OUT = (
     "film, FILE.mp4, .webm or .gif"
 )
 FRAMES = (
-    "how many frames; default: of a flight that is drawn to files, all from --at on; of --bench 12; in the "
-    "window, until it is closed"
+    "how many frames; default: of a flight that is drawn to files, all from --at on; of --bench "
+    "12; in the window, until it is closed"
 )
 FPS = "frames per second of flight; default: %(default)g"
 BENCH = "fly the path without each technique, with each alone and with all; print how long it took"
