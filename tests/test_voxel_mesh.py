@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from landscape.gl.texture import mip_levels
+from landscape.voxel import distant, faces
 from landscape.voxel.blocks import AIR, BLOCKS, SOLID, TILES, block
 from landscape.voxel.distant import distant_mesh, halved
-from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, visible_faces
+from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, shown_in, visible_faces
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials
 from landscape.voxel.mesh import (
@@ -365,6 +366,21 @@ def test_the_ground_is_sorted_by_height_and_then_by_slope() -> None:
     assert seen == ["gravel", "sand", "grass", "snow"]
     steep = Heights(x * 2.5)
     assert BLOCKS[top_materials(steep, 10, np.random.default_rng(0))[40, 100]].name == "rock"
+
+
+def test_large_regions_are_looked_through_in_slabs_that_miss_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    rng = np.random.default_rng(4)
+    blocks = rng.choice([AIR, block("rock"), block("fern")], (9, 7, 6)).astype(np.uint8)
+    whole, cells = shown_in(blocks), halved(blocks)
+    for module in (faces, distant):
+        monkeypatch.setattr(module, "AT_ONCE", 7 * 6 * 3)
+    slabs = shown_in(blocks)
+    assert (slabs.solid == SOLID[blocks]).all()
+    for one, other in zip(whole.places, slabs.places, strict=True):
+        assert len(one) and one.tolist() == other.tolist()
+    assert (halved(blocks) == cells).all()
 
 
 @pytest.mark.parametrize(("size", "merge"), [(6, "rectangles"), (5, "runs"), (1, "none")])

@@ -1,5 +1,6 @@
 """Playing on the island in voxels: a body among blocks, digging and placing, saved worlds."""
 
+import contextlib
 import hashlib
 import json
 import math
@@ -7,6 +8,7 @@ import subprocess
 import sys
 import time
 import zlib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -401,6 +403,33 @@ def test_a_world_being_saved_when_the_program_is_killed_is_never_lost(tmp_path: 
         data = path.read_bytes()
         assert len(data) == 1_600_003 and data.endswith(b"end")
         assert data[:8] * 200_000 + b"end" == data, "half of another"
+
+
+@contextlib.contextmanager
+def played(regions: int, region_size: int) -> Iterator[Any]:
+    """Let the block play on a small island of as many regions."""
+    values = {"voxel.regions": regions, "voxel.region_size": region_size, "shadow.enabled": False}
+    with Offscreen((32, 24), None, values, "osmesa", 0, place="voxel", only=("land",)) as drawn:
+        drawn.draw()
+        with drawn.targeted():
+            yield drawn.scene
+
+
+def test_a_saved_world_is_for_the_same_columns_however_they_are_divided_into_regions() -> None:
+    with played(2, 20) as one:
+        one.land.change({(19, 20, 5): block("lamp"), (20, 20, 5): AIR})
+        data, changed = one.saved(), one.land.world.blocks.copy()
+    line, _, body = data.partition(b"\n")
+    head = json.loads(line)
+    # Worlds were once saved with their regions.
+    head["land"] |= {"regions": 2, "region_size": 20}
+    for content in (data, json.dumps(head).encode() + b"\n" + body):
+        with played(5, 8) as other:
+            assert (other.land.world.blocks != changed).any()
+            other.restore(content, "my.world")
+            assert (other.land.world.blocks == changed).all()
+    with played(3, 15) as larger, pytest.raises(InputError, match=r"my\.world: made with size"):
+        larger.restore(data, "my.world")
 
 
 # A walk on the null platform.

@@ -23,11 +23,16 @@ def face_directions(side: int) -> np.ndarray:
 
     The faces are in the order of FACES (OpenGL 1.5, section 3.8.6).
     """
+    return np.stack([directions_through(face, side, slice(None)) for face in range(6)])
+
+
+def directions_through(face: int, side: int, rows: slice) -> np.ndarray:
+    """Return those (rows, side, 3) through some rows of texels of one face."""
     middles = (np.arange(side) + 0.5) / side * 2 - 1
-    s, t = np.meshgrid(middles, middles)
+    s, t = np.meshgrid(middles, middles[rows])
     one = np.ones_like(s)
     faces = [(one, -t, -s), (-one, -t, s), (s, one, t), (s, -one, -t), (s, -t, one), (-s, -t, -one)]
-    found = np.stack([np.stack(face, axis=-1) for face in faces])
+    found = np.stack(faces[face], axis=-1)
     return np.asarray(found / np.linalg.norm(found, axis=-1, keepdims=True))
 
 

@@ -29,6 +29,7 @@ from landscape.voxel.landmarks import (
     place_rabbit,
 )
 from landscape.voxel.materials import filled, strata, top_materials, variation
+from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import (
     SETS,
     TURNS,
@@ -195,6 +196,7 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, l
 
     if side > MOST_KEPT:
         place = world(values, assets, seed)
+        give_back()
         return place, colours, meshes(place, colours, values)
 
     def make() -> tuple[np.ndarray, ...]:

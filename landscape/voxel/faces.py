@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from landscape.voxel.blocks import DENSITY, block
+from landscape.voxel.blocks import DENSITY, block, looked_up
 
 
 class Direction(NamedTuple):
@@ -42,6 +42,7 @@ DIRECTIONS = (
 )
 EDGE = 1  # blocks around a region that must be known: neighbours of its outermost blocks
 GRASS, TURF = block("grass"), block("turf")
+AT_ONCE = 1 << 22  # blocks, chosen: as many are looked through at once
 LONGEST = 16  # blocks, chosen: longer quads would interpolate the tint over too much land
 
 
@@ -124,22 +125,24 @@ class Shown(NamedTuple):
 
 def shown_in(blocks: np.ndarray) -> Shown:
     """Return which of blocks [x, z, y], uint8 with an edge all around, show a face."""
-    density = DENSITY[np.ascontiguousarray(blocks)]
-    solid = density > 0
-    steps = np.array(density.strides)
-    within = np.zeros_like(density)
+    whole = looked_up(DENSITY, blocks)
+    steps = whole.strides
     inner = tuple(slice(EDGE, -EDGE) for _ in range(3))
-    within[inner] = density[inner]
-    within, density = within.ravel(), density.ravel()
-    found = []
-    for direction in DIRECTIONS:
-        # Nothing at an edge is within, so a neighbour one step on never lies beyond the array.
-        step = int(steps[direction.axis])
-        if direction.sign > 0:
-            found.append(np.flatnonzero(within[:-step] > density[step:]))
-        else:
-            found.append(np.flatnonzero(within[step:] > density[:-step]) + step)
-    return Shown(solid, found)
+    found: list[list[np.ndarray]] = [[] for _ in DIRECTIONS]
+    many = max(1, AT_ONCE // steps[0])
+    for start in range(0, len(whole) - 2 * EDGE, many):
+        density = whole[start : start + many + 2 * EDGE]
+        within = np.zeros_like(density)
+        within[inner] = density[inner]
+        within, density = within.ravel(), density.ravel()
+        for places, direction in zip(found, DIRECTIONS, strict=True):
+            # Nothing at an edge is within, so a neighbour one step on never lies beyond the array.
+            step, first = steps[direction.axis], start * steps[0]
+            if direction.sign > 0:
+                places.append(np.flatnonzero(within[:-step] > density[step:]) + first)
+            else:
+                places.append(np.flatnonzero(within[step:] > density[:-step]) + (first + step))
+    return Shown(whole > 0, [np.concatenate(places) for places in found])
 
 
 Parts = Sequence[tuple[np.ndarray, int]]

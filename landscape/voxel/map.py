@@ -17,7 +17,7 @@ from landscape.gl.calls import gl
 from landscape.gl.draw import picture_quad
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture import Texture
-from landscape.voxel.blocks import BLOCKS, SOLID
+from landscape.voxel.blocks import BLOCKS, SOLID, looked_up
 from landscape.voxel.land import Land
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import tiles
@@ -27,6 +27,7 @@ PART = 0.3  # chosen, of the window's height
 GAP = 0.02  # chosen, of the window's height
 STEP = 0.12  # chosen: how much brighter or darker a column is for each level of difference
 STEPS = 3  # chosen: levels of difference beyond which it is no brighter or darker
+AT_ONCE = 100  # columns from west to east, chosen: as many are looked at at once
 DEEP = 12  # chosen: blocks of water from which it has its darkest colour
 ARROW = ((0.0, 1.0), (0.6, -0.8), (0.0, -0.4), (-0.6, -0.8))
 OUTLINE, INSIDE = (0.09, (0.1, 0.05, 0.05)), (0.06, (1.0, 0.95, 0.85))  # sizes of 1 and colours
@@ -39,16 +40,20 @@ def map_picture(world: World, assets: Assets) -> np.ndarray:
     for number, block in enumerate(BLOCKS):
         if SOLID[number]:
             colours[number] = pictures[block.top][..., :3].mean(axis=(0, 1)) * block.tint / 255.0
-    solid = SOLID[world.blocks]
-    top = solid.shape[2] - 1 - solid[:, :, ::-1].argmax(axis=2).T  # [z, x] from here on
-    x, z = np.meshgrid(np.arange(world.side), np.arange(world.side))
-    north = np.vstack([top[:1], top[:-1]])
-    slope = np.clip(top - north, -STEPS, STEPS)[..., None]
-    land = colours[world.blocks[x, z, top]] * (1.0 + STEP * slope)
-    depth = world.sea - 1 - top
-    sea = [np.interp(depth, [1, DEEP / 3, DEEP], DEPTHS[:, c]) for c in range(3)]
-    found = np.where(depth[..., None] > 0, np.stack(sea, axis=2), land)
-    return np.clip(found, 0, 255).astype(np.uint8)
+    whole = np.empty((world.side, world.side, 3), np.uint8)
+    for start in range(0, world.side, AT_ONCE):
+        blocks = world.blocks[start : start + AT_ONCE]
+        solid = looked_up(SOLID, blocks)
+        top = solid.shape[2] - 1 - solid[:, :, ::-1].argmax(axis=2).T  # [z, x] from here on
+        x, z = np.meshgrid(np.arange(len(blocks)), np.arange(world.side))
+        north = np.vstack([top[:1], top[:-1]])
+        slope = np.clip(top - north, -STEPS, STEPS)[..., None]
+        land = colours[blocks[x, z, top]] * (1.0 + STEP * slope)
+        depth = world.sea - 1 - top
+        sea = [np.interp(depth, [1, DEEP / 3, DEEP], DEPTHS[:, c]) for c in range(3)]
+        found = np.where(depth[..., None] > 0, np.stack(sea, axis=2), land)
+        whole[:, start : start + AT_ONCE] = np.clip(found, 0, 255)
+    return whole
 
 
 class Map:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.voxel.blocks import BLOCKS, PLANT_TILES, TILES, block
+from landscape.voxel.blocks import BLOCKS, PLANT_TILES, TILES, block, looked_up
 from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, Shown, shown_in, visible_faces
 from landscape.voxel.tile_column import PLACES, ROWS, WIDEST, first_row
 
@@ -187,7 +187,8 @@ def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) ->
     Plants do not stand in rows: each is moved a little from the middle of its block, except the tip
     of a tree.
     """
-    place = np.argwhere(PLANT[blocks])
+    flat = np.flatnonzero(looked_up(PLANT, blocks))
+    place = np.stack(np.unravel_index(flat, blocks.shape), axis=1)
     kinds = blocks[tuple(place.T)]
     place = place + np.array(origin)
     # A number from the place, so that a plant stays where it is when its region is built again.

@@ -33,7 +33,8 @@ WHY_NOT: Phrases = (
     "a plant needs something to stand on",
 )
 EDGE, BOTTOM, TOP, ROOT = WHY_NOT
-MADE_FROM = ("regions", "region_size", "levels", "sea", "trees", "buildings")  # settings of voxel
+# Settings of voxel. Into which regions the columns are divided does not matter.
+MADE_FROM = ("levels", "sea", "trees", "buildings")
 
 
 class Played:

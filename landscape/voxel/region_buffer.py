@@ -18,6 +18,7 @@ import numpy as np
 
 from landscape.gl.calls import gl
 from landscape.gl.extensions import Need, has
+from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import DRY, PLANTS, SETS, SHORE, TURNS, VERTEX, WET, RegionMesh
 
 BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
@@ -89,6 +90,7 @@ class RegionBuffer:
             self.replace(share, meshes.pop())
             if large and share % FINISHED == 0:
                 gl.glFinish()  # Mesa keeps copies of what is still to be uploaded
+                give_back()
 
     def _enter(self, share: int, mesh: RegionMesh) -> None:
         """Note where the vertices of a share lie."""

@@ -9,6 +9,8 @@ Below the horizon it has the colour of the sea there, so that one sees where the
 What is wrong with it: the clouds do not move.
 """
 
+import itertools
+
 import numpy as np
 
 from landscape.files.assets import Assets
@@ -17,7 +19,7 @@ from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.gl import cube_map
 from landscape.gl.calls import gl
-from landscape.gl.cube_map import CubeMap, face_directions
+from landscape.gl.cube_map import CubeMap, directions_through
 from landscape.gl.display_list import DisplayList
 from landscape.gl.extensions import possible
 from landscape.gl.state import attrib, matrix
@@ -28,6 +30,7 @@ HEIGHT = (
     0.5  # of the pictures' box, in halves of its width: the walls are four times as wide as high
 )
 SIDE = 1024  # texels, chosen: side of a face of the cube map
+ROWS = 128  # texels, chosen: as many rows are made at once, which keeps memory small
 BLEND = 0.035  # chosen: sine of the elevation below which the sky turns into haze
 # The corners of the box that is drawn around the eye, by face.
 BOX = tuple(
@@ -111,9 +114,11 @@ class Sky:
         def make() -> tuple[np.ndarray]:
             pictures = {name: read_image(path, "RGB") for name, path in paths.items()}
             faces = np.empty((6, SIDE, SIDE, 3), np.uint8)
-            for face, directions in zip(faces, face_directions(SIDE), strict=True):
+            for face, start in itertools.product(range(6), range(0, SIDE, ROWS)):
+                rows = slice(start, start + ROWS)
+                directions = directions_through(face, SIDE, rows)
                 colours = sky_colours(pictures, directions.reshape(-1, 3), haze, sea)
-                face[:] = (colours + 0.5).astype(np.uint8).reshape(SIDE, SIDE, 3)
+                faces[face, rows] = (colours + 0.5).astype(np.uint8).reshape(-1, SIDE, 3)
             return (faces,)
 
         pixels = [content(path) for path in paths.values()]

@@ -22,6 +22,7 @@ from landscape.voxel.edges_view import draw_edges
 from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
 from landscape.voxel.map import Map
+from landscape.voxel.memory import give_back
 from landscape.voxel.played import Played
 from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Part
 from landscape.voxel.regions_view import draw_boxes, draw_from_outside
@@ -86,6 +87,7 @@ class Voxel(Played, Ground):
             self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
             self.map = self._built(("map",), Map, settings, assets, self.land)
+            give_back()
         except BaseException:
             self.release()
             raise

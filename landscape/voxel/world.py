@@ -101,7 +101,7 @@ class World:
         found = np.full((len(across), len(along), high - low + 2 * EDGE), AIR, np.uint8)
         bottom, top = max(low - EDGE, 0), min(high + EDGE, height)
         start = bottom - (low - EDGE)
-        columns = inner[np.ix_(across - across[0], along - along[0])][:, :, bottom:top]
+        columns = inner[:, :, bottom:top][np.ix_(across - across[0], along - along[0])]
         found[:, :, start : start + top - bottom] = columns
         found[:, :, :start] = block("rock")
         return found, (x, z, low)
@@ -110,8 +110,7 @@ class World:
 def levels_in_use(blocks: np.ndarray) -> tuple[int, int]:
     """Return the levels [low, high) of blocks [x, z, y] between which faces can be visible."""
     # A level is of no interest if all of it is solid with solid around it, or all of it is air.
-    filled = (blocks != AIR).reshape(-1, blocks.shape[2])
-    some, every = filled.any(axis=0), filled.all(axis=0)
+    some, every = (end.reduce(blocks, axis=(0, 1)) != AIR for end in (np.maximum, np.minimum))
     high = int(np.flatnonzero(some)[-1]) + 1 if some.any() else 1
     empty = np.flatnonzero(~every)
     low = int(empty[0]) - 1 if len(empty) else high - 1
