@@ -50,6 +50,7 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("height_columns", "hidden_faces", "box_frustum", "fog_coordinate", "cube_map"),
         *("shadow_map", "projective_texture", "fresnel_cube_map", "dot3"),
     ),
+    "flyover": ("projection_by_hand", "bresenham"),
 }
 TOPICS: Texts = {
     "window": "Window and events",
@@ -61,6 +62,7 @@ TOPICS: Texts = {
     "landscape": "The landscape",
     "effects": "Effects",
     "voxels": "Voxels",
+    "flyover": "Fly-over",
 }
 NAMES = tuple(name for names in LADDER.values() for name in names)
 
