@@ -69,8 +69,9 @@ def test_each_pixel_shows_the_ground_that_its_ray_meets(
     for row, column in np.random.default_rng(2).integers((0, 0), (120, 160), (150, 2)):
         along = rays[row, column][:, None] * np.arange(1.5, 150, 0.05)
         above = along[2] + camera.z - field.height(along[0] + camera.x, along[1] + camera.y)
-        near = np.abs(above / np.arange(1.5, 150, 0.05)).min()
-        if near > 0.012 or (above < -1).any():
+        # A pixel is 0.011 wide at distance 1: what is as narrow as two of them may be missed.
+        steep = above / np.arange(1.5, 150, 0.05)
+        if np.abs(steep).min() > 0.012 or (steep < -0.022).any():
             assert ground[row, column] == (above < 0).any(), (row, column)
 
 
@@ -138,6 +139,40 @@ def test_steep_pitches_are_drawn_as_the_steepest_that_keeps_clear_of_the_nadir()
     assert (steep == limit).all()
 
 
+def test_an_eye_below_the_water_is_lifted_above_it() -> None:
+    deep, high, dry = (
+        look(hills(), Camera(20, 20, z, 0, 0.1, 2.0), filled__sea=0.4) for z in (2, 8, 30)
+    )
+    assert (deep == high).all() and (deep != dry).any()
+    heights = [filled.afloat(z, 9.6) for z in np.linspace(0, 20, 400)]
+    assert min(heights) == 9.6 + filled.AFLOAT and heights[-1] == 20
+    assert np.diff(heights).min() >= 0 and np.diff(heights).max() < 0.051
+
+
+def test_ground_before_the_near_plane_is_drawn_where_it_is(tmp_path: Path) -> None:
+    # A slope that rises before the eye, which is less than the near plane from it.
+    field = height_field(
+        np.tile(4 * np.arange(64), (64, 1)), Flyover(relief=128.0, black_high=False)
+    )
+    stripes = np.zeros((1, 512, 3), np.uint8)
+    stripes[:, ::2] = 255
+    Image.fromarray(stripes).save(tmp_path / "stripes.png")
+    changes = {"filled__image": str(tmp_path / "stripes.png"), "filled__texels": 1024}
+    at = Camera(20, 20, float(field.height(20, 20)) + 1)
+    column = look(field, at, filled__sea=0, flyover__relief=128.0, **changes)[40:, 80].sum(axis=1)
+    assert np.ptp(column) > 150
+
+
+def test_walls_are_of_layers_of_rock_and_not_of_bars() -> None:
+    image = np.zeros((64, 64))
+    image[:, 32:] = 255
+    field = height_field(image, Flyover(relief=40.0, black_high=False))
+    changes = {"filled__sea": 0, "filled__fog": False, "filled__texels": 256}
+    wall = look(field, Camera(16, 20, 20, 0, 0, 0), **changes)[40:80, 40:120].sum(axis=2)
+    down, across = (np.abs(np.diff(wall, axis=axis)).mean() for axis in (0, 1))
+    assert down > 6 and down > 1.5 * across
+
+
 def plain_with_a_tower(size: int = 64) -> np.ndarray:
     heights = np.zeros((size, size), np.float32)
     heights[30:34, 30:34] = 10
@@ -190,11 +225,14 @@ def test_an_image_may_be_laid_over_the_ground(tmp_path: Path) -> None:
 
 def test_smaller_copies_of_the_ground_average_the_larger_ones() -> None:
     random = np.random.default_rng(1)
-    colour, wet = random.random((16, 16, 3)), random.random((16, 16))
-    made = ground.pyramid(colour, wet, 32.0)
+    colour, (wet, cliff) = random.random((16, 16, 3)), random.random((2, 16, 16))
+    made = ground.pyramid(colour, wet, cliff, 32.0)
     assert made.offsets.tolist() == [0, 256, 320, 336, 340] and made.bits == 4
     last = made.texels[-1:].view(np.uint8)
-    assert np.abs(last - np.append(colour.mean((0, 1)), wet.mean()) * 255).max() <= 1
+    assert np.abs(last[:3] - colour.mean((0, 1)) * 255).max() <= 1
+    assert abs(last[3] - ground.WET - wet.mean() * 127) <= 1
+    dry = ground.pyramid(colour, wet * 0, cliff, 32.0)
+    assert abs(dry.texels[-1:].view(np.uint8)[3] - cliff.mean() * 127) <= 1
 
 
 def test_a_field_is_resampled_without_a_shift() -> None:

@@ -13,7 +13,7 @@ neither the point below the eye nor the one above it is close to the picture; st
 
 import math
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from landscape.flyover.shores import shores
 LEAST = 0.25  # how far the picture stays from the point below the eye, chosen; 0 touches it
 BAND = 48  # rows coloured together, chosen: their arrays fit into the processor's cache
 LOW = 0.01  # height of land that water does not mirror, chosen
+# Units, chosen. The eye stays so far above water, and is lifted smoothly from twice that height.
+AFLOAT = 1.5
+BEFORE = 1 / 64  # distance of the first step, pixels of the height image, chosen
 RIDGE = 1.1  # what is behind a ridge is this many times as far away at least, chosen
 LONGEST = 4.0  # steps in the middle distance, pixels of the height image, chosen
 WORKERS = 2  # chosen: numpy releases Python's lock, so two threads use two cores
@@ -106,6 +109,14 @@ def unrolled(y: float, z: float, roll: float) -> tuple[float, float]:
     return cos * y - sin * z, sin * y + cos * z
 
 
+def afloat(z: float, sea: float) -> float:
+    """Return the height of an eye that does not dive: ``z``, or more where it is close to water."""
+    above = z - sea - AFLOAT
+    if above >= AFLOAT:
+        return z
+    return sea + AFLOAT + max(above + AFLOAT, 0.0) ** 2 / (4 * AFLOAT)
+
+
 def rows_of(heights: np.ndarray, away: np.ndarray, rays: View) -> np.ndarray:
     """Return the rows at which heights above the eye (s, c) at distances (s, c) are projected."""
     slope = heights / away
@@ -134,8 +145,10 @@ def draw(
     ours, seen = settings.filled, look(field, settings)
     volume = frustum(settings.flyover, size)
     rays = view(camera, volume, size)
+    camera = replace(camera, z=afloat(camera.z, seen.sea))
+    # Ground nearer than the near plane is drawn, too: it would leave a hole.
     path = march.steps(
-        volume.near,
+        BEFORE * field.unit,
         min(volume.far, settings.flyover.visible) if ours.fog else volume.far,
         ours.step,
         LONGEST * field.unit,

@@ -23,9 +23,11 @@ def colour(red: float, green: float, blue: float) -> np.ndarray:
 # Colours of surfaces and of light, all chosen.
 SAND, WET_SAND = colour(0.80, 0.71, 0.52), colour(0.52, 0.44, 0.30)
 LUSH, DRY, FOREST = colour(0.29, 0.41, 0.13), colour(0.53, 0.50, 0.24), colour(0.12, 0.22, 0.08)
-ROCK, DARK_ROCK, SNOW = colour(0.50, 0.46, 0.42), colour(0.29, 0.27, 0.26), colour(0.93, 0.95, 0.99)
+ROCK, DARK_ROCK, SNOW = colour(0.58, 0.53, 0.48), colour(0.29, 0.27, 0.26), colour(0.93, 0.95, 0.99)
+WARM_ROCK = colour(0.66, 0.55, 0.43)
 SHALLOW, DEEP, FOAM = colour(0.16, 0.50, 0.50), colour(0.01, 0.11, 0.20), colour(0.90, 0.94, 0.95)
 SUN, SKY, BOUNCE = colour(1.30, 1.14, 0.90), colour(0.34, 0.45, 0.64), colour(0.10, 0.085, 0.06)
+WET = 128  # in the highest byte of a texel: there is water
 CLEAR = 5.0  # depth at which a third of the bottom is still seen, % of the heights' range, chosen
 
 
@@ -33,7 +35,8 @@ CLEAR = 5.0  # depth at which a third of the bottom is still seen, % of the heig
 class Pyramid:
     """A square picture and its copies of half the size, down to one texel, in one array.
 
-    ``texels`` are uint32, red in the lowest byte; the highest says how much of the texel is water.
+    ``texels`` are uint32, red in the lowest byte. The highest byte is WET plus how much of the
+    texel is water, up to 127, or where there is none, how much of it is steep rock, up to 127.
     Level k begins at ``offsets[k]``; level 0 has ``2 ** bits`` texels a side, ``period`` units.
     """
 
@@ -85,8 +88,17 @@ def resampled(field: np.ndarray, size: int) -> np.ndarray:
     return field
 
 
-def surface(heights: np.ndarray, sea: float, steep: np.ndarray, open_sky: np.ndarray) -> np.ndarray:
-    """Return the colours of dry land, sRGB 0..1 (n, n, 3), by height, slope and hollows."""
+def cliffs(heights: np.ndarray, sea: float, steep: np.ndarray) -> np.ndarray:
+    """Return how much of the land is bare rock because it is ``steep``, 0..1 (n, n)."""
+    up = (heights - np.float32(sea)) / np.float32(max(float(heights.max()) - sea, 1e-3))
+    rough = np.float32(0.02) * noise(len(heights), 2, 0.9, 24)
+    return smooth_step(0.12, 0.26, steep + rough + 0.1 * smooth_step(0.4, 0.8, up))
+
+
+def surface(
+    heights: np.ndarray, sea: float, steep: np.ndarray, open_sky: np.ndarray, cliff: np.ndarray
+) -> np.ndarray:
+    """Return the colours of dry land, sRGB 0..1 (n, n, 3), by height, slope, hollows, cliffs."""
     n = len(heights)
     top = max(float(heights.max()) - sea, 1e-3)
     patches, grain = noise(n, 1, 1.5, 6), noise(n, 2, 0.9, 24)
@@ -100,16 +112,15 @@ def surface(heights: np.ndarray, sea: float, steep: np.ndarray, open_sky: np.nda
     woods *= smooth_step(0.03, 0.07, level) * (1 - smooth_step(0.42, 0.55, level))
     found = mix(found, FOREST, woods * 0.9)
     found = mix(found, DARK_ROCK, smooth_step(0.55, 0.75, level) * 0.5)
-    bands = 0.5 + 0.5 * np.sin(up * 160 + 1.5 * patches + 0.6 * grain)
-    stone = mix(np.broadcast_to(ROCK, found.shape), DARK_ROCK, 0.35 * bands)
-    cliff = smooth_step(0.12, 0.26, steep + 0.02 * grain + 0.1 * smooth_step(0.4, 0.8, up))
+    # A cliff's own detail is drawn in each frame, see :mod:`.rock`: here it would become bars.
+    stone = mix(np.broadcast_to(ROCK, found.shape), WARM_ROCK, smooth_step(-1.2, 1.2, patches))
     found += (stone - found) * cliff[..., None]
     snow = smooth_step(0.62, 0.74, level - 0.25 * (steep - 0.1))
     found = mix(found, SNOW, snow * (1 - smooth_step(0.30, 0.48, steep)))
     beach = (1 - smooth_step(0.018, 0.045, level)) * (1 - smooth_step(0.10, 0.20, steep))
     found = mix(found, SAND, beach)
-    found = mix(found, WET_SAND, 0.8 * (1 - smooth_step(0.0, 0.012, up)))
-    return np.asarray(found * (1 + 0.05 * grain)[..., None])
+    found = mix(found, WET_SAND, 0.8 * (1 - smooth_step(0.0, 0.012, up)) * (1 - cliff))
+    return np.asarray(found * (1 + 0.05 * grain * (1 - cliff))[..., None])
 
 
 def bake(
@@ -132,17 +143,20 @@ def bake(
     scale = size / period
     wet = smooth_step(0.0, 0.006 * range_, np.float32(sea) - rough)
     land = np.maximum(rough, np.float32(sea))
-    plain = normals(land * np.float32(scale))[2]
-    bumps = noise(size, 3, 1.2, size / 24) * (0.12 + 1.6 * (1 - plain)) * (1 - wet)
+    # Of the ground below the water, too: a wall is one down to its foot.
+    plain = normals(rough * np.float32(scale))[2]
+    cliff = cliffs(rough, sea, 1 - plain) * (1 - wet)
+    bumps = noise(size, 3, 1.2, size / 24) * (0.12 + 1.6 * (1 - plain)) * (1 - cliff)
     x, y, z = normals((land + np.float32(0.35) * bumps) * np.float32(scale))
     seen = sky_seen(land * np.float32(scale)) if occlusion else np.ones_like(land)
     lit = np.clip(x * towards[0] + y * towards[1] + z * towards[2], 0, 1)
     if shadows:
         lit *= sun_light(land * np.float32(scale), towards)
     if image is None:
-        base = surface(rough, sea, 1 - plain, seen)
+        base = surface(rough, sea, 1 - plain, seen, cliff)
     else:
         base = laid_over(image, size)
+        cliff[:] = 0
     depth = np.clip(np.float32(sea) - rough, 0, None) / np.float32(CLEAR / 100 * range_)
     water = mix(mix(base, SHALLOW, 1 - np.exp(-4 * depth)), DEEP, 1 - np.exp(-0.8 * depth))
     foam = smooth_step(0.5, 1.6, noise(size, 4, 0.6, 40)) * np.exp(-((depth * 22 - 1) ** 2))
@@ -152,7 +166,7 @@ def bake(
     light += BOUNCE * (1 - 0.5 * z)[..., None]
     bright = np.clip(base, 0, 1) ** 2.2 * light
     shown = (bright * (1 + bright / 6) / (1 + bright)) ** np.float32(1 / 2.2) * np.float32(1.10)
-    return pyramid(np.clip(shown, 0, 1), wet, period)
+    return pyramid(np.clip(shown, 0, 1), wet, cliff, period)
 
 
 def laid_over(image: np.ndarray, size: int) -> np.ndarray:
@@ -164,13 +178,19 @@ def laid_over(image: np.ndarray, size: int) -> np.ndarray:
     return np.asarray(image[np.ix_(rows, columns)][..., :3] / np.float32(255))
 
 
-def pyramid(colour: np.ndarray, wet: np.ndarray, period: float) -> Pyramid:
-    """Return colours (n, n, 3) and water (n, n), both 0..1, as a pyramid; n is a power of two."""
-    level: np.ndarray = np.concatenate([colour, wet[..., None]], 2).astype(np.float32)
+def pyramid(colour: np.ndarray, wet: np.ndarray, cliff: np.ndarray, period: float) -> Pyramid:
+    """Return colours (n, n, 3), water and cliffs (n, n), all 0..1, as a pyramid.
+
+    n is a power of two.
+    """
+    level: np.ndarray = np.concatenate([colour, wet[..., None], cliff[..., None]], 2)
+    level = level.astype(np.float32)
     parts, offsets, at = [], [], 0
     bits = len(level).bit_length() - 1
     while True:
-        packed = (level * 255 + 0.5).astype(np.uint8)
+        packed = (level[..., :4] * (255, 255, 255, 127) + 0.5).astype(np.uint8)
+        dry = (level[..., 4] * 127 + 0.5).astype(np.uint8)
+        packed[..., 3] = np.where(packed[..., 3] > 0, packed[..., 3] + WET, dry)
         parts.append(packed.view(np.uint32).ravel())
         offsets.append(at)
         at += parts[-1].size

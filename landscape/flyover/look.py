@@ -13,6 +13,7 @@ from landscape.flyover.dome import dome
 from landscape.flyover.ground import Pyramid, bake
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.noise import noise
+from landscape.flyover.rock import Rock, rock
 from landscape.flyover.settings import Settings
 
 GRAIN = 512  # texels a side of the grain's pattern, chosen
@@ -21,7 +22,7 @@ SEED = 9  # of the grain
 
 @dataclass(frozen=True)
 class Look:
-    """The ground's colours, the sky's, the grain of the ground close by, and the water's height.
+    """The ground's colours, the sky's, the grain of the ground close by, rock, the water's height.
 
     ``sky`` are uint32 (rows, columns), see :mod:`.dome`; ``grain`` uint8 (n, n) is how much darker
     the ground is, or how the water is inclined. ``sea`` is below all ground if there is no water.
@@ -30,6 +31,7 @@ class Look:
     ground: Pyramid
     sky: np.ndarray
     grain: np.ndarray
+    rock: Rock
     sea: float
 
 
@@ -58,7 +60,7 @@ def _made(field: HeightField, settings: Settings) -> Look:
     texels = 1 << (ours.texels.bit_length() - 1)
     image = None if ours.image == "none" else read_image(Path(ours.image), "RGB")
     parts = (
-        "ground",
+        "ground and cliffs",
         f"{texels} {sea} {field.unit} {towards.tolist()} {ours.shadows} {ours.occlusion}",
         b"" if image is None else f"{image.shape}".encode() + image.tobytes(),
         f"{heights.shape}",
@@ -78,7 +80,7 @@ def _made(field: HeightField, settings: Settings) -> Look:
     )
     grain = np.clip(noise(GRAIN, SEED, 1.0, 6) * 50 + 128, 0, 255).astype(np.uint8)
     bits = texels.bit_length() - 1
-    return Look(Pyramid(picture, offsets, bits, 2 * field.size), sky, grain, sea)
+    return Look(Pyramid(picture, offsets, bits, 2 * field.size), sky, grain, rock(), sea)
 
 
 def sun_direction(azimuth: float, elevation: float) -> np.ndarray:

@@ -14,6 +14,7 @@ import numpy as np
 from landscape.flyover.height_field import HeightField
 
 NOTHING = -1e9  # the height of what is not there
+FINEST = 0.125  # the shortest step, pixels of the height image, chosen
 BLOCK = 128  # columns walked together: their arrays fit into the processor's cache, chosen
 
 
@@ -35,11 +36,12 @@ def steps(
 ) -> Steps:
     """Return steps from ``near`` to ``far`` that grow by ``growth`` of the distance each.
 
-    In the middle they are not longer than ``longest`` units until ``growth / 2`` is longer still.
+    Close by they are not shorter than FINEST; in the middle they are not longer than ``longest``
+    units until ``growth / 2`` is longer still.
     """
     at, found = near, [near]
     while at < far or len(found) < 2:
-        at += max(min(growth * at, longest), 0.5 * growth * at)
+        at += max(min(growth * at, longest), 0.5 * growth * at, FINEST * unit)
         found.append(at)
     distances = np.array(found, np.float32)
     wanted = np.log2(np.gradient(distances) / unit) - 1

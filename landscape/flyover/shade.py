@@ -9,19 +9,27 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from landscape.flyover.ground import WET
 from landscape.flyover.look import Look
+from landscape.flyover.rock import BITS, SIDE, THICK, WIDE
 from landscape.flyover.settings import Settings
 from landscape.flyover.shores import ACROSS, PLACES, STRIDE, Shores
 
 PAIR, MIDDLE = np.uint32(0x00FF00FF), np.uint32(0x0000FF00)
 OPAQUE = np.uint32(0xFF000000)
+WATER, COVER = np.uint32(WET << 24), np.uint32(0x7F)  # a texel of water; how much of it is water
 SLANT = 2.0  # texels that a pixel may hold before the next smaller copy is taken, chosen
 FRESNEL = 1024  # entries of the table of how much water mirrors, by the angle
 MIRROR = 0.9  # of the light that smooth water mirrors, chosen
 RIPPLES = 0.0006  # how much they incline the water, chosen
+ROCK_BELOW = 1024  # pictures of rock below the eye, chosen: deeper than any ground
 GRAIN = 0.28  # how dark the darkest grains are, chosen
+FOOT = np.uint32(0x7F343E44)  # the colour of rock at the water, chosen
+INTO = np.float32(2.5)  # so many texels into a wall there is no water, chosen
+ASHORE = 0.12  # how far above the water there is none, units, chosen
 BARE = np.uint32(0x00404A4C)  # the colour of a rock that is mirrored, chosen
-CLOSE = 100.0  # distance up to which the grain of the ground is seen, units, chosen
+ROCKY = np.uint32(6 << 24)  # a texel with so much rock has layers, chosen
+CLOSE = 60.0  # distance up to which the grain of the ground is seen, units, chosen
 
 
 @dataclass(frozen=True)
@@ -55,6 +63,17 @@ def blend(one: np.ndarray, other: np.ndarray, weight: np.ndarray) -> np.ndarray:
     return pair
 
 
+def darker(colour: np.ndarray, light: np.ndarray) -> np.ndarray:
+    """Return colours (n,) multiplied by light (n,), uint32 of 0..256; the highest byte is 0."""
+    pair = (colour & PAIR) * light
+    pair >>= np.uint32(8)
+    pair &= PAIR
+    middle = ((colour & MIDDLE) >> np.uint32(8)) * light
+    middle &= MIDDLE
+    pair |= middle
+    return pair
+
+
 class Colouring:
     """The tables of one frame, and the colours of its pixels."""
 
@@ -71,12 +90,21 @@ class Colouring:
         wide = SLANT * pixel * far / self.texel
         level = np.log2(np.maximum(wide, 1)) if self.switches.levels else far * 0
         self.level = np.minimum(level.astype(np.int64), pyramid.bits)
+        fine = (
+            np.log2(np.maximum(THICK * pixel * far / self.texel, 1))
+            if self.switches.levels
+            else far * 0
+        )
+        self.fine = np.minimum(fine.astype(np.int64), BITS)
         haze = 1 - np.exp(-((far * (2.3 / visible)) ** 1.4))
         haze = haze / haze[-1] if self.switches.fog else far * 0
         self.haze = (haze * 256 + 0.5).astype(np.uint32)
         # Whole periods make all coordinates positive: then rounding to 0 is rounding down.
         around = math.ceil(2 * float(far[-1]) / pyramid.period * max(abs(lateral)) + 1)
         self.start = [np.float32(e % pyramid.period + around * pyramid.period) for e in scene.eye]
+        self.ashore = np.float32(look.sea - scene.eye[2] + ASHORE)
+        # Whole pictures of rock make heights positive, too.
+        self.bottom = np.float32(scene.eye[2] * THICK / self.texel % SIDE + ROCK_BELOW * SIDE)
         columns = look.sky.shape[1]
         turn = np.arctan2(
             scene.forward[1] + scene.right[1] * lateral, scene.forward[0] + scene.right[0] * lateral
@@ -143,6 +171,9 @@ class Colouring:
         colour = self.texels(x, y, self.level.take(step))
         if self.switches.smooth:
             self.close_up(colour, x, y, away)
+        up = slope * away
+        self.feet(colour, x, y, up, away, step)
+        self.layers(colour, x, y, up, step)
         if self.switches.reflection:
             self.mirror(colour, (column, step, slope, lateral, away), x, y)
         if self.switches.fog:
@@ -194,7 +225,7 @@ class Colouring:
 
     def close_up(self, colour: np.ndarray, x: np.ndarray, y: np.ndarray, away: np.ndarray) -> None:
         """Blend colours (n,) close by between texels, and add the grain of the ground, in place."""
-        near = np.flatnonzero((away < CLOSE) & (colour < OPAQUE))
+        near = np.flatnonzero((away < CLOSE) & (colour < WATER))
         if not len(near):
             return
         x, y, away = x.take(near), y.take(near), away.take(near)
@@ -216,15 +247,58 @@ class Colouring:
         upper = blend(texels.take(row + column), texels.take(row + next_column), u)
         lower = blend(texels.take(next_row + column), texels.take(next_row + next_column), u)
         smooth = blend(upper, lower, v)
-        water = colour.take(near) & OPAQUE
-        dry = (256 - (water >> np.uint32(24))).astype(np.float32)
-        dry *= dark
-        dry *= np.float32(GRAIN / 256)
-        keep = 256 - np.minimum(dry, 250).astype(np.uint32)
-        smooth = ((smooth & PAIR) * keep >> np.uint32(8)) & PAIR | (
-            ((smooth & MIDDLE) >> np.uint32(8)) * keep & MIDDLE
-        )
-        colour[near] = smooth | water
+        dark *= np.float32(GRAIN)
+        keep = 256 - dark.astype(np.uint32)
+        colour[near] = darker(smooth, keep) | colour.take(near) & OPAQUE
+
+    def feet(
+        self,
+        colour: np.ndarray,
+        x: np.ndarray,
+        y: np.ndarray,
+        up: np.ndarray,
+        away: np.ndarray,
+        step: np.ndarray,
+    ) -> None:
+        """Draw rock where water would rise above the water, in place; all (n,).
+
+        Texels are wider than the foot of a wall. What is there is a little further into the wall.
+        """
+        if not self.look.sea > -np.inf:
+            return
+        at = np.flatnonzero((up > self.ashore) & (colour >= WATER))
+        if not len(at):
+            return
+        x, y, further = x.take(at), y.take(at), INTO * self.texel / away.take(at)
+        x += (x - self.start[0] / self.texel) * further
+        y += (y - self.start[1] / self.texel) * further
+        inside = self.texels(x, y, self.level.take(step.take(at)))
+        colour[at] = np.where(inside < WATER, inside, FOOT)
+
+    def layers(
+        self, colour: np.ndarray, x: np.ndarray, y: np.ndarray, up: np.ndarray, step: np.ndarray
+    ) -> None:
+        """Draw the layers of rock on cliffs, in place: colours (n,), ``up`` above the eye."""
+        cliff = np.flatnonzero(colour - ROCKY < WATER - ROCKY)
+        if not len(cliff):
+            return
+        own, level = colour.take(cliff), self.fine.take(step.take(cliff))
+        along = x.take(cliff) * np.float32(0.83 * WIDE)
+        along += y.take(cliff) * np.float32(0.57 * WIDE)
+        height = up.take(cliff) * np.float32(THICK / self.texel)
+        height += self.bottom
+        column, row = along.astype(np.int64), height.astype(np.int64)
+        column &= SIDE - 1
+        row &= SIDE - 1
+        column >>= level
+        row >>= level
+        row <<= BITS - level
+        row += column
+        row += self.look.rock.offsets.take(level)
+        light = self.look.rock.texels.take(row, mode="clip")
+        # As much less of the layers as there is less rock.
+        light = np.uint32(256) - ((np.uint32(256) - light) * (own >> np.uint32(24)) >> np.uint32(7))
+        colour[cliff] = darker(own, light)
 
     def grain(self, x: np.ndarray, y: np.ndarray, repeats: float) -> np.ndarray:
         """Return the grain's pattern at x, y (n,) in texels, uint8 (n,)."""
@@ -248,7 +322,7 @@ class Colouring:
 
         ``rays`` are columns, steps, slopes, lateral directions and distances.
         """
-        water = np.flatnonzero(colour >> np.uint32(24))
+        water = np.flatnonzero(colour >= WATER)
         if not len(water):
             return
         x, y = x.take(water), y.take(water)
@@ -266,8 +340,8 @@ class Colouring:
         mirrored = self.sky(column, up)
         self.land(mirrored, up, column, step, lateral)
         own = colour.take(water)
-        weight *= own >> np.uint32(24)
-        weight >>= np.uint32(8)
+        weight *= own >> np.uint32(24) & COVER
+        weight >>= np.uint32(7)
         colour[water] = blend(own, mirrored, weight)
 
     def land(
@@ -305,5 +379,5 @@ class Colouring:
         )
         seen = self.texels(x, y, self.level.take(crest))
         # Steps are long: where one has gone past a rock into the water, rock is still seen.
-        seen = np.where(seen >> np.uint32(24) > 100, BARE, seen)
+        seen = np.where(seen >= WATER, BARE, seen)
         mirrored[meets] = blend(seen, self.horizon.take(column), self.haze.take(crest))
