@@ -1,5 +1,6 @@
 """The exercises: solutions pass, and each mistake gets a hint of its own."""
 
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -77,7 +78,7 @@ CLEARED = """# exercise: {name}
 import glfw
 from OpenGL.GL import *
 glfw.init()
-window = glfw.create_window(640, 480, "", None, None)
+window = glfw.create_window({size}, "", None, None)
 glfw.make_context_current(window)
 while not glfw.window_should_close(window):
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
@@ -99,7 +100,9 @@ def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame
 ) -> None:
     once = solution(name).replace(LOOP, LOOP + ONLY_FIRST)
     assert once != solution(name)
-    for code in (CLEARED.format(name=name), EMPTY.format(name=name), once):
+    (size,) = re.findall(r"create_window\((\d+, \d+),", once)
+    empty = (code.format(name=name, size=size) for code in (CLEARED, EMPTY))
+    for code in (*empty, once):
         report = checked(grader, tmp_path, code)
         assert report.error is None and report.results
         assert not any(result.passed for result in report.results)

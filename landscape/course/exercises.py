@@ -45,6 +45,7 @@ NAMES: tuple[str, ...] = (
     "stencil_mirror",
     "hidden_faces",
     "shadow_map",
+    "bresenham",
 )
 HOLE = _("# Your code goes here.")
 LEAD = _("Lessons to read first: {lessons}.")
