@@ -5,6 +5,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -118,20 +119,37 @@ class Offscreen:
         """Open the scene as the view needs it, unless that one is already open."""
         preset = kind.preset_of(view) if self._preset is None else self._preset
         values = kind.values(preset, view.settings, self._given)
-        wanted = (kind.name, values, kind.shown(view, self._only))
+        shown = kind.shown(view, self._only)
+        wanted = kind.name, shown, values
         if self.scene is None or self._built_for != wanted:
-            if self.scene is not None:
-                self.scene.release()
-            self.scene, self._built_for = None, None
-            if self._world is not None and not kind.blocks:
-                raise InputError(f"world {self._world}: expected views of voxel, found {view.name}")
-            self.scene = kind.open(values, self._assets, self._seed, wanted[2])
-            if self._world is not None and isinstance(self.scene, Diggable):
-                self.scene.restore(self._changed, f"world {self._world}")
+            if not self._applied(kind, shown, values):
+                self._build(kind, shown, values, view)
             self._built_for = wanted
             vain = kind.notices(view, preset, self._given, self._only)
             self.notices = [*keys.current_names(values, self._given)[1], *vain.values()]
+        assert self.scene is not None
         return self.scene
+
+    def _build(self, kind: Scene, shown: tuple[str, ...], values: Any, view: View) -> None:
+        """Open a scene in place of the one that is open."""
+        if self.scene is not None:
+            self.scene.release()
+        self.scene, self._built_for = None, None
+        if self._world is not None and not kind.blocks:
+            raise InputError(f"world {self._world}: expected views of voxel, found {view.name}")
+        self.scene = kind.open(values, self._assets, self._seed, shown)
+        if self._world is not None and isinstance(self.scene, Diggable):
+            self.scene.restore(self._changed, f"world {self._world}")
+
+    def _applied(self, kind: Scene, shown: tuple[str, ...], values: Any) -> bool:
+        """Apply settings to the open scene; return False if it must be opened again for them."""
+        # Edits find a call by its number among all those that build the scene.
+        if self.scene is None or self._built_for is None or self._edits is not None:
+            return False
+        name, built, before = self._built_for
+        if (name, built) != (kind.name, shown) or not baked_alike(kind, before, values):
+            return False
+        return self.scene.apply(values)
 
     def draw(self, kt: float | None = None) -> np.ndarray:
         """Draw a frame at ``kt`` (the view's own by default): uint8 (h, w, 3), top row first."""
@@ -218,6 +236,11 @@ class Offscreen:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def baked_alike(kind: Scene, one: Any, other: Any) -> bool:
+    """Return whether settings of a scene agree in all that is baked into it when it is opened."""
+    return all(attrgetter(name)(one) == attrgetter(name)(other) for name in kind.baked)
 
 
 def found(view: Any, place: Scene | None = None) -> tuple[Scene, View]:

@@ -159,6 +159,7 @@ class Scene:
     ``digits`` says what the keys 1 to 9 do in a walk, ``letters`` what letters do that the scene
     has for itself. ``title`` is for people, in English.
     ``blocks`` says that a walker digs and builds in it (geometry/digging.py).
+    ``baked`` names settings that an open scene takes only roughly, which is enough for a walk.
     """
 
     name: str
@@ -177,6 +178,7 @@ class Scene:
     letters: Mapping[str, Toggle] = field(default_factory=dict)
     title: str = ""
     blocks: bool = False
+    baked: tuple[str, ...] = ()
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
         """Return the settings of a preset (None: the default) with changes; later ones override.

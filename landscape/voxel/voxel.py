@@ -330,4 +330,6 @@ SCENE = Scene(
     letters=KEYS,
     title="the island in voxels",
     blocks=True,
+    # The light of each face is in its colours, which are rounded.
+    baked=("sun", "shadow.color"),
 )
