@@ -162,6 +162,21 @@ def test_lines_that_are_hidden_as_a_whole_have_no_pixel_that_is_seen(name: str) 
     assert hidden > 40 or "steep" in name
 
 
+@pytest.mark.parametrize("name", CAMERAS)
+def test_lines_that_are_not_entered_because_nearer_ones_hide_them_raise_nothing(name: str) -> None:
+    up, pitch, roll, yaw = CAMERAS[name]
+    field = terrain(1)
+    angles = math.radians(roll), math.radians(pitch), yaw
+    scene = stage(field, Camera(9.3, 20.6, float(field.height(9.3, 20.6)) + up, *angles))
+    horizon = floating_horizon.Horizon(scene.lines, scene.camera, VOLUME, SIZE)
+    table = horizon.table
+    everything = floating_horizon.rows_by_ring(horizon.marks(scene.lines), *table.shape)
+    assert (table == everything).all()
+    hidden = np.setdiff1d(np.arange(len(scene.lines.a)), horizon.kept)
+    assert horizon.hides(scene.lines)[hidden].all()
+    assert not horizon.hides(scene.lines[horizon.kept]).any()
+
+
 def test_the_table_of_rings_gives_what_one_horizon_raised_from_front_to_back_gives() -> None:
     random = np.random.default_rng(3)
     columns, rings = 30, 40

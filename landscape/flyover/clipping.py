@@ -37,6 +37,10 @@ class Lines:
     depth0: np.ndarray
     depth1: np.ndarray
 
+    def __getitem__(self, which: np.ndarray) -> "Lines":
+        """Return some of the lines."""
+        return Lines(*(getattr(self, each.name)[which] for each in fields(self)))
+
 
 def planes(volume: Frustum, size: tuple[int, int]) -> np.ndarray:
     """Return the six planes of the view volume, (6, 4), in the camera's frame of reference.

@@ -139,6 +139,7 @@ class Ink:
     def on(self, background: np.ndarray) -> np.ndarray:
         """Return a picture, uint32 (height, width), with the lines drawn on it."""
         drawn = np.flatnonzero(self.marks != NOTHING)
-        entry = self.marks[drawn] & np.uint32((1 << ENTRY_BITS) - 1)
+        entry = self.marks.take(drawn)
+        entry &= np.uint32((1 << ENTRY_BITS) - 1)
         background.ravel()[drawn] = shades(self.palette).ravel().take(entry)
         return background

@@ -22,7 +22,6 @@ nothing is hidden where one looks straight down.
 
 import math
 from collections.abc import Iterable, Iterator
-from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -41,7 +40,9 @@ BEFORE, SLACK = 1, 1.0
 # How far level a ray must go for each unit along the line of sight, chosen. It is 0 for one that
 # goes straight down.
 LEAST = 0.25
-BLOCK = 16  # columns whose horizon is compared with a whole line, chosen
+BLOCK = 16  # columns whose horizon is compared with a whole line: a power of two, chosen
+STRIDE = 4  # of so many rings the nearest one's horizon is compared with whole lines, chosen
+NEAREST = 0.4  # part of the lines, the nearest, that hide others before these are entered, chosen
 NOWHERE = 1e9  # a row below all screens
 Marks = tuple[np.ndarray, np.ndarray, np.ndarray]
 
@@ -110,19 +111,37 @@ class Horizon:
         # Corners of the far plane are farther than the plane, and what looks level is nearer.
         self.rings = rings(1 / np.array([LEAST * volume.near / 2, 4 * volume.far]))
         columns = self.levelled.last - self.levelled.first + 1
-        marks = (
-            (column - self.levelled.first, row, self.ring(near))
-            for column, row, near in crossings(lines, self.levelled)
-        )
-        self.table = rows_by_ring(marks, int(np.ptp(self.rings)) + 1, columns)
+        shape = int(np.ptp(self.rings)) + 1, columns
         self.nearness = Nearness(lines)
+        # Hidden lines raise nothing. Most of them are found when only the nearest are entered.
+        away = np.minimum(lines.depth0, lines.depth1)
+        count = int(len(away) * NEAREST)
+        near = away < np.partition(away, count)[count] if count else np.zeros(len(away), bool)
+        self.table = rows_by_ring(self.marks(lines[near]), *shape)
+        rest = np.flatnonzero(~near)
+        rest = rest[~self.hides(lines[rest])] if count else rest
+        self.table = rows_by_ring(self.marks(lines[rest]), *shape, self.table)
+        found = np.concatenate([np.flatnonzero(near), rest])
+        found.sort()
+        self.kept = found[~self.hides(lines[found])]
 
-    @cached_property
+    def marks(self, lines: Lines) -> Iterator[Marks]:
+        """Yield the marks of lines: columns of the table, rows, and rings."""
+        for column, row, near in crossings(lines, self.levelled):
+            yield column - self.levelled.first, row, self.ring(near)
+
     def lowest(self) -> np.ndarray:
-        """The lowest horizon of each BLOCK of columns: its greatest row, (rings, blocks)."""
-        rings, columns = self.table.shape
-        padded = np.pad(self.table, ((0, 0), (0, -columns % BLOCK)), "edge")
-        return np.asarray(padded.reshape(rings, -1, BLOCK).max(axis=2))
+        """Return the lowest horizon, the greatest row, of BLOCK columns and STRIDE rings each.
+
+        It is that of the first of these rings, so that it holds for all of them.
+        """
+        table = self.table[::STRIDE]
+        padding = np.repeat(table[:, -1:], -table.shape[1] % BLOCK, axis=1)
+        table = np.concatenate([table, padding], axis=1)
+        # Halving is several times as fast as the maximum along a short axis.
+        for _ in range(BLOCK.bit_length() - 1):
+            table = np.maximum(table[:, ::2], table[:, 1::2])
+        return table
 
     def hides(self, lines: Lines) -> np.ndarray:
         """Return lines of which no pixel is seen, bool (n,); not all such lines are found.
@@ -146,9 +165,11 @@ class Horizon:
         )
         near = 1.01 / (np.minimum(lines.depth0, lines.depth1) * least)
         ring = self.ring(near) - BEFORE
-        place = np.maximum(ring, 0) * self.lowest.shape[1]
-        blocks = place + first, place + (first + end) // 2, place + end
-        horizon = np.max([self.lowest.ravel().take(each) for each in blocks], axis=0)
+        lowest = self.lowest()
+        place = np.maximum(ring, 0) // STRIDE * lowest.shape[1]
+        horizon = lowest.ravel().take(place + first)
+        for block in ((first + end) // 2, end):
+            np.maximum(horizon, lowest.ravel().take(place + block), out=horizon)
         return (top > horizon) & (ring >= 0) & (end - first <= 2) & (least > 1.1 * LEAST)
 
     def shows(self, at: np.ndarray, owner: np.ndarray) -> np.ndarray:
@@ -191,19 +212,24 @@ def rings(near: np.ndarray) -> np.ndarray:
     return near.astype(np.float32, copy=False).view(np.int32) >> np.int32(23 - RING_BITS)
 
 
-def rows_by_ring(edges: Iterable[Marks], count: int, columns: int) -> np.ndarray:
+def rows_by_ring(
+    edges: Iterable[Marks], count: int, columns: int, table: np.ndarray | None = None
+) -> np.ndarray:
     """Return the horizon at each of ``count`` rings, float32 (count, columns).
 
-    ``edges`` are columns from 0 to ``columns`` - 1, rows, and rings, some at a time.
+    ``edges`` are columns from 0 to ``columns`` - 1, rows, and rings, some at a time. If there is a
+    ``table`` already, they are entered into that.
     """
-    flat = np.full(count * columns, NOWHERE, np.float32)
+    flat = np.full(count * columns, NOWHERE, np.float32) if table is None else table.ravel()
+    begin = count if table is not None else 0
     for column, row, ring in edges:
+        begin = min(begin, int(ring.min()))
         ring *= columns
         ring += column
         np.minimum.at(flat, ring, row)
     table = flat.reshape(count, columns)
     # In place and row by row: eight times as fast as minimum.accumulate along columns.
-    for nearer, farther in pairwise(table):
+    for nearer, farther in pairwise(table[begin:]):
         np.minimum(nearer, farther, out=farther)
     return table
 

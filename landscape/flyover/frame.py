@@ -106,7 +106,7 @@ def draw_lines(
     count = 0
     kept = np.arange(len(lines.a))
     if horizon is not None:
-        kept = np.flatnonzero(~horizon.hides(lines))
+        kept = horizon.kept
     x0, y0, x1, y1 = (each[kept] for each in (lines.x0, lines.y0, lines.x1, lines.y1))
     for at, owner in bresenham.chunks(x0, y0, x1, y1, size):
         owner = kept.take(owner)

@@ -102,6 +102,9 @@ class Colouring:
         # Whole periods make all coordinates positive: then rounding to 0 is rounding down.
         around = math.ceil(2 * float(far[-1]) / pyramid.period * max(abs(lateral)) + 1)
         self.start = [np.float32(e % pyramid.period + around * pyramid.period) for e in scene.eye]
+        place = np.arange(len(far) + 1) / (STRIDE * PLACES)
+        self.place, self.part = place.astype(np.int64), (place % 1).astype(np.float32)
+        self.across = np.arange(len(lateral)) // ACROSS
         self.ashore = np.float32(look.sea - scene.eye[2] + ASHORE)
         # Whole pictures of rock make heights positive, too.
         self.bottom = np.float32(scene.eye[2] * THICK / self.texel % SIDE + ROCK_BELOW * SIDE)
@@ -359,8 +362,10 @@ class Colouring:
         shores, far = self.scene.shores, self.scene.distances
         assert shores is not None
         columns = shores.slope.shape[1]
-        place, part = np.divmod(step.astype(np.float32) * np.float32(1 / (STRIDE * PLACES)), 1)
-        at = place.astype(np.int64) * columns + column // ACROSS
+        at = self.place.take(step)
+        at *= columns
+        at += self.across.take(column)
+        part = self.part.take(step)
         slope = shores.slope.ravel().take(at)
         following = shores.slope.ravel().take(at + columns, mode="clip")
         slope += (following - slope) * part
