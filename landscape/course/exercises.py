@@ -46,6 +46,7 @@ NAMES: tuple[str, ...] = (
     "hidden_faces",
     "shadow_map",
     "bresenham",
+    "floating_horizon",
 )
 HOLE = _("# Your code goes here.")
 LEAD = _("Lessons to read first: {lessons}.")

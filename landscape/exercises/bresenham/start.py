@@ -17,7 +17,7 @@ the picture are left out.
 Keys: Space draws each line from its other end.
 """
 # exercise: bresenham
-# lessons: generated_texture
+# lessons: bresenham, generated_texture
 
 import glfw
 import numpy as np
