@@ -228,7 +228,7 @@ class Colouring:
 
     def close_up(self, colour: np.ndarray, x: np.ndarray, y: np.ndarray, away: np.ndarray) -> None:
         """Blend colours (n,) close by between texels, and add the grain of the ground, in place."""
-        near = np.flatnonzero((away < CLOSE) & (colour < WATER))
+        near = np.flatnonzero((away < CLOSE) & (colour < OPAQUE))
         if not len(near):
             return
         x, y, away = x.take(near), y.take(near), away.take(near)
@@ -251,8 +251,10 @@ class Colouring:
         lower = blend(texels.take(next_row + column), texels.take(next_row + next_column), u)
         smooth = blend(upper, lower, v)
         dark *= np.float32(GRAIN)
-        keep = 256 - dark.astype(np.uint32)
-        colour[near] = darker(smooth, keep) | colour.take(near) & OPAQUE
+        own = colour.take(near)
+        wet = (own >> np.uint32(24) & COVER) * (own >= WATER)
+        keep = 256 - (dark.astype(np.uint32) * (COVER - wet) >> np.uint32(7))
+        colour[near] = darker(smooth, keep) | own & OPAQUE
 
     def feet(
         self,
