@@ -10,14 +10,9 @@ EVENTS = [{"frame": 1, "key": "SPACE"}]
 WIDTH, HEIGHT = 64, 48  # the picture of start.py
 CENTER = 32, 24
 QUARTER = (
-    ((7, 0), (30, 0)),
-    ((7, 2), (30, 7)),
-    ((7, 4), (30, 18)),
-    ((6, 6), (23, 23)),
-    ((4, 6), (15, 23)),
-    ((2, 6), (6, 23)),
-    ((0, 6), (0, 23)),
-)
+    ((7, 0), (30, 0)), ((7, 2), (30, 7)), ((7, 4), (30, 18)), ((6, 6), (23, 23)),
+    ((4, 6), (15, 23)), ((2, 6), (6, 23)), ((0, 6), (0, 23)),
+)  # fmt: skip
 GREEN, ONE = 41, 87  # of the background, and what a pixel adds to it
 RED_FIRST, RED_LAST = 223, 43  # of the first pixel of a line, and of the last
 OFF = 0.1  # chosen: by which a shade may be wrong, the whole of a line being 1
@@ -28,8 +23,7 @@ def fan():
     x, y = CENTER
     lines = {
         (x + right * x0, y + down * y0, x + right * x1, y + down * y1): None
-        for right in (1, -1)
-        for down in (1, -1)
+        for right, down in ((1, 1), (1, -1), (-1, 1), (-1, -1))
         for (x0, y0), (x1, y1) in QUARTER
     }
     return [(x, y, x, y), *lines]
@@ -182,11 +176,8 @@ def ending(work, number, aside):
     found = drawn(work, number)
     ends = [walked(line, lambda k, *both: aside(*both))[-1] for line in given(number)
             if oblique(line)]  # fmt: skip
-    seen = [
-        any((x + i, y + j) in found for i in (-1, 0, 1) for j in (-1, 0, 1))
-        for x, y in ends
-        if 0 <= x < WIDTH and 0 <= y < HEIGHT
-    ]
+    near = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    seen = [any((x + i, y + j) in found for i, j in near) for x, y in inside(ends)]
     return bool(seen) and all(seen)
 
 
