@@ -7,8 +7,7 @@ from landscape.course.grading import _, compare, hint, test
 FRAMES = (0, 1)
 EVENTS = [{"frame": 1, "key": "SPACE"}]
 
-WIDTH, HEIGHT = 64, 48  # the picture of start.py
-CENTER = 32, 24
+WIDTH, HEIGHT, CENTER = 64, 48, (32, 24)  # the picture of start.py
 QUARTER = (
     ((7, 0), (30, 0)), ((7, 2), (30, 7)), ((7, 4), (30, 18)), ((6, 6), (23, 23)),
     ((4, 6), (15, 23)), ((2, 6), (6, 23)), ((0, 6), (0, 23)),
