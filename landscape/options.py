@@ -176,7 +176,9 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     views.add_argument("--json", action="store_true", help=JSON)
 
     figures = command("figures", "draw the report's figures", "35 --out figures")
-    figures.add_argument("names", nargs="*", metavar="FIG", help="35, fig35a, R6, hall or voxel")
+    figures.add_argument(
+        "names", nargs="*", metavar="FIG", help="35, fig35a, R6, hall, voxel or flyover"
+    )
     figures.add_argument(
         "--out", type=Path, default=Path("figures"), metavar="DIR", help="default: %(default)s"
     )

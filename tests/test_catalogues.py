@@ -172,6 +172,7 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     monkeypatch.setattr(readme, "ROOT", tmp_path)
     monkeypatch.setattr(readme, "page", lambda language: f"the gallery in {language}")
     monkeypatch.setattr(readme, "scene_page", lambda scene, language: f"{scene} in {language}")
+    monkeypatch.setattr(readme, "flyover_page", lambda language: f"the flights in {language}")
     monkeypatch.setattr(readme, "WIDTH", 24)
     french = {
         "Fog": "Brouillard",
@@ -185,7 +186,7 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     (locale / "docs" / "README.po").write_text(HEAD + "".join(entries), encoding="utf-8")
     (tmp_path / "README.md").write_text(README)
     kept = tmp_path / "screenshots"
-    folders = [tmp_path, kept, *(kept / name for name in VIEW_TEXTS)]
+    folders = [tmp_path, kept, *(kept / name for name in (*VIEW_TEXTS, "flyover"))]
     for folder in folders[2:]:
         folder.mkdir(parents=True)
     path, gallery, hall, *others = (each / "README.fr.md" for each in folders)
@@ -195,7 +196,10 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     readme.write("fr")
     assert gallery.read_text(encoding="utf-8") == "the gallery in fr"
     assert hall.read_text(encoding="utf-8") == "hall in fr"
-    assert [each.read_text(encoding="utf-8") for each in others] == ["voxel in fr"]
+    assert [each.read_text(encoding="utf-8") for each in others] == [
+        "voxel in fr",
+        "the flights in fr",
+    ]
     assert path.read_text(encoding="utf-8") == LISEZMOI.replace("_", "\u00a0")
     assert list(readme.stale("fr")) == []
     (tmp_path / "README.md").write_text(README.replace("Thin", "Light"))

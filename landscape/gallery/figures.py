@@ -1,6 +1,7 @@
 """The figures command: draws the gallery's panels into a folder, updates or checks the gallery.
 
-There is a gallery of the report's figures and fixes, and one of each scene that has captions.
+There is a gallery of the report's figures and fixes, one of each scene that has captions, and one
+of the software fly-over.
 """
 
 import io
@@ -17,7 +18,7 @@ from landscape.errors import InputError
 from landscape.files.images import read_image
 from landscape.files.output import check_output_folder, save_png, write_whole
 from landscape.files.progress import Progress
-from landscape.gallery import page, scene_page
+from landscape.gallery import flyover_captions, flyover_page, page, scene_page
 from landscape.gallery.compare import agree, agree_lossy, amplified
 from landscape.gallery.panels import FigurePanel, PanelRenderer, named_panels
 from landscape.gallery.scene_captions import QUALITY, VIEW_TEXTS
@@ -49,16 +50,19 @@ class Gallery:
 def gallery(names: list[str]) -> Gallery:
     """Return the panels of these figures or fixes, all of the report's without names.
 
-    The name of a scene means all panels of its own page. InputError for other names, and where a
-    scene stands beside others.
+    The name of a scene, or of the fly-over, means all panels of its own page. InputError for other
+    names, and where one of these stands beside others.
     """
+    if names == [flyover_page.NAME]:
+        panels, page_of = flyover_page.panels(), flyover_page.page
+        return Gallery(flyover_page.NAME, "webp", panels, page_of, flyover_captions.QUALITY)
     if len(names) == 1 and names[0] in VIEW_TEXTS:
         kind = scene(names[0])
         of_scene = partial(scene_page.page, kind.name)
         panels = scene_page.panels(kind)
         return Gallery(kind.name, "webp", panels, of_scene, QUALITY[kind.name])
     for name in names:
-        if name in VIEW_TEXTS:
+        if name in (*VIEW_TEXTS, flyover_page.NAME):
             raise InputError(f"figures {name!r}: expected no other names beside it")
     return Gallery("", "png", named_panels(names), page.page)
 
@@ -92,10 +96,19 @@ def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bo
 
 
 def as_webp(picture: np.ndarray, quality: int) -> bytes:
-    """Return a picture as a WebP file, of a quality from 0 to 100."""
-    buffer = io.BytesIO()
-    Image.fromarray(picture).save(buffer, "WEBP", quality=quality, method=6)
-    return buffer.getvalue()
+    """Return a picture as a WebP file, of a quality from 0 to 100.
+
+    If the file is smaller without any loss, as of thin lines in few colours, that one is returned.
+    """
+    files = []
+    for lossless in (False, True):
+        buffer = io.BytesIO()
+        image = Image.fromarray(picture)
+        image.save(
+            buffer, "WEBP", quality=100 if lossless else quality, method=6, lossless=lossless
+        )
+        files.append(buffer.getvalue())
+    return min(files, key=len)
 
 
 def check(

@@ -82,18 +82,19 @@ def page(name: str, language: str = "en") -> str:
     for paragraph in introduction:
         lines += [_(paragraph), ""]
     for view in VIEW_TEXTS[name]:
-        lines += _view_entry(by_name[view], _)
+        lines += view_entry(by_name[view], _)
     for heading, text, steps in STEPS.get(name, ()):
         lines += [f"## {_(heading)}", "", _(text), ""]
         for step in steps:
-            lines += _view_entry(by_name[step.name], _, level="###")
+            lines += view_entry(by_name[step.name], _, level="###")
     lines += [f"## {_('Safeguards, off and on')}", "", _(PAIRS_TEXT), ""]
     for fix in kind.fixes:
-        lines += _pair_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)
+        lines += pair_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)
     return "\n".join(lines)
 
 
-def _view_entry(panel: FigurePanel, _: Translator, level: str = "##") -> list[str]:
+def view_entry(panel: FigurePanel, _: Translator, level: str = "##") -> list[str]:
+    """Return the lines of one picture: its title, itself, what to look at, and its command."""
     return [
         f"{level} {panel.name}",
         "",
@@ -108,7 +109,8 @@ def _view_entry(panel: FigurePanel, _: Translator, level: str = "##") -> list[st
     ]
 
 
-def _pair_entry(fix: Any, before: FigurePanel, after: FigurePanel, _: Translator) -> list[str]:
+def pair_entry(fix: Any, before: FigurePanel, after: FigurePanel, _: Translator) -> list[str]:
+    """Return the lines of a fix: the flaw, both pictures, what to look at, and how it is done."""
     return [
         f"### {fix.name}",
         "",

@@ -16,6 +16,7 @@ from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import SECTIONS, Lesson, lessons
 from landscape.course.pages import blocks, page
 from landscape.fixes import FIXES
+from landscape.gallery import flyover_captions
 from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS
@@ -36,6 +37,7 @@ DOCUMENTS = (
     "docs/assets.md",
     "docs/performance.md",
     "docs/voxels.md",
+    "docs/flyover.md",
     "docs/environments.md",
 )
 """The documents that are translated, below the root of the project."""
@@ -151,6 +153,7 @@ def gallery() -> Iterator[Message]:
         for fix in kind.fixes:
             texts += [fix.flaw, *fix.seen, fix.look, fix.how]
         yield from (Message(text, source) for text in texts)
+    yield from flyover_gallery()
     yield from (Message(line, source) for line in INTRODUCTION if line)
     for part in PARTS:
         yield from (Message(text, source) for text in (part.heading, part.text))
@@ -162,6 +165,22 @@ def gallery() -> Iterator[Message]:
     for fix in FIXES:
         for text in (fix.flaw, *fix.seen, fix.look, fix.how):
             yield Message(text, "landscape/fixes")
+
+
+def flyover_gallery() -> Iterator[Message]:
+    """Yield the texts of the fly-over's page."""
+    said, source = flyover_captions, "landscape/gallery/flyover_captions.py"
+    texts = [*said.INTRODUCTION]
+    for shot in said.VIEWS:
+        texts += [shot.title, shot.seen, shot.look]
+    texts += [said.STEPS_HEADING, said.STEPS_TEXT]
+    for shot in said.STEPS:
+        texts += [shot.title, shot.seen, shot.look]
+    texts += [said.PAIRS_HEADING, said.PAIRS_TEXT]
+    for pair in said.PAIRS:
+        texts += [pair.flaw, *pair.seen, pair.look, pair.how]
+    yield from (Message(text, source) for text in texts)
+    yield from (Message(pair.title, source, pair.name) for pair in said.PAIRS)
 
 
 def in_document(name: str) -> Iterator[Message]:

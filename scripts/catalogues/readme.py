@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from landscape.course.pages import as_markdown, blocks
+from landscape.gallery.flyover_page import NAME as FLYOVER
+from landscape.gallery.flyover_page import page as flyover_page
 from landscape.gallery.page import page
 from landscape.gallery.scene_captions import VIEW_TEXTS
 from landscape.gallery.scene_page import page as scene_page
@@ -40,6 +42,7 @@ def translated(language: str) -> dict[Path, str]:
         ROOT / name: as_markdown(blocks(readme, _), WIDTH),
         kept / name: page(language),
         **{kept / scene / name: scene_page(scene, language) for scene in VIEW_TEXTS},
+        kept / FLYOVER / name: flyover_page(language),
     }
 
 

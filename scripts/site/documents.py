@@ -10,7 +10,7 @@ from landscape.languages import translator
 ROOT = Path(__file__).resolve().parents[2]
 TEACHING = ("lecture", "exercises")  # for who gives the course
 TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
-BUILT = ("performance", "voxels", "environments", "assets")  # how the program is built
+BUILT = ("performance", "voxels", "flyover", "environments", "assets")  # how the program is built
 ALL = (*TEACHING, *TOOLS, *BUILT)
 
 

@@ -1,4 +1,4 @@
-"""The report's figures and the fixes, and a page for each scene whose views have captions.
+"""The report's figures and the fixes, a page for each scene with captions, and the fly-over's.
 
 Their texts are the gallery's; each fix has a slider between its two pictures.
 """
@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape.fixes import FIXES
-from landscape.gallery import scene_page
+from landscape.gallery import flyover_captions, flyover_page, scene_page
 from landscape.gallery.page import ADDED, FIXED, FIXES_TEXT, PARTS, anchor
 from landscape.gallery.panels import FigurePanel, panels
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS
@@ -26,12 +26,15 @@ def pictures() -> Iterator[Path]:
     for name in VIEW_TEXTS:
         for panel in scene_page.panels(scene(name)):
             yield KEPT / name / f"{panel.name}.webp"
+    for panel in flyover_page.panels():
+        yield KEPT / flyover_page.NAME / f"{panel.name}.webp"
 
 
 def pages(language: str) -> dict[str, str]:
     """Return the pages by name.
 
-    They are a list, a page for each part of the report, the fixes, and the pages of scenes.
+    They are a list, a page for each part of the report, the fixes, and the pages of scenes and of
+    the fly-over.
     """
     _ = translator(language, "site", "gallery")
     every = panels()
@@ -55,6 +58,7 @@ def pages(language: str) -> dict[str, str]:
                     lines += _figure(panel, language)
         found[f"figures/{name}"] = "\n\n".join(lines) + "\n"
     found["figures/fixes"] = _fixes({panel.name: panel for panel in every}, language)
+    found[f"{flyover_page.NAME}/index"] = _flyover(language)
     return {**found, **{f"{name}/index": _scene(name, language) for name in VIEW_TEXTS}}
 
 
@@ -73,6 +77,23 @@ def _scene(name: str, language: str) -> str:
     lines += [f"## {_('Safeguards, off and on')}", _(PAIRS_TEXT)]
     for fix in kind.fixes:
         lines += _fix(fix, panels, language)
+    return "\n\n".join(lines) + "\n"
+
+
+def _flyover(language: str) -> str:
+    _ = translator(language, "site", "gallery")
+    said = flyover_captions
+    panels = {panel.name: panel for panel in flyover_page.panels()}
+    title, *introduction = said.INTRODUCTION
+    lines = [f"# {_(title)}", *(_plain(_(text)) for text in introduction)]
+    for shot in said.VIEWS:
+        lines += _figure(panels[shot.name], language)
+    lines += [f"## {_(said.STEPS_HEADING)}", _(said.STEPS_TEXT)]
+    for shot in said.STEPS:
+        lines += _figure(panels[shot.name], language)
+    lines += [f"## {_(said.PAIRS_HEADING)}", _plain(_(said.PAIRS_TEXT))]
+    for pair in said.PAIRS:
+        lines += _fix(pair, panels, language)
     return "\n\n".join(lines) + "\n"
 
 

@@ -34,6 +34,8 @@ def pages(language: str) -> dict[str, str]:
          _("The castle's hall of classic effects, and what each of them needs.")),
         ("voxel/index", "voxel_castle.webp", _("The island in voxels"),
          _("A terrain of cubes with reflection, refraction and shadows, pass by pass.")),
+        ("flyover/index", "flyover_canyon_filled.webp", _("The software fly-over"),
+         _("A terrain without OpenGL: every line and every pixel computed in numpy.")),
         ("documents/tools", "fig42a.webp", _("The tools"),
          _("Any call, any pixel, any state of a frame, laid open.")),
         ("documents/built", "best_fig35g.webp", _("How it is built"),
