@@ -35,6 +35,17 @@ def test_a_tree_stands_on_its_trunk_and_holds_all_its_leaves(kind):
         assert logs.sum() < (model > 0).sum() / 2
 
 
+@pytest.mark.parametrize("kind", ["oak", "birch", "hawthorn"])
+def test_beside_its_trunk_a_tree_shows_no_log(kind):
+    for model in trees(kind):
+        logs = np.pad(model == block(f"{kind} log"), 1)
+        full = np.pad(model > 0, 1)
+        logs[logs.shape[0] // 2, logs.shape[1] // 2] = False
+        for axis in range(3):
+            for step in (-1, 1):
+                assert np.roll(full, step, axis)[logs].all()
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_seed_gives_one_tree_and_other_seeds_give_others(kind):
     assert all(np.array_equal(a, b) for a, b in zip(trees(kind), trees(kind), strict=True))

@@ -50,7 +50,7 @@ BLOCKS = (
     Block("air", "rock"),
     Block("rock", "rock", tint=(236, 232, 230), natural=True),
     Block("earth", "earth", natural=True),
-    Block("grass", "grass_top", "grass_side", "earth", (230, 240, 230), natural=True),
+    Block("grass", "grass_top", "grass_side", "earth", (226, 222, 214), natural=True),
     Block("sand", "sand", natural=True),
     Block("gravel", "gravel", natural=True),
     Block("snow", "snow", "snow_side", "earth"),
@@ -62,7 +62,7 @@ BLOCKS = (
     Block("birch leaves", "leaves", tint=(150, 176, 72), natural=True),
     Block("spruce needles", "needles", tint=(62, 104, 74), natural=True),
     Block("hawthorn leaves", "leaves", tint=(112, 150, 82), natural=True),
-    Block("hawthorn blossom", "leaves", tint=(248, 226, 226)),
+    Block("hawthorn blossom", "leaves", tint=(250, 176, 184)),
     Block("brick", "brick"),
     Block("dark brick", "brick", tint=(176, 170, 168)),
     Block("slate", "slate"),
@@ -76,7 +76,7 @@ BLOCKS = (
     Block("light scales", "hide", tint=(206, 204, 132)),
     Block("horn", "hide", tint=(240, 230, 204)),
     Block("pink", "hide", tint=(226, 138, 132)),
-    Block("tall grass", "tall_grass", natural=True, plant=True),
+    Block("tall grass", "tall_grass", tint=(196, 216, 160), natural=True, plant=True),
     Block("fern", "fern", natural=True, plant=True),
     Block("poppy", "poppy", plant=True),
     Block("buttercup", "buttercup", plant=True),
@@ -86,7 +86,7 @@ BLOCKS = (
     Block("pale rock", "rock", tint=(255, 250, 236), natural=True),
     Block("warm rock", "rock", tint=(250, 226, 196), natural=True),
     Block("deep snow", "snow", "snow", "rock"),
-    Block("turf", "grass_top", "turf_side", "earth", (216, 232, 214), natural=True),
+    Block("turf", "grass_top", "turf_side", "earth", (212, 214, 198), natural=True),
     Block("path", "path", "earth", "earth", natural=True),
     Block("daisies", "daisy", plant=True),
     Block("reeds", "reed", natural=True, plant=True),
@@ -94,6 +94,7 @@ BLOCKS = (
     Block("spruce tip", "spruce_tip", tint=(62, 104, 74), natural=True, plant=True),
     Block("deep scales", "hide", tint=(38, 108, 96)),
     Block("bright scales", "hide", tint=(92, 172, 122)),
+    Block("pane", "lamp", tint=(84, 112, 220)),  # the lamp's bars, and a dark blue between them
 )
 NUMBERS = {block.name: number for number, block in enumerate(BLOCKS)}
 SOLID = np.array([number > 0 and not block.plant for number, block in enumerate(BLOCKS)])

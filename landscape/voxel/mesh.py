@@ -24,7 +24,7 @@ OVERLAP = 0.006  # blocks, chosen: of quads that are seen from nearby
 # Chosen: how far the noise changes the tint of natural blocks: red, green and blue. Grass goes from
 # lush to dry.
 TINT_STEP = np.array([0.22, 0.11, 0.07])
-GRASS_STEP = np.array([0.30, 0.05, 0.05])
+GRASS_STEP = np.array([0.34, 0.10, 0.10])
 X_Z_Y = (0, 2, 1)  # where x, z and y are in a position
 # Corners of a quad as fractions along and across, in the order of the shades.
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
@@ -43,12 +43,14 @@ def face_tiles() -> np.ndarray:
     return found
 
 
-TIP = block("spruce tip")
+TIP, TUFT = block("spruce tip"), block("tall grass")
+# Chosen: tufts of grass have these shares of a plant's size, alike within CLUMP columns.
+SMALLEST, LARGEST, CLUMP = 0.5, 1.05, 3
 UP = [each.name for each in DIRECTIONS].index("up")
 FACE_TILES = face_tiles()
 TINTS = np.array([block.tint for block in BLOCKS], np.float32)
 NATURAL = np.array([block.natural for block in BLOCKS])
-GRASSY = np.array([block.top == "grass_top" for block in BLOCKS])
+GRASSY = np.array([block.top in ("grass_top", "tall_grass") for block in BLOCKS])
 STEPS = (NATURAL[:, None] * np.where(GRASSY[:, None], GRASS_STEP, TINT_STEP)).astype(np.float32)
 PLANT = np.array([block.plant for block in BLOCKS])
 PLANT_COLUMN = np.array([PLANT_TILES.index(each.top) if each.plant else 0 for each in BLOCKS])
@@ -195,6 +197,7 @@ def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) ->
     jitter = (place @ np.array([73, 151, 37]))[:, None] * np.array([0.61803, 0.75488])
     moved = np.where(kinds == TIP, 0.0, 0.5)[:, None] * (jitter % 1.0 - 0.5)
     middle = place[:, :2] + 0.5 + moved
+    size = np.where(kinds == TUFT, tuft_sizes(place), 1.0)
     found = np.empty((len(place), 2, 4), VERTEX)
     column = PLANT_COLUMN[kinds]
     last = len(look.tint) - 1
@@ -203,9 +206,9 @@ def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) ->
     for quad, (dx, dz) in enumerate(((0.36, 0.36), (0.36, -0.36))):
         for corner, (side, top) in enumerate(((-1, 0), (1, 0), (1, 1), (-1, 1))):
             vertex = found[:, quad, corner]
-            vertex["position"][:, 0] = middle[:, 0] + side * dx
-            vertex["position"][:, 1] = place[:, 2] + top * 0.9
-            vertex["position"][:, 2] = middle[:, 1] + side * dz
+            vertex["position"][:, 0] = middle[:, 0] + side * dx * size
+            vertex["position"][:, 1] = place[:, 2] + top * 0.9 * size
+            vertex["position"][:, 2] = middle[:, 1] + side * dz * size
             vertex["coordinate"][:, 0] = (column + 0.5 + 0.49 * side) / len(PLANT_TILES)
             vertex["coordinate"][:, 1] = 1.0 - top
             # Darker at the root.
@@ -213,6 +216,13 @@ def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) ->
             vertex["colour"][:, :3] = np.clip(shaded, 0, 255)
             vertex["colour"][:, 3] = 255
     return found.reshape(-1, 4)
+
+
+def tuft_sizes(place: np.ndarray) -> np.ndarray:
+    """Return how large tufts of grass at places (m, 3) are, as shares of a plant's size, (m,)."""
+    clump = (place[:, :2] // CLUMP @ np.array([73, 151])) * 0.61803 % 1.0
+    own = (place @ np.array([37, 91, 53])) * 0.75488 % 1.0
+    return np.asarray(SMALLEST + (LARGEST - SMALLEST) * (0.7 * clump + 0.3 * own))
 
 
 def plant_sets(vertices: np.ndarray, look: Look) -> np.ndarray:

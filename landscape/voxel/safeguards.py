@@ -215,7 +215,7 @@ WATER: tuple[Safeguard, ...] = (
         Pose(14.0, 1.2, 32.5, 128.0, -4.0),
         20.0,
         {"sun.elevation": 20.0, "water.sparkle": 0.0},
-        {"sun.elevation": 20.0, "water.sparkle": 1.0},
+        {"sun.elevation": 20.0, "water.sparkle": 2.0},
         flaw="The water mirrors sky and land, but not the sun, which is in no picture.",
         look="Look below the sun.",
         how="GL_DOT3_RGBA of a map of normals and of the half vector between sun and eye, which is "

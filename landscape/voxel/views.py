@@ -18,7 +18,7 @@ VIEWS = {
         View("voxel_water", "through clear water one sees the ground, in it the shore",
              Pose(16.7, 1.25, 32.9, 146.0, -15.0), 20.0),
         View("voxel_forest", "a glade in the forest below the mountain",
-             Pose(18.95, 1.7, 24.6, 8.0, 3.0), 20.0),
+             Pose(18.95, 1.7, 24.6, 3.0, 3.0), 20.0),
         View("voxel_regions", "the regions' boxes, culled ones red; the frustum from outside",
              Pose(20.3, 4.6, 27.2, 12.0, -18.0), 20.0, settings={"debug.regions": True}),
     )

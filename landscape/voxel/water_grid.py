@@ -27,7 +27,7 @@ PER_DEPTH = 2.5  # times the depth of the water
 PER_DISTANCE = 0.22  # times the distance from the eye
 # Glints are dim in less water, and nearer to the eye, than this many units: they would be large
 # spots. How much shorter half vectors are there; all chosen.
-CALM_DEPTH, CALM_DISTANCE, CALM = 0.3, 1.3, 0.045
+CALM_DEPTH, CALM_DISTANCE, CALM = 0.5, 1.6, 0.045
 FADE = 4  # rows and columns at the screen's edges, beyond which there is no picture to look up
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from landscape.voxel.blocks import block
 from landscape.voxel.models.castle_court import court, yard
-from landscape.voxel.models.castle_keep import hall, keep
+from landscape.voxel.models.castle_keep import flag, hall, keep
 from landscape.voxel.models.shapes import disc, octagon
 
 FLOOR = 12  # the level of the court's first free block; below it are foundations
@@ -104,7 +104,7 @@ def _walls(model: np.ndarray) -> None:
         _stone(model, (*plan, slice(WALK - 1, WALK)), dark=True)
         for slit in range(start + 7, end - 5, 7):
             where = (slit, outer) if along_x else (outer, slit)
-            model[(*where, slice(FLOOR + 4, FLOOR + 6))] = block("dark")
+            model[(*where, slice(FLOOR + 4, FLOOR + 6))] = block("pane")
 
 
 def _tower(model: np.ndarray, x: int, z: int, radius: int, above: int, cone: int) -> None:
@@ -131,15 +131,15 @@ def _tower(model: np.ndarray, x: int, z: int, radius: int, above: int, cone: int
     for dx, dz in ((-inward[0], 0), (0, -inward[1])):
         at = (x + dx * radius, z + dz * radius)
         model[(*at, slice(WALK + 1, WALK + 3))] = 0
-        model[(*at, slice(FLOOR + 3, FLOOR + 5))] = block("dark")
+        model[(*at, slice(FLOOR + 3, FLOOR + 5))] = block("pane")
+        model[(*at, slice(FLOOR + 2, FLOOR + 6, 3))] = block("dark brick")
     model[x, z, top - 2] = block("lamp")
     # A jutting course under the eaves, then the cone.
     model[..., top - 1][disc(PLAN, (x, z), radius + 0.4)] = block("dark brick")
     for level in range(cone):
         wide = (radius + 1.2) * (1 - level / cone) + 0.15
         model[..., top + level][disc(PLAN, (x, z), wide)] = block("slate")
-    model[x, z, top + cone : top + cone + 2] = block("oak log")
-    model[x, z + 1 : z + 3, top + cone + 1] = block("red cloth")
+    flag(model, x, z, top + cone)
 
 
 def _gatehouse(model: np.ndarray) -> None:

@@ -46,7 +46,7 @@ def _buttresses(model: np.ndarray, floor: int, top: int) -> None:
 
 
 def _windows(model: np.ndarray, floor: int, top: int) -> None:
-    """Two rows of windows a block deep, dark, some with light in them, and planks for shutters."""
+    """Two rows of windows a block deep, of dark panes, some with light in them."""
     (x, z), (wide, deep) = KEEP, SIDE
     lit = 0
     for low in (floor + 6, floor + 12):
@@ -60,7 +60,7 @@ def _windows(model: np.ndarray, floor: int, top: int) -> None:
             ):
                 lit += 1
                 model[(*plan, tall)] = 0
-                model[(*inside, tall)] = block("lamp" if lit % 5 == 2 else "dark")
+                model[(*inside, tall)] = block("lamp" if lit % 5 == 2 else "pane")
                 model[(*plan, low - 1)] = block("dark brick")
 
 
@@ -87,13 +87,19 @@ def _top(model: np.ndarray, top: int) -> None:
     model[..., top : top + 6][turret] = block("brick")
     model[..., top + 5][turret] = block("dark brick")
     for dx, dz in ((-2, 0), (2, 0), (0, -2), (0, 2)):
-        model[cx + dx, cz + dz, top + 2 : top + 4] = block("dark" if dz >= 0 else "lamp")
+        model[cx + dx, cz + dz, top + 2 : top + 4] = block("pane" if dz >= 0 else "lamp")
     for level in range(9):
         model[..., top + 6 + level][disc((plan[0], plan[1]), (cx, cz), 3.3 * (1 - level / 9))] = (
             block("slate")
         )
-    model[cx, cz, top + 14 : top + 17] = block("oak log")
-    model[cx, cz + 1 : cz + 4, top + 15 : top + 17] = block("red cloth")
+    flag(model, cx, cz, top + 14)
+
+
+def flag(model: np.ndarray, x: int, z: int, low: int) -> None:
+    """Put up a pole with a swallow-tailed flag that blows to the south, in place."""
+    model[x, z, low : low + 4] = block("oak log")
+    model[x, z + 1 : z + 4, low + 1 : low + 4] = block("red cloth")
+    model[x, z + 4, low + 1 : low + 4 : 2] = block("red cloth")
 
 
 def _stairs_inside(model: np.ndarray, floor: int, top: int) -> None:
@@ -142,7 +148,7 @@ def hall(model: np.ndarray, floor: int) -> None:
     model[x + 3 : x + 5, south, floor : floor + 3] = 0
     for cx in (x + 1, x + wide - 3):
         model[cx, south, floor + 2 : floor + 4] = block("lamp")
-    model[x + 3 : x + 5, z, floor + 2 : floor + 4] = block("dark")
+    model[x + 3 : x + 5, z, floor + 2 : floor + 4] = block("pane")
     model[x + wide // 2, z + deep // 2, floor + 4] = block("lamp")
     model[x + 2 : x + 7, z + 1, floor] = block("planks")
     # The chimney.

@@ -1,8 +1,8 @@
 """Trees: oak, birch, spruce and hawthorn, no two alike.
 
-A crown is a handful of flattened masses around the ends of branches, apart enough to let one see
-the sky between them, and the trunk and the branches below; at their edges they thin out. All sizes
-are chosen, in blocks.
+A crown is a handful of rounded masses around the top of a bare trunk one block thick; at their
+edges they thin out. No branch leaves the crown: a log is as thick as a trunk, and one that stuck
+out would look like a beam. All sizes are chosen, in blocks.
 """
 
 from collections.abc import Callable
@@ -33,51 +33,52 @@ def tree(kind: str, rng: np.random.Generator) -> np.ndarray:
 
 
 def _oak(model: np.ndarray, rng: np.random.Generator) -> None:
-    """A broad crown of several masses at the ends of branches, with the sky between them."""
+    """A deep, round crown of several masses on a bare trunk; the limbs are within the leaves."""
     log, leaves = block("oak log"), block("oak leaves")
     big = rng.random() < BIG
-    trunk = int(rng.integers(4, 7)) if big else int(rng.integers(3, 6))
-    line(model, (MIDDLE, MIDDLE, 0), (MIDDLE, MIDDLE, trunk + 2), log)
-    if big:
-        model[MIDDLE : MIDDLE + 2, MIDDLE : MIDDLE + 2, : trunk + 1] = log
-    limbs = int(rng.integers(5, 7)) if big else int(rng.integers(3, 6))
+    trunk = int(rng.integers(5, 7)) if big else int(rng.integers(3, 6))
+    limbs = int(rng.integers(4, 6)) if big else 3
     turn = rng.random() * 2 * np.pi
+    size = rng.uniform(3.4, 4.0) if big else rng.uniform(2.5, 3.1)
+    x, z = MIDDLE + rng.uniform(-0.5, 0.5, 2)
+    middle = trunk + 0.8 * size
+    blob(model, (x, z, middle), (size, size, 1.05 * size), leaves, 2.0)
     for number in range(limbs):
         angle = turn + 2 * np.pi * (number + rng.uniform(-0.2, 0.2)) / limbs
-        far = (4.6 if big else 2.8) * rng.uniform(0.7, 1.1)
-        size = (2.5 if big else 1.9) * rng.uniform(0.75, 1.15)
+        far = (3.4 if big else 1.9) * rng.uniform(0.8, 1.15)
+        wide = 0.62 * size * rng.uniform(0.9, 1.15)
         x, z = MIDDLE + far * np.cos(angle), MIDDLE + far * np.sin(angle)
-        y = trunk + rng.uniform(0.2, 3.6 if big else 2.4)
-        line(model, (MIDDLE, MIDDLE, trunk - int(rng.integers(0, 2))), (x, z, y), log)
-        blob(model, (x, z, y + 0.9), (size, size, 0.8 * size), leaves, 2.0)
-    x, z = MIDDLE + rng.uniform(-0.8, 0.8, 2)
-    size = rng.uniform(2.8, 3.4) if big else rng.uniform(2.1, 2.8)
-    blob(model, (x, z, trunk + (4.8 if big else 3.6)), (size, size, 0.85 * size), leaves, 2.0)
+        y = middle + rng.uniform(-0.25, 0.3) * size
+        blob(model, (x, z, y), (wide, wide, 0.8 * wide), leaves, 2.0)
     _thin(model, leaves, rng, 0.4)
+    for number in range(limbs if big else 0):
+        angle = turn + 2 * np.pi * number / limbs
+        x, z = MIDDLE + 2.6 * np.cos(angle), MIDDLE + 2.6 * np.sin(angle)
+        _limb(model, (MIDDLE, MIDDLE, trunk + 1), (x, z, middle + 0.5), log)
+    model[MIDDLE, MIDDLE, : int(middle) + 1] = log
 
 
 def _birch(model: np.ndarray, rng: np.random.Generator) -> None:
-    """Slender and light: small clumps around a trunk that shows, with twigs that hang from them."""
+    """Slender and light: clumps all around a white trunk that shows below and between them."""
     log, leaves = block("birch log"), block("birch leaves")
-    height = int(rng.integers(7, 13))
-    model[MIDDLE, MIDDLE, :height] = log
+    height = int(rng.integers(8, 13))
     low = int(rng.integers(3, 5))
+    y = low + 0.8
     turn = rng.random() * 2 * np.pi
-    clumps = int(round((height - low) * 0.9))
-    for number in range(clumps):
-        up = number / max(clumps - 1, 1)
-        # Clumps go around the trunk by about a third of a turn each, widest below the middle.
-        angle = turn + 2.2 * number + rng.uniform(-0.4, 0.4)
-        far = (0.4 + 1.0 * np.sin(np.pi * min(0.25 + 0.7 * up, 0.95))) * rng.uniform(0.7, 1.1)
-        x, z = MIDDLE + far * np.cos(angle), MIDDLE + far * np.sin(angle)
-        y = low + up * (height - low)
-        size = 1.85 - 0.45 * up
-        blob(model, (x, z, y), (size, size, 1.1), leaves, 2.0)
-    model[MIDDLE, MIDDLE, height : height + 2] = leaves
-    _thin(model, leaves, rng, 0.25)
+    while y < height + 1:
+        up = (y - low) / (height - low)
+        # Rings around the trunk, widest below the middle, each a little out of true.
+        size = (1.6 + 0.75 * np.sin(np.pi * min(0.25 + 0.65 * up, 0.95))) * rng.uniform(0.9, 1.1)
+        turn += 2.2
+        x, z = MIDDLE + 0.45 * np.cos(turn), MIDDLE + 0.45 * np.sin(turn)
+        blob(model, (x, z, y), (size, size, 1.3), leaves, 2.0)
+        y += rng.uniform(1.7, 2.5)
+    blob(model, (MIDDLE, MIDDLE, height + 0.6), (1.2, 1.2, 1.7), leaves, 2.0)
+    _thin(model, leaves, rng, 0.3)
     # Twigs hang one or two blocks from the outermost leaves.
-    for x, z, y in _undersides(model, leaves, rng, 5):
-        model[x, z, max(y - int(rng.integers(1, 3)), 2) : y] = leaves
+    for twig_x, twig_z, end in _undersides(model, leaves, rng, 5):
+        model[twig_x, twig_z, max(end - int(rng.integers(1, 3)), 3) : end] = leaves
+    model[MIDDLE, MIDDLE, :height] = log
 
 
 def _spruce(model: np.ndarray, rng: np.random.Generator) -> None:
@@ -101,22 +102,22 @@ def _spruce(model: np.ndarray, rng: np.random.Generator) -> None:
 
 
 def _hawthorn(model: np.ndarray, rng: np.random.Generator) -> None:
-    """Low and wide on crooked stems; half of them are in blossom, in clouds on the top."""
+    """Low, wide and round on a short stem; half of them are in blossom, in clouds on the top."""
     log, leaves = block("hawthorn log"), block("hawthorn leaves")
     turn = rng.random() * 2 * np.pi
-    tall = rng.uniform(2.2, 3.6)
-    model[MIDDLE, MIDDLE, :2] = log
-    stems = int(rng.integers(2, 5))
-    for number in range(stems):
-        angle = turn + 2 * np.pi * (number + 0.3 * rng.random()) / stems
-        far = rng.uniform(1.4, 2.8)
+    stem = int(rng.integers(3, 5))
+    size = rng.uniform(1.9, 2.5)
+    blob(model, (MIDDLE, MIDDLE, stem + 0.7 * size), (size, size, size), leaves, 2.0)
+    masses = int(rng.integers(3, 5))
+    for number in range(masses):
+        angle = turn + 2 * np.pi * (number + 0.3 * rng.random()) / masses
+        far = rng.uniform(1.3, 2.3)
         x, z = MIDDLE + far * np.cos(angle), MIDDLE + far * np.sin(angle)
-        y = tall + rng.uniform(-0.4, 0.8)
-        line(model, (MIDDLE, MIDDLE, 1), (x, z, y), log)
-        size = rng.uniform(1.5, 2.2)
-        blob(model, (x, z, y + 0.6), (size, size, 0.75 * size), leaves, 2.0)
-    blob(model, (MIDDLE, MIDDLE, tall + 1.3), (1.8, 1.8, 1.4), leaves, 2.0)
+        wide = rng.uniform(1.4, 2.0)
+        y = stem + rng.uniform(0.7, 2.0)
+        blob(model, (x, z, y), (wide, wide, 0.85 * wide), leaves, 2.0)
     _thin(model, leaves, rng, 0.35)
+    model[MIDDLE, MIDDLE, : stem + 2] = log
     if rng.random() < 0.5:
         _blossom(model, leaves, rng)
 
@@ -136,14 +137,34 @@ def _blossom(model: np.ndarray, leaves: int, rng: np.random.Generator) -> None:
     """Turn clouds of leaves into blossom, most of them where the sky is above."""
     x, z, y = (axis.astype(float) for axis in np.nonzero(model == leaves))
     share = np.zeros(len(x))
-    for _ in range(5):
+    for _ in range(4):
         at = int(rng.integers(len(x)))
         near = (x - x[at]) ** 2 + (z - z[at]) ** 2 + (y - y[at]) ** 2 < 3.2
-        share[near] = 0.9
+        share[near] = 0.75
     top = y >= np.quantile(y, 0.6)
-    flowers = rng.random(len(x)) < np.maximum(share, np.where(top, 0.35, 0.08))
+    flowers = rng.random(len(x)) < np.maximum(share, np.where(top, 0.3, 0.08))
     cells = tuple(axis[flowers].astype(int) for axis in (x, z, y))
     model[cells] = block("hawthorn blossom")
+
+
+def _limb(
+    model: np.ndarray,
+    start: tuple[float, float, float],
+    end: tuple[float, float, float],
+    log: int,
+) -> None:
+    """Make leaves along a line to logs, as far as leaves are on all sides of them."""
+    limb = np.zeros_like(model)
+    line(limb, start, end, log)
+    inside = (model > 0) & (_neighbours(model > 0) == 6)
+    model[joined((limb > 0) & inside, _column(model))] = log
+
+
+def _column(model: np.ndarray) -> np.ndarray:
+    """Return where the trunk is or will be, bool [x, z, y]."""
+    found = np.zeros(model.shape, bool)
+    found[MIDDLE, MIDDLE] = True
+    return found
 
 
 def _neighbours(cells: np.ndarray) -> np.ndarray:
