@@ -13,7 +13,7 @@ State used: GL_FOG and its parameters.
 
 import numpy as np
 
-from landscape.gl.calls import drawing, gl
+from landscape.gl.calls import Lists, drawing, gl, lists_now
 from landscape.gl.extensions import Need, current_context, has, tell_off
 from landscape.settings import Fog
 
@@ -41,7 +41,9 @@ def enable(fog: Fog) -> None:
         gl.glFogf(gl.GL_FOG_END, fog.end)
 
 
-_chosen: set[int] = set()  # contexts in which another distance than OpenGL's own was chosen
+# Contexts in which another distance than OpenGL's own was chosen, with their display lists: a later
+# context may have the number of a former one, but not its lists.
+_chosen: dict[int, Lists] = {}
 
 
 def _choose_distance(radial: bool) -> None:
@@ -50,8 +52,8 @@ def _choose_distance(radial: bool) -> None:
         tell_off("fog.radial", CHOICE_OF_DISTANCE)
         return
     if radial:
-        _chosen.add(current_context())
-    elif current_context() not in _chosen:
+        _chosen[current_context()] = lists_now()
+    elif _chosen.get(current_context()) is not lists_now():
         return
     # By floats: in a display list Mesa's glFogi loses a value that it does not expect.
     mode = np.array([EYE_RADIAL if radial else EYE_PLANE], np.float32)
