@@ -3,7 +3,7 @@
 Voxel space, from Comanche (NovaLogic, 1992), draws a height field column by column, front to back,
 without triangles, z buffer or OpenGL: :mod:`.march` finds which ground each pixel shows, and
 :mod:`.shade` colours it. The switches of 1992 are all there: with ``smooth`` off the ground is
-blocks, with ``levels`` off far ground glitters, with ``light`` off it is flat.
+blocks, with ``levels`` off far ground glitters, with ``shadows`` off no hill shades another.
 
 Columns must be vertical planes. So the columns are those of a camera that looks level, and each
 pixel of the picture finds its own among them. That is exact for every pitch and roll, as long as
@@ -104,7 +104,10 @@ def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
 
 
 def unrolled(y: float, z: float, roll: float) -> tuple[float, float]:
-    """Return a direction of the picture, right and up, before the camera was rolled."""
+    """Return what a direction of the picture, right and up, would be without the camera's roll.
+
+    ``y`` and ``z`` are per unit of distance along the line of sight, ``roll`` is in radians.
+    """
     sin, cos = math.sin(roll), math.cos(roll)
     return cos * y - sin * z, sin * y + cos * z
 
