@@ -1,6 +1,7 @@
 """The voxel island where OpenGL lacks a piece, in odd sizes and places, and the state it leaves."""
 
 import importlib
+import itertools
 import pkgutil
 from typing import Any
 
@@ -17,10 +18,12 @@ from landscape.gl import extensions
 from landscape.gl.calls import gl, recording
 from landscape.gl.extensions import Need
 from landscape.keys import with_settings
+from landscape.render import Offscreen
 from landscape.scene import Moment
-from landscape.voxel.blocks import block
+from landscape.voxel import build, region_buffer
+from landscape.voxel.blocks import AIR, block
 from landscape.voxel.build import source
-from landscape.voxel.mesh import Look, region_mesh
+from landscape.voxel.mesh import Look, RegionMesh, region_mesh
 from landscape.voxel.region_buffer import Light, RegionBuffer
 from landscape.voxel.voxel import SCENE, Voxel
 
@@ -324,3 +327,34 @@ def test_every_pass_leaves_the_state_as_a_frame_without_it_does(stage: Stage, na
     finally:
         scene.release()
     assert not found
+
+
+def test_a_large_world_whose_meshes_are_packed_looks_like_a_small_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def picture_and_meshes(dug: bool) -> tuple[np.ndarray, list[RegionMesh]]:
+        values = {"voxel.regions": 2, "voxel.region_size": 16}
+        with Offscreen((96, 72), None, values, "osmesa", 0, place="voxel") as drawn:
+            drawn.look((1.28, "ground", 1.28, 40.0, -40.0))
+            land = drawn.scene.land  # type: ignore[union-attr]
+            if dug:
+                with drawn.targeted():
+                    y = int(land.world.ground[15, 15])
+                    for x, z in itertools.product(range(12, 20), repeat=2):
+                        land.change_many({(x, z, height): AIR for height in range(y - 4, y + 9)})
+            picture = drawn.draw()
+            with drawn.targeted():
+                return picture, land.meshes
+
+    for dug in (False, True):
+        plain, meshes = picture_and_meshes(dug)
+        with monkeypatch.context() as patch:
+            # As if the world were large, with no room for another face.
+            patch.setattr(build, "MOST_KEPT", 0)
+            for name in ("LARGE", "LITTLE_SPARE", "RESERVE"):
+                patch.setattr(region_buffer, name, 0)
+            large, theirs = picture_and_meshes(dug)
+        np.testing.assert_array_equal(plain, large)
+        for one, other in zip(meshes, theirs, strict=True):
+            np.testing.assert_array_equal(one.counts, other.counts)
+            np.testing.assert_array_equal(one.vertices, other.vertices)

@@ -4,7 +4,9 @@ All of it is kept in the cache, so that it is made once.
 """
 
 import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -39,9 +41,13 @@ from landscape.voxel.mesh import (
     region_meshes,
     shown_tiles,
 )
+from landscape.voxel.packed_mesh import PackedMesh, packed
 from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
+
+M = TypeVar("M")
+Meshes = Sequence[RegionMesh | PackedMesh]
 
 TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
 # Settings of which the world and its meshes are made.
@@ -51,7 +57,8 @@ LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never d
 # Which of TILES only what is built has.
 BUILDINGS = np.isin(TILES, ("brick", "slate", "planks", "hide", "lamp"))
 FAR_OVERLAP = 0.02  # blocks, chosen: from afar, pixels are larger
-MOST_KEPT = 1000  # columns, chosen: larger worlds are not cached; they would fill the cache
+# Columns, chosen: larger worlds are not cached, which they would fill, and their meshes are packed.
+MOST_KEPT = 1000
 MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once, in regions of one row
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
@@ -132,18 +139,20 @@ def look(settings: Settings, seed: int) -> Look:
     return Look(face_light(settings.sun, settings.shadow), tint, shore=shore)
 
 
-def meshes(place: World, colours: Look, values: Voxel) -> list[RegionMesh]:
-    """Return the meshes of all regions: first all those for near, then for far, then distant."""
-    levels: tuple[list[RegionMesh], ...] = ([], [], [])
+def meshes(place: World, colours: Look, values: Voxel) -> Iterator[tuple[RegionMesh, ...]]:
+    """Yield the meshes of each region: for near, for far, and distant."""
     size, height = place.region_size, place.blocks.shape[2]
     many = max(1, MOST_CELLS // (size * size * height))
     for row in range(place.regions):
         for first in range(0, place.regions, many):
             number = min(many, place.regions - first)
             found = meshed(place, row * place.regions + first, colours, values, number)
-            for level, made in zip(levels, found, strict=True):
-                level += made
-    return [mesh for level in levels for mesh in level]
+            yield from zip(*found, strict=True)
+
+
+def by_level(found: Iterable[tuple[M, ...]]) -> list[M]:
+    """Return the meshes of all regions: first all those for near, then for far, then distant."""
+    return [mesh for level in zip(*found, strict=True) for mesh in level]
 
 
 def meshed(
@@ -182,7 +191,7 @@ def seen_from_afar(colours: Look) -> Look:
     return replace(colours, light=light, overlap=FAR_OVERLAP)
 
 
-def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, list[RegionMesh]]:
+def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, Meshes]:
     """Return the world, its colours and its meshes, from the cache if they were built before."""
     values = settings.voxel
     side = values.regions * values.region_size
@@ -197,11 +206,12 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, l
     if side > MOST_KEPT:
         place = world(values, assets, seed)
         give_back()
-        return place, colours, meshes(place, colours, values)
+        packing = (tuple(map(packed, each)) for each in meshes(place, colours, values))
+        return place, colours, by_level(packing)
 
     def make() -> tuple[np.ndarray, ...]:
         place = world(values, assets, seed)
-        found = meshes(place, colours, values)
+        found = by_level(meshes(place, colours, values))
         vertices = np.concatenate([mesh.vertices for mesh in found])
         counts = np.stack([mesh.counts for mesh in found])
         return place.blocks, place.ground, vertices.view(np.uint8), counts

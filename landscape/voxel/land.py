@@ -64,7 +64,7 @@ class Land:
         self._late: list[tuple[list[int], list[int]]] = []
         self._due: list[tuple[list[int], list[int]]] = []
         self.world, self.colours, found = built(settings, assets, seed)
-        boxes = np.array([bounding_box(mesh) for mesh in found]) * self.world.block
+        boxes = np.array([mesh.box for mesh in found]) * self.world.block
         self.buffer = RegionBuffer(found)
         boxes = boxes.reshape(LEVELS, -1, 2, 3)
         self.low, self.high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
@@ -143,7 +143,7 @@ class Land:
             if not shows_buildings(mesh):
                 mesh = distant_mesh(blocks, origin, colours, self.settings.voxel.merge)
             self._replace(region + DISTANT * len(self.low), mesh)
-            low, high = (self.scale * end for end in bounding_box(mesh))
+            low, high = (self.scale * end for end in mesh.box)
             self.low[region] = np.minimum(self.low[region], low)
             self.high[region] = np.maximum(self.high[region], high)
 
@@ -238,7 +238,7 @@ class Land:
         """Mesh a region again, whose blocks have changed."""
         self.version += 1
         found = [mesh for (mesh,) in meshed(self.world, region, self.colours, self.settings.voxel)]
-        low, high = zip(*map(bounding_box, found), strict=True)
+        low, high = zip(*(mesh.box for mesh in found), strict=True)
         self.low[region] = self.scale * np.min(low, axis=0)
         self.high[region] = self.scale * np.max(high, axis=0)
         for level, mesh in enumerate(found):
@@ -248,7 +248,7 @@ class Land:
     def _replace(self, share: int, mesh: RegionMesh) -> None:
         """Upload one of a region's meshes."""
         if not self.buffer.replace(share, mesh):
-            every = self.meshes
+            every = self.buffer.meshes()
             every[share] = mesh
             self.buffer.release()
             self.buffer = RegionBuffer(every)
@@ -287,11 +287,3 @@ class Land:
         self.buffer.release()
         self._tiles.release()
         self._plants.release()
-
-
-def bounding_box(mesh: RegionMesh) -> tuple[np.ndarray, np.ndarray]:
-    """Return the least and the largest corner (3,) of a region's faces in blocks; x, y, z."""
-    if not len(mesh.vertices):
-        return np.zeros(3), np.zeros(3)
-    position = mesh.vertices["position"]
-    return position.min(axis=0).astype(np.float64), position.max(axis=0).astype(np.float64)

@@ -66,6 +66,19 @@ class RegionMesh:
     vertices: np.ndarray
     counts: np.ndarray
 
+    @property
+    def size(self) -> int:
+        """How many vertices it has."""
+        return len(self.vertices)
+
+    @property
+    def box(self) -> tuple[np.ndarray, np.ndarray]:
+        """The least and the greatest corner (3,) of its faces in blocks; x, y, z."""
+        if not self.size:
+            return np.zeros(3), np.zeros(3)
+        position = self.vertices["position"]
+        return position.min(axis=0).astype(np.float64), position.max(axis=0).astype(np.float64)
+
 
 @dataclass(frozen=True)
 class Look:

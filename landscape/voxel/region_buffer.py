@@ -10,7 +10,7 @@ State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
 """
 
 import ctypes
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import NamedTuple
 
@@ -20,14 +20,16 @@ from landscape.gl.calls import gl
 from landscape.gl.extensions import Need, has
 from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import DRY, PLANTS, SETS, SHORE, TURNS, VERTEX, WET, RegionMesh
+from landscape.voxel.packed_mesh import PackedMesh, packed, unpacked
 
 BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
 MULTI_DRAW = Need((1, 4), ("GL_EXT_multi_draw_arrays",))
 FOG_COORDINATES = Need((1, 4), ("GL_EXT_fog_coord",))
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
 Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
-LARGE = 1 << 23  # vertices, chosen: a larger buffer has no such margin
 SPARE = 512  # vertices, chosen: and by at least this
+LARGE = 1 << 23  # vertices, chosen: in a larger buffer it is larger only by the following
+LITTLE_SPARE = 256  # vertices, chosen
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
 AT_ONCE = 1 << 18  # vertices, chosen: so many are lit anew at a time
 FINISHED = 64  # chosen: so many shares of a large world are uploaded at a time
@@ -61,14 +63,11 @@ class RegionBuffer:
     Those of its second and its third set, and where the third ends, come after it.
     """
 
-    def __init__(self, meshes: list[RegionMesh]) -> None:
-        """Upload meshes, each of which has a share of its own, and empty the list.
-
-        So there is only one copy of the vertices of a large world; :meth:`mesh` gives them back.
-        """
-        sizes = np.array([len(mesh.vertices) for mesh in meshes])
-        large = sizes.sum() >= LARGE
-        margin, spare = (1.0, 0) if large else (MARGIN, SPARE)
+    def __init__(self, meshes: Sequence[RegionMesh | PackedMesh]) -> None:
+        """Upload meshes, each of which has a share of its own; :meth:`mesh` gives them back."""
+        sizes = np.array([mesh.size for mesh in meshes])
+        self._large = bool(sizes.sum() >= LARGE)
+        margin, spare = (1.0, LITTLE_SPARE) if self._large else (MARGIN, SPARE)
         self.room = (np.maximum(sizes * margin, sizes + spare) // 4 * 4).astype(np.int64)
         self.start = np.cumsum(self.room) - self.room
         self.at = np.zeros((len(meshes), len(TURNS), SETS + 1), np.int32)
@@ -86,9 +85,9 @@ class RegionBuffer:
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
             gl.glBufferData(gl.GL_ARRAY_BUFFER, size, None, gl.GL_STATIC_DRAW)
             gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
-        for share in reversed(range(len(meshes))):
-            self.replace(share, meshes.pop())
-            if large and share % FINISHED == 0:
+        for share, mesh in enumerate(meshes):
+            self.replace(share, unpacked(mesh))
+            if self._large and share % FINISHED == 0:
                 gl.glFinish()  # Mesa keeps copies of what is still to be uploaded
                 give_back()
 
@@ -106,6 +105,11 @@ class RegionBuffer:
         if self._made is not None:
             vertices["colour"] = self._made[begin:][:size]
         return RegionMesh(vertices, counts)
+
+    def meshes(self) -> list[RegionMesh | PackedMesh]:
+        """Return copies of all meshes, packed if they are those of a large world."""
+        every = map(self.mesh, range(len(self.start)))
+        return [packed(mesh) if self._large else mesh for mesh in every]
 
     def replace(self, share: int, mesh: RegionMesh) -> bool:
         """Replace a share's vertices; return False, changing nothing, if there is no room.
