@@ -16,7 +16,7 @@ of COLORS, from cream in front to blue far away.
 Keys: Left and Right move the hills.
 """
 # exercise: floating_horizon
-# lessons: bresenham, height_field
+# lessons: floating_horizon, bresenham, height_field
 
 import glfw
 import numpy as np
