@@ -50,7 +50,9 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("height_columns", "hidden_faces", "box_frustum", "fog_coordinate", "cube_map"),
         *("shadow_map", "projective_texture", "fresnel_cube_map", "dot3"),
     ),
-    "flyover": ("projection_by_hand", "bresenham", "back_faces", "floating_horizon"),
+    "flyover": (
+        *("projection_by_hand", "bresenham", "line_clipping", "back_faces", "floating_horizon"),
+    ),
 }
 TOPICS: Texts = {
     "window": "Window and events",
