@@ -1,5 +1,6 @@
 # make demo    walk the island, or render its main views if there is no display
 # make test    check style and types, then run the tests
+# make test-all  the same, with all cases of the tests of which `make test` runs only some
 # make docs    build the site of the course in build/site; make docs-check looks at it in Chromium
 # make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
 # They install what they need on the first run.
@@ -11,7 +12,7 @@ VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
 # Further options for the program, for example: make demo ARGS="--preset 2006"
 ARGS ?=
 
-.PHONY: demo test lint docs docs-check fuzz bench assets clean
+.PHONY: demo test test-all lint docs docs-check fuzz bench assets clean
 
 demo:
 	@scripts/setup.sh demo
@@ -30,10 +31,13 @@ WORKERS := $(shell echo $$(( ($$(nproc) < 3 ? $$(nproc) : 3) + 1 )))
 test:
 	@scripts/setup.sh test
 	@told=$$(mktemp); $(MAKE) --no-print-directory lint >$$told 2>&1 & lint=$$!; \
-	$(BIN)/pytest -q -n $(WORKERS) --dist loadfile; tests=$$?; \
+	$(BIN)/pytest -q -n $(WORKERS) --dist loadfile $(ALL); tests=$$?; \
 	wait $$lint; lint=$$?; cat $$told; rm -f $$told; \
 	[ $$tests -eq 0 ] || exit $$tests; \
 	[ $$lint -eq 0 ] || { echo "The tests passed; the style or the types did not: make lint"; exit 1; }
+
+test-all:
+	@$(MAKE) --no-print-directory test ALL=--all
 
 lint:
 	@scripts/setup.sh test

@@ -22,6 +22,7 @@ else:
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -54,6 +55,29 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="write the golden images instead of comparing with them",
     )
+    parser.addoption(
+        "--all",
+        action="store_true",
+        help="run every case of the tests marked `sweep`",
+    )
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out most cases of a sweep: `sweep(n)` keeps the first of every n, unless --all."""
+    if config.getoption("--all"):
+        return
+    seen: Counter[str] = Counter()
+    left_out = set()
+    for item in items:
+        sweep = item.get_closest_marker("sweep")
+        if sweep:
+            name = item.nodeid.partition("[")[0]
+            if seen[name] % sweep.args[0]:
+                left_out.add(item)
+            seen[name] += 1
+    if left_out:
+        config.hook.pytest_deselected(items=list(left_out))
+        items[:] = [item for item in items if item not in left_out]
 
 
 @pytest.fixture(scope="session")

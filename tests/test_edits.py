@@ -173,6 +173,7 @@ def change_source(patch: pytest.MonkeyPatch, name: str, old: str, new: str) -> N
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.sweep(3)
 def test_an_edit_gives_the_bytes_of_the_program_with_that_constant_changed(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

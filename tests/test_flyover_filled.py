@@ -197,6 +197,7 @@ def test_hollows_see_less_of_the_sky_and_plains_all_of_it() -> None:
 @pytest.mark.parametrize(
     "switch", ("shadows", "occlusion", "fog", "clouds", "reflection", "smooth", "levels", "edges")
 )
+@pytest.mark.sweep(2)
 def test_each_switch_changes_the_picture(switch: str) -> None:
     camera = Camera(20, 20, 20, 0, 0.1, 2.0)
     both = {"filled__sea": 0.4, "filled__texels": 512}

@@ -58,6 +58,7 @@ def test_a_grid_finds_the_obstacles_that_a_list_has_near_a_place(within: float) 
 
 
 @pytest.mark.parametrize("seed", range(12))
+@pytest.mark.sweep(4)
 def test_a_random_walk_enters_no_trunk_and_is_never_stuck(seed: int) -> None:
     grid, rng = solid_wood(seed), np.random.default_rng(seed)
     trunk = grid.towers[rng.integers(len(grid.towers))]

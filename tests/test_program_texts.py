@@ -93,6 +93,7 @@ def untranslated(english: str, french: str) -> list[str]:
 
 
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.sweep(3)
 def test_a_lesson_in_french_is_the_same_program(name: str) -> None:
     source = lesson(name).file.read_text(encoding="utf-8")
     french = described(lesson(name), "fr")

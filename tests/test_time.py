@@ -194,6 +194,7 @@ def islands(request: pytest.FixtureRequest, the_stage: Stage) -> Iterator[list[I
 
 
 @pytest.mark.parametrize("element", LIT)
+@pytest.mark.sweep(4)
 def test_every_element_is_warmer_at_sunset(
     stage: Stage, islands: list[Island], element: str
 ) -> None:
