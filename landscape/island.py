@@ -20,10 +20,9 @@ from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.ornate.ornate_castle import castle_class
 from landscape.elements.best.overlay.shining_sword import sword_class
 from landscape.elements.best.sea import sea
-from landscape.elements.best.sea.foam import Foam
 from landscape.elements.best.sea.occlusion_query import SeaQuery
 from landscape.elements.best.sea.ring import HorizonRing
-from landscape.elements.best.sea.sea import Sea, kept, reflected
+from landscape.elements.best.sea.sea import Sea, kept, reflected, softened
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.terrain.shadows import cast_from, light_is_baked
@@ -67,7 +66,6 @@ def classes(settings: Settings) -> dict[str, type | None]:
         "ground": ground_class(settings),
         "water": WaterSurface if plain_water else Sea,
         "ring": HorizonRing if plain_water and water.horizon > 0 else None,
-        "foam": Foam if water.foam else None,
         "query": SeaQuery if queried else None,
         "castle": castle_class(settings),
         "rabbit": rabbit_class(settings),
@@ -97,7 +95,6 @@ class Island:
     # The elements; None where one is not wanted.
     water: Any
     ring: Any
-    foam: Any
     query: Any
     sky: Any
     castle: Any
@@ -159,7 +156,6 @@ class Island:
         return [
             Part("water", ("water",), kind["water"], (*own, *depths)),
             Part("ring", ("water",), kind["ring"], own),
-            Part("foam", ("water",), kind["foam"], (settings, field)),
             Part("query", ("water",), kind["query"], (settings,)),
             Part("sky", ("sky",), SkyBox, own),
             Part("castle", ("castle",), kind["castle"], (*own, field)),
@@ -296,7 +292,6 @@ class Island:
             if water:
                 draw("water", self.ring, frame)
                 draw("water", self.water, frame)
-                draw("water", self.foam, frame)
             draw("mist", self.mist, frame)
             self._draw_sprites(frame, sort)
 
@@ -320,7 +315,8 @@ class Island:
         with reflected(frame, values, water) as frame, mirrored(values):
             draw("ground", self.ground, frame)
             draw("dragon", self.dragon, frame)
-            draw("sky", self.sky, frame)
+            with softened(values):
+                draw("sky", self.sky, frame)
             if values.reflection.castle:
                 draw("castle", self.castle, frame)
             if self._sprites_shown:

@@ -382,7 +382,9 @@ class Reflection:
         needs=(
             *("water", "reflection.enabled or not water.relief"),
             *("reflection.enabled or not water.shallow", "reflection.enabled or not water.fresnel"),
-            "reflection.enabled or not water.glitter",
+            *("reflection.enabled or not water.glitter", "reflection.enabled or not water.foam"),
+            "reflection.enabled or not water.ripples",
+            "reflection.enabled or not water.horizon_contrast",
         ),
     )
     lod_scale: float = setting(
@@ -424,7 +426,8 @@ class Water:
         needs=(
             "water",
             *("not reflection.rippled", "not water.relief", "not water.shallow"),
-            *("not water.fresnel", "not water.glitter"),
+            *("not water.fresnel", "not water.glitter", "not water.foam"),
+            *("not water.ripples", "not water.horizon_contrast"),
         ),
     )
     repeat: float = setting(
@@ -470,6 +473,15 @@ class Water:
         "opacity by the angle of view: the mirror image is strongest far away",
         needs=("water",),
     )
+    ripples: float = setting(
+        0.0,
+        "chosen",
+        "how much each pixel's ripple changes what the water mirrors; finer ripples near the eye",
+        0,
+        1,
+        unit="of 1",
+        needs=("water", "water.textured"),
+    )
     horizon: float = setting(
         0.0,
         "chosen",
@@ -478,6 +490,15 @@ class Water:
         10000,
         unit=UNITS,
         needs=("water",),
+    )
+    horizon_contrast: float = setting(
+        0.0,
+        "chosen",
+        "how much of the sea's colour the fog leaves at the horizon at least",
+        0,
+        0.99,
+        unit="of 1",
+        needs=("water", "fog", "fog.enabled", "fog.density", "fog.mode!=linear"),
     )
     glitter: float = setting(
         0.0,
@@ -512,7 +533,7 @@ class Water:
             *("ground.materials", "ground.units=both", "ground.tiles>1"),
         ),
     )
-    foam: bool = setting(False, "chosen", "breakers along the beaches", needs=("water",))
+    foam: bool = setting(False, "chosen", "a wash of foam along the shore", needs=("water",))
     query: bool = setting(
         False,
         "chosen",
@@ -1050,6 +1071,8 @@ BEST: dict[str, Value] = {
     "water.lod_bias": -0.7,
     "water.trilinear": False,
     "water.relief": True,
+    "water.ripples": 0.6,
+    "water.horizon_contrast": 0.3,
     "water.shallow": True,
     "water.caustics": True,
     "water.foam": True,

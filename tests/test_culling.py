@@ -50,5 +50,5 @@ def test_a_coarser_mirror_image_changes_only_the_water_and_only_a_little(both) -
                 pictures.append(offscreen.draw().astype(int))
             off = np.abs(pictures[0] - pictures[1]).max(axis=2)
             assert (off[:horizon] == 0).all()
-            assert 0.0 < off.mean() < 0.3
+            assert 0.0 < off.mean() < 0.6
             assert (off > 4).mean() < 0.03

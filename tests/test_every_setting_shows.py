@@ -126,6 +126,8 @@ SHOTS = {
     "water.relief": of_fix("R17"),
     "water.shallow": of_fix("best1"),
     "water.foam": of_fix("best2"),
+    "water.ripples": of_fix("best1", value=0.5),
+    "water.horizon_contrast": Shot(SEA, ("water", "fog"), {"water.horizon": 400.0}, 0.5),
     "water.caustics": Shot(
         Pose(5.9, 0.78, 29.2, 315.0, -28.0), ("ground", "water"),
         MATERIALS | {"ground.tiles": 4, "ground.resolution": 160, "water.shallow": True,

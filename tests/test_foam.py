@@ -1,67 +1,121 @@
-"""Foam: between the beach and its greatest depth, periodic, moving, and over the water only."""
+"""Foam: on the water along the shoreline, running ashore, without a jump, on few cells."""
 
 import numpy as np
-from seaside import LEVEL, beach
+import pytest
+from seaside import LEVEL, beach, drawn, grid_at
 from stage import Stage, live_names, project, small
 
 from landscape.elements.best.sea import foam
-from landscape.elements.best.sea.foam import Foam
+from landscape.elements.best.sea.sea import Sea
+from landscape.elements.best.sea.shoreline import REACH, averaged, pieces, shore_map, spread
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 
 DOWN = Pose(20.0, 3.6, 20.5, 0.0, -89.9)
+DARK = {"fog.color": (0.0, 0.0, 0.0), "water.color": (0.0, 0.0, 0.0, 1.0), "water.textured": False}
 
 
-def foamy(stage: Stage, kt: float) -> np.ndarray:
-    """Return where foam whitens a black picture."""
-    settings = small({"fog.color": (0.0, 0.0, 0.0)})
-    element = Foam(settings, beach())
-    with stage.frame(settings, DOWN, kt) as frame:
-        assert stage.read().max() == 0
-        element.draw(frame)
-        white = stage.read().min(axis=2) > 100
-    element.release()
-    return np.asarray(white)
+def foamy(stage: Stage, plain: Assets, kt: float, pose: Pose = DOWN) -> np.ndarray:
+    """Return how white foam makes a black sea, 0..1."""
+    picture = drawn(stage, plain, {**DARK, "water.foam": True}, pose, kt)[0]
+    return np.asarray(picture.min(axis=2) / 255.0)
 
 
-def test_foam_lies_between_the_beach_and_its_depth_and_moves(stage: Stage) -> None:
-    white = foamy(stage, 0.0)
-    rows = np.flatnonzero(white.any(axis=1))
-    north = project(DOWN, (20, LEVEL, 20.0 - 10 * foam.LAND))[1]
-    south = project(DOWN, (20, LEVEL, 20.0 + 10 * foam.DEEP))[1]
-    assert white.sum() > 100
+def test_foam_lies_along_the_shoreline_and_moves_without_a_jump(
+    stage: Stage, plain: Assets
+) -> None:
+    white = foamy(stage, plain, 0.0)
+    rows = np.flatnonzero((white > 0.3).any(axis=1))
+    north, south = (
+        project(DOWN, (20, LEVEL, 20.0 + 2 * sign * foam.WIDEST))[1] for sign in (-1, 1)
+    )
+    assert (white > 0.3).sum() > 100
     assert north - 2 <= rows.min() and rows.max() <= south + 2
-    assert (foamy(stage, 40.0) != white).sum() > 50
-    assert (foamy(stage, foam.PERIOD) == white).all()
+    assert (np.abs(foamy(stage, plain, 40.0) - white) > 0.2).sum() > 50
+    loop = foam.LACE_DRIFT
+    assert loop % foam.PERIOD == 0
+    assert np.abs(foamy(stage, plain, loop) - white).max() < 0.02
 
 
-def test_foam_is_built_at_once_for_one_water_level_and_leaves_nothing(
-    stage: Stage,
+def test_a_crest_of_foam_runs_towards_the_beach() -> None:
+    distance = np.linspace(0.0, foam.WIDEST, 400)
+    phase = foam.wash(distance, np.full(400, 0.02))[1]
+    tops = []
+    for kt in (0.3, 0.4, 0.5):  # periods
+        turn = foam.turns(np.zeros(1), np.zeros(1), kt * foam.PERIOD)
+        tops.append(distance[np.cos(phase - turn).argmax()])
+    assert (np.diff(tops) < -0.02).all()
+
+
+def test_the_dot_product_of_picture_and_colour_is_the_foam() -> None:
+    distance = np.linspace(-0.2, 0.6, 50)[None, :]
+    swell, phase, edge = foam.wash(distance, np.full((1, 50), 0.1))
+    picture = foam.wash_picture(swell, phase, edge).astype(float) / 255
+    for turn in (0.0, 1.0, 4.0):
+        colour = 0.5 + 0.5 * np.array([np.cos(turn), np.sin(turn), 1.0])
+        got = 4 * ((picture - 0.5) * (colour - 0.5)).sum(axis=2)
+        assert np.abs(got - (swell * np.cos(phase - turn) + edge)).max() < 0.02
+
+
+def test_the_wash_is_wider_on_a_beach_than_on_a_cliff_and_ends_on_both_sides() -> None:
+    distance = np.linspace(-1.0, 1.0, 401)
+    there = []
+    for slope in (0.05, 1.5):
+        swell, _, edge = foam.wash(distance, np.full(401, slope))
+        there.append(swell + edge > 0)
+        assert not there[-1][[0, -1]].any()
+    assert there[0].sum() > 2 * there[1].sum() > 0
+
+
+def test_distances_and_slopes_are_those_of_a_straight_shore() -> None:
+    ends, slope = pieces(beach(0.1, edge=20.2))
+    assert np.allclose(ends[..., 1], 20.2, atol=1e-5) and np.allclose(slope, 0.1, atol=1e-5)
+    distance, steep = shore_map(beach(0.1, edge=20.2), 256)
+    z = (np.arange(256) + 0.5) * 40.0 / 256
+    inside = np.abs(z - 20.2) < REACH - 0.4
+    assert np.abs(distance[inside] - (z - 20.2)[inside, None])[:, 8:-8].max() < 0.03
+    assert np.abs(distance).max() <= REACH + 1e-9
+    assert np.allclose(steep[inside], 0.1, atol=1e-5)
+
+
+def test_averages_keep_a_constant_and_leave_out_what_is_not_known() -> None:
+    assert np.allclose(averaged(np.full((9, 9), 3.0)), 3.0)
+    values = np.zeros((20, 20))
+    values[10] = 2.0
+    wide = spread(values, 2)
+    assert np.allclose(wide[8:13], 2.0) and (wide[:8] == 0).all()
+
+
+@pytest.mark.parametrize(
+    "pose", [Pose(20.0, 0.75, 21.0, 20.0, -3.0), Pose(18.0, 3.0, 26.0, 0, -20)]
+)
+def test_only_cells_near_the_shore_are_drawn_again_and_none_is_left_out(pose: Pose) -> None:
+    grid = grid_at(pose)
+    foam_cells = foam.near_cells(grid, foam.near_masks(np.abs(shore_map(beach())[0]) < 0.3), 40.0)
+    corners = grid.z.ravel()[foam_cells.reshape(-1, 6)]
+    z = grid.z.ravel()[grid.triangles.reshape(-1, 6)]
+    ring = np.repeat(grid.ring[1:], len(grid.east) - 1)
+    crossed = (z.min(axis=1) < 20.2) & (z.max(axis=1) > 19.8) & (ring < foam.FARTHEST)
+    x = grid.x.ravel()[grid.triangles.reshape(-1, 6)]
+    crossed &= (x.min(axis=1) > 0) & (x.max(axis=1) < 40)
+    kept = {tuple(cell) for cell in foam_cells.reshape(-1, 6).tolist()}
+    wanted = {tuple(cell) for cell in grid.triangles.reshape(-1, 6)[crossed].tolist()}
+    assert wanted and wanted <= kept
+    assert len(corners) < 0.7 * len(z)
+
+
+def test_a_sea_with_foam_is_built_for_one_setting_and_leaves_nothing(
+    stage: Stage, plain: Assets
 ) -> None:
     before = live_names()
-    element = Foam(small(), beach())
+    settings = small({"water.foam": True})
+    sea = Sea(settings, plain, beach())
     made = live_names()
-    assert element.apply(small({"fog.density": 0.3}))
-    assert not element.apply(small({"water.level": LEVEL + 0.1}))
-    with stage.frame(small(), DOWN) as frame:
-        element.draw(frame)
+    assert sea.apply(small({"water.foam": True, "fog.density": 0.3}))
+    assert not sea.apply(small({"water.foam": False}))
+    with stage.frame(settings, DOWN) as frame:
+        sea.draw(frame)
     assert live_names() == made
-    element.release()
-    element.release()
+    sea.release()
+    sea.release()
     assert live_names() == before
-
-
-def test_breakers_are_periodic_and_end_at_both_sides() -> None:
-    picture = foam.breakers(64, 100)
-    assert picture.min() >= 0 and picture.max() <= 1
-    assert picture[0].max() == 0 and picture[-1].max() == 0
-    steps = np.abs(np.diff(picture, axis=1)).max()
-    assert np.abs(picture[:, 0] - picture[:, -1]).max() <= steps + 1e-9
-
-
-def test_the_shore_is_the_grid_near_the_waters_edge_and_never_under_it() -> None:
-    places, unit_0, _, triangles = foam.shore(beach())
-    assert triangles.max() == len(places) - 1
-    assert places[:, 1].min() >= LEVEL - 1e-6 and places[:, 1].max() <= LEVEL + foam.LAND + 1e-6
-    assert places[:, 2].min() >= 19 and places[:, 2].max() <= 22
-    at_edge = np.abs(places[:, 2] - 20.0) < 1e-6
-    assert np.allclose(unit_0[at_edge, 1], foam.LAND / (foam.LAND + foam.DEEP), atol=1e-4)

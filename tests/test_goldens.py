@@ -57,6 +57,7 @@ CHOSEN: dict[str, Any] = {
 """Values for what the report does not give."""
 
 BETTER: dict[str, Any] = {
+    **{"water.ripples": 0.6, "water.horizon_contrast": 0.3},
     **{"ground.resolution": 100, "ground.height_image": "height16.png", "ground.mid_repeat": 13.0},
     "ground.materials": True,
     **{"reflection.stencil": True, "reflection.castle": True, "water.fresnel": True},

@@ -26,7 +26,9 @@ def test_the_sea_is_wanted_in_best_and_wherever_one_of_its_switches_is_on() -> N
         assert get(Settings(), key) is False and get(preset("best"), key) is True, key
         assert wanted(small({key: True})), key
     assert wanted(small({"water.glitter": 0.1}))
-    assert not wanted(small({"water.foam": True, "water.horizon": 400.0, "water.query": True}))
+    assert wanted(small({"water.foam": True})) and wanted(small({"water.ripples": 0.1}))
+    assert wanted(small({"water.horizon_contrast": 0.1}))
+    assert not wanted(small({"water.horizon": 400.0, "water.query": True}))
 
 
 # Relief and opacity.
@@ -61,7 +63,7 @@ def test_the_alpha_follows_the_viewing_angle(
     picture = drawn(stage, plain, {**CALM, "water.fresnel": True}, eye)[0]
     for x, z in ((20.0, 18.0), (20.0, 17.0), (19.5, 14.0)):
         away = np.array([x - 20.0, -1.0, z - 20.0])
-        alpha = 0.7 * (1 - 0.67 * (1 - 1 / np.linalg.norm(away)) ** 3)
+        alpha = 0.7 * (1 - waves.CLEARED * (1 - 1 / np.linalg.norm(away)) ** 3)
         wanted_ = alpha * np.array([0.2, 0.2, 0.4]) * 255 + (1 - alpha) * BACKGROUND
         assert close(pixel(picture, project(eye, (x, LEVEL, z))), wanted_, 2), (x, z)
 
@@ -90,7 +92,7 @@ def test_a_mirror_image_in_the_framebuffer_shows_through_the_sea(
     changes = {"water.fresnel": True, "reflection.stencil": stencil}
     picture = mirrored_wall(stage, plain, changes)
     inside = project(POSE, (20.0, LEVEL - 0.4, 18.0))
-    alpha = 0.2 * (1 - 0.67 * (1 - np.sin(np.arctan2(0.9, 6.0))) ** 3)
+    alpha = 0.2 * (1 - waves.CLEARED * (1 - np.sin(np.arctan2(0.9, 6.0))) ** 3)
     wanted_ = alpha * np.array([0, 0, 102]) + (1 - alpha) * np.array([255, 0, 0])
     assert red(picture).sum() > 500
     assert close(pixel(picture, inside), wanted_, 4)

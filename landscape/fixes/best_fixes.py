@@ -42,10 +42,10 @@ BEST_FIXES: tuple[Fix, ...] = (
         {"water.foam": False},
         {"water.foam": True},
         "In fig11a the water just ends where the beach begins.",
-        "After, white lines of foam run around the sand; in the walk they move towards it.",
-        "A strip of triangles along the coast has a texture of breakers. Across the strip the "
-        "texture coordinate is the depth of the water, and the texture matrix moves it with time. "
-        "A second texture, full of holes, frays the lines.",
+        "After, a wash of foam surrounds the sand; in the walk it comes and goes with the swell.",
+        "A texture over the map holds a wave of the distance from the shore, as its cosine and "
+        "sine; the vertices send those of the time. GL_DOT3_RGBA makes them a crest that runs "
+        "ashore. A second texture, full of holes, frays it.",
         (
             "a spit of sand in clear water",
             "the same spit with white foam around it",

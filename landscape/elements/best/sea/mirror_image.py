@@ -23,6 +23,7 @@ from landscape.gl.calls import gl
 from landscape.gl.state import combine, matrix
 from landscape.gl.texture_target import TextureTarget
 
+SMEAR = 0.7  # chosen: rows of the mirror image per column: waves smear it upright
 MARGIN = 1.15  # chosen: times the window's width and height that the mirror image covers
 # Chosen: units and radians by which the eye may move and turn until a kept image is drawn again.
 KEPT_DISTANCE, KEPT_ANGLE = 0.12, math.radians(6.0)
@@ -39,11 +40,11 @@ def widened(projection: np.ndarray, margin: float) -> np.ndarray:
 
 
 @contextmanager
-def mirror_unit(mirror: Taken | None, unit: int) -> Iterator[None]:
-    """Let unit 1 or 2 mix the mirror image in, by the primary colour's alpha; None does nothing.
+def mirror_unit(mirror: Taken | None, unit: int, depths: int | None) -> Iterator[None]:
+    """Let a unit mix the mirror image in, by the alpha of the unit before; None does nothing.
 
     The block sets the array of texture coordinates. The resulting alpha is 1; or, with the depths
-    on unit 1, how much of the bottom the water and the mirror image hide.
+    on unit ``depths``, how much of the bottom the water and the mirror image hide.
     """
     if mirror is None:
         yield
@@ -54,13 +55,13 @@ def mirror_unit(mirror: Taken | None, unit: int) -> Iterator[None]:
     gl.glEnable(gl.GL_TEXTURE_2D)
     target.bind()
     combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-    combine({"SRC2_RGB": "PRIMARY_COLOR", "OPERAND2_RGB": "SRC_ALPHA"})
+    combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
     gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.ones(4, np.float32))
-    if unit == 1:
+    if depths is None:
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "CONSTANT"})
     else:
-        combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE1"})
-        combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PRIMARY_COLOR"})
+        combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{depths}"})
+        combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
     gl.glClientActiveTexture(name)
     gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
     gl.glMatrixMode(gl.GL_TEXTURE)
@@ -87,9 +88,10 @@ class MirrorImage:
     def drawing(self, frame: Frame) -> Iterator[Frame]:
         """Let the block draw the mirrored scene into the texture; yield the frame to draw it by."""
         width, height = (max(1, round(side * frame.detail.mirror)) for side in frame.size)
-        if self._target is None or self._target.size != (width, height):
+        texels = width, max(1, round(height * SMEAR))
+        if self._target is None or self._target.size != texels:
             self.release()
-            self._target = TextureTarget((width, height))
+            self._target = TextureTarget(texels)
         # OpenGL returns and takes matrices in column-major order.
         seen = np.array(gl.glGetFloatv(gl.GL_PROJECTION_MATRIX), np.float64).reshape(4, 4).T
         projection = widened(seen, MARGIN)

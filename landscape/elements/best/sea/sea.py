@@ -20,10 +20,24 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
+from landscape.elements.best.sea.foam import Foam
 from landscape.elements.best.sea.glitter import Glitter
 from landscape.elements.best.sea.mirror_image import MirrorImage, mirror_unit
+from landscape.elements.best.sea.ripples import (
+    Ripples,
+    fine_coordinates,
+    leaning,
+    near_rows,
+)
 from landscape.elements.best.sea.shallows import TEXELS, Shallows, cut_level, sea_depths
-from landscape.elements.best.sea.waves import facing, mirror_places, opacity, surface_normals, waves
+from landscape.elements.best.sea.waves import (
+    facing,
+    mirror_places,
+    opacity,
+    surface_normals,
+    unfolded,
+    waves,
+)
 from landscape.elements.reflection import inside_water
 from landscape.elements.sun import lit
 from landscape.elements.water_surface import (
@@ -34,21 +48,36 @@ from landscape.elements.water_surface import (
     wave_time,
 )
 from landscape.files.assets import Assets
+from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.draw import level_square
 from landscape.gl.state import attrib, client_arrays
+from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 SHOAL = 0.15  # chosen: units of depth below which the relief fades out towards the beach
+SOFT = 6.0  # chosen: mip levels by which the mirrored sky is blurred, times water.ripples
+
+
+def fog_depths(grid: EyeGrid, density: float, least: float, power: int) -> np.ndarray:
+    """Return the depth in fog of each vertex, float32 (n,), units, never past a certain depth.
+
+    Nearby it is the distance from the eye; far away the fog leaves the fraction ``least``.
+    ``power`` is 1 or 2, the power of density x depth in the fog's equation.
+    """
+    most = (-math.log(least)) ** (1.0 / power) / density
+    sight = grid.sight[:, 0]
+    depth = sight / (1.0 + (sight / most) ** 4) ** 0.25
+    return np.ascontiguousarray(np.repeat(depth.astype(np.float32), grid.x.shape[1]))
 
 
 def wanted(settings: Settings) -> bool:
     """Return whether the settings ask for more than the patches of 2006."""
     water = settings.water
-    more = settings.reflection.rippled, water.relief, water.shallow, water.fresnel
-    return any(more) or water.glitter > 0
+    more = settings.reflection.rippled, water.relief, water.shallow, water.fresnel, water.foam
+    return any(more) or max(water.glitter, water.ripples, water.horizon_contrast) > 0
 
 
 @contextmanager
@@ -74,10 +103,28 @@ def kept(frame: Frame, settings: Settings, water: "WaterSurface | Sea | None") -
     return isinstance(water, Sea) and settings.reflection.rippled and water.mirror.keep(frame)
 
 
+@contextmanager
+def softened(settings: Settings) -> Iterator[None]:
+    """Blur the textures of what the block draws for the mirror image, if the water is rippled.
+
+    Clouds with firm edges would show that the image is smooth where the ripples are not.
+    """
+    if not (settings.reflection.rippled and settings.water.ripples > 0):
+        yield
+        return
+    unit = gl.GL_TEXTURE_FILTER_CONTROL, gl.GL_TEXTURE_LOD_BIAS
+    gl.glTexEnvf(*unit, SOFT * settings.water.ripples)
+    try:
+        yield
+    finally:
+        gl.glTexEnvf(*unit, 0.0)
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     water = settings.water
-    return water.level, water.trilinear, water.lod_bias, water.shallow, water.glitter > 0
+    looks = water.trilinear, water.lod_bias, water.ripples
+    return water.level, *looks, water.shallow, water.foam, water.glitter > 0
 
 
 class Sea:
@@ -90,9 +137,20 @@ class Sea:
         depths = sea_depths(field)
         self._relief = np.clip(depths / SHOAL, 0.0, 1.0).astype(np.float32)
         self.mirror = MirrorImage()
-        self._texture = water_texture(settings, assets)
+        self._texture, self._fine = self._textures(settings, assets)
         self._shallows = Shallows(depths, field.size) if settings.water.shallow else None
+        self._foam = Foam(field) if settings.water.foam else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
+
+    @staticmethod
+    def _textures(settings: Settings, assets: Assets) -> tuple[Texture, Ripples | None]:
+        """Return the water's texture, and the fine layer of ripples if they are wanted."""
+        water = settings.water
+        if not water.ripples:
+            return water_texture(settings, assets), None
+        picture = read_image(assets.path("water.png"), "RGB")
+        filters = True, water.trilinear, water.lod_bias
+        return Texture(leaning(picture, water.ripples), *filters), Ripples(picture, filters)
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the sea must be rebuilt."""
@@ -113,7 +171,7 @@ class Sea:
         if grid is None:
             return
         t = wave_time(frame.kt, water)
-        lift, slope_x, slope_z = waves(grid.x, grid.z, grid.cell, t)
+        lift, slope_x, slope_z, move_x, move_z = waves(grid.x, grid.z, grid.cell, t, unfolded(grid))
         y = np.full(grid.x.shape, water.level, np.float32)
         if water.relief:
             y += lift * self._relief_left(grid)
@@ -123,9 +181,17 @@ class Sea:
         plane = np.stack([grid.x.ravel(), grid.z.ravel()])
         places = np.ascontiguousarray(plane.T)
         layers = [wave_coordinates(plane / np.float32(water.patch), t, water.repeat)]
+        fine = self._fine if water.textured else None
+        if fine is not None:
+            layers.append(fine_coordinates(grid, slope_x, slope_z, t))
         if self._shallows is not None:
             layers.append(self._shallows.coordinates(places))
+        depths = None if self._shallows is None else len(layers) - 1
         triangles = grid.triangles
+        parts = [triangles]
+        if fine is not None:
+            far = near_rows(grid) * 2 * (grid.x.shape[1] - 1)
+            parts = [triangles[:far], triangles[far:]]
 
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups):
@@ -137,14 +203,21 @@ class Sea:
             lit(self._settings.shading)
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             with (
-                self._texture_units(),
+                self._clearer_fog(grid),
+                self._texture_units(fine),
                 client_arrays(vertices, normals, colors, layers),
-                mirror_unit(mirror, len(layers)),
+                mirror_unit(mirror, len(layers), depths),
             ):
                 if mirror is not None:
-                    looked_up = mirror_places(grid, y, slope_x, slope_z)
+                    looked_up = mirror_places(grid, y, move_x, move_z)
                     gl.glTexCoordPointer(3, gl.GL_FLOAT, 0, looked_up)
-                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+                for number, part in enumerate(parts):
+                    if fine is not None:
+                        fine.switch(number == 1)
+                    gl.glDrawElements(gl.GL_TRIANGLES, part.size, gl.GL_UNSIGNED_INT, part)
+            if self._foam is not None:
+                with self._clearer_fog(grid):
+                    self._foam.draw(frame, self._settings, grid, vertices, places)
             if self._glitter is not None:
                 surface, slopes = (vertices, places), (slope_x, slope_z)
                 self._glitter.draw(frame, self._settings, grid, surface, slopes)
@@ -175,19 +248,40 @@ class Sea:
         return np.asarray(self._relief.take(row * TEXELS + column))
 
     @contextmanager
-    def _texture_units(self) -> Iterator[None]:
-        """Unit 0: the water's texture times the light; unit 1: the depths, if they show."""
+    def _clearer_fog(self, grid: EyeGrid) -> Iterator[None]:
+        """Let the fog leave ``water.horizon_contrast`` of the sea's colour at the horizon."""
+        fog, least = self._settings.fog, self._settings.water.horizon_contrast
+        if least <= 0 or not fog.enabled or fog.mode == "linear" or fog.density <= 0:
+            yield
+            return
+        depths = fog_depths(grid, fog.density, least, 2 if fog.mode == "exp2" else 1)
+        # Not by glPushAttrib, which in Mesa does not bring the source of the depth back.
+        gl.glFogi(gl.GL_FOG_COORD_SRC, gl.GL_FOG_COORD)
+        gl.glEnableClientState(gl.GL_FOG_COORD_ARRAY)
+        gl.glFogCoordPointer(gl.GL_FLOAT, 0, depths)
+        try:
+            yield
+        finally:
+            gl.glDisableClientState(gl.GL_FOG_COORD_ARRAY)
+            gl.glFogi(gl.GL_FOG_COORD_SRC, gl.GL_FRAGMENT_DEPTH)
+
+    @contextmanager
+    def _texture_units(self, fine: Ripples | None) -> Iterator[None]:
+        """Unit 0: the water's texture times the light; then the ripples and the depths, if any."""
         # GL_TEXTURE_BIT restores every unit's environment, and which unit is active.
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
             if self._settings.water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
+            if fine is not None:
+                fine.set_units()
             if self._shallows is not None:
-                self._shallows.set_unit()
+                self._shallows.set_unit(1 if fine is None else 2)
             yield
 
     def release(self) -> None:
         """Delete what was made; may be called twice."""
-        for owner in (self.mirror, self._texture, self._shallows, self._glitter):
+        owned = self._texture, self._fine, self._shallows, self._foam, self._glitter
+        for owner in (self.mirror, *owned):
             if owner is not None:
                 owner.release()

@@ -78,9 +78,9 @@ class Shallows:
             gl.glColor3f(*(painted(sun, direction(sun)[1]) * FLOOR))
             level_square(0.0, self._size, level)
 
-    def set_unit(self) -> None:
-        """Unit 1: the colour times twice the tint; its alpha is for unit 2, the mirror image's."""
-        gl.glActiveTexture(gl.GL_TEXTURE1)
+    def set_unit(self, unit: int) -> None:
+        """Let a unit multiply by twice the tint; its alpha is for the next, the mirror image's."""
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._texture.bind()
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})

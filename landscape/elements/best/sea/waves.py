@@ -9,7 +9,7 @@ import numpy as np
 from landscape.elements.best.sea.eye_grid import EyeGrid
 
 FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea mirrors strongly at steeper angles
-CLEARED = 0.67  # chosen: fraction of its opacity that the water loses at a grazing angle
+CLEARED = 0.9  # chosen: fraction of its opacity that the water loses at a grazing angle
 
 # Chosen: waves as length in units, direction in radians (the wind blows to 0.5), and slope.
 WAVES = np.array(
@@ -29,7 +29,10 @@ RELIEF_FROM = 0.4  # chosen: units, shorter waves tilt the surface but do not li
 LIFTING = int((WAVES[:, 0] >= RELIEF_FROM).sum())  # the longest come first
 DAMPED = 0.02  # chosen: fraction of its slope below which a wave is left out
 MIRRORED = 0.6  # chosen: fraction of a ripple's tilt that moves the mirror image; 1 is a rough sea
+FOLD = 0.45  # chosen: how far one wave may compress the mirror image; at 1 it would begin to fold
 CALM = 0.8  # chosen: how far towards the horizon a ripple may move the image, as a fraction
+ROUGH = 0.09  # chosen: radians above the horizon that the far sea mirrors: facets that lean to us
+ROUGH_FROM = 30.0  # chosen: units away at which half of that is reached
 
 
 def opacity(cosine: np.ndarray, alpha: float) -> np.ndarray:
@@ -53,24 +56,44 @@ def damped_slopes(cell: np.ndarray) -> np.ndarray:
     return slopes
 
 
+def unfolded(grid: EyeGrid) -> np.ndarray:
+    """Return the fraction of each wave's tilt that moves the mirror image, float32 (waves, rows).
+
+    Seen at a grazing angle the rows of the grid lie far apart, and the image, moved by a short wave
+    as far as a mirror would move it, folds over itself again and again: the eye sees a smear. Moved
+    so far at a few vertices it breaks up into ovals; so the movement is kept below a fold.
+    """
+    # By how much a wave moves the image, per radian of depression: slope x wave number x r^2 / h.
+    steps = np.square(grid.sight[:, 0]) / np.float32(grid.height)
+    folds = 2.0 * MIRRORED * STEEP * NUMBERS.astype(np.float32)[:, None] * steps
+    return np.asarray(FOLD / np.maximum(folds, FOLD), np.float32)
+
+
 def waves(
-    x: np.ndarray, z: np.ndarray, cell: np.ndarray, t: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    x: np.ndarray,
+    z: np.ndarray,
+    cell: np.ndarray,
+    t: float,
+    moved: np.ndarray | None = None,
+) -> tuple[np.ndarray, ...]:
     """Return height and slopes along x and z, float32 (rows, columns), of the sea at time ``t``.
 
     ``x`` and ``z`` (rows, columns) are places in units, ``cell`` (rows,) the distance to the next
     row. The same as :func:`waves_one_by_one`, with all waves in one array: a quarter of the NumPy
-    calls.
+    calls. ``moved`` (waves, rows) adds two more arrays: the sums of the slopes times these factors.
     """
     slope = damped_slopes(cell)[..., None]
     # Reduced to one turn before the sum: float32 has too few digits for a large t.
     turns = (PHASES - FREQUENCIES * t) % (2 * np.pi)
     phase = x * ALONG_X + (z * ALONG_Z + turns.astype(np.float32)[:, None, None])
-    slopes = HEADINGS @ (np.cos(phase) * slope).reshape(len(WAVES), -1)
-    slope_x, slope_z = slopes.reshape(2, *x.shape)
+    tilts = np.cos(phase) * slope
+    slopes = [*(HEADINGS @ tilts.reshape(len(WAVES), -1)).reshape(2, *x.shape)]
+    if moved is not None:
+        tilts *= moved[..., None]
+        slopes += [*(HEADINGS @ tilts.reshape(len(WAVES), -1)).reshape(2, *x.shape)]
     lengths = (np.float32(1.0) / NUMBERS[:LIFTING]).astype(np.float32)
     height = lengths @ (np.sin(phase[:LIFTING]) * slope[:LIFTING]).reshape(LIFTING, -1)
-    return height.reshape(x.shape), slope_x, slope_z
+    return height.reshape(x.shape), *slopes
 
 
 def waves_one_by_one(
@@ -105,10 +128,13 @@ def mirror_places(
 
     A mirror tilted by a slope turns the ray by twice that angle. Along the line of sight this
     moves the image up or down by that angle; across it, by the fraction height / distance of it.
+    Of far water one sees the sides of waves that lean towards the eye: it mirrors a higher sky.
     """
     along = slope_x * grid.east + slope_z * grid.south
     across = slope_x * -grid.south + slope_z * grid.east
-    up = np.minimum(-2.0 * MIRRORED * along * grid.sight, CALM * grid.height)
+    far = np.square(np.square(grid.ring[:, None] / np.float32(ROUGH_FROM)))
+    lean = np.float32(ROUGH) * far / (far + np.float32(1.0))
+    up = np.minimum((-2.0 * MIRRORED * along - lean) * grid.sight, CALM * grid.height)
     aside = -2.0 * MIRRORED * across * np.float32(grid.height)
     out = np.empty((grid.x.size, 3), np.float32)
     out[:, 0] = (grid.x - aside * grid.south).ravel()
