@@ -51,7 +51,8 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("shadow_map", "projective_texture", "fresnel_cube_map", "dot3"),
     ),
     "flyover": (
-        *("projection_by_hand", "bresenham", "line_clipping", "back_faces", "floating_horizon"),
+        *("projection_by_hand", "bresenham", "line_clipping", "back_faces", "bezier_path"),
+        "floating_horizon",
     ),
 }
 TOPICS: Texts = {
