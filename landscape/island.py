@@ -17,7 +17,7 @@ from landscape.elements.best.air.bay_mist import BayMist
 from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
-from landscape.elements.best.ornate.ornate_castle import castle_class
+from landscape.elements.best.ornate.weathered_castle import castle_class
 from landscape.elements.best.overlay.shining_sword import sword_class
 from landscape.elements.best.sea import sea
 from landscape.elements.best.sea.occlusion_query import SeaQuery

@@ -819,6 +819,27 @@ class Castle:
         unit="fraction",
         needs=("castle", "castle.ornate"),
     )
+    depth: bool = setting(
+        False,
+        "chosen",
+        "the open door shows a hall behind it, not a wall painted dark",
+        needs=("castle", "castle.ornate", "castle.open"),
+    )
+    glow: float = setting(
+        0.0,
+        "chosen",
+        "how strongly the flames glow and light the ground; above 0 they are larger, too",
+        0,
+        1,
+        unit="of 1",
+        needs=("castle", "castle.ornate"),
+    )
+    weathered: bool = setting(
+        False,
+        "chosen",
+        "uneven stones with stains and moss, framed windows, slates, rubble and ivy",
+        needs=("castle", "castle.ornate"),
+    )
 
 
 @dataclass(frozen=True)
@@ -1107,6 +1128,9 @@ BEST: dict[str, Value] = {
     "castle.multitexture": True,
     "castle.ornate": True,
     "castle.open": True,
+    "castle.depth": True,
+    "castle.glow": 0.8,
+    "castle.weathered": True,
     "plants.sway": 0.35,
     "plants.species": 5,
     "plants.shaded": True,

@@ -10,7 +10,8 @@ from PIL import Image
 from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write_plain
 
 from landscape.elements.best.ornate.gate import CastleInOnePass
-from landscape.elements.best.ornate.ornate_castle import OrnateCastle, castle_class
+from landscape.elements.best.ornate.ornate_castle import OrnateCastle
+from landscape.elements.best.ornate.weathered_castle import castle_class
 from landscape.elements.castle import Castle
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, flame_across, flame_frame
 from landscape.elements.castle_gate import light_shift

@@ -98,6 +98,11 @@ SHOTS = {
     "water.roughness": replace(GLINTING, value=0.6),
     "castle.torches": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "castle.open": replace(GROUPS["castle"], settings={"castle.ornate": True}),
+    "castle.depth": replace(
+        GROUPS["castle"], settings={"castle.ornate": True, "castle.open": True}
+    ),
+    "castle.glow": replace(GROUPS["castle"], settings={"castle.ornate": True}),
+    "castle.weathered": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "camera.near": replace(GROUPS["camera"], value=2.0),
     "camera.far": replace(GROUPS["camera"], value=3.0),
     "camera.lod_pixels": replace(GROUPS["camera"], value=20.0),

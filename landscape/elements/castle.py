@@ -52,15 +52,18 @@ FOOT_SHADE = 0.22  # chosen: units from the walls within which they block part o
 class Castle:
     """The castle on its hill."""
 
+    BRICKS = "castle_brick.png"
+    SPAN = 1.0  # how often its picture is repeated, times ``castle.brick_repeat``
+
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the textures and compile one display list of everything that does not move."""
         castle = settings.castle
         corners = np.array([(-0.6, -0.6), (-0.6, 0.6), (0.6, -0.6), (0.6, 0.6), (0, 0)])
         stands = field.height(castle.x + corners[:, 0], castle.z + corners[:, 1])
         self.base = (castle.x, float(stands.min()), castle.z)
-        self._yaw, self._repeat = castle.yaw, castle.brick_repeat
+        self._yaw, self._repeat = castle.yaw, castle.brick_repeat * self.SPAN
         self._settings, self._built_from = settings, self.built_from(settings)
-        names = ("castle_brick.png", "torch_stone.png")
+        names = (self.BRICKS, "torch_stone.png")
         self._brick, self._stone = (Texture(read_image(assets.path(name), "RGB")) for name in names)
         self._door, self._fire = (
             Texture(read_image(assets.path(name)), repeat=False)

@@ -24,7 +24,7 @@ from landscape.files.progress import Progress
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
-    "caustics", "mosaic", "masonry", "gate", "trees", "deer", "plants", "herbs", "rabbit",
+    "caustics", "mosaic", "masonry", "ashlar", "gate", "trees", "deer", "plants", "herbs", "rabbit",
     "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles", "voxel_plants", "voxel_ripples",
     "environments",
 )  # fmt: skip
@@ -37,6 +37,8 @@ PALETTES = {
     "ground_sand.png": 256,
     "ground_rock.png": 128,
     "castle_brick.png": 256,
+    "castle_ashlar.png": 80,
+    "castle_slate.png": 48,
     **dict.fromkeys(("hall_wall.png", "hall_vault.png", "hall_stone.png"), 128),
     **dict.fromkeys(("hall_floor.png", "hall_medallion.png"), 200),
     "mosaic.png": 64,

@@ -59,6 +59,9 @@ SIZES = {
     "caustics.png": (1024, 512, "L"),
     "mosaic.png": (256, 256, "RGB"),
     "castle_brick.png": (512, 512, "RGB"),
+    "castle_ashlar.png": (512, 512, "RGB"),
+    "castle_slate.png": (256, 256, "RGB"),
+    "castle_leaves.png": (256, 256, "RGBA"),
     "castle_door.png": (1024, 1024, "RGBA"),
     "castle_light.png": (256, 256, "RGB"),
     "torch_stone.png": (256, 256, "RGB"),
@@ -80,7 +83,8 @@ STRIPS = {TILES_FILE: (SIDE, SIDE), PLANTS_FILE: (SIDE, SIDE)}
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998}  # the report's vertex counts
 TILES = (
     "ground_detail.png", "ground_sand.png", "ground_rock.png", "clouds.png", "water.png",
-    "castle_brick.png", "torch_stone.png", "mosaic.png", "animal.png", "hall_wall.png",
+    "castle_brick.png", "castle_ashlar.png", "castle_slate.png", "torch_stone.png", "mosaic.png",
+    "animal.png", "hall_wall.png",
     "hall_vault.png", "hall_stone.png", "hall_floor.png", "hall_wood.png",
     RIPPLES_FILE,
 )  # fmt: skip

@@ -211,6 +211,13 @@ def light(
     at 1, where the sun adds little to the sky's light, so these may exceed 1. ``yaw`` in degrees;
     ``torches`` (0..1) is the strength of the flames' light.
     """
+    return np.asarray(arriving(places, normals, sun, yaw, torches) * weather(places))
+
+
+def arriving(
+    places: np.ndarray, normals: np.ndarray, sun: Sun, yaw: float, torches: float = 0.0
+) -> np.ndarray:
+    """Return what :func:`light` does, without the weathering."""
     towards = turned_sun(sun, yaw)
     across = np.array([-towards[0], 0.5, -towards[2]]) / math.hypot(towards[0], towards[2], 0.5)
     ambient, diffuse = np.array(sun.ambient), np.array(sun.diffuse)
@@ -226,11 +233,11 @@ def light(
     left += torches * torchlight(places, normals)
     # Where no light comes from anywhere, there is none to block.
     lit = np.clip(ambient + fill + direct, 1e-6, 1.0)
-    return np.asarray(left / lit * weather(places))
+    return np.asarray(left / lit)
 
 
-def shelves(sizes: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Return the low corners of boxes of these sizes, packed into a square of SIDE texels.
+def shelves(sizes: list[tuple[int, int]], side: int = SIDE) -> list[tuple[int, int]]:
+    """Return the low corners of boxes of these sizes, packed into a square of ``side`` texels.
 
     The tallest come first, side by side on shelves. ValueError if they do not fit.
     """
@@ -238,10 +245,10 @@ def shelves(sizes: list[tuple[int, int]]) -> list[tuple[int, int]]:
     x = y = shelf = 0
     for k in sorted(range(len(sizes)), key=lambda k: -sizes[k][1]):
         wide, high = sizes[k]
-        if x + wide > SIDE:
+        if x + wide > side:
             x, y, shelf = 0, y + shelf, 0
-        if wide > SIDE or y + high > SIDE:
-            raise ValueError(f"the light map needs more than {SIDE} texels a side")
+        if wide > side or y + high > side:
+            raise ValueError(f"the light map needs more than {side} texels a side")
         corners[k] = x, y
         x, shelf = x + wide, max(shelf, high)
     return corners
@@ -257,6 +264,18 @@ def spread(rows: np.ndarray, wide: int, high: int) -> np.ndarray:
     return np.asarray(lines[0] * (1.0 - up) + lines[1] * up)
 
 
+def box_sizes(mesh: Mesh, strips: Sequence[np.ndarray]) -> list[tuple[int, int]]:
+    """Return the width and height in texels of the box of each strip."""
+    sizes = []
+    for strip in strips:
+        rows = mesh.vertices[strip]
+        around_ = np.linalg.norm(np.diff(rows, axis=1), axis=2).sum(axis=1).max()
+        up = np.linalg.norm(rows[1] - rows[0], axis=1).max()
+        wide, high = (max(math.ceil(TEXELS * float(side)), 1) + 1 for side in (around_, up))
+        sizes.append((wide, high))
+    return sizes
+
+
 def light_map(
     mesh: Mesh, strips: Sequence[np.ndarray], sun: Sun, yaw: float, torches: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -266,13 +285,7 @@ def light_map(
     vertices, (2, c) each: a lower and an upper row with the surface between them. The texels at a
     strip's borders have their centres on them, so that neighbouring strips do not bleed in.
     """
-    sizes = []
-    for strip in strips:
-        rows = mesh.vertices[strip]
-        around_ = np.linalg.norm(np.diff(rows, axis=1), axis=2).sum(axis=1).max()
-        up = np.linalg.norm(rows[1] - rows[0], axis=1).max()
-        wide, high = (max(math.ceil(TEXELS * float(side)), 1) + 1 for side in (around_, up))
-        sizes.append((wide, high))
+    sizes = box_sizes(mesh, strips)
     picture = np.full((SIDE, SIDE, 3), 255, np.uint8)
     coordinates = np.zeros((len(mesh.vertices), 2), np.float32)
     places, normals, boxes = [], [], []

@@ -1,22 +1,33 @@
 """The ornate castle's loopholes and windows: dark quads in front of the stones. No OpenGL here."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from landscape.elements.best.ornate.ornate_masonry import KEEP
 from landscape.geometry.masonry import TOWER_RADIUS
 
 
-def loopholes() -> np.ndarray:
-    """Return the dark openings of loopholes and windows, quads (n, 4, 3) in front of the stones."""
-    quads = []
+class Opening(NamedTuple):
+    """A loophole or window: the middle of its foot, half its width, its height.
 
-    def open_at(x: float, y: float, z: float, facing: float, half: float, tall: float) -> None:
-        """Add an opening at (x, z), from y upwards; ``facing`` is an angle from x towards z."""
-        ax, az = -half * np.sin(facing), half * np.cos(facing)
-        p, q = (x + ax, z + az), (x - ax, z - az)
-        corners = [(p[0], y, p[1]), (q[0], y, q[1])]
-        corners += [(q[0], y + tall, q[1]), (p[0], y + tall, p[1])]
-        quads.append(corners)
+    ``facing`` is an angle from x towards z, in radians.
+    """
+
+    x: float
+    y: float
+    z: float
+    facing: float
+    half: float
+    tall: float
+
+
+def openings() -> list[Opening]:
+    """Return all loopholes and windows, a little in front of the stones."""
+    found = []
+
+    def open_at(*numbers: float) -> None:
+        found.append(Opening(*map(float, numbers)))
 
     east, south, west, north = 0.0, 0.5 * np.pi, np.pi, 1.5 * np.pi
     for x in (0.0, 1.0):
@@ -40,4 +51,16 @@ def loopholes() -> np.ndarray:
             open_at(x, y, z1 + off, south, 0.016, 0.06)
             open_at(x0 - off, y, z, west, 0.016, 0.06)
             open_at(x1 + off, y, z, east, 0.016, 0.06)
+    return found
+
+
+def loopholes() -> np.ndarray:
+    """Return the dark openings of loopholes and windows, quads (n, 4, 3) in front of the stones."""
+    quads = []
+    for x, y, z, facing, half, tall in openings():
+        ax, az = -half * np.sin(facing), half * np.cos(facing)
+        p, q = (x + ax, z + az), (x - ax, z - az)
+        corners = [(p[0], y, p[1]), (q[0], y, q[1])]
+        corners += [(q[0], y + tall, q[1]), (p[0], y + tall, p[1])]
+        quads.append(corners)
     return np.array(quads)

@@ -5,7 +5,8 @@ the floor and the dark above; leaves from the two halves of the same picture. Pl
 castle's own frame, see geometry/masonry.py.
 State used: as castle_gate.py, and GL_CULL_FACE.
 What is wrong with it: behind the door there is a wall with light painted on it; what one sees
-there does not move as the viewer does. Switch ``castle.open``.
+there does not move as the viewer does (switch ``castle.depth``, doorway.py). Switch
+``castle.open``.
 """
 
 import math
@@ -51,8 +52,8 @@ def turned(points: np.ndarray, side: int) -> np.ndarray:
     return np.stack([x, points[:, 1], -0.002 - from_hinge * math.sin(TURNED)], axis=1)
 
 
-def send_open_door(door: Texture) -> None:
-    """Send what is behind the door, unlit, then the leaves, lit."""
+def send_opening() -> None:
+    """Send what fills the opening, unlit, with the glow of the hall behind it."""
     outline = half_arch()
     gl.glDisable(gl.GL_LIGHTING)
     gl.glDisable(gl.GL_TEXTURE_2D)
@@ -65,6 +66,11 @@ def send_open_door(door: Texture) -> None:
             gl.glVertex3f(0.5 + side * across, height, -0.001)
     gl.glEnd()
     gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
+
+
+def send_open_door(door: Texture) -> None:
+    """Send the two leaves, lit."""
+    outline = half_arch()
     gl.glEnable(gl.GL_LIGHTING)
     gl.glEnable(gl.GL_TEXTURE_2D)
     gl.glColor3f(1.0, 1.0, 1.0)

@@ -13,13 +13,14 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.elements.best.ornate.baked_light import light_map
+from landscape.elements.best.ornate.doorway import Doorway
 from landscape.elements.best.ornate.gate import TIMES, CastleInOnePass, Unit
 from landscape.elements.best.ornate.loopholes import loopholes
-from landscape.elements.best.ornate.open_door import send_open_door
+from landscape.elements.best.ornate.open_door import send_open_door, send_opening
 from landscape.elements.best.ornate.ornate_masonry import KEEP, ornate_masonry
 from landscape.elements.best.ornate.pennants import draw_pennants
 from landscape.elements.best.ornate.roofs import MASTS, ornate_outlines, roofs
-from landscape.elements.castle import Castle
+from landscape.elements.best.ornate.torch_glow import TorchGlow
 from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
@@ -27,11 +28,12 @@ from landscape.frame import Frame
 from landscape.geometry.culling import ball_in_view
 from landscape.geometry.height_field import HeightField, mirrored_height
 from landscape.geometry.masonry import WALL, quads_mesh
-from landscape.geometry.mesh import revolve
+from landscape.geometry.mesh import Mesh, revolve
 from landscape.geometry.obstacles import Obstacle, Wall
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
+from landscape.gl.extensions import has_stencil
 from landscape.gl.state import attrib, combine, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
@@ -40,14 +42,8 @@ REACH = 1.8  # chosen: radius of the castle's bounding sphere, centred in the wa
 SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
 BY_DAY = 0.5  # chosen: fraction of the flickering glow that is visible; torches add to it
 SHADE = (0.42, 0.42, 0.45)  # chosen: of the door within; the yard is in the shadow of its walls
+WARM = np.array([1.1, 0.62, 0.3])  # chosen: the light of larger flames is less yellow
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
-
-
-def castle_class(settings: Settings) -> type[Castle]:
-    """Return the class whose castle these settings describe."""
-    if settings.castle.ornate:
-        return OrnateCastle
-    return CastleInOnePass if settings.castle.multitexture else Castle
 
 
 class OrnateCastle(CastleInOnePass):
@@ -56,26 +52,39 @@ class OrnateCastle(CastleInOnePass):
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Compute the light map, or take it from the cache, and compile the lists."""
         castle, sun = settings.castle, settings.sun
-        bricks, strips = ornate_masonry(castle.brick_repeat)
+        self._settings, self._field = settings, field
+        bricks, strips = ornate_masonry(castle.brick_repeat * self.SPAN)
+        made_from = castle.brick_repeat, castle.yaw, castle.torches, sun
         picture, lit = recall(
-            ["castle's light", repr((castle.brick_repeat, castle.yaw, castle.torches, sun))],
-            lambda: light_map(bricks, strips, sun, castle.yaw, castle.torches),
+            ["castle's light", type(self).__name__, repr(made_from)],
+            lambda: self._light_on(bricks, strips),
         )
         self._bricks = replace(bricks, coordinates=(*bricks.coordinates, lit))
         self._light_map = Texture(picture, repeat=False, mipmaps=False)
         super().__init__(settings, assets, field)
         self._open_door = DisplayList(lambda: send_open_door(self._door))
+        self._opening = DisplayList(send_opening)
+        deep = castle.depth and castle.open and has_stencil("castle.depth")
+        self._hall = Doorway(self._brick, self._opening) if deep else None
+        self._glow = TorchGlow(self._ground_at) if castle.glow > 0.0 else None
 
     @staticmethod
     def built_from(settings: Settings) -> tuple[object, ...]:
         """Return the settings that the lists and the light map were made from."""
         castle = settings.castle
         place = castle.x, castle.z, castle.yaw, castle.brick_repeat
-        return *place, castle.ornate, castle.torches, settings.sun
+        own = castle.ornate, castle.torches, castle.depth and castle.open, castle.glow > 0.0
+        return *place, *own, settings.sun
+
+    def _light_on(self, mesh: Mesh, strips: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+        """Return the light map of the bricks and its texture coordinates."""
+        castle = self._settings.castle
+        return light_map(mesh, strips, self._settings.sun, castle.yaw, castle.torches)
 
     def _light_image(self, image: np.ndarray) -> np.ndarray:
         glow = super()._light_image(image)
-        return np.asarray(NEUTRAL + BY_DAY * (glow - NEUTRAL) + 0.5, np.uint8)
+        warm = WARM if self._settings.castle.glow > 0.0 else 1.0
+        return np.asarray(NEUTRAL + BY_DAY * warm * (glow - NEUTRAL) + 0.5, np.uint8)
 
     def _send_bricks(self) -> None:
         """Send bricks without the gate wall, slates, masts and dark openings."""
@@ -87,8 +96,7 @@ class OrnateCastle(CastleInOnePass):
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
             # The first two triangles are the gate wall.
             draw_mesh(replace(self._bricks, triangles=self._bricks.triangles[2:]))
-        gl.glColor3f(*SLATE)
-        draw_mesh(roofs(self._repeat))
+        self._send_roofs()
         self._stone.bind()
         gl.glColor3f(*WOOD)
         for x, z, foot, length in MASTS:
@@ -96,11 +104,18 @@ class OrnateCastle(CastleInOnePass):
                 gl.glTranslatef(x, foot - 0.03, z)
                 draw_mesh(revolve([(0.006, 0.0), (0.003, 0.03 + 1.4 * length)], 6, (1, 1)))
         gl.glDisable(gl.GL_TEXTURE_2D)
-        gl.glColor3f(*DARK)
-        draw_mesh(quads_mesh(loopholes(), 1.0))
+        self._send_openings()
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._send_door_within()
         gl.glColor3f(1.0, 1.0, 1.0)
+
+    def _send_roofs(self) -> None:
+        gl.glColor3f(*SLATE)
+        draw_mesh(roofs(self._repeat))
+
+    def _send_openings(self) -> None:
+        gl.glColor3f(*DARK)
+        draw_mesh(quads_mesh(loopholes(), 1.0))
 
     def _send_door_within(self) -> None:
         """Send the door as seen from the yard, where a walker can leave by it."""
@@ -121,11 +136,18 @@ class OrnateCastle(CastleInOnePass):
         """Whether the door is open."""
         return self._settings.castle.open
 
-    def _draw_gate(self, kt: float) -> None:
-        super()._draw_gate(kt)
-        if self.is_open:
-            self._open_door.call()
-            gl.glDisable(gl.GL_LIGHTING)
+    def _ground_at(self, places: np.ndarray) -> np.ndarray:
+        """Return the ground's height (n,) at places (n, 2) in the castle's own frame."""
+        x, z = self._outside(np.asarray(places, float)).T
+        return np.asarray(self._field.height(x, z) - self.base[1])
+
+    def _draw_open_door(self, frame: Frame) -> None:
+        if self._hall and not frame.mirrored:
+            self._hall.draw(frame)
+        else:
+            self._opening.call()
+        self._open_door.call()
+        gl.glDisable(gl.GL_LIGHTING)
 
     def _units(self) -> list[Unit]:
         coordinates = self._bricks.coordinates[1][:4]
@@ -159,17 +181,30 @@ class OrnateCastle(CastleInOnePass):
         if not self._settings.camera.cull or self.visible(frame):
             super().draw(frame)
 
+    def _draw_details(self, frame: Frame) -> None:
+        """Draw what else stands at the castle: nothing here."""
+
     def _draw_fire(self, frame: Frame) -> None:
-        """Draw flames and pennants."""
+        """Draw the open door, flames and pennants."""
+        if self.is_open:
+            self._draw_open_door(frame)
+        self._draw_details(frame)
         if frame.mirrored and self._settings.reflection.rippled:
             return
-        super()._draw_fire(frame)
+        if self._glow:
+            castle = self._settings.castle
+            faces = self._inside(frame.eye) if castle.flame_faces else None
+            self._glow.draw(frame, self._fire, faces, castle.glow, castle.torches)
+        else:
+            super()._draw_fire(frame)
         gl.glDisable(gl.GL_TEXTURE_2D)
         sun = self._settings.sun
         draw_pennants(frame.kt, painted(sun, direction(sun)[1]))
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        self._open_door.release()
+        for each in (self._open_door, self._opening, self._hall, self._glow):
+            if each is not None:
+                each.release()
         self._light_map.release()
         super().release()
