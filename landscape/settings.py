@@ -612,6 +612,24 @@ class Transparent:
         "chosen",
         "quads fit the opaque part of the picture; those outside the frustum are not sent",
     )
+    sunward: float = setting(
+        0.0,
+        "chosen",
+        "how much darker by day the side is that faces away from the sun",
+        0,
+        1,
+        unit="of 1",
+        needs=("transparent.textured",),
+    )
+    contact: float = setting(
+        0.0,
+        "chosen",
+        "how dark the soft shadow is at the feet of trees and deer",
+        0,
+        1,
+        unit="of 1",
+        needs=("transparent.textured", "trees or deer", "trees.variety or deer.variety"),
+    )
     min_pixels: float = setting(
         0.0, "chosen", "sprites lower than this fade out", 0, 100, unit="pixels"
     )
@@ -643,6 +661,12 @@ class Trees:
     crown: bool = setting(
         False, "R4, section 11.2.1", "a horizontal crown picture, visible from above"
     )
+    variety: bool = setting(
+        False,
+        "chosen",
+        "several individuals of each species, in groups with saplings and bushes",
+        needs=("trees.grouped",),
+    )
 
 
 @dataclass(frozen=True)
@@ -656,6 +680,9 @@ class Deer:
     size_max: float = setting(0.14, "chosen", "greatest width and height", 0.001, 100, unit=UNITS)
     follow_slope: bool = setting(
         False, "R5, section 11.2.6", "stand perpendicular to the slope, feet on the ground"
+    )
+    variety: bool = setting(
+        False, "chosen", "stags and does of several poses, on grass rather than rock"
     )
 
 
@@ -1112,6 +1139,8 @@ BEST: dict[str, Value] = {
     "transparent.clear_near": True,
     "transparent.rooted": True,
     "transparent.trimmed": True,
+    "transparent.sunward": 0.75,
+    "transparent.contact": 0.8,
     "transparent.min_pixels": 2.5,
     "transparent.trilinear": False,
     "transparent.radius": 26.0,
@@ -1119,7 +1148,9 @@ BEST: dict[str, Value] = {
     "trees.count": 2200,
     "trees.grouped": True,
     "trees.crown": True,
+    "trees.variety": True,
     "deer.follow_slope": True,
+    "deer.variety": True,
     "plants.quads": 3,
     "plants.fade_edge_on": True,
     "plants.rosette": True,

@@ -92,7 +92,7 @@ def put(
         sprites.stand(stand)
     else:
         more = np.tile(np.array(tint), (n, 1)), np.tile(np.array(slope), (n, 1))
-        sprites.stand(TintedSprites(*vars(stand).values(), *more))
+        sprites.stand(TintedSprites(*vars(stand).values(), *more, stand.cells))
 
 
 def seen(

@@ -87,6 +87,7 @@ GROUPS = {
 MATERIALS: dict[str, Any] = {"ground.materials": True, "ground.detail_repeat": 40.0}
 STONY = of_fix("best4")
 GLINTING = of_fix("best3", settings={**of_fix("best3").settings, "water.glitter": 0.35})
+WOODED: dict[str, Any] = {"trees.count": 900, "trees.grouped": True, "trees.variety": True}
 HUGE: dict[str, Any] = {"trees.count": 900, "trees.size_min": 15.0, "trees.size_max": 15.0}
 SHOTS = {
     "time": Shot(BAY, ("ground", "fog", "sky")),
@@ -144,6 +145,9 @@ SHOTS = {
     "transparent.upright": of_fix("R4", only=("trees",)),
     "transparent.fade": replace(GROUPS["transparent"], value=0.6),
     "transparent.clear_near": replace(GROUPS["trees"], settings=HUGE),
+    "transparent.sunward": replace(GROUPS["trees"], value=0.8),
+    "transparent.contact": replace(GROUPS["trees"], settings=WOODED, value=0.8),
+    "trees.variety": replace(GROUPS["trees"], settings=WOODED),
     "transparent.min_pixels": replace(GROUPS["transparent"], value=20.0),
     "trees.crown": of_fix("R4", only=("trees",)),
     "deer.count": replace(GROUPS["deer"], value=10),

@@ -84,7 +84,7 @@ def test_a_selection_with_a_margin_contains_that_of_every_pose_within_the_margin
     places = np.insert(rng.uniform(5, 35, (3000, 2)), 1, rng.uniform(0.7, 4, 3000), axis=1)
     sizes, cells = rng.uniform(0.1, 0.6, (3000, 2)), rng.integers(0, 7, 3000)
     flipped, tints = rng.random(3000) < 0.5, np.full((3000, 4), 255.0)
-    every = TintedSprites(places, sizes, cells, flipped, tints, np.zeros((3000, 2)))
+    every = TintedSprites(places, sizes, cells, flipped, tints, np.zeros((3000, 2)), cells)
     boxes = np.zeros((2, 7, 8, 2), np.float32)
     laid_out = LaidOut(every, boxes, boxes, 2)
     keys = {"transparent.fade": 0.2, "transparent.trimmed": True, "transparent.radius": 9.0}

@@ -130,6 +130,28 @@ def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
     return chain
 
 
+def bled(rgba: np.ndarray, steps: int = 2) -> np.ndarray:
+    """Return a sprite, uint8 (h, w, 4), whose colours reach ``steps`` texels beyond its outline.
+
+    There alpha is 0. Where texels are filtered, the colour of transparent ones is mixed in: it
+    would be a dark seam around every leaf.
+    """
+    out = rgba.copy()
+    known = np.pad(out[..., 3] > 0, 1)
+    colour = np.pad(out[..., :3], ((1, 1), (1, 1), (0, 0))).astype(np.uint16)
+    colour *= known[..., None]
+    sides = [(slice(0, -2), slice(1, -1)), (slice(2, None), slice(1, -1))]
+    sides += [(across, down) for down, across in sides]
+    for _ in range(steps):
+        count = np.stack([known[side] for side in sides]).sum(axis=0)
+        row, column = np.nonzero((count > 0) & ~known[1:-1, 1:-1])
+        total = np.stack([colour[side][row, column] for side in sides]).sum(axis=0)
+        found = total // count[row, column, None]
+        out[row, column, :3] = found
+        colour[row + 1, column + 1], known[row + 1, column + 1] = found, True
+    return out
+
+
 def _coverage_scale(alpha: np.ndarray, covered: float) -> float:
     """Return the factor on ``alpha`` that makes the fraction above one half equal ``covered``."""
     # A sprite with hard edges may keep its coverage without scaling, and must stay opaque.

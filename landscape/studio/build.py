@@ -24,9 +24,15 @@ from landscape.files.progress import Progress
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
-    "caustics", "mosaic", "masonry", "ashlar", "gate", "trees", "deer", "plants", "herbs", "rabbit",
-    "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles", "voxel_plants", "voxel_ripples",
-    "environments",
+    "caustics", "mosaic", "masonry", "ashlar", "gate", "trees", "individuals", "deer", "plants",
+    "herbs", "rabbit", "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles", "voxel_plants",
+    "voxel_ripples", "environments",
+)  # fmt: skip
+
+INDIVIDUALS = (
+    "oak_old", "oak_leaning", "oak_tall", "oak_young", "hazel", "birch_tall", "birch_twin",
+    "birch_young", "spruce_old", "pine", "spruce_young", "thorn", "bramble", "stag",
+    "stag_walking", "doe", "doe_grazing",
 )  # fmt: skip
 
 PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte
@@ -42,6 +48,8 @@ PALETTES = {
     **dict.fromkeys(("hall_wall.png", "hall_vault.png", "hall_stone.png"), 128),
     **dict.fromkeys(("hall_floor.png", "hall_medallion.png"), 200),
     "mosaic.png": 64,
+    **dict.fromkeys(("tree_birch.png", "tree_shrub.png"), 256),
+    **dict.fromkeys((f"{name}.png" for name in INDIVIDUALS), 256),
 }
 
 
@@ -85,16 +93,24 @@ def texts() -> dict[str, Callable[[], str]]:
 def encoded(made: Any, colours: int = 0, made_from: str = "") -> bytes:
     """Encode the result of a maker: pixels as PNG, (vertices, faces, colours) as PLY, text.
 
-    If ``colours`` is not 0, an RGB image is reduced to a palette of that size. ``made_from`` is
+    If ``colours`` is not 0, the image is reduced to a palette of that size. ``made_from`` is
     written into the PNG, as the text of MADE_FROM.
     """
     if isinstance(made, tuple):
         return ply(*made)
     if isinstance(made, str):
         return made.encode()
+    if colours and made.shape[2] == 4:
+        # One colour for all transparent texels: a palette has no room for their neighbours'.
+        visible = made[made[..., 3] > 0]
+        mean = np.rint(visible[:, :3].mean(axis=0))
+        made = np.where(made[..., 3:] > 0, made, np.append(mean, 0)).astype(np.uint8)
     image = Image.fromarray(np.ascontiguousarray(made))
     if colours:
-        image = image.quantize(colours, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+        # Of the two, only the octree keeps an alpha channel.
+        tree = image.mode == "RGBA"
+        method = Image.Quantize.FASTOCTREE if tree else Image.Quantize.MEDIANCUT
+        image = image.quantize(colours, method, dither=Image.Dither.NONE)
     buffer, info = io.BytesIO(), PngInfo()
     if made_from:
         info.add_text(MADE_FROM, made_from)

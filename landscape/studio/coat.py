@@ -14,7 +14,7 @@ from scipy import ndimage
 from landscape.studio.cones import CELL, Model, bake, trace
 from landscape.studio.foliage import sprite
 from landscape.studio.images import shrink, smoothstep
-from landscape.studio.light import GROUND_BOUNCE, SKY_COLOR, SPRITE_SUN, SUN_COLOR
+from landscape.studio.light import GROUND_BOUNCE, OVERHEAD, SKY_COLOR, SPRITE_SUN, SUN_COLOR
 
 SIZE = 512
 SUPERSAMPLING = 3
@@ -52,8 +52,11 @@ class Traced:
     sky: np.ndarray  # fraction of the sky that is visible
 
 
-def trace_model(model: Model) -> Traced:
-    """Trace a model scaled to fill the square, with its hooves on the last row."""
+def trace_model(model: Model, towards: np.ndarray = SPRITE_SUN) -> Traced:
+    """Trace a model scaled to fill the square, with its hooves on the last row.
+
+    ``towards`` (3,) is the direction of the sun.
+    """
     cones = np.array(model.cones)
     ends = np.concatenate([cones[:, 0:4], cones[:, 4:8]])
     left, right = (ends[:, 0] - ends[:, 3]).min(), (ends[:, 0] + ends[:, 3]).max()
@@ -65,7 +68,7 @@ def trace_model(model: Model) -> Traced:
     grid = bake(cones, low, shape, CELL)
     side = SIZE * SUPERSAMPLING
     colours = np.array(model.colours)
-    out = trace(cones, colours, side, left, span, span / side, grid, low, CELL, SPRITE_SUN)
+    out = trace(cones, colours, side, left, span, span / side, grid, low, CELL, towards)
     hit = out[..., 0] > 0
     along = np.stack([out[..., 10], 0.25 - out[..., 11]], -1)  # gravity pulls the hair down
     along *= hit[..., None] / (np.linalg.norm(along, axis=-1, keepdims=True) + 1e-9)
@@ -182,33 +185,65 @@ def grow_fur(traced: Traced, long_hair: np.ndarray, rng: np.random.Generator) ->
     traced.albedo *= np.clip(1.0 + tone, 0.3, 2.0)[..., None]
 
 
-def shade(traced: Traced) -> np.ndarray:
-    """Shade the samples: sun, sky, ground bounce, and gloss of eyes, nose, hooves and antlers."""
+def deepen(traced: Traced) -> None:
+    """Darken back, legs and neck, and let less of the sky reach the folds, in place.
+
+    Seen from afar, these contrasts make a body of what is otherwise one brown.
+    """
+    x, y, up = traced.x, traced.y, traced.normal[..., 1]
+    furry = traced.hair > 0.5
+    saddle = smoothstep(0.05, 0.80, up) * smoothstep(0.70, 0.92, y) * smoothstep(-0.75, -0.35, x)
+    flank = smoothstep(0.88, 0.72, y) * smoothstep(0.52, 0.66, y) * (0.5 + 0.5 * np.abs(up))
+    legs = smoothstep(0.56, 0.34, y)
+    tone = (1.0 - 0.62 * saddle) * (1.0 + 0.35 * flank) * (1.0 - 0.50 * legs)
+    traced.albedo *= np.where(furry, tone, 1.0)[..., None] * np.array([1.06, 1.0, 0.92])
+    traced.sky = traced.sky**1.7
+    # What faces the ground has less of the sky than the open lawn below it would give.
+    traced.sky *= 1.0 - 0.5 * smoothstep(0.0, 0.8, -up)
+
+
+def shade(
+    traced: Traced,
+    towards: np.ndarray = SPRITE_SUN,
+    sun_gain: float = SUN_GAIN,
+    sky_gain: float = SKY_GAIN,
+) -> np.ndarray:
+    """Shade the samples: sun, sky, ground bounce, and gloss of eyes, nose, hooves and antlers.
+
+    ``towards`` (3,) is the direction of the sun.
+    """
     up, front = traced.normal[..., 1], np.clip(traced.normal[..., 2], 0, 1)
-    sun = np.clip((traced.normal @ SPRITE_SUN + 0.12) / 1.12, 0, 1) * traced.sun
+    sun = np.clip((traced.normal @ towards + 0.12) / 1.12, 0, 1) * traced.sun
     sky = (0.55 + 0.45 * up) * traced.sky
     ground = (0.5 - 0.5 * up) * traced.sky
-    half = SPRITE_SUN + np.array([0.0, 0.0, 1.0])
+    half = towards + np.array([0.0, 0.0, 1.0])
     gloss = np.maximum(traced.normal @ (half / np.linalg.norm(half)), 0)
     bare = 1.0 - smoothstep(0.2, 0.6, traced.hair)
     shine = (0.05 * gloss**12 + 0.6 * bare * gloss**50) * traced.sun
     # Rim light: hair transmits light at the silhouette.
     shine += 0.10 * (1 - front) ** 3 * traced.hair * np.clip(0.3 + up, 0, 1) * traced.sky
     light = (
-        SUN_GAIN * SUN_COLOR * sun[..., None]
-        + SKY_GAIN * SKY_COLOR * sky[..., None]
+        sun_gain * SUN_COLOR * sun[..., None]
+        + sky_gain * SKY_COLOR * sky[..., None]
         + 1.3 * GROUND_BOUNCE * ground[..., None]
     )
     return traced.albedo * light + SUN_COLOR * shine[..., None]
 
 
-def render(model: Model, seed: int, mane: float) -> np.ndarray:
-    """Trace, paint and shade a model; return the sprite, uint8 (512, 512, 4)."""
+def render(model: Model, seed: int, mane: float, deep: bool = False) -> np.ndarray:
+    """Trace, paint and shade a model; return the sprite, uint8 (512, 512, 4).
+
+    With ``deep`` the coat has stronger contrasts, in the light of
+    :mod:`landscape.studio.individuals`.
+    """
     rng = np.random.default_rng(seed)
-    traced = trace_model(model)
+    light = (OVERHEAD, 2.9, 0.72) if deep else (SPRITE_SUN, SUN_GAIN, SKY_GAIN)
+    traced = trace_model(model, light[0])
     long_hair = paint_coat(traced, mane)
+    if deep:
+        deepen(traced)
     grow_fur(traced, long_hair, rng)
-    colour, covered = shade(traced), traced.hit.astype(float)
+    colour, covered = shade(traced, *light), traced.hit.astype(float)
     # Single hairs over the silhouette and the mane, because fur has no sharp edge.
     edge = traced.hit & (ndimage.distance_transform_edt(traced.hit) < 5) & (traced.hair > 0.6)
     chance = np.maximum(0.25 * edge, 0.05 * long_hair)

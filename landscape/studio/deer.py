@@ -217,8 +217,7 @@ def smooth(path: list[Point], radii: Sequence[float] | np.ndarray) -> list[Joint
     ]
 
 
-@functools.cache
-def stag() -> np.ndarray:
+def standing_stag() -> Model:
     """Return a twelve-point stag with its head raised."""
     model = Model()
     trunk(model, 1.03)
@@ -238,11 +237,33 @@ def stag() -> np.ndarray:
         (-0.44, 0.74, 0, 0.12),
     )
     antlers(model, head(model, (-0.59, 1.40, 0.0), 0.40, 0.42, (0.11, 0.02)))
-    return render(model, 3, 0.8)
+    return model
 
 
-@functools.cache
-def doe() -> np.ndarray:
+def walking_stag() -> Model:
+    """Return a stag in stride, its neck stretched forward."""
+    model = Model()
+    trunk(model, 1.06)
+    legs(model, 0.115, -0.16, -0.20)
+    model.limb(
+        Skin(COAT, 0.06, 0.80),
+        (-0.80, 1.175, 0, 0.080),
+        (-0.71, 1.08, 0, 0.108),
+        (-0.58, 0.97, 0, 0.148),
+        (-0.36, 0.84, 0, 0.19),
+    )
+    model.limb(
+        Skin(MANE, 0.06, 0.75),
+        (-0.78, 1.08, 0, 0.075),
+        (-0.70, 0.95, 0, 0.10),
+        (-0.57, 0.83, 0, 0.12),
+        (-0.44, 0.72, 0, 0.12),
+    )
+    antlers(model, head(model, (-0.77, 1.24, 0.0), 0.34, 0.25, (0.11, 0.02)))
+    return model
+
+
+def standing_doe() -> Model:
     """Return a doe with her neck stretched forward."""
     model = Model(stretch=0.86)
     trunk(model, 0.90)
@@ -255,7 +276,36 @@ def doe() -> np.ndarray:
         (-0.42, 0.86, 0, 0.150),
     )
     head(model, (-0.655, 1.265, 0.0), 0.46, 0.34, (0.05, 0.125))
-    return render(model, 4, 0.0)
+    return model
 
 
-ASSETS: dict[str, Callable[[], np.ndarray]] = {"deer_stag.png": stag, "deer_doe.png": doe}
+def grazing_doe() -> Model:
+    """Return a doe with her muzzle in the grass."""
+    model = Model(stretch=0.86)
+    trunk(model, 0.90)
+    legs(model, 0.10, 0.13, -0.11)
+    model.limb(
+        Skin(COAT, 0.06, 0.75),
+        (-0.93, 0.36, 0, 0.060),
+        (-0.86, 0.48, 0, 0.072),
+        (-0.70, 0.66, 0, 0.098),
+        (-0.44, 0.82, 0, 0.150),
+    )
+    head(model, (-0.805, 0.385, 0.0), 1.02, 0.20, (0.09, 0.115))
+    return model
+
+
+@functools.cache
+def picture(model: Callable[[], Model], seed: int, mane: float, deep: bool) -> np.ndarray:
+    """Return the picture of a model, see :func:`landscape.studio.coat.render`."""
+    return render(model(), seed, mane, deep)
+
+
+ASSETS: dict[str, Callable[[], np.ndarray]] = {
+    "deer_stag.png": functools.partial(picture, standing_stag, 3, 0.8, False),
+    "deer_doe.png": functools.partial(picture, standing_doe, 4, 0.0, False),
+    "stag.png": functools.partial(picture, standing_stag, 3, 0.8, True),
+    "stag_walking.png": functools.partial(picture, walking_stag, 5, 0.8, True),
+    "doe.png": functools.partial(picture, standing_doe, 4, 0.0, True),
+    "doe_grazing.png": functools.partial(picture, grazing_doe, 6, 0.0, True),
+}

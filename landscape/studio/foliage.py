@@ -23,11 +23,9 @@ GRID_LOW = np.array([-1.15, -0.15, -1.15])  # chosen: slightly larger than the s
 GRID_SPAN = 2.3
 SUN_GAIN = 2.3  # chosen: exposure; a leaf in full sun is at about 60 % of white
 SKY_GAIN = 1.15  # chosen: the shaded side stays readable against a bright sky
-SUN_SCREEN = (
-    float(SPRITE_SUN[0]),
-    float(-SPRITE_SUN[1]),
-    float(SPRITE_SUN[2]),
-)  # rows run downward
+TRANSMITTED = np.array([1.25, 1.1, 0.4])  # chosen: light that passes a leaf loses its blue
+# Chosen: for the glow of thin foliage, a second beam that comes from behind the tree.
+FROM_BEHIND = np.array([-0.10, 0.62, -0.78])
 SKY_DIRECTIONS = np.array(  # chosen: the upper hemisphere, and towards the viewer
     [
         [0.0, 1.0, 0.0],
@@ -110,7 +108,7 @@ def fill_triangles(colour, depth, corners, shades):  # type: ignore[no-untyped-d
 
 @njit
 def fill_limbs(  # type: ignore[no-untyped-def]
-    colour, depth, ends, radii, along, turns, lights, bark, twig, sun, sky, bounce
+    colour, depth, ends, radii, along, turns, lights, bark, twig, sun, sky, bounce, towards
 ):
     """Rasterize tapered cylinders with bark.
 
@@ -118,12 +116,12 @@ def fill_limbs(  # type: ignore[no-untyped-def]
     from the ground along the limb, in texels of ``bark`` (m, m, 4: colour, relief). turns (n,): the
     texel around the limb that faces the viewer. lights (n, 2, 2): fractions of the sun and of the
     sky that reach both ends. twig: colour of thin limbs; it blends to bark between radii of 3 and
-    10 samples. sun, sky, bounce: colours of the lights.
+    10 samples. sun, sky, bounce: colours of the lights. towards (3,): the sun, on the screen.
     """
     h, w = depth.shape
     m = bark.shape[0]
     texel = np.zeros(4)
-    lx, ly, lz = SUN_SCREEN
+    lx, ly, lz = towards[0], towards[1], towards[2]
     for i in range(ends.shape[0]):
         ax, ay, az = ends[i, 0]
         bx, by, bz = ends[i, 1]
@@ -227,12 +225,12 @@ def join(parts: list[Leaves]) -> Leaves:
 
 
 def light_at(
-    density: np.ndarray, points: np.ndarray, extinction: float
+    density: np.ndarray, points: np.ndarray, extinction: float, towards: np.ndarray = SPRITE_SUN
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the fractions (n,) of the sun and of the sky that reach points (n, 3)."""
+    """Return the fractions (n,) of the sun, ``towards`` (3,), and of the sky at points (n, 3)."""
     cells = (points - GRID_LOW) / GRID_SPAN * GRID
     step, reach = 0.9, int(GRID * 0.8)
-    sun = np.exp(-extinction * optical_depth(density, cells, SPRITE_SUN, step, reach))
+    sun = np.exp(-extinction * optical_depth(density, cells, towards, step, reach))
     sky = np.zeros(len(points))
     for direction in SKY_DIRECTIONS:
         toward_sky = direction / np.linalg.norm(direction)
@@ -250,14 +248,21 @@ def foliage_density(leaves: Leaves) -> np.ndarray:
 
 
 def draw_leaves(
-    canvas: Canvas, leaves: Leaves, density: np.ndarray, extinction: float, min_sky: float = 0.0
+    canvas: Canvas,
+    leaves: Leaves,
+    density: np.ndarray,
+    extinction: float,
+    min_sky: float = 0.0,
+    towards: np.ndarray = SPRITE_SUN,
+    glow: float = 0.0,
 ) -> None:
     """Shade and rasterize the kites: four triangles each, folded along the midrib.
 
     ``min_sky`` is a lower bound on the visible fraction of the sky. It stands for light that is
-    scattered from leaf to leaf into the interior.
+    scattered from leaf to leaf into the interior. ``towards`` (3,) is the sun's direction, and
+    ``glow`` how bright foliage is where it is so thin that light from behind passes it.
     """
-    sun, sky = light_at(density, leaves.centre, extinction)
+    sun, sky = light_at(density, leaves.centre, extinction, towards)
     sky = min_sky + (1.0 - min_sky) * sky
     # The normal of the crown, from the gradient of the density. Leaves point in all directions, so
     # shaded by their own normals alone a crown looks flat.
@@ -266,6 +271,11 @@ def draw_leaves(
     crown = unit(
         -np.stack([ndimage.map_coordinates(g, cells, order=1) for g in np.gradient(soft)], -1)
     )
+    behind = np.zeros(len(sun))
+    if glow:
+        cells = (leaves.centre - GRID_LOW) / GRID_SPAN * GRID
+        passed = optical_depth(density, cells, FROM_BEHIND, 0.9, GRID)
+        behind = glow * np.exp(-1.6 * extinction * passed)
     across = unit(np.cross(leaves.axis, leaves.normal))
     half_length, half_width = leaves.length[:, None] / 2, leaves.width[:, None] / 2
     base = leaves.centre - leaves.axis * half_length
@@ -287,8 +297,8 @@ def draw_leaves(
         )
         normal = unit(leaves.normal - 0.35 * side * across)
         normal *= np.where(normal[:, 2:] < 0, -1.0, 1.0)
-        facing = normal @ SPRITE_SUN
-        wrapped = np.clip(0.35 + 0.65 * (crown @ SPRITE_SUN), 0.0, 1.0)
+        facing = normal @ towards
+        wrapped = np.clip(0.35 + 0.65 * (crown @ towards), 0.0, 1.0)
         reflected = (0.45 * np.maximum(facing, 0.0) + 0.55 * wrapped) * sun
         through = np.maximum(-facing, 0.0) * sun
         up = 0.55 + 0.45 * crown[:, 1]
@@ -297,9 +307,10 @@ def draw_leaves(
             + SKY_GAIN * SKY_COLOR * (sky * up)[:, None]
             + GROUND_BOUNCE * (sky * (1.0 - up))[:, None]
         )
-        # Transmitted light loses its blue: the yellow glow of a crown against the sun.
-        lit += leaves.albedo * np.array([1.25, 1.1, 0.4]) * SUN_COLOR * through[:, None] * 1.1
-        gloss = np.maximum(normal @ unit(SPRITE_SUN + np.array([0.0, 0.0, 1.0])), 0.0) ** 24
+        # The yellow glow of a crown against the sun.
+        lit += leaves.albedo * TRANSMITTED * SUN_COLOR * through[:, None] * 1.1
+        lit += leaves.albedo * TRANSMITTED * SUN_COLOR * behind[:, None]
+        gloss = np.maximum(normal @ unit(towards + np.array([0.0, 0.0, 1.0])), 0.0) ** 24
         lit += (0.10 * gloss * sun)[:, None] * SUN_COLOR
         corners += [np.stack([base, low, high], 1), np.stack([base, high, tip], 1)]
         shades += [
@@ -319,9 +330,10 @@ def draw_limbs(
     twig: np.ndarray,
     along: np.ndarray,
     turns: np.ndarray,
+    towards: np.ndarray = SPRITE_SUN,
 ) -> None:
-    """Draw limbs; the arguments are those of :func:`fill_limbs`, but ``ends``, ``radii`` and
-    ``along`` are in units of sprite space."""
+    """Draw limbs; the arguments are those of :func:`fill_limbs`, but ``ends``, ``radii``,
+    ``along`` and ``towards`` are in units of sprite space."""
     half = canvas.depth.shape[0] / 2
     fill_limbs(
         canvas.colour,
@@ -336,9 +348,13 @@ def draw_limbs(
         SUN_GAIN * SUN_COLOR,
         SKY_GAIN * SKY_COLOR,
         GROUND_BOUNCE,
+        towards * np.array([1.0, -1.0, 1.0]),  # rows run downward
     )
 
 
-def light_on_limbs(density: np.ndarray, ends: np.ndarray, extinction: float) -> np.ndarray:
+def light_on_limbs(
+    density: np.ndarray, ends: np.ndarray, extinction: float, towards: np.ndarray = SPRITE_SUN
+) -> np.ndarray:
     """Return the fractions of the sun and of the sky (n, 2, 2) at limb ends (n, 2, 3)."""
-    return np.stack(light_at(density, ends.reshape(-1, 3), extinction), -1).reshape(-1, 2, 2)
+    lights = light_at(density, ends.reshape(-1, 3), extinction, towards)
+    return np.stack(lights, -1).reshape(-1, 2, 2)

@@ -50,14 +50,8 @@ class Skeleton:
             self.points[inner] = 0.5 * self.points[inner] + 0.5 * middle
 
 
-def colonise(
-    attractors: np.ndarray, stems: list[np.ndarray], step: float, bias: np.ndarray, seed: int
-) -> Skeleton:
-    """Grow limbs from the stems (polylines (k, 3) from the foot) towards the attractors (n, 3).
-
-    Each new node is ``step`` from its parent; ``pull`` (3,) is a constant bias of the direction.
-    """
-    rng = np.random.default_rng(seed)
+def from_foot(stems: list[np.ndarray]) -> Skeleton:
+    """Return the skeleton of stems, polylines (k, 3), that all start at the foot."""
     points, parents = [np.array([0.0, 0.0, 0.0])], [-1]
     for line in stems:
         last = 0
@@ -65,17 +59,28 @@ def colonise(
             points.append(point)
             parents.append(last)
             last = len(points) - 1
-    nodes, origin = np.array(points), np.array(parents)
+    return Skeleton(np.array(points), np.array(parents))
+
+
+def colonise(
+    attractors: np.ndarray, start: Skeleton, step: float, bias: np.ndarray, seed: int
+) -> Skeleton:
+    """Grow limbs from those of ``start`` towards the attractors (n, 3).
+
+    Each new node is ``step`` from its parent; ``bias`` (3,) is added to its direction.
+    """
+    rng = np.random.default_rng(seed)
+    nodes, origin = start.points, start.parents
     # If every node of a stem could branch, the limbs would look like the teeth of a comb.
     fertile = rng.random(len(nodes)) < 0.4
-    fertile[np.cumsum([len(line) for line in stems])] = True
+    fertile[start.child_counts() == 0] = True
     for _ in range(220):
         if len(attractors) == 0:
             break
         able = np.flatnonzero(fertile)
         distance, nearest = cKDTree(nodes[able]).query(attractors)
         nearest = able[nearest]
-        near = distance < 17 * step if len(nodes) > len(points) + 40 else distance < 1e9
+        near = distance < 17 * step if len(nodes) > len(start.points) + 40 else distance < 1e9
         if not near.any():
             break
         toward = np.zeros_like(nodes)

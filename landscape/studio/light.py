@@ -32,3 +32,7 @@ def sun_direction() -> np.ndarray:
 # z towards the viewer): from the upper left, slightly from the front.
 SPRITE_SUN = np.array([-0.55, 0.68, 0.48])  # chosen
 SPRITE_SUN = SPRITE_SUN / np.linalg.norm(SPRITE_SUN)
+# From above and slightly from the left, for the sprites that the program itself shades on the side
+# away from the sun (``transparent.sunward``).
+OVERHEAD = np.array([-0.22, 0.80, 0.50])  # chosen
+OVERHEAD = OVERHEAD / np.linalg.norm(OVERHEAD)

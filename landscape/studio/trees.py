@@ -24,12 +24,14 @@ from landscape.studio.growth import (
     Skeleton,
     colonise,
     crown_lobes,
+    from_foot,
     hang_twigs,
     in_lobes,
     spruce_limbs,
     stem,
 )
 from landscape.studio.images import smoothstep, spectral_noise
+from landscape.studio.light import SPRITE_SUN
 
 TWIG_ALBEDO = (0.085, 0.062, 0.048)  # chosen: young twigs are reddish brown on all four
 
@@ -100,6 +102,7 @@ def draw_skeleton(
     extinction: float,
     roots: int,
     rng: np.random.Generator,
+    towards: np.ndarray = SPRITE_SUN,
 ) -> None:
     """Draw all limbs, and ``roots`` buttress roots that widen the foot of the trunk."""
     child = np.flatnonzero(skeleton.parents >= 0)
@@ -127,11 +130,12 @@ def draw_skeleton(
     along = np.stack([height[parent], height[child]], 1)
     extra = ends[len(child) :]
     along = np.concatenate([along, extra[..., 1] + 0.31])
-    lights = light_on_limbs(density, ends, extinction)
+    lights = light_on_limbs(density, ends, extinction, towards)
     lights[..., 1] *= 0.45 + 0.55 * np.clip(ends[..., 1] / (4 * foot), 0, 1)
-    draw_leaves(canvas, foot_grass(3.2 * foot, 170, rng), density, 0.4 * extinction)
+    grass = foot_grass(3.2 * foot, 170, rng)
+    draw_leaves(canvas, grass, density, 0.4 * extinction, towards=towards)
     turns = np.concatenate([turn[child], np.repeat(rng.uniform(0, 256, roots), 4)])
-    draw_limbs(canvas, ends, thick, lights, bark, np.array(TWIG_ALBEDO), along, turns)
+    draw_limbs(canvas, ends, thick, lights, bark, np.array(TWIG_ALBEDO), along, turns, towards)
 
 
 def foot_grass(spread: float, count: int, rng: np.random.Generator) -> Leaves:
@@ -174,13 +178,19 @@ def broadleaf() -> np.ndarray:
     attractors = in_lobes(centres, radii, 5200, rng)
     skeleton = colonise(
         attractors,
-        [
-            stem(
-                (0, 0, 0), (0.02, 0.2, 0), (-0.01, 0.36, 0.0), (-0.06, 0.6, 0.05), (0.0, 0.9, 0.0)
-            ),
-            stem((0.01, 0.3, 0.0), (0.12, 0.5, 0.08), (0.3, 0.72, 0.05), (0.38, 0.9, 0.0)),
-            stem((0.0, 0.38, 0.0), (-0.16, 0.55, -0.06), (-0.38, 0.68, 0.0)),
-        ],
+        from_foot(
+            [
+                stem(
+                    (0, 0, 0),
+                    (0.02, 0.2, 0),
+                    (-0.01, 0.36, 0.0),
+                    (-0.06, 0.6, 0.05),
+                    (0.0, 0.9, 0.0),
+                ),
+                stem((0.01, 0.3, 0.0), (0.12, 0.5, 0.08), (0.3, 0.72, 0.05), (0.38, 0.9, 0.0)),
+                stem((0.0, 0.38, 0.0), (-0.16, 0.55, -0.06), (-0.38, 0.68, 0.0)),
+            ]
+        ),
         0.033,
         np.array([0.0, 0.1, 0.0]),
         14,
@@ -208,22 +218,24 @@ def birch() -> np.ndarray:
     attractors = in_lobes(centres, radii, 2800, rng)
     skeleton = colonise(
         attractors,
-        [
-            stem(
-                (0.0, 0.1, 0.02),
-                (0.06, 0.35, 0.05),
-                (0.12, 0.7, 0.03),
-                (0.15, 1.05, 0.0),
-                (0.21, 1.6, 0.0),
-            ),
-            stem(
-                (-0.015, 0.12, 0),
-                (-0.08, 0.4, -0.05),
-                (-0.17, 0.85, 0.0),
-                (-0.17, 1.2, 0.0),
-                (-0.12, 1.55, 0),
-            ),
-        ],
+        from_foot(
+            [
+                stem(
+                    (0.0, 0.1, 0.02),
+                    (0.06, 0.35, 0.05),
+                    (0.12, 0.7, 0.03),
+                    (0.15, 1.05, 0.0),
+                    (0.21, 1.6, 0.0),
+                ),
+                stem(
+                    (-0.015, 0.12, 0),
+                    (-0.08, 0.4, -0.05),
+                    (-0.17, 0.85, 0.0),
+                    (-0.17, 1.2, 0.0),
+                    (-0.12, 1.55, 0),
+                ),
+            ]
+        ),
         0.035,
         np.array([0.0, 0.45, 0.0]),
         32,
@@ -255,30 +267,32 @@ def shrub() -> np.ndarray:
     attractors = np.concatenate([attractors, in_lobes(extra, sizes, 260, rng)])
     skeleton = colonise(
         attractors,
-        [
-            stem(
-                (0, 0, 0),
-                (0.05, 0.10, 0.03),
-                (0.01, 0.2, 0.05),
-                (0.10, 0.32, 0.06),
-                (0.08, 0.45, 0.0),
-                (0.2, 0.6, 0),
-            ),
-            stem(
-                (-0.03, 0.06, 0),
-                (-0.10, 0.14, -0.03),
-                (-0.09, 0.25, 0.03),
-                (-0.22, 0.36, 0.02),
-                (-0.25, 0.5, 0),
-            ),
-            stem(
-                (0.05, 0.08, 0),
-                (0.15, 0.13, -0.05),
-                (0.2, 0.24, -0.04),
-                (0.36, 0.30, 0.0),
-                (0.44, 0.42, 0),
-            ),
-        ],
+        from_foot(
+            [
+                stem(
+                    (0, 0, 0),
+                    (0.05, 0.10, 0.03),
+                    (0.01, 0.2, 0.05),
+                    (0.10, 0.32, 0.06),
+                    (0.08, 0.45, 0.0),
+                    (0.2, 0.6, 0),
+                ),
+                stem(
+                    (-0.03, 0.06, 0),
+                    (-0.10, 0.14, -0.03),
+                    (-0.09, 0.25, 0.03),
+                    (-0.22, 0.36, 0.02),
+                    (-0.25, 0.5, 0),
+                ),
+                stem(
+                    (0.05, 0.08, 0),
+                    (0.15, 0.13, -0.05),
+                    (0.2, 0.24, -0.04),
+                    (0.36, 0.30, 0.0),
+                    (0.44, 0.42, 0),
+                ),
+            ]
+        ),
         0.038,
         np.array([0.22, 0.05, 0.0]),
         52,

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from landscape.elements.best.sprites.individuals import FIRST, MORE_FILES
 from landscape.elements.best.sprites.refined_atlas import CELLS, HERBS
 from landscape.errors import InputError
 from landscape.files.assets import Assets
@@ -41,6 +42,7 @@ from landscape.voxel.tiles import PLANTS_FILE, RIPPLES_FILE, RIPPLES_SIDE, SIDE,
 
 SWORDS = ("sword_rest.png", "sword_1.png", "sword_2.png", "sword_3.png", "sword_4.png")
 # Width, height and mode by file name: the contract between the studio and the scene.
+SMALL_TREES = ("oak_young.png", "birch_young.png", "spruce_young.png", "bramble.png")
 SIZES = {
     "height.png": (512, 512, "RGB"),
     "height16.png": (512, 512, "I;16"),
@@ -67,6 +69,8 @@ SIZES = {
     "torch_stone.png": (256, 256, "RGB"),
     **{name: (512, 512, "RGBA") for name in CELLS},
     **{name: (256, 256, "RGBA") for name in HERBS},
+    **{name: (512, 512, "RGBA") for name in (*FIRST, *MORE_FILES)},
+    **{name: (256, 256, "RGBA") for name in SMALL_TREES},
     "blade.png": (64, 64, "RGB"),
     "animal.png": (256, 256, "RGB"),
     **{name: (512, 512, "RGBA") for name in SWORDS},
@@ -78,6 +82,9 @@ SIZES = {
     PLANTS_FILE: (SIDE * len(PLANT_TILES), SIDE, "RGBA"),
     RIPPLES_FILE: (RIPPLES_SIDE, RIPPLES_SIDE, "RGB"),
 }
+# Sprites of a palette, whose transparent texels all have one colour: the program bleeds them.
+PALETTED = ("tree_birch.png", "tree_shrub.png", *FIRST, *MORE_FILES)
+MOST_OFF = 12.0  # chosen, levels: how far that colour may be from the mean of the visible ones
 # Strips, which the program cuts into tiles of this width and height before it makes textures.
 STRIPS = {TILES_FILE: (SIDE, SIDE), PLANTS_FILE: (SIDE, SIDE)}
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998}  # the report's vertex counts
@@ -189,6 +196,13 @@ def check_sky(assets: Assets) -> Iterator[Finding]:
         yield Finding(f"{prefix}*.png", "horizon", off <= 2.0, text, {"off": off})
 
 
+def surround(rgba: np.ndarray) -> float:
+    """Return by how many levels transparent texels differ at most from the mean visible colour."""
+    hidden = rgba[..., 3] == 0
+    mean = rgba[~hidden][:, :3].mean(axis=0) if (~hidden).any() else np.zeros(3)
+    return float(np.abs(rgba[hidden][:, :3] - mean).max(initial=0.0))
+
+
 def check_sprites(assets: Assets) -> Iterator[Finding]:
     """Check colour bleeding, alpha coverage across mip levels, and the loop of the fire."""
     for name, (_, _, mode) in SIZES.items():
@@ -196,6 +210,11 @@ def check_sprites(assets: Assets) -> Iterator[Finding]:
         if mode != "RGBA" or name == TILES_FILE:
             continue
         rgba = read_image(assets.path(name))
+        if name in PALETTED:
+            off = surround(rgba)
+            text = f"transparent texels are {off:.1f} levels from the mean (limit {MOST_OFF:.0f})"
+            yield Finding(name, "surround", off <= MOST_OFF, text, {"off": off})
+            continue
         parts = list(frames(rgba, SHEETS.get(name, 1)))
         if name in STRIPS:
             parts = np.split(rgba, rgba.shape[1] // STRIPS[name][0], axis=1)
@@ -203,7 +222,7 @@ def check_sprites(assets: Assets) -> Iterator[Finding]:
         empty = int((rgba[..., 3] == 0).sum())
         text = f"{wrong} of {empty} transparent texels lack the colour of the nearest visible one"
         yield Finding(name, "bleeding", wrong == 0, text, {"wrong": wrong})
-    for name in (*CELLS, *HERBS):
+    for name in (*CELLS, *HERBS, *FIRST, *MORE_FILES):
         first, last = coverage(read_image(assets.path(name)))
         change = last / max(first, 1e-9) - 1.0
         text = f"{first:.4f} at mip 0, {last:.4f} at mip {MIP}: {change:+.1%} (limit 5%)"

@@ -77,7 +77,8 @@ class LaidOut:
         self.tops = top_heights(sprites.cells, self.sizes[:, 1]).astype(np.float32)
         self.leaning = leaning(sprites.slopes).astype(np.float32)
         self.tints = sprites.tints.astype(np.uint8)
-        self.st = cell_coordinates(sprites.cells, sprites.flipped, QUAD_S, QUAD_T, rows)
+        self.pictures = sprites.pictures
+        self.st = cell_coordinates(sprites.pictures, sprites.flipped, QUAD_S, QUAD_T, rows)
         self.outlines, self.outline_st, self.rows = outlines, outline_st, rows
 
 
@@ -100,11 +101,11 @@ class Crossed:
 class Choice:
     """Sprites that may be visible, in order of their indices ``which`` (n,) on the island.
 
-    For each, the position (n, 3), size (n, 2), height of its picture from above, atlas cell and
-    radius; which are deer, and which have a picture from above; for their billboards, the texture
-    coordinates ``st`` (n, 4, 2), the tint's opacity (n,) in 0..255, colours (n, 4, 4), whose alpha
-    each frame writes, and triangles (n, 6); and the boxes of what is opaque in their pictures
-    (n, 8, 2), on the quad and in the atlas.
+    For each, the position (n, 3), size (n, 2), height of its picture from above, atlas cell of its
+    species and of its picture, and radius; which are deer, and which have a picture from above; for
+    their billboards, the texture coordinates ``st`` (n, 4, 2), the tint's opacity (n,) in 0..255,
+    colours (n, 4, 4), whose alpha each frame writes, and triangles (n, 6); and the boxes of what is
+    opaque in their pictures (n, 8, 2), on the quad and in the atlas.
     """
 
     which: np.ndarray
@@ -112,6 +113,7 @@ class Choice:
     sizes: np.ndarray
     tops: np.ndarray
     cells: np.ndarray
+    pictures: np.ndarray
     radius: np.ndarray
     deer: np.ndarray
     topped: np.ndarray
@@ -137,12 +139,14 @@ def choose(
     else:
         which = visible(frame, places, radius)
     cells, flipped = laid_out.cells[which], laid_out.flipped[which].astype(int)
+    pictures = laid_out.pictures[which]
     return Choice(
         which=which,
         positions=places[which],
         sizes=laid_out.sizes[which],
         tops=laid_out.tops[which],
         cells=cells,
+        pictures=pictures,
         radius=radius[which],
         deer=np.flatnonzero(is_deer(cells)),
         topped=has_top(settings, cells),
@@ -150,7 +154,7 @@ def choose(
         opacity=laid_out.tints[which, 3],
         colours=np.repeat(laid_out.tints[which][:, None], 4, axis=1),
         triangles=4 * np.arange(len(which), dtype=np.uint32)[:, None] + QUAD,
-        boxes=(laid_out.outlines[flipped, cells], laid_out.outline_st[flipped, cells]),
+        boxes=(laid_out.outlines[flipped, pictures], laid_out.outline_st[flipped, pictures]),
         crossed=crossed_plants(laid_out, frame, settings, which, margin),
     )
 

@@ -16,8 +16,9 @@ from landscape.elements.atlas import (
     LEVELS,
     ROWS,
     cell_coordinates,
+    laid_out,
 )
-from landscape.files.images import mip_chain
+from landscape.files.images import bled, mip_chain
 
 HERBS = ("fern.png", "oxeye.png", "willowherb.png", "marram.png", "heather.png")
 HERB = 8  # the first herb's cell; the pictures from above use the one before it
@@ -91,6 +92,12 @@ def tops_cell(cells: list[np.ndarray], number: int = 0) -> np.ndarray:
     return sheet
 
 
+def bled_levels(cells: list[np.ndarray]) -> tuple[np.ndarray, ...]:
+    """Return the mip levels of the atlas of these cells, without dark seams around the pictures."""
+    chains = [[bled(level) for level in mip_chain(cell, LEVELS)] for cell in cells]
+    return tuple(laid_out([chain[level] for chain in chains]) for level in range(LEVELS))
+
+
 def tops_levels(cells: list[np.ndarray]) -> tuple[np.ndarray, ...]:
     """Return the mip levels of all TOPS_CELLS that go with these cells, (k, side, side, 4) each."""
     count = len(TOPS_CELLS) if len(cells) > len(CELLS) else 1
@@ -160,7 +167,7 @@ def outlines(cells: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     Both are (2, cells, 8, 2): not mirrored and mirrored, then 4 corners of each box.
     """
     boxes = np.array([outline(cell[GUTTER:, :, 3]) for cell in cells])
-    rows = HERB_ROWS if len(cells) > len(CELLS) else ROWS
+    rows = -(-len(cells) // COLUMNS)
     mirrored = np.stack([1 - boxes[..., 2], boxes[..., 1], 1 - boxes[..., 0], boxes[..., 3]], 2)
     corners = box_corners(np.stack([boxes, mirrored])).reshape(2, len(cells), 8, 2)
     coordinates = np.array(

@@ -1,14 +1,17 @@
 """Where the refined sprites are: woods, herbs in their habitats, tints, and the ground's slope.
 
-With ``trees.grouped`` trees stand in woods, by height and slope, each species in its habitat, and
-plants grow on green ground; with ``plants.species`` over 1 plants are several herbs. Without either
-these are the places of ``elements/planting.py``. No OpenGL here.
+With ``trees.variety`` they stand in groups with undergrowth, with ``deer.variety`` deer keep to
+grass (:mod:`individuals`). With ``trees.grouped`` trees stand in woods, by height and slope, each
+species in its habitat, and plants grow on green ground; with ``plants.species`` over 1 plants are
+several herbs. Without any of these the places are those of ``elements/planting.py``. No OpenGL
+here.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from landscape.elements.best.sprites import individuals
 from landscape.elements.best.sprites.herbs import herb_chances, herbs_by_place
 from landscape.elements.best.sprites.refined_atlas import HERB
 from landscape.elements.best.sprites.woods import (
@@ -27,20 +30,27 @@ from landscape.elements.planting import (
     Sprites,
     clear_land,
     random_sprites,
+    scatter,
     site,
 )
 from landscape.geometry.height_field import HeightField, greenness
 from landscape.settings import Settings
 
+# Chosen: how green the ground is and how steep at most where deer stand, and how far in units one
+# of the fixed places is moved to such ground.
+GREEN, GENTLE, MOVES = 0.6, 0.55, 1.6
+SUNK = 0.025  # chosen, times a deer's height: its hooves are down in the grass
 PLAIN = 0.3  # chosen: variation of the tints of herbs except the fern, as a fraction of leaves'
 
 
 @dataclass(frozen=True)
 class TintedSprites(Sprites):
-    """Sprites with a tint (n, 4) each in 0..255, and the ground's slope (n, 2) = dy/dx, dy/dz."""
+    """Sprites with a tint (n, 4) each in 0..255, the ground's slope (n, 2) = dy/dx, dy/dz, and
+    the atlas cells (n,) of their pictures, where ``cells`` say which species they are."""
 
     tints: np.ndarray
     slopes: np.ndarray
+    pictures: np.ndarray
 
 
 def planted_from(settings: Settings) -> tuple[object, ...]:
@@ -48,8 +58,9 @@ def planted_from(settings: Settings) -> tuple[object, ...]:
     groups = settings.trees, settings.deer, settings.plants
     sizes = [(group.count, group.size_min, group.size_max) for group in groups]
     species = settings.trees.species, settings.trees.grouped, settings.plants.species
+    variety = settings.trees.variety, settings.deer.variety
     colours = settings.ground.large_texture, settings.ground.texture_size
-    return (*sizes, *species, *colours, *site(settings))
+    return (*sizes, *species, *variety, *colours, *site(settings))
 
 
 def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]) -> TintedSprites:
@@ -67,9 +78,21 @@ def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]
             suits = for_herbs(suits, herbs)
         elif woods is not None:
             suits = in_woods(kind, settings, ground, suits, woods)
+        grazes = kind == "deer" and settings.deer.variety
+        if grazes:
+            suits = on_grass(suits, ground)
+        various = kind == "trees" and settings.trees.variety and woods is not None
+        if various:
+            assert woods is not None
+            suits = individuals.in_groups(suits, woods, seed)
         found = random_sprites(kind, settings, field, rng, suits)
         positions, sizes, cells = found.positions, found.sizes, found.cells
-        n = len(positions)
+        if grazes:
+            positions = moved_to(positions, suits, field, rng)
+        n, pictures = len(positions), cells
+        if grazes:
+            pictures = individuals.poses(cells, rng)
+            positions[:, 1] -= SUNK * sizes[:, 1]
         tints = np.full((n, 4), 255.0)
         if woods is not None:
             # No tree is twice as wide as high: keep the report's range, tie width to height.
@@ -78,16 +101,29 @@ def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]
                 edge = 1.0 - woods(positions[:, 0], positions[:, 2])
                 species, level = settings.trees.species, settings.water.level
                 cells = species_by_place(positions, level, species, rng, edge)
-                sizes *= np.where(cells == SHRUB, rng.uniform(0.4, 0.75, n), 1.0)[:, None]
+                if various:
+                    positions, cells, young = individuals.beside(
+                        positions, cells, suits, woods, rng
+                    )
+                    x, z = positions[:, 0], positions[:, 2]
+                    positions[:, 1] = field.terrain_height(x, z)
+                    pictures = individuals.individuals(cells, young, rng)
+                    size_max = settings.trees.size_max
+                    sizes = individuals.statures(pictures, young, woods(x, z), size_max, rng)
+                else:
+                    sizes *= np.where(cells == SHRUB, rng.uniform(0.4, 0.75, n), 1.0)[:, None]
             if kind != "deer":
                 tints[:, :3] *= leaf_tints(rng, n)
         if kind == "plants" and herbs is not None:
             cells, sizes = herbs_by_place(herbs(*positions[:, [0, 2]].T), plants, rng)
+            pictures = cells
             # White flowers must not be tinted yellow or blue.
             tints[:, :3] = np.where(cells == HERB, 1.0, PLAIN)[:, None] * (tints[:, :3] - 255.0)
             tints[:, :3] += 255.0
         slopes = slopes_under(field, positions, sizes[:, 0])
-        parts.append(TintedSprites(positions, sizes, cells, found.flipped, tints, slopes))
+        if pictures is found.cells:
+            pictures = cells
+        parts.append(TintedSprites(positions, sizes, cells, found.flipped, tints, slopes, pictures))
     arrays = zip(*(vars(part).values() for part in parts), strict=True)
     return TintedSprites(*(np.concatenate(each) for each in arrays))
 
@@ -114,6 +150,42 @@ def in_woods(kind: str, settings: Settings, ground: Ground, clear: Chance, woods
         return deer(x, z) * green * (0.25 + 0.75 * np.clip(2.0 * woods(x, z), 0, 1))
 
     return {"trees": trees, "deer": deer, "plants": ferns}[kind]
+
+
+def on_grass(clear: Chance, ground: Ground) -> Chance:
+    """Return where a deer stands well: in grass, on gentle slopes, not on rock or sand."""
+
+    def suits(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        green = greenness(ground.colour(x, z)) > GREEN
+        gentle = ground.field.slope(x, z) < GENTLE
+        return np.asarray(clear(x, z) * green * gentle)
+
+    return suits
+
+
+def moved_to(
+    positions: np.ndarray, suits: Chance, field: HeightField, rng: np.random.Generator
+) -> np.ndarray:
+    """Return positions (n, 3) of which those that do not suit are moved to one that does.
+
+    That is one nearby if there is any.
+    """
+    out = positions.copy()
+    for k in np.flatnonzero(suits(positions[:, 0], positions[:, 2]) <= 0.0):
+        angle, away = rng.uniform(0, 2 * np.pi, 400), MOVES * np.sqrt(rng.random(400))
+        x = positions[k, 0] + away * np.cos(angle)
+        z = positions[k, 2] + away * np.sin(angle)
+        good = np.flatnonzero(suits(x, z) > 0.0)
+        if not len(good):
+            out[k] = (*scatter(field, 1, rng, suits), out[k])[0]
+        else:
+            best = good[away[good].argmin()]
+            out[k] = (
+                x[best],
+                field.terrain_height(x[best : best + 1], z[best : best + 1])[0],
+                z[best],
+            )
+    return out
 
 
 def for_herbs(clear: Chance, herbs: Chance) -> Chance:

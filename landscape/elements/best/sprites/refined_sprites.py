@@ -19,12 +19,16 @@ technique of 2006. State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth wri
 GL_COLOR_ARRAY. OpenGL 1.1.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from landscape.elements.atlas import CELL, CELLS, GUTTER, mip_levels, read_cells
+from landscape.elements.best.sprites import individuals
 from landscape.elements.best.sprites.choice import LaidOut
 from landscape.elements.best.sprites.refined_atlas import (
     HERBS,
+    bled_levels,
     outlines,
     tops_levels,
     tops_place,
@@ -73,8 +77,7 @@ class RefinedSprites:
     ) -> None:
         """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
         self._settings, self._built_from = settings, built_from(settings)
-        herbs = HERBS if settings.plants.species > 1 else ()
-        self._paths = [assets.path(name) for name in (*CELLS, *herbs)]
+        self._paths = [assets.path(name) for name in individuals.files(settings)]
         self._contents = [content(path) for path in self._paths]
         self._outlines, self._outline_st, *levels = recall(
             ["refined atlas", *self._contents], self._make_atlas
@@ -102,15 +105,19 @@ class RefinedSprites:
     def _make_atlas(self) -> tuple[np.ndarray, ...]:
         """Return the pictures' outlines and the atlas's mip levels."""
         cells = self._cells()
-        return (*outlines(cells), *mip_levels(cells))
+        levels = bled_levels if len(cells) == individuals.CELL_COUNT else mip_levels
+        return (*outlines(cells), *levels(cells))
 
     def _cells(self) -> list[np.ndarray]:
         """Return the atlas's cells; the one before the herbs is for the pictures from above."""
-        return with_herbs(read_cells(self._paths))
+        pictures = read_cells(self._paths)
+        every = len(pictures) > len(CELLS) + len(HERBS)
+        return individuals.cells_of(pictures) if every else with_herbs(pictures)
 
     def cast(self, shadows: ShadowMap) -> None:
         """Cast the sprites' shadows, and darken the ground at the trees' feet."""
-        cast_sprites(shadows, self.sprites, [cell[GUTTER:, :, 3] for cell in self._cells()])
+        shown = replace(self.sprites, cells=self.sprites.pictures)
+        cast_sprites(shadows, shown, [cell[GUTTER:, :, 3] for cell in self._cells()])
         trees = self.sprites.cells < DEER
         widths = self.sprites.sizes[trees, 0]
         shadows.hide_sky(self.sprites.positions[trees], CROWN_SHADE * widths, SKY_HIDDEN)

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from landscape.elements.best.sprites.choice import Choice, LaidOut, choose
+from landscape.elements.best.sprites.contact import contact_quads
+from landscape.elements.best.sprites.individuals import ROWS
 from landscape.elements.best.sprites.refined_atlas import FLOWERING, top_coordinates
 from landscape.elements.best.sprites.refined_quads import (
     Quads,
@@ -72,19 +74,25 @@ class SpritesInView:
         single, crossed = crossing(settings, seen.away[plants])
         alpha = seen.alpha.copy()
         alpha[plants] *= single
-        light = corner_light(settings.sun, frame) if changes(settings.sun) else None
+        light = corner_light(settings.sun, frame, settings.transparent.sunward)
         parts = self._boards(frame, settings, choice, seen, alpha, light)
+        if settings.transparent.contact and self._all.rows == ROWS:
+            slopes = self._all.slopes[choice.which]
+            given = choice, seen.away, seen.alpha, seen.depth, slopes
+            shadows = contact_quads(frame, settings, *given)
+            parts += [shadows] if shadows else []
         crossed *= seen.alpha[plants]
         near = np.flatnonzero(crossed)
         if len(near):
             crosses = self._crossed(frame, settings, choice, seen, near, crossed[near])
             # Their quads stand at all angles: each has the mean light.
-            parts.append(crosses if light is None else crosses.lit(light.mean(axis=0)))
+            relit = light if changes(settings.sun) else None
+            parts.append(crosses if relit is None else crosses.lit(relit.mean(axis=0)))
         top = np.flatnonzero(choice.topped & (seen.below > COMES[0]))
         if len(top):
             crowns = self._from_above(frame, settings, choice, seen, top)
             overhead = painted(settings.sun, float(direction(settings.sun)[1]))
-            parts.append(crowns if light is None else crowns.lit(overhead))
+            parts.append(crowns.lit(overhead) if changes(settings.sun) else crowns)
         quads = Quads.join(parts) if len(parts) > 1 else parts[0]
         return (
             np.ascontiguousarray(quads.vertices, np.float32),
@@ -161,7 +169,7 @@ class SpritesInView:
             Quads(
                 quads.reshape(-1, 3),
                 choice.st.reshape(-1, 2),
-                (colours if light is None else lit(colours, light)).reshape(-1, 4),
+                (colours if light is None else self._lit(settings, choice, light)).reshape(-1, 4),
                 choice.triangles[far],
                 seen.depth[far],
             )
@@ -171,9 +179,20 @@ class SpritesInView:
             boxes = points_of(quads[near], corners)
             own = colours[near, 0]
             if light is not None:
-                own = lit(own[:, None], light_at(light, corners))
+                there = light_at(light, corners)
+                if not changes(settings.sun):
+                    there[choice.cells[near] >= PLANT] = 1.0
+                own = lit(own[:, None], there)
             parts.append(Quads.of(boxes, st, own, TWO_BOXES, seen.depth[near]))
         return parts
+
+    def _lit(self, settings: Settings, choice: Choice, light: np.ndarray) -> np.ndarray:
+        """Return the colours of billboards in a light (4, 3); by day herbs keep the painted one."""
+        colours = lit(choice.colours, light)
+        if not changes(settings.sun):
+            herbs = choice.cells >= PLANT
+            colours[herbs] = choice.colours[herbs]
+        return colours
 
     def _crossed(
         self,

@@ -66,6 +66,14 @@ def off_glades(x: np.ndarray, z: np.ndarray, scale: float) -> np.ndarray:
     return outside
 
 
+def outward(woods: Chance, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return the direction (n,) in which woods thin out most, in radians from x to z."""
+    step = 0.2  # units
+    dx = woods(x + step, z) - woods(x - step, z)
+    dz = woods(x, z + step) - woods(x, z - step)
+    return np.asarray(np.arctan2(-dz, -dx))
+
+
 def species_by_place(
     positions: np.ndarray,
     level: float,

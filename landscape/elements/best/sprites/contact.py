@@ -1,0 +1,74 @@
+"""The soft shadow where a tree or a deer meets the ground (``transparent.contact``).
+
+Its baked shadow lies where the sun's rays end; right at the feet, where neither sun nor sky gets
+through, the ground is darker still. Technique: a quad parallel to the slope, with the picture of a
+soft dot, in the sort just before its sprite. Its corners are moved a little towards the eye along
+the line of sight, so that on the screen they stay where they are, but no terrain between the feet
+hides the quad and the grass around the feet is darkened, too. No OpenGL here.
+"""
+
+import numpy as np
+
+from landscape.elements.atlas import cell_coordinates
+from landscape.elements.best.sprites.choice import Choice
+from landscape.elements.best.sprites.individuals import BRAMBLE, CONTACT, HAZEL, ROWS
+from landscape.elements.best.sprites.refined_quads import Quads
+from landscape.elements.best.sprites.slope_billboards import upright_axes
+from landscape.elements.planting import PLANT
+from landscape.elements.sun import direction
+from landscape.elements.transparent_elements import QUAD, QUAD_S, QUAD_T
+from landscape.frame import Frame
+from landscape.settings import Settings
+
+# All chosen. Half the quad's sides across and along the line of sight, times the sprite's width.
+DEER_REACH, TREE_REACH, BUSH_REACH = (0.52, 0.30), (0.26, 0.22), (0.50, 0.34)
+WITHIN, FADES = 7.0, 0.25  # units: how far away they are drawn; the last part of it, fading out
+NEARER = 0.045  # units: how far the corners are moved towards the eye
+SHIFT = 0.12  # times the width: how far the shadow lies away from the sun
+BEFORE = 0.004  # units: how much farther than its sprite it is in the sort
+
+
+def contact_quads(
+    frame: Frame,
+    settings: Settings,
+    choice: Choice,
+    away: np.ndarray,
+    alpha: np.ndarray,
+    depth: np.ndarray,
+    slopes: np.ndarray,
+) -> Quads | None:
+    """Return the shadows of the trees and deer of a choice; None if none is near.
+
+    ``away``, ``alpha`` 0..1 and ``depth`` (n,) are those of the sprites, ``slopes`` (n, 2) the
+    ground's.
+    """
+    which = np.flatnonzero((choice.cells < PLANT) & (away < WITHIN) & (alpha > 0.0))
+    if not len(which):
+        return None
+    widths, pictures = choice.sizes[which, 0], choice.pictures[which]
+    reach = np.tile(TREE_REACH, (len(which), 1))
+    reach[np.isin(pictures, (HAZEL, BRAMBLE))] = BUSH_REACH
+    reach[np.isin(which, choice.deer)] = DEER_REACH
+    right, _ = upright_axes(frame.right)
+    ahead = np.array([right[2], 0.0, -right[0]])
+    across = np.array([-1.0, 1.0, 1.0, -1.0])[:, None] * right
+    along = np.array([-1.0, -1.0, 1.0, 1.0])[:, None] * ahead
+    sides = (reach * widths[:, None])[:, :, None, None]
+    corners = sides[:, 0] * across + sides[:, 1] * along
+    corners -= (SHIFT * widths)[:, None, None] * direction(settings.sun) * (1.0, 0.0, 1.0)
+    corners[..., 1] = (corners[..., [0, 2]] * slopes[which][:, None]).sum(axis=2)
+    corners += choice.positions[which][:, None]
+    line = frame.eye - corners
+    far = np.sqrt((line * line).sum(axis=2, keepdims=True))
+    corners += line * np.minimum(NEARER / np.maximum(far, 1e-6), 0.5)
+    st = cell_coordinates(np.array([CONTACT]), np.array([False]), QUAD_S, QUAD_T, ROWS)
+    fade = np.clip((WITHIN - away[which]) / (FADES * WITHIN), 0.0, 1.0)
+    colours = np.full((len(which), 4), 255.0)
+    colours[:, 3] *= settings.transparent.contact * alpha[which] * fade
+    return Quads.of(
+        corners.astype(np.float32),
+        np.repeat(st, len(which), axis=0),
+        colours.astype(np.uint8),
+        QUAD,
+        depth[which] - BEFORE,
+    )
