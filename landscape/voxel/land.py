@@ -21,6 +21,7 @@ from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar, shows_buildings
 from landscape.voxel.distant import distant_mesh
+from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import UP, RegionMesh
 from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Light, Part, RegionBuffer
@@ -66,6 +67,8 @@ class Land:
         self.world, self.colours, found = built(settings, assets, seed)
         boxes = np.array([mesh.box for mesh in found]) * self.world.block
         self.buffer = RegionBuffer(found)
+        del found  # those of a large world take much memory
+        give_back()
         boxes = boxes.reshape(LEVELS, -1, 2, 3)
         self.low, self.high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
         pictures = tiles(assets)
