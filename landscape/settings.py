@@ -778,7 +778,7 @@ class Grass:
         # Any of these has a meadow, which is always drawn in one call.
         needs=(
             *("not grass.tinted", "not grass.fade", "not grass.facing", "not grass.tufts"),
-            *("not grass.variety", "grass.arch=1"),
+            *("not grass.variety", "not grass.sward", "not grass.gusts", "grass.arch=1"),
         ),
     )
     tufts: int = setting(
@@ -791,8 +791,24 @@ class Grass:
         0,
         1,
         unit="of 1",
-        needs=("grass.fade or grass.tinted",),
+        needs=("grass.fade or grass.tinted or grass.sward",),
     )
+    sward: bool = setting(
+        False, "chosen", "sheaves of fine blades, seed heads and straw instead of single blades"
+    )
+    flowers: float = setting(
+        0.0,
+        "chosen",
+        "cards of the sward that are flowers, in the middle of a drift",
+        0,
+        1,
+        unit="of 1",
+        needs=("grass.sward",),
+    )
+    gusts: float = setting(
+        0.0, "chosen", "how far gusts bend the blades as they travel over the meadow", 0, 10,
+        unit="times a normal gust",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -1176,6 +1192,9 @@ BEST: dict[str, Value] = {
     "grass.facing": 0.6,
     "grass.tufts": 6,
     "grass.variety": 1.0,
+    "grass.sward": True,
+    "grass.flowers": 0.05,
+    "grass.gusts": 1.0,
     "rabbit.mapping": "axis",
     "rabbit.painted": True,
     "dragon.mapping": "axis",

@@ -48,7 +48,7 @@ def test_each_of_the_reasons_is_named() -> None:
     lit = "water, castle, rabbit and dragon"
     assert why("sun.diffuse", shown=("ground",)) == f"ignored while {lit} are not shown"
     assert why("ground.clip", shown=("ground",)) == ""
-    assert why("grass.method").count(" is ") == 6 and why("grass.method", "2006") == ""
+    assert why("grass.method").count(" is ") == 8 and why("grass.method", "2006") == ""
 
 
 def test_a_scene_without_what_a_condition_names_is_not_bound_by_it() -> None:

@@ -166,6 +166,9 @@ SHOTS = {
     "grass.tinted": replace(GROUPS["grass"], only=("ground", "grass")),
     "grass.facing": of_fix("R7", value=0.6),
     "grass.variety": replace(GROUPS["grass"], settings={"grass.fade": True}, value=1.0),
+    "grass.flowers": replace(
+        GROUPS["grass"], settings={"grass.sward": True, "grass.scale": (0.5, 1.5)}, value=1.0
+    ),
     "castle.flame_faces": of_fix("R2", only=("castle",)),
     "dragon.repeat": replace(GROUPS["dragon"], settings={"dragon.mapping": "axis"}),
     "dragon.sink": replace(GROUPS["dragon"], value=0.5),

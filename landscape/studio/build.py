@@ -25,8 +25,8 @@ from landscape.files.progress import Progress
 MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
     "caustics", "mosaic", "masonry", "ashlar", "gate", "trees", "individuals", "deer", "plants",
-    "herbs", "rabbit", "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles", "voxel_plants",
-    "voxel_ripples", "environments",
+    "herbs", "sward", "rabbit", "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles",
+    "voxel_plants", "voxel_ripples", "environments",
 )  # fmt: skip
 
 INDIVIDUALS = (

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from landscape.studio.clumps import DEPTH, UP, VIEWER, Stems, along, kites, sprite_of, stem, whorl
+from landscape.studio.clumps import UP, VIEWER, Stems, along, kites, sprite_of, stem, whorl
 from landscape.studio.foliage import Leaves, join, unit
 from landscape.studio.plants import tilt
 
@@ -17,6 +17,7 @@ FERN_OLD, FERN_YOUNG = np.array([0.050, 0.115, 0.022]), np.array([0.125, 0.205, 
 STALK = np.array([0.12, 0.14, 0.045])
 HERB_LEAF, HERB_STEM = np.array([0.052, 0.098, 0.028]), np.array([0.095, 0.130, 0.045])
 PETAL, DISC = np.array([0.50, 0.50, 0.47]), np.array([0.52, 0.33, 0.030])
+GRASS = np.array([0.115, 0.175, 0.045])
 MAGENTA, BUD = np.array([0.33, 0.085, 0.25]), np.array([0.21, 0.050, 0.095])
 REDDISH = np.array([0.150, 0.085, 0.050])
 MARRAM = np.array(
@@ -123,52 +124,39 @@ def daisy_head(
 
 
 def oxeye() -> np.ndarray:
-    """Return a clump of ox-eye daisies with their leaves and a little grass."""
+    """Return a clump of ox-eye daisies on leafy stems, with grass between them."""
     rng = np.random.default_rng(8)
     parts: list[Leaves] = []
     stems: Stems = []
-    for k in range(11):
-        foot = np.array([(k * 7 % 11 - 5) * 0.085, 0.0, rng.normal(0, 0.12)])
-        lean = 0.05 + 0.50 * abs(foot[0]) * rng.uniform(0.4, 1.2)
+    for k in range(19):
+        foot = np.array([(k * 7 % 19 - 9) * 0.062, 0.0, rng.normal(0, 0.14)])
+        lean = 0.04 + 0.42 * abs(foot[0]) * rng.uniform(0.4, 1.2)
         azimuth = rng.uniform(-0.8, 0.8) + (0.0 if foot[0] > 0 else np.pi)
-        path = stem(foot, 1.0 + 0.62 * (k * 4 % 11) / 10, lean, rng.uniform(0.0, 0.35), azimuth, 24)
-        stems.append((path, 0.010, 0.006, HERB_STEM * rng.uniform(0.85, 1.15)))
+        path = stem(foot, 0.9 + 0.75 * (k * 4 % 19) / 18, lean, rng.uniform(0.0, 0.35), azimuth, 24)
+        stems.append((path, 0.014, 0.010, HERB_STEM * rng.uniform(0.95, 1.35)))
         top, tangent = along(path, np.array([1.0]))
-        if k % 5 == 4:
+        if k % 6 == 5:
             bud = whorl(np.tile(tangent, (6, 1)), np.arange(6.0)) * 0.6 + tangent
             parts.append(kites(np.tile(top, (6, 1)), bud, bud, 0.075, 0.04, HERB_LEAF * 1.3))
         else:
-            face = tangent[0] * 0.9 + VIEWER * rng.uniform(0.25, 1.3) + 0.3 * rng.normal(size=3)
-            parts.append(daisy_head(top[0], face, rng.uniform(0.105, 0.135), rng))
-        leaf_count = 10
-        at, way = along(path, rng.uniform(0.05, 0.7, leaf_count))
+            # Open flowers look up to the sun, so most are seen at a slant.
+            face = tangent[0] * 0.5 + VIEWER * rng.uniform(0.5, 1.1) + 0.5 * UP
+            parts.append(
+                daisy_head(top[0], face + 0.25 * rng.normal(size=3), rng.uniform(0.066, 0.082), rng)
+            )
+        leaf_count = 12
+        at, way = along(path, rng.uniform(0.05, 0.8, leaf_count))
         out = whorl(way, rng.uniform(0, 2 * np.pi, leaf_count)) + 0.6 * UP
-        green = HERB_LEAF * rng.uniform(0.8, 1.35, (leaf_count, 1))
+        green = HERB_LEAF * rng.uniform(0.9, 1.5, (leaf_count, 1))
         small = rng.uniform(0.12, 0.2, leaf_count)
         parts.append(kites(at, out, np.cross(out, way) + UP, small, 0.26 * small, green))
-    # Basal leaves, in a low dome.
-    n = 130
-    foot = np.stack([rng.uniform(-0.62, 0.62, n), np.zeros(n), rng.normal(0, 0.16, n)], 1)
-    angles = rng.uniform(0, 2 * np.pi, n)
-    out = np.stack([np.cos(angles), rng.uniform(0.5, 2.2, n), np.sin(angles) * DEPTH], 1)
-    long = rng.uniform(0.16, 0.36, n)
-    foot += unit(out) * 0.05
-    green = HERB_LEAF * rng.uniform(0.75, 1.4, (n, 1))
-    normal = UP + 0.6 * VIEWER + 0.4 * rng.standard_normal((n, 3))
-    parts.append(kites(foot, out, normal, long, 0.24 * long, green))
-    for _ in range(46):
-        foot_ = np.array([rng.uniform(-0.6, 0.6), 0.0, rng.normal(0, 0.12)])
+    for _ in range(120):
+        foot = np.array([rng.uniform(-0.72, 0.72), 0.0, rng.normal(0, 0.14)])
         azimuth = rng.uniform(0, 2 * np.pi)
-        path = stem(
-            foot_,
-            rng.uniform(0.45, 1.1),
-            rng.uniform(0.03, 0.4),
-            rng.uniform(0.1, 0.9),
-            azimuth,
-            14,
-        )
-        stems.append((path, 0.009, 0.002, HERB_STEM * rng.uniform(0.75, 1.3)))
-    return sprite_of(join(parts), stems, 0.40)
+        reach = rng.uniform(0.35, 1.15) * (1.0 - 0.5 * abs(foot[0]))
+        path = stem(foot, reach, rng.uniform(0.03, 0.4), rng.uniform(0.1, 0.9), azimuth, 14)
+        stems.append((path, 0.012, 0.003, GRASS * rng.uniform(0.6, 1.3)))
+    return sprite_of(join(parts), stems, 0.30)
 
 
 def willowherb() -> np.ndarray:

@@ -72,6 +72,7 @@ SIZES = {
     **{name: (512, 512, "RGBA") for name in (*FIRST, *MORE_FILES)},
     **{name: (256, 256, "RGBA") for name in SMALL_TREES},
     "blade.png": (64, 64, "RGB"),
+    "sward.png": (1024, 512, "RGBA"),
     "animal.png": (256, 256, "RGB"),
     **{name: (512, 512, "RGBA") for name in SWORDS},
     **{f"hall_{name}.png": (512, 512, "RGB") for name in ("wall", "vault", "stone", "medallion")},

@@ -11,5 +11,5 @@ def wanted(settings: Settings) -> bool:
     grass = settings.grass
     return bool(
         grass.tinted or grass.fade or grass.facing or grass.tufts or grass.variety
-        or grass.arch != 1.0
+        or grass.sward or grass.gusts or grass.arch != 1.0
     )  # fmt: skip

@@ -28,11 +28,15 @@ def facing_plain(vertices: np.ndarray, away: np.ndarray, fraction: float) -> np.
     return out
 
 
-def facing(columns: np.ndarray, away: np.ndarray, fraction: float) -> None:
+def facing(
+    columns: np.ndarray, away: np.ndarray, fraction: float, sides: np.ndarray = SIDES,
+    wider: np.ndarray | float = 1.0,
+) -> None:  # fmt: skip
     """Turn blades in place as :func:`facing_plain` does: a row of all blades at a time.
 
     ``columns``, float32 (5, 3, n), holds each coordinate of each vertex in its own row;
-    ``away`` (2, n) is x, z from the eye to each blade.
+    ``away`` (2, n) is x, z from the eye to each blade; ``sides`` (4,) is how far from the middle
+    feet and shoulders are, times half the foot. Blades become ``wider`` (n,) times as wide.
     """
     # Directions on the map as complex numbers, x + i z: one operation for both coordinates.
     half = complexes(*(columns[1, ::2] - columns[0, ::2]) / 2)
@@ -40,8 +44,8 @@ def facing(columns: np.ndarray, away: np.ndarray, fraction: float) -> None:
     width = np.abs(half)
     across = sight * np.complex64(1j * fraction)
     turned = half * np.float32(1.0 - fraction) + across * (width / np.maximum(np.abs(sight), 1e-6))
-    moved = turned * (width / np.maximum(np.abs(turned), 1e-9)) - half
-    for vertex, side in enumerate(SIDES):
+    moved = turned * (wider * width / np.maximum(np.abs(turned), 1e-9)) - half
+    for vertex, side in enumerate(sides):
         columns[vertex, 0] += side * moved.real
         columns[vertex, 2] += side * moved.imag
 

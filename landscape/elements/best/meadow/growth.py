@@ -6,12 +6,15 @@ has only the first ones. No OpenGL here.
 """
 
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
+from landscape.elements.best.meadow import sward
 from landscape.elements.best.meadow.refined_blades import (
     LUSH,
     NEAR,
+    THINNING,
     WIDENING,
     Dice,
     Patch,
@@ -41,6 +44,22 @@ KEPT = 6  # chosen: blades kept in memory, times those in view, for when the wal
 LEAST = 40_000  # chosen: the number of blades that are kept in any case, 4 MB
 
 
+class Rooted(NamedTuple):
+    """Where blades stand: ``positions`` (n, 3), ``angles`` (n,) and ``ranges`` (n,).
+
+    ``roots`` (t, 2) are the tufts' places on the map, ``tuft`` (n,) is each blade's; ``tufts`` and
+    ``blades`` count those of each layer.
+    """
+
+    positions: np.ndarray
+    angles: np.ndarray
+    ranges: np.ndarray
+    roots: np.ndarray
+    tuft: np.ndarray
+    tufts: list[int]
+    blades: list[int]
+
+
 class Growth:
     """The blades of all cells; ``counts`` (cells,) is how many each has when complete.
 
@@ -53,20 +72,29 @@ class Growth:
     ) -> None:
         """Distribute the blades over the cells at random, by ``seed``.
 
-        ``ends`` are the mean colours (3,) of the blade's texture, at its upper part and its foot.
+        ``ends`` are the mean colours (3,) of the blade's texture, at its upper part and its foot;
+        of the sward's, those of each kind (kinds, 3).
         """
         self._settings, self._ground, self._seed, self._ends = settings, ground, seed, ends
         self.across = int(np.ceil(ground.field.size / CELL))
         share, count = cover(self._painted, self.across), settings.grass.count
         self.near = nearness(count / (share.sum() * CELL**2)) if share.any() else NEAR
+        self.tuft_radius, self.thinning = TUFT_RADIUS, THINNING
+        if settings.grass.sward:
+            self.near *= sward.NEARER
+            self.tuft_radius, self.thinning = sward.TUFT, sward.THINNING
         self.counts = shared_out(count, share, seed)
         self.shared = self.counts.copy()
         self._patches: dict[int, Patch] = {}  # by cell, the most recently used last
         self.grown = 0
 
     def suits(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Return 0..1: on land, outside the castle and, if tinted, on ground that is seen green."""
-        return self._green(x, z, self._ground.drawn_colour)
+        """Return 0..1: on land, outside the castle and, if tinted, on ground that is seen green.
+
+        The sward stands in clumps, and hardly on trails.
+        """
+        green = self._green(x, z, self._ground.drawn_colour)
+        return green * sward.standing(x, z) if self._settings.grass.sward else green
 
     def _painted(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return the same for the ground as painted, by which the blades are shared out."""
@@ -76,7 +104,10 @@ class Growth:
         self, x: np.ndarray, z: np.ndarray, colour: Callable[[np.ndarray, np.ndarray], np.ndarray]
     ) -> np.ndarray:
         land = bears_grass(self._ground.field, self._settings.castle, x, z)
-        return land * greenness(colour(x, z)) if self._settings.grass.tinted else land
+        if not self._settings.grass.tinted:
+            return land
+        green = greenness(colour(x, z))
+        return land * (green**sward.DRY if self._settings.grass.sward else green)
 
     def patch(self, cell: int, wanted: int | None = None) -> Patch:
         """Return at least the first ``wanted`` blades of a cell, or all."""
@@ -130,6 +161,10 @@ class Growth:
         """Return the end of the layer that begins at blade ``have``; each doubles the blades."""
         return min(max(LAYER, 2 * have), total) if self._settings.grass.fade else total
 
+    def _ranges(self, cell: int, first: int, last: int) -> np.ndarray:
+        """Return how far away the blades ``first`` to ``last`` of a cell would be drawn."""
+        return thinned_ranges(int(self.shared[cell]), self.near, first, last, self.thinning)
+
     def _grow(self, layers: Sequence[tuple[int, int, int]]) -> list[Patch]:
         """Return the blades of several layers, each given by cell, first blade and last."""
         grass, seed = self._settings.grass, self._seed
@@ -160,19 +195,37 @@ class Growth:
         xz = roots[tuft]
         if grass.tufts:
             # Outwards, the way a blade leans: its tip bends to (sin, cos) of its angle.
-            away = TUFT_RADIUS * np.sqrt(dice.uniform(0.0, 1.0, blades))
+            away = self.tuft_radius * np.sqrt(dice.uniform(0.0, 1.0, blades))
             xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
         positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
-        vertices = blade_vertices(positions, arched(blade_corners(angles), grass.arch), grass.scale)
         ranges = np.full(len(xz), grass.radius)
         if grass.fade:
             ranges = np.concatenate(
                 [
-                    thinned_ranges(int(self.shared[cell]), self.near, first, first + count)
+                    self._ranges(cell, first, first + count)
                     for (cell, first, _), count in zip(layers, blades, strict=True)
                 ]
             )
-            grown = np.empty((len(xz), 1, 3))
+        grow = self._cards if grass.sward else self._blades
+        shapes = grow(Rooted(positions, angles, ranges, roots, tuft, tufts, blades), dice)
+        vertices, tints, kinds = shapes
+        whole = Patch(
+            positions.astype(np.float32), vertices, tints, ranges.astype(np.float32), kinds
+        )
+        ends = np.cumsum(blades)
+        return [
+            whole.only(np.arange(end - count, end)) for end, count in zip(ends, blades, strict=True)
+        ]
+
+    def _blades(self, rooted: Rooted, dice: Dice) -> tuple[np.ndarray, ...]:
+        """Return vertices, tints and kinds of blades, all of them of the report's shape."""
+        grass, (positions, angles, ranges, roots, tuft, tufts, blades) = (
+            self._settings.grass,
+            rooted,
+        )
+        vertices = blade_vertices(positions, arched(blade_corners(angles), grass.arch), grass.scale)
+        if grass.fade:
+            grown = np.empty((len(positions), 1, 3))
             drawn = np.minimum(ranges, grass.radius)
             wider = np.maximum(drawn / self.near, 1.0) ** WIDENING
             grown[..., 0] = grown[..., 2] = wider[:, None]
@@ -180,7 +233,7 @@ class Growth:
             grown[:, 0, 1] *= 1.0 + grass.variety * tallness(roots, tufts, dice)[tuft]
             feet = positions[:, None]
             vertices = ((vertices - feet) * grown + feet).astype(np.float32)
-        tints = np.full((len(xz), 5, 4), 255, np.uint8)
+        tints = np.full((len(positions), 5, 4), 255, np.uint8)
         if grass.tinted:
             colour = self._ground.drawn_colour(roots[:, 0], roots[:, 1])
             colour *= 1.0 + grass.variety * (hues(tufts, dice) - 1.0)
@@ -188,11 +241,37 @@ class Growth:
             colour *= self._ground.light(roots[:, 0], roots[:, 1])
             brightness = dice.uniform(0.92, 1.28, blades)
             tints[..., :3] = blade_tints(colour[tuft], brightness, *self._ends)
-        whole = Patch(positions.astype(np.float32), vertices, tints, ranges.astype(np.float32))
-        ends = np.cumsum(blades)
-        return [
-            whole.only(np.arange(end - count, end)) for end, count in zip(ends, blades, strict=True)
-        ]
+        return vertices, tints, np.zeros(len(positions), np.uint8)
+
+    def _cards(self, rooted: Rooted, dice: Dice) -> tuple[np.ndarray, ...]:
+        """Return vertices, tints and kinds of the sward's cards."""
+        grass, (positions, angles, ranges, roots, tuft, tufts, blades) = (
+            self._settings.grass,
+            rooted,
+        )
+        x, z = roots.T
+        bold = np.minimum(ranges / self.near, 40.0) ** sward.BOLD
+        draw = dice.uniform(0.0, 1.0, blades)
+        kinds = sward.kinds_at(positions[:, 0], positions[:, 2], draw, bold, grass.flowers)
+        lean = grass.arch * dice.uniform(-2.2, 2.2, blades)
+        corners = sward.card_corners(angles, kinds, lean)
+        tall = 1.0 + grass.variety * (sward.tallness(x, z) * dice.uniform(0.7, 1.3, tufts) - 1.0)
+        corners *= (tall[tuft] * dice.uniform(0.6, 1.25, blades))[:, None, None]
+        vertices = blade_vertices(positions, corners, grass.scale)
+        tints = np.full((len(positions), 5, 4), 255, np.uint8)
+        if grass.tinted:
+            colour, light = self._ground.drawn_colour(x, z), self._ground.light(x, z)
+            tone = dice.uniform(0.84, 1.16, tufts) * (1.0 + 0.10 * sward.waves(x, z, 1.3, 28))
+            hue = sward.hues(dice.uniform(0.0, 1.0, tufts), tone, colour)
+            bare = colour * tone[:, None]
+            colour = colour + grass.variety * (hue - colour)
+            brightness = dice.uniform(0.88, 1.38, blades)[:, None]
+            own = (kinds >= sward.GREEN_KINDS)[:, None]
+            colour = np.where((kinds == sward.FLOOR)[:, None], bare[tuft], colour[tuft])
+            shade = np.where(own, 0.5, colour / (2.0 * self._ends[0][kinds]))
+            shade *= light[tuft] * np.where(own, 0.45 + 0.5 * brightness, brightness)
+            tints[..., :3] = (np.clip(shade, 0, 1) * 255).astype(np.uint8)[:, None]
+        return vertices, tints, kinds
 
 
 def tallness(roots: np.ndarray, tufts: Sequence[int], dice: Dice) -> np.ndarray:

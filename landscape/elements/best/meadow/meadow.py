@@ -9,14 +9,19 @@ Techniques, on the blades of ``elements/grass.py``, still sent by one glDrawElem
   towards the end of its range, so that none appears all at once.
 - ``grass.tufts``, ``grass.variety``, ``grass.arch``: blades that share a root, lean apart, and
   differ in height and colour from tuft to tuft; see :mod:`growth`.
+- ``grass.sward``, ``grass.flowers``: cards with several fine blades, seed heads, straw and flowers
+  instead of single blades; see :mod:`sward`. The alpha test leaves out what is transparent.
+- ``grass.gusts``: waves of wind that travel over the meadow; see :mod:`gusts`.
 
-State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (OpenGL 1.3).
+State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (OpenGL 1.3); for the
+sward, GL_ALPHA_TEST, and GL_SAMPLE_ALPHA_TO_COVERAGE (1.3) where a pixel has several samples.
 """
 
 import numpy as np
 
 from landscape.elements.best.meadow.facing import facing
-from landscape.elements.best.meadow.growth import TUFT_RADIUS, Growth
+from landscape.elements.best.meadow.growth import Growth
+from landscape.elements.best.meadow.gusts import gusts
 from landscape.elements.best.meadow.refined_blades import (
     NOTHING,
     Patch,
@@ -25,6 +30,15 @@ from landscape.elements.best.meadow.refined_blades import (
     joined,
     shortened,
     widened,
+)
+from landscape.elements.best.meadow.sward import (
+    CARD_SIDES,
+    WIDE_FROM,
+    WIDENED,
+    WIDENING,
+    mean_colours,
+    sward_levels,
+    texture_coordinates,
 )
 from landscape.elements.best.terrain.shadows import cast_from
 from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, WIND, blade_wind
@@ -37,6 +51,7 @@ from landscape.elements.grass_cells import (
 )
 from landscape.elements.ground import Ground
 from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
@@ -48,11 +63,32 @@ from landscape.settings import Settings
 RARELY = 1.5  # chosen: times the margin that is kept where blades are left out
 
 
+def blade_ends(image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the mean colours (3,) of a blade's texture, at its upper part and its foot, 0..1."""
+    half, last = max(len(image) // 2, 1), len(image) * 7 // 8
+    upper, foot = (part.mean(axis=(0, 1)) / 255.0 for part in (image[:half], image[last:]))
+    return upper, foot
+
+
+def cut_out() -> None:
+    """Leave out what is transparent in a picture; with several samples a pixel, by their number.
+
+    GL_SAMPLE_ALPHA_TO_COVERAGE is of OpenGL 1.3: alpha says how many samples are written.
+    """
+    gl.glEnable(gl.GL_ALPHA_TEST)
+    if gl.glGetIntegerv(gl.GL_SAMPLE_BUFFERS):
+        gl.glEnable(gl.GL_SAMPLE_ALPHA_TO_COVERAGE)
+        gl.glAlphaFunc(gl.GL_GREATER, 0.1)
+    else:
+        gl.glAlphaFunc(gl.GL_GREATER, 0.5)
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the blades' number, places, shapes and tints depend on."""
     grass, ground = settings.grass, settings.ground
     used = [*grass_built_from(settings), grass.tufts, grass.arch, grass.variety, grass.fade]
-    used += [grass.tinted, grass.radius if grass.fade else None]
+    used += [grass.tinted, grass.radius if grass.fade else None, grass.sward]
+    used += [grass.flowers if grass.sward else None]
     if grass.tinted:
         used += [ground.large_texture, ground.texture_size, settings.sun.tint]
         used += cast_from(settings)
@@ -66,15 +102,22 @@ class Meadow:
         """Distribute the blades over the cells at random, by ``seed``; they are made when seen."""
         self._settings, self._field = settings, ground.field
         self._built_from = built_from(settings)
-        image = read_image(assets.path("blade.png"), "RGB")
-        half, last = max(len(image) // 2, 1), len(image) * 7 // 8
-        upper, foot = (part.mean(axis=(0, 1)) / 255.0 for part in (image[:half], image[last:]))
-        self._growth = Growth(settings, ground, seed, (upper, foot))
-        self._texture = Texture(image, repeat=False)
+        if settings.grass.sward:
+            path = assets.path("sward.png")
+            levels = list(recall(("sward", content(path)), lambda: tuple(sward_levels(path))))
+            ends, trilinear = (mean_colours(levels[0]),) * 2, False
+            self._corners = texture_coordinates()
+        else:
+            levels = [read_image(assets.path("blade.png"), "RGB")]
+            ends, trilinear = blade_ends(levels[0]), True
+            self._corners = COORDINATES[None]
+        self._growth = Growth(settings, ground, seed, ends)
+        self._texture = Texture(levels, repeat=False, trilinear=trilinear)
         self._in_view = 0
         self._chosen: Patch | None = None
         self._chosen_for: Frame | None = None
         self._indices = np.empty(0, np.uint32)
+        self._placed: Patch | None = None
         self._coordinates = np.empty((0, 2), np.float32)
 
     def select(self, frame: Frame, margin: float = 0.0, angle: float = 0.0) -> Patch:
@@ -91,17 +134,19 @@ class Meadow:
         numbers = cells[:, 1] * growth.across + cells[:, 0]
         seen = visible_cells(frame, centres, radius, margin, angle) & (growth.counts[numbers] > 0)
         nearest = np.hypot(centres[:, 0] - frame.pose.x, centres[:, 2] - frame.pose.z)
-        nearest -= HALF_DIAGONAL + TUFT_RADIUS + margin
+        nearest -= HALF_DIAGONAL + growth.tuft_radius + margin
         numbers, nearest = numbers[seen], nearest[seen]
         counts = growth.counts[numbers]
         if grass.fade:
-            counts = count_at(growth.shared[numbers], growth.near, nearest, frame.detail.grass)
+            counts = count_at(
+                growth.shared[numbers], growth.near, nearest, frame.detail.grass, growth.thinning
+            )
         wanted = counts.tolist()
         patches = growth.patches(numbers.tolist(), wanted)
         found = [patch.only(slice(n)) for patch, n in zip(patches, wanted, strict=True)]
         whole = joined(found) if found else NOTHING
         if grass.fade:
-            whole = in_range(frame, whole, radius, margin)
+            whole = in_range(frame, whole, radius, margin, growth.thinning)
             if frame.detail.grass < 1.0:
                 whole = widened(whole, frame.detail.grass)
         self._in_view = round(len(whole.positions) / frame.detail.grass)
@@ -137,19 +182,35 @@ class Meadow:
         """
         grass, places, columns = self._settings.grass, patch.places, patch.columns.copy()
         wind = blade_wind(frame.kt, places.T, grass.scale[0]).T
+        if grass.gusts:
+            wind = wind + gusts(frame.kt, places[0], places[2], grass.gusts)
         for vertex, fraction in WIND:
             columns[vertex, ::2] += fraction * wind
         away = places[::2] - np.array([[frame.pose.x], [frame.pose.z]], np.float32)
-        if grass.facing > 0:
+        far = np.sqrt(away[0] * away[0] + away[1] * away[1])
+        if grass.sward:
+            wider = self._wider(far, patch) if grass.fade else 1.0
+            facing(columns, away, grass.facing, CARD_SIDES, wider)
+        elif grass.facing > 0:
             facing(columns, away, grass.facing)
         if grass.fade:
-            ranges = shortened(patch.ranges, grass.radius, frame.detail.grass)
-            far = np.sqrt(away[0] * away[0] + away[1] * away[1])
+            ranges = shortened(
+                patch.ranges, grass.radius, frame.detail.grass, self._growth.thinning
+            )
             left = np.clip(4.0 * (1.0 - far / ranges), 0.0, 1.0)
             columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left
             gone = np.flatnonzero(left <= 0.0)
             columns[..., gone] = places[:, gone]
         return np.ascontiguousarray(columns.transpose(2, 0, 1))
+
+    def _wider(self, far: np.ndarray, patch: Patch) -> np.ndarray:
+        """Return how many times as wide as close by cards ``far`` (n,) units away are drawn.
+
+        Far away there are fewer of them, and they have to cover the same ground.
+        """
+        near = np.float32(self._growth.near * WIDE_FROM)
+        times = np.maximum(far / near, 1.0) ** np.float32(WIDENING)
+        return 1.0 + (times - 1.0) * WIDENED[patch.kinds]
 
     def draw(self, frame: Frame) -> None:
         """Choose, bend and send the visible blades."""
@@ -161,11 +222,14 @@ class Meadow:
         if len(self._indices) < 9 * count:
             first = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
             self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
-            self._coordinates = np.tile(COORDINATES, (2 * count, 1))
+        if self._placed is not patch:
+            self._placed, self._coordinates = patch, self._corners[patch.kinds].reshape(-1, 2)
         tinted = patch.tints.reshape(-1, 4) if self._settings.grass.tinted else None
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
+            if self._settings.grass.sward:
+                cut_out()
             if tinted is None:
                 gl.glColor3f(*self._settings.sun.tint)
             else:

@@ -4,7 +4,6 @@ The blade of 2006 and its wind are in ``elements/grass.py``; facing.py turns bla
 No OpenGL here.
 """
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -15,6 +14,7 @@ from landscape.frame import Frame
 
 NEAR = 0.28  # chosen: units within which, with grass.fade, every blade of a dense meadow is drawn
 DENSE = 3_600.0  # chosen: blades per square unit; 1,500,000 on the island
+THINNING = 2.0  # chosen: the number of blades per pixel then stays the same
 SPARSE = 0.4  # chosen: with k times fewer blades, NEAR is multiplied by k**SPARSE
 WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDENING times as wide
 THICKER = (
@@ -45,36 +45,44 @@ def nearness(density: float) -> float:
     return NEAR * max(DENSE / max(density, 1e-9), 1.0) ** SPARSE
 
 
-def thinned_ranges(count: int, near: float, first: int, last: int) -> np.ndarray:
+def thinned_ranges(
+    count: int, near: float, first: int, last: int, thinning: float = THINNING
+) -> np.ndarray:
     """Return how far away the blades ``first`` to ``last`` of a cell's ``count`` would be drawn.
 
     In units, (last - first,).
 
-    All up to ``near`` units; beyond, as many as keep the number per pixel the same: the fraction
-    left at distance d is (near / d) squared. The blades with the longest range come first. The
+    All up to ``near`` units; beyond, the fraction left at distance d is (near / d)**thinning. The
+    blades with the longest range come first. The
     radius of the grass, which is not applied here, limits all of them.
     """
     fraction = (np.arange(first, last) + 1.0) / max(count, 1)
-    return np.asarray(near / np.sqrt(fraction))
+    return np.asarray(near * fraction ** (-1.0 / thinning))
 
 
 def count_at(
-    count: np.ndarray, near: float, distance: np.ndarray, fraction: float = 1.0
+    count: np.ndarray,
+    near: float,
+    distance: np.ndarray,
+    fraction: float = 1.0,
+    thinning: float = THINNING,
 ) -> np.ndarray:
     """Return how many of the cells' ``count`` (n,) blades are drawn at ``distance`` (n,) units.
 
     Of these only the ``fraction`` with the longest ranges.
     """
-    left = np.minimum(near / np.maximum(distance, 1e-6), 1.0) ** 2
+    left = np.minimum(near / np.maximum(distance, 1e-6), 1.0) ** thinning
     return np.ceil(count * (left * fraction)).astype(int)
 
 
-def shortened(ranges: np.ndarray, radius: float, fraction: float) -> np.ndarray:
+def shortened(
+    ranges: np.ndarray, radius: float, fraction: float, thinning: float = THINNING
+) -> np.ndarray:
     """Return how far away blades are drawn, float32 (n,) in units, if ``fraction`` of them are.
 
-    The ranges shrink by the root of the fraction, so at each distance that fraction is left.
+    The ranges shrink by a root of the fraction, so at each distance that fraction is left.
     """
-    shorter = np.minimum(ranges * np.float32(math.sqrt(fraction)), np.float32(radius))
+    shorter = np.minimum(ranges * np.float32(fraction ** (1.0 / thinning)), np.float32(radius))
     return np.maximum(shorter, np.float32(1e-6))  # a range is divided by
 
 
@@ -141,13 +149,14 @@ class Patch:
     """Blades: places (n, 3), vertices without wind (n, 5, 3), tints (n, 5, 4), ranges (n,).
 
     A blade is drawn up to its range in units, or the radius if that is less; those of the longest
-    range come first.
+    range come first. ``kinds`` (n,) are those of the sward, see :mod:`sward`.
     """
 
     positions: np.ndarray
     vertices: np.ndarray
     tints: np.ndarray
     ranges: np.ndarray
+    kinds: np.ndarray
 
     @cached_property
     def columns(self) -> np.ndarray:
@@ -161,24 +170,26 @@ class Patch:
 
     def only(self, which: np.ndarray | slice) -> "Patch":
         """Return some of the blades."""
-        arrays = self.positions, self.vertices, self.tints, self.ranges
+        arrays = self.positions, self.vertices, self.tints, self.ranges, self.kinds
         return Patch(*(array[which] for array in arrays))
 
 
 NOTHING = Patch(
     np.empty((0, 3), np.float32), np.empty((0, 5, 3), np.float32), np.empty((0, 5, 4), np.uint8),
-    np.empty(0, np.float32),
+    np.empty(0, np.float32), np.empty(0, np.uint8),
 )  # fmt: skip
 
 
-def in_range(frame: Frame, patch: Patch, radius: float, margin: float = 0.0) -> Patch:
+def in_range(
+    frame: Frame, patch: Patch, radius: float, margin: float = 0.0, thinning: float = THINNING
+) -> Patch:
     """Return the blades of a patch that are in range of the walker and not behind him.
 
     Their cells were thinned out only by the distance of the nearest point. A foot a little
     behind the eye is kept, as its tip may be in view. ``margin`` is how far the eye may still move.
     """
     dx, dz = patch.positions[:, 0] - frame.pose.x, patch.positions[:, 2] - frame.pose.z
-    ranges = shortened(patch.ranges, radius, frame.detail.grass) + np.float32(margin)
+    ranges = shortened(patch.ranges, radius, frame.detail.grass, thinning) + np.float32(margin)
     behind = 0.1 + 1.5 * margin
     return patch.only(
         np.flatnonzero(
@@ -189,5 +200,5 @@ def in_range(frame: Frame, patch: Patch, radius: float, margin: float = 0.0) -> 
 
 def joined(patches: list[Patch]) -> Patch:
     """Return the blades of several patches as one."""
-    names = ("positions", "vertices", "tints", "ranges")
+    names = ("positions", "vertices", "tints", "ranges", "kinds")
     return Patch(*(np.concatenate([getattr(patch, name) for patch in patches]) for name in names))

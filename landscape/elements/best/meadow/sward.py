@@ -1,0 +1,184 @@
+"""The sward: cards with several fine blades, seed heads or a flower each (``grass.sward``).
+
+A card takes the place of a blade, with five vertices like it, and its picture is a cell of one
+texture; what is transparent there fails the alpha test. Sheaves of green blades take the ground's
+colour; straw and flowers keep their own, ``grass.flowers`` of them in drifts. No OpenGL here.
+"""
+
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from landscape.files.images import mip_chain, read_image
+
+COLUMNS, ROWS = 8, 2  # of cells in the texture, see studio/sward.py
+SIDE = 256  # texels a cell is high; it is half as wide
+LEVELS = 6  # chosen: at the last mip level a cell is 4 texels wide
+GREEN_KINDS = 5  # kinds 0 to 4 are tinted: three sheaves, broad blades, and the floor of the sward
+FLOOR = 4  # the kind that fills the ground between the others, in the ground's own colour
+STANDING = 8  # kinds below this are grass, the others flowers
+SPREAD = 2.60  # chosen: a card's shoulders are so many times as wide as its foot
+SHOULDER = 0.62  # chosen: how high they are, as a fraction of the height of a sheaf
+NEARER = 0.50  # chosen: a card shows several blades, so all are drawn only up to NEARER * NEAR
+THINNING = 1.6  # chosen: near by cards hide each other, far away they must not become too few
+WIDE_FROM = 1.4  # chosen: times that distance; beyond, cards are widened
+# Chosen, for each kind: half its greatest width and its height, in units of the report's blade
+# before scaling, and how many of a thousand cards are of it where nothing is said of the place.
+LOOKS = np.array(
+    [(0.0240, 0.0235, 240), (0.0250, 0.0220, 190), (0.0240, 0.0245, 250), (0.0230, 0.0210, 80),
+     (0.0420, 0.0100, 240), (0.0170, 0.0300, 14), (0.0180, 0.0285, 32), (0.0190, 0.0240, 28),
+     (0.0230, 0.0275, 0), (0.0240, 0.0255, 0), (0.0230, 0.0260, 0), (0.0210, 0.0215, 0),
+     (0.0230, 0.0290, 0), (0.0240, 0.0275, 0), (0.0230, 0.0290, 0), (0.0210, 0.0235, 0)]
+)  # fmt: skip
+# Chosen: how large the drifts of a kind of flower are, as a wave number, and how common it is.
+DRIFTS = ((1.7, 0.8), (1.7, 0.8), (1.3, 1.0), (2.1, 0.8), (2.9, 0.45), (2.3, 0.5), (2.6, 0.4),
+          (1.5, 0.6))  # fmt: skip
+HUES = np.array([(0.97, 1.02, 0.90), (1.09, 1.05, 0.74), (0.91, 1.00, 0.98), (0.93, 1.06, 0.76)])
+DRY = 0.6  # chosen: exponent on how green the ground is; the sward thins out towards bare ground
+BOLD = 0.35  # chosen: exponent; the fewer cards are drawn, the more of them are flowers
+TUFT = 0.036  # chosen: units, how far apart the roots of a tuft's cards are
+WIDENING = 0.62  # chosen: cards k times as far away as all are drawn are k**WIDENING times as wide
+TRAIL = 0.030  # chosen: units, half the width of a deer's trail through the meadow
+
+
+# Chosen: how much of the widening by distance a kind takes part in; a flower must stay round.
+WIDENED = np.where(np.arange(len(LOOKS)) < GREEN_KINDS, 1.0, 0.25).astype(np.float32)
+CARD_SIDES = np.array([-1.0, 1.0, -SPREAD, SPREAD], np.float32)  # of feet and shoulders
+
+
+def texture_coordinates() -> np.ndarray:
+    """Return the texture coordinates of each kind, float32 (kinds, 5, 2).
+
+    They are in proportion to the card's shape, so that the picture is not bent at its diagonals.
+    """
+    foot = 0.5 / SPREAD
+    sheaf = [(0.5 - foot, 1), (0.5 + foot, 1), (0, 1 - SHOULDER), (1, 1 - SHOULDER), (0.5, 0)]
+    whole = [*sheaf[:2], (0, 0), (1, 0), (0.5, 0)]
+    kinds = np.arange(len(LOOKS))
+    cells = np.where((kinds < GREEN_KINDS)[:, None, None], sheaf, whole)
+    cells = 0.004 + 0.992 * cells
+    corner = np.stack([kinds % COLUMNS, kinds // COLUMNS], axis=1)
+    return ((corner[:, None] + cells) / (COLUMNS, ROWS)).astype(np.float32)
+
+
+def cells_of(image: np.ndarray) -> np.ndarray:
+    """Return the cells (kinds, h, w, channels) of the texture."""
+    h, w = image.shape[0] // ROWS, image.shape[1] // COLUMNS
+    grid = image.reshape(ROWS, h, COLUMNS, w, image.shape[2]).transpose(0, 2, 1, 3, 4)
+    return np.ascontiguousarray(grid.reshape(ROWS * COLUMNS, h, w, image.shape[2]))
+
+
+def sward_levels(path: Path) -> list[np.ndarray]:
+    """Return the texture's mip levels, each cell downsampled separately and no thinner far away.
+
+    An image of another size than (256 ROWS, 128 COLUMNS) texels is resized.
+    """
+    image = read_image(path)
+    if image.shape[:2] != (SIDE * ROWS, SIDE * COLUMNS // 2):
+        size = SIDE * COLUMNS // 2, SIDE * ROWS
+        image = np.asarray(Image.fromarray(image).resize(size, Image.Resampling.LANCZOS))
+    chains = [mip_chain(cell, LEVELS) for cell in cells_of(image)]
+    levels = []
+    for level in zip(*chains, strict=True):
+        h, w, channels = level[0].shape
+        grid = np.array(level).reshape(ROWS, COLUMNS, h, w, channels).transpose(0, 2, 1, 3, 4)
+        levels.append(np.ascontiguousarray(grid.reshape(ROWS * h, COLUMNS * w, channels)))
+    return levels
+
+
+def mean_colours(image: np.ndarray) -> np.ndarray:
+    """Return the mean colour (kinds, 3) of the upper three quarters of each picture, in 0..1."""
+    cells = cells_of(image).astype(float)
+    upper = cells[:, : cells.shape[1] * 3 // 4]
+    weight = upper[..., 3:]
+    total = np.maximum(weight.sum(axis=(1, 2)), 1.0)
+    return np.maximum((upper[..., :3] * weight).sum(axis=(1, 2)) / total / 255.0, 0.05)
+
+
+def card_corners(angles: np.ndarray, kinds: np.ndarray, lean: np.ndarray) -> np.ndarray:
+    """Return cards (n, 5, 3) at the origin, unscaled: two feet, two shoulders, a tip.
+
+    ``angles`` (n,) turn their wide side from x towards z; their tops move ``lean`` (n,) times a
+    tip's bend of section 5.3.2 at right angles to it. A card that is a whole rectangle has its
+    shoulders at its top.
+    """
+    half, height = LOOKS[kinds, :2].T
+    low = np.where(kinds < GREEN_KINDS, SHOULDER, 1.0)
+    side = np.stack([np.cos(angles), 0 * angles, np.sin(angles)], axis=1) * half[:, None]
+    bend = np.stack([-np.sin(angles), 0 * angles, np.cos(angles)], axis=1)
+    bend *= (0.004 * lean)[:, None]
+    up = np.array([0.0, 1.0, 0.0]) * height[:, None]
+    middle = low[:, None] * up + (low**1.6)[:, None] * bend
+    foot = side / SPREAD
+    return np.stack([-foot, foot, middle - side, middle + side, up + bend], axis=1)
+
+
+def waves(x: np.ndarray, z: np.ndarray, k: float, number: int) -> np.ndarray:
+    """Return a smooth pattern of about -1..1 at x, z, of wave number ``k``, one per ``number``."""
+    a, b = 2.399963 * number, 1.7 * number
+    u, v = x * np.cos(a) + z * np.sin(a), z * np.cos(a) - x * np.sin(a)
+    warp = 0.9 * np.sin(0.57 * k * u + b) + 0.5 * np.sin(1.31 * k * v - b)
+    return np.asarray(
+        0.62 * np.sin(k * u + warp + b) * np.sin(0.83 * k * v - warp)
+        + 0.38 * np.sin(2.3 * k * u + 1.7 * k * v + 2.0 * warp)
+    )
+
+
+def off_trail(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return 0 on the trails that deer have trodden, 1 beside them."""
+    k = 1.15
+    pattern = waves(x, z, k, 21)
+    return np.asarray(np.clip(np.abs(pattern) / (k * TRAIL) - 0.5, 0.0, 1.0))
+
+
+def standing(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return 0..1: how densely cards stand at x, z: clumps with gaps between them, and trails."""
+    clumps = 0.66 + 0.32 * waves(x, z, 22.0, 22) + 0.30 * waves(x, z, 61.0, 23)
+    return np.asarray(np.clip(clumps, 0.18, 1.0) * (0.30 + 0.70 * off_trail(x, z)))
+
+
+def tallness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return factors on the height of cards at x, z, at three scales; low on the trails."""
+    wide = 1.0 + 0.30 * waves(x, z, 1.9, 24) + 0.22 * waves(x, z, 9.0, 25)
+    return np.asarray(wide * (0.45 + 0.55 * off_trail(x, z)))
+
+
+def kinds_at(
+    x: np.ndarray, z: np.ndarray, draw: np.ndarray, bold: np.ndarray, flowers: float
+) -> np.ndarray:
+    """Return a kind, uint8 (n,), for cards at x, z, by random numbers ``draw`` (n,) in 0..1.
+
+    ``flowers`` is the fraction that flowers in the middle of a drift where all cards are drawn;
+    ``bold`` (n,) says by how much more of those are that are seen from far away.
+    """
+    weights = np.empty((len(x), len(LOOKS)))
+    weights[:] = LOOKS[:, 2]
+    ripe = np.clip(1.0 + 1.6 * waves(x, z, 2.7, 26), 0.1, 2.6)
+    dry = np.clip(0.8 + 1.4 * waves(x, z, 3.9, 27), 0.1, 2.2)
+    weights[:, 5] *= ripe
+    weights[:, 6] *= np.clip(2.0 - ripe, 0.1, 2.0)
+    weights[:, 7] *= dry
+    for number, (k, common) in enumerate(DRIFTS):
+        drift = np.clip(1.9 * waves(x, z, k, 30 + number // 2 * 2) - 0.55, 0.0, 1.0)
+        drift *= np.clip(0.9 + 1.2 * waves(x, z, 7.0, 40 + number), 0.0, 1.0)
+        weights[:, STANDING + number] = 1000.0 * flowers * common * np.minimum(drift * bold, 2.0)
+    steps = np.cumsum(weights, axis=1)
+    return (steps <= (draw * steps[:, -1])[:, None]).sum(axis=1).astype(np.uint8)
+
+
+def hues(draw: np.ndarray, tone: np.ndarray, colour: np.ndarray) -> np.ndarray:
+    """Return the colours (n, 3) of green cards on ground of ``colour`` (n, 3).
+
+    They are a little greener than it, some yellower, some bluer, one in ten pale like straw, and
+    three in ten on dry ground, by ``draw`` (n,) in 0..1; ``tone`` (n,) multiplies them.
+    """
+    light = colour @ (0.30, 0.59, 0.11)
+    lush = np.clip((colour[:, 1] / np.maximum(colour[:, 0], 1e-3) - 0.94) / 0.22, 0.0, 1.0)
+    mixed = (0.10 + 0.26 * lush)[:, None]
+    green = (1.0 - mixed) * colour + mixed * light[:, None] * (0.86, 1.12, 0.50)
+    kind = (draw * 97.0).astype(int) % len(HUES)
+    straw = 0.5 * colour + 0.5 * light[:, None] * (1.24, 1.12, 0.76)
+    dead = draw < (0.30 - 0.20 * lush)
+    hue = 1.0 + (HUES[kind] - 1.0) * (0.4 + 0.6 * lush)[:, None]
+    return np.asarray(np.where(dead[:, None], straw, green * hue) * tone[:, None])
