@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from landscape.elements import sun
-from landscape.elements.best import meadow, sprites
+from landscape.elements.best import meadow, sprites, stones
 from landscape.elements.best.air.bay_mist import BayMist
 from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
@@ -25,6 +25,7 @@ from landscape.elements.best.sea.ring import HorizonRing
 from landscape.elements.best.sea.sea import Sea, kept, reflected, softened
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.stones.stones import Stones
 from landscape.elements.best.terrain.shadows import cast_from, light_is_baked
 from landscape.elements.best.terrain.terrain import Terrain, ground_class
 from landscape.elements.grass import Grass
@@ -42,8 +43,8 @@ from landscape.fixes import FIXES
 from landscape.frame import Frame
 from landscape.geometry.doors import Door
 from landscape.geometry.height_field import HeightField, height_field
-from landscape.geometry.obstacle_grid import ObstacleGrid, Obstacles
-from landscape.geometry.pockets import without_pockets
+from landscape.geometry.obstacle_grid import Obstacles
+from landscape.geometry.pockets import passable
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib
 from landscape.languages import Texts
@@ -53,6 +54,7 @@ from landscape.views import ALL, MAIN, VIEWS
 
 ELEMENTS = ALL
 SIGNS: Texts = {"castle": "the door leads into the great hall"}
+SOLID = ("castle", "rabbit", "dragon", "sprites", "stones")  # the parts that may stop the walker
 SPRITES = ("trees", "deer", "plants")  # one element: all of them must be sorted together
 
 
@@ -64,6 +66,7 @@ def classes(settings: Settings) -> dict[str, type | None]:
     queried = water.query and settings.reflection.rippled
     return {
         "ground": ground_class(settings),
+        "stones": Stones if stones.wanted(settings) else None,
         "water": WaterSurface if plain_water else Sea,
         "ring": HorizonRing if plain_water and water.horizon > 0 else None,
         "query": SeaQuery if queried else None,
@@ -93,6 +96,7 @@ class Island:
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
 
     # The elements; None where one is not wanted.
+    stones: Any
     water: Any
     ring: Any
     query: Any
@@ -141,12 +145,13 @@ class Island:
             if part.attribute == "sprites" and light_is_baked(settings):
                 self._bake_light(self.ground, light)
         self.obstacles = self._obstacles()
-        self._dim_rabbit()
+        self._stand_in_light()
 
-    def _dim_rabbit(self) -> None:
-        """Let the rabbit take the light of the ground it stands on."""
-        if isinstance(self.rabbit, FineRabbit):
-            self.rabbit.stand_in(self.ground)
+    def _stand_in_light(self) -> None:
+        """Let the rabbit and the stones take the light of the ground they stand on."""
+        for element in (self.rabbit, self.stones):
+            if isinstance(element, (FineRabbit, Stones)):
+                element.stand_in(self.ground)
 
     def _parts(self, settings: Settings) -> list[Part]:
         """Return all elements but the ground, in the order in which they are built."""
@@ -154,6 +159,7 @@ class Island:
         depths = [field] if kind["water"] is Sea else []
         place = *own, self.ground, self._seed
         return [
+            Part("stones", ("ground",), kind["stones"], place),
             Part("water", ("water",), kind["water"], (*own, *depths)),
             Part("ring", ("water",), kind["ring"], own),
             Part("query", ("water",), kind["query"], (settings,)),
@@ -176,15 +182,13 @@ class Island:
             return part.kind(*part.given)
 
     def _obstacles(self) -> Obstacles:
-        """Return what the walker goes around: rabbit, dragon and castle; perhaps trees and deer."""
+        """Return what the walker goes around: rabbit, dragon, castle; perhaps trees and stones."""
         standing = (self.rabbit, self.dragon, self.castle)
         few = tuple(each for element in standing if element for each in element.obstacles())
-        if not self.settings.walk.solid or self.sprites is None:
-            return few
-        towers = trunks(self.sprites.sprites)
-        what = "solid trunks", repr((few, self.size)), towers.tobytes()
-        (passed,) = recall(what, lambda: (without_pockets(towers, self.size, few),))
-        return ObstacleGrid(few, towers[passed])
+        solid = self.settings.walk.solid
+        many = [trunks(self.sprites.sprites)] if solid and self.sprites else []
+        many += [self.stones.towers()] if solid and self.stones else []
+        return passable(few, many, self.size)
 
     @drawing("ground")
     def _bake_light(self, ground: Any, light: np.ndarray) -> None:
@@ -195,17 +199,14 @@ class Island:
 
         def shadows() -> tuple[np.ndarray]:
             shadow_map = ground.shadow_map(light)
-            for element in (self.sprites, self.castle, self.rabbit):
+            for element in (self.sprites, self.castle, self.rabbit, self.stones):
                 if element and values.ground.shadows:
                     element.cast(shadow_map)
-            return (
-                shadow_map.light(
-                    ground.open_light(shadow_map.side), np.array(values.sun.shade, np.float32)
-                ),
-            )
+            left = np.array(values.sun.shade, np.float32)
+            return (shadow_map.light(ground.open_light(shadow_map.side), left),)
 
         what = repr((cast_from(values), self._seed, sorted(self._only)))
-        files = values.ground.height_image, values.rabbit.mesh
+        files = values.ground.height_image, values.rabbit.mesh, stones.FILE
         ground.shade(*recall((what, *self._assets.contents(*files)), shadows))
 
     def apply(self, settings: Settings) -> bool:
@@ -245,9 +246,9 @@ class Island:
                 self._owned.append(element)
         solid = settings.walk.solid != self.settings.walk.solid
         self.settings = settings
-        if solid or not built.keys().isdisjoint(("castle", "rabbit", "dragon", "sprites")):
+        if solid or not built.keys().isdisjoint(SOLID):
             self.obstacles = self._obstacles()
-        self._dim_rabbit()
+        self._stand_in_light()
         return True
 
     def draw(self, moment: Moment) -> None:
@@ -266,6 +267,7 @@ class Island:
 
             # Opaque elements: the depth buffer sorts them, so their order does not matter.
             with clipped(cut_level(values), values.ground.clip):
+                draw("ground", self.stones, frame)  # first: cheaper than the ground behind
                 draw("ground", self.ground, frame)
                 draw("rabbit", self.rabbit, frame)
                 draw("dragon", self.dragon, frame)
@@ -313,6 +315,7 @@ class Island:
         begin_pass("reflection")
         frame = replace(frame, mirrored=True)
         with reflected(frame, values, water) as frame, mirrored(values):
+            draw("ground", self.stones, frame)
             draw("ground", self.ground, frame)
             draw("dragon", self.dragon, frame)
             with softened(values):

@@ -127,7 +127,7 @@ class Walk:
     solid: bool = setting(
         False,
         "chosen",
-        "trees, deer and the castle's keep stop the walker, as its walls and the animals do",
+        "trees, deer, boulders and the castle's keep stop the walker, as walls and animals do",
         needs=WALKING,
     )
 
@@ -354,6 +354,15 @@ class Ground:
         "chosen",
         "bake shadows into the ground's large texture",
         needs=("ground.units=both or ground.units=large or plants.shaded or grass.tinted",),
+    )
+    stones: int = setting(
+        0,
+        "chosen",
+        "how many crags, boulders, stones and pieces of driftwood lie on bare ground",
+        0,
+        40_000,
+        unit="stones",
+        needs=("ground", "ground.materials", "ground.units=both"),
     )
 
 
@@ -1126,6 +1135,7 @@ BEST: dict[str, Value] = {
     "ground.exact_height": True,
     "ground.tiles": 8,
     "ground.shadows": True,
+    "ground.stones": 10_000,
     "ground.low_stretch": True,
     "ground.texture_size": 2048,
     "reflection.castle": True,

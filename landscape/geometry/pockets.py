@@ -6,17 +6,29 @@ if its disc would close a ring: then the discs have no holes, and the rest of th
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import islice
 
 import numpy as np
 
+from landscape.files.cache import recall
+from landscape.geometry.obstacle_grid import ObstacleGrid, Obstacles
 from landscape.geometry.obstacles import MARGIN, RADIUS, Obstacle
 
 SLACK = 0.002  # chosen: units to spare in the narrowest gap that counts as passable
 CROWD = 4  # chosen: a trunk that overlaps more than these stands in a thicket, and is left out
 
 Disc = tuple[float, float, float]  # x, z, radius
+
+
+def passable(few: Sequence[Obstacle], many: Sequence[np.ndarray], size: float) -> Obstacles:
+    """Return the obstacles ``few`` and those of ``many`` towers, (n, 4) each, that may be solid."""
+    if not many:
+        return few
+    towers = np.concatenate(many)
+    what = "solid towers", repr((few, size)), towers.tobytes()
+    (passed,) = recall(what, lambda: (without_pockets(towers, size, few),))
+    return ObstacleGrid(few, towers[passed])
 
 
 def without_pockets(towers: np.ndarray, size: float, others: Iterable[Obstacle] = ()) -> np.ndarray:

@@ -14,6 +14,7 @@ import numpy as np
 
 from landscape.elements.best.sprites.individuals import FIRST, MORE_FILES
 from landscape.elements.best.sprites.refined_atlas import CELLS, HERBS
+from landscape.elements.best.stones.shapes import read_shapes
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image
@@ -88,7 +89,9 @@ PALETTED = ("tree_birch.png", "tree_shrub.png", *FIRST, *MORE_FILES)
 MOST_OFF = 12.0  # chosen, levels: how far that colour may be from the mean of the visible ones
 # Strips, which the program cuts into tiles of this width and height before it makes textures.
 STRIPS = {TILES_FILE: (SIDE, SIDE), PLANTS_FILE: (SIDE, SIDE)}
-MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998}  # the report's vertex counts
+# Vertices; those of the animals are the report's.
+STONES = "stones.ply"  # many shapes in a row
+MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998, STONES: 1349}
 TILES = (
     "ground_detail.png", "ground_sand.png", "ground_rock.png", "clouds.png", "water.png",
     "castle_brick.png", "castle_ashlar.png", "castle_slate.png", "torch_stone.png", "mosaic.png",
@@ -256,7 +259,7 @@ def check_heights(assets: Assets) -> Iterator[Finding]:
 
 
 def check_meshes(assets: Assets) -> Iterator[Finding]:
-    """Check the report's vertex counts, closed outward-facing surfaces, and sound normals."""
+    """Check the vertex counts, closed outward-facing surfaces, and sound normals."""
     for name, wanted in MESHES.items():
         vertices, triangles = read_ply(assets.path(name))
         used = len(np.unique(triangles))
@@ -269,6 +272,11 @@ def check_meshes(assets: Assets) -> Iterator[Finding]:
         inside = volume(vertices, triangles)
         text = f"volume {inside:+.3f} (positive if faces point outward)"
         yield Finding(name, "winding", gaps == 0 and inside > 0, text, {"volume": inside})
+        if name == STONES:
+            levels = [len(shape) for shape in read_shapes(assets.path(name))]
+            text = f"{len(levels)} shapes, {sum(levels)} with their coarser levels"
+            yield Finding(name, "row", True, text, {"shapes": len(levels)})
+            continue
         normals = vertex_normals(vertices, triangles)
         length = float(np.abs(np.linalg.norm(normals.astype(float), axis=1) - 1.0).max())
         crossed = flipped_normals(vertices, triangles, normals)

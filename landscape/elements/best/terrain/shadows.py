@@ -13,6 +13,7 @@ from collections.abc import Iterator
 import numpy as np
 from PIL import Image, ImageFilter
 
+from landscape.elements.best import stones
 from landscape.elements.best.sprites.refined_planting import planted_from
 from landscape.elements.best.terrain import wanted
 from landscape.elements.planting import Sprites
@@ -49,7 +50,8 @@ def cast_from(settings: Settings) -> tuple[object, ...]:
     if not settings.ground.shadows:
         return (settings.sun,) if light_is_baked(settings) else ()
     stands = castle.yaw, castle.brick_repeat, castle.ornate, rabbit.mesh, rabbit.yaw
-    return settings.sun, *stands, *planted_from(settings)
+    lying = settings.ground.stones if stones.wanted(settings) else 0
+    return settings.sun, *stands, lying, *planted_from(settings)
 
 
 class ShadowMap:

@@ -125,7 +125,7 @@ class Terrain(Ground):
         shaded = (sun.azimuth, sun.elevation) if has_no_colours(ground) else None
         coarser = settings.reflection.lod_scale > 1
         bed = settings.sun.elevation if bed_light.wanted(settings) else None
-        return replace(ground, clip=True), settings.water.level, coarser, shaded, bed
+        return replace(ground, clip=True, stones=0), settings.water.level, coarser, shaded, bed
 
     def _compile(self, mesh: Mesh, textures: list[Texture], count: int) -> None:
         """Compile one list of everything, or one per tile and two to set and reset the units."""
