@@ -52,7 +52,7 @@ LADDER: dict[str, tuple[str, ...]] = {
     ),
     "flyover": (
         *("projection_by_hand", "bresenham", "line_clipping", "back_faces", "bezier_path"),
-        *("quad_tree", "floating_horizon"),
+        *("quad_tree", "level_of_detail", "floating_horizon"),
     ),
 }
 TOPICS: Texts = {
