@@ -364,6 +364,12 @@ class Ground:
         unit="stones",
         needs=("ground", "ground.materials", "ground.units=both"),
     )
+    wet: bool = setting(
+        False,
+        "chosen",
+        "sand and rock are darker where waves have wetted them",
+        needs=("ground.materials", "ground.units=both"),
+    )
 
 
 @dataclass(frozen=True)
@@ -1136,6 +1142,7 @@ BEST: dict[str, Value] = {
     "ground.tiles": 8,
     "ground.shadows": True,
     "ground.stones": 10_000,
+    "ground.wet": True,
     "ground.low_stretch": True,
     "ground.texture_size": 2048,
     "reflection.castle": True,

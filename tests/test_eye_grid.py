@@ -63,3 +63,10 @@ def test_rows_run_from_far_to_near_and_stay_inside_the_water() -> None:
     assert (np.diff(grid.ring) <= 0).all()
     grid.keep_within(15.0, 30.0)
     assert grid.x.min() >= 15 and grid.x.max() <= 30 and grid.z.min() >= 15 and grid.z.max() <= 30
+
+
+def test_lines_crowd_towards_the_horizon_where_one_step_reaches_far() -> None:
+    grid = eye_grid(frame_at(Pose(20, LEVEL + 0.1, 20, 0, -5)), LEVEL, 400.0)
+    assert grid is not None
+    ring = grid.ring
+    assert ring[0] > 3 * ring[4] and (ring[:4] / ring[1:5]).max() < 12

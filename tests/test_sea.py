@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from seaside import BACKGROUND, CALM, LEVEL, POSE, beach, drawn, mirrored_wall, red, sent
+from seaside import BACKGROUND, CALM, LEVEL, POSE, beach, drawn, grid_at, mirrored_wall, red, sent
 from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, quad, small
 
 from landscape.elements.best.sea import waves
-from landscape.elements.best.sea.sea import Sea, reflected, wanted
+from landscape.elements.best.sea.ripples import fine_ripples, leaning
+from landscape.elements.best.sea.sea import Sea, fog_depths, reflected, wanted
 from landscape.elements.best.sea.shallows import FLOOR, SEEN, cut_level, depth_picture
 from landscape.elements.reflection import inside_water
 from landscape.elements.water_surface import WaterSurface
@@ -59,11 +60,12 @@ def test_the_alpha_follows_the_viewing_angle(
     stage: Stage, plain: Assets, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(waves, "STEEP", 0.0 * waves.STEEP)
+    monkeypatch.setattr(waves, "ROUGH", 0.0)
     eye = Pose(20.0, 1.6, 20.0, 0.0, -30.0)
     picture = drawn(stage, plain, {**CALM, "water.fresnel": True}, eye)[0]
     for x, z in ((20.0, 18.0), (20.0, 17.0), (19.5, 14.0)):
         away = np.array([x - 20.0, -1.0, z - 20.0])
-        alpha = 0.7 * (1 - waves.CLEARED * (1 - 1 / np.linalg.norm(away)) ** 3)
+        alpha = 0.7 * (1 - waves.CLEARED * (1 - 1 / np.linalg.norm(away)) ** waves.FRESNEL_POWER)
         wanted_ = alpha * np.array([0.2, 0.2, 0.4]) * 255 + (1 - alpha) * BACKGROUND
         assert close(pixel(picture, project(eye, (x, LEVEL, z))), wanted_, 2), (x, z)
 
@@ -87,12 +89,13 @@ def test_a_calm_sea_has_the_patches_colour(
 
 @pytest.mark.parametrize("stencil", [False, True])
 def test_a_mirror_image_in_the_framebuffer_shows_through_the_sea(
-    stage: Stage, plain: Assets, stencil: bool
+    stage: Stage, plain: Assets, stencil: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(waves, "ROUGH", 0.0)
     changes = {"water.fresnel": True, "reflection.stencil": stencil}
     picture = mirrored_wall(stage, plain, changes)
     inside = project(POSE, (20.0, LEVEL - 0.4, 18.0))
-    alpha = 0.2 * (1 - waves.CLEARED * (1 - np.sin(np.arctan2(0.9, 6.0))) ** 3)
+    alpha = 0.2 * (1 - waves.CLEARED * (1 - np.sin(np.arctan2(0.9, 6.0))) ** waves.FRESNEL_POWER)
     wanted_ = alpha * np.array([0, 0, 102]) + (1 - alpha) * np.array([255, 0, 0])
     assert red(picture).sum() > 500
     assert close(pixel(picture, inside), wanted_, 4)
@@ -209,13 +212,70 @@ def test_the_ground_is_cut_deeper_only_if_the_water_is_clear_enough_to_show_it()
     assert hidden >= 253, "what is cut must not show"
 
 
+# Fog and ripples.
+
+
+def test_the_fog_leaves_a_part_of_the_seas_colour_at_the_horizon() -> None:
+    grid = grid_at(Pose(20.0, 2.0, 20.0, 0.0, -5.0))
+    for power in (1, 2):
+        depths = fog_depths(grid, 0.3, 0.25, power).reshape(grid.x.shape)
+        clear = np.exp(-((0.3 * depths) ** power))
+        assert clear.min() == pytest.approx(0.25, abs=0.02)
+        near = grid.sight[:, 0] < 0.5
+        assert np.allclose(depths[near], grid.sight[near], rtol=0.02)
+        assert (np.diff(depths[:, 0]) <= 0).all()
+
+
+def test_the_horizon_stands_out_from_the_fog_and_other_elements_keep_theirs(
+    stage: Stage, plain: Assets
+) -> None:
+    common = {**CALM, "fog.density": 0.5, "water.color": (0.0, 0.0, 0.0, 1.0), "water.horizon": 60}
+    at = project(POSE, (20.0, LEVEL, -20.0))
+    shades = []
+    for least in (0.0, 0.4):
+        settings = small({**WHITE_LIGHT, **common, "water.horizon_contrast": least})
+        sea = Sea(settings, plain, beach())
+        with stage.frame(settings, POSE, fog=True) as frame:
+            sea.draw(frame)
+            shades.append(pixel(stage.read(), at))
+            assert gl.glGetIntegerv(gl.GL_FOG_COORD_SRC) == gl.GL_FRAGMENT_DEPTH
+        sea.release()
+    assert close(shades[0], BACKGROUND, 2)
+    assert close(shades[1], 0.6 * BACKGROUND, 8)
+
+
+def test_ripples_vary_what_the_water_mirrors_at_each_pixel(stage: Stage) -> None:
+    base = {"water.color": (0.0, 0.0, 0.4, 0.5), "water.animated": False}
+    spreads = []
+    for strength in (0.0, 1.0):
+        picture = drawn(stage, Assets(), {**base, "water.ripples": strength})[0]
+        spreads.append(picture[-30:, :, 0].astype(float).std())
+    assert spreads[1] > 2 * spreads[0]
+
+
+def test_the_fine_layer_has_a_mean_of_one_half_and_fades_in_its_mip_levels() -> None:
+    picture = np.random.default_rng(1).integers(60, 200, (64, 64, 3)).astype(np.uint8)
+    levels = fine_ripples(picture)
+    assert [level.shape[0] for level in levels] == [64, 32, 16, 8, 4, 2, 1]
+    assert all(abs(level.mean() - 127.5) < 2 for level in levels)
+    assert levels[0].std() > 10 and np.ptp(levels[-2]) <= 1
+    lean = leaning(picture, 1.0)
+    light = picture.mean(axis=2)
+    assert (lean[..., :3] == picture).all()
+    assert np.corrcoef(lean[..., 3].ravel(), light.ravel())[0, 1] > 0.99
+
+
 # State and settings.
 
 
 def test_all_switches_at_once_leave_the_state_as_found_and_no_object(
     stage: Stage, plain: Assets
 ) -> None:
-    settings = small(dict.fromkeys(BETTER, True) | {"water.glitter": 0.4})
+    settings = small(
+        dict.fromkeys(BETTER, True)
+        | {"water.glitter": 0.4, "water.ripples": 0.5}
+        | {"water.horizon_contrast": 0.3, "water.foam": True}
+    )
     before = live_names()
     sea = Sea(settings, plain, beach())
     for pose in (POSE, Pose(20, 4, 20, 10, -90), Pose(20, 1, 20, 0, 60)):
@@ -248,6 +308,8 @@ def test_a_sea_draws_applied_settings_as_if_built_from_them(stage: Stage, plain:
         {"water.level": 0.7},
         {"water.shallow": True},
         {"water.glitter": 0.3},
+        {"water.ripples": 0.5},
+        {"water.foam": True},
         {"water.trilinear": False},
         {"water.lod_bias": -1.0},
     ],

@@ -56,13 +56,11 @@ def test_flat_water_looks_up_its_own_place_and_a_tilt_moves_it_by_twice_the_angl
     grid = grid_at(Pose(20, 1.6, 30, 0, -20))
     flat, y = np.zeros(grid.x.shape, np.float32), np.full(grid.x.shape, LEVEL, np.float32)
     own = np.stack([grid.x.ravel(), y.ravel(), grid.z.ravel()], axis=1)
-    near = grid.ring < 5
-    places = waves.mirror_places(grid, y, flat, flat)
-    apart = np.abs(places - own).max(axis=1).reshape(grid.x.shape)
-    assert apart[near].max() < 1e-3
+    assert np.allclose(waves.mirror_places(grid, y, flat, flat), own, atol=1e-5)
     # All facets lean to the viewer, who looks north: height grows with -z in the middle column.
     lean = waves.mirror_places(grid, y, flat, flat - 0.01).reshape(*grid.x.shape, 3)
     column = int(np.argmin(np.abs(grid.east)))
+    near = grid.ring < 5
     away = np.hypot(grid.ring, grid.height)[near]
     sunk = lean[near, column, 1] - LEVEL
     assert np.allclose(sunk / away, -2 * waves.MIRRORED * 0.01, rtol=0.01)
@@ -76,7 +74,9 @@ def test_a_facet_that_leans_towards_the_viewer_reflects_less() -> None:
     grid = grid_at(POSE)
     flat = np.zeros(grid.x.shape, np.float32)
     away = np.hypot(grid.ring, grid.height)
-    assert np.allclose(waves.facing(grid, flat, flat)[:, 3], grid.height / away, atol=1e-4)
+    level = waves.facing(grid, flat, flat)[:, 3]
+    assert np.allclose(level[grid.ring < 0.3], (grid.height / away)[grid.ring < 0.3], atol=1e-3)
+    assert level[0] > waves.ROUGH / 2, "of the far sea one sees facets that lean towards the eye"
     leaning = waves.facing(grid, 0.05 * np.broadcast_to(grid.east, flat.shape), 0.05 * grid.south)
     assert (leaning >= waves.facing(grid, flat, flat)).all()
 
@@ -85,7 +85,9 @@ def test_the_water_is_more_opaque_from_above_than_at_a_grazing_angle() -> None:
     cosine = np.array([1.0, math.sqrt(0.5), 0.3, 0.0])
     alpha = waves.opacity(cosine, 0.8)
     assert alpha[0] == pytest.approx(0.8)
-    assert alpha[1] == pytest.approx(0.8 * (1 - waves.CLEARED * (1 - math.sqrt(0.5)) ** 3))
+    assert alpha[1] == pytest.approx(
+        0.8 * (1 - waves.CLEARED * (1 - math.sqrt(0.5)) ** waves.FRESNEL_POWER)
+    )
     assert alpha[3] == pytest.approx(0.8 * (1 - waves.CLEARED))
     assert (np.diff(alpha) < 0).all()
 
@@ -94,3 +96,26 @@ def test_rows_of_the_sea_that_are_very_far_apart_have_no_waves_and_overflow_noth
     # From an eye 10^8 units high; pytest turns a warning of overflow into an error.
     slopes = waves.damped_slopes(np.array([0.01, 1e9, 1e30], np.float32))
     assert np.isfinite(slopes).all() and slopes[..., 0].any() and not slopes[..., 1:].any()
+
+
+def test_no_wave_moves_the_mirror_image_by_as_much_as_a_fold() -> None:
+    grid = grid_at(Pose(20, 0.71, 30, 0, -8))
+    moved = waves.unfolded(grid)
+    assert moved.shape == (len(waves.WAVES), len(grid.ring)) and (moved <= 1).all()
+    assert (moved > 0.9).any() and (moved < 0.1).any()
+    # One wave alone, straight ahead: the image may be compressed, but its order stays.
+    depression = np.linspace(0.03, 0.5, 4000)
+    ring = grid.height / np.tan(depression)
+    for number, steep, wave in zip(waves.NUMBERS, waves.STEEP, moved, strict=True):
+        slope = np.interp(ring, grid.ring[::-1], wave[::-1]) * steep
+        shift = 2 * waves.MIRRORED * slope * np.cos(number * ring)
+        assert (np.diff(depression + shift) > 0).mean() > 0.97
+
+
+def test_the_factors_of_the_movement_weigh_the_slopes_of_each_wave() -> None:
+    grid = grid_at()
+    ones = np.ones((len(waves.WAVES), len(grid.ring)), np.float32)
+    _, slope_x, slope_z, same_x, same_z = waves.waves(grid.x, grid.z, grid.cell, 0.3, ones)
+    assert np.allclose(slope_x, same_x) and np.allclose(slope_z, same_z)
+    none = waves.waves(grid.x, grid.z, grid.cell, 0.3, 0 * ones)
+    assert (none[3] == 0).all() and (none[1] == slope_x).all()

@@ -14,6 +14,9 @@ from landscape.geometry.mesh import grid_triangles
 
 AZIMUTH_STEP = np.radians(2.0)  # chosen: angle between two lines of the grid, across
 DEPRESSION_STEP = np.radians(0.6)  # chosen: and downwards
+# Chosen: more lines between the horizon and the first one below it, as fractions of that angle:
+# there a step of one line is most of the way to the horizon.
+FAR_LINES = (0.12, 0.3, 0.6)
 MAX_LINES = 160  # chosen: lines across, and downwards; wider views take steps twice as large
 BELOW_WINDOW = 0.06  # chosen: radians that the grid extends below the window, for wave troughs
 MIN_HEIGHT = 0.02  # chosen: units above the water of the lowest eye that a grid is made for
@@ -84,6 +87,9 @@ def eye_grid(frame: Frame, level: float, reach: float) -> "EyeGrid | None":
     depression = grid_lines(angles[2], lowest, every * DEPRESSION_STEP)
     step = float(depression[1] - depression[0])
     depression = np.clip(depression, horizon, np.pi / 2 - 1e-3)
+    if depression[0] == horizon:
+        far = horizon + np.array(FAR_LINES) * (depression[1] - horizon)
+        depression = np.concatenate([depression[:1], far, depression[1:]])
     return EyeGrid(frame, height, azimuth, depression, step)
 
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from landscape.elements.best.sea.eye_grid import EyeGrid
 
-FRESNEL_POWER = 3.0  # chosen: Schlick has 5, but a rough sea mirrors strongly at steeper angles
-CLEARED = 0.9  # chosen: fraction of its opacity that the water loses at a grazing angle
+FRESNEL_POWER = 2.4  # chosen: Schlick has 5, but a rough sea mirrors strongly at steeper angles
+CLEARED = 0.94  # chosen: fraction of its opacity that the water loses at a grazing angle
 
 # Chosen: waves as length in units, direction in radians (the wind blows to 0.5), and slope.
 WAVES = np.array(
@@ -31,8 +31,8 @@ DAMPED = 0.02  # chosen: fraction of its slope below which a wave is left out
 MIRRORED = 0.6  # chosen: fraction of a ripple's tilt that moves the mirror image; 1 is a rough sea
 FOLD = 0.45  # chosen: how far one wave may compress the mirror image; at 1 it would begin to fold
 CALM = 0.8  # chosen: how far towards the horizon a ripple may move the image, as a fraction
-ROUGH = 0.09  # chosen: radians above the horizon that the far sea mirrors: facets that lean to us
-ROUGH_FROM = 30.0  # chosen: units away at which half of that is reached
+ROUGH = 0.2  # chosen: slope towards the eye of the facets that one sees of the far sea
+ROUGH_FROM = 14.0  # chosen: units away at which half of that is reached
 
 
 def opacity(cosine: np.ndarray, alpha: float) -> np.ndarray:
@@ -128,13 +128,10 @@ def mirror_places(
 
     A mirror tilted by a slope turns the ray by twice that angle. Along the line of sight this
     moves the image up or down by that angle; across it, by the fraction height / distance of it.
-    Of far water one sees the sides of waves that lean towards the eye: it mirrors a higher sky.
     """
     along = slope_x * grid.east + slope_z * grid.south
     across = slope_x * -grid.south + slope_z * grid.east
-    far = np.square(np.square(grid.ring[:, None] / np.float32(ROUGH_FROM)))
-    lean = np.float32(ROUGH) * far / (far + np.float32(1.0))
-    up = np.minimum((-2.0 * MIRRORED * along - lean) * grid.sight, CALM * grid.height)
+    up = np.minimum(-2.0 * MIRRORED * along * grid.sight, CALM * grid.height)
     aside = -2.0 * MIRRORED * across * np.float32(grid.height)
     out = np.empty((grid.x.size, 3), np.float32)
     out[:, 0] = (grid.x - aside * grid.south).ravel()
@@ -144,6 +141,11 @@ def mirror_places(
 
 
 def facing(grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
-    """Return the cosine of the angle between each facet's normal and the view, (rows, columns)."""
+    """Return the cosine of the angle between each facet's normal and the view, (rows, columns).
+
+    Of far waves, too short for the grid, one sees the sides that lean towards the eye.
+    """
     along = slope_x * grid.east + slope_z * grid.south
+    far = np.square(grid.ring[:, None])
+    along += np.float32(ROUGH) * far / (far + np.float32(ROUGH_FROM**2))
     return np.clip((grid.height + along * grid.ring[:, None]) / grid.sight, 0.0, 1.0)

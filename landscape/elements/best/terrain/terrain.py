@@ -2,7 +2,8 @@
 
 With ``ground.materials`` turf, sand and rock each have their own detail texture, mixed in four
 texture units (materials.py), and the shore has its colours where it is drawn (shore.py). With
-``ground.tiles`` above 1 the mesh is cut into square display lists (tiles.py); those outside the
+``ground.wet`` it is darker where waves reach (wet.py). With ``ground.tiles`` above 1 the mesh is
+cut into square display lists (tiles.py); those outside the
 view frustum are not called, and the mirror image uses coarser ones. With ``ground.low_stretch``
 details keep their scale on slopes; with ``ground.shadows`` the shadows of what stands on the ground
 are baked into the large texture (shadows.py); ``water.caustics`` lays a net of light over the bed
@@ -25,6 +26,7 @@ from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
+from landscape.elements.best.terrain.wet import dampened, wet_texels
 from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
@@ -67,6 +69,8 @@ class Terrain(Ground):
         self._mixed = ground.materials and ground.units == "both"
         self._drawn = self._with_shore(ground, assets) if self._mixed else self.large
         self._painted = self._materials(ground, assets) if self._mixed else self.large
+        if ground.wet and self._mixed:
+            self._painted = self._dampened(self._painted)
         self._splat = self._texture(self._painted, repeat=False)
         detail = partial(self._detail, assets)
         if self._mixed:
@@ -117,6 +121,13 @@ class Terrain(Ground):
             lambda: (textured(large, pattern, repeat, turf),),
         )
         return np.concatenate([colours, turf], axis=2)
+
+    def _dampened(self, painted: np.ndarray) -> np.ndarray:
+        """Return the colours, darker along the shore, see wet.py."""
+        field, side = self.field, len(painted)
+        what = repr((field.size, field.water_level, field.heights.shape, field.exact, side))
+        found = recall(["wet", what, field.heights.tobytes()], lambda: wet_texels(field, side))
+        return dampened(painted, *found)
 
     @staticmethod
     def built_from(settings: Settings) -> tuple[object, ...]:
