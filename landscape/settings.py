@@ -941,6 +941,15 @@ class Rabbit:
     painted: bool = setting(
         False, "chosen", "vertex colours from the mesh file, if it has any", needs=("rabbit",)
     )
+    fur: int = setting(
+        0,
+        "chosen",
+        "layers of fur around the rabbit, and a glint in its eyes; 0 is neither",
+        0,
+        32,
+        unit="layers",
+        needs=("rabbit",),
+    )
 
 
 @dataclass(frozen=True)
@@ -1214,6 +1223,7 @@ BEST: dict[str, Value] = {
     "grass.gusts": 1.0,
     "rabbit.mapping": "axis",
     "rabbit.painted": True,
+    "rabbit.fur": 7,
     "dragon.mapping": "axis",
     "dragon.painted": True,
     "dragon.gloss": 0.5,

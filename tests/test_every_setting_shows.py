@@ -172,6 +172,7 @@ SHOTS = {
         GROUPS["grass"], settings={"grass.sward": True, "grass.scale": (0.5, 1.5)}, value=1.0
     ),
     "castle.flame_faces": of_fix("R2", only=("castle",)),
+    "rabbit.fur": replace(GROUPS["rabbit"], settings={"rabbit.scale": 0.3}, value=6),
     "dragon.repeat": replace(GROUPS["dragon"], settings={"dragon.mapping": "axis"}),
     "dragon.sink": replace(GROUPS["dragon"], value=0.5),
     "overlay.sheen": replace(GROUPS["overlay"], stroke=0),

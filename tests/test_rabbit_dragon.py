@@ -9,8 +9,10 @@ from stage import PLAIN, Stage, close, pixel, project, small, write_ply
 
 from landscape.elements.animal import COLOR, read_animal
 from landscape.elements.best.animals.axis_mapping import by_axis
+from landscape.elements.best.animals.fine_animal import read_painted
 from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
+from landscape.elements.best.animals.fur import glints, hair_lengths, laid, shells
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.rabbit import Rabbit, cylindrical
 from landscape.files.assets import Assets
@@ -290,3 +292,45 @@ def test_the_settings_choose_the_class_of_an_animal() -> None:
         assert dragon_class(small({f"dragon.{key}": value})) is FineDragon
     assert rabbit_class(small({"camera.lod_pixels": 0.1})) is FineRabbit
     assert dragon_class(small({"dragon.gloss": 0.1})) is FineDragon
+
+
+# Fur
+
+
+def test_shells_of_fur_lie_outside_each_other_and_leave_eyes_and_feet_short(
+    shipped: Assets,
+) -> None:
+    skin = laid(read_painted(shipped, "rabbit.ply", "key", True))
+    every = shells(skin, 5)
+    away = [np.linalg.norm(shell.vertices - skin.vertices, axis=1) for shell in every]
+    assert (np.diff(away, axis=0) >= -1e-6).all() and away[-1].max() > 0.03
+    lengths, eye = hair_lengths(skin), skin.colors[:, :3].mean(axis=1) < 50
+    assert eye.any() and (lengths[eye] < 0.05).all()
+    assert lengths[skin.vertices[:, 1] < -0.85].mean() < 0.5 < np.median(lengths)
+
+
+def test_each_eye_of_a_painted_rabbit_has_a_glint_and_an_unpainted_one_has_none(
+    shipped: Assets,
+) -> None:
+    mesh = read_painted(shipped, "rabbit.ply", "key", True)
+    discs = glints(mesh)
+    assert len(discs) == 2 and discs[0, :, 2].mean() > 0 > discs[1, :, 2].mean()
+    assert len(glints(read_painted(shipped, "rabbit.ply", "key", False))) == 0
+
+
+def test_fur_makes_the_outline_ragged_near_by_and_is_not_drawn_far_away(
+    stage: Stage, shipped: Assets
+) -> None:
+    def differing(z: float) -> int:
+        pictures = []
+        for fur in (0, 6):
+            settings = small({**LIT, "rabbit.painted": True, "rabbit.fur": fur})
+            rabbit = made("rabbit", settings, shipped)
+            with stage.frame(settings, Pose(20.0, 2.5, z, 0.0, 0.0)) as frame:
+                rabbit.draw(frame)
+                pictures.append(stage.read())
+            rabbit.release()
+        return int((np.abs(pictures[0] - pictures[1]).max(axis=2) > 12).sum())
+
+    assert differing(21.0) > 100
+    assert differing(60.0) == 0

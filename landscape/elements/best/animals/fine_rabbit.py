@@ -1,20 +1,24 @@
-"""The rabbit of the preset `best`: mapped along axes (R12), painted, with levels of detail."""
+"""The rabbit of the preset `best`: mapped along axes (R12), painted, furry, in levels of detail."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
+from landscape.elements.best.animals.fur import Fur
 from landscape.elements.ground import Ground
 from landscape.elements.rabbit import Rabbit, cylindrical, rabbit_obstacles, standing
-from landscape.elements.sun import direction, painted
+from landscape.elements.sun import direction, lit, painted
 from landscape.files.assets import Assets
 from landscape.files.cache import content
+from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import gl
+from landscape.gl.state import attrib, front_faces, matrix
 from landscape.settings import Settings
 
 SHADED = 0.3  # chosen: fraction of the sun that is left to what rises out of a shadow
@@ -23,14 +27,15 @@ SHADED = 0.3  # chosen: fraction of the sun that is left to what rises out of a 
 def rabbit_class(settings: Settings) -> type[Rabbit] | type["FineRabbit"]:
     """Return the class whose rabbit these settings describe."""
     rabbit = settings.rabbit
-    fine = rabbit.mapping == "axis" or rabbit.painted or settings.camera.lod_pixels > 0.0
-    return FineRabbit if fine else Rabbit
+    fine = rabbit.mapping == "axis" or rabbit.painted or rabbit.fur > 0
+    return FineRabbit if fine or settings.camera.lod_pixels > 0.0 else Rabbit
 
 
 class FineRabbit(FineAnimal):
     """The rabbit, on the ground."""
 
     _sunny = 1.0
+    _fur: Fur | None = None
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the mesh and its colours, make its levels and place it on the ground."""
@@ -42,10 +47,12 @@ class FineRabbit(FineAnimal):
                 return by_axis(mesh, rabbit.l2)
             return replace(mesh, coordinates=(cylindrical(mesh.vertices, rabbit.l1, rabbit.l2),))
 
-        source = content(assets.path(rabbit.mesh)), repr(rabbit)
+        source = content(assets.path(rabbit.mesh)), repr(replace(rabbit, fur=0))
         place = standing(rabbit, mesh, field)
         super().__init__(settings, assets, mesh, lay, source, place, rabbit.yaw, rabbit.scale)
         self._obstacles = rabbit_obstacles(rabbit, field)
+        if rabbit.fur:
+            self._fur = Fur(mesh, repr(source), rabbit.scale, rabbit.fur)
 
     @staticmethod
     def built_from(settings: Settings) -> tuple[object, ...]:
@@ -59,6 +66,32 @@ class FineRabbit(FineAnimal):
         shade, full = np.array(sun.shade), painted(sun, float(direction(sun)[1]))
         if sun.relit:
             self._sunny = float(np.clip(((found - shade) / (full - shade)).min(), 0.0, 1.0))
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the skin, and then the fur in the same place and light."""
+        super().draw(frame)
+        if self._fur is None or (self._settings.camera.cull and not self.visible(frame)):
+            return
+        away = max(math.dist(frame.eye, self._middle(frame)), self._settings.camera.near)
+        seen = self._fur.seen(frame.pixels / away)
+        if not seen:
+            return
+        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
+        with matrix(), attrib(groups):
+            gl.glTranslatef(*self._place)
+            gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
+            lit(self._settings.shading)
+            self._set_material()
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            with front_faces(self._closed and self._settings.camera.cull):
+                self._fur.draw(seen)
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    def release(self) -> None:
+        """Delete lists and textures; may be called twice."""
+        super().release()
+        if self._fur:
+            self._fur.release()
 
     def _set_material(self) -> None:
         """Dim the sun as well, where the rabbit is in a shadow; GL_LIGHTING_BIT restores it."""
