@@ -8,12 +8,12 @@ import pytest
 from PIL import Image
 
 from landscape.errors import InputError
-from landscape.flyover import filled, frame, ground, march, sunlight
+from landscape.flyover import blending, close_up, filled, frame, ground, march, sunlight
 from landscape.flyover.camera import Camera, Frustum, camera_transform
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.noise import noise
+from landscape.flyover.reflection import reflection
 from landscape.flyover.settings import Flyover, Settings
-from landscape.flyover.shores import PLACES, STRIDE, shores
 from landscape.keys import with_settings
 
 SIZE = (160, 120)
@@ -271,19 +271,50 @@ def test_pictures_of_any_size_and_from_anywhere_can_be_drawn(size: tuple[int, in
         assert drawn.counts["pixels"] == size[0] * size[1]
 
 
-def test_water_mirrors_the_land_behind_it_and_none_from_where_it_is_low() -> None:
-    # One column: water, then from step 60 on a wall 12 high, as far as one sees.
+def test_water_mirrors_the_land_behind_it_as_an_eye_below_the_water_sees_it() -> None:
+    # Each column: a beach, water, a wall, water again, and a higher wall; the last has no land.
     distances = np.arange(1, 181, dtype=np.float32)
-    land = np.zeros((180, 8), np.float32)
-    land[60:, :4] = 12.0
-    found = shores(land, distances)
-    step = STRIDE * PLACES
-    for place in range(60 // step):
-        away = 60 - place * step
-        slope = found.slope[place, 0]
-        assert 12 / (away + STRIDE) <= slope <= 12 / max(away - STRIDE, 1), place
-        assert abs(found.shore[place, 0] - 60) <= STRIDE >= abs(found.crest[place, 0] - 60)
-    assert not found.slope[:, 1].any()
+    land = np.zeros((180, 16), np.float32)
+    land[:10, :8], land[60:80, :8], land[140:, :8] = 1.0, 12.0, 40.0
+    eye = 3.0
+    found = reflection(land - eye, distances, eye, 0.7, 0.002)
+    assert found is not None and found.lift == 2 * eye
+    tops = {wall: (land[wall, 0] + eye) / distances[wall] for wall in (60, 140)}
+    for water in (20, 100):
+        for up in np.linspace(eye / (water + 1), 0.6, 30):
+            if min(abs(up - top) for top in tops.values()) > 0.01:
+                wall = min((w for w, top in tops.items() if w > water and up < top), default=180)
+                for column, there in ((0, wall), (12, 180)):
+                    ray = (np.array([each]) for each in (water, column, up))
+                    assert min(found.seen(*ray)[0], 180) == there, (water, up, column)
+    assert reflection(land + 1, distances, eye, 0.7, 0.002) is None
+
+
+def test_close_to_the_eye_texels_and_their_parts_of_rock_are_blended_but_not_with_water() -> None:
+    colour, wet, cliff = np.zeros((8, 8, 3)), np.zeros((8, 8)), np.zeros((8, 8))
+    colour[:, 2], cliff[:, 2], wet[:, 6] = 1.0, 1.0, 1.0
+    picture = ground.pyramid(colour, wet, cliff, 8.0)
+    x, y = np.array([1.5, 1.75, 2.0, 2.5, 5.9, 6.1], np.float32), np.full(6, 3.5, np.float32)
+    own = picture.texels[:64].reshape(8, 8)[3, x.astype(int)]
+    found = close_up.between(picture, x, y, own).view(np.uint8).reshape(-1, 4)
+    assert np.abs(found[:4, 0] - np.array([0, 64, 128, 255])).max() <= 2
+    assert np.abs(found[:4, 3] - np.array([0, 32, 64, 127])).max() <= 2
+    assert (found[4:, 3] == [0, 255]).all()
+
+
+def test_packed_colours_are_blended_byte_by_byte() -> None:
+    random = np.random.default_rng(8)
+    corners = random.integers(0, 1 << 32, (4, 500), np.uint32)
+    u, v = random.integers(0, 256, (2, 500), np.uint32)
+    bytes_ = corners.view(np.uint8).reshape(4, 500, 4).astype(float)
+    x, y = u[:, None] / 256, v[:, None] / 256
+    upper, lower = (bytes_[k] * (1 - x) + bytes_[k + 1] * x for k in (0, 2))
+    between = blending.between_four(tuple(corners.copy()), u.copy(), v.copy())
+    found = between.view(np.uint8).reshape(500, 4)
+    assert np.abs(found - (upper * (1 - y) + lower * y)).max() < 2.5
+    mixed = blending.blend(corners[0], corners[1], u).view(np.uint8).reshape(500, 4)
+    assert np.abs(mixed[:, :3] - (bytes_[0] * (1 - x) + bytes_[1] * x)[:, :3]).max() <= 1
+    assert not mixed[:, 3].any()
 
 
 def test_a_wall_behind_water_is_mirrored_in_it(red: str) -> None:

@@ -81,16 +81,21 @@ def pixels(
     pixel's place in the picture, ``row * width + column``, and the line that it belongs to. The
     pixels of one line are together and in order, but not always from its start.
     """
-    none = np.zeros((1, 2, 0), np.int64)
-    found = [*none, *chunks(x0, y0, x1, y1, size)]
-    place, owner = (np.concatenate(each) for each in zip(*found, strict=True))
-    return place, owner
+    place, owner = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)]
+    for x, y, index, _ in chunks(x0, y0, x1, y1, size):
+        place.append(y.astype(np.int64) * size[0] + x)
+        owner.append(index)
+    return np.concatenate(place), np.concatenate(owner)
 
 
 def chunks(
     x0: np.ndarray, y0: np.ndarray, x1: np.ndarray, y1: np.ndarray, size: tuple[int, int]
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Yield what :func:`pixels` returns, some CHUNK pixels at a time, of whole lines."""
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bool]]:
+    """Yield the pixels of lines, see :func:`pixels`, some CHUNK at a time, of whole lines.
+
+    They are columns, rows, the lines they belong to, and whether these lines are longer along the
+    rows of the picture than along its columns.
+    """
     width, height = size
     steep = np.abs(y1 - y0) > np.abs(x1 - x0)
     for along_x in (True, False):
@@ -103,11 +108,8 @@ def chunks(
         for part in divided(runs):
             near = (np.maximum(np.abs(part.u), np.abs(part.v)) + part.du).max() < NEARBY
             major, minor = fast_steps(part) if near else steps(part)
-            if along_x:
-                minor *= width
-            else:
-                major *= width
-            yield np.add(major, minor, out=major), np.repeat(part.index, part.count)
+            x, y = (major, minor) if along_x else (minor, major)
+            yield x, y, np.repeat(part.index, part.count), along_x
 
 
 def divided(runs: Runs) -> Iterator[Runs]:
@@ -197,10 +199,11 @@ def fast_steps(runs: Runs) -> tuple[np.ndarray, np.ndarray]:
     all pixels; k is what it exceeds the number ``before`` the line by.
     """
     before = np.cumsum(runs.count) - runs.count - runs.first
+    counted = np.arange(int(runs.count.sum()))
     major = np.repeat(runs.u - before, runs.count)
-    major += np.arange(len(major))
+    major += counted
     minor = np.repeat(runs.slope, runs.count)
-    minor *= np.arange(len(major), dtype=np.float64)
+    minor *= counted
     minor += np.repeat(runs.start - runs.slope * before, runs.count)
     # On the screen v is not negative, so that rounding towards 0 is rounding down.
     return major, minor.astype(np.int64)

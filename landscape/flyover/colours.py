@@ -121,6 +121,7 @@ class Ink:
         self.palette, self.visible = palette, visible
         self.lowest, self.relief = field.lowest, max(field.highest - field.lowest, 1e-6)
         self.marks = np.full(size[0] * size[1], NOTHING)
+        self.drawn: list[np.ndarray] = []
 
     def of(self, lines: Lines, height: np.ndarray) -> np.ndarray:
         """Return the marks of lines, uint32 (n,); ``height`` (m,) are the heights of vertices."""
@@ -135,11 +136,13 @@ class Ink:
     def draw(self, at: np.ndarray, mark: np.ndarray) -> None:
         """Draw pixels (n,) of lines: their places in the picture, and the lines' marks."""
         np.minimum.at(self.marks, at, mark)
+        self.drawn.append(at)
 
     def on(self, background: np.ndarray) -> np.ndarray:
         """Return a picture, uint32 (height, width), with the lines drawn on it."""
-        drawn = np.flatnonzero(self.marks != NOTHING)
-        entry = self.marks.take(drawn)
-        entry &= np.uint32((1 << ENTRY_BITS) - 1)
-        background.ravel()[drawn] = shades(self.palette).ravel().take(entry)
+        table, picture = shades(self.palette).ravel(), background.ravel()
+        for at in self.drawn:
+            entry = self.marks.take(at)
+            entry &= np.uint32((1 << ENTRY_BITS) - 1)
+            picture[at] = table.take(entry)
         return background

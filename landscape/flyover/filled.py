@@ -14,24 +14,27 @@ neither the point below the eye nor the one above it is close to the picture; st
 import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import cache
+from threading import Lock
 
 import numpy as np
 
 from landscape.flyover import march, shade
+from landscape.flyover.blending import OPAQUE, blend
 from landscape.flyover.camera import Camera, Frustum, frustum
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.look import look
+from landscape.flyover.reflection import Reflection, reflection
 from landscape.flyover.settings import Settings
-from landscape.flyover.shores import shores
 
 LEAST = 0.25  # how far the picture stays from the point below the eye, chosen; 0 touches it
-BAND = 48  # rows coloured together, chosen: their arrays fit into the processor's cache
-LOW = 0.01  # height of land that water does not mirror, chosen
+BAND = 96  # rows coloured together, chosen: with fewer, threads wait for each other too often
 # Units, chosen. The eye stays so far above water, and is lifted smoothly from twice that height.
 AFLOAT = 1.5
 BEFORE = 1 / 64  # distance of the first step, pixels of the height image, chosen
 RIDGE = 1.1  # what is behind a ridge is this many times as far away at least, chosen
 LONGEST = 4.0  # steps in the middle distance, pixels of the height image, chosen
+WAVY = 0.15  # how much steeper ripples make mirrored rays, chosen
 WORKERS = 2  # chosen: numpy releases Python's lock, so two threads use two cores
 
 
@@ -164,15 +167,30 @@ def draw(
     heights = np.empty((len(path.distances), len(rays.lateral)), np.float32)
     filled = np.empty((len(rays.slopes), len(rays.lateral)), np.int16)
     eye, mirror = (camera.x, camera.y, camera.z), settings.flyover.mirror
+    together = -(-len(rays.lateral) // WORKERS)
 
     def columns(first: int) -> None:
-        part = slice(first, first + march.BLOCK)
-        block = np.empty((len(heights), len(rays.lateral[part])), np.float32)
-        march.walk(field, path, eye, directions[:, part], seen.sea, ours.smooth, mirror, block)
-        heights[:, part] = block
-        filled[:, part] = march.filled_by(
-            rows_of(block, path.distances[:, None], rays), len(filled)
+        part = slice(first, first + together)
+        march.walk(
+            field, path, eye, directions[:, part], seen.sea, ours.smooth, mirror, heights[:, part]
         )
+        tops = np.empty(heights[:, part].shape, np.float32)
+        for begin, end, _ in path.runs:
+            steps = slice(begin, end)
+            tops[steps] = rows_of(heights[steps, part], path.distances[steps, None], rays)
+        filled[:, part] = march.filled_by(tops, len(filled))
+
+    @cache
+    def image() -> Reflection | None:
+        steepest = max(-float(rays.slopes[-1]), 0.0) + WAVY
+        return reflection(heights, path.distances, camera.z - seen.sea, steepest, rays.row_of[1])
+
+    lock = Lock()
+
+    def mirrored() -> Reflection | None:
+        # Only if a band of the picture has water is there a mirror image, which all bands share.
+        with lock:
+            return image()
 
     picture = np.empty((height, width), np.uint32)
 
@@ -180,32 +198,40 @@ def draw(
         # One row more: ridges are blended with what is above them.
         part = slice(max(first - 1, 0), min(first + BAND, height))
         at, column, slope, lateral = pixels(rays, part, filled.shape)
-        colours = colouring.band(at, column, slope, lateral)
+        step = filled.ravel().take(at)
+        colours = colouring.band(step, column, slope, lateral)
         if ours.edges and ours.smooth:
-            blend_edges(colours, at, scene, rays)
+            blend_edges(colours, at, step, behind, scene, rays)
         picture[first : part.stop] = colours[first - part.start :]
 
     with ThreadPoolExecutor(WORKERS) as pool:
-        list(pool.map(columns, range(0, len(rays.lateral), march.BLOCK)))
-        # Rounding must not make land of water.
-        land = np.maximum(heights - np.float32(seen.sea - camera.z + LOW), 0)
-        banks = shores(land, path.distances) if ours.reflection else None
-        scene = shade.Scene(heights, filled, path.distances, forward[:, 0], right[:, 0], eye, banks)
+        list(pool.map(columns, range(0, len(rays.lateral), together)))
+        scene = shade.Scene(
+            heights, filled, path.distances, forward[:, 0], right[:, 0], eye, mirrored
+        )
+        behind = np.searchsorted(path.distances, RIDGE * path.distances, "right")
+        behind = np.append(behind, len(heights) + 1).astype(np.int16)
         colouring = shade.Colouring(scene, seen, settings, rays.lateral, rays.pixel)
         list(pool.map(rows, range(0, height, BAND)))
     counts = {"columns": heights.shape[1], "steps": len(heights), "pixels": picture.size}
     return picture.view(np.uint8).reshape(height, width, 4), counts
 
 
-def blend_edges(colours: np.ndarray, at: np.ndarray, scene: shade.Scene, rays: View) -> None:
+def blend_edges(
+    colours: np.ndarray,
+    at: np.ndarray,
+    step: np.ndarray,
+    behind: np.ndarray,
+    scene: shade.Scene,
+    rays: View,
+) -> None:
     """Blend ridges with what is above them, in place, by how much of their pixel they cover.
 
-    ``colours`` (n, w) are rows of the picture, and ``at`` their places in the scene.
+    ``colours`` (n, w) are rows of the picture, ``at`` and ``step`` their places in the scene and
+    what they show there. ``behind`` (s + 1,) is the first step that is behind a ridge at a step.
     """
     columns = scene.filled.shape[1]
-    step = scene.filled.ravel().take(at)
-    away = np.append(scene.distances, np.float32(np.inf)).take(step)
-    ridge = np.flatnonzero(away[:-1] > RIDGE * away[1:]) + at.shape[1]
+    ridge = np.flatnonzero(step[:-1] >= behind.take(step[1:])) + at.shape[1]
     if not len(ridge):
         return
     row, column = np.divmod(at.ravel()[ridge], columns)
@@ -214,7 +240,7 @@ def blend_edges(colours: np.ndarray, at: np.ndarray, scene: shade.Scene, rays: V
     top = rows_of(heights[None, :], scene.distances[its], rays)[0]
     covered = (np.clip(row - top, 0, 1) * 256).astype(np.uint32)
     flat = colours.ravel()
-    flat[ridge] = shade.blend(flat[ridge - at.shape[1]], flat[ridge], covered) | shade.OPAQUE
+    flat[ridge] = blend(flat[ridge - at.shape[1]], flat[ridge], covered) | OPAQUE
     colours[:] = flat.reshape(colours.shape)
 
 
@@ -229,21 +255,26 @@ def pixels(
     rows, columns = shape
     up = rays.up[part]
     if rays.level:
-        column = np.broadcast_to(np.arange(columns), (len(up), columns))
-        at = np.arange(part.start, part.stop)[:, None] * columns + column
+        column = np.broadcast_to(np.arange(columns, dtype=np.int32), (len(up), columns))
+        at = np.arange(part.start, part.stop, dtype=np.int32)[:, None] * columns + column
         slope = np.broadcast_to(rays.slopes[part, None], at.shape)
         return at, column, slope, np.broadcast_to(rays.lateral, at.shape)
-    sin, cos = np.float32(math.sin(rays.roll)), np.float32(math.cos(rays.roll))
-    y = cos * rays.across - sin * up[:, None]
-    z = sin * rays.across + cos * up[:, None] if rays.roll else up[:, None]
+    # Without a roll these are the same all along a row of the picture.
+    y, z = rays.across, up[:, None]
+    if rays.roll:
+        sin, cos = np.float32(math.sin(rays.roll)), np.float32(math.cos(rays.roll))
+        y, z = cos * y - sin * z, sin * y + cos * z
     sin, cos = np.float32(math.sin(rays.pitch)), np.float32(math.cos(rays.pitch))
     flat = 1 / (cos + z * sin)
-    lateral, slope = y * flat, np.broadcast_to((z * cos - sin) * flat, y.shape)
-    column = ((lateral - rays.lateral[0]) * np.float32(1 / rays.pixel) + np.float32(0.5)).astype(
-        np.int64
-    )
+    slope = (z * cos - sin) * flat
     first, step = rays.row_of
-    row = ((np.float32(first) - z) * np.float32(1 / step) + np.float32(0.5)).astype(np.int64)
-    np.clip(column, 0, columns - 1, out=column)
-    np.clip(row, 0, rows - 1, out=row)
-    return row * columns + column, column, slope, lateral
+    row = ((np.float32(first) - z) * np.float32(1 / step) + np.float32(0.5)).astype(np.int32)
+    np.minimum(np.maximum(row, 0), rows - 1, out=row)
+    row *= columns
+    lateral = y * flat
+    place = lateral * np.float32(1 / rays.pixel)
+    place += np.float32(0.5 - rays.lateral[0] / rays.pixel)
+    np.maximum(place, 0, out=place)
+    np.minimum(place, columns - 1, out=place)
+    column = place.astype(np.int32)
+    return row + column, column, np.broadcast_to(slope, column.shape), lateral

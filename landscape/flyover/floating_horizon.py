@@ -40,7 +40,7 @@ BEFORE, SLACK = 1, 1.0
 # How far level a ray must go for each unit along the line of sight, chosen. It is 0 for one that
 # goes straight down.
 LEAST = 0.25
-BLOCK = 16  # columns whose horizon is compared with a whole line: a power of two, chosen
+WIDEST = 6  # lines of up to 2 to the power of this columns are compared as a whole, chosen
 STRIDE = 4  # of so many rings the nearest one's horizon is compared with whole lines, chosen
 NEAREST = 0.4  # part of the lines, the nearest, that hide others before these are entered, chosen
 NOWHERE = 1e9  # a row below all screens
@@ -71,8 +71,12 @@ class Levelled:
             0.5 - volume.left / volume.near / pixel,
             0.5 + volume.top / volume.near / line,
         )
+        self.rows: np.ndarray | None = None
+        if not self.unchanged and camera.theta_x == 0:
+            self.rows = self.by_row(np.arange(height))
         corners = np.array([0, width - 1, 0, width - 1]), np.array([0, 0, height - 1, height - 1])
-        columns = self.pixels(*corners)[0]
+        columns, _, levels = self.pixels(*corners)
+        self.least = 1.0 if levels is None else float(levels.min())
         self.first, self.last = math.floor(columns.min()), math.ceil(columns.max())
 
     def pixels(
@@ -88,7 +92,11 @@ class Levelled:
             return column, row, None
 
         def linear(by: list[float]) -> np.ndarray:
-            return np.asarray(column * by[1] + (row * by[2] + by[0]))
+            found = row * by[2]
+            found += by[0]
+            if by[1]:
+                found += column * by[1]
+            return np.asarray(found)
 
         level = np.maximum(linear(self.level), LEAST)
         across, down = linear(self.across), linear(self.up)
@@ -97,6 +105,16 @@ class Levelled:
         across += self.offsets[0]
         down += self.offsets[1]
         return across, down, level
+
+    def by_row(self, row: np.ndarray) -> np.ndarray:
+        """Return what rows of a picture without roll have in common, float32 (3, n).
+
+        These are 1 over the level distance, the level column's share that does not depend on the
+        column, and the level row, SLACK above it.
+        """
+        column, down, level = self.pixels(np.zeros(len(row)), row)
+        assert level is not None
+        return np.stack([1 / level, column, down - SLACK / (level * level)]).astype(np.float32)
 
 
 class Horizon:
@@ -108,9 +126,10 @@ class Horizon:
         """Enter all lines of a frame; they must include those above the screen."""
         self.levelled = Levelled(camera, volume, size)
         self.width = size[0]
-        # Corners of the far plane are farther than the plane, and what looks level is nearer.
-        self.rings = rings(1 / np.array([LEAST * volume.near / 2, 4 * volume.far]))
         columns = self.levelled.last - self.levelled.first + 1
+        farthest = max(lines.depth0.max(initial=0), lines.depth1.max(initial=0), volume.near)
+        # Level distances differ from those along the line of sight.
+        self.rings = rings(1 / np.array([self.levelled.least * volume.near / 1.25, 2 * farthest]))
         shape = int(np.ptp(self.rings)) + 1, columns
         self.nearness = Nearness(lines)
         # Hidden lines raise nothing. Most of them are found when only the nearest are entered.
@@ -130,24 +149,24 @@ class Horizon:
         for column, row, near in crossings(lines, self.levelled):
             yield column - self.levelled.first, row, self.ring(near)
 
-    def lowest(self) -> np.ndarray:
-        """Return the lowest horizon, the greatest row, of BLOCK columns and STRIDE rings each.
+    def lowest(self, most: int) -> Iterator[np.ndarray]:
+        """Yield the lowest horizon, the greatest row, of 2^k columns from each on, for k to most.
 
-        It is that of the first of these rings, so that it holds for all of them.
+        Of STRIDE rings each it is that of the first, so that it holds for all of them. Columns
+        from which there are not so many are left out.
         """
-        table = self.table[::STRIDE]
-        padding = np.repeat(table[:, -1:], -table.shape[1] % BLOCK, axis=1)
-        table = np.concatenate([table, padding], axis=1)
-        # Halving is several times as fast as the maximum along a short axis.
-        for _ in range(BLOCK.bit_length() - 1):
-            table = np.maximum(table[:, ::2], table[:, 1::2])
-        return table
+        found = self.table[::STRIDE]
+        yield found
+        for k in range(min(most, (found.shape[1]).bit_length() - 1)):
+            found = np.maximum(found[:, : -(1 << k)], found[:, 1 << k :])
+            yield found
 
     def hides(self, lines: Lines) -> np.ndarray:
         """Return lines of which no pixel is seen, bool (n,); not all such lines are found.
 
         That saves most of the work where hills hide what is behind them: a line's highest end is
-        compared with the lowest horizon over its columns, at the distance of its nearer end.
+        compared with the lowest horizon over its columns, at the distance of its nearer end. Two
+        powers of two that overlap cover the columns.
         """
         levelled = self.levelled
         column0, row0, level0 = levelled.pixels(lines.x0, lines.y0)
@@ -158,19 +177,26 @@ class Horizon:
         # A pixel is up to one beside the line, which may be more on the level picture.
         aside = 2 / least
         top = np.minimum(row0, row1) - (SLACK + 1) * aside * aside
-        last = self.table.shape[1] - 1
-        first, end = (
-            np.clip(each - levelled.first, 0, last).astype(np.int64) // BLOCK
-            for each in (np.minimum(column0, column1) - aside, np.maximum(column0, column1) + aside)
-        )
         near = 1.01 / (np.minimum(lines.depth0, lines.depth1) * least)
         ring = self.ring(near) - BEFORE
-        lowest = self.lowest()
-        place = np.maximum(ring, 0) // STRIDE * lowest.shape[1]
-        horizon = lowest.ravel().take(place + first)
-        for block in ((first + end) // 2, end):
-            np.maximum(horizon, lowest.ravel().take(place + block), out=horizon)
-        return (top > horizon) & (ring >= 0) & (end - first <= 2) & (least > 1.1 * LEAST)
+        last = self.table.shape[1] - 1
+        first, end = (
+            np.minimum(np.maximum(each - levelled.first, 0), last).astype(np.int64)
+            for each in (np.minimum(column0, column1) - aside, np.maximum(column0, column1) + aside)
+        )
+        width = (end - first + 1).astype(np.float64)
+        power = np.frexp(width)[1] - 1
+        may = (ring >= 0) & (power <= WIDEST) & (least > 1.1 * LEAST)
+        hidden = np.zeros(len(may), bool)
+        most = int(power[may].max(initial=0))
+        for k, horizon in enumerate(self.lowest(most)):
+            at = np.flatnonzero(may & (power == k))
+            begin = ring[at] // STRIDE * horizon.shape[1]
+            row = horizon.ravel().take(begin + first[at])
+            begin += end[at] - ((1 << k) - 1)
+            np.maximum(row, horizon.ravel().take(begin), out=row)
+            hidden[at] = top[at] > row
+        return hidden
 
     def shows(self, at: np.ndarray, owner: np.ndarray) -> np.ndarray:
         """Return which pixels of the lines are seen, bool (n,).
@@ -178,21 +204,40 @@ class Horizon:
         ``at`` (n,) is each pixel's place in the picture and ``owner`` its line, as they come from
         :mod:`.bresenham`.
         """
-        y = ((at + 0.5) * (1 / self.width)).astype(np.int32)
-        x = at.astype(np.int32) - y * np.int32(self.width)
-        near = self.nearness(owner, x, y)
-        levelled = self.levelled
+        y, x = np.divmod(at, self.width)
+        longer = np.where(self.nearness.steep.take(owner), y, x)
+        return self.sees(x.astype(np.float32), y.astype(np.float32), longer, owner)
+
+    def sees(
+        self, x: np.ndarray, y: np.ndarray, longer: np.ndarray, owner: np.ndarray
+    ) -> np.ndarray:
+        """Return the same for pixels at columns x and rows y, float32 (n,).
+
+        ``longer`` is the one of them that goes along the longer sides of the lines.
+        """
+        near, levelled = self.nearness.along(owner, longer.astype(np.float32)), self.levelled
         if levelled.unchanged:
-            return above((x - levelled.first, y - SLACK, self.ring(near) - BEFORE), self.table)
-        column, row, level = levelled.pixels(x.astype(np.float32), y.astype(np.float32))
-        assert level is not None
-        near /= level
-        # A row of the picture is more than one level row where the camera looks down.
-        row -= SLACK / (level * level)
-        np.clip(column, levelled.first, levelled.last, out=column)
-        column += 0.5 - levelled.first
-        pixels = column.astype(np.int64), row, self.ring(near) - BEFORE
-        return above(pixels, self.table) | (level <= LEAST)
+            place = (x - np.float32(levelled.first)).astype(np.intp)
+            return above((place, y - np.float32(SLACK), self.ring(near) - BEFORE), self.table)
+        if levelled.rows is not None:
+            place = y.astype(np.intp)
+            level, column, row = (each.take(place) for each in levelled.rows)
+            near *= level
+            x = x * np.float32(levelled.across[1])
+            x *= level
+            column += x
+            meaningless = level >= np.float32(1 / LEAST)
+        else:
+            column, row, level = levelled.pixels(x, y)
+            assert level is not None
+            near /= level
+            row -= SLACK / (level * level)
+            meaningless = level <= LEAST
+        np.maximum(column, levelled.first, out=column)
+        np.minimum(column, levelled.last, out=column)
+        column += np.float32(0.5 - levelled.first)
+        pixels = column.astype(np.int32), row, self.ring(near) - BEFORE
+        return above(pixels, self.table) | meaningless
 
     def ring(self, near: np.ndarray) -> np.ndarray:
         """Return the rings, int64 (n,), of points by their inverse distances; 0 is the nearest."""
@@ -237,8 +282,12 @@ def rows_by_ring(
 def above(pixels: Marks, table: np.ndarray) -> np.ndarray:
     """Return which pixels are not below the horizon at their ring; nothing is before ring 0."""
     column, row, ring = pixels
-    horizon = table.ravel().take(np.maximum(ring, 0) * table.shape[1] + column)
-    return np.asarray((row <= horizon) | (ring < 0))
+    place = np.maximum(ring, 0)
+    place *= table.shape[1]
+    place += column
+    seen = row <= table.ravel().take(place)
+    seen |= ring < 0
+    return np.asarray(seen)
 
 
 def above_one_by_one(pixels: Marks, edges: Marks, count: int, columns: int) -> np.ndarray:
@@ -262,22 +311,24 @@ class Nearness:
     def __init__(self, lines: Lines) -> None:
         dx, dy = lines.x1 - lines.x0, lines.y1 - lines.y0
         steep = np.abs(dy) > np.abs(dx)
-        longer = np.where(steep, dy, dx)
+        longer, begin = np.where(steep, dy, dx), np.where(steep, lines.y0, lines.x0)
         start, end = 1 / lines.depth0, 1 / lines.depth1
         slope = (end - start) / np.where(longer == 0, 1, longer)
-        along_x, along_y = np.where(steep, 0, slope), np.where(steep, slope, 0)
-        base = start - along_x * lines.x0 - along_y * lines.y0
-        self.terms = [each.astype(np.float32) for each in (base, along_x, along_y)]
+        self.steep = steep
+        self.start = (start - slope * begin).astype(np.float32)
+        self.slope = slope.astype(np.float32)
 
     def __call__(self, owner: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Return the inverse distances of pixels (n,) at column x and row y of lines ``owner``."""
-        base, along_x, along_y = (each.take(owner) for each in self.terms)
-        along_x *= x
-        along_y *= y
-        base += along_x
-        base += along_y
+        return self.along(owner, np.where(self.steep.take(owner), y, x))
+
+    def along(self, owner: np.ndarray, longer: np.ndarray) -> np.ndarray:
+        """Return the same from the pixels' places along the longer sides of their lines."""
+        found = self.slope.take(owner)
+        found *= longer
+        found += self.start.take(owner)
         # On the last pixel rounding may lead beyond the far end.
-        return np.maximum(base, np.float32(1e-9), out=base)
+        return np.maximum(found, np.float32(1e-9), out=found)
 
 
 def crossings(lines: Lines, levelled: Levelled) -> Iterator[Marks]:
@@ -298,21 +349,27 @@ def crossings(lines: Lines, levelled: Levelled) -> Iterator[Marks]:
     begin = begin[kept].astype(np.int64)
     count = end[kept].astype(np.int64) - begin + 1
     rise, approach = (y1 - y0) / (x1 - x0), (near1 - near0) / (x1 - x0)
-    row, near = y0 - rise * x0, near0 - approach * x0
+    row, near = y0 + rise * (begin - x0), near0 + approach * (begin - x0)
     if not len(count):
         return
+    # From the first column on float32 is exact enough.
+    along = [
+        (a.astype(np.float32), b.astype(np.float32)) for a, b in ((rise, row), (approach, near))
+    ]
     total = np.cumsum(count)
-    behind = begin - total + count
+    behind = total - count
     ends_at = np.searchsorted(total, np.arange(CHUNK, total[-1], CHUNK)) + 1
     for first, last in pairwise(dict.fromkeys((0, *ends_at.tolist(), len(total)))):
         owner = np.repeat(np.arange(first, last), count[first:last])
         before = total[first] - count[first]
-        column = behind.take(owner)
-        column += np.arange(before, before + len(owner))
+        step = np.arange(before, before + len(owner))
+        step -= behind.take(owner)
+        far = step.astype(np.float32)
         found = []
-        for slope, start in ((rise, row), (approach, near)):
+        for slope, start in along:
             value = slope.take(owner)
-            value *= column
+            value *= far
             value += start.take(owner)
-            found.append(value.astype(np.float32))
-        yield column, found[0], np.maximum(found[1], np.float32(1e-9), out=found[1])
+            found.append(value)
+        step += begin.take(owner)
+        yield step, found[0], np.maximum(found[1], np.float32(1e-9), out=found[1])

@@ -108,11 +108,13 @@ def draw_lines(
     if horizon is not None:
         kept = horizon.kept
     x0, y0, x1, y1 = (each[kept] for each in (lines.x0, lines.y0, lines.x1, lines.y1))
-    for at, owner in bresenham.chunks(x0, y0, x1, y1, size):
-        owner = kept.take(owner)
+    for x, y, owner, along_x in bresenham.chunks(x0, y0, x1, y1, size):
+        at, owner = y * size[0], kept.take(owner)
+        at += x
         if horizon is not None:
-            seen = horizon.shows(at, owner)
-            at, owner = at[seen], owner[seen]
+            x, y = x.astype(np.float32), y.astype(np.float32)
+            seen = np.flatnonzero(horizon.sees(x, y, x if along_x else y, owner))
+            at, owner = at.take(seen), owner.take(seen)
         ink.draw(at, colour.take(owner))
         count += len(at)
     return count

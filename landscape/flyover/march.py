@@ -8,6 +8,7 @@ screen says which step fills each pixel. No loop runs over steps, columns or pix
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from landscape.flyover.height_field import HeightField
 
 NOTHING = -1e9  # the height of what is not there
 FINEST = 0.125  # the shortest step, pixels of the height image, chosen
-BLOCK = 128  # columns walked together: their arrays fit into the processor's cache, chosen
+TOGETHER = 24  # steps walked together: their arrays fit into the processor's cache, chosen
 
 
 @dataclass(frozen=True)
@@ -49,46 +50,55 @@ def steps(
     level = np.minimum(wanted.astype(int), max(levels - 2, 0))
     blend = np.clip((wanted - level - 0.5) * 2, 0, 1).astype(np.float32)
     edges = [0, *(np.flatnonzero(np.diff(level)) + 1).tolist(), len(level)]
-    runs = tuple((a, b, int(level[a])) for a, b in zip(edges[:-1], edges[1:], strict=True))
+    runs = tuple(
+        (first, min(first + TOGETHER, end), int(level[begin]))
+        for begin, end in pairwise(edges)
+        for first in range(begin, end, TOGETHER)
+    )
     return Steps(distances, runs, blend)
 
 
 def looked_up(level: np.ndarray, u: np.ndarray, v: np.ndarray, bilinear: bool) -> np.ndarray:
     """Return heights of a level at u, v in 0..1 along its columns and rows."""
-    n = np.float32(len(level) - 1)
-    x, y = u * n, v * n
     width, flat = len(level), level.ravel()
+    x, y = u * np.float32(width - 1), v * np.float32(width - 1)
     if not bilinear:
-        near = (y + np.float32(0.5)).astype(np.int64) * width
-        return flat.take(near + (x + np.float32(0.5)).astype(np.int64), mode="clip")
-    column, row = x.astype(np.int64), y.astype(np.int64)
-    np.minimum(column, width - 2, out=column)
-    np.minimum(row, width - 2, out=row)
-    x -= column
-    y -= row
-    row *= width
-    row += column
-    top, below = flat.take(row, mode="clip"), flat.take(row + width, mode="clip")
-    right = flat.take(row + 1, mode="clip")
-    right -= top
+        near = (y + np.float32(0.5)).astype(np.int32) * width
+        return flat.take(near + (x + np.float32(0.5)).astype(np.int32), mode="clip")
+    left, top = np.floor(x), np.floor(y)
+    x -= left
+    y -= top
+    at = top.astype(np.int32)
+    at *= width
+    at += left.astype(np.int32)
+    # On the last row or column the next vertex is another one, or none, and has no weight.
+    upper = flat.take(at, mode="clip")
+    at += 1
+    right = flat.take(at, mode="clip")
+    right -= upper
     right *= x
-    top += right
-    right = flat.take(row + (width + 1), mode="clip")
-    right -= below
+    upper += right
+    at += width
+    right = flat.take(at, mode="clip")
+    at -= 1
+    lower = flat.take(at, mode="clip")
+    right -= lower
     right *= x
-    below += right
-    below -= top
-    below *= y
-    top += below
-    return top
+    lower += right
+    lower -= upper
+    lower *= y
+    upper += lower
+    return upper
 
 
-def mirrored(x: np.ndarray) -> np.ndarray:
-    """Return coordinates in sides of the field, folded into 0..1: there and back again."""
-    x = x - 2 * np.floor(x * np.float32(0.5))
-    x -= 1
+def folded(x: np.ndarray) -> np.ndarray:
+    """Return coordinates, in periods of two sides of the field, folded into 0..1 of a side.
+
+    They go there and back again. ``x`` is overwritten.
+    """
+    x -= np.rint(x)
     np.abs(x, out=x)
-    np.subtract(1, x, out=x)
+    x += x
     return x
 
 
@@ -107,19 +117,23 @@ def walk(
     ``directions`` (2, columns) are x and y per unit of distance. Without ``mirror`` there is
     nothing outside the field.
     """
-    side = field.size
-    start = [np.float32(each / side % 2) if mirror else np.float32(each / side) for each in eye[:2]]
+    period = 2 * field.size
+    start = [np.float32(each / period % 1 if mirror else each / period) for each in eye[:2]]
     for first, last, level in path.runs:
-        away = path.distances[first:last, None] * np.float32(1 / side)
-        u, v = (at + away * along for at, along in zip(start, directions, strict=True))
-        outside = None if mirror else (np.abs(u - 0.5) > 0.5) | (np.abs(v - 0.5) > 0.5)
-        u, v = mirrored(u), mirrored(v)
+        away = path.distances[first:last, None] * np.float32(1 / period)
+        u, v = (away * along for along in directions)
+        u += start[0]
+        v += start[1]
+        outside = None if mirror else (np.abs(u - 0.25) > 0.25) | (np.abs(v - 0.25) > 0.25)
+        u, v = folded(u), folded(v)
         found = looked_up(field.levels[level], u, v, bilinear)
         blend = path.blend[first:last]
         some = int(np.argmax(blend > 0)) if blend.any() else last - first
         if some < last - first:
             coarse = looked_up(field.levels[level + 1], u[some:], v[some:], bilinear)
-            found[some:] += (coarse - found[some:]) * blend[some:, None]
+            coarse -= found[some:]
+            coarse *= blend[some:, None]
+            found[some:] += coarse
         np.maximum(found, np.float32(sea), out=found)
         if outside is not None:
             found[outside] = NOTHING
@@ -129,17 +143,26 @@ def walk(
 def filled_by(tops: np.ndarray, height: int) -> np.ndarray:
     """Return which step fills each pixel, int16 (height, columns); the number of steps for none.
 
-    ``tops`` (steps, columns) are rows on the screen, as floats.
+    ``tops`` (steps, columns) are rows on the screen, as floats. They are overwritten.
     """
     count, columns = tops.shape
-    rows = np.ceil(np.clip(tops, 0, height)).astype(np.int16)
-    highest = np.minimum.accumulate(rows, axis=0)
+    np.maximum(tops, 0, out=tops)
+    np.minimum(tops, height, out=tops)
+    highest = np.ceil(tops, out=tops).astype(np.int16)
+    # In place and row by row: several times as fast as minimum.accumulate along columns.
+    for before, after in pairwise(highest):
+        np.minimum(before, after, out=after)
     seen = np.empty(highest.shape, bool)
     np.less(highest[0], height, out=seen[0])
     np.less(highest[1:], highest[:-1], out=seen[1:])
     where = np.flatnonzero(seen)
     step = where // columns
-    target = highest.ravel()[where].astype(np.int64) * columns + (where - step * columns)
-    filled = np.full((height + 1) * columns, count, np.int16)
-    filled[target] = step
-    return np.minimum.accumulate(filled.reshape(height + 1, columns)[:height], axis=0)
+    target = highest.ravel().take(where).astype(np.int64)
+    target -= step
+    target *= columns
+    target += where
+    filled = np.full((height, columns), count, np.int16)
+    filled.ravel()[target] = step
+    for above, below in pairwise(filled):
+        np.minimum(above, below, out=below)
+    return filled
