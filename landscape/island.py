@@ -18,7 +18,7 @@ from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.ornate.weathered_castle import castle_class
-from landscape.elements.best.overlay.shining_sword import sword_class
+from landscape.elements.best.overlay.steel_blade import sword_class
 from landscape.elements.best.sea import sea
 from landscape.elements.best.sea.occlusion_query import SeaQuery
 from landscape.elements.best.sea.ring import HorizonRing

@@ -988,6 +988,15 @@ class Dragon:
         1,
         unit="of 1",
     )
+    wet: float = setting(
+        0.0,
+        "chosen",
+        "how wet it is: the sun mirrored in its scales, and a dark band above the water",
+        0,
+        1,
+        unit="of 1",
+        needs=("dragon", "dragon.sheen>0"),
+    )
     sink: float = setting(
         -0.15, "chosen", "height of the water line on the mesh", -2, 2, unit="of the mesh's -1 to 1"
     )
@@ -1005,6 +1014,12 @@ class Overlay:
         0,
         1,
         unit="of 1",
+        needs=("sword", "overlay.sword"),
+    )
+    blade: bool = setting(
+        False,
+        "chosen",
+        "the blade at rest is geometry with smooth edges, whose steel is a mirror",
         needs=("sword", "overlay.sword"),
     )
     map: bool = setting(True, "section 9", "show the map", needs=("map",))
@@ -1228,7 +1243,9 @@ BEST: dict[str, Value] = {
     "dragon.painted": True,
     "dragon.gloss": 0.5,
     "dragon.sheen": 0.8,
+    "dragon.wet": 1.0,
     "overlay.sheen": 0.5,
+    "overlay.blade": True,
     "grass.arch": 4.0,
     "grass.radius": 7.0,
     "fog.density": 0.042,

@@ -22,7 +22,7 @@ from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.ornate.weathered_castle import castle_class
-from landscape.elements.best.overlay.shining_sword import sword_class
+from landscape.elements.best.overlay.steel_blade import sword_class
 from landscape.elements.best.sea.sea import Sea
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.terrain.terrain import ground_class

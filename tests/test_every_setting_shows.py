@@ -173,9 +173,13 @@ SHOTS = {
     ),
     "castle.flame_faces": of_fix("R2", only=("castle",)),
     "rabbit.fur": replace(GROUPS["rabbit"], settings={"rabbit.scale": 0.3}, value=6),
+    "dragon.wet": replace(
+        GROUPS["dragon"], settings={"dragon.sheen": 0.8, "dragon.painted": True}
+    ),
+    "overlay.blade": replace(GROUPS["overlay"], stroke=0),
     "dragon.repeat": replace(GROUPS["dragon"], settings={"dragon.mapping": "axis"}),
     "dragon.sink": replace(GROUPS["dragon"], value=0.5),
-    "overlay.sheen": replace(GROUPS["overlay"], stroke=0),
+    "overlay.sheen": replace(GROUPS["overlay"], stroke=1),
     "fog.start": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=3.0),
     "fog.end": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=10.0),
 }  # fmt: skip

@@ -13,8 +13,8 @@ from landscape.elements.best.overlay.shining_sword import (
     light_around,
     steel,
     strip,
-    sword_class,
 )
+from landscape.elements.best.overlay.steel_blade import sword_class
 from landscape.elements.sword import ASPECT, Sword, pictures
 from landscape.files.assets import Assets
 from landscape.files.images import read_image

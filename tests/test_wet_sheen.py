@@ -12,8 +12,10 @@ from landscape.elements.sky_box import FACES, face_corners
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
+from landscape.geometry.mesh import Mesh
 from landscape.gl import extensions
 from landscape.gl.cube_map import face_directions
+from landscape.settings import Sun
 
 # A plate across the line of sight.
 PLATE = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
@@ -64,9 +66,9 @@ def test_grazing_surfaces_mirror_all_and_facing_ones_little() -> None:
     assert found[3] < found[2] < 0.5
 
 
-def drawn(stage: Stage, folder, sheen: float) -> np.ndarray:
+def drawn(stage: Stage, folder, sheen: float, **more: float) -> np.ndarray:
     write_ply(folder / "dragon.ply", PLATE, np.array([(0, 1, 2, 3)]))
-    dragon = made("dragon", small({**LIT, "dragon.sheen": sheen}), Assets(folder))
+    dragon = made("dragon", small({**LIT, "dragon.sheen": sheen, **more}), Assets(folder))
     with stage.frame(dragon._settings, SOUTH) as frame:
         dragon.draw(frame)
         got = pixel(stage.read(), (80.5, 60.5))
@@ -97,3 +99,34 @@ def test_without_cube_maps_scales_are_dry_and_one_line_says_why(
     told = capsys.readouterr().err
     assert told.startswith("landscape: dragon.sheen: off, for this OpenGL has no ")
     assert told.count("\n") == 1 and wet_sheen.UNITS == 3
+
+
+def test_the_waterline_s_band_is_darker_and_what_is_higher_keeps_its_colour() -> None:
+    x = np.linspace(-1, 1, 50)
+    y = np.linspace(-0.5, 0.9, 50)
+    vertices = np.stack([x, y, 0 * x], axis=1).astype(np.float32)
+    mesh = Mesh(
+        vertices, vertices, np.zeros((0, 3), np.uint32), (), np.full((50, 4), 200, np.uint8)
+    )
+    found = wet_sheen.wet_band(mesh, -0.15, 1.0).colors
+    assert found is not None and (found[:, 3] == 200).all()
+    assert (found[y < -0.15, 0] < 110).all() and (found[y > 0.1, :3] == 200).all()
+    assert (wet_sheen.wet_band(mesh, -0.15, 0.0).colors == mesh.colors).all()
+    half = wet_sheen.wet_band(mesh, -0.15, 0.5).colors
+    assert half is not None and (half[y < -0.15, 0] > 120).all()
+
+
+def test_the_map_of_the_sun_is_dark_away_from_it_and_white_at_it() -> None:
+    sun = Sun(azimuth=90.0, elevation=0.0, diffuse=(1.0, 1.0, 1.0))
+    faces = wet_sheen.glints(sun).astype(int)
+    assert faces[0, 31:33, 31:33].min() > 240 and faces[1].max() == 0
+
+
+@pytest.mark.parametrize(("azimuth", "more"), [(180.0, True), (0.0, False)])
+def test_a_wet_plate_shows_the_sun_where_it_mirrors_it(
+    stage: Stage, plain_folder, azimuth: float, more: bool
+) -> None:
+    # The plate faces south, so it mirrors what is behind the viewer.
+    sun = {"sun.azimuth": azimuth, "sun.elevation": 1.0}
+    dry, wet = (drawn(stage, plain_folder, 0.5, **sun, **{"dragon.wet": wet}) for wet in (0.0, 1.0))
+    assert ((wet > dry + 25).all() and more) or (close(wet, dry, 2) and not more)

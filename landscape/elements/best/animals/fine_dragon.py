@@ -41,6 +41,7 @@ class FineDragon(FineAnimal):
         """Read the mesh and its colours, make its levels and lower it to its water line."""
         dragon = settings.dragon
         mesh = read_painted(assets, dragon.mesh, "dragon.mesh", dragon.painted)
+        mesh = wet_sheen.wet_band(mesh, dragon.sink, dragon.wet)
 
         def lay(mesh: Mesh) -> Mesh:
             if dragon.mapping == "axis":
@@ -68,8 +69,8 @@ class FineDragon(FineAnimal):
         """Draw the dragon; where it is out of view, not even the state of its sheen is set."""
         if self._settings.camera.cull and not self.visible(frame):
             return
-        strength = self._settings.dragon.sheen
-        with self._sheen.shining(frame, strength) if self._sheen else nullcontext():
+        dragon = self._settings.dragon
+        with self._sheen.shining(frame, dragon.sheen, dragon.wet) if self._sheen else nullcontext():
             super().draw(frame)
 
     def release(self) -> None:

@@ -5,7 +5,9 @@ Technique: two cube maps (OpenGL 1.3) beside the animal's own texture. Unit 1 lo
 mirrors, Fresnel's law baked into a map. Unit 2 looks up the mirrored line of sight
 (GL_REFLECTION_MAP), which the texture matrix turns to the world's axes, in a map of what is around
 (best/sky/surroundings.py). GL_COMBINE mixes that with the lit colour by the alpha of unit 1
-(GL_INTERPOLATE).
+(GL_INTERPOLATE). With ``dragon.wet`` unit 3 looks up the mirrored line of sight once more, in a map
+of the sun alone, and brightens towards white by it: as Fresnel's law lets a scale mirror little, a
+sun within the other map would hardly show.
 Not in the report. Where OpenGL has no cube maps or fewer units, scales stay dry.
 What is wrong with it: the map takes the viewer to be far away straight ahead, so at the picture's
 side the mirroring is a little off; and no part of the animal mirrors another.
@@ -14,18 +16,21 @@ State used: texture units 1 and 2 with generated coordinates, GL_COMBINE, the te
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 
 from landscape.elements.best.sky import surroundings
+from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Frame
+from landscape.geometry.mesh import Mesh
 from landscape.gl import cube_map
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
 from landscape.gl.extensions import Need, enough_units, first_missing, tell_off
 from landscape.gl.state import attrib, combine
-from landscape.settings import Settings
+from landscape.settings import Settings, Sun
 
 NEEDS = (
     cube_map.NEED,
@@ -34,6 +39,10 @@ NEEDS = (
 )
 UNITS = 3
 SIDE = 32  # chosen: texels per side of a face of the map of Fresnel's law
+GLINT_SIDE = 64  # chosen: texels per side of a face of the map of the sun
+SUN_SIZE = 0.15  # chosen: radians, of the sun as wet scales mirror it
+BAND = 0.085  # chosen: height of the wetted band on a mesh of -1..1
+SOAKED = (0.40, 0.44, 0.48)  # chosen: what water in the pores leaves of the colour
 HEAD_ON = 0.10  # chosen: what is mirrored by a surface that faces the viewer; water's is 0.02
 POWER = 3.0  # chosen: how fast mirroring grows towards grazing; 5 is Schlick's
 
@@ -47,9 +56,37 @@ def mirrored_part(facing: np.ndarray) -> np.ndarray:
     return np.asarray(np.where(facing < 0, 1.0, HEAD_ON + (1 - HEAD_ON) * grazing))
 
 
+def glints(sun: Sun) -> np.ndarray:
+    """Return the faces of a cube map of the sun alone, uint8 (6, n, n, 3), with a faint halo."""
+    away = np.arccos(np.clip(face_directions(GLINT_SIDE) @ direction(sun), -1.0, 1.0))
+    disc = np.exp(-((away / SUN_SIZE) ** 2)) + 0.16 * np.exp(-((away / (4 * SUN_SIZE)) ** 2))
+    shown = 255.0 * disc[..., None] * np.array(sun.diffuse)
+    return np.rint(np.clip(shown, 0.0, 255.0)).astype(np.uint8)
+
+
+def wet_band(mesh: Mesh, level: float, wet: float) -> Mesh:
+    """Return the mesh, of vertices in -1..1, darkened where waves have just wetted it.
+
+    ``level`` is the height of the water on the mesh. Without colours of its own it is unchanged.
+    """
+    if mesh.colors is None or wet <= 0.0:
+        return mesh
+    x, y, z = mesh.vertices.T
+    splashed = BAND * (1.0 + 0.35 * np.sin(23.0 * x + 9.0 * z) + 0.25 * np.sin(41.0 * z - 17.0 * x))
+    part = np.clip((level + splashed - y) / (0.5 * splashed), 0.0, 1.0)
+    factor = 1.0 - wet * (1.0 - np.array(SOAKED)) * part[:, None]
+    colors = mesh.colors.copy()
+    colors[:, :3] = np.rint(mesh.colors[:, :3] * factor)
+    return replace(mesh, colors=colors)
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the maps depend on: none if nothing is mirrored."""
-    return surroundings.built_from(settings) if settings.dragon.sheen > 0.0 else ()
+    if settings.dragon.sheen <= 0.0:
+        return ()
+    sun, wet = settings.sun, settings.dragon.wet
+    lit = (wet, sun.azimuth, sun.elevation, sun.diffuse) if wet > 0.0 else ()
+    return surroundings.built_from(settings), lit
 
 
 class WetSheen:
@@ -60,6 +97,8 @@ class WetSheen:
         self._around = CubeMap(surroundings.surroundings(settings, assets), trilinear=False)
         part = np.rint(mirrored_part(face_directions(SIDE)[..., 2]) * 255).astype(np.uint8)
         self._part = CubeMap(np.repeat(part[..., None], 4, axis=-1), mipmaps=False)
+        wet = settings.dragon.wet > 0.0 and enough_units("dragon.wet", UNITS + 1)
+        self._sun = CubeMap(glints(settings.sun), trilinear=False) if wet else None
 
     @classmethod
     def made(cls, settings: Settings, assets: Assets) -> "WetSheen | None":
@@ -72,8 +111,11 @@ class WetSheen:
         return cls(settings, assets) if enough_units("dragon.sheen", UNITS) else None
 
     @contextmanager
-    def shining(self, frame: Frame, strength: float) -> Iterator[None]:
-        """Let the block's textured surfaces mirror what is around, times ``strength`` in 0..1."""
+    def shining(self, frame: Frame, strength: float, wet: float = 0.0) -> Iterator[None]:
+        """Let the block's textured surfaces mirror what is around, times ``strength`` in 0..1.
+
+        ``wet`` in 0..1 is how much of the sun is added.
+        """
         kind = gl.GL_TEXTURE_CUBE_MAP
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             gl.glActiveTexture(gl.GL_TEXTURE1)
@@ -91,14 +133,38 @@ class WetSheen:
             combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
             combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
             combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            with texture_matrix(frame.to_world):
+            with texture_matrix(frame.to_world), self._sunlit(frame, wet):
                 gl.glActiveTexture(gl.GL_TEXTURE0)
                 try:
                     yield
                 finally:
                     gl.glActiveTexture(gl.GL_TEXTURE2)
 
+    @contextmanager
+    def _sunlit(self, frame: Frame, wet: float) -> Iterator[None]:
+        """Add the mirrored sun in unit 3; unit 2 is active before and after."""
+        if self._sun is None:
+            yield
+            return
+        gl.glActiveTexture(gl.GL_TEXTURE3)
+        gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
+        self._sun.bind()
+        generate("REFLECTION_MAP")
+        combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "CONSTANT", "SRC1_RGB": "PREVIOUS"})
+        combine({"SRC2_RGB": "TEXTURE", "OPERAND2_RGB": "SRC_COLOR"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        constant = np.array([wet, wet, wet, 1.0], np.float32)
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
+        with texture_matrix(frame.to_world):
+            try:
+                yield
+            finally:
+                gl.glActiveTexture(gl.GL_TEXTURE3)
+        gl.glActiveTexture(gl.GL_TEXTURE2)
+
     def release(self) -> None:
         """Delete the maps; may be called twice."""
         self._around.release()
         self._part.release()
+        if self._sun:
+            self._sun.release()

@@ -141,11 +141,6 @@ def light_around(settings: Settings, assets: Assets) -> np.ndarray:
     return np.rint(np.clip(around + glare, 0.0, 1.0) * 255).astype(np.uint8)
 
 
-def sword_class(settings: Settings) -> type[Sword]:
-    """Return the class whose sword these settings describe."""
-    return ShiningSword if settings.overlay.sheen > 0.0 else Sword
-
-
 class ShiningSword(Sword):
     """The sword with light on its steel."""
 
