@@ -85,7 +85,7 @@ def test_mip_levels_keep_the_cells_apart_and_the_cover_of_each(shipped: Assets) 
         covered = solid.mean(axis=(1, 3))
         if level is levels[0]:
             first = covered
-        assert np.allclose(covered, first, atol=0.03) and (covered[0, :5] > 0.15).all()
+        assert np.allclose(covered, first, atol=0.03) and (covered > 0.05).all()
 
 
 def test_the_picture_of_another_size_is_resized(shipped: Assets, tmp_path: Path) -> None:

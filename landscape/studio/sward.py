@@ -37,6 +37,7 @@ from landscape.studio.images import bleed
 from landscape.studio.plants import midrib
 
 WIDTH, HEIGHT = 128, 256  # texels of a cell
+HEADROOM = 0.93  # chosen: so much of a cell is used; the rest keeps coarse mip levels apart
 SHOULDER, NECK = 1.24, 0.17  # chosen: where a card is widest, and half its width at the ground
 # Linear colours, all chosen by eye. Green blades are tinted to the ground's colour when drawn.
 ROOT, GREEN, TIP = np.array(
@@ -57,7 +58,7 @@ class Cell(Canvas):
 
     def to_screen(self, points: np.ndarray) -> np.ndarray:
         """Transform points (..., 3) from cell space to samples: column, row, depth."""
-        return super().to_screen(points - np.array([0.5, 0.0, 0.0]))
+        return super().to_screen(points * (1.0, HEADROOM, 1.0) - np.array([0.5, 0.0, 0.0]))
 
 
 def reach(y: np.ndarray) -> np.ndarray:
@@ -269,10 +270,10 @@ def cells() -> list[np.ndarray]:
     """Return the pictures (HEIGHT, WIDTH, 4) in order: eight of the grass, eight of flowers."""
     long, fern, broad = (0.22, 0.16, 9), (0.20, 0.30, 12), (0.17, 0.55, 7)
     return [
-        sheaf(401, 15, 0.052, (1.1, 2.3), 0.06, 0.7),
-        sheaf(402, 13, 0.048, (0.9, 2.3), 0.25, 1.2),
-        sheaf(403, 18, 0.038, (0.8, 2.2), 0.12, 0.9),
-        sheaf(404, 8, 0.100, (0.9, 2.1), 0.0, 1.1),
+        sheaf(401, 23, 0.052, (1.1, 2.3), 0.06, 0.7),
+        sheaf(402, 19, 0.048, (0.9, 2.3), 0.25, 1.2),
+        sheaf(403, 27, 0.038, (0.8, 2.2), 0.12, 0.9),
+        sheaf(404, 11, 0.100, (0.9, 2.1), 0.0, 1.1),
         litter(),
         panicles(),
         spikes(),

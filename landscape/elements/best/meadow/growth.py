@@ -262,12 +262,17 @@ class Growth:
         if grass.tinted:
             colour, light = self._ground.drawn_colour(x, z), self._ground.light(x, z)
             tone = dice.uniform(0.84, 1.16, tufts) * (1.0 + 0.10 * sward.waves(x, z, 1.3, 28))
-            hue = sward.hues(dice.uniform(0.0, 1.0, tufts), tone, colour)
+            colour, tone = colour[tuft], tone[tuft]
+            # Half of a tuft's cards have its hue, the others their own.
+            own_hue = dice.uniform(0.0, 1.0, blades)
+            drawn = np.where(own_hue < 0.5, dice.uniform(0.0, 1.0, tufts)[tuft], 2 * own_hue - 1)
+            hue = sward.hues(drawn, tone, colour)
             bare = colour * tone[:, None]
             colour = colour + grass.variety * (hue - colour)
             brightness = dice.uniform(0.88, 1.38, blades)[:, None]
             own = (kinds >= sward.GREEN_KINDS)[:, None]
-            colour = np.where((kinds == sward.FLOOR)[:, None], bare[tuft], colour[tuft])
+            low = (kinds == sward.FLOOR)[:, None]
+            colour = np.where(low, 0.6 * bare + 0.4 * colour, colour)
             shade = np.where(own, 0.5, colour / (2.0 * self._ends[0][kinds]))
             shade *= light[tuft] * np.where(own, 0.45 + 0.5 * brightness, brightness)
             tints[..., :3] = (np.clip(shade, 0, 1) * 255).astype(np.uint8)[:, None]

@@ -26,10 +26,10 @@ WIDE_FROM = 1.4  # chosen: times that distance; beyond, cards are widened
 # Chosen, for each kind: half its greatest width and its height, in units of the report's blade
 # before scaling, and how many of a thousand cards are of it where nothing is said of the place.
 LOOKS = np.array(
-    [(0.0240, 0.0235, 240), (0.0250, 0.0220, 190), (0.0240, 0.0245, 250), (0.0230, 0.0210, 80),
-     (0.0420, 0.0100, 240), (0.0170, 0.0300, 14), (0.0180, 0.0285, 32), (0.0190, 0.0240, 28),
-     (0.0230, 0.0275, 0), (0.0240, 0.0255, 0), (0.0230, 0.0260, 0), (0.0210, 0.0215, 0),
-     (0.0230, 0.0290, 0), (0.0240, 0.0275, 0), (0.0230, 0.0290, 0), (0.0210, 0.0235, 0)]
+    [(0.0245, 0.0255, 250), (0.0255, 0.0240, 200), (0.0245, 0.0265, 260), (0.0230, 0.0230, 80),
+     (0.0480, 0.0118, 280), (0.0170, 0.0300, 14), (0.0180, 0.0285, 32), (0.0190, 0.0240, 28),
+     (0.0340, 0.0265, 0), (0.0340, 0.0250, 0), (0.0310, 0.0240, 0), (0.0290, 0.0215, 0),
+     (0.0350, 0.0275, 0), (0.0340, 0.0280, 0), (0.0330, 0.0275, 0), (0.0290, 0.0230, 0)]
 )  # fmt: skip
 # Chosen: how large the drifts of a kind of flower are, as a wave number, and how common it is.
 DRIFTS = ((1.7, 0.8), (1.7, 0.8), (1.3, 1.0), (2.1, 0.8), (2.9, 0.45), (2.3, 0.5), (2.6, 0.4),
@@ -52,9 +52,10 @@ def texture_coordinates() -> np.ndarray:
 
     They are in proportion to the card's shape, so that the picture is not bent at its diagonals.
     """
-    foot = 0.5 / SPREAD
+    # The wind opens a gap between a rectangle's tip and its shoulders: nothing may show in it.
+    foot, top = 0.5 / SPREAD, 0.03
     sheaf = [(0.5 - foot, 1), (0.5 + foot, 1), (0, 1 - SHOULDER), (1, 1 - SHOULDER), (0.5, 0)]
-    whole = [*sheaf[:2], (0, 0), (1, 0), (0.5, 0)]
+    whole = [*sheaf[:2], (0, top), (1, top), (0.5, top)]
     kinds = np.arange(len(LOOKS))
     cells = np.where((kinds < GREEN_KINDS)[:, None, None], sheaf, whole)
     cells = 0.004 + 0.992 * cells
@@ -134,7 +135,7 @@ def off_trail(x: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 def standing(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return 0..1: how densely cards stand at x, z: clumps with gaps between them, and trails."""
-    clumps = 0.66 + 0.32 * waves(x, z, 22.0, 22) + 0.30 * waves(x, z, 61.0, 23)
+    clumps = 0.72 + 0.28 * waves(x, z, 22.0, 22) + 0.22 * waves(x, z, 61.0, 23)
     return np.asarray(np.clip(clumps, 0.18, 1.0) * (0.30 + 0.70 * off_trail(x, z)))
 
 
