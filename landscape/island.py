@@ -156,7 +156,7 @@ class Island:
     def _parts(self, settings: Settings) -> list[Part]:
         """Return all elements but the ground, in the order in which they are built."""
         kind, own, field = classes(settings), (settings, self._assets), self.ground.field
-        depths = [field] if kind["water"] is Sea else []
+        depths = [field, "dragon" in self._only] if kind["water"] is Sea else []
         place = *own, self.ground, self._seed
         return [
             Part("stones", ("ground",), kind["stones"], place),

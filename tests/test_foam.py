@@ -7,7 +7,9 @@ from stage import Stage, live_names, project, small
 
 from landscape.elements.best.sea import foam
 from landscape.elements.best.sea.sea import Sea
-from landscape.elements.best.sea.shoreline import REACH, averaged, pieces, shore_map, spread
+from landscape.elements.best.sea.serpent_wash import REACH, outline, rings
+from landscape.elements.best.sea.shoreline import REACH as NEAR
+from landscape.elements.best.sea.shoreline import averaged, pieces, shore_map, spread
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 
@@ -72,9 +74,9 @@ def test_distances_and_slopes_are_those_of_a_straight_shore() -> None:
     assert np.allclose(ends[..., 1], 20.2, atol=1e-5) and np.allclose(slope, 0.1, atol=1e-5)
     distance, steep = shore_map(beach(0.1, edge=20.2), 256)
     z = (np.arange(256) + 0.5) * 40.0 / 256
-    inside = np.abs(z - 20.2) < REACH - 0.4
+    inside = np.abs(z - 20.2) < NEAR - 0.4
     assert np.abs(distance[inside] - (z - 20.2)[inside, None])[:, 8:-8].max() < 0.03
-    assert np.abs(distance).max() <= REACH + 1e-9
+    assert np.abs(distance).max() <= NEAR + 1e-9
     assert np.allclose(steep[inside], 0.1, atol=1e-5)
 
 
@@ -91,7 +93,8 @@ def test_averages_keep_a_constant_and_leave_out_what_is_not_known() -> None:
 )
 def test_only_cells_near_the_shore_are_drawn_again_and_none_is_left_out(pose: Pose) -> None:
     grid = grid_at(pose)
-    foam_cells = foam.near_cells(grid, foam.near_masks(np.abs(shore_map(beach())[0]) < 0.3), 40.0)
+    away = np.abs(shore_map(beach())[0])
+    foam_cells = foam.Where(np.maximum(away - 0.3, 0.0), (0.0, 0.0), 40.0).cells(grid)
     corners = grid.z.ravel()[foam_cells.reshape(-1, 6)]
     z = grid.z.ravel()[grid.triangles.reshape(-1, 6)]
     ring = np.repeat(grid.ring[1:], len(grid.east) - 1)
@@ -119,3 +122,37 @@ def test_a_sea_with_foam_is_built_for_one_setting_and_leaves_nothing(
     sea.release()
     sea.release()
     assert live_names() == before
+
+
+def test_rings_run_away_from_the_dragon_and_end() -> None:
+    distance = np.linspace(0.0, REACH, 500)
+    swell, phase, edge = rings(distance)
+    assert (np.diff(swell) <= 0).all() and swell[-1] == 0 and edge[0] > 0.5 and edge[-1] == -1
+    tops = []
+    for kt in (0.3, 0.35, 0.4):  # periods
+        turn = foam.turns(np.zeros(1), np.zeros(1), kt * foam.PERIOD)
+        crests = np.cos(phase[:300] - turn)
+        first = np.flatnonzero((crests[1:-1] > crests[:-2]) & (crests[1:-1] >= crests[2:]))[0]
+        tops.append(distance[first])
+    assert (np.diff(tops) > 0).all()
+
+
+def test_the_dragons_outline_is_where_its_mesh_crosses_the_water(stage: Stage) -> None:
+    settings = small({"water.foam": True, "dragon.x": 20.0, "dragon.z": 24.0})
+    ends = outline(settings, Assets())
+    scale = settings.dragon.scale
+    assert len(ends) > 100 and 0.3 * scale < np.abs(ends).max() < 1.5 * scale
+    pose, pictures = Pose(20.0, 4.6, 24.0, 0.0, -89.9), []
+    for dragon in (False, True):
+        sea = Sea(settings, Assets(), beach(1.0), dragon)
+        with stage.frame(settings, pose) as frame:
+            sea.draw(frame)
+            pictures.append(stage.read().astype(int))
+        sea.release()
+    rows, columns = np.nonzero(np.abs(pictures[1] - pictures[0]).max(axis=2) > 20)
+    assert len(rows) > 100, "foam around it"
+    reach = np.abs(ends).max() + REACH
+    left, top = project(pose, (20.0 - reach, LEVEL, 24.0 - reach))
+    right, bottom = project(pose, (20.0 + reach, LEVEL, 24.0 + reach))
+    assert left - 2 <= columns.min() and columns.max() <= right + 2
+    assert top - 2 <= rows.min() and rows.max() <= bottom + 2

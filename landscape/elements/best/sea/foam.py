@@ -13,8 +13,10 @@ State used: two texture units, a texture matrix, GL_BLEND, no lighting or depth 
 import numpy as np
 
 from landscape.elements.best.sea.eye_grid import EyeGrid
+from landscape.elements.best.sea.serpent_wash import rings_around
 from landscape.elements.best.sea.shoreline import averaged, shore_map, spread
 from landscape.elements.sun import painted
+from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
@@ -29,20 +31,23 @@ STEEP = 0.5  # chosen: slope, rise over run, at which it is half as wide
 SMOOTH = 8  # chosen: texels along the shore over which its width is averaged
 CRESTS = 1.15  # chosen: widths from one crest to the next
 SWELL = 0.5  # chosen: density of foam in a crest
-EDGE = 0.8  # chosen: density of the foam that stays at the edge
+EDGE = 0.86  # chosen: density of the foam that stays at the edge
 TROUGH = -0.2  # chosen: density between the crests: below 0, so that crests are narrow
 PERIOD = 180.0  # chosen: kt between two crests
-CONTRAST = 2.0  # of foam and lace; OpenGL allows 1, 2 and 4
+CONTRAST = 2.0  # chosen: of foam and lace; OpenGL allows 1, 2 and 4
 LACE = 256  # chosen: texels per side of the lace
 LACE_REPEAT = 1.9  # chosen: tiles of lace per unit
 LACE_DRIFT = 900.0  # chosen: kt in which the lace moves by one tile
 COLOUR = (0.95, 0.97, 0.97)  # chosen: RGB
 FACING = 0.2  # chosen: cosine of the angle at which the sun shines on it, whatever its height
-FARTHEST = 30.0  # chosen: units away beyond which there is none
+FADING, FARTHEST = 13.0, 18.0  # chosen: units away at which foam begins to fade, and is gone
+ENDS = 1.7  # chosen: widths from the shoreline beyond which there is none
+ASHORE = 0.06  # chosen: units of land that waves may cover
+NEARBY = 0.5  # chosen: units within which distances from foam are known
 
 
 def lace(size: int = LACE, seed: int = 2006) -> np.ndarray:
-    """Return a tile of lace, (size, size) in 0..0.6: bright threads between round holes.
+    """Return a tile of lace, (size, size) in 0..0.5: bright threads between round holes.
 
     The zero crossings of smooth noise, in three layers of about one wavelength each.
     """
@@ -55,7 +60,12 @@ def lace(size: int = LACE, seed: int = 2006) -> np.ndarray:
         wave = np.fft.ifft2(np.fft.fft2(layer) * band).real
         threads += weight * np.exp(-np.abs(wave) / wave.std() * 1.3)
     threads -= threads.min()
-    return 0.6 * threads / threads.max()
+    return 0.5 * threads / threads.max()
+
+
+def widths(slope: np.ndarray) -> np.ndarray:
+    """Return how wide the wash is in units, by the slope of the shore; 0 is one not known."""
+    return WIDEST / (1.0 + np.where(slope > 0, slope, 10.0) / STEEP)
 
 
 def wash(distance: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -64,11 +74,10 @@ def wash(distance: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarra
     By the distance from the shoreline in units, positive on the water, and by the slope there.
     Phases in radians, 0 at the shoreline; foam is there where the sum is above 0.
     """
-    width = WIDEST / (1.0 + np.where(slope > 0, slope, 10.0) / STEEP)
-    along = distance / width
+    along = distance / widths(slope)
     swell = SWELL * np.exp(-np.square((along - 0.5) / 0.62))
     edge = EDGE * np.exp(-np.abs(along) / 0.27) + TROUGH
-    outside = np.clip((np.abs(along) - 1.3) / 0.7, 0.0, 1.0)
+    outside = np.clip((np.abs(along) - 1.2) / (ENDS - 1.2), 0.0, 1.0)
     return swell * (1.0 - outside), 2 * np.pi / CRESTS * along, edge - (1.0 + edge) * outside
 
 
@@ -91,30 +100,52 @@ def near_masks(foamy: np.ndarray) -> list[np.ndarray]:
         foamy = foamy[:, ::2] | foamy[:, 1::2]
 
 
-def near_cells(grid: EyeGrid, masks: list[np.ndarray], size: float) -> np.ndarray:
-    """Return the triangles, uint32 (m,) corners, of those cells of a grid that foam may touch.
+class Where:
+    """Where foam may be on a square of ``size`` units, with its corner (2,) at x and z."""
 
-    ``masks`` are those of a map of ``size`` units. Where the cells are larger, larger texels are
-    looked at.
-    """
-    rows, columns = grid.x.shape
-    near = np.zeros((rows, columns), bool)
-    texel = size / len(masks[0])
-    across = grid.ring * np.float32(np.hypot(*np.diff(np.stack([grid.east, grid.south]))[:, 0]))
-    span = np.maximum(grid.cell, across)
-    level = np.ceil(np.log2(np.maximum(span / texel, 1.0))).astype(int)
-    level = np.minimum(level, len(masks) - 1)
-    seen = grid.ring < FARTHEST
-    for k in np.unique(level[seen]).tolist():
-        mask, mine = masks[k], seen & (level == k)
-        scale = np.float32(len(mask) / size)
-        row, column = ((a[mine] * scale).astype(np.int32) for a in (grid.z, grid.x))
-        inside = (np.minimum(row, column) >= 0) & (np.maximum(row, column) < len(mask))
-        row, column = (np.clip(a, 0, len(mask) - 1) for a in (row, column))
-        near[mine] = mask[row, column] & inside
-    cell = near[:-1] | near[1:]
-    cell = cell[:, :-1] | cell[:, 1:]
-    return np.ascontiguousarray(grid.triangles.reshape(-1, 6)[cell.ravel()].ravel())
+    def __init__(self, apart: np.ndarray, corner: tuple[float, float], size: float) -> None:
+        """Take the distance of each texel from the nearest foam, (n, n) in units, 0 in foam.
+
+        It need not be right where it is larger than NEARBY.
+        """
+        self._apart = apart.astype(np.float32)
+        self._corner, self._size = np.array(corner, np.float32), size
+        self._masks = near_masks(apart <= 0.0)
+
+    def cells(self, grid: EyeGrid) -> np.ndarray:
+        """Return the triangles, uint32 (m,) corners, of those cells of a grid that foam may touch.
+
+        In small cells no point is farther from the nearest corner than half the diagonal. For
+        large ones, texels as large as they are tell whether there is foam.
+        """
+        near = np.zeros(grid.x.shape, bool)
+        seen = np.flatnonzero(grid.ring < FARTHEST)
+        across = grid.ring * np.float32(np.hypot(*np.diff([grid.east, grid.south])[:, 0]))
+        half = 0.5 * np.hypot(grid.cell, across) + self._size / len(self._apart)
+        small = seen[half[seen] < NEARBY]
+        inside, places = self._texels(grid, small, len(self._apart))
+        near[small] = (self._apart[places] <= half[small, None]) & inside
+        spans = np.maximum(grid.cell, across) * len(self._apart) / self._size
+        level = np.ceil(np.log2(np.maximum(spans, 1.0))).astype(int)
+        level = np.minimum(level, len(self._masks) - 1)
+        large = seen[half[seen] >= NEARBY]
+        for k in np.unique(level[large]).tolist():
+            rows, mask = large[level[large] == k], self._masks[k]
+            inside, places = self._texels(grid, rows, len(mask))
+            near[rows] = mask[places] & inside
+        cell = near[:-1] | near[1:]
+        cell = cell[:, :-1] | cell[:, 1:]
+        return np.ascontiguousarray(grid.triangles.reshape(-1, 6)[cell.ravel()].ravel())
+
+    def _texels(
+        self, grid: EyeGrid, rows: np.ndarray, side: int
+    ) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
+        """Return which vertices of rows are on a map of ``side`` texels, and row and column."""
+        scale, last = np.float32(side / self._size), side - 1
+        column = np.floor((grid.x[rows] - self._corner[0]) * scale).astype(np.int32)
+        row = np.floor((grid.z[rows] - self._corner[1]) * scale).astype(np.int32)
+        inside = (np.minimum(row, column) >= 0) & (np.maximum(row, column) <= last)
+        return inside, (np.clip(row, 0, last), np.clip(column, 0, last))
 
 
 def turns(x: np.ndarray, z: np.ndarray, kt: float) -> np.ndarray:
@@ -127,22 +158,65 @@ def turns(x: np.ndarray, z: np.ndarray, kt: float) -> np.ndarray:
     return np.asarray(delay - np.float32(2 * np.pi * (kt / PERIOD % 1.0)))
 
 
+class Wash:
+    """Foam on a square of the sea, a map of what each place does during a swell."""
+
+    def __init__(
+        self,
+        parts: tuple[np.ndarray, ...],
+        apart: np.ndarray,
+        corner: tuple[float, float] = (0.0, 0.0),
+        size: float = 1.0,
+    ) -> None:
+        """Upload the map, (n, n) each of what ``wash`` returns; its corner is x, z, in units.
+
+        ``apart`` (n, n) is how far from the nearest foam each texel is.
+        """
+        self._corner, self._size = corner, size
+        self._where = Where(apart, corner, size)
+        self._texture = Texture(wash_picture(*parts), repeat=False)
+
+    def draw(self, grid: EyeGrid) -> None:
+        """Draw the cells of a grid that foam may touch; the coordinates of unit 0 are x and z."""
+        triangles = self._where.cells(grid)
+        if not len(triangles):
+            return
+        self._texture.bind()
+        gl.glMatrixMode(gl.GL_TEXTURE)
+        with matrix():
+            gl.glScalef(1 / self._size, 1 / self._size, 1.0)
+            gl.glTranslatef(-self._corner[0], -self._corner[1], 0.0)
+            gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    def release(self) -> None:
+        """Delete the texture; may be called twice."""
+        self._texture.release()
+
+
+def shore_wash(field: HeightField) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """Return what :func:`wash` does for each texel of the map, and how far from foam it is."""
+
+    def make() -> tuple[np.ndarray, ...]:
+        distance, slope = shore_map(field)
+        return distance.astype(np.float32), averaged(spread(slope, SMOOTH)).astype(np.float32)
+
+    what = repr((field.size, field.water_level, field.heights.shape, field.exact))
+    distance, slope = recall(["foam", what, field.heights.tobytes()], make)
+    apart = np.maximum(distance - ENDS * widths(slope), -ASHORE - distance)
+    return wash(distance, slope), apart
+
+
 class Foam:
-    """The foam along all shores; Sea draws it with its own vertices."""
+    """The foam along all shores, and around the dragon; Sea draws it with its own vertices."""
 
-    def __init__(self, field: HeightField) -> None:
-        """Make the textures."""
-
-        def make() -> tuple[np.ndarray, np.ndarray]:
-            distance, slope = shore_map(field)
-            swell, phase, edge = wash(distance, averaged(spread(slope, SMOOTH)))
-            return wash_picture(swell, phase, edge), swell + edge > 0
-
-        what = repr((field.size, field.water_level, field.heights.shape, field.exact))
-        picture, foamy = recall(["foam", what, field.heights.tobytes()], make)
-        self._size = field.size
-        self._masks = near_masks(foamy)
-        self._texture = Texture(picture, repeat=False)
+    def __init__(
+        self, settings: Settings, assets: Assets, field: HeightField, dragon: bool = False
+    ) -> None:
+        """Make the textures; with ``dragon``, also those of its rings."""
+        self._washes = [Wash(*shore_wash(field), size=field.size)]
+        if dragon:
+            self._washes.append(Wash(*rings_around(settings, assets)))
         white = np.full((LACE, LACE, 4), 255, np.uint8)
         white[..., 3] = np.rint(lace() * 255)
         self._lace = Texture(white)
@@ -153,13 +227,12 @@ class Foam:
         places: np.ndarray,
     ) -> None:  # fmt: skip
         """Blend the foam of the frame's kt over vertices (n, 3) at places x, z (n, 2)."""
-        triangles = near_cells(grid, self._masks, self._size)
-        if not len(triangles):
-            return
         turn = turns(places[:, 0], places[:, 1], frame.kt)
-        colors = np.empty((len(places), 4), np.float32)
-        colors[:, 0], colors[:, 1] = 0.5 + 0.5 * np.cos(turn), 0.5 + 0.5 * np.sin(turn)
-        colors[:, 2:] = 1.0
+        left = np.clip((FARTHEST - grid.ring) / (FARTHEST - FADING), 0.0, 1.0)
+        strength = 0.5 * np.repeat(left.astype(np.float32), grid.x.shape[1])
+        colors = np.ones((len(places), 4), np.float32)
+        colors[:, 0], colors[:, 1] = 0.5 + strength * np.cos(turn), 0.5 + strength * np.sin(turn)
+        colors[:, 2] = 0.5 + strength
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups):
@@ -168,25 +241,24 @@ class Foam:
             gl.glDepthFunc(gl.GL_LEQUAL)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            self._list.call()
             # Spray is as bright from all sides, as it scatters light.
             colour = np.array([*(painted(settings.sun, FACING) * COLOUR), 1.0], np.float32)
-            self._list.call()
-            gl.glActiveTexture(gl.GL_TEXTURE1)
-            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
-            gl.glActiveTexture(gl.GL_TEXTURE0)
             drift = frame.kt / LACE_DRIFT % 1.0
             with client_arrays(vertices, None, colors, [places, places]):
+                gl.glActiveTexture(gl.GL_TEXTURE1)
+                gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
                 gl.glMatrixMode(gl.GL_TEXTURE)
-                with matrix():
-                    gl.glScalef(1 / self._size, 1 / self._size, 1.0)
-                    gl.glActiveTexture(gl.GL_TEXTURE1)
-                    with matrix():
-                        gl.glTranslatef(drift, -drift, 0.0)
-                        gl.glScalef(LACE_REPEAT, LACE_REPEAT, 1.0)
-                        gl.glDrawElements(
-                            gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles
-                        )
-                    gl.glActiveTexture(gl.GL_TEXTURE0)
+                gl.glPushMatrix()
+                gl.glTranslatef(drift, -drift, 0.0)
+                gl.glScalef(LACE_REPEAT, LACE_REPEAT, 1.0)
+                gl.glActiveTexture(gl.GL_TEXTURE0)
+                for each in self._washes:
+                    each.draw(grid)
+                gl.glMatrixMode(gl.GL_TEXTURE)
+                gl.glActiveTexture(gl.GL_TEXTURE1)
+                gl.glPopMatrix()
+                gl.glActiveTexture(gl.GL_TEXTURE0)
                 gl.glMatrixMode(gl.GL_MODELVIEW)
 
     def _set_units(self) -> None:
@@ -199,11 +271,11 @@ class Foam:
         gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, CONTRAST)
         gl.glActiveTexture(gl.GL_TEXTURE0)
         gl.glEnable(gl.GL_TEXTURE_2D)
-        self._texture.bind()
         combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "PRIMARY_COLOR", "SRC1_RGB": "TEXTURE"})
 
     def release(self) -> None:
         """Delete list and textures; may be called twice."""
         self._list.release()
-        self._texture.release()
         self._lace.release()
+        for each in self._washes:
+            each.release()

@@ -19,6 +19,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from landscape.elements.best.sea import serpent_wash
 from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
 from landscape.elements.best.sea.foam import Foam
 from landscape.elements.best.sea.glitter import Glitter
@@ -124,14 +125,20 @@ def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     water = settings.water
     looks = water.trilinear, water.lod_bias, water.ripples
-    return water.level, *looks, water.shallow, water.foam, water.glitter > 0
+    foam = serpent_wash.built_from(settings) if water.foam else None
+    return water.level, *looks, water.shallow, foam, water.glitter > 0
 
 
 class Sea:
     """The sea; ``mirror`` takes the mirrored scene before each ``draw``."""
 
-    def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
-        """Load the texture, and compute how deep the sea over ``field`` is."""
+    def __init__(
+        self, settings: Settings, assets: Assets, field: HeightField, dragon: bool = False
+    ) -> None:
+        """Load the texture, and compute how deep the sea over ``field`` is.
+
+        With ``dragon`` there is foam around the dragon, too.
+        """
         self._settings = settings
         self._size = field.size
         depths = sea_depths(field)
@@ -139,7 +146,7 @@ class Sea:
         self.mirror = MirrorImage()
         self._texture, self._fine = self._textures(settings, assets)
         self._shallows = Shallows(depths, field.size) if settings.water.shallow else None
-        self._foam = Foam(field) if settings.water.foam else None
+        self._foam = Foam(settings, assets, field, dragon) if settings.water.foam else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
 
     @staticmethod

@@ -15,33 +15,43 @@ ROUNDED = 2  # chosen: times a distance is averaged with its neighbours: no corn
 PIECES = 512  # pieces of the shoreline compared at a time
 
 
-def pieces(field: HeightField) -> tuple[np.ndarray, np.ndarray]:
-    """Return the shoreline's pieces, (n, 2, 2): both ends' x and z in units; and slopes (n,).
+def crossings(
+    places: np.ndarray, rise: np.ndarray, triangles: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return where triangles (m, 3) cross the water: (n, 2, 2), both ends' x and z; slopes (n,).
 
-    A slope is the rise over run of the ground there.
+    Vertices are at x, z ``places`` (k, 2) and ``rise`` (k,) above the water, in units. A slope is
+    the triangle's rise over run.
     """
-    side = len(field.heights)
-    triangles = grid_triangles(side, side)
-    rise = (field.heights.ravel() - field.water_level).astype(np.float64)
     wet = rise[triangles] < 0
     triangles = triangles[wet.any(axis=1) & ~wet.all(axis=1)]
     # Turned so that the first corner lies alone on its side of the water's level.
     wet = rise[triangles] < 0
     alone = np.where(wet.sum(axis=1) == 1, wet.argmax(axis=1), (~wet).argmax(axis=1))
     first, *others = (triangles[np.arange(len(triangles)), (alone + k) % 3] for k in range(3))
-    step = field.size / (side - 1)
-
-    def place(vertex: np.ndarray) -> np.ndarray:
-        return np.stack([vertex % side, vertex // side], axis=1) * step
-
     ends = []
     for other in others:
         share = rise[first] / (rise[first] - rise[other])
-        ends.append(place(first) + share[:, None] * (place(other) - place(first)))
-    sides = [np.column_stack([place(b) - place(first), rise[b] - rise[first]]) for b in others]
+        ends.append(places[first] + share[:, None] * (places[other] - places[first]))
+    sides = [
+        np.column_stack([places[other] - places[first], rise[other] - rise[first]])
+        for other in others
+    ]
     normal = np.cross(sides[0], sides[1])
-    slope = np.hypot(normal[:, 0], normal[:, 1]) / np.abs(normal[:, 2])
+    slope = np.hypot(normal[:, 0], normal[:, 1]) / np.maximum(np.abs(normal[:, 2]), 1e-9)
     return np.stack(ends, axis=1), slope
+
+
+def pieces(field: HeightField) -> tuple[np.ndarray, np.ndarray]:
+    """Return the shoreline's pieces, (n, 2, 2): both ends' x and z in units; and slopes (n,).
+
+    A slope is the rise over run of the ground there.
+    """
+    side = len(field.heights)
+    rise = (field.heights.ravel() - field.water_level).astype(np.float64)
+    row, column = np.divmod(np.arange(side * side), side)
+    places = np.stack([column, row], axis=1) * (field.size / (side - 1))
+    return crossings(places, rise, grid_triangles(side, side))
 
 
 def distances(places: np.ndarray, ends: np.ndarray) -> np.ndarray:
@@ -53,17 +63,18 @@ def distances(places: np.ndarray, ends: np.ndarray) -> np.ndarray:
     return np.asarray(np.sqrt((apart * apart).sum(axis=2)))
 
 
-def shore_map(field: HeightField, texels: int = TEXELS) -> tuple[np.ndarray, np.ndarray]:
-    """Return distances to the shoreline and the slope there, (texels, texels), row along z.
+def nearest_pieces(
+    ends: np.ndarray, texels: int, texel: float, reach: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return each texel's distance from the nearest piece (n, 2, 2), and which one that is.
 
-    Distances are in units, positive on the water, at most REACH on either side; slopes are those of
-    the nearest piece, 0 where there is none.
+    Both are (texels, texels), row along z; a texel is ``texel`` units wide, the first is at 0, 0.
+    Beyond ``reach`` the distance is that, and the number -1.
     """
-    ends, slope = pieces(field)
-    texel = field.size / texels
-    radius = int(np.ceil((REACH + 1.5 * field.size / (len(field.heights) - 1)) / texel))
+    longest = float(np.abs(ends[:, 1] - ends[:, 0]).max(initial=0.0))
+    radius = int(np.ceil((reach + longest) / texel))
     offsets = np.stack(np.meshgrid(*[np.arange(-radius, radius + 1)] * 2), axis=2).reshape(-1, 2)
-    # The nearest piece: the least of (distance, number), as one whole number.
+    # The least of (distance, number), as one whole number.
     far = int(np.iinfo(np.int64).max)
     nearest = np.full(texels * texels, far, np.int64)
     for begin in range(0, len(ends), PIECES):
@@ -73,21 +84,31 @@ def shore_map(field: HeightField, texels: int = TEXELS) -> tuple[np.ndarray, np.
         places = (np.stack([column, row], axis=2) + 0.5) * texel
         apart = distances(places, part)
         number = np.broadcast_to(np.arange(begin, begin + len(part))[:, None], apart.shape)
-        kept = (apart < REACH) & (np.minimum(column, row) >= 0)
+        kept = (apart < reach) & (np.minimum(column, row) >= 0)
         kept &= np.maximum(column, row) < texels
-        key = (apart[kept] * 1e9).astype(np.int64) // 1000 << 24 | number[kept]
+        key = (apart[kept] * 1e6).astype(np.int64) << 24 | number[kept]
         np.minimum.at(nearest, (row * texels + column)[kept], key)
     found = nearest < far
-    away = np.full(texels * texels, REACH)
-    away[found] = (nearest[found] >> 24) * 1e-6
-    steep = np.zeros(texels * texels)
-    steep[found] = slope[nearest[found] & (1 << 24) - 1]
+    away = np.where(found, (nearest >> 24) * 1e-6, reach).reshape(texels, texels)
+    return away, np.where(found, nearest & (1 << 24) - 1, -1).reshape(texels, texels)
+
+
+def shore_map(field: HeightField, texels: int = TEXELS) -> tuple[np.ndarray, np.ndarray]:
+    """Return distances to the shoreline and the slope there, (texels, texels), row along z.
+
+    Distances are in units, positive on the water, at most REACH on either side; slopes are those of
+    the nearest piece, 0 where there is none.
+    """
+    ends, slope = pieces(field)
+    texel = field.size / texels
+    away, number = nearest_pieces(ends, texels, texel, REACH)
+    steep = np.append(slope, 0.0)[number]
     at = (np.arange(texels) + 0.5) * texel
     wet = field.terrain_height(at[None, :], at[:, None]) < field.water_level
-    signed = np.where(wet, away.reshape(wet.shape), -away.reshape(wet.shape))
+    signed = np.where(wet, away, -away)
     for _ in range(ROUNDED):
         signed = averaged(signed)
-    return signed, steep.reshape(wet.shape)
+    return signed, steep
 
 
 def averaged(values: np.ndarray) -> np.ndarray:
