@@ -19,7 +19,7 @@ def pages(language: str) -> dict[str, str]:
     _ = translator(language, "site")
     cards = (
         ("lessons/index", "matrix_stack.webp", _("Lessons"),
-         _("Small programs, one idea each, from the first window to the three fogs.")),
+         _("Small programs, one idea each, from the first window to a terrain drawn by numpy.")),
         ("exercises/index", "exercise-mirror-wanted.webp", _("Exercises"),
          _("Programs with a hole, and a grader that says what is missing and where.")),
         ("documents/teaching", "mirror.webp", _("Teaching with it"),
