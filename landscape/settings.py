@@ -355,6 +355,12 @@ class Ground:
         "bake shadows into the ground's large texture",
         needs=("ground.units=both or ground.units=large or plants.shaded or grass.tinted",),
     )
+    weathered: bool = setting(
+        False,
+        "chosen",
+        "paint ledges into rock, a tideline onto beaches, and ragged edges of turf",
+        needs=("ground", "ground.materials", "ground.units=both"),
+    )
     stones: int = setting(
         0,
         "chosen",
@@ -1165,6 +1171,7 @@ BEST: dict[str, Value] = {
     "ground.exact_height": True,
     "ground.tiles": 8,
     "ground.shadows": True,
+    "ground.weathered": True,
     "ground.stones": 10_000,
     "ground.wet": True,
     "ground.low_stretch": True,

@@ -109,14 +109,14 @@ def test_a_file_with_other_meshes_is_refused_by_its_name(tmp_path: Path) -> None
 
 
 def test_no_stone_floats_and_each_sticks_out(stones: Stones, ground: Terrain) -> None:
-    seen = 0
+    seen, kind = 0, kinds(stones)
     for level in range(2):
         for number, points in corners(stones, level):
             x, y, z = points.astype(float).T
             over = y - ground.terrain_height(x, z)
             low, high = y.min(), y.max()
             # A coarser level is not quite the same, and is seen from far away.
-            foot = y < low + (FOOT if level == 0 else 0.5 * FOOT) * (high - low)
+            foot = y < low + FOOT[kind[number]] / (1 + level) * (high - low)
             assert (over[foot] < 0.25 * level * (high - low)).all(), f"stone {number} floats"
             assert level or over.max() > 0.0, f"stone {number} is buried"
             seen += 1

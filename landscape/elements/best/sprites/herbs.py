@@ -53,7 +53,8 @@ def herb_chances(
             grows * shade**1.5 * (0.25 + 0.75 * drift[0]),
             grows * (1.0 - shade) ** 2 * drift[1] ** 1.5 if species > 1 else 0 * x,
             grows * edge * drift[2] ** 2 if species > 2 else 0 * x,
-            shore * np.maximum(1.0 - green, damp) * (slope < 0.6) * (0.04 + 0.96 * drift[3] ** 1.5)
+            # On the beach marram grows in clumps, on dunes that it holds, with few between them.
+            shore * np.maximum(1.0 - green, damp) * (slope < 0.6) * clump(drift[3])
             if species > 3
             else 0 * x,
             stony * (height > 0.5) * (1.0 - 0.8 * shade) * drift[4] if species > 4 else 0 * x,
@@ -61,6 +62,11 @@ def herb_chances(
         return np.stack(kinds[:species], axis=1)
 
     return chances
+
+
+def clump(drift: np.ndarray) -> np.ndarray:
+    """Return how likely marram grows by its drift (n,): all or almost nothing."""
+    return np.asarray(0.008 + 0.992 * np.clip(2.2 * (drift - 0.42), 0.0, 1.0) ** 1.5)
 
 
 def herbs_by_place(

@@ -18,7 +18,8 @@ from landscape.settings import Settings
 
 LEVELS = 3  # the most that a shape has
 # All chosen.
-FOOT = 0.36  # lowest part of a shape, of its height, that is always under the ground
+# Lowest part of a stone, of its height, that is always under the ground; a crag stands in a slope.
+FOOT = (0.2, 0.36, 0.36, 0.36, 0.36)
 SUNK = 0.06  # of the radius, by which it is
 LEAST = 0.1  # of the height: a stone that sticks out by less is left out
 REPEATS = 2.4  # of the rock's texture per unit
@@ -59,7 +60,7 @@ def seated(ground: Ground, shape: Shape, stones: Stones, mine: np.ndarray) -> np
     radii = stones.radii[mine]
     at = np.einsum("mij,vj->mvi", stones.turns[mine] * radii[:, None, None], shape.vertices)
     low, high = at[..., 1].min(axis=1), at[..., 1].max(axis=1)
-    foot = at[..., 1] < (low + FOOT * (high - low))[:, None]
+    foot = at[..., 1] < (low + np.array(FOOT)[stones.kinds[mine]] * (high - low))[:, None]
     x, z = (stones.places[mine, k, None] + at[..., 2 * k] for k in range(2))
     room = np.where(foot, ground.terrain_height(x, z) - at[..., 1], np.inf)
     return np.asarray(room.min(axis=1) - SUNK * radii)

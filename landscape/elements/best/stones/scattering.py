@@ -26,8 +26,8 @@ from landscape.settings import Settings
 
 # Chosen: fraction of all stones that are of each kind, in the order of KINDS; the radii in units
 # between which they are, and how much rarer large ones are.
-SHARES = (0.07, 0.10, 0.345, 0.48, 0.005)
-RADII = ((0.10, 0.34), (0.028, 0.12), (0.009, 0.028), (0.0035, 0.009), (0.05, 0.13))
+SHARES = (0.085, 0.10, 0.335, 0.475, 0.005)
+RADII = ((0.12, 0.42), (0.028, 0.12), (0.009, 0.028), (0.0035, 0.009), (0.05, 0.13))
 RARER = (1.6, 2.6, 2.0, 1.5, 1.0)
 FLATTER = (1.0, 1.0, 0.75, 0.8, 1.0)  # chosen: times the height of a shape
 BESIDE = 0.5  # chosen: fraction of the stones that lie around boulders and crags
@@ -98,8 +98,10 @@ def rules(settings: Settings, ground: Ground, seed: int) -> dict[int, Chance]:
 
     def crags(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         above, slope, bare, rock, free = site(x, z)
-        found = ramp(0.42, 0.75, slope) * ramp(0.3, 0.8, rock) * ramp(-0.12, -0.02, above)
-        found *= bare * ramp(0.25, 0.55, broad(x, z)) * ramp(2.5, 0.4, above) ** 1.5
+        coast = ramp(0.28, 0.5, slope) * ramp(0.3, 0.1, above)
+        found = np.maximum(ramp(0.42, 0.75, slope) * ramp(0.3, 0.8, rock), coast)
+        found *= ramp(-0.12, -0.02, above)
+        found *= bare * ramp(0.15, 0.5, broad(x, z)) * (0.12 + 0.88 * ramp(1.5, 0.2, above))
         return found * free * clear_of_deer(x, z)
 
     def boulders(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -120,7 +122,7 @@ def rules(settings: Settings, ground: Ground, seed: int) -> dict[int, Chance]:
 
     def stones(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         above, slope, bare, rock, free = site(x, z)
-        scree = rock * ramp(0.25, 0.5, slope) + 0.6 * bare * ramp(0.2, 0.45, slope)
+        scree = rock * ramp(0.25, 0.5, slope) + 0.9 * bare * ramp(0.2, 0.45, slope)
         shore = ramp(-0.06, 0.0, above) * ramp(0.12, 0.04, above) * ramp(0.08, 0.25, slope)
         here = np.maximum(scree, shore) * ramp(0.35, 0.75, fine(x, z)) * ramp(-0.06, -0.02, above)
         return here * free * (0.15 + 0.85 * ramp(1.6, 0.5, above))
@@ -130,7 +132,7 @@ def rules(settings: Settings, ground: Ground, seed: int) -> dict[int, Chance]:
         # Along the line that the highest waves reach, and on earth that nothing covers.
         line = np.exp(-(((above - 0.045 - 0.03 * broad(x, z)) / 0.014) ** 2))
         line = np.maximum(line, 0.5 * np.exp(-(((above - 0.012) / 0.012) ** 2)))
-        earth = 0.5 * bare * ramp(0.28, 0.6, slope) * ramp(1.4, 0.4, above)
+        earth = 1.0 * bare * ramp(0.28, 0.6, slope) * ramp(1.4, 0.4, above)
         clumps = ramp(0.3, 0.8, fine(x, z))
         return np.maximum(line, earth) * (0.06 + 0.94 * clumps) * (above > -0.02) * free
 

@@ -26,6 +26,7 @@ from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
+from landscape.elements.best.terrain.weathering import weathered
 from landscape.elements.best.terrain.wet import dampened, wet_texels
 from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
 from landscape.files.assets import Assets
@@ -112,15 +113,22 @@ class Terrain(Ground):
         """Return the large colours, and the fraction of turf as alpha, uint8 (n, n, 4)."""
         large, repeat = self._drawn, ground.mid_repeat
         turf = turf_alpha(large)
-        if repeat <= 0:
+        if repeat <= 0 and not ground.weathered:
             return np.concatenate([large, turf], axis=2)
-        path = assets.path(ground.detail_texture)
-        pattern = read_image(path, "RGB")
-        (colours,) = recall(
-            [content(path), large.tobytes(), repr(repeat)],
-            lambda: (textured(large, pattern, repeat, turf),),
-        )
-        return np.concatenate([colours, turf], axis=2)
+        names = ("detail_texture", *(("rock_texture",) if ground.weathered else ()))
+        paths = [assets.path(getattr(ground, name), f"ground.{name}") for name in names]
+        patterns = [read_image(path, "RGB") for path in paths]
+
+        def make() -> tuple[np.ndarray]:
+            colours = textured(large, patterns[0], repeat, turf) if repeat > 0 else large
+            both = colours, turf
+            if ground.weathered:
+                both = weathered(colours, turf, self.field, patterns[1])
+            return (np.concatenate(both, axis=2),)
+
+        what = repr((repeat, ground.weathered, self.field.water_level, self.field.size))
+        heights = self.field.heights.tobytes() if ground.weathered else b""
+        return recall([*map(content, paths), large.tobytes(), heights, what], make)[0]
 
     def _dampened(self, painted: np.ndarray) -> np.ndarray:
         """Return the colours, darker along the shore, see wet.py."""

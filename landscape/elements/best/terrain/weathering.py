@@ -1,0 +1,116 @@
+"""Ledges in rock, a tideline on the beach, ragged edges of turf: painted into the large texture.
+
+The large texture colours rock by slope and height, and the detail texture repeats; between the two
+there is nothing a few strides wide (``ground.weathered``). Here rock gets the pattern of its detail
+texture once more, ten times as large, laid upright from two sides by the slope, and ledges along
+lines of equal height. It is done once, not in each frame. No OpenGL here.
+"""
+
+import numpy as np
+from PIL import Image
+
+from landscape.geometry.height_field import HeightField
+
+# All chosen.
+COARSE = 256  # side of the reduced rock pattern
+PERIOD = 3.1  # units per repeat of it
+STEEP = (0.28, 0.55)  # slopes between which ground turns to rock
+PATTERN = 1.3  # strength of the pattern
+LAYERS = 7.5  # ledges per unit of height
+UNDERCUT, RIM = 0.42, 0.22  # how dark the foot of a ledge is, and how light its edge
+DARKEST, LIGHTEST = 0.5, 1.18
+TIDES = ((0.060, 0.010, 1.0), (0.024, 0.005, 0.6))  # units above the water, half width, strength
+WEED = (0.46, 0.40, 0.32)  # factor on sand under dry weed
+RAGGED = 1.6  # how far noise moves the edges of turf
+
+
+def noise(seed: int, cells: int, side: int) -> np.ndarray:
+    """Return smooth noise, float32 (side, side), of mean about 0 and deviation about 1."""
+    values = np.random.default_rng([seed, cells]).standard_normal((cells, cells))
+    image = Image.fromarray(values.astype(np.float32))
+    found = np.asarray(image.resize((side, side), Image.Resampling.BICUBIC))
+    return np.asarray(found / found.std())
+
+
+def enlarged(values: np.ndarray, side: int) -> np.ndarray:
+    """Return values at the vertices, (n, n), at the middles of side x side texels."""
+    n = len(values)
+    image, box = Image.fromarray(values.astype(np.float32)), (0.5, 0.5, n - 0.5, n - 0.5)
+    return np.asarray(image.resize((side, side), Image.Resampling.BICUBIC, box))
+
+
+def ramp(low: float, high: float, values: np.ndarray) -> np.ndarray:
+    """Return 0 at ``low`` and 1 at ``high``, linear between; ``low`` may exceed ``high``."""
+    return np.asarray(np.clip((values - low) / (high - low), 0.0, 1.0))
+
+
+def weathered(
+    colours: np.ndarray, turf: np.ndarray, field: HeightField, rock: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return colours, uint8 (n, n, 3), and the fraction of turf, uint8 (n, n, 1), weathered.
+
+    ``rock``, uint8 (m, m, 3), is the detail texture of rock.
+    """
+    side, cell = len(colours), field.size / (len(field.heights) - 1)
+    rise_z, rise_x = (np.asarray(each) for each in np.gradient(field.heights, np.float32(cell)))
+    heights, rise_x, rise_z = (enlarged(each, side) for each in (field.heights, rise_x, rise_z))
+    above, slope = heights - field.water_level, np.hypot(rise_x, rise_z)
+    fine = 0.6 * noise(1, side // 3 or 1, side) + 0.5 * noise(2, side // 9 or 1, side)
+    broad = noise(3, side // 60 or 1, side)
+
+    bare = 1.0 - turf[..., 0] / np.float32(255.0)
+    factor = np.ones((side, side, 3), np.float32)
+    stony = ramp(*STEEP, slope) * (0.25 + 0.75 * bare) * ramp(-0.15, -0.02, above)
+    rows, columns = np.nonzero(stony > 0.02)
+    at = rows, columns
+    unit = field.size / side
+    shade = upright(
+        rock, (columns + 0.5) * unit, (rows + 0.5) * unit, heights[at], rise_x[at], rise_z[at]
+    )
+    layer = LAYERS * heights[at] + 0.3 * broad[at] + 0.12 * fine[at]
+    layer -= np.floor(layer)
+    ledge = RIM * ramp(0.7, 0.95, layer) - UNDERCUT * ramp(0.30, 0.05, layer)
+    ledge *= ramp(-0.6, 0.6, noise(4, side // 22 or 1, side)[at])
+    factor[at] = np.clip(1.0 + stony[at] * (shade + ledge), DARKEST, LIGHTEST)[:, None]
+
+    flat = bare * ramp(0.3, 0.15, slope)
+    for height, half, strength in TIDES:
+        line = (above - height - 0.014 * broad - 0.004 * fine) / half
+        weed = strength * flat * np.exp(-line * line) * ramp(-0.6, 0.5, fine)
+        factor *= 1.0 - weed[..., None] * (1.0 - np.array(WEED, np.float32))
+    # Sand is blown into low dunes, which the sun lights from one side.
+    dune = flat * ramp(0.03, 0.1, above)
+    factor *= (1.0 + 0.03 * dune * (broad + 1.2 * fine))[..., None]
+
+    edge = turf[..., 0] / np.float32(255.0)
+    edge = edge + RAGGED * fine * edge * (1.0 - edge)
+    ragged = np.clip((edge - 0.5) * 1.5 + 0.5, 0.0, 1.0)
+    found = np.clip(colours * factor + 0.5, 0, 255).astype(np.uint8)
+    return found, (255.0 * ragged + 0.5).astype(np.uint8)[..., None]
+
+
+def upright(
+    rock: np.ndarray,
+    x: np.ndarray,
+    z: np.ndarray,
+    y: np.ndarray,
+    rise_x: np.ndarray,
+    rise_z: np.ndarray,
+) -> np.ndarray:
+    """Return the shade of rock (k,) at x, y, z: a factor less 1; ``rise_x`` = dy/dx, and in z.
+
+    It is seen from the side along x and along z, as much as the ground faces each.
+    """
+    image = Image.fromarray(rock).convert("L").resize((COARSE,) * 2, Image.Resampling.BOX)
+    pattern = np.asarray(image, np.float32) / np.float32(127.5)
+    pattern = PATTERN * (pattern - pattern.mean())
+    texels = COARSE / PERIOD
+
+    def look(along: np.ndarray) -> np.ndarray:
+        s, t = (np.floor(each * texels).astype(int) % COARSE for each in (along, -y))
+        return pattern[t, s]
+
+    across, along = rise_x * rise_x, rise_z * rise_z
+    share = across / np.maximum(across + along, 1e-6)
+    share = ramp(0.3, 0.7, share)
+    return np.asarray(share * look(z) + (1.0 - share) * look(x))
