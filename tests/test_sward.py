@@ -18,6 +18,7 @@ from landscape.elements.best.meadow.sward import (
     LOOKS,
     STANDING,
     card_corners,
+    covered,
     kinds_at,
     mean_colours,
     off_trail,
@@ -125,6 +126,11 @@ def test_several_kinds_grow_everywhere_and_the_grass_is_low_on_the_trails() -> N
     assert np.bincount(kinds, minlength=16).min() > 20
     beside, on = tallness(x, z)[off_trail(x, z) == 1], tallness(x, z)[off_trail(x, z) == 0]
     assert 100 < len(on) < len(beside) / 5 and on.mean() < 0.6 * beside.mean()
+
+
+def test_the_sward_covers_dry_ground_and_leaves_bare_ground_free() -> None:
+    bare, dry, lush = covered(np.array([0.05, 0.5, 1.0]))
+    assert bare < 0.05 and dry > 0.6 and lush == 1.0
 
 
 # ---- what is drawn

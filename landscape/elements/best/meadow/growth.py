@@ -107,7 +107,7 @@ class Growth:
         if not self._settings.grass.tinted:
             return land
         green = greenness(colour(x, z))
-        return land * (green**sward.DRY if self._settings.grass.sward else green)
+        return land * (sward.covered(green) if self._settings.grass.sward else green)
 
     def patch(self, cell: int, wanted: int | None = None) -> Patch:
         """Return at least the first ``wanted`` blades of a cell, or all."""

@@ -35,7 +35,7 @@ LOOKS = np.array(
 DRIFTS = ((1.7, 0.8), (1.7, 0.8), (1.3, 1.0), (2.1, 0.8), (2.9, 0.45), (2.3, 0.5), (2.6, 0.4),
           (1.5, 0.6))  # fmt: skip
 HUES = np.array([(0.97, 1.02, 0.90), (1.09, 1.05, 0.74), (0.91, 1.00, 0.98), (0.93, 1.06, 0.76)])
-DRY = 0.6  # chosen: exponent on how green the ground is; the sward thins out towards bare ground
+DRY, BARE = 0.6, 0.35  # chosen: exponent on how green the ground is, and where it looks bare
 BOLD = 0.35  # chosen: exponent; the fewer cards are drawn, the more of them are flowers
 TUFT = 0.036  # chosen: units, how far apart the roots of a tuft's cards are
 WIDENING = 0.62  # chosen: cards k times as far away as all are drawn are k**WIDENING times as wide
@@ -137,6 +137,14 @@ def standing(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return 0..1: how densely cards stand at x, z: clumps with gaps between them, and trails."""
     clumps = 0.72 + 0.28 * waves(x, z, 22.0, 22) + 0.22 * waves(x, z, 61.0, 23)
     return np.asarray(np.clip(clumps, 0.18, 1.0) * (0.30 + 0.70 * off_trail(x, z)))
+
+
+def covered(green: np.ndarray) -> np.ndarray:
+    """Return 0..1 (n,), how much of the sward grows on ground that is ``green`` (n,), 0..1.
+
+    It is fuller than single blades on dry ground, and leaves bare ground and paths free.
+    """
+    return np.asarray(green**DRY * np.clip(green / BARE, 0.0, 1.0))
 
 
 def tallness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
