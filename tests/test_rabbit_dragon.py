@@ -12,7 +12,7 @@ from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import read_painted
 from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
-from landscape.elements.best.animals.fur import glints, hair_lengths, laid, shells
+from landscape.elements.best.animals.fur import eyes, glints, hair_lengths, laid, shells
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.rabbit import Rabbit, cylindrical
 from landscape.files.assets import Assets
@@ -300,12 +300,15 @@ def test_the_settings_choose_the_class_of_an_animal() -> None:
 def test_shells_of_fur_lie_outside_each_other_and_leave_eyes_and_feet_short(
     shipped: Assets,
 ) -> None:
-    skin = laid(read_painted(shipped, "rabbit.ply", "key", True))
-    every = shells(skin, 5)
+    mesh = read_painted(shipped, "rabbit.ply", "key", True)
+    skin, at = laid(mesh), eyes(mesh)
+    every = shells(skin, at, 5)
     away = [np.linalg.norm(shell.vertices - skin.vertices, axis=1) for shell in every]
     assert (np.diff(away, axis=0) >= -1e-6).all() and away[-1].max() > 0.03
-    lengths, eye = hair_lengths(skin), skin.colors[:, :3].mean(axis=1) < 50
-    assert eye.any() and (lengths[eye] < 0.05).all()
+    lengths = hair_lengths(skin, at)
+    assert len(at) == 2
+    for middle, _ in at:
+        assert lengths[np.linalg.norm(skin.vertices - middle, axis=1) < 0.05].max() < 0.05
     assert lengths[skin.vertices[:, 1] < -0.85].mean() < 0.5 < np.median(lengths)
 
 

@@ -18,6 +18,7 @@ import numpy as np
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.levels_of_detail import packed, unpacked
 from landscape.files.cache import recall
+from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import Mesh, gathered, scaled
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
@@ -29,6 +30,7 @@ from landscape.gl.texture import Texture
 SPARSE = 0.6  # how much of what is above a shell's cut is cut where hair begins to be seen
 LENGTH = 0.038  # of the longest hair
 COMBED = np.array([-1.0, -0.75, 0.0])  # where hairs point, times their length; the head is at +x
+CUBE = 0.055  # side of the cubes whose vertices are merged before shells are made
 REPEAT = 4.5  # textures of hairs over 2 units
 SIDE, HAIRS, THICK = 128, 3600, (1.0, 2.2)  # the texture: texels, hairs, radius of their roots
 ROOT, TIP = 0.70, 1.14  # brightness of the lowest and of the highest shell
@@ -76,30 +78,37 @@ def eyes(mesh: Mesh) -> list[tuple[np.ndarray, np.ndarray]]:
     return found
 
 
-def hair_lengths(mesh: Mesh) -> np.ndarray:
-    """Return the length (n,) 0..1 of the hair at each vertex: none on eyes, little on pink skin."""
+def hair_lengths(mesh: Mesh, eyes_at: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
+    """Return the length (n,) 0..1 of the hair at each vertex: none on eyes, little on pink skin.
+
+    ``eyes_at`` are the :func:`eyes`.
+    """
     low, high = FEET
     lengths = 0.4 + 0.6 * np.clip((mesh.vertices[:, 1] - low) / (high - low), 0.0, 1.0)
     if mesh.colors is not None:
         red, green = mesh.colors[:, 0].astype(float), mesh.colors[:, 1].astype(float)
         lengths *= 1.0 - 0.85 * np.clip((red - green - PINK[0]) / (PINK[1] - PINK[0]), 0, 1)
-    for middle, _ in eyes(mesh):
+    for middle, _ in eyes_at:
         away = np.linalg.norm(mesh.vertices - middle, axis=1)
         lengths *= np.clip((away - BARE) / BARE, 0.0, 1.0)
     return lengths
 
 
 def laid(mesh: Mesh) -> Mesh:
-    """Return a mesh of -1..1 with the coordinates of the texture of hairs."""
-    return gathered(by_axis(mesh, REPEAT))
+    """Return a coarser mesh of -1..1 with the coordinates of the texture of hairs.
+
+    Hairs hide how coarse it is, and most of the time goes into the number of triangles.
+    """
+    return gathered(by_axis(clustered(mesh, CUBE), REPEAT))
 
 
-def shells(skin: Mesh, count: int) -> list[Mesh]:
+def shells(skin: Mesh, eyes_at: list[tuple[np.ndarray, np.ndarray]], count: int) -> list[Mesh]:
     """Return ``count`` shells of a mesh that was :func:`laid`, from the skin outwards.
 
-    All have the coordinates of the skin, so that a hair goes straight through them.
+    ``eyes_at`` are the :func:`eyes`. All shells have the coordinates of the skin, so that a hair
+    goes straight through them.
     """
-    lengths = (LENGTH * hair_lengths(skin))[:, None]
+    lengths = (LENGTH * hair_lengths(skin, eyes_at))[:, None]
     # Hairs lie along the skin: only what of COMBED is in its plane.
     along = COMBED - (skin.normals @ COMBED)[:, None] * skin.normals
     out = []
@@ -138,8 +147,8 @@ class Fur:
         self._hair = LENGTH * scale
         drawn = repr((SIDE, HAIRS, THICK, TONES))
         self._texture = Texture(recall(("hairs", drawn), lambda: (hair_texture(),))[0])
-        lay = recall(("fur", repr(REPEAT), source), lambda: packed({0.0: laid(mesh)}))
-        layers = [scaled(shell, scale) for shell in shells(unpacked(lay)[0.0], count)]
+        lay = recall(("fur", repr((REPEAT, CUBE)), source), lambda: packed({0.0: laid(mesh)}))
+        layers = [scaled(shell, scale) for shell in shells(unpacked(lay)[0.0], eyes(mesh), count)]
         discs = (glints(mesh) * scale).astype(np.float32)
         self._lists = [DisplayList(partial(draw_mesh, layer)) for layer in layers]
         self._glint = DisplayList(lambda: send_discs(discs))

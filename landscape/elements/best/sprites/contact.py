@@ -22,7 +22,7 @@ from landscape.settings import Settings
 
 # All chosen. Half the quad's sides across and along the line of sight, times the sprite's width.
 DEER_REACH, TREE_REACH, BUSH_REACH = (0.52, 0.30), (0.26, 0.22), (0.50, 0.34)
-WITHIN, FADES = 7.0, 0.25  # units: how far away they are drawn; the last part of it, fading out
+WITHIN, FADES = 5.0, 0.3  # units: how far away they are drawn; the last part of it, fading out
 NEARER = 0.045  # units: how far the corners are moved towards the eye
 SHIFT = 0.12  # times the width: how far the shadow lies away from the sun
 BEFORE = 0.004  # units: how much farther than its sprite it is in the sort
