@@ -96,9 +96,10 @@ def eye_grid(frame: Frame, level: float, reach: float) -> "EyeGrid | None":
 class EyeGrid:
     """A grid on the water around the eye: rows are rings, far to near, columns are directions.
 
-    ``height`` is that of the eye above the water; ``x`` and ``z``, float32 (rows, columns), are the
-    vertices' positions in units; ``ring`` (rows,) the rings' radii and ``cell`` (rows,) the
-    distance to the next ring; ``east`` and ``south`` (columns,) the directions as unit vectors.
+    ``height`` is the eye's above the water, ``eye`` (2,) its x and z. ``x`` and ``z``, float32
+    (rows, columns), are the vertices' positions in units; ``ring`` (rows,) the rings' radii and
+    ``cell`` (rows,) the distance to the next ring; ``east`` and ``south`` (columns,) the directions
+    as unit vectors.
     """
 
     def __init__(
@@ -106,6 +107,7 @@ class EyeGrid:
     ) -> None:
         """Lay out the grid; both angles in radians; ``step`` is that between two depressions."""
         self.height = height
+        self.eye = np.array([frame.pose.x, frame.pose.z])
         self.east = np.sin(azimuth).astype(np.float32)
         self.south = -np.cos(azimuth).astype(np.float32)
         self.ring = (height / np.tan(depression)).astype(np.float32)

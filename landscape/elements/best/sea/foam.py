@@ -118,6 +118,9 @@ class Where:
         In small cells no point is farther from the nearest corner than half the diagonal. For
         large ones, texels as large as they are tell whether there is foam.
         """
+        apart = np.maximum(np.abs(self._corner + self._size / 2 - grid.eye) - self._size / 2, 0.0)
+        if np.hypot(*apart) > FARTHEST:
+            return grid.triangles[:0]
         near = np.zeros(grid.x.shape, bool)
         seen = np.flatnonzero(grid.ring < FARTHEST)
         across = grid.ring * np.float32(np.hypot(*np.diff([grid.east, grid.south])[:, 0]))
@@ -174,7 +177,7 @@ class Wash:
         """
         self._corner, self._size = corner, size
         self._where = Where(apart, corner, size)
-        self._texture = Texture(wash_picture(*parts), repeat=False)
+        self._texture = Texture(wash_picture(*parts), repeat=False, trilinear=False)
 
     def draw(self, grid: EyeGrid) -> None:
         """Draw the cells of a grid that foam may touch; the coordinates of unit 0 are x and z."""
@@ -219,7 +222,7 @@ class Foam:
             self._washes.append(Wash(*rings_around(settings, assets)))
         white = np.full((LACE, LACE, 4), 255, np.uint8)
         white[..., 3] = np.rint(lace() * 255)
-        self._lace = Texture(white)
+        self._lace = Texture(white, trilinear=False)
         self._list = DisplayList(self._set_units)
 
     def draw(
