@@ -11,6 +11,7 @@ from landscape.elements.best.ornate import weathering
 from landscape.elements.best.ornate.blocks import Blocks, add_frames, add_quoins, add_steps
 from landscape.elements.best.ornate.doorway import LONG, WIDE, hall, light
 from landscape.elements.best.ornate.footing import ground_marks, outside_of_walls, ring, rubble
+from landscape.elements.best.ornate.grain import grain
 from landscape.elements.best.ornate.growth import leaves
 from landscape.elements.best.ornate.loopholes import openings
 from landscape.elements.best.ornate.ornate_masonry import GATE as FREE
@@ -28,6 +29,7 @@ from landscape.frame import Pose
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl, recording
+from landscape.gl.texture import mip_levels
 from landscape.settings import Sun
 
 SUN = Sun(azimuth=0.0, elevation=40.0)  # from the north, where the gate looks with yaw 0
@@ -277,6 +279,36 @@ def test_the_glow_brightens_what_is_round_a_flame(stage: Stage, plain: Assets) -
     assert pixel(bright, beside)[0] > pixel(dull, beside)[0] + 8
 
 
+def test_the_grain_is_mid_grey_on_average_at_every_mip_level_and_repeats() -> None:
+    tile = grain()
+    levels = mip_levels(tile)
+    assert all(abs(float(level.mean()) - 127.5) < 4 for level in levels)
+    assert levels[4].std() < 0.4 * tile.std(), "it fades out with the distance"
+    image = tile[..., 0].astype(float)
+    seam = np.abs(image[0] - image[-1]).mean()
+    assert seam < 1.3 * np.abs(np.diff(image, axis=0)).mean()
+
+
+def test_the_grain_changes_the_walls_close_by_and_not_their_mean(
+    stage: Stage, plain: Assets
+) -> None:
+    settings = small({**PLACED, "castle.ornate": True, "castle.weathered": True})
+    castle = WeatheredCastle(settings, plain, FLAT)
+    pose = Pose(19.85, 2.55, 19.5 - 0.25, 180.0, 0.0)
+    found = []
+    with stage.frame(settings, pose) as frame:
+        castle.draw(frame)
+        found.append(stage.read().astype(float))
+    with stage.frame(settings, pose) as frame:
+        castle._grain_list = castle._marks_list
+        castle.draw(frame)
+        found.append(stage.read().astype(float))
+    castle.release()
+    grained, plain_wall = (picture[40:80, 60:100] for picture in found)
+    assert np.abs(grained - plain_wall).max() >= 3
+    assert grained.mean() == pytest.approx(plain_wall.mean(), rel=0.05)
+
+
 # The castle itself.
 
 
@@ -284,14 +316,14 @@ def test_details_are_left_out_from_afar_and_in_the_mirror(stage: Stage, plain: A
     settings = small({**PLACED, "castle.ornate": True, "castle.weathered": True})
     castle = WeatheredCastle(settings, plain, FLAT)
     counts = []
-    for away, mirrored in ((1.5, False), (10.0, False), (20.0, False), (1.5, True)):
+    for away, mirrored in ((0.8, False), (1.6, False), (10.0, False), (20.0, False), (0.8, True)):
         pose = Pose(20.0, 2.4, 19.5 - away, 180.0, 0.0)
         with stage.frame(settings, pose) as frame, recording() as recorder:
             castle.draw(replace(frame, mirrored=mirrored))
         counts.append(sum(call.name == "glCallList" for call in recorder.calls))
     castle.release()
-    near, middle, far, in_mirror = counts
-    assert near == middle + 1 == far + 3 and in_mirror == far
+    close, near, middle, far, in_mirror = counts
+    assert close == near + 1 == middle + 2 == far + 4 and in_mirror == far
 
 
 def test_a_few_windows_are_lit_brighter_at_dusk_and_no_loophole() -> None:

@@ -23,6 +23,7 @@ from landscape.elements.best.ornate.blocks import (
 )
 from landscape.elements.best.ornate.footing import ground_marks, rubble
 from landscape.elements.best.ornate.gate import CastleInOnePass
+from landscape.elements.best.ornate.grain import grain, grained
 from landscape.elements.best.ornate.growth import leaves
 from landscape.elements.best.ornate.loopholes import loopholes, openings
 from landscape.elements.best.ornate.ornate_castle import OrnateCastle
@@ -43,6 +44,7 @@ from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
+CLOSE = 2.0  # chosen: units from its middle within which the stones' grain is seen
 NEAR, MIDDLE = 7.0, 14.0  # chosen: units from the castle within which stones, and leaves, are seen
 SOLID = 0.35  # chosen: alpha from which a texel of a leaf is drawn
 # Chosen: windows that are lit, by their number; their colour by day, and what dusk adds to it.
@@ -83,6 +85,9 @@ class WeatheredCastle(OrnateCastle):
         self._slates = Texture(read_image(assets.path("castle_slate.png"), "RGB"))
         self._leaves = Texture(read_image(assets.path("castle_leaves.png")), repeat=False)
         super().__init__(settings, assets, field)
+        self._grain = Texture(grain())
+        bare = replace(self._bricks, coordinates=self._bricks.coordinates[:1])
+        self._grain_list = DisplayList(lambda: draw_mesh(bare))
         self._stones_list = DisplayList(self._send_stones)
         self._leaves_list = DisplayList(self._send_leaves)
         self._marks_list = DisplayList(self._send_marks)
@@ -158,6 +163,9 @@ class WeatheredCastle(OrnateCastle):
         away = float(np.linalg.norm(frame.eye - (self.base[0], self.base[1] + 0.5, self.base[2])))
         if away > MIDDLE or frame.mirrored:
             return
+        if away < CLOSE:
+            with grained(self._grain):
+                self._grain_list.call()
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT | gl.GL_TEXTURE_BIT
         with attrib(groups):
@@ -179,10 +187,10 @@ class WeatheredCastle(OrnateCastle):
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for each in (self._stones_list, self._leaves_list, self._marks_list):
-            each.release()
-        self._slates.release()
-        self._leaves.release()
+        for compiled in (self._stones_list, self._leaves_list, self._marks_list, self._grain_list):
+            compiled.release()
+        for texture in (self._slates, self._leaves, self._grain):
+            texture.release()
         super().release()
 
 
