@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from landscape.elements.best.terrain.weathering import upright, weathered
+from landscape.elements.best.terrain.weathering import noise, upright, weathered
 from landscape.geometry.height_field import HeightField
 
 SIDE = 256
@@ -55,3 +55,9 @@ def test_the_edge_of_turf_is_ragged() -> None:
     _, turf = weathered(SAND, fade, slope(0.0, 1.0), GREY)
     spread = turf[..., 0].astype(float).std(axis=0)
     assert spread[SIDE // 2] > 40 and spread[0] < 1 and spread[-1] < 1
+
+
+def test_the_smallest_textures_are_weathered_without_noise() -> None:
+    assert (noise(1, 1, 4) == 0).all() and noise(1, 2, 4).std() > 0.9
+    colours, left = weathered(SAND[:1, :1], BARE[:1, :1], slope(0.0, 1.0), GREY)
+    assert (np.abs(colours.astype(int) - SAND[0, 0]) < 8).all() and (left == 0).all()

@@ -25,11 +25,16 @@ RAGGED = 1.6  # how far noise moves the edges of turf
 
 
 def noise(seed: int, cells: int, side: int) -> np.ndarray:
-    """Return smooth noise, float32 (side, side), of mean about 0 and deviation about 1."""
+    """Return smooth noise, float32 (side, side), of mean about 0 and deviation about 1.
+
+    It is 0 everywhere if there is one cell or one texel alone.
+    """
+    cells = max(cells, 1)
     values = np.random.default_rng([seed, cells]).standard_normal((cells, cells))
     image = Image.fromarray(values.astype(np.float32))
     found = np.asarray(image.resize((side, side), Image.Resampling.BICUBIC))
-    return np.asarray(found / found.std())
+    deviation = found.std()
+    return np.asarray(found / deviation) if deviation > 1e-3 else np.zeros_like(found)
 
 
 def enlarged(values: np.ndarray, side: int) -> np.ndarray:
@@ -55,8 +60,8 @@ def weathered(
     rise_z, rise_x = (np.asarray(each) for each in np.gradient(field.heights, np.float32(cell)))
     heights, rise_x, rise_z = (enlarged(each, side) for each in (field.heights, rise_x, rise_z))
     above, slope = heights - field.water_level, np.hypot(rise_x, rise_z)
-    fine = 0.6 * noise(1, side // 3 or 1, side) + 0.5 * noise(2, side // 9 or 1, side)
-    broad = noise(3, side // 60 or 1, side)
+    fine = 0.6 * noise(1, side // 3, side) + 0.5 * noise(2, side // 9, side)
+    broad = noise(3, side // 60, side)
 
     bare = 1.0 - turf[..., 0] / np.float32(255.0)
     factor = np.ones((side, side, 3), np.float32)
@@ -70,7 +75,7 @@ def weathered(
     layer = LAYERS * heights[at] + 0.3 * broad[at] + 0.12 * fine[at]
     layer -= np.floor(layer)
     ledge = RIM * ramp(0.7, 0.95, layer) - UNDERCUT * ramp(0.30, 0.05, layer)
-    ledge *= ramp(-0.6, 0.6, noise(4, side // 22 or 1, side)[at])
+    ledge *= ramp(-0.6, 0.6, noise(4, side // 22, side)[at])
     factor[at] = np.clip(1.0 + stony[at] * (shade + ledge), DARKEST, LIGHTEST)[:, None]
 
     flat = bare * ramp(0.3, 0.15, slope)
