@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 from stage import Stage, close, live_names, small, write_plain
 
-from landscape.elements.best.sky.clouds import ALPHA, DRIFT, REPEAT, RINGS, cloud_disc
+from landscape.elements.best.sky.clouds import ALPHA, DRIFT, RINGS, cloud_disc, cloud_opacity
 from landscape.elements.sky_box import SkyBox
+from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.island import SCENE
 
 TOP = np.array((0, 200, 200))
 
@@ -27,13 +29,12 @@ def drawn(stage: Stage, assets: Assets, pose: Pose, kt: float = 0.0, **sky: Any)
 
 
 def test_the_cloud_disc_hangs_over_the_eye_and_fades_out_to_its_rim() -> None:
-    vertices, colors, coordinates, triangles = cloud_disc()
+    vertices, colors, _coordinates, triangles = cloud_disc()
     assert np.allclose(vertices[:, 1], 1.0)
     radius = np.hypot(vertices[:, 0], vertices[:, 2])
     assert radius.max() == pytest.approx(RINGS[-1])
     assert np.allclose(colors[radius > RINGS[-1] - 1e-4, 3], 0.0)
     assert colors[radius < 1e-6, 3] == pytest.approx(ALPHA)
-    assert np.allclose(coordinates, vertices[:, ::2] * REPEAT)
     a, b, c = (vertices[triangles[:, k]].astype(float) for k in range(3))
     assert (np.cross(b - a, c - a)[:, 1] <= 1e-9).all(), "counter-clockwise from below"
 
@@ -50,8 +51,8 @@ def test_clouds_are_blended_over_the_top_and_drift_with_kt(stage: Stage, plain_f
     assets = Assets(write_plain(plain_folder, {"clouds.png": clouds}))
     now, later = (drawn(stage, assets, up, kt=kt, moving=True) for kt in (0.0, 500.0))
     assert (now != later).any()
-    # The texture moves by -0.00013 a kt: after a whole texture all is as it was.
-    assert DRIFT[0] == 0.00013 and DRIFT[1] == -0.00005
+    # After 100,000 kt the texture has moved by whole widths, so all is as it was.
+    assert np.allclose(np.array(DRIFT) * 100_000, (5, -2))
     whole = drawn(stage, assets, up, kt=100_000.0, moving=True)
     assert np.abs(whole - now).mean() < 2
 
@@ -71,3 +72,18 @@ def test_clouds_move_with_kt_and_only_where_asked(stage: Stage) -> None:
     assert (still[0] == still[1]).all()
     moved = [drawn(stage, Assets(), up, kt, moving=True) for kt in (0, 900)]
     assert (np.abs(moved[0] - moved[1]).max(axis=2) > 8).mean() > 0.05
+
+
+def test_the_moving_clouds_are_streaks_along_one_wind() -> None:
+    vertices, _, coordinates, _ = cloud_disc()
+    texels = np.linalg.lstsq(vertices[:, ::2].astype(float), coordinates, rcond=None)[0]
+    along, across = np.linalg.norm(texels, axis=0)
+    assert across > 3.0 * along, "a texture is stretched along the wind"
+    assert abs(texels[:, 0] @ texels[:, 1]) < 1e-6, "the two axes are at right angles"
+
+
+def test_the_moving_clouds_are_thin_in_front_of_the_sun() -> None:
+    for time in ("noon", "sunset"):
+        sun = SCENE.values("best", {"time": time}).sun
+        at, opposite = (cloud_opacity(way * direction(sun)[None], sun)[0] for way in (3.0, -3.0))
+        assert at < 0.4 and opposite > 0.99

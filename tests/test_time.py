@@ -132,7 +132,7 @@ def test_clouds_are_warm_towards_the_sun_and_dim_away_from_it() -> None:
         for way in (1, -1)
     )
     assert towards[0] > 1.2 * towards[2] and away[0] / away[2] < 0.9 * towards[0] / towards[2]
-    assert away.mean() < 0.8 * towards.mean()
+    assert 0.6 * towards.mean() < away.mean() < 0.95 * towards.mean()
     noon = SCENE.values("best", {}).sun
     assert (cloud_light(np.array([(5.0, 1.0, 0.0)]), noon) == 1.0).all()
 

@@ -18,13 +18,13 @@ REPORT_FIXES: tuple[Fix, ...] = (
         {"sky.moving": False},
         {"sky.moving": True},
         "In fig14a and all other figures the sky is a painting that never changes.",
-        "The streaks around the sun are painted and do not move. The ragged clouds that are added "
-        "drift slowly over them.",
+        "The streaks in the first picture are painted and do not move. The thin ones that are "
+        "added drift slowly over the whole sky.",
         "A second, half-transparent layer of cloud is blended over the box. glTranslatef on the "
         "GL_TEXTURE matrix shifts its texture a little with each kt.",
         (
             "the sun in a blue sky over treetops, with a few still streaks of cloud",
-            "the same sun and sky, with ragged white clouds spread over the blue",
+            "the same sun and sky, with thin white streaks spread over the blue",
         ),
         common={**FAR_SKY, "sky.unfogged": True, "fog.density": 0.03},
         only=("ground", "water", "sky", "trees", "fog", "reflection"),

@@ -21,10 +21,15 @@ from landscape.settings import Settings, Sun
 
 RINGS = (0.0, 0.5, 1.2, 2.2, 3.8, 6.0)  # chosen: radii of the disc, its height being 1
 SIDES = 24  # chosen: sectors of the disc
-ALPHA = 0.75  # chosen: opacity overhead
-REPEAT = 0.3  # chosen: textures per unit of the disc
+ALPHA = 0.6  # chosen: opacity overhead
+TURN_DEG = (
+    28.0  # the wind's direction, south of east: that of the painted cirrus (studio/clouds.py)
+)
+REPEAT = (0.11, 0.42)  # chosen: textures per unit of the disc along the wind and across it
 PINK = np.array([0.95, 0.86, 1.18])  # chosen: times a low sun's colour, as redder light gets there
-DRIFT = (0.00013, -0.00005)  # chosen: textures per kt, east and south
+GLARE, GLARE_DEG = 0.7, 28.0  # chosen: opacity lost at the sun, and the width of that gap
+EVEN = 0.45  # chosen: how alike a low sun lights the layer on all sides; it is above the shadows
+DRIFT = (0.00005, -0.00002)  # chosen: textures per kt along the wind and across it
 
 
 def cloud_disc() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -40,15 +45,27 @@ def cloud_disc() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     fade = 1.0 - radius / RINGS[-1]
     colors = np.ones((len(x), 4), np.float32)
     colors[:, 3] = ALPHA * np.clip(2.0 * fade, 0.0, 1.0)
-    coordinates = np.ascontiguousarray(vertices[:, ::2] * REPEAT)
+    c, s = np.cos(np.radians(TURN_DEG)), np.sin(np.radians(TURN_DEG))
+    coordinates = np.stack([x * c + z * s, z * c - x * s], axis=1) * REPEAT
+    coordinates = coordinates.astype(np.float32)
     return vertices, colors, coordinates, grid_triangles(SIDES + 1, len(RINGS))
 
 
 def cloud_light(vertices: np.ndarray, sun: Sun) -> np.ndarray:
     """Return the colours (n, 3) of a disc's vertices (n, 3): warm in the direction of the sun."""
     out = vertices[:, [0, 2]] / np.maximum(np.hypot(vertices[:, 0], vertices[:, 2]), 1.0)[:, None]
-    light = painted(sun, out @ direction(sun)[[0, 2]])
+    light = painted(sun, EVEN + (1.0 - EVEN) * (out @ direction(sun)[[0, 2]]))
     return light * PINK if sun.relit else light
+
+
+def cloud_opacity(vertices: np.ndarray, sun: Sun) -> np.ndarray:
+    """Return what the opacity of a disc's vertices (n, 3) is multiplied by, (n,): less at the sun.
+
+    Dense streaks in front of the sun would look like rays.
+    """
+    towards = vertices @ direction(sun) / np.linalg.norm(vertices, axis=1)
+    apart_deg = np.degrees(np.arccos(np.clip(towards, -1.0, 1.0)))
+    return np.asarray(1.0 - GLARE * np.exp(-((apart_deg / GLARE_DEG) ** 2)))
 
 
 class Clouds:
@@ -59,6 +76,7 @@ class Clouds:
         self._texture = Texture(read_image(assets.path("clouds.png")), trilinear=False)
         vertices, colors, coordinates, triangles = cloud_disc()
         colors[:, :3] = cloud_light(vertices, settings.sun)
+        colors[:, 3] *= cloud_opacity(vertices, settings.sun)
 
         def send() -> None:
             gl.glEnable(gl.GL_TEXTURE_2D)
