@@ -45,7 +45,7 @@ from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 CLOSE = 2.0  # chosen: units from its middle within which the stones' grain is seen
-NEAR, MIDDLE = 7.0, 14.0  # chosen: units from the castle within which stones, and leaves, are seen
+NEAR, MIDDLE = 5.5, 9.0  # chosen: units from the castle within which stones, and leaves, are seen
 SOLID = 0.35  # chosen: alpha from which a texel of a leaf is drawn
 # Chosen: windows that are lit, by their number; their colour by day, and what dusk adds to it.
 LIT = (24, 27, 29, 31, 34, 36, 38)

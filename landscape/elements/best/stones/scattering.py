@@ -27,7 +27,7 @@ from landscape.settings import Settings
 # Chosen: fraction of all stones that are of each kind, in the order of KINDS; the radii in units
 # between which they are, and how much rarer large ones are.
 SHARES = (0.085, 0.10, 0.335, 0.475, 0.005)
-RADII = ((0.12, 0.42), (0.028, 0.12), (0.009, 0.028), (0.0035, 0.009), (0.05, 0.13))
+RADII = ((0.09, 0.24), (0.028, 0.12), (0.009, 0.028), (0.0035, 0.009), (0.05, 0.13))
 RARER = (1.6, 2.6, 2.0, 1.5, 1.0)
 FLATTER = (1.0, 1.0, 0.75, 0.8, 1.0)  # chosen: times the height of a shape
 BESIDE = 0.5  # chosen: fraction of the stones that lie around boulders and crags

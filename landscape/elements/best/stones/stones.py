@@ -37,10 +37,10 @@ BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
 # All chosen.
 # Diameter in pixels below which a stone is not drawn, by kind, times LIMITS; what is large stands
 # among its like, on rock of its colour, where a small one is not missed.
-LEAST_PIXELS = (10.0, 6.0, 3.5, 3.0, 5.0)
+LEAST_PIXELS = (12.0, 8.0, 5.0, 4.0, 6.0)
 LIMITS = (0.7, 1.5)
 MIRRORED = 3.0  # times that is the limit in the mirror image
-EDGE_PIXELS = 7.0  # a level of n triangles is fine enough for a stone of this times sqrt(n) pixels
+EDGE_PIXELS = 11.0  # a level of n triangles is fine enough for a stone of this times sqrt(n) pixels
 SOLID = 0.045  # units: a stone that sticks out less does not stop the walker
 BROAD = 0.72  # of the radius, within which it stops him
 SHADED = 0.02  # units: a smaller stone casts no shadow
