@@ -316,7 +316,7 @@ def test_details_are_left_out_from_afar_and_in_the_mirror(stage: Stage, plain: A
     settings = small({**PLACED, "castle.ornate": True, "castle.weathered": True})
     castle = WeatheredCastle(settings, plain, FLAT)
     counts = []
-    for away, mirrored in ((0.8, False), (1.6, False), (10.0, False), (20.0, False), (0.8, True)):
+    for away, mirrored in ((0.8, False), (1.6, False), (7.0, False), (20.0, False), (0.8, True)):
         pose = Pose(20.0, 2.4, 19.5 - away, 180.0, 0.0)
         with stage.frame(settings, pose) as frame, recording() as recorder:
             castle.draw(replace(frame, mirrored=mirrored))
