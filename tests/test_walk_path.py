@@ -9,6 +9,7 @@ from commands import environment, landscape, python
 from environments import ROUND, image, layer, path, svg, written
 
 from landscape.flyover.environment import Environment
+from landscape.geometry.obstacles import Tower
 from landscape.settings import Settings
 from landscape.window.course import Course
 from landscape.window.recording import Tick
@@ -43,6 +44,16 @@ def test_the_walker_is_carried_along_the_path_at_eye_height(course: Course) -> N
     assert (walker.x, walker.y, walker.z) == pytest.approx((10, 2 + Settings().walk.eye, 20))
     assert (walker.yaw, walker.flying) == (90, True)
     assert course.carried(walker, 0.5).x == pytest.approx(10 + 0.5 * 20 * 40 / 64)
+
+
+def test_the_walker_flies_over_what_stands_on_his_way_and_not_through_it() -> None:
+    wood = Meadow()
+    wood.obstacles = (Tower(14.0, 20.0, 0.3, 4.5),)  # type: ignore[attr-defined]
+    drawn = Environment("test", np.zeros((64, 64), np.float32), (EAST,), np.zeros((0, 2)))
+    course = Course(drawn, wood, Settings(), "en")
+    places = [course.carried(Walker(0, 0, 0), 0.02) for _ in range(60)]
+    over = [walker.y for walker in places if abs(walker.x - 14.0) < 0.3]
+    assert over and min(over) > 4.5
 
 
 def test_what_the_mouse_and_the_turning_keys_ask_for_does_not_count_on_the_way(

@@ -1,8 +1,7 @@
 """Clips along a path drawn in Inkscape: over the map of a scene, or by the software fly-over.
 
 Where the camera is and where it looks is up to :mod:`landscape.flyover`. Over a scene it flies at
-twice the height of a walker's eyes, and over what stands there: where the drawing's path leads
-through a castle or a tree, its roof counts as the ground.
+twice the height of a walker's eyes, and over what stands there (geometry/roofs.py).
 """
 
 import math
@@ -12,31 +11,14 @@ from typing import Any
 
 from landscape.film.clip import Pictures
 from landscape.film.stage import Stage
-from landscape.film.views import Look, roof
+from landscape.film.views import Look
 from landscape.flyover.environment import Environment
 from landscape.flyover.frame import draw
 from landscape.flyover.scene_flight import SceneFlight
 from landscape.flyover.settings import Settings
-from landscape.geometry.camera_path import NEAR, standing_near
-from landscape.scene import OpenScene
+from landscape.geometry.roofs import Roofs
 
 EYES_UP = 2.0  # chosen: heights of a walker's eye above the ground
-ROOF = 4.0  # chosen: units above the ground; what is higher cannot be flown over
-
-
-class Roofs:
-    """A scene's map with what stands on it, as heights to fly over."""
-
-    def __init__(self, opened: OpenScene) -> None:
-        """Take an open scene, whose obstacles may change."""
-        self._opened, self.size = opened, opened.size
-        self._height = roof(opened)
-
-    def height(self, x: float, z: float) -> float:
-        """Return the height in units of the ground at x, z, or of what stands there."""
-        ground = float(self._height(x, z))
-        near = standing_near(self._opened.obstacles, x, z, 2 * NEAR)
-        return max((each.top for each in near if each.top < ground + ROOF), default=ground)
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from typing import Any
 from landscape.flyover.environment import Environment
 from landscape.flyover.scene_flight import SceneFlight
 from landscape.flyover.settings import Flyover
+from landscape.geometry.roofs import Roofs
 from landscape.scene import Terrain
 from landscape.window import words
 from landscape.window.recording import Tick
@@ -22,8 +23,8 @@ class Course:
     def __init__(
         self, environment: Environment, terrain: Terrain, settings: Any, language: str
     ) -> None:
-        """Plan the flight over an open scene, at the height of a walker's eyes."""
-        self._flight = SceneFlight(environment, terrain, settings.walk.eye, Flyover())
+        """Plan the flight over an open scene and what stands there, at eye height."""
+        self._flight = SceneFlight(environment, Roofs(terrain), settings.walk.eye, Flyover())
         self._seconds, self._flown, self._language = 0.0, True, language
         self._says = "path"
 
