@@ -221,7 +221,7 @@ def test_foam_is_warmer_at_sunset(stage: Stage, islands: list[Island]) -> None:
         for foam in (True, False):
             with stage.borrowed():
                 assert island.apply(with_settings(island.settings, {"water.foam": foam}))
-                island.draw(Moment(BEACH, SIZE, 40.0))
+                island.draw(Moment(BEACH, SIZE, 120.0))  # the wash is wide
             pictures.append(stage.read())
         foam = (pictures[0] - pictures[1])[(pictures[0] - pictures[1]).sum(axis=2) > 60]
         assert len(foam) > 30, "no foam to be seen"
