@@ -1245,7 +1245,6 @@ BEST: dict[str, Value] = {
     "grass.gusts": 1.0,
     "rabbit.mapping": "axis",
     "rabbit.painted": True,
-    "rabbit.fur": 3,
     "dragon.mapping": "axis",
     "dragon.painted": True,
     "dragon.gloss": 0.5,

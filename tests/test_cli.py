@@ -260,7 +260,7 @@ def test_settings_says_value_range_presets_unit_source_and_what_a_key_does(shell
     [
         ("fog", [key for key in EVERY_KEY if key.startswith("fog.")]),
         ("densit", ["fog.density", "mist.density"]),
-        ("Breakers", ["water.foam"]),
+        ("Wash", ["water.foam"]),
         ("", EVERY_KEY),
     ],
 )

@@ -123,7 +123,7 @@ SHOTS = {
     "ground.rock_repeat": replace(STONY, settings=STONY.settings | MATERIALS, value=9.0),
     "ground.low_stretch": replace(STONY, settings={"ground.detail_repeat": 40.0}),
     "ground.weathered": replace(STONY, only=("ground",), settings=MATERIALS),
-    "ground.stones": replace(STONY, only=("ground",), settings=MATERIALS, value=2000),
+    "ground.stones": replace(STONY, only=("ground",), settings=MATERIALS, value=30_000),
     "ground.wet": replace(GROUPS["ground"], settings=MATERIALS, pose=SEA),
     "ground.shadows": replace(GROUPS["ground"], only=("ground", "castle"), pose=GATE),
     "reflection.stencil": of_fix("stencil"),

@@ -95,12 +95,14 @@ class Ripples:
         """Let unit 0 subtract the lean from the opacity, and unit 1 do so with the fine layer."""
         self._list.call()
 
-    def switch(self, on: bool) -> None:
-        """Turn the fine layer on or off; the active unit stays the same."""
-        active = int(gl.glGetIntegerv(gl.GL_ACTIVE_TEXTURE))
+    def switch(self, on: bool, active: int) -> None:
+        """Turn the fine layer on or off; ``active`` is the unit that is active, and stays so.
+
+        It is not asked for: a frame that is compiled into a list would get that of another moment.
+        """
         gl.glActiveTexture(gl.GL_TEXTURE1)
         (gl.glEnable if on else gl.glDisable)(gl.GL_TEXTURE_2D)
-        gl.glActiveTexture(active)
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{active}"))
 
     def release(self) -> None:
         """Delete list and texture; may be called twice."""

@@ -220,7 +220,7 @@ class Sea:
                     gl.glTexCoordPointer(3, gl.GL_FLOAT, 0, looked_up)
                 for number, part in enumerate(parts):
                     if fine is not None:
-                        fine.switch(number == 1)
+                        fine.switch(number == 1, 0 if mirror is None else len(layers))
                     gl.glDrawElements(gl.GL_TRIANGLES, part.size, gl.GL_UNSIGNED_INT, part)
             if self._foam is not None:
                 with self._clearer_fog(grid):
