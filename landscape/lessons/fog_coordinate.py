@@ -102,7 +102,6 @@ def main():
         glDrawArrays(GL_QUADS, 0, len(vertices))
         glDisable(GL_FOG)
         draw_surface()
-        write(16, 40, "fog from the depth" if by_depth else "fog from the distance")
         write(16, 64, "depth clamped" if clamped else "depth not clamped")
         write(16, 40, "fog from the depth" if by_depth else "fog from the distance")
         write(16, 16, "sea level {level:.1f}, reach of sight {reach}", level=level, reach=reach)
