@@ -75,7 +75,7 @@ def _made(field: HeightField, settings: Settings) -> Look:
     picture, offsets = recall(parts, ground)
     rows = max(min(texels // 2, 1024), 16)
     (sky,) = recall(
-        ("sky", f"{towards.tolist()} {ours.clouds} {rows}"),
+        ("sky and clouds", f"{towards.tolist()} {ours.clouds} {rows}"),
         lambda: (dome(towards, ours.clouds, rows),),
     )
     grain = np.clip(noise(GRAIN, SEED, 1.0, 6) * 50 + 128, 0, 255).astype(np.uint8)
