@@ -39,10 +39,12 @@ def drawn(palette: colours.Palette, height: list[float], away: list[float]) -> n
     """Return the colours of some lines side by side, (n, 3)."""
     n = len(height)
     at, depth = np.arange(n), np.array(away)
-    ink = colours.Ink(palette, ridge(), 1000.0, (n, 1))
+    ink = colours.Ink(palette, ridge(), 1000.0, np.full(n, colours.NOTHING))
     lines = Lines(at, at, at, at, at, at, depth, depth)
     ink.draw(at, ink.of(lines, np.array(height)))
-    return channels(ink.on(np.zeros((1, n), np.uint32))[0])
+    picture = np.zeros(n, np.uint32)
+    ink.on(picture)
+    return channels(picture)
 
 
 def test_lines_far_away_fade_into_the_background() -> None:
@@ -72,20 +74,23 @@ def test_where_lines_cross_the_nearer_one_is_on_top_whichever_comes_first() -> N
     palette = colours.PALETTES["height"]
     at = np.zeros(1, np.int64)
     for away in ((5.0, 4.99), (4.99, 5.0), (3000.0, 2998.0), (0.11, 0.1)):
-        ink = colours.Ink(palette, ridge(), 1e5, (1, 1))
+        ink = colours.Ink(palette, ridge(), 1e5, np.full(1, colours.NOTHING))
         for height, depth in zip((0.0, 60.0), away, strict=True):
             lines = Lines(at, at, at, at, at, at, np.array([depth]), np.array([depth]))
             ink.draw(at, ink.of(lines, np.array([height])))
         nearer = palette.ramp[-1] if away[1] < away[0] else palette.ramp[0]
-        found = channels(ink.on(np.zeros((1, 1), np.uint32))[0])[0]
-        assert np.abs(found - np.array(nearer)).max() <= 12  # it is in some haze
+        picture = np.zeros(1, np.uint32)
+        ink.on(picture)
+        assert np.abs(channels(picture)[0] - np.array(nearer)).max() <= 12  # it is in some haze
 
 
 def test_the_sky_begins_at_the_horizon_wherever_the_camera_looks() -> None:
     palette = colours.PALETTES["height"]
     paper = colours.packed(np.array(palette.paper))
     for roll, pitch in ((0.0, 0.0), (0.0, 0.2), (0.0, -0.3), (0.4, 0.1), (-1.0, -0.2)):
-        sky = colours.background(palette, Camera(0, 0, 0, roll, pitch, 1.0), VOLUME, SIZE)
+        sky = np.zeros(SIZE[::-1], np.uint32)
+        camera = Camera(0, 0, 0, roll, pitch, 1.0)
+        colours.background(sky, palette, camera, VOLUME, range(SIZE[0]))
         column, row = np.meshgrid(np.arange(160) - 0.5, np.arange(120) - 0.5)
         y, z = (column / 80 - 1) * 4 / 3 / 1.5, (1 - row / 60) / 1.5
         up = math.cos(roll) * z + math.sin(roll) * y

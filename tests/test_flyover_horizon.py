@@ -11,6 +11,7 @@ from landscape.flyover.camera import Camera, Frustum, camera_transform
 from landscape.flyover.clipping import Lines
 from landscape.flyover.edges import Edges
 from landscape.flyover.height_field import HeightField, height_field
+from landscape.flyover.levelled import Levelled
 from landscape.flyover.noise import noise
 from landscape.flyover.settings import Flyover
 
@@ -35,8 +36,13 @@ class Stage:
         return shown(self.lines, self.at, self.owner, self.camera)
 
 
+def horizon_of(lines: Lines, camera: Camera) -> floating_horizon.Horizon:
+    levelled = Levelled(camera, VOLUME, SIZE, floating_horizon.SLACK)
+    return floating_horizon.Horizon(lines, levelled, VOLUME)
+
+
 def shown(lines: Lines, at: np.ndarray, owner: np.ndarray, camera: Camera) -> np.ndarray:
-    return floating_horizon.Horizon(lines, camera, VOLUME, SIZE).shows(at, owner)
+    return horizon_of(lines, camera).shows(at, owner)
 
 
 def terrain(seed: int) -> HeightField:
@@ -155,7 +161,7 @@ def test_lines_that_are_hidden_as_a_whole_have_no_pixel_that_is_seen(name: str) 
         field = terrain(seed)
         angles = math.radians(roll), math.radians(pitch), yaw + seed
         scene = stage(field, Camera(9.3, 20.6, float(field.height(9.3, 20.6)) + up, *angles))
-        horizon = floating_horizon.Horizon(scene.lines, scene.camera, VOLUME, SIZE)
+        horizon = horizon_of(scene.lines, scene.camera)
         hides = horizon.hides(scene.lines)
         assert not (hides[scene.owner] & horizon.shows(scene.at, scene.owner)).any()
         hidden += int(hides[np.unique(scene.owner)].sum())
@@ -168,7 +174,7 @@ def test_lines_that_are_not_entered_because_nearer_ones_hide_them_raise_nothing(
     field = terrain(1)
     angles = math.radians(roll), math.radians(pitch), yaw
     scene = stage(field, Camera(9.3, 20.6, float(field.height(9.3, 20.6)) + up, *angles))
-    horizon = floating_horizon.Horizon(scene.lines, scene.camera, VOLUME, SIZE)
+    horizon = horizon_of(scene.lines, scene.camera)
     table = horizon.table
     everything = floating_horizon.rows_by_ring(horizon.marks(scene.lines), *table.shape)
     assert (table == everything).all()

@@ -89,22 +89,27 @@ def pixels(
 
 
 def chunks(
-    x0: np.ndarray, y0: np.ndarray, x1: np.ndarray, y1: np.ndarray, size: tuple[int, int]
+    x0: np.ndarray,
+    y0: np.ndarray,
+    x1: np.ndarray,
+    y1: np.ndarray,
+    size: tuple[int, int],
+    columns: range | None = None,
 ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bool]]:
     """Yield the pixels of lines, see :func:`pixels`, some CHUNK at a time, of whole lines.
 
     They are columns, rows, the lines they belong to, and whether these lines are longer along the
-    rows of the picture than along its columns.
+    rows of the picture than along its columns. With ``columns``, only these columns have pixels.
     """
-    width, height = size
+    wide, high = columns or range(size[0]), range(size[1])
     steep = np.abs(y1 - y0) > np.abs(x1 - x0)
     for along_x in (True, False):
         at = np.flatnonzero(~steep if along_x else steep)
         ends = x0[at], y0[at], x1[at], y1[at]
         if along_x:
-            runs = clipped(at, *ends, width, height)
+            runs = clipped(at, *ends, wide, high)
         else:
-            runs = clipped(at, ends[1], ends[0], ends[3], ends[2], height, width)
+            runs = clipped(at, ends[1], ends[0], ends[3], ends[2], high, wide)
         for part in divided(runs):
             near = (np.maximum(np.abs(part.u), np.abs(part.v)) + part.du).max() < NEARBY
             major, minor = fast_steps(part) if near else steps(part)
@@ -127,13 +132,12 @@ def clipped(
     v0: np.ndarray,
     u1: np.ndarray,
     v1: np.ndarray,
-    longest: int,
-    highest: int,
+    along: range,
+    across: range,
 ) -> Runs:
     """Return what is on the screen of lines that are longer along u than along v.
 
-    The screen reaches over 0 <= u < ``longest`` and 0 <= v < ``highest``. Lines (n,) that are off
-    it are left out.
+    On the screen u is in ``along`` and v in ``across``. Lines (n,) that are off it are left out.
     """
     back = u1 < u0
     u, v = np.minimum(u0, u1), np.where(back, v1, v0)
@@ -141,10 +145,12 @@ def clipped(
     # Halfway between two pixels, the line goes on in the direction in which it was given.
     down = (v1 < v0).astype(np.int64)
     first, last = np.zeros_like(du), du.copy()
-    beyond = (u < 0) | (u + du >= longest)
-    beyond |= (np.minimum(v, v + dv) < 0) | (np.maximum(v, v + dv) >= highest)
+    beyond = (u < along.start) | (u + du >= along.stop)
+    beyond |= (np.minimum(v, v + dv) < across.start) | (np.maximum(v, v + dv) >= across.stop)
     at = np.flatnonzero(beyond)
-    first[at], last[at] = on_screen(u[at], v[at], du[at], dv[at], down[at], longest, highest)
+    first[at], last[at] = on_screen(
+        u[at] - along.start, v[at] - across.start, du[at], dv[at], down[at], len(along), len(across)
+    )
     seen = np.flatnonzero(last >= first)
     u, v, du, dv, down, first = (each[seen] for each in (u, v, du, dv, down, first))
     longer = np.maximum(du, 1)  # it is 0 for a line of one pixel
@@ -165,7 +171,8 @@ def on_screen(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the first and the last k at which lines (n,) are on the screen, see :class:`Runs`.
 
-    The last is less than the first for a line that is not.
+    The screen reaches over 0 <= u < ``longest`` and 0 <= v < ``highest``. The last is less than the
+    first for a line that is not on it.
     """
     first, last = np.maximum(-u, 0), np.minimum(longest - 1 - u, du)
     # The shorter side has made s(k) = floor((2 k dv + du - down) / 2 du) steps. It is below the

@@ -14,7 +14,8 @@ import numpy as np
 from landscape.flyover.camera import Frustum, Points, project
 from landscape.flyover.edges import Edges
 
-NEAR, FAR, LEFT, RIGHT, TOP, BOTTOM = (1 << bit for bit in range(6))
+NEAR, FAR, LEFT, RIGHT, TOP, BOTTOM, *WALLS = (1 << bit for bit in range(8))
+NO_WALLS = np.zeros((0, 3))
 # Chosen: a rounded end may be up to a pixel away from where it was, and so may the line's pixels.
 MARGIN = 2.0
 
@@ -64,10 +65,13 @@ def planes(volume: Frustum, size: tuple[int, int]) -> np.ndarray:
     )
 
 
-def codes(points: Points, volume: Frustum, size: tuple[int, int]) -> np.ndarray:
+def codes(
+    points: Points, volume: Frustum, size: tuple[int, int], walls: np.ndarray = NO_WALLS
+) -> np.ndarray:
     """Return the code, uint8, of each point in the camera's frame: the planes that it is outside.
 
-    Points have any shape.
+    Points have any shape. ``walls`` (n, 3) are up to two more planes, through the eye: a point p is
+    outside the one where ``row @ p < 0``.
     """
     x, y, z = points
     across, up = y * volume.near, z * volume.near
@@ -82,6 +86,9 @@ def codes(points: Points, volume: Frustum, size: tuple[int, int]) -> np.ndarray:
     )
     code = np.zeros(np.shape(x), np.uint8)
     for beyond, bit in outside:
+        code |= beyond.view(np.uint8) * np.uint8(bit)
+    for wall, bit in zip(walls, WALLS, strict=False):
+        beyond = x * wall[0] + y * wall[1] + z * wall[2] < 0
         code |= beyond.view(np.uint8) * np.uint8(bit)
     return code
 

@@ -75,14 +75,18 @@ def ramp(stops: tuple[Colour, ...]) -> np.ndarray:
 
 
 def background(
-    palette: Palette, camera: Camera, volume: Frustum, size: tuple[int, int]
-) -> np.ndarray:
-    """Return a picture with no lines yet, uint32 (height, width), of ``size`` (width, height)."""
-    width, height = size
+    picture: np.ndarray, palette: Palette, camera: Camera, volume: Frustum, columns: range
+) -> None:
+    """Draw a picture with no lines yet, uint32 (height, width), in some of its columns."""
+    height, width = picture.shape
+    part = picture[:, columns.start : columns.stop]
     if palette.sky == palette.paper:
-        return np.full((height, width), packed(np.array(palette.paper)), np.uint32)
+        part[:] = packed(np.array(palette.paper))
+        return
     table = packed(ramp((palette.paper, palette.sky)))
-    right = (np.arange(width) - 0.5) / width * (volume.right - volume.left) + volume.left
+    right = (np.arange(columns.start, columns.stop) - 0.5) / width * (
+        volume.right - volume.left
+    ) + volume.left
     up = volume.top - (np.arange(height) - 0.5) / height * (volume.top - volume.bottom)
     sin, cos = math.sin(camera.theta_x), math.cos(camera.theta_x)
     ahead = -math.sin(camera.theta_y) * volume.near
@@ -92,7 +96,7 @@ def background(
     if sin:
         rise = rise + steep * sin * right
     shade = np.clip(rise * (STEPS / HIGHEST / volume.near), 0, STEPS - 1).astype(np.int64)
-    return np.array(np.broadcast_to(table[shade], (height, width)))
+    part[:] = table[shade]
 
 
 @cache
@@ -115,12 +119,14 @@ class Ink:
     """
 
     def __init__(
-        self, palette: Palette, field: HeightField, visible: float, size: tuple[int, int]
+        self, palette: Palette, field: HeightField, visible: float, marks: np.ndarray
     ) -> None:
-        """Prepare a picture of ``size`` (width, height); at ``visible`` units all is haze."""
-        self.palette, self.visible = palette, visible
+        """Prepare a picture without lines; at ``visible`` units all is haze.
+
+        ``marks`` (n,) has NOTHING for each of its pixels, and is written to.
+        """
+        self.palette, self.visible, self.marks = palette, visible, marks
         self.lowest, self.relief = field.lowest, max(field.highest - field.lowest, 1e-6)
-        self.marks = np.full(size[0] * size[1], NOTHING)
         self.drawn: list[np.ndarray] = []
 
     def of(self, lines: Lines, height: np.ndarray) -> np.ndarray:
@@ -138,11 +144,10 @@ class Ink:
         np.minimum.at(self.marks, at, mark)
         self.drawn.append(at)
 
-    def on(self, background: np.ndarray) -> np.ndarray:
-        """Return a picture, uint32 (height, width), with the lines drawn on it."""
-        table, picture = shades(self.palette).ravel(), background.ravel()
+    def on(self, picture: np.ndarray) -> None:
+        """Draw the lines on a picture, uint32 (n,)."""
+        table = shades(self.palette).ravel()
         for at in self.drawn:
             entry = self.marks.take(at)
             entry &= np.uint32((1 << ENTRY_BITS) - 1)
             picture[at] = table.take(entry)
-        return background

@@ -12,10 +12,8 @@ neither the point below the eye nor the one above it is close to the picture; st
 """
 
 import math
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cache
-from threading import Lock
 
 import numpy as np
 
@@ -24,18 +22,17 @@ from landscape.flyover.blending import OPAQUE, blend
 from landscape.flyover.camera import Camera, Frustum, frustum
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.look import look
-from landscape.flyover.reflection import Reflection, reflection
+from landscape.flyover.reflection import ACROSS, Reflection, reflection
 from landscape.flyover.settings import Settings
 
 LEAST = 0.25  # how far the picture stays from the point below the eye, chosen; 0 touches it
-BAND = 96  # rows coloured together, chosen: with fewer, threads wait for each other too often
+BAND = 96  # rows coloured together, chosen
 # Units, chosen. The eye stays so far above water, and is lifted smoothly from twice that height.
 AFLOAT = 1.5
 BEFORE = 1 / 64  # distance of the first step, pixels of the height image, chosen
 RIDGE = 1.1  # what is behind a ridge is this many times as far away at least, chosen
 LONGEST = 4.0  # steps in the middle distance, pixels of the height image, chosen
 WAVY = 0.15  # how much steeper ripples make mirrored rays, chosen
-WORKERS = 2  # chosen: numpy releases Python's lock, so two threads use two cores
 
 
 @dataclass(frozen=True)
@@ -46,6 +43,8 @@ class View:
     distance along the line of sight. ``lateral`` (c,) are the columns' directions to the right,
     per unit of distance along a level line of sight; ``slopes`` (r,) the rows' rise, per the same.
     ``pixel`` is how far apart columns are; ``row_of`` are the first row's place and the rows' step.
+    ``before`` is how many columns there are, of the whole picture's, before ``lateral`` begins, and
+    ``left`` the first one's direction; ``widest`` is the greatest direction of all, to either side.
     """
 
     across: np.ndarray
@@ -56,6 +55,10 @@ class View:
     roll: float
     row_of: tuple[float, float]
     pixel: float
+    left: np.float32
+    widest: np.float32
+    before: int = 0
+    inside: int = 0
 
     @property
     def level(self) -> bool:
@@ -103,6 +106,25 @@ def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
         roll,
         (float(rows[0]), step),
         pixel,
+        np.float32(lateral[0]),
+        np.abs(lateral.astype(np.float32)).max(),
+    )
+
+
+def part(rays: View, columns: range) -> View:
+    """Return the rays of some columns of a picture, and what is walked for them."""
+    first, end = columns.start, columns.stop
+    across = rays.across[first:end]
+    if not rays.level:
+        corners = replace(rays, across=across[[0, -1]], up=rays.up[[0, -1]])
+        place = pixels(corners, slice(None), (len(rays.slopes), len(rays.lateral)))[1]
+        # One more on either side, as the corners may be rounded in another way.
+        first, end = int(place.min()) - 1, int(place.max()) + 2
+    # Each column of a mirror image is that of some columns: it must not be divided.
+    first = max(first, 0) // ACROSS * ACROSS
+    inside = columns.start - first
+    return replace(
+        rays, across=across, lateral=rays.lateral[first:end], before=first, inside=inside
     )
 
 
@@ -141,16 +163,16 @@ def rows_of(heights: np.ndarray, away: np.ndarray, rays: View) -> np.ndarray:
 
 
 def draw(
-    field: HeightField, camera: Camera, settings: Settings, size: tuple[int, int]
-) -> tuple[np.ndarray, dict[str, int]]:
-    """Return a filled picture, uint8 (height, width, 4), of ``size`` (width, height), and counts.
+    field: HeightField, camera: Camera, settings: Settings, picture: np.ndarray, columns: range
+) -> dict[str, int]:
+    """Draw some columns of a picture, uint32 (height, width), filled; return counts.
 
     InputError if the image of the ground cannot be read.
     """
-    width, height = size
+    height, width = picture.shape
     ours, seen = settings.filled, look(field, settings)
-    volume = frustum(settings.flyover, size)
-    rays = view(camera, volume, size)
+    volume = frustum(settings.flyover, (width, height))
+    rays = part(view(camera, volume, (width, height)), columns)
     camera = replace(camera, z=afloat(camera.z, seen.sea))
     # Ground nearer than the near plane is drawn, too: it would leave a hole.
     path = march.steps(
@@ -165,56 +187,33 @@ def draw(
     right = np.stack([-forward[1], forward[0]])
     directions = forward + right * rays.lateral
     heights = np.empty((len(path.distances), len(rays.lateral)), np.float32)
-    filled = np.empty((len(rays.slopes), len(rays.lateral)), np.int16)
     eye, mirror = (camera.x, camera.y, camera.z), settings.flyover.mirror
-    together = -(-len(rays.lateral) // WORKERS)
-
-    def columns(first: int) -> None:
-        part = slice(first, first + together)
-        march.walk(
-            field, path, eye, directions[:, part], seen.sea, ours.smooth, mirror, heights[:, part]
-        )
-        tops = np.empty(heights[:, part].shape, np.float32)
-        for begin, end, _ in path.runs:
-            steps = slice(begin, end)
-            tops[steps] = rows_of(heights[steps, part], path.distances[steps, None], rays)
-        filled[:, part] = march.filled_by(tops, len(filled))
+    march.walk(field, path, eye, directions, seen.sea, ours.smooth, mirror, heights)
+    tops = np.empty(heights.shape, np.float32)
+    for first, end, _ in path.runs:
+        steps = slice(first, end)
+        tops[steps] = rows_of(heights[steps], path.distances[steps, None], rays)
+    filled = march.filled_by(tops, len(rays.slopes))
 
     @cache
-    def image() -> Reflection | None:
+    def mirrored() -> Reflection | None:
         steepest = max(-float(rays.slopes[-1]), 0.0) + WAVY
         return reflection(heights, path.distances, camera.z - seen.sea, steepest, rays.row_of[1])
 
-    lock = Lock()
-
-    def mirrored() -> Reflection | None:
-        # Only if a band of the picture has water is there a mirror image, which all bands share.
-        with lock:
-            return image()
-
-    picture = np.empty((height, width), np.uint32)
-
-    def rows(first: int) -> None:
+    scene = shade.Scene(heights, filled, path.distances, forward[:, 0], right[:, 0], eye, mirrored)
+    behind = np.searchsorted(path.distances, RIDGE * path.distances, "right")
+    behind = np.append(behind, len(heights) + 1).astype(np.int16)
+    colouring = shade.Colouring(scene, seen, settings, rays.lateral, rays.pixel, rays.widest)
+    for first in range(0, height, BAND):
         # One row more: ridges are blended with what is above them.
-        part = slice(max(first - 1, 0), min(first + BAND, height))
-        at, column, slope, lateral = pixels(rays, part, filled.shape)
+        rows = slice(max(first - 1, 0), min(first + BAND, height))
+        at, column, slope, lateral = pixels(rays, rows, filled.shape)
         step = filled.ravel().take(at)
         colours = colouring.band(step, column, slope, lateral)
         if ours.edges and ours.smooth:
             blend_edges(colours, at, step, behind, scene, rays)
-        picture[first : part.stop] = colours[first - part.start :]
-
-    with ThreadPoolExecutor(WORKERS) as pool:
-        list(pool.map(columns, range(0, len(rays.lateral), together)))
-        scene = shade.Scene(
-            heights, filled, path.distances, forward[:, 0], right[:, 0], eye, mirrored
-        )
-        behind = np.searchsorted(path.distances, RIDGE * path.distances, "right")
-        behind = np.append(behind, len(heights) + 1).astype(np.int16)
-        colouring = shade.Colouring(scene, seen, settings, rays.lateral, rays.pixel)
-        list(pool.map(rows, range(0, height, BAND)))
-    counts = {"columns": heights.shape[1], "steps": len(heights), "pixels": picture.size}
-    return picture.view(np.uint8).reshape(height, width, 4), counts
+        picture[first : rows.stop, columns.start : columns.stop] = colours[first - rows.start :]
+    return {"columns": len(rays.lateral), "steps": len(heights), "pixels": height * len(columns)}
 
 
 def blend_edges(
@@ -255,10 +254,11 @@ def pixels(
     rows, columns = shape
     up = rays.up[part]
     if rays.level:
-        column = np.broadcast_to(np.arange(columns, dtype=np.int32), (len(up), columns))
+        inside = np.arange(rays.inside, columns, dtype=np.int32)
+        column = np.broadcast_to(inside, (len(up), len(inside)))
         at = np.arange(part.start, part.stop, dtype=np.int32)[:, None] * columns + column
         slope = np.broadcast_to(rays.slopes[part, None], at.shape)
-        return at, column, slope, np.broadcast_to(rays.lateral, at.shape)
+        return at, column, slope, np.broadcast_to(rays.lateral[rays.inside :], at.shape)
     # Without a roll these are the same all along a row of the picture.
     y, z = rays.across, up[:, None]
     if rays.roll:
@@ -273,7 +273,8 @@ def pixels(
     row *= columns
     lateral = y * flat
     place = lateral * np.float32(1 / rays.pixel)
-    place += np.float32(0.5 - rays.lateral[0] / rays.pixel)
+    place += np.float32(0.5 - rays.left / rays.pixel)
+    place -= rays.before
     np.maximum(place, 0, out=place)
     np.minimum(place, columns - 1, out=place)
     column = place.astype(np.int32)

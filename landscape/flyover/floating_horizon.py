@@ -20,15 +20,15 @@ close to the point below the eye, or above it, have no place there, and count as
 nothing is hidden where one looks straight down.
 """
 
-import math
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 import numpy as np
 
 from landscape.flyover.bresenham import CHUNK
-from landscape.flyover.camera import Camera, Frustum
+from landscape.flyover.camera import Frustum
 from landscape.flyover.clipping import Lines
+from landscape.flyover.levelled import LEAST, Levelled
 
 # Rings for each doubling of the distance: so many leading bits of a float32's fraction. Each ring
 # is 2 to 3 % of its distance thick, thinner than a triangle.
@@ -37,9 +37,6 @@ RING_BITS = 5
 # from the eye would hide its own next pixels; and it may be this many rows below the horizon, else
 # lines that are rounded to pixels would hide each other.
 BEFORE, SLACK = 1, 1.0
-# How far level a ray must go for each unit along the line of sight, chosen. It is 0 for one that
-# goes straight down.
-LEAST = 0.25
 WIDEST = 6  # lines of up to 2 to the power of this columns are compared as a whole, chosen
 STRIDE = 4  # of so many rings the nearest one's horizon is compared with whole lines, chosen
 NEAREST = 0.4  # part of the lines, the nearest, that hide others before these are entered, chosen
@@ -47,90 +44,23 @@ NOWHERE = 1e9  # a row below all screens
 Marks = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
-class Levelled:
-    """Pixels of a picture as pixels of a camera at the same place that looks level."""
-
-    def __init__(self, camera: Camera, volume: Frustum, size: tuple[int, int]) -> None:
-        """Prepare the projection of a picture of ``size`` (width, height)."""
-        width, height = size
-        self.unchanged = camera.theta_x == 0 and camera.theta_y == 0
-        pixel = (volume.right - volume.left) / volume.near / width
-        line = (volume.top - volume.bottom) / volume.near / height
-        # A pixel holds what the projection rounds up to it: its centre is half a pixel before.
-        # Offsets to the right and up, as a + b column + c row.
-        y = np.array([volume.left / volume.near - pixel / 2, pixel, 0])
-        z = np.array([volume.top / volume.near + line / 2, 0, -line])
-        sin, cos = math.sin(camera.theta_x), math.cos(camera.theta_x)
-        y, z = cos * y - sin * z, sin * y + cos * z
-        sin, cos = math.sin(camera.theta_y), math.cos(camera.theta_y)
-        ahead = np.array([1, 0, 0])
-        self.level = (cos * ahead + sin * z).tolist()
-        self.across = (y / pixel).tolist()
-        self.up = ((sin * ahead - cos * z) / line).tolist()
-        self.offsets = (
-            0.5 - volume.left / volume.near / pixel,
-            0.5 + volume.top / volume.near / line,
-        )
-        self.rows: np.ndarray | None = None
-        if not self.unchanged and camera.theta_x == 0:
-            self.rows = self.by_row(np.arange(height))
-        corners = np.array([0, width - 1, 0, width - 1]), np.array([0, 0, height - 1, height - 1])
-        columns, _, levels = self.pixels(*corners)
-        self.least = 1.0 if levels is None else float(levels.min())
-        self.first, self.last = math.floor(columns.min()), math.ceil(columns.max())
-
-    def pixels(
-        self, column: np.ndarray, row: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
-        """Return the level column and row, and the level distance per unit along the line of sight.
-
-        The distance is None if it is 1 everywhere, because the camera looks level. Where it would
-        be less than LEAST, it is LEAST, and the column and the row have no meaning. Rows may be off
-        the level screen, and columns beside it.
-        """
-        if self.unchanged:
-            return column, row, None
-
-        def linear(by: list[float]) -> np.ndarray:
-            found = row * by[2]
-            found += by[0]
-            if by[1]:
-                found += column * by[1]
-            return np.asarray(found)
-
-        level = np.maximum(linear(self.level), LEAST)
-        across, down = linear(self.across), linear(self.up)
-        across /= level
-        down /= level
-        across += self.offsets[0]
-        down += self.offsets[1]
-        return across, down, level
-
-    def by_row(self, row: np.ndarray) -> np.ndarray:
-        """Return what rows of a picture without roll have in common, float32 (3, n).
-
-        These are 1 over the level distance, the level column's share that does not depend on the
-        column, and the level row, SLACK above it.
-        """
-        column, down, level = self.pixels(np.zeros(len(row)), row)
-        assert level is not None
-        return np.stack([1 / level, column, down - SLACK / (level * level)]).astype(np.float32)
-
-
 class Horizon:
     """The horizon of a frame at all distances, and which pixels are seen above it."""
 
     def __init__(
-        self, lines: Lines, camera: Camera, volume: Frustum, size: tuple[int, int]
+        self, lines: Lines, levelled: Levelled, volume: Frustum, columns: range | None = None
     ) -> None:
-        """Enter all lines of a frame; they must include those above the screen."""
-        self.levelled = Levelled(camera, volume, size)
-        self.width = size[0]
-        columns = self.levelled.last - self.levelled.first + 1
+        """Enter all lines of a frame; they must include those above the screen.
+
+        With ``columns``, only what hides pixels of these columns of the picture.
+        """
+        self.levelled = levelled
+        self.width = levelled.size[0]
+        self.first, self.last = levelled.span(columns or range(self.width))
         farthest = max(lines.depth0.max(initial=0), lines.depth1.max(initial=0), volume.near)
         # Level distances differ from those along the line of sight.
         self.rings = rings(1 / np.array([self.levelled.least * volume.near / 1.25, 2 * farthest]))
-        shape = int(np.ptp(self.rings)) + 1, columns
+        shape = int(np.ptp(self.rings)) + 1, self.last - self.first + 1
         self.nearness = Nearness(lines)
         # Hidden lines raise nothing. Most of them are found when only the nearest are entered.
         away = np.minimum(lines.depth0, lines.depth1)
@@ -146,8 +76,8 @@ class Horizon:
 
     def marks(self, lines: Lines) -> Iterator[Marks]:
         """Yield the marks of lines: columns of the table, rows, and rings."""
-        for column, row, near in crossings(lines, self.levelled):
-            yield column - self.levelled.first, row, self.ring(near)
+        for column, row, near in crossings(lines, self.levelled, self.first, self.last):
+            yield column - self.first, row, self.ring(near)
 
     def lowest(self, most: int) -> Iterator[np.ndarray]:
         """Yield the lowest horizon, the greatest row, of 2^k columns from each on, for k to most.
@@ -181,7 +111,7 @@ class Horizon:
         ring = self.ring(near) - BEFORE
         last = self.table.shape[1] - 1
         first, end = (
-            np.minimum(np.maximum(each - levelled.first, 0), last).astype(np.int64)
+            np.minimum(np.maximum(each - self.first, 0), last).astype(np.int64)
             for each in (np.minimum(column0, column1) - aside, np.maximum(column0, column1) + aside)
         )
         width = (end - first + 1).astype(np.float64)
@@ -217,7 +147,7 @@ class Horizon:
         """
         near, levelled = self.nearness.along(owner, longer.astype(np.float32)), self.levelled
         if levelled.unchanged:
-            place = (x - np.float32(levelled.first)).astype(np.intp)
+            place = (x - np.float32(self.first)).astype(np.intp)
             return above((place, y - np.float32(SLACK), self.ring(near) - BEFORE), self.table)
         if levelled.rows is not None:
             place = y.astype(np.intp)
@@ -233,9 +163,9 @@ class Horizon:
             near /= level
             row -= SLACK / (level * level)
             meaningless = level <= LEAST
-        np.maximum(column, levelled.first, out=column)
-        np.minimum(column, levelled.last, out=column)
-        column += np.float32(0.5 - levelled.first)
+        np.maximum(column, self.first, out=column)
+        np.minimum(column, self.last, out=column)
+        column += np.float32(0.5 - self.first)
         pixels = column.astype(np.int32), row, self.ring(near) - BEFORE
         return above(pixels, self.table) | meaningless
 
@@ -331,37 +261,42 @@ class Nearness:
         return np.maximum(found, np.float32(1e-9), out=found)
 
 
-def crossings(lines: Lines, levelled: Levelled) -> Iterator[Marks]:
-    """Yield each level column that each line crosses: column, row there, and inverse distance."""
+def crossings(lines: Lines, levelled: Levelled, first: int, last: int) -> Iterator[Marks]:
+    """Yield each level column that each line crosses: column, row there, and inverse distance.
+
+    Only columns from ``first`` to ``last`` count. Which they are does not change the numbers: each
+    line is followed from where it enters the whole picture.
+    """
     ends = []
     for x, y, depth in ((lines.x0, lines.y0, lines.depth0), (lines.x1, lines.y1, lines.depth1)):
         column, row, level = levelled.pixels(x, y)
         ends.append((column, row, 1 / (depth if level is None else depth * level), level))
     (x0, y0, near0, level0), (x1, y1, near1, level1) = ends
     begin = np.ceil(np.maximum(np.minimum(x0, x1), levelled.first))
-    end = np.floor(np.minimum(np.maximum(x0, x1), levelled.last))
+    end = np.floor(np.minimum(np.maximum(x0, x1), last))
     # A line within one column raises nothing that the other edges at its ends do not raise, too.
-    crossing = (end >= begin) & (x0 != x1)
+    crossing = (end >= np.maximum(begin, first)) & (x0 != x1)
     if level0 is not None and level1 is not None:
         crossing &= (level0 > LEAST) & (level1 > LEAST)
     kept = np.flatnonzero(crossing)
     x0, y0, near0, x1, y1, near1 = (each[kept] for each in (x0, y0, near0, x1, y1, near1))
     begin = begin[kept].astype(np.int64)
-    count = end[kept].astype(np.int64) - begin + 1
+    skipped = np.maximum(first - begin, 0)
+    count = end[kept].astype(np.int64) - begin - skipped + 1
     rise, approach = (y1 - y0) / (x1 - x0), (near1 - near0) / (x1 - x0)
     row, near = y0 + rise * (begin - x0), near0 + approach * (begin - x0)
     if not len(count):
         return
-    # From the first column on float32 is exact enough.
+    # From the whole picture's first column on float32 is exact enough.
     along = [
         (a.astype(np.float32), b.astype(np.float32)) for a, b in ((rise, row), (approach, near))
     ]
     total = np.cumsum(count)
-    behind = total - count
+    behind = total - count - skipped
     ends_at = np.searchsorted(total, np.arange(CHUNK, total[-1], CHUNK)) + 1
-    for first, last in pairwise(dict.fromkeys((0, *ends_at.tolist(), len(total)))):
-        owner = np.repeat(np.arange(first, last), count[first:last])
-        before = total[first] - count[first]
+    for one, other in pairwise(dict.fromkeys((0, *ends_at.tolist(), len(total)))):
+        owner = np.repeat(np.arange(one, other), count[one:other])
+        before = total[one] - count[one]
         step = np.arange(before, before + len(owner))
         step -= behind.take(owner)
         far = step.astype(np.float32)

@@ -11,6 +11,7 @@ Without ``flyover.quad_tree`` the box of each tile is tested alone, with the sam
 to drop their lines.
 """
 
+import dataclasses
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -18,7 +19,7 @@ import numpy as np
 
 from landscape.flyover.bounds import Bounds
 from landscape.flyover.camera import Camera, Frustum, camera_transform
-from landscape.flyover.clipping import planes
+from landscape.flyover.clipping import NO_WALLS, planes
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.levels import Levels
 from landscape.flyover.settings import Flyover
@@ -51,7 +52,10 @@ def children(tiles: Tiles) -> Tiles:
 
 @dataclass(frozen=True)
 class View:
-    """What the choice of tiles depends on: the terrain and its boxes, the camera, the volume."""
+    """What the choice of tiles depends on: the terrain and its boxes, the camera, the volume.
+
+    ``beside`` are more planes that bound what is seen, see :func:`.clipping.codes`.
+    """
 
     field: HeightField
     bounds: Bounds
@@ -60,13 +64,16 @@ class View:
     size: tuple[int, int]
     settings: Flyover
     levels: Levels
+    beside: np.ndarray = dataclasses.field(default_factory=lambda: NO_WALLS)
 
     @cached_property
     def walls(self) -> tuple[np.ndarray, np.ndarray]:
-        """The view volume's planes in the terrain's directions: normals (6, 3), and distances."""
+        """All planes in the terrain's directions: normals (n, 3), and distances (n, 1)."""
         along_x, along_y, along_z = np.eye(3)
         axes = np.stack(camera_transform(along_x, along_y, along_z, self.camera))
-        walls = planes(self.volume, self.size)
+        walls = np.concatenate(
+            [planes(self.volume, self.size), np.pad(self.beside, ((0, 0), (0, 1)))]
+        )
         return walls[:, :3] @ axes, walls[:, 3:]
 
     def origin(self, tiles: Tiles) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

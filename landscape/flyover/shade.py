@@ -56,9 +56,18 @@ class Colouring:
     """The tables of one frame, and the colours of its pixels."""
 
     def __init__(
-        self, scene: Scene, look: Look, settings: Settings, lateral: np.ndarray, pixel: float
+        self,
+        scene: Scene,
+        look: Look,
+        settings: Settings,
+        lateral: np.ndarray,
+        pixel: float,
+        widest: np.float32,
     ) -> None:
-        """Prepare a frame whose columns go to ``lateral`` (c,), ``pixel`` apart."""
+        """Prepare a frame whose columns go to ``lateral`` (c,), ``pixel`` apart.
+
+        ``widest`` is how far to either side those of the whole picture go.
+        """
         self.scene, self.look, self.switches = scene, look, settings.filled
         visible = settings.flyover.visible
         far = scene.distances
@@ -81,7 +90,7 @@ class Colouring:
         self.between.real, self.between.imag = far, far[np.maximum(np.arange(len(far)) - 1, 0)]
         # The plane in texels. Whole periods make all coordinates positive: then rounding to 0 is
         # rounding down.
-        around = math.ceil(2 * float(far[-1]) / pyramid.period * max(abs(lateral)) + 1)
+        around = math.ceil(2 * float(far[-1]) / pyramid.period * widest + 1)
         self.start, self.forward, self.right = (
             (np.array(each) / self.texel).astype(np.float32)
             for each in (
@@ -116,17 +125,20 @@ class Colouring:
         and ``lateral`` their direction to the right, per unit of level distance.
         """
         shape = step.shape
+        # The pixels that may share a mirrored ray have a number in common.
+        across = np.arange(shape[1], dtype=np.int32) // BESIDE
+        beside = (np.arange(shape[0], dtype=np.int32)[:, None] * shape[1] + across).ravel()
         step = step.ravel()
         column, slope, lateral = column.ravel(), slope.ravel(), lateral.ravel()
         last = len(self.scene.distances)
         ground = np.flatnonzero(step < last)
         if len(ground) == len(step):
-            return (self.ground(column, step, slope, lateral) | OPAQUE).reshape(shape)
+            return (self.ground(column, step, slope, lateral, beside) | OPAQUE).reshape(shape)
         out = np.empty(len(step), np.uint32)
         sky = np.flatnonzero(step == last)
         out[sky] = self.sky(column.take(sky), slope.take(sky))
         if len(ground):
-            rays = (each.take(ground) for each in (column, step, slope, lateral))
+            rays = (each.take(ground) for each in (column, step, slope, lateral, beside))
             out[ground] = self.ground(*rays)
         return (out | OPAQUE).reshape(shape)
 
@@ -144,9 +156,17 @@ class Colouring:
         return self.flat_sky.take(place, mode="clip")
 
     def ground(
-        self, column: np.ndarray, step: np.ndarray, slope: np.ndarray, lateral: np.ndarray
+        self,
+        column: np.ndarray,
+        step: np.ndarray,
+        slope: np.ndarray,
+        lateral: np.ndarray,
+        beside: np.ndarray,
     ) -> np.ndarray:
-        """Return the ground's colours along rays (n,) that meet it at or just before a step."""
+        """Return the ground's colours along rays (n,) that meet it at or just before a step.
+
+        Those that follow each other and have the same number ``beside`` may share a mirrored ray.
+        """
         step = step.astype(np.intp)
         away = self.distance(column, step, slope)
         x, y = self.place(away, lateral)
@@ -157,7 +177,7 @@ class Colouring:
         self.feet(colour, x, y, up, away, step)
         self.layers(colour, x, y, up, away, step)
         if self.switches.reflection:
-            self.mirror(colour, (column, step, slope, lateral, away), x, y)
+            self.mirror(colour, (column, step, slope, lateral, away), beside, x, y)
         if self.switches.fog:
             colour = blend(colour, self.horizon.take(column), self.haze.take(step))
         return colour
@@ -299,18 +319,21 @@ class Colouring:
         self,
         colour: np.ndarray,
         rays: tuple[np.ndarray, ...],
+        beside: np.ndarray,
         x: np.ndarray,
         y: np.ndarray,
     ) -> None:
         """Mirror sky and land in what is water, more so at grazing angles, in place; all (n,).
 
-        ``rays`` are columns, steps, slopes, lateral directions and distances.
+        ``rays`` are columns, steps, slopes, lateral directions and distances. Pixels that follow
+        each other and have the same number ``beside`` share one mirrored ray.
         """
         water = np.flatnonzero(colour >= WATER)
         if not len(water):
             return
-        # One ray for some pixels, which mostly are beside each other.
-        some = water[::BESIDE]
+        group = beside.take(water)
+        first = np.flatnonzero(np.append(True, group[1:] != group[:-1]))
+        some, count = water.take(first), np.diff(first, append=len(water))
         x, y = x.take(some), y.take(some)
         column, step, slope, lateral, away = (each.take(some) for each in rays)
         up = np.maximum(-slope, 0)
@@ -327,7 +350,7 @@ class Colouring:
         np.maximum(up, np.float32(0.002), out=up)
         mirrored = self.sky(column, up)
         self.land(mirrored, up, column, step, lateral)
-        mirrored, share = (np.repeat(each, BESIDE)[: len(water)] for each in (mirrored, share))
+        mirrored, share = (np.repeat(each, count) for each in (mirrored, share))
         own = colour.take(water)
         share *= own >> np.uint32(24) & COVER
         share >>= np.uint32(7)
