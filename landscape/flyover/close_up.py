@@ -85,9 +85,9 @@ def shade(
 
 
 def layered(texels: np.ndarray, side: int, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Return numbers of 0..256 at x, y (n,) in texels of a square picture, blended between them.
+    """Return numbers of 0..255 at x, y (n,) in texels of a square picture, blended between them.
 
-    ``texels`` uint32 begin with the picture, ``side`` x ``side``, a power of two; it is repeated.
+    ``texels`` uint8 begin with the picture, ``side`` x ``side``, a power of two; it is repeated.
     """
     left, top = np.floor(x), np.floor(y)
     u, v = x - left, y - top

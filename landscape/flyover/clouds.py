@@ -8,8 +8,8 @@ dark flat base, bright sides, and edges as soft as it is thin there.
 
 import numpy as np
 
-from landscape.flyover.ground import smooth_step
 from landscape.flyover.noise import noise
+from landscape.flyover.sunlight import smooth_step
 
 # All chosen. Lengths are in heights of the clouds' base above the ground.
 SCALE = 0.16  # of the pattern: repeats per length

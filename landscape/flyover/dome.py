@@ -8,7 +8,8 @@ and then no edge is seen where the terrain ends.
 import numpy as np
 
 from landscape.flyover.clouds import clouds
-from landscape.flyover.ground import colour, smooth_step
+from landscape.flyover.ground import colour
+from landscape.flyover.sunlight import smooth_step
 
 # Colours, sRGB 0..1, chosen.
 ZENITH, BLUE, HORIZON = colour(0.16, 0.34, 0.66), colour(0.40, 0.62, 0.88), colour(0.78, 0.85, 0.91)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from landscape.flyover.noise import noise
-from landscape.flyover.sunlight import normals, sky_seen, sun_light
+from landscape.flyover.sunlight import normals, sky_seen, smooth_step, sun_light
 
 
 def colour(red: float, green: float, blue: float) -> np.ndarray:
@@ -24,9 +24,13 @@ def colour(red: float, green: float, blue: float) -> np.ndarray:
 SAND, WET_SAND = colour(0.80, 0.71, 0.52), colour(0.52, 0.44, 0.30)
 LUSH, DRY, FOREST = colour(0.29, 0.41, 0.13), colour(0.53, 0.50, 0.24), colour(0.12, 0.22, 0.08)
 ROCK, DARK_ROCK, SNOW = colour(0.58, 0.53, 0.48), colour(0.29, 0.27, 0.26), colour(0.93, 0.95, 0.99)
-WARM_ROCK = colour(0.66, 0.55, 0.43)
+WARM_ROCK, RED_ROCK, PALE_ROCK = (
+    colour(*each) for each in ((0.66, 0.54, 0.40), (0.58, 0.38, 0.27), (0.72, 0.70, 0.66))
+)
+SNOW_LINE, ALPINE_SNOW_LINE = 0.62, 0.33  # of the land's height; the latter of mountain ranges
 SHALLOW, DEEP, FOAM = colour(0.16, 0.50, 0.50), colour(0.01, 0.11, 0.20), colour(0.90, 0.94, 0.95)
 SUN, SKY, BOUNCE = colour(1.30, 1.14, 0.90), colour(0.34, 0.45, 0.64), colour(0.10, 0.085, 0.06)
+GREEN, DARK_GREEN = colour(0.17, 0.33, 0.26), colour(0.02, 0.13, 0.125)  # of a plateau's river
 WET = 128  # in the highest byte of a texel: there is water
 CLEAR = 5.0  # depth at which a third of the bottom is still seen, % of the heights' range, chosen
 
@@ -44,12 +48,6 @@ class Pyramid:
     offsets: np.ndarray
     bits: int
     period: float
-
-
-def smooth_step(low: float, high: float, x: np.ndarray) -> np.ndarray:
-    """Return 0 below ``low``, 1 above ``high``, and a smooth curve between."""
-    t = np.clip((x - np.float32(low)) / np.float32(high - low), 0, 1)
-    return np.asarray(t * t * (3 - 2 * t))
 
 
 def mix(one: np.ndarray, other: np.ndarray, weight: np.ndarray) -> np.ndarray:
@@ -88,6 +86,19 @@ def resampled(field: np.ndarray, size: int) -> np.ndarray:
     return field
 
 
+def character(heights: np.ndarray, sea: float) -> tuple[float, float]:
+    """Return how much a field of heights is a plateau, and how much a mountain range, 0..1 each.
+
+    Most of a plateau is high. Most of a mountain range is low, but little of it is water.
+    """
+    dry = heights > sea
+    if not dry.any():
+        return 0.0, 0.0
+    high = (heights[dry].mean() - sea) / max(float(heights.max()) - sea, 1e-3)
+    plateau = smooth_step(0.35, 0.50, high)
+    return float(plateau), float((1 - plateau) * smooth_step(0.5, 0.8, dry.mean()))
+
+
 def cliffs(heights: np.ndarray, sea: float, steep: np.ndarray) -> np.ndarray:
     """Return how much of the land is bare rock because it is ``steep``, 0..1 (n, n)."""
     up = (heights - np.float32(sea)) / np.float32(max(float(heights.max()) - sea, 1e-3))
@@ -98,7 +109,10 @@ def cliffs(heights: np.ndarray, sea: float, steep: np.ndarray) -> np.ndarray:
 def surface(
     heights: np.ndarray, sea: float, steep: np.ndarray, open_sky: np.ndarray, cliff: np.ndarray
 ) -> np.ndarray:
-    """Return the colours of dry land, sRGB 0..1 (n, n, 3), by height, slope, hollows, cliffs."""
+    """Return the colours of dry land, sRGB 0..1 (n, n, 3), by height, slope, hollows, cliffs.
+
+    Where there is snow there is less ``cliff``, which is changed in place.
+    """
     n = len(heights)
     top = max(float(heights.max()) - sea, 1e-3)
     patches, grain = noise(n, 1, 1.5, 6), noise(n, 2, 0.9, 24)
@@ -106,21 +120,41 @@ def surface(
     level = up + 0.025 * patches + 0.012 * grain
     found = np.empty((n, n, 3), np.float32)
     found[:] = LUSH
-    found = mix(found, DRY, smooth_step(-0.6, 1.4, patches + 2.5 * (up - 0.2)))
+    plateau, range_ = character(heights, sea)
+    dry = smooth_step(-0.6, 1.4, patches + 2.5 * (up - 0.2) - 0.6 * range_)
+    found = mix(found, DRY, dry)
     hollow = smooth_step(0.02, 0.16, 1 - open_sky)
     woods = smooth_step(0.1, 0.5, patches * 0.6 + grain * 0.45 + hollow - 0.5)
     woods *= smooth_step(0.03, 0.07, level) * (1 - smooth_step(0.42, 0.55, level))
     found = mix(found, FOREST, woods * 0.9)
     found = mix(found, DARK_ROCK, smooth_step(0.55, 0.75, level) * 0.5)
     # A cliff's own detail is drawn in each frame, see :mod:`.rock`: here it would become bars.
-    stone = mix(np.broadcast_to(ROCK, found.shape), WARM_ROCK, smooth_step(-1.2, 1.2, patches))
-    found += (stone - found) * cliff[..., None]
-    snow = smooth_step(0.62, 0.74, level - 0.25 * (steep - 0.1))
-    found = mix(found, SNOW, snow * (1 - smooth_step(0.30, 0.48, steep)))
+    found += (stone(n, up, plateau, range_) - found) * cliff[..., None]
+    line = SNOW_LINE + (ALPINE_SNOW_LINE - SNOW_LINE) * range_ + plateau
+    snow = smooth_step(line, line + 0.12, level + 0.03 * grain - 0.25 * (steep - 0.1))
+    holds = 0.16 * range_ + 0.04 * grain
+    snow *= 1 - smooth_step(0.30, 0.48, steep - holds)
+    found = mix(found, SNOW, snow)
+    cliff *= 1 - 0.8 * snow
     beach = (1 - smooth_step(0.018, 0.045, level)) * (1 - smooth_step(0.10, 0.20, steep))
     found = mix(found, SAND, beach)
     found = mix(found, WET_SAND, 0.8 * (1 - smooth_step(0.0, 0.012, up)) * (1 - cliff))
     return np.asarray(found * (1 + 0.05 * grain * (1 - cliff))[..., None])
+
+
+def stone(size: int, up: np.ndarray, plateau: float, range_: float) -> np.ndarray:
+    """Return the colours of bare rock, sRGB 0..1 (n, n, 3): by place, and by height ``up`` (n, n).
+
+    That of a plateau is warm, in wide bands; that of a mountain range (``range_``) is grey.
+    """
+    places, others = noise(size, 5, 1.4, 3), noise(size, 6, 1.2, 5)
+    warm = smooth_step(-1.2, 1.2, places + 1.2 * plateau - 2.2 * range_)
+    found = mix(np.broadcast_to(ROCK, (size, size, 3)), WARM_ROCK, warm)
+    red = smooth_step(0.2, 1.6, others + np.sin(9 * up + places) - 0.4)
+    found = mix(found, RED_ROCK, red * (0.35 + 0.4 * plateau) * (1 - range_))
+    pale = smooth_step(0.2, 1.8, np.sin(7 * up + 0.7 * others + 2) - 0.5 * others + 0.6 * range_)
+    found = mix(found, PALE_ROCK, 0.7 * pale)
+    return mix(found, DARK_ROCK, 0.45 * smooth_step(0.6, 1.8, -others))
 
 
 def bake(
@@ -158,7 +192,9 @@ def bake(
         base = laid_over(image, size)
         cliff[:] = 0
     depth = np.clip(np.float32(sea) - rough, 0, None) / np.float32(CLEAR / 100 * range_)
-    water = mix(mix(base, SHALLOW, 1 - np.exp(-4 * depth)), DEEP, 1 - np.exp(-0.8 * depth))
+    river = np.float32(character(heights, sea)[0])
+    shallow, deep = SHALLOW + (GREEN - SHALLOW) * river, DEEP + (DARK_GREEN - DEEP) * river
+    water = mix(mix(base, shallow, 1 - np.exp(-4 * depth)), deep, 1 - np.exp(-0.8 * depth))
     foam = smooth_step(0.5, 1.6, noise(size, 4, 0.6, 40)) * np.exp(-((depth * 22 - 1) ** 2))
     water = mix(water, FOAM, 0.7 * foam)
     base = base + (water - base) * wet[..., None]

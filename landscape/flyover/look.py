@@ -10,7 +10,7 @@ import numpy as np
 from landscape.files.cache import recall
 from landscape.files.images import read_image
 from landscape.flyover.dome import dome
-from landscape.flyover.ground import Pyramid, bake
+from landscape.flyover.ground import Pyramid, bake, character
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.noise import noise
 from landscape.flyover.rock import Rock, rock
@@ -60,15 +60,16 @@ def _made(field: HeightField, settings: Settings) -> Look:
     texels = 1 << (ours.texels.bit_length() - 1)
     image = None if ours.image == "none" else read_image(Path(ours.image), "RGB")
     parts = (
-        "ground and cliffs",
+        "ground, stone and snow",
         f"{texels} {sea} {field.unit} {towards.tolist()} {ours.shadows} {ours.occlusion}",
         b"" if image is None else f"{image.shape}".encode() + image.tobytes(),
         f"{heights.shape}",
         heights.tobytes(),
     )
 
+    above = max(sea, float(field.lowest) - 1) / field.unit
+
     def ground() -> tuple[np.ndarray, ...]:
-        above = max(sea, float(field.lowest) - 1) / field.unit
         made = bake(heights, texels, above, towards, image, ours.shadows, ours.occlusion)
         return made.texels, made.offsets
 
@@ -78,9 +79,16 @@ def _made(field: HeightField, settings: Settings) -> Look:
         ("sky and clouds", f"{towards.tolist()} {ours.clouds} {rows}"),
         lambda: (dome(towards, ours.clouds, rows),),
     )
+    folded = bool(character(heights, above)[0] < 0.5)
+
+    def layers() -> tuple[np.ndarray, ...]:
+        made = rock(folded)
+        return made.texels, made.offsets
+
+    walls = Rock(*recall(("rock", f"{folded}"), layers))
     grain = np.clip(noise(GRAIN, SEED, 1.0, 6) * 50 + 128, 0, 255).astype(np.uint8)
     bits = texels.bit_length() - 1
-    return Look(Pyramid(picture, offsets, bits, 2 * field.size), sky, grain, rock(), sea)
+    return Look(Pyramid(picture, offsets, bits, 2 * field.size), sky, grain, walls, sea)
 
 
 def sun_direction(azimuth: float, elevation: float) -> np.ndarray:

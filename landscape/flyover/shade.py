@@ -20,8 +20,8 @@ SLANT = 2.0  # texels that a pixel may hold before the next smaller copy is take
 LEVEL_BITS = 4  # of the level of a copy; the largest pictures have 14
 LEVEL = (1 << LEVEL_BITS) - 1
 FRESNEL = 1024  # entries of the table of how much water mirrors, by the angle
-MIRROR = 0.9  # of the light that smooth water mirrors, chosen
-RIPPLES = 0.0006  # how much they incline the water, chosen
+MIRROR = 1.0  # of the light that smooth water mirrors by Fresnel's equations, chosen
+RIPPLES = 0.00045  # how much they incline the water, chosen
 ROCK_BELOW = 1024  # pictures of rock below the eye, chosen: deeper than any ground
 FOOT = np.uint32(0x7F343E44)  # the colour of rock at the water, chosen
 BESIDE = 3  # pixels of water that one mirrored ray serves, chosen
@@ -305,7 +305,7 @@ class Colouring:
         row += column
         copy >>= LEVEL_BITS
         row += copy
-        dark = self.look.rock.texels.take(row, mode="clip")
+        dark = self.look.rock.texels.take(row, mode="clip").astype(np.uint32)
         close = np.flatnonzero(away < BEFORE)
         if len(close) and self.switches.smooth:
             dark[close] = layered(self.look.rock.texels, SIDE, x.take(close), up.take(close))

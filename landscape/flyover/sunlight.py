@@ -8,7 +8,15 @@ import numpy as np
 
 AZIMUTHS = 8  # directions in which the horizon is looked up, chosen
 SKY_STEPS = (1, 2, 4, 8, 16, 32, 64)  # how far away, texels of the reduced field, chosen
-PENUMBRA = 0.06  # width of a shadow's edge per unit of distance along the ray, chosen
+NEAREST = 1.5  # how far away ground is that may shade a point, texels, chosen
+PENUMBRA = 1.6  # of a shadow's edge: how far the sun's rays rise across it, texels, chosen
+TEETH = 1.0  # the same, times how much higher the next texel is, chosen
+
+
+def smooth_step(low: float, high: float, x: np.ndarray) -> np.ndarray:
+    """Return 0 below ``low``, 1 above ``high``, and a smooth curve between."""
+    t = np.clip((x - np.float32(low)) / np.float32(high - low), 0, 1)
+    return np.asarray(t * t * (3 - 2 * t))
 
 
 def moved(field: np.ndarray, x: float, y: float) -> np.ndarray:
@@ -33,14 +41,23 @@ def sun_light(heights: np.ndarray, towards: np.ndarray) -> np.ndarray:
     step, rise = towards[:2] / flat, np.float32(towards[2] / flat)
     reach = float(np.ptp(heights)) / max(float(rise), 1e-3)
     # The nearest texels are left out: a slope that is turned away is dark by its normal already.
-    highest = moved(heights, *(step * 1.5)) - np.float32(1.5) * rise
+    highest = moved(heights, *(step * NEAREST)) - np.float32(NEAREST) * rise
     length = 1.0
     while length < min(reach, len(heights)):
         further = moved(highest, *(step * length)) - np.float32(length) * rise
         np.maximum(highest, further, out=highest)
         length *= 2
-    above = heights - highest
-    return np.asarray(np.clip(0.5 + above / np.float32(PENUMBRA * 24), 0, 1))
+    # On a wall the next texel is much higher. The edge of a shadow is then wide enough for some of
+    # them, as otherwise it would show them as teeth.
+    wide = np.float32(PENUMBRA) + np.float32(TEETH) * steepness(heights)
+    # Ground that nothing shades is just so much above the plane of the nearest texels' rays.
+    return smooth_step(-1, 0, (heights - highest - np.float32(NEAREST) * rise) / wide)
+
+
+def steepness(heights: np.ndarray) -> np.ndarray:
+    """Return how much higher or lower the ground is a texel further on, (n, n)."""
+    across, along = ((np.roll(heights, -1, k) - np.roll(heights, 1, k)) / 2 for k in (0, 1))
+    return np.asarray(np.hypot(across, along))
 
 
 def sky_seen(heights: np.ndarray) -> np.ndarray:
