@@ -5,7 +5,7 @@ import pytest
 from stage import Stage
 
 from landscape.elements.best.terrain import bed_light
-from landscape.elements.best.terrain.bed_light import DEEPEST, divided, fade_picture, strength
+from landscape.elements.best.terrain.bed_light import DEEPEST, fade_picture, strength, under_net
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.mesh import Mesh, grid_triangles, vertex_normals
@@ -87,14 +87,14 @@ def test_the_texture_that_fades_the_net_ends_in_nothing_on_both_sides() -> None:
     assert picture[0, 0] == picture[0, -1] == 0 and picture.max() > 150
 
 
-def test_a_mesh_is_divided_into_triangles_under_shallow_water_and_all_others() -> None:
+def test_the_net_is_on_the_triangles_under_shallow_water_and_on_no_others() -> None:
     x, z = np.meshgrid(np.linspace(0, 1, 11), np.linspace(0, 1, 3))
     vertices = np.stack([x, 1.0 - x, z], axis=-1).reshape(-1, 3).astype(np.float32)
     triangles = grid_triangles(11, 3)
     mesh = Mesh(vertices, vertex_normals(vertices, triangles), triangles)
-    dry, wet = divided(mesh, 0.6)
-    assert len(dry.triangles) + len(wet.triangles) == len(triangles)
-    low, high = (getattr(mesh.vertices[wet.triangles, 1], end)(axis=1) for end in ("min", "max"))
-    assert (low < 0.6).all() and (high > 0.6 - DEEPEST).all()
-    for triangle in mesh.vertices[dry.triangles, 1]:
+    wet = under_net(mesh, 0.6)
+    heights = mesh.vertices[triangles, 1]
+    low, high = heights[wet].min(axis=1), heights[wet].max(axis=1)
+    assert (low < 0.6).all() and (high > 0.6 - DEEPEST).all() and len(low)
+    for triangle in heights[~wet]:
         assert triangle.min() >= 0.6 or triangle.max() <= 0.6 - DEEPEST

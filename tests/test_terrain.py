@@ -8,7 +8,16 @@ import pytest
 from PIL import Image
 from stage import Stage, close, small
 
-from landscape.elements.best.terrain.materials import rock_share, textured
+from landscape.elements.best.terrain import terrain
+from landscape.elements.best.terrain.materials import (
+    ROCK,
+    SAND,
+    TURF,
+    mixtures,
+    rock_share,
+    textured,
+    turf_range,
+)
 from landscape.elements.best.terrain.terrain import Terrain, ground_class, shaded
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
 from landscape.elements.ground import Ground, clipped
@@ -198,6 +207,40 @@ def test_detail_baked_into_the_colours_keeps_their_mean() -> None:
     bare = textured(colours, detail, 8.0, np.zeros((256, 256, 1), np.uint8))
     assert abs(green.mean() - 100) < 2 and abs(bare.mean() - 100) < 2
     assert green.std() > 2.5 * bare.std() > 0
+
+
+def test_a_triangle_has_the_materials_that_filtering_may_mix_into_it() -> None:
+    turf = np.full((64, 64), 255, np.uint8)
+    turf[:, 32:] = 0
+    least, most = turf_range(turf, 8)
+    assert (most[:, :4] == 255).all() and (least[:, 4:] == 0).all()
+    # The cells beside the edge have texels of both sides.
+    assert (least[:, :3] == 255).all() and (least[:, 3] == 0).all()
+    assert (most[:, 5:] == 0).all() and (most[:, 4] == 255).all()
+
+
+def test_what_is_only_turf_or_covered_by_rock_looks_up_nothing_else() -> None:
+    turf = np.array([[255, 0, 0, 255], [255, 255, 0, 255]], np.uint8)
+    rock = np.zeros((8, 3), np.uint8)
+    rock[0, 1] = 100  # one corner of the first triangle
+    rock[6:] = 255
+    found = mixtures(turf, rock).tolist()
+    assert found == [TURF | ROCK, TURF, *2 * [TURF | SAND], *2 * [SAND], *2 * [ROCK]]
+
+
+def test_materials_that_are_not_there_are_not_missed(
+    stage: Stage, shipped: Assets, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings, pictures = small({"ground.materials": True, "ground.tiles": 4}), []
+    for kinds in (mixtures, lambda turf, rock: np.full(len(rock), TURF | SAND | ROCK)):
+        monkeypatch.setattr(terrain, "mixtures", kinds)
+        ground = Terrain(settings, shipped, SUN)
+        with stage.frame(settings, POSES[0]) as frame:
+            ground.draw(frame)
+            pictures.append(stage.read().astype(int))
+        ground.release()
+    apart = np.abs(pictures[0] - pictures[1])
+    assert apart.max() < 32 and (apart > 4).mean() < 0.02
 
 
 # Shadows

@@ -58,16 +58,10 @@ def fade_picture(sun: Sun) -> np.ndarray:
     return np.rint(strength(depth, sun) * 255).astype(np.uint8)[None, :, None]
 
 
-def divided(mesh: Mesh, level: float) -> tuple[Mesh, Mesh]:
-    """Return the parts of a mesh without and with the net: the latter is under shallow water."""
+def under_net(mesh: Mesh, level: float) -> np.ndarray:
+    """Return which triangles of a mesh, bool (m,), lie under shallow water, where the net is."""
     heights = mesh.vertices[mesh.triangles, 1]
-    wet = (heights.min(axis=1) < level) & (heights.max(axis=1) > level - DEEPEST)
-
-    def part(kept: np.ndarray) -> Mesh:
-        triangles = np.ascontiguousarray(mesh.triangles[kept])
-        return Mesh(mesh.vertices, mesh.normals, triangles, mesh.coordinates, mesh.colors)
-
-    return part(~wet), part(wet)
+    return np.asarray((heights.min(axis=1) < level) & (heights.max(axis=1) > level - DEEPEST))
 
 
 class BedLight:

@@ -3,17 +3,35 @@
 Unit 0 is turf. Unit 1 interpolates to sand by the large texture's alpha, which it reads from unit 3
 (crossbar). Unit 2 interpolates to rock by the vertices' alpha. Unit 3 multiplies by the large-scale
 colour and scales by 2.
+A triangle that is all turf would look up sand and rock in vain. So triangles are told apart by the
+materials that they have, and the units of the others are disabled while they are drawn.
 State used: texture units 0 to 3, GL_COMBINE (OpenGL 1.3), ARB_texture_env_crossbar (OpenGL 1.4).
 """
+
+from functools import reduce
 
 import numpy as np
 from PIL import Image
 
 from landscape.geometry.height_field import greenness
 from landscape.gl.calls import gl
+from landscape.gl.state import combine
 from landscape.gl.texture import Texture
 
 MID = 0.8  # chosen: strength of the detail baked into the large texture
+TURF, SAND, ROCK = 1, 2, 4  # bits of a mixture
+TRACE = 8  # chosen: of 255, a share of a material that does not show
+MARGIN = 2  # chosen: texels around a triangle whose colours are filtered into it
+# What a unit interpolates: sand by the alpha of another unit's texture (crossbar), rock by that of
+# the vertices. Turf is never mixed in: it comes first.
+SOURCES: dict[int, tuple[str, ...]] = {
+    TURF: (),
+    SAND: ("PREVIOUS", "TEXTURE", "TEXTURE3"),
+    ROCK: ("TEXTURE", "PREVIOUS", "PRIMARY_COLOR"),
+}
+TURF, SAND, ROCK = MATERIALS = 1, 2, 4  # bits of a mixture; each material has the unit of its bit
+TRACE = 8  # chosen: of 255; less of a material is not looked up
+MARGIN = 2  # chosen: texels beside a triangle that filtering may mix in
 
 
 def turf_alpha(large: np.ndarray) -> np.ndarray:
@@ -56,28 +74,70 @@ def rock_share(normals: np.ndarray, colour: np.ndarray) -> np.ndarray:
     return np.asarray(np.maximum(steep, grey) * (1.0 - 0.7 * greenness(colour)))
 
 
+def turf_range(turf: np.ndarray, side: int) -> np.ndarray:
+    """Return the least and the most turf, uint8 (2, side, side), in each of side x side cells.
+
+    ``turf``, uint8 (n, n), is that of the texels; both have z along the rows.
+    """
+    n = len(turf)
+    starts = np.arange(side) * n // side
+    found = []
+    for bound in (np.minimum, np.maximum):
+        cells = turf
+        for axis in (0, 1):
+            wide = np.pad(
+                cells, [(MARGIN, MARGIN) if k == axis else (0, 0) for k in (0, 1)], "edge"
+            )
+            shifts = (wide.take(np.arange(k, k + n), axis) for k in range(2 * MARGIN + 1))
+            cells = bound.reduceat(reduce(bound, shifts), starts, axis)
+        found.append(cells)
+    return np.stack(found)
+
+
+def mixtures(turf: np.ndarray, rock: np.ndarray) -> np.ndarray:
+    """Return which materials each triangle (2 m,) of a grid of m cells has, as bits.
+
+    ``turf`` (2, ...) is the least and the most turf in each cell, ``rock`` (2 m, 3) the share of
+    rock at the corners of each triangle, all in 0..255.
+    """
+    least, most = np.repeat(turf.reshape(2, -1), 2, axis=1)
+    bare = rock.min(axis=1) >= 255 - TRACE
+    has_turf, has_sand = (most > TRACE) & ~bare, (least < 255 - TRACE) & ~bare
+    return np.asarray(TURF * has_turf + SAND * has_sand + ROCK * (rock.max(axis=1) > TRACE))
+
+
 def mix_units(layers: list[Texture]) -> None:
     """Set four units to turf, sand, rock and the large colour: (((turf, sand), rock) x large x 2).
 
     ``a`` mixed with ``b`` by ``c`` is a c + b (1 - c), which is GL_INTERPOLATE.
     """
-    env = gl.GL_TEXTURE_ENV
-    turf_here = gl.GL_TEXTURE3  # the alpha of another unit's texture: crossbar
-    mixes = [
-        (gl.GL_REPLACE, (gl.GL_TEXTURE,)),
-        (gl.GL_INTERPOLATE, (gl.GL_PREVIOUS, gl.GL_TEXTURE, turf_here)),
-        (gl.GL_INTERPOLATE, (gl.GL_TEXTURE, gl.GL_PREVIOUS, gl.GL_PRIMARY_COLOR)),
-        (gl.GL_MODULATE, (gl.GL_TEXTURE, gl.GL_PREVIOUS)),
-    ]
-    for unit, (layer, (mix, sources)) in enumerate(zip(layers, mixes, strict=True)):
+    for unit, layer in enumerate(layers):
         gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         layer.bind()
+        # The result is opaque.
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "CONSTANT"})
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.ones(4, np.float32))
         gl.glEnable(gl.GL_TEXTURE_2D)
-        gl.glTexEnvi(env, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
-        gl.glTexEnvi(env, gl.GL_COMBINE_RGB, mix)
-        for k, source in enumerate(sources):
-            gl.glTexEnvi(env, getattr(gl, f"GL_SOURCE{k}_RGB"), source)
-        # The result is opaque: the details have no alpha, which reads as 1.
-        gl.glTexEnvi(env, gl.GL_COMBINE_ALPHA, gl.GL_REPLACE)
-        gl.glTexEnvi(env, gl.GL_SOURCE0_ALPHA, gl.GL_PREVIOUS if unit else gl.GL_TEXTURE)
-    gl.glTexEnvf(env, gl.GL_RGB_SCALE, 2.0)
+    look_up(TURF | SAND | ROCK)
+
+
+def look_up(mixture: int) -> None:
+    """Let the units of :func:`mix_units` look up these materials only; 0 is a mid grey.
+
+    The first unit that is enabled starts the mix, and each other one adds to it.
+    """
+    before = False
+    for unit, (bit, sources) in enumerate(SOURCES.items()):
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        if not mixture & bit:
+            gl.glDisable(gl.GL_TEXTURE_2D)
+            continue
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        mixed = {f"SRC{k}_RGB": source for k, source in enumerate(sources)}
+        first = {"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"}
+        combine({"COMBINE_RGB": "INTERPOLATE"} | mixed if before else first)
+        before = True
+    gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{len(SOURCES)}"))
+    # Twice a mid grey leaves the large colour as it is.
+    combine({"COMBINE_RGB": "MODULATE" if mixture else "REPLACE", "SRC0_RGB": "TEXTURE"})
+    gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0 if mixture else 1.0)

@@ -12,16 +12,28 @@ State used: as the ground, with four texture units, seven under shallow water; G
 current colour.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.terrain import bed_light, wanted
-from landscape.elements.best.terrain.bed_light import BedLight, divided
-from landscape.elements.best.terrain.materials import mix_units, rock_share, textured, turf_alpha
+from landscape.elements.best.terrain.bed_light import BedLight, under_net
+from landscape.elements.best.terrain.materials import (
+    ROCK,
+    SAND,
+    TURF,
+    look_up,
+    mix_units,
+    mixtures,
+    rock_share,
+    textured,
+    turf_alpha,
+    turf_range,
+)
 from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
@@ -45,6 +57,9 @@ from landscape.gl.texture import Texture
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
+# A triangle's label: the materials that it has, and whether the net of light lies on it.
+EVERY, UNDER_NET = TURF | SAND | ROCK, 8
+
 
 def ground_class(settings: Settings) -> type[Ground]:
     """Return the class whose ground these settings describe."""
@@ -67,6 +82,8 @@ class Terrain(Ground):
     def _build(self, ground: GroundSettings, assets: Assets) -> None:
         """Make the layers, build the mesh with their coordinates and compile its tiles."""
         self._light: np.ndarray | None = None
+        self._tiles: dict[int, dict[int, DisplayList]] = {}  # by their labels and numbers
+        self._looks, self._mirrored = list[DisplayList](), list[DisplayList]()
         self._mixed = ground.materials and ground.units == "both"
         self._drawn = self._with_shore(ground, assets) if self._mixed else self.large
         self._painted = self._materials(ground, assets) if self._mixed else self.large
@@ -111,24 +128,28 @@ class Terrain(Ground):
 
     def _materials(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
         """Return the large colours, and the fraction of turf as alpha, uint8 (n, n, 4)."""
-        large, repeat = self._drawn, ground.mid_repeat
-        turf = turf_alpha(large)
-        if repeat <= 0 and not ground.weathered:
-            return np.concatenate([large, turf], axis=2)
-        names = ("detail_texture", *(("rock_texture",) if ground.weathered else ()))
-        paths = [assets.path(getattr(ground, name), f"ground.{name}") for name in names]
-        patterns = [read_image(path, "RGB") for path in paths]
+        large, repeat, patterns = self._drawn, ground.mid_repeat, list[Path]()
+        if repeat > 0 or ground.weathered:
+            patterns.append(assets.path(ground.detail_texture, "ground.detail_texture"))
+        if ground.weathered:
+            patterns.append(assets.path(ground.rock_texture, "ground.rock_texture"))
 
-        def make() -> tuple[np.ndarray]:
-            colours = textured(large, patterns[0], repeat, turf) if repeat > 0 else large
-            both = colours, turf
+        def make() -> tuple[np.ndarray, np.ndarray]:
+            colours, turf = large, turf_alpha(large)
+            if repeat > 0:
+                colours = textured(colours, read_image(patterns[0], "RGB"), repeat, turf)
             if ground.weathered:
-                both = weathered(colours, turf, self.field, patterns[1])
-            return (np.concatenate(both, axis=2),)
+                rock = read_image(patterns[1], "RGB")
+                colours, turf = weathered(colours, turf, self.field, rock)
+            found = turf_range(turf[..., 0], len(self.field.heights) - 1)
+            return np.concatenate([colours, turf], axis=2), found
 
         what = repr((repeat, ground.weathered, self.field.water_level, self.field.size))
-        heights = self.field.heights.tobytes() if ground.weathered else b""
-        return recall([*map(content, paths), large.tobytes(), heights, what], make)[0]
+        heights = self.field.heights.tobytes()
+        painted, self._turf = recall(
+            [*map(content, patterns), large.tobytes(), heights, what], make
+        )
+        return painted
 
     def _dampened(self, painted: np.ndarray) -> np.ndarray:
         """Return the colours, darker along the shore, see wet.py."""
@@ -149,37 +170,51 @@ class Terrain(Ground):
     def _compile(self, mesh: Mesh, textures: list[Texture], count: int) -> None:
         """Compile one list of everything, or one per tile and two to set and reset the units."""
         before, after = self._units(textures)
-        self._tiles, self._mirrored = list[DisplayList](), list[DisplayList]()
-        self._wet: dict[int, DisplayList] = {}
+        labels = self._labels(mesh)
         if count <= 1:
+            (whole,) = cut(mesh, 1)
 
-            def whole() -> None:
+            def send() -> None:
                 before()
-                draw_mesh(mesh)
+                for label, part in whole.parts(labels).items():
+                    if self._mixed:
+                        look_up(label)
+                    draw_mesh(part)
                 after()
 
-            self._lists.append(DisplayList(whole))
+            self._lists.append(DisplayList(send))
             return
 
-        def compiled(meshes: Iterable[Mesh]) -> list[DisplayList]:
-            return [DisplayList(partial(draw_mesh, each)) for each in meshes]
+        def compiled(*sends: Callable[[], None]) -> list[DisplayList]:
+            self._lists += (lists := [DisplayList(send) for send in sends])
+            return lists
 
-        tiles, level = cut(mesh, count), self.field.water_level
-        self._boxes, self._mirrored_boxes = boxes(tiles), boxes(tiles, level)
-        parts = [tile.mesh for tile in tiles]
+        level = self.field.water_level
+        self._around = compiled(before, after)
+        if self._mixed:
+            looks = [partial(look_up, mixture) for mixture in range(EVERY + 1)]
+            self._looks = compiled(*looks)
         if self._bed is not None:
-            both = [divided(each, level) for each in parts]
-            parts = [dry for dry, _ in both]
-            wet = {k: each for k, (_, each) in enumerate(both) if len(each.triangles)}
-            self._wet = dict(zip(wet, compiled(wet.values()), strict=True))
-        self._tiles = self._mirrored = compiled(parts)
-        self._around = [DisplayList(before), DisplayList(after)]
-        self._lists += [*self._tiles, *self._wet.values(), *self._around]
+            labels = labels + UNDER_NET * under_net(mesh, level)
+        tiles = cut(mesh, count)
+        self._boxes, self._mirrored_boxes = boxes(tiles), boxes(tiles, level)
+        parts = [tile.parts(labels) for tile in tiles]
+        # What costs most at each pixel comes last: some of it is hidden by then.
+        for label in sorted(set().union(*parts), key=int.bit_count):
+            own = {k: each[label] for k, each in enumerate(parts) if label in each}
+            lists = compiled(*(partial(draw_mesh, mesh) for mesh in own.values()))
+            self._tiles[label] = dict(zip(own, lists, strict=True))
         if self._settings.reflection.lod_scale > 1:
             tiles = cut(every_second(mesh), count)
-            self._mirrored = compiled(tile.mesh for tile in tiles)
+            self._mirrored = compiled(*(partial(draw_mesh, tile.mesh) for tile in tiles))
             self._mirrored_boxes = boxes(tiles, level)
-            self._lists += self._mirrored
+
+    def _labels(self, mesh: Mesh) -> np.ndarray:
+        """Return a label for each triangle (m,): its materials, 0 if there are no materials."""
+        if not self._mixed:
+            return np.zeros(len(mesh.triangles), int)
+        assert mesh.colors is not None
+        return mixtures(self._turf, mesh.colors[mesh.triangles, 3])
 
     def _units(self, textures: list[Texture]) -> tuple[Callable[[], None], Callable[[], None]]:
         """Return a function that sets the texture units, and one that restores them."""
@@ -247,17 +282,27 @@ class Terrain(Ground):
         kept = self.tiles_in_view(frame).tolist()
         # Seen from above, land faces away only behind a crest, which hides it. The mirrored eye is
         # below the land, whose underside must hide what stands on it.
-        lists = self._mirrored if frame.mirrored else self._tiles
         with front_faces(self._settings.camera.cull and not frame.mirrored):
-            call_lists([lists[k] for k in kept])
-            wet = [self._wet[k] for k in kept if k in self._wet]
-            if frame.mirrored:
-                wet = wet if lists is self._tiles else []  # coarser tiles are whole
-            elif wet and self._bed is not None:
-                self._bed.lay(frame)
-            if wet:
-                call_lists(wet)
+            if frame.mirrored and self._mirrored:
+                # Without details, which nobody sees in an image that ripples.
+                call_lists([*self._looks[:1], *(self._mirrored[k] for k in kept)])
+            else:
+                self._draw_tiles(kept, frame)
         after.call()
+
+    def _draw_tiles(self, kept: list[int], frame: Frame) -> None:
+        """Call the lists of these tiles, by their labels, the nearest of a label first."""
+        dry, wet = list[DisplayList](), list[DisplayList]()
+        for label, lists in self._tiles.items():
+            here = [lists[k] for k in kept if k in lists]
+            if here and self._looks:
+                here.insert(0, self._looks[label & EVERY])
+            (wet if label & UNDER_NET else dry).extend(here)
+        call_lists(dry)
+        if wet:
+            if self._bed is not None and not frame.mirrored:
+                self._bed.lay(frame)
+            call_lists(wet)
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""

@@ -1,6 +1,6 @@
 """The ground's mesh cut into square tiles, each with its bounding box. No OpenGL here."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,11 +10,23 @@ from landscape.geometry.mesh import Mesh, grid_triangles
 
 @dataclass(frozen=True)
 class Tile:
-    """A square part of the ground's mesh, and the low and high corner (3,) of its bounding box."""
+    """A square part of the ground's mesh, and the low and high corner (3,) of its bounding box.
+
+    ``numbers`` (m,) are those of its triangles in the whole mesh.
+    """
 
     mesh: Mesh
     low: np.ndarray
     high: np.ndarray
+    numbers: np.ndarray
+
+    def parts(self, labels: np.ndarray) -> dict[int, Mesh]:
+        """Return the tile in parts, by the labels (n,) of the whole mesh's triangles."""
+        own = labels[self.numbers]
+        return {
+            label: replace(self.mesh, triangles=self.mesh.triangles[own == label])
+            for label in np.unique(own).tolist()
+        }
 
 
 def cut(mesh: Mesh, tiles: int) -> list[Tile]:
@@ -24,10 +36,10 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
     number = np.repeat(np.add.outer(cell * tiles, cell).ravel(), 2)  # two triangles per cell
     parts = []
     for k in range(tiles * tiles):
-        triangles = mesh.triangles[number == k]
-        if not len(triangles):
+        numbers = np.flatnonzero(number == k)
+        if not len(numbers):
             continue
-        used, own = np.unique(triangles, return_inverse=True)
+        used, own = np.unique(mesh.triangles[numbers], return_inverse=True)
         vertices = mesh.vertices[used]
         part = Mesh(
             vertices,
@@ -36,7 +48,7 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
             tuple(np.ascontiguousarray(c[used]) for c in mesh.coordinates),
             None if mesh.colors is None else np.ascontiguousarray(mesh.colors[used]),
         )
-        parts.append(Tile(part, vertices.min(axis=0), vertices.max(axis=0)))
+        parts.append(Tile(part, vertices.min(axis=0), vertices.max(axis=0), numbers))
     return parts
 
 
