@@ -361,6 +361,33 @@ class Ground:
         "paint ledges into rock, a tideline onto beaches, and ragged edges of turf",
         needs=("ground", "ground.materials", "ground.units=both"),
     )
+    lod_bias: float = setting(
+        0.0,
+        "chosen",
+        "added to the mip level that OpenGL chooses; below 0 the ground is sharper",
+        -4,
+        4,
+        unit="mip levels",
+        needs=("ground", "ground.materials", "ground.units=both"),
+    )
+    verdure: float = setting(
+        0.0,
+        "chosen",
+        "how far turf has the colour of the sward on it, and its grain far away",
+        0,
+        1,
+        unit="of 1",
+        needs=("ground", "ground.materials", "ground.units=both"),
+    )
+    clouds: float = setting(
+        0.0,
+        "chosen",
+        "how dark the shadows of clouds on the land are by day",
+        0,
+        1,
+        unit="of 1",
+        needs=("ground.shadows", "not sun.relit"),
+    )
     stones: int = setting(
         0,
         "chosen",
@@ -1164,6 +1191,7 @@ BEST: dict[str, Value] = {
     "walk.swim": True,
     "walk.solid": True,
     "sun.fill": 0.45,
+    "sun.shade": (0.35, 0.40, 0.49),
     "ground.resolution": 160,
     "ground.height_image": "height16.png",
     "ground.mid_repeat": 13.0,
@@ -1172,6 +1200,9 @@ BEST: dict[str, Value] = {
     "ground.tiles": 8,
     "ground.shadows": True,
     "ground.weathered": True,
+    "ground.lod_bias": -1.2,
+    "ground.verdure": 0.8,
+    "ground.clouds": 0.5,
     "ground.stones": 10_000,
     "ground.wet": True,
     "ground.low_stretch": True,

@@ -255,7 +255,8 @@ class Growth:
         kinds = sward.kinds_at(positions[:, 0], positions[:, 2], draw, bold, grass.flowers)
         lean = grass.arch * dice.uniform(-2.2, 2.2, blades)
         corners = sward.card_corners(angles, kinds, lean)
-        tall = 1.0 + grass.variety * (sward.tallness(x, z) * dice.uniform(0.7, 1.3, tufts) - 1.0)
+        size = 0.80 + 0.85 * dice.uniform(0.0, 1.0, tufts) ** 3  # most are small, a few tall
+        tall = 1.0 + grass.variety * (sward.tallness(x, z) * size - 1.0)
         corners *= (tall[tuft] * dice.uniform(0.6, 1.25, blades))[:, None, None]
         vertices = blade_vertices(positions, corners, grass.scale)
         tints = np.full((len(positions), 5, 4), 255, np.uint8)
@@ -276,6 +277,10 @@ class Growth:
             shade = np.where(own, 0.5, colour / (2.0 * self._ends[0][kinds]))
             shade *= light[tuft] * np.where(own, 0.45 + 0.5 * brightness, brightness)
             tints[..., :3] = (np.clip(shade, 0, 1) * 255).astype(np.uint8)[:, None]
+            # In the thick of the sward roots are dark; where a card stands alone, it has light.
+            alone = np.clip(np.log(ranges / self.near) / 2.0, 0.0, 1.0)[:, None]
+            foot = np.where(own, shade, (1.0 + sward.ROOTS * alone) * shade)
+            tints[:, :2, :3] = (np.clip(foot, 0, 1) * 255).astype(np.uint8)[:, None]
         return vertices, tints, kinds
 
 

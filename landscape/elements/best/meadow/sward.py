@@ -44,6 +44,8 @@ TRAIL = 0.030  # chosen: units, half the width of a deer's trail through the mea
 
 # Chosen: how much of the widening by distance a kind takes part in; a flower must stay round.
 WIDENED = np.where(np.arange(len(LOOKS)) < GREEN_KINDS, 1.0, 0.25).astype(np.float32)
+LOWER = 1.2  # chosen: how much more of the sward is low where little stands
+ROOTS = 0.30  # chosen: how much lighter than its picture the foot is of cards seen from far away
 CARD_SIDES = np.array([-1.0, 1.0, -SPREAD, SPREAD], np.float32)  # of feet and shoulders
 
 
@@ -136,7 +138,7 @@ def off_trail(x: np.ndarray, z: np.ndarray) -> np.ndarray:
 def standing(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return 0..1: how densely cards stand at x, z: clumps with gaps between them, and trails."""
     clumps = 0.72 + 0.28 * waves(x, z, 22.0, 22) + 0.22 * waves(x, z, 61.0, 23)
-    return np.asarray(np.clip(clumps, 0.18, 1.0) * (0.30 + 0.70 * off_trail(x, z)))
+    return np.asarray(np.clip(clumps, 0.40, 1.0) * (0.55 + 0.45 * off_trail(x, z)))
 
 
 def covered(green: np.ndarray) -> np.ndarray:
@@ -165,6 +167,7 @@ def kinds_at(
     weights[:] = LOOKS[:, 2]
     ripe = np.clip(1.0 + 1.6 * waves(x, z, 2.7, 26), 0.1, 2.6)
     dry = np.clip(0.8 + 1.4 * waves(x, z, 3.9, 27), 0.1, 2.2)
+    weights[:, FLOOR] *= 1.0 + LOWER * (1.0 - standing(x, z))
     weights[:, 5] *= ripe
     weights[:, 6] *= np.clip(2.0 - ripe, 0.1, 2.0)
     weights[:, 7] *= dry

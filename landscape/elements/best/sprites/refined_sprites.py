@@ -40,6 +40,7 @@ from landscape.elements.best.sprites.refined_planting import (
     planted_from,
 )
 from landscape.elements.best.sprites.sprites_in_view import SpritesInView
+from landscape.elements.best.terrain.cloud_shade import cloud_light, clouds_shade
 from landscape.elements.best.terrain.shadows import (
     SKY_HIDDEN,
     ShadowMap,
@@ -131,6 +132,11 @@ class RefinedSprites:
         x, z = (self.sprites.positions[plants][:, [0, 2]] + step).T
         shadow = ground.light(x, z) / self._settings.sun.tint
         self.sprites.tints[plants, :3] *= np.minimum(shadow, 1.0) ** SHADE
+        if clouds_shade(self._settings):
+            # On trees and deer no shadows fall but those of clouds.
+            tall = np.flatnonzero(self.sprites.cells < PLANT)
+            x, _, z = self.sprites.positions[tall].T
+            self.sprites.tints[tall, :3] *= cloud_light(self._settings, x, z) ** SHADE
         self._view = None
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:

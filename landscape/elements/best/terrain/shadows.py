@@ -22,7 +22,7 @@ from landscape.settings import Settings, Sun
 
 LIGHT_LEFT = np.array(Sun().shade, np.float32)  # fraction of the colour in full shadow, at noon
 # All chosen.
-SKY_HIDDEN = 0.38  # fraction of the light lost right at the foot of an object
+SKY_HIDDEN = 0.50  # fraction of the light lost right at the foot of an object
 SKY_TEXELS = 4  # shadow texels per texel of the shade from the blocked sky, which is soft
 SAMPLES_PER_TEXEL = 1.3  # along each side, so that there are no gaps between points
 MOST_SAMPLES = 48  # along a sprite's side
@@ -51,7 +51,7 @@ def cast_from(settings: Settings) -> tuple[object, ...]:
         return (settings.sun,) if light_is_baked(settings) else ()
     stands = castle.yaw, castle.brick_repeat, castle.ornate, rabbit.mesh, rabbit.yaw
     lying = settings.ground.stones if stones.wanted(settings) else 0
-    return settings.sun, *stands, lying, *planted_from(settings)
+    return settings.sun, settings.ground.clouds, *stands, lying, *planted_from(settings)
 
 
 class ShadowMap:

@@ -2,8 +2,9 @@
 
 With ``ground.materials`` turf, sand and rock each have their own detail texture, mixed in four
 texture units (materials.py), and the shore has its colours where it is drawn (shore.py). With
-``ground.wet`` it is darker where waves reach (wet.py). With ``ground.tiles`` above 1 the mesh is
-cut into square display lists (tiles.py); those outside the
+``ground.wet`` it is darker where waves reach (wet.py); with ``ground.verdure`` turf has the colour
+of the sward (verdure.py); with ``ground.clouds`` clouds shade the land (cloud_shade.py). With
+``ground.tiles`` above 1 the mesh is cut into square display lists (tiles.py); those outside the
 view frustum are not called, and the mirror image uses coarser ones. With ``ground.low_stretch``
 details keep their scale on slopes; with ``ground.shadows`` the shadows of what stands on the ground
 are baked into the large texture (shadows.py); ``water.caustics`` lays a net of light over the bed
@@ -22,6 +23,7 @@ import numpy as np
 from landscape.elements.best.sea.shallows import cut_level
 from landscape.elements.best.terrain import bed_light, wanted
 from landscape.elements.best.terrain.bed_light import BedLight, under_net
+from landscape.elements.best.terrain.cloud_shade import cloud_cover, clouds_shade
 from landscape.elements.best.terrain.materials import (
     ROCK,
     SAND,
@@ -38,6 +40,7 @@ from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
+from landscape.elements.best.terrain.verdure import grained, verdant
 from landscape.elements.best.terrain.weathering import weathered
 from landscape.elements.best.terrain.wet import dampened, wet_texels
 from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
@@ -53,7 +56,7 @@ from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.draw import draw_mesh
 from landscape.gl.state import front_faces
-from landscape.gl.texture import Texture
+from landscape.gl.texture import Texture, halves_evenly
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
@@ -109,6 +112,16 @@ class Terrain(Ground):
         self._bed = BedLight.made(self._settings, assets)
         self._compile(mesh, [texture for texture, _ in layers], ground.tiles)
 
+    def _texture(self, image: np.ndarray, repeat: bool = True) -> Texture:
+        """Make a texture that is released with the ground, as sharp as ``ground.lod_bias`` says."""
+        ground = self._settings.ground
+        bias = ground.lod_bias if self._mixed else 0.0
+        levels: np.ndarray | list[np.ndarray] = image
+        if repeat and self._mixed and ground.verdure and halves_evenly(image):
+            levels = list(recall(["grained", image.tobytes()], lambda: tuple(grained(image))))
+        self._textures.append(Texture(levels, repeat, lod_bias=bias))
+        return self._textures[-1]
+
     def _with_shore(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
         """Return the large colours with those of the shore where it is drawn, see shore.py."""
         if has_no_colours(ground):
@@ -141,11 +154,14 @@ class Terrain(Ground):
             if ground.weathered:
                 rock = read_image(patterns[1], "RGB")
                 colours, turf = weathered(colours, turf, self.field, rock)
+            if ground.verdure:
+                colours = verdant(colours, turf, ground.verdure)
             found = turf_range(turf[..., 0], len(self.field.heights) - 1)
             return np.concatenate([colours, turf], axis=2), found
 
-        what = repr((repeat, ground.weathered, self.field.water_level, self.field.size))
-        heights = self.field.heights.tobytes()
+        field = self.field
+        what = repr((repeat, ground.weathered, ground.verdure, field.water_level, field.size))
+        heights = field.heights.tobytes()
         painted, self._turf = recall(
             [*map(content, patterns), large.tobytes(), heights, what], make
         )
@@ -233,7 +249,12 @@ class Terrain(Ground):
 
     def open_light(self, side: int) -> np.ndarray:
         """Return the light's colour where nothing casts a shadow, (side, side, 3) or (3,)."""
-        return relief_light(self.field, self._settings.sun, side)
+        sun = self._settings.sun
+        light = relief_light(self.field, sun, side)
+        if not clouds_shade(self._settings):
+            return light
+        hidden = self._settings.ground.clouds * cloud_cover(self.size, side)[..., None]
+        return light + hidden * (np.array(sun.shade, np.float32) - light)
 
     def shade(self, light: np.ndarray) -> None:
         """Multiply the large texture by a light map, uint8 (n, n, 3), 255 full light.
