@@ -13,7 +13,6 @@ from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, shown_in, visible_fac
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials
 from landscape.voxel.mesh import (
-    DRY,
     OVERLAP,
     PLANTS,
     SETS,
@@ -261,16 +260,18 @@ def test_no_face_is_wider_than_its_tile_is_repeated() -> None:
     assert PLACES == WIDEST + 1
 
 
-def test_faces_are_sorted_by_whether_they_are_under_water() -> None:
+def test_faces_are_sorted_by_whether_they_are_under_water_and_then_from_the_highest_band() -> None:
     blocks = some_blocks(8, 0.5, (1, 3, 29))
-    look = Look(np.ones((6, 4)), np.zeros((10, 10), np.float32), shore=(3, 5))
+    look = Look(np.ones((6, 4)), np.zeros((10, 10), np.float32), shore=(3, 5), band=1.0)
     mesh = region_mesh(blocks, (0, 0, 0), look)
     part = np.repeat(np.tile(np.arange(SETS), len(mesh.counts)), mesh.counts.ravel() // 4)
     height = mesh.vertices["position"][:, 1].reshape(-1, 4)
     low, high = height.min(axis=1) + OVERLAP, height.max(axis=1) - OVERLAP
     wet, dry = high <= 3.001, low >= 4.999
-    assert (part == np.where(dry, DRY, np.where(wet, WET, SHORE))).all()
-    assert all((part == each).any() for each in (WET, SHORE, DRY))
+    lower = np.ceil(high - 5.01)  # bands begin at 5, where the highest one is the first
+    dried = SETS - np.maximum(lower, 1)
+    assert (part == np.where(dry, dried, np.where(wet, WET, SHORE))).all()
+    assert all((part == each).any() for each in (WET, SHORE, SETS - 1, SETS - 2))
 
 
 def test_plants_are_crossed_quads_and_hide_nothing() -> None:

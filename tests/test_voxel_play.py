@@ -22,7 +22,17 @@ from landscape.geometry.bodies import Body, Wish
 from landscape.render import Offscreen
 from landscape.voxel.blocks import AIR, SOLID, block
 from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, Place, moved
-from landscape.voxel.mesh import DRY, PLANTS, SETS, SHORE, WET, Look, RegionMesh, region_mesh
+from landscape.voxel.mesh import (
+    BAND,
+    BANDS,
+    PLANTS,
+    SETS,
+    SHORE,
+    WET,
+    Look,
+    RegionMesh,
+    region_mesh,
+)
 from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.picking import picked
 from landscape.voxel.tile_column import PLACES, ROWS
@@ -225,7 +235,9 @@ def unit_faces(mesh: RegionMesh, sea: int) -> dict[tuple, tuple]:
             low, high = at.min(axis=0), at.max(axis=0)
             # Rows of the column in which each tile is there several times.
             tile = int(quad["coordinate"][:, 1].min() * ROWS) // PLACES
-            expected = DRY if low[2] >= sea + 1 else WET if high[2] <= sea - 1 else SHORE
+            band = max(math.ceil((high[2] - sea - 1) / BAND), 1)
+            dry = SETS - min(band, BANDS)
+            expected = dry if low[2] >= sea + 1 else WET if high[2] <= sea - 1 else SHORE
             assert part == expected
             # Where faces are merged, the darkness does not change along them.
             dark = sorted(zip((at > low).tolist(), quad["colour"][:, 0].tolist(), strict=True))

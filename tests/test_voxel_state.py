@@ -30,7 +30,7 @@ SWITCHES: dict[str, dict[str, Any]] = {
     "textures": {"debug.textures": True},
     "edges": {"debug.edges": True},
     **{f"picture of {name}": {"debug.picture": name} for name in PICTURES},
-    "everything is sent": {"voxel.cull": False, "voxel.facing": False},
+    "everything is sent": {"voxel.cull": False, "voxel.facing": False, "voxel.horizon": False},
     "no fog": {"fog.enabled": False},
     "sunset": {"time": "sunset"},
 }

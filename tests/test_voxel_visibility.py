@@ -81,7 +81,7 @@ def test_distances_are_taken_in_plan() -> None:
 
 
 def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
-    """Drawn with culling and without, random views are equal."""
+    """Drawn with culling and without, random views are equal: what hills hide, too."""
     rng = np.random.default_rng(4)
     small = {"voxel.regions": 8, "voxel.region_size": 25, "shadow.enabled": False}
     small |= {"voxel.distance": 1000.0, "fog.enabled": False}
@@ -92,7 +92,8 @@ def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
     ]  # fmt: skip
     shown = []
     for culled in (True, False):
-        given = {**small, "voxel.cull": culled, "voxel.facing": culled}
+        given = {**small}
+        given |= dict.fromkeys(("voxel.cull", "voxel.facing", "voxel.horizon"), culled)
         with Offscreen(SIZE, samples=0, place="voxel", settings=given, only=("land",)) as view:
             pictures = []
             for pose in poses:

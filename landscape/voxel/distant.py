@@ -88,7 +88,7 @@ def distant_meshes(
     along = [np.minimum(z + start + 2 * np.arange(side), last) for start in starts]
     tint = look.tint[np.ix_(across, np.concatenate(along))]
     shore = (look.shore[0] - bottom) / 2, (look.shore[1] - bottom) / 2
-    of_cells = replace(look, tint=tint, shore=shore, repeat=2)
+    of_cells = replace(look, tint=tint, shore=shore, band=look.band / 2, repeat=2)
     meshes = region_meshes(cells, side, (0, 0, 0), of_cells, merge, occlusion=False, plants=False)
     for k, (start, mesh) in enumerate(zip(starts, meshes, strict=True)):
         mesh.vertices["position"] *= 2

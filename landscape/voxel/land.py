@@ -21,8 +21,9 @@ from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar, shows_buildings
 from landscape.voxel.distant import distant_mesh
+from landscape.voxel.horizon import CLEAR, Horizon, solid_heights
 from landscape.voxel.memory import give_back
-from landscape.voxel.mesh import UP, RegionMesh
+from landscape.voxel.mesh import BAND, BANDS, SETS, UP, RegionMesh
 from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Light, Part, RegionBuffer
 from landscape.voxel.settings import Settings
@@ -40,13 +41,15 @@ class Choice(NamedTuple):
     """Regions to draw, nearest first, and in which directions their faces may be seen (n, 6).
 
     ``shares`` are those of the buffer that hold their meshes. ``part`` says whether what lies under
-    water or above it need not be sent.
+    water or above it need not be sent, and ``last`` (n,) is the last set of each that hills do not
+    hide, -1 for none.
     """
 
     regions: np.ndarray
     shares: np.ndarray
     facing: np.ndarray
     part: Part = ALL
+    last: np.ndarray | None = None
 
 
 class Land:
@@ -71,6 +74,7 @@ class Land:
         give_back()
         boxes = boxes.reshape(LEVELS, -1, 2, 3)
         self.low, self.high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
+        self._horizon = Horizon(solid_heights(self.world.blocks), self.world.region_size)
         pictures = tiles(assets)
         mipmaps, crisp = settings.voxel.mipmaps, settings.voxel.crisp
         # Down to the level in which a tile is one texel. Where OpenGL allows no texture as large as
@@ -117,6 +121,25 @@ class Land:
         regions = regions[np.argsort(away[regions], kind="stable")]
         level = (away[regions] >= near).astype(np.intp) + (away[regions] >= max(near, far))
         return self._chosen(regions, level, eye, part)
+
+    def without_hidden(self, choice: Choice, eye: np.ndarray) -> Choice:
+        """Return a choice of which is not drawn what the eye (3,), in units, cannot see for hills.
+
+        That is known only for an eye in the air above the water.
+        """
+        world = self.world
+        x, y, z = (eye / self.scale).tolist()
+        if (
+            not self.settings.voxel.horizon
+            or y < world.water + CLEAR
+            or not world.is_air(x, z, y, CLEAR)
+        ):
+            return choice
+        hidden = self._horizon.hidden(x, z, y)[choice.regions]
+        bands = np.clip((hidden - self.colours.shore[1]) // BAND, 0, BANDS - 1)
+        last = SETS - 1 - bands.astype(np.intp)
+        last[hidden * self.scale >= self.high[choice.regions, 1]] = -1
+        return choice._replace(last=last)
 
     def from_afar(self, choice: Choice, eye: np.ndarray) -> Choice:
         """Return the regions of a choice as they are drawn for an eye far away."""
@@ -175,14 +198,15 @@ class Land:
             holed = self.settings.voxel.holes and nearby and choice.part != UNDER
             if holed:
                 self._leave_holes()
-            self.buffer.draw(choice.shares, choice.facing, choice.part)
-            if not self.buffer.has_plants(choice.shares, choice.part):
+            self.buffer.draw(choice.shares, choice.facing, choice.part, choice.last)
+            found = self.buffer.plants(choice.shares, choice.part, choice.last)
+            if not len(found[0]):
                 return
             self._plants.bind()
             gl.glDisable(gl.GL_CULL_FACE)
             if not holed:
                 self._leave_holes()
-            self.buffer.draw_plants(choice.shares, choice.part)
+            self.buffer.draw_plants(found)
 
     def _leave_holes(self) -> None:
         """Draw from now on only where a texture is not transparent."""
@@ -198,8 +222,7 @@ class Land:
 
     def change(self, blocks: Mapping[Cell, int]) -> None:
         """Change blocks that lie close together, and at once what can be seen of them."""
-        for cell, kind in blocks.items():
-            self.world.put(cell, kind)
+        self._put(blocks)
         cells = np.array(list(blocks))
         low, high = cells.min(axis=0).tolist(), (cells.max(axis=0) + 1).tolist()
         least, most = (np.array(end)[[0, 2, 1]] for end in (low, high))
@@ -231,11 +254,18 @@ class Land:
     def change_many(self, blocks: Mapping[Cell, int]) -> None:
         """Change blocks anywhere, and mesh their regions again."""
         regions: set[int] = set()
-        for cell, kind in blocks.items():
-            self.world.put(cell, kind)
+        self._put(blocks)
+        for cell in blocks:
             regions |= regions_around(self.world, cell, [at + 1 for at in cell])
         for region in sorted(regions):
             self.rebuild(region)
+
+    def _put(self, blocks: Mapping[Cell, int]) -> None:
+        """Change blocks in the world, and what is known of how high its columns are solid."""
+        for cell, kind in blocks.items():
+            self.world.put(cell, kind)
+        for x, z in {cell[:2] for cell in blocks}:
+            self._horizon.change(x, z, self.world.blocks[x, z])
 
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""

@@ -5,6 +5,7 @@ quad repeats its tile: s counts blocks, t the rows of the column in which all ti
 is the block's tint, times the light of the direction, times the darkness of the corner.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,8 +17,12 @@ from landscape.voxel.tile_column import PLACES, ROWS, WIDEST, first_row
 VERTEX = np.dtype([("coordinate", "<f4", 2), ("colour", "u1", 4), ("position", "<f4", 3)])
 TURNS = (*(each.name for each in DIRECTIONS), "plants")  # how faces are turned
 PLANTS = len(DIRECTIONS)  # their index in TURNS
-WET, SHORE, DRY = range(3)  # faces wholly under water, those near its surface, those above it
-SETS = 3
+# Sets of faces: those wholly under water, those near its surface, and those above it in bands of
+# height, from the highest on: so those that reach above some height, too, follow each other.
+WET, SHORE, DRY = range(3)
+BANDS = 40  # chosen
+BAND = 2  # blocks, chosen: height of a band; all that is higher than the last belongs to it
+SETS = DRY + BANDS
 # Chosen: how much lighter or darker corners are with 0 to 3 blocks around them.
 SHADES = np.array([1.0, 0.80, 0.64, 0.52], np.float32)
 OVERLAP = 0.006  # blocks, chosen: of quads that are seen from nearby
@@ -58,9 +63,9 @@ PLANT_COLUMN = np.array([PLANT_TILES.index(each.top) if each.plant else 0 for ea
 
 @dataclass(frozen=True)
 class RegionMesh:
-    """Vertices (4 m,) of VERTEX, sorted as in TURNS and then into the three sets.
+    """Vertices (4 m,) of VERTEX, sorted as in TURNS and then into sets.
 
-    ``counts`` (7, 3) says how many vertices there are of each.
+    ``counts`` (7, SETS) says how many vertices there are of each.
     """
 
     vertices: np.ndarray
@@ -88,14 +93,15 @@ class Look:
     shadows need, and ``tint`` (n + 1, n + 1) a noise of -1..1 over the corners of the columns,
     [x, z]. Quads overlap their neighbours by ``overlap`` blocks, so that no background shows
     through where a corner of one meets the side of another (a T-junction). ``shore`` are two
-    heights: faces are WET up to the first, and DRY from the second on. ``repeat`` is how often a
-    tile is repeated along the side of a block.
+    heights: faces are WET up to the first, and dry from the second on. ``band`` is the height of a
+    band of dry faces. ``repeat`` is how often a tile is repeated along the side of a block.
     """
 
     light: np.ndarray
     tint: np.ndarray
     overlap: float = OVERLAP
     shore: tuple[float, float] = (-np.inf, np.inf)
+    band: float = BAND
     repeat: int = 1
 
     @property
@@ -152,12 +158,20 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
 
 
 def sets(faces: Faces, bottom: int, look: Look) -> np.ndarray:
-    """Return whether faces are WET, SHORE or DRY, (m,); ``bottom`` is the region's lowest level."""
+    """Return the set of each face, (m,); ``bottom`` is the region's lowest level."""
     direction = faces.direction
     low = faces.low[:, 2] + (bottom + (direction.axis == 2 and direction.sign > 0))
-    high = low + faces.wide if direction.across == 2 else low
+    return sets_between(low, low + faces.wide if direction.across == 2 else low, look)
+
+
+def sets_between(low: np.ndarray, high: np.ndarray, look: Look) -> np.ndarray:
+    """Return the sets (m,) of what reaches from heights ``low`` to ``high``."""
     wet, dry = look.shore
-    return np.asarray(SHORE - (high <= wet).astype(np.intp) + (low >= dry))
+    if not math.isfinite(dry):  # a world without water
+        return np.full(len(low), SHORE)
+    band = np.ceil((high - dry) * (1 / look.band)).astype(np.intp) - 1
+    dried = DRY + BANDS - 1 - np.clip(band, 0, BANDS - 1)
+    return np.where(low >= dry, dried, np.where(high <= wet, WET, SHORE))
 
 
 def colours(
@@ -239,11 +253,11 @@ def tuft_sizes(place: np.ndarray) -> np.ndarray:
 
 
 def plant_sets(vertices: np.ndarray, look: Look) -> np.ndarray:
-    """Return whether plants are WET, SHORE or DRY, (m,), from their vertices (m, 4)."""
+    """Return the sets (m,) of plants, from their vertices (m, 4)."""
     height = vertices["position"][..., 1]
-    wet, dry = look.shore
-    high, low = height.max(axis=1, initial=-np.inf), height.min(axis=1, initial=np.inf)
-    return np.asarray(SHORE - (high <= wet).astype(np.intp) + (low >= dry))
+    return sets_between(
+        height.min(axis=1, initial=np.inf), height.max(axis=1, initial=-np.inf), look
+    )
 
 
 def region_mesh(

@@ -19,7 +19,7 @@ import numpy as np
 from landscape.gl.calls import gl
 from landscape.gl.extensions import Need, has
 from landscape.voxel.memory import give_back
-from landscape.voxel.mesh import DRY, PLANTS, SETS, SHORE, TURNS, VERTEX, WET, RegionMesh
+from landscape.voxel.mesh import PLANTS, SETS, SHORE, TURNS, VERTEX, WET, RegionMesh
 from landscape.voxel.packed_mesh import PackedMesh, packed, unpacked
 
 BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
@@ -37,7 +37,7 @@ FINISHED = 64  # chosen: so many shares of a large world are uploaded at a time
 # The sets of faces that are drawn, from one to another: all of them, those that are not wholly
 # under water, and those that are not wholly above it.
 Part = tuple[int, int]
-ALL, ABOVE, UNDER = (WET, DRY), (SHORE, DRY), (WET, SHORE)
+ALL, ABOVE, UNDER = (WET, SETS - 1), (SHORE, SETS - 1), (WET, SHORE)
 
 
 class Light(NamedTuple):
@@ -58,9 +58,10 @@ class Light(NamedTuple):
 
 
 class RegionBuffer:
-    """Owner of the buffer. ``at`` (shares, 7, 4) says where the vertices of each direction begin.
+    """Owner of the buffer.
 
-    Those of its second and its third set, and where the third ends, come after it.
+    ``at`` (shares, 7, SETS + 1) says where the vertices of each set of each direction begin, and
+    where those of the last set end.
     """
 
     def __init__(self, meshes: Sequence[RegionMesh | PackedMesh]) -> None:
@@ -203,28 +204,52 @@ class RegionBuffer:
                 gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
             gl.glPopClientAttrib()
 
-    def draw(self, shares: np.ndarray, facing: np.ndarray, part: Part = ALL) -> None:
+    def draw(
+        self,
+        shares: np.ndarray,
+        facing: np.ndarray,
+        part: Part = ALL,
+        last: np.ndarray | None = None,
+    ) -> None:
         """Draw the faces of some shares, in their order, in the directions of ``facing``.
 
-        ``facing`` (shares, 6) says for each of ``shares`` which directions may be seen.
+        ``facing`` (shares, 6) says for each of ``shares`` which directions may be seen. ``last``
+        (shares,) is the last set of each that may be seen; -1 for none.
         """
-        self._send(self.at[shares, :PLANTS], facing, part)
+        first, count = self._found(shares, slice(0, PLANTS), part, last)
+        self._send(first, count, (count > 0) & facing)
 
-    def has_plants(self, shares: np.ndarray, part: Part = ALL) -> bool:
-        """Return whether there are plants in a part of some of these shares."""
-        at = self.at[shares, PLANTS]
-        return bool((at[:, part[1] + 1] > at[:, part[0]]).any())
+    def plants(
+        self, shares: np.ndarray, part: Part = ALL, last: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return where plants of these shares begin, and how many vertices they have."""
+        first, count = self._found(shares, slice(PLANTS, PLANTS + 1), part, last)
+        there = count > 0
+        return first[there], count[there]
 
-    def draw_plants(self, shares: np.ndarray, part: Part = ALL) -> None:
-        """Draw the plants of some shares."""
-        self._send(self.at[shares, PLANTS], None, part)
+    def draw_plants(self, found: tuple[np.ndarray, np.ndarray]) -> None:
+        """Draw what :meth:`plants` has found."""
+        self._send(*found)
 
-    def _send(self, at: np.ndarray, wanted: np.ndarray | None, part: Part) -> None:
-        """Draw the vertices of ``at`` (..., 4) that are ``wanted``."""
-        first = at[..., part[0]]
-        count = at[..., part[1] + 1] - first
-        sent = count > 0 if wanted is None else (count > 0) & wanted
-        first, count = first[sent], count[sent]
+    def _found(
+        self, shares: np.ndarray, turns: slice, part: Part, last: np.ndarray | None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return where the vertices begin that belong to a part, and how many they are.
+
+        Both (shares, turns); there may be less than none.
+        """
+        first = self.at[:, turns, part[0]][shares]
+        if last is None:
+            return first, self.at[:, turns, part[1] + 1][shares] - first
+        # What hides dry land hides all that is under water.
+        first = np.where((last < part[1])[:, None], self.at[:, turns, SHORE][shares], first)
+        each = np.arange(len(TURNS))[turns]
+        return first, self.at[shares[:, None], each, (last + 1)[:, None]] - first
+
+    def _send(self, first: np.ndarray, count: np.ndarray, wanted: np.ndarray | None = None) -> None:
+        """Draw so many vertices from each of ``first`` on, those that are ``wanted``."""
+        if wanted is not None:
+            first, count = first[wanted], count[wanted]
         if not len(first):
             return
         if self._multi_draw:

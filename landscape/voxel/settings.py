@@ -64,6 +64,7 @@ class Voxel:
     cull: bool = setting(
         True, "Peurière, Terrain/Region", "regions outside the view frustum are not sent"
     )
+    horizon: bool = setting(True, "chosen", "faces that lie behind hills are not sent")
     distance: float = setting(
         28.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)
     )

@@ -143,7 +143,8 @@ class Voxel(Played, Ground):
         above = clipped(shore.level, above=True) if shore and opaque else nullcontext()
         with above, attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
-            self._draw_land(frame, clip, ABOVE if opaque else ALL)
+            part = ABOVE if opaque else ALL
+            self._draw_land(frame, clip, part, behind_hills=moment.wireframe)
         self._draw("sky", self.sky, frame)
         if shore and self._visible(frame):
             self._draw_images(frame, clip, shore.level)
@@ -163,11 +164,17 @@ class Voxel(Played, Ground):
         return np.asarray(shore.level - block * self.heights.height(x, z))
 
     def _draw_land(
-        self, frame: Frame, clip: np.ndarray, part: Part = ALL, below: bool = False
+        self,
+        frame: Frame,
+        clip: np.ndarray,
+        part: Part,
+        below: bool = False,
+        behind_hills: bool = True,
     ) -> None:
         """Draw the land that can be seen through the current matrices, whose product is ``clip``.
 
-        ``part`` says which of it can be visible; ``below`` fogs it by its depth.
+        ``part`` says which of it can be visible; ``below`` fogs it by its depth. What lies
+        ``behind_hills`` is sent only if asked for.
         """
         if "land" not in self.shown:
             return
@@ -178,6 +185,8 @@ class Voxel(Played, Ground):
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
                 near, far = 0.0, values.water.far
             choice = self.land.choose(clip, eye, near, far, part)
+            if not behind_hills:
+                choice = self.land.without_hidden(choice, eye)
             with self._lit():
                 self.land.draw(choice, fog_by_height=below)
 

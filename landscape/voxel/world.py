@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from landscape.voxel.blocks import AIR, block
+from landscape.voxel.blocks import AIR, SOLID, block
 from landscape.voxel.faces import EDGE
 
 Cell = tuple[int, int, int]  # [x, z, y]
@@ -68,6 +68,18 @@ class World:
     def region_of(self, x: int, z: int) -> int:
         """Return the region of a column."""
         return x // self.region_size * self.regions + z // self.region_size
+
+    def is_air(self, x: float, z: float, y: float, clear: float) -> bool:
+        """Return whether nothing solid is within ``clear`` blocks of a point of the map.
+
+        Of the box around it, that is; above the map and below it is nothing.
+        """
+        if not (clear <= min(x, z) and max(x, z) < self.side - clear):
+            return False
+        (x0, x1), (z0, z1), (y0, y1) = (
+            (int(at - clear), int(at + clear) + 1) for at in (x, z, max(y, clear))
+        )
+        return not SOLID[self.blocks[x0:x1, z0:z1, y0:y1]].any()
 
     def around(self, low: Sequence[int], high: Sequence[int]) -> np.ndarray:
         """Return the blocks of a box from ``low`` to ``high`` [x, z, y], with an edge all around.
