@@ -131,7 +131,8 @@ def test_the_bench_prints_and_writes_how_many_lines_each_technique_leaves(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "bench.json"
-    assert main(["flyover", *SMALL, "--bench", "--frames", "1", "--json", str(file)]) == 0
+    words = ["--bench", "--frames", "1", "--jobs", "1", "--json", str(file)]
+    assert main(["flyover", *SMALL, *words]) == 0
     measured = json.loads(file.read_text())
     by = measured["rows"]
     assert (measured["environment"], measured["size"], measured["side"]) == (
@@ -144,9 +145,10 @@ def test_the_bench_prints_and_writes_how_many_lines_each_technique_leaves(
     assert by["only quad-tree"]["boxes"] < by["only bounding volumes"]["boxes"]
     assert by["all"]["considered"] * 20 < by["none"]["considered"]
     assert by["all, hidden lines removed"]["pixels"] < by["all"]["pixels"]
-    assert all(row["ms"] > 0 for row in by.values())
+    assert all(row["ms"] > 0 and row["alone_ms"] > 0 for row in by.values())
     printed = capsys.readouterr().out.splitlines()
     assert len(printed) == 2 + len(by) and f"{by['none']['considered']:,}" in printed[2]
+    assert measured["processes"] == 1 and printed[0].endswith("processes: 1")
 
 
 def test_the_island_is_written_as_an_environment_and_flown(tmp_path: Path) -> None:
@@ -169,6 +171,7 @@ def test_the_island_is_written_as_an_environment_and_flown(tmp_path: Path) -> No
         (("--fps", "nan"), "--fps: 'nan'"),
         (("--frames", "0", "--bench"), "--frames 0: expected a number from 1"),
         (("--frames", "-1", "--bench"), "--frames: '-1'"),
+        (("--jobs", "0"), "--jobs: '0': expected a whole number from 1 to 256"),
         (("--at", "-1"), "--at -1: expected seconds from 0"),
         (("--at", "nan"), "--at: 'nan'"),
         (("--at", "noon"), "--at: 'noon'"),

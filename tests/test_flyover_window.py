@@ -148,7 +148,7 @@ def test_it_ends_after_the_frames_that_are_asked_for(monkeypatch: pytest.MonkeyP
             drawn.append("closed")
 
     monkeypatch.setattr("landscape.window.flyover.Flying", Window)
-    options = argparse.Namespace(lang="fr", size=None, frames=2, at=2.5)
+    options = argparse.Namespace(lang="fr", size=None, frames=2, at=2.5, jobs=3)
     assert show(open_environment("island"), Settings(), options) == 0
     assert len(drawn) == 5 and drawn[-1] == "closed" and drawn[0][3] == "fr"
-    assert drawn[0][-1] == options.at
+    assert drawn[0][-2:] == (options.jobs, options.at)

@@ -7,6 +7,33 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+LEAST_MEMORY = 1 << 30  # chosen: bytes of memory for each process; the largest scene takes 0.9 GB
+# What a process is started with, unless the user has set it: llvmpipe draws in the process's own
+# thread, and numpy's library starts none.
+ONE_CORE = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+
+
+def cores() -> int:
+    """Return how many processes draw if nobody says: one for each core that has enough memory."""
+    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    try:
+        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):
+        memory = LEAST_MEMORY
+    return max(min(count or 1, memory // LEAST_MEMORY), 1)
+
+
+@contextmanager
+def one_core() -> Iterator[None]:
+    """Let the processes that the block starts work on one core each."""
+    own = {name: value for name, value in ONE_CORE.items() if name not in os.environ}
+    os.environ.update(own)
+    try:
+        yield
+    finally:
+        for name in own:
+            del os.environ[name]
+
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.files.processes import interrupts_held
+from landscape.files.processes import cores, interrupts_held
 from landscape.files.progress import Progress
 from landscape.film.cut import Film
 from landscape.film.encode import Encoder, check, encoder
 from landscape.film.sources import Wanted, film_of, places
 from landscape.film.stage import Drawing
-from landscape.film.workers import cores, drawn
+from landscape.film.workers import drawn
 from landscape.languages import choose
 from landscape.tools.given import given_changes, notify, tell_of_no_effect
 

@@ -4,12 +4,12 @@ import argparse
 from fractions import Fraction
 
 from landscape.errors import InputError
+from landscape.files.processes import cores
 from landscape.film.along import Software
 from landscape.film.command import finished, write
 from landscape.film.cut import Film, Part
 from landscape.film.encode import check
 from landscape.film.stage import Drawing
-from landscape.film.workers import cores
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
 from landscape.scene import SEED
@@ -28,4 +28,4 @@ def run(environment: Environment, values: Settings, options: argparse.Namespace)
     drawing = Drawing(options.size or SIZE, 0, "auto", None, SEED)
     check(options.out, drawing.size, rate)
     film = Film((Part(Software(environment, values, seconds, options.at)),), drawing, rate)
-    return finished(film, write(film, options.out, cores(), options.quiet), options)
+    return finished(film, write(film, options.out, options.jobs or cores(), options.quiet), options)

@@ -3,15 +3,12 @@
 import argparse
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
-from landscape import arguments
-from landscape.errors import InputError
 from landscape.scene import SCENES
+from landscape.tools.option_values import jobs
 
 SIZE, FPS = (1920, 1080), 30.0
 MOST_FPS, MOST_SECONDS = 120.0, 3600.0  # chosen
-MOST_JOBS = 256  # chosen
 
 SOURCES = (
     "a view (a moment in it) or several (the camera flies from one to the next), see `landscape "
@@ -55,7 +52,7 @@ def add(
         help="where a path leads; flyover: over its own terrain, without OpenGL; default: island",
     )
     film.add_argument("--kt", type=number, metavar="N", help="animation time at the beginning")
-    film.add_argument("--jobs", type=_jobs, metavar="N", help=JOBS)
+    film.add_argument("--jobs", type=jobs, metavar="N", help=JOBS)
     language(film)
     size(film, SIZE, "size of the film")
     common(film, samples=4)
@@ -65,13 +62,3 @@ def _within(value: float, text: str, low: float, high: float) -> float:
     if not low <= value <= high:
         raise argparse.ArgumentTypeError(f"{text!r}: expected a number from {low:g} to {high:g}")
     return value
-
-
-def _jobs(text: str) -> Any:
-    try:
-        jobs = arguments.whole(arguments.digits(text), "", repr(text))
-    except InputError:
-        jobs = 0
-    if not 1 <= jobs <= MOST_JOBS:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number from 1 to {MOST_JOBS}")
-    return jobs

@@ -7,39 +7,24 @@ software renderer would only get in each other's way.
 """
 
 import multiprocessing
-import os
 import traceback
 from collections import deque
-from collections.abc import Generator, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Generator, Sequence
+from contextlib import suppress
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
 import numpy as np
 
 from landscape.errors import InputError, NoOpenGLError
-from landscape.files.processes import begin_worker, interrupts_held
+from landscape.files.processes import begin_worker, interrupts_held, one_core
 from landscape.film.cut import Film
 from landscape.film.stage import Stage
 from landscape.scene import SCENES
 
 AHEAD = 2  # pictures that a process has been asked for and that have not come yet
 EARLY = 3  # times the number of processes: pictures that may wait for an earlier one
-LEAST_MEMORY = 1 << 30  # chosen: bytes of memory for each process; the largest scene takes 0.9 GB
-# What a process is started with, unless the user has set it: llvmpipe draws in the process's own
-# thread, and numpy's library starts none.
-ONE_CORE = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 DIED = "film: a process that draws was killed (perhaps out of memory; --jobs 1 takes the least)"
-
-
-def cores() -> int:
-    """Return how many processes draw if nobody says: one for each core that has enough memory."""
-    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    try:
-        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (AttributeError, ValueError, OSError):
-        memory = LEAST_MEMORY
-    return max(min(count or 1, memory // LEAST_MEMORY), 1)
 
 
 def drawn(
@@ -54,7 +39,7 @@ def drawn(
     count = len(frames)
     crew = [_Worker(film) for _ in range(min(jobs, count))]
     try:
-        with _one_core(), interrupts_held():
+        with one_core(), interrupts_held():
             for worker in crew:
                 worker.start()
         waiting: dict[int, np.ndarray] = {}
@@ -126,18 +111,6 @@ class _Worker:
         self._process.terminate()
         self._process.join()
         self._process.close()
-
-
-@contextmanager
-def _one_core() -> Iterator[None]:
-    """Let the processes that the block starts work on one core each."""
-    own = {name: value for name, value in ONE_CORE.items() if name not in os.environ}
-    os.environ.update(own)
-    try:
-        yield
-    finally:
-        for name in own:
-            del os.environ[name]
 
 
 def _work(pipe: Connection, film: Film) -> None:

@@ -20,6 +20,8 @@ FARTHEST = 1e5  # units, chosen
 # Of a tile's side. Its diagonal is 1.4 of them, and a tile may begin at one end of a level's reach:
 # from 2.8 up, the levels on both sides of a border differ by one.
 LEAST_DENSITY = 3.0
+# Chosen: each process has its own share of the work that cannot be divided.
+MOST_PROCESSES = 4
 LINES = ("flyover.mode=lines",)
 
 

@@ -1,8 +1,9 @@
 """The fly-over's techniques measured: each alone, all but each, all together (section 3).
 
 The same frames of the same path are drawn in turns, one of each row per round, so that a slow
-moment of the machine affects all of them. The first frame of each row is drawn once before, without
-being timed: what is computed for the whole terrain is kept from then on, as it is in a flight.
+moment of the machine affects all of them: by one process, and by as many as draw together. The
+first frame of each row is drawn before, without being timed: what is computed for the whole terrain
+is kept from then on, as it is in a flight, and the picture is divided where it should be.
 """
 
 import time
@@ -11,12 +12,14 @@ from typing import Any
 
 import numpy as np
 
-from landscape.flyover import frame
+from landscape.flyover.camera import Camera
+from landscape.flyover.crew import Crew
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
 from landscape.keys import with_settings
 
 FRAMES = 12  # chosen: evenly along the path
+BEFORE = 3  # frames that are not timed, chosen
 # Switch and what it needs, in the order in which a student would write them.
 TECHNIQUES = {
     "strips": ("flyover.strips",),
@@ -55,43 +58,66 @@ def measure(
     rows: dict[str, Settings],
     size: tuple[int, int],
     count: int,
+    jobs: int = 1,
     step: Callable[[str], None] = lambda _: None,
 ) -> dict[str, Any]:
     """Draw ``count`` frames of the flight with the settings of each row, at ``size`` in pixels.
 
-    Returns {"size", "frames", "side" of the height image, "rows": {name: {"ms", "fps", and the mean
-    of each count of a frame}}}. ``step`` is called after each frame with the name of its row.
+    Returns {"environment", "size", "frames", "side" of the height image, "processes" that drew
+    together, "rows": {name: {"ms" and "fps" of these, "alone_ms" of one process, and the mean of
+    each count of a frame}}}. Times are medians. ``step`` is called after each frame with the name
+    of its row.
     """
     anyone = next(iter(rows.values())).flyover
     terrain = environment.field(anyone)
     flight = environment.flight(terrain, anyone)
-    times: dict[str, list[float]] = {name: [] for name in rows}
+    together: dict[str, list[float]] = {name: [] for name in rows}
+    alone: dict[str, list[float]] = {name: [] for name in rows}
     counts: dict[str, list[dict[str, int]]] = {name: [] for name in rows}
-    for number in range(count):
-        camera = flight.camera(flight.duration * number / count)
-        for name, values in rows.items():
-            if not number:
-                frame.draw(terrain, camera, values, size)
-            start = time.perf_counter()
-            drawn = frame.draw(terrain, camera, values, size)
-            times[name].append((time.perf_counter() - start) * 1e3)
-            counts[name].append(drawn.counts)
-            step(name)
+    with Crew(terrain, jobs) as crew, Crew(terrain, 1) as single:
+        processes = crew.wait()
+        for number in range(count):
+            camera = flight.camera(flight.duration * number / count)
+            for name, values in rows.items():
+                for _ in range(0 if number else BEFORE if processes > 1 else 1):
+                    crew.draw(camera, values, size)
+                ms, found = timed(single, camera, values, size)
+                alone[name].append(ms)
+                counts[name].append(found)
+                if processes > 1:
+                    ms = timed(crew, camera, values, size)[0]
+                together[name].append(ms)
+                step(name)
     result = {}
     for name in rows:
-        ms = float(np.mean(times[name]))
+        ms = float(np.median(together[name]))
         means = {
             key: round(float(np.mean([each[key] for each in counts[name]])))
             for key in counts[name][0]
         }
-        result[name] = {"ms": round(ms, 3), "fps": round(1e3 / ms, 2), **means}
+        result[name] = {
+            "ms": round(ms, 3),
+            "fps": round(1e3 / ms, 2),
+            "alone_ms": round(float(np.median(alone[name])), 3),
+            **means,
+        }
     return {
         "environment": environment.name,
         "side": environment.side,
         "size": list(size),
         "frames": count,
+        "processes": processes,
         "rows": result,
     }
+
+
+def timed(
+    crew: Crew, camera: Camera, values: Settings, size: tuple[int, int]
+) -> tuple[float, dict[str, int]]:
+    """Draw a frame; return how many milliseconds it took, and its counts."""
+    start = time.perf_counter()
+    drawn = crew.draw(camera, values, size)
+    return (time.perf_counter() - start) * 1e3, drawn.counts
 
 
 def report(result: dict[str, Any]) -> str:
@@ -100,15 +126,15 @@ def report(result: dict[str, Any]) -> str:
     side = result["side"]
     lines = [
         f"{result['environment']}, {side} x {side} heights, {width}x{height}, "
-        f"{result['frames']} frames along the path",
-        f"{'technique':28}{'lines considered':>18}{'drawn':>10}{'pixels':>10}"
-        f"{'ms':>9}{'frames/s':>10}{'times':>8}",
+        f"{result['frames']} frames along the path; processes: {result['processes']}",
+        f"{'technique':26}{'lines considered':>17}{'drawn':>10}{'pixels':>10}"
+        f"{'ms alone':>10}{'ms':>8}{'frames/s':>9}{'times':>7}",
     ]
     slowest = next(iter(result["rows"].values()))["ms"]
     for name, row in result["rows"].items():
         numbers = [f"{row[key]:,}" if key in row else "" for key in COLUMNS]
         lines.append(
-            f"{name:28}{numbers[0]:>18}{numbers[1]:>10}{numbers[2]:>10}"
-            f"{row['ms']:9.1f}{row['fps']:10.1f}{slowest / row['ms']:8.1f}"
+            f"{name:26}{numbers[0]:>17}{numbers[1]:>10}{numbers[2]:>10}"
+            f"{row['alone_ms']:10.1f}{row['ms']:8.1f}{row['fps']:9.1f}{slowest / row['ms']:7.1f}"
         )
     return "\n".join(lines)

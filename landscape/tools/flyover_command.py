@@ -8,7 +8,8 @@ from pathlib import Path
 from landscape.errors import InputError
 from landscape.files.output import check_writable, output_paths, save_png, write_whole
 from landscape.files.progress import Progress
-from landscape.flyover import frame
+from landscape.flyover import crew
+from landscape.flyover.crew import Crew
 from landscape.flyover.environment import Environment, export_island, open_environment
 from landscape.flyover.settings import PRESETS, Settings, check
 from landscape.keys import preset, read_toml, with_settings
@@ -17,6 +18,7 @@ from landscape.tools.flyover_options import EXPORT, SIZE
 FASTEST = 1000.0  # frames per second, chosen
 MOST_FRAMES = 100_000  # chosen: almost an hour at 30 frames per second
 FILMS = (".mp4", ".webm", ".gif")
+SEVERAL = 8  # pictures, chosen: fewer are drawn before another process is ready
 Shown = Callable[[Environment, Settings, argparse.Namespace], int]
 
 
@@ -90,10 +92,11 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
     if not 1 <= count <= MOST_FRAMES:
         raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
     paths = output_paths(options.out, [f"frame-{number:05}" for number in range(count)])
-    with Progress(count, options.quiet) as progress:
+    jobs = crew.processes(options.jobs) if count >= SEVERAL else 1
+    with Crew(terrain, jobs) as drawing, Progress(count, options.quiet) as progress:
         for number, path in enumerate(paths):
             camera = flight.camera(options.at + number / options.fps)
-            save_png(frame.draw(terrain, camera, values, size).picture, path)
+            save_png(drawing.draw(camera, values, size).picture, path)
             progress.step(path.name)
     if not options.quiet:
         print(*paths, sep="\n")
@@ -109,10 +112,10 @@ def bench(environment: Environment, values: Settings, options: argparse.Namespac
     count = flyover_bench.FRAMES if options.frames is None else options.frames
     if not 1 <= count <= MOST_FRAMES:
         raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
-    rows = flyover_bench.rows(values)
+    rows, jobs = flyover_bench.rows(values), crew.processes(options.jobs)
     with Progress(len(rows) * count, options.quiet) as progress:
         result = flyover_bench.measure(
-            environment, rows, options.size or SIZE, count, progress.step
+            environment, rows, options.size or SIZE, count, jobs, progress.step
         )
     if options.json is not None:
         write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from landscape.flyover.environment import ISLAND, NAMES
-from landscape.flyover.settings import BEST
-from landscape.tools.option_values import count, number, pair, size
+from landscape.flyover.settings import BEST, MOST_PROCESSES
+from landscape.tools.option_values import count, jobs, number, pair, size
 
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
 EXPORT = "export"
@@ -25,6 +25,10 @@ FRAMES = (
 )
 FPS = "frames per second of flight; default: %(default)g"
 BENCH = "fly the path without each technique, with each alone and with all; print how long it took"
+JOBS = (
+    "processes that draw, each on a core of its own; default: one for each core, up to "
+    f"{MOST_PROCESSES}; the picture is the same"
+)
 AT = "seconds of the flight at which it begins; default: %(default)g"
 PRESET = "best, or document: black lines on white as the project asks for; default: best"
 
@@ -44,6 +48,7 @@ def add(
     flyover.add_argument("--fps", type=number, default=30.0, metavar="N", help=FPS)
     flyover.add_argument("--at", type=number, default=0.0, metavar="SECONDS", help=AT)
     flyover.add_argument("--out", type=Path, metavar="DIR|FILE", help=OUT)
+    flyover.add_argument("--jobs", type=jobs, metavar="N", help=JOBS)
     flyover.add_argument("--bench", action="store_true", help=BENCH)
     flyover.add_argument(
         "--json", type=Path, metavar="FILE", help="with --bench: write the results as JSON"

@@ -11,6 +11,8 @@ from typing import Any
 from landscape import arguments
 from landscape.errors import InputError
 
+MOST_JOBS = 256  # chosen
+
 
 def _checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any:
     """Check the value that a text stands for; argparse shows the text if it is wrong."""
@@ -29,6 +31,17 @@ def size(text: str) -> Any:
 
 def count(text: str) -> Any:
     return _checked(arguments.whole, text, arguments.digits(text), "")
+
+
+def jobs(text: str) -> Any:
+    """Return a number of processes."""
+    try:
+        found = arguments.whole(arguments.digits(text), "", repr(text))
+    except InputError:
+        found = 0
+    if not 1 <= found <= MOST_JOBS:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number from 1 to {MOST_JOBS}")
+    return found
 
 
 def rate(text: str) -> Any:

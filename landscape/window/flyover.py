@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from landscape import keys
-from landscape.flyover import frame
+from landscape.flyover.crew import Crew, processes
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
 from landscape.gl.calls import gl
@@ -52,7 +52,8 @@ COUNTED, SHOWN = 0.5, 2.5  # seconds, chosen: between two counts, and that a mes
 def show(environment: Environment, settings: Settings, options: argparse.Namespace) -> int:
     """Fly until the user closes the window, or for --frames frames; return the exit status."""
     language = options.lang or choose(os.environ)
-    window = Flying(environment, settings, options.size or SIZE, language, not options.size)
+    jobs = processes(options.jobs)
+    window = Flying(environment, settings, options.size or SIZE, language, not options.size, jobs)
     window.time = options.at
     try:
         drawn = 0
@@ -76,9 +77,10 @@ class Flying:
         size: tuple[int, int],
         language: str,
         enlarged: bool = False,
+        jobs: int = 1,
         headless: bool = False,
     ) -> None:
-        """Open the window; InputError, NoOpenGLError."""
+        """Open the window, and let ``jobs`` processes draw; InputError, NoOpenGLError."""
         self.settings, self._language = settings, language
         self.terrain = environment.field(settings.flyover)
         self.flight = environment.flight(self.terrain, settings.flyover)
@@ -86,9 +88,14 @@ class Flying:
         self.camera = self.flight.camera(0.0)
         self.paused = self.free = False
         self.speed = 1.0  # times the speed that is set
-        self.context: GLFWContext | None = GLFWContext(
-            size, "landscape", True, False, headless, enlarged
-        )
+        self.crew = Crew(self.terrain, jobs)
+        try:
+            self.context: GLFWContext | None = GLFWContext(
+                size, "landscape", True, False, headless, enlarged
+            )
+        except BaseException:
+            self.crew.close()
+            raise
         self._headless, self._help, self._shoot = headless, False, False
         self._message, self._until, self._counted = "", 0.0, ""
         self._picture = ScreenPicture()
@@ -205,7 +212,7 @@ class Flying:
             return False
         self.context.make_current()
         gl.glViewport(0, 0, *size)
-        drawn = frame.draw(self.terrain, self.camera, self.settings, size)
+        drawn = self.crew.draw(self.camera, self.settings, size)
         self._picture.draw(drawn.rgba)
         if self._shoot:
             self._shoot = False
@@ -232,7 +239,8 @@ class Flying:
         self._frames, self._since = 0, now
 
     def close(self) -> None:
-        """Release the window; may be called twice."""
+        """Release the window and end what draws for it; may be called twice."""
+        self.crew.close()
         if self.context is not None:
             self._panel.release()
             self._picture.release()
