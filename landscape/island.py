@@ -17,6 +17,7 @@ from landscape.elements.best.air.bay_mist import BayMist
 from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.best.meadow.meadow import Meadow
+from landscape.elements.best.ornate.ornate_castle import OrnateCastle
 from landscape.elements.best.ornate.weathered_castle import castle_class
 from landscape.elements.best.overlay.steel_blade import sword_class
 from landscape.elements.best.sea import sea
@@ -266,6 +267,8 @@ class Island:
                 self._draw_reflection(frame, sort)
 
             # Opaque elements: the depth buffer sorts them, so their order does not matter.
+            if in_parts := isinstance(self.castle, OrnateCastle):
+                draw("castle", self.castle, frame, "draw_solid")
             with clipped(cut_level(values), values.ground.clip):
                 draw("ground", self.stones, frame)  # first: cheaper than the ground behind
                 draw("ground", self.ground, frame)
@@ -290,7 +293,7 @@ class Island:
 
             # Blended elements: the castle with its flames, the water over the mirrored scene, the
             # mist on it, and the sprites from far to near.
-            draw("castle", self.castle, frame)
+            draw("castle", self.castle, frame, "draw_rest" if in_parts else "draw")
             if water:
                 draw("water", self.ring, frame)
                 draw("water", self.water, frame)
@@ -332,14 +335,13 @@ class Island:
         values = self.settings
         # The sea reaches farther than anything that stands on the island.
         far = 1.5 * values.water.horizon
-        fogged = "fog" in self.shown
-        return begin_frame(moment, values.camera, values.sun, values.fog, fogged, far)
+        return begin_frame(moment, values.camera, values.sun, values.fog, "fog" in self.shown, far)
 
-    def _draw(self, name: str, element: Any, frame: Frame) -> None:
-        """Draw an element if it was built and is shown now."""
+    def _draw(self, name: str, element: Any, frame: Frame, how: str = "draw") -> None:
+        """Draw an element, or the part of it that ``how`` draws, if it was built and is shown."""
         if element is not None and name in self.shown:
             with drawing(name):
-                element.draw(frame)
+                getattr(element, how)(frame)
 
     @property
     def _sprites_shown(self) -> bool:

@@ -12,6 +12,8 @@ best/ornate/ornate_castle.py.
 """
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import numpy as np
 
@@ -121,6 +123,14 @@ class Castle:
 
     def draw(self, frame: Frame) -> None:
         """Draw the castle, the door, the light on the wall, and the fire."""
+        with self._placed():
+            self._masonry.call()
+            self._draw_gate(frame.kt)
+            self._draw_fire(frame)
+
+    @contextmanager
+    def _placed(self) -> Iterator[None]:
+        """Let the block draw in the castle's own frame, lit, and restore what it changes."""
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT
         with matrix(), attrib(groups):
@@ -129,9 +139,7 @@ class Castle:
             gl.glTranslatef(-0.5, 0.0, -0.5)
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
             lit(self._settings.shading)
-            self._masonry.call()
-            self._draw_gate(frame.kt)
-            self._draw_fire(frame)
+            yield
 
     def _draw_gate(self, kt: float) -> None:
         draw_gate_in_layers(self._door, self._light, kt)

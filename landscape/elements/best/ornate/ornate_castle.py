@@ -178,8 +178,24 @@ class OrnateCastle(CastleInOnePass):
 
     def draw(self, frame: Frame) -> None:
         """Draw the castle; with ``camera.cull`` only if it is in view."""
+        self.draw_solid(frame)
+        self.draw_rest(frame)
+
+    def draw_solid(self, frame: Frame) -> None:
+        """Draw what is opaque: drawn before ground and sky, it hides much of them."""
         if not self._settings.camera.cull or self.visible(frame):
-            super().draw(frame)
+            with self._placed():
+                self._masonry.call()
+                self._draw_gate(frame.kt)
+
+    def draw_rest(self, frame: Frame) -> None:
+        """Draw the open door, what is blended, and what lies on the ground."""
+        if not self._settings.camera.cull or self.visible(frame):
+            with self._placed():
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                gl.glEnable(gl.GL_BLEND)
+                gl.glDisable(gl.GL_LIGHTING)
+                self._draw_fire(frame)
 
     def _draw_details(self, frame: Frame) -> None:
         """Draw what else stands at the castle: nothing here."""

@@ -14,7 +14,7 @@ import numpy as np
 
 from landscape.elements.best.sea.eye_grid import EyeGrid
 from landscape.elements.best.sea.serpent_wash import rings_around
-from landscape.elements.best.sea.shoreline import averaged, shore_map, spread
+from landscape.elements.best.sea.shoreline import averaged, last_foam, shore_map, spread
 from landscape.elements.sun import painted
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
@@ -206,7 +206,9 @@ def shore_wash(field: HeightField) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
 
     what = repr((field.size, field.water_level, field.heights.shape, field.exact))
     distance, slope = recall(["foam", what, field.heights.tobytes()], make)
-    apart = np.maximum(distance - ENDS * widths(slope), -ASHORE - distance)
+    along, some = np.linspace(0.0, ENDS, 500), np.array(STEEP)
+    swell, _, edge = wash(along * widths(some), some)
+    apart = np.maximum(distance - last_foam(along, swell, edge) * widths(slope), -ASHORE - distance)
     return wash(distance, slope), apart
 
 

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from landscape.elements.animal import read_animal
-from landscape.elements.best.sea.shoreline import averaged, crossings, nearest_pieces
+from landscape.elements.best.sea.shoreline import averaged, crossings, last_foam, nearest_pieces
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.settings import Settings
@@ -63,8 +63,11 @@ def rings_around(
 
     what = repr((dragon.scale, dragon.yaw, dragon.sink))
     (distance,) = recall(["rings", what, content(assets.path(dragon.mesh))], make)
+    along = np.linspace(0.0, REACH, 500)
+    swell, _, edge = rings(along)
+    apart = np.maximum(distance - last_foam(along, swell, edge), 0.0)
     # Beyond REACH the distance is not known; nor is it in the map's corners.
-    return rings(distance), np.where(distance < 0.98 * REACH, 0.0, REACH), corner, size
+    return rings(distance), np.where(distance < 0.98 * REACH, apart, REACH), corner, size
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:

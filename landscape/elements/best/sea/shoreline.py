@@ -13,6 +13,7 @@ TEXELS = 1024  # chosen: per side of the map
 REACH = 0.8  # chosen: units from the shoreline within which distances are computed
 ROUNDED = 2  # chosen: times a distance is averaged with its neighbours: no corners
 PIECES = 512  # pieces of the shoreline compared at a time
+FAINT = -0.02  # chosen: density of foam that is not seen; a byte of the map may err by 0.01
 
 
 def crossings(
@@ -131,3 +132,12 @@ def spread(values: np.ndarray, steps: int) -> np.ndarray:
 
     weight = summed((values > 0).astype(np.float64))
     return np.where(weight > 0.5, summed(values) / np.maximum(weight, 0.5), 0.0)
+
+
+def last_foam(along: np.ndarray, swell: np.ndarray, edge: np.ndarray) -> float:
+    """Return the last of the places ``along`` (n,) where there is foam at the height of the swell.
+
+    ``swell`` and ``edge`` (n,) are its strength and the foam that stays; what is below FAINT in all
+    does not show.
+    """
+    return float(along[swell + edge > FAINT].max())

@@ -13,6 +13,7 @@ from landscape.elements.atlas import cell_coordinates
 from landscape.elements.best.sprites.choice import Choice
 from landscape.elements.best.sprites.individuals import BRAMBLE, CONTACT, HAZEL, ROWS
 from landscape.elements.best.sprites.refined_quads import Quads
+from landscape.elements.best.sprites.rules import is_deer
 from landscape.elements.best.sprites.slope_billboards import upright_axes
 from landscape.elements.planting import PLANT
 from landscape.elements.sun import direction
@@ -20,8 +21,11 @@ from landscape.elements.transparent_elements import QUAD, QUAD_S, QUAD_T
 from landscape.frame import Frame
 from landscape.settings import Settings
 
+ACROSS, ALONG = np.array([-1.0, 1.0, 1.0, -1.0]), np.array([-1.0, -1.0, 1.0, 1.0])
+PLACE = cell_coordinates(np.array([CONTACT]), np.array([False]), QUAD_S, QUAD_T, ROWS)
 # All chosen. Half the quad's sides across and along the line of sight, times the sprite's width.
-DEER_REACH, TREE_REACH, BUSH_REACH = (0.52, 0.30), (0.26, 0.22), (0.50, 0.34)
+REACHES = np.array([(0.26, 0.22), (0.50, 0.34), (0.52, 0.30)])  # trees, bushes, deer
+DEER_ROW = 2
 WITHIN, FADES = 5.0, 0.3  # units: how far away they are drawn; the last part of it, fading out
 NEARER = 0.045  # units: how far the corners are moved towards the eye
 SHIFT = 0.12  # times the width: how far the shadow lies away from the sun
@@ -46,28 +50,26 @@ def contact_quads(
     if not len(which):
         return None
     widths, pictures = choice.sizes[which, 0], choice.pictures[which]
-    reach = np.tile(TREE_REACH, (len(which), 1))
-    reach[np.isin(pictures, (HAZEL, BRAMBLE))] = BUSH_REACH
-    reach[np.isin(which, choice.deer)] = DEER_REACH
+    bush = (pictures == HAZEL) | (pictures == BRAMBLE)
+    reach = REACHES[np.where(is_deer(choice.cells[which]), DEER_ROW, bush)]
     right, _ = upright_axes(frame.right)
     ahead = np.array([right[2], 0.0, -right[0]])
-    across = np.array([-1.0, 1.0, 1.0, -1.0])[:, None] * right
-    along = np.array([-1.0, -1.0, 1.0, 1.0])[:, None] * ahead
-    sides = (reach * widths[:, None])[:, :, None, None]
-    corners = sides[:, 0] * across + sides[:, 1] * along
-    corners -= (SHIFT * widths)[:, None, None] * direction(settings.sun) * (1.0, 0.0, 1.0)
-    corners[..., 1] = (corners[..., [0, 2]] * slopes[which][:, None]).sum(axis=2)
+    shift = SHIFT * direction(settings.sun) * (1.0, 0.0, 1.0)
+    across, along = reach[:, :1] * ACROSS, reach[:, 1:] * ALONG
+    corners = across[..., None] * right + along[..., None] * ahead - shift
+    corners *= widths[:, None, None]
+    slope = slopes[which]
+    corners[..., 1] = corners[..., 0] * slope[:, :1] + corners[..., 2] * slope[:, 1:]
     corners += choice.positions[which][:, None]
     line = frame.eye - corners
     far = np.sqrt((line * line).sum(axis=2, keepdims=True))
     corners += line * np.minimum(NEARER / np.maximum(far, 1e-6), 0.5)
-    st = cell_coordinates(np.array([CONTACT]), np.array([False]), QUAD_S, QUAD_T, ROWS)
     fade = np.clip((WITHIN - away[which]) / (FADES * WITHIN), 0.0, 1.0)
     colours = np.full((len(which), 4), 255.0)
     colours[:, 3] *= settings.transparent.contact * alpha[which] * fade
     return Quads.of(
         corners.astype(np.float32),
-        np.repeat(st, len(which), axis=0),
+        np.repeat(PLACE, len(which), axis=0),
         colours.astype(np.uint8),
         QUAD,
         depth[which] - BEFORE,

@@ -188,10 +188,10 @@ class SpritesInView:
 
     def _lit(self, settings: Settings, choice: Choice, light: np.ndarray) -> np.ndarray:
         """Return the colours of billboards in a light (4, 3); by day herbs keep the painted one."""
-        colours = lit(choice.colours, light)
-        if not changes(settings.sun):
-            herbs = choice.cells >= PLANT
-            colours[herbs] = choice.colours[herbs]
+        if changes(settings.sun):
+            return lit(choice.colours, light)
+        colours, others = choice.colours.copy(), np.flatnonzero(choice.cells < PLANT)
+        colours[others] = lit(choice.colours[others], light)
         return colours
 
     def _crossed(
