@@ -6,9 +6,15 @@ from seaside import BACKGROUND, CALM, LEVEL, POSE, beach, drawn, grid_at, mirror
 from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, quad, small
 
 from landscape.elements.best.sea import waves
-from landscape.elements.best.sea.ripples import fine_ripples, leaning
 from landscape.elements.best.sea.sea import Sea, fog_depths, reflected, wanted
-from landscape.elements.best.sea.shallows import FLOOR, SEEN, cut_level, depth_picture
+from landscape.elements.best.sea.shallows import (
+    COLOURS,
+    FLOOR,
+    SEEN,
+    body_picture,
+    cut_level,
+    depth_picture,
+)
 from landscape.elements.reflection import inside_water
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
@@ -18,6 +24,7 @@ from landscape.keys import get
 from landscape.settings import Settings, preset
 
 BETTER = ("reflection.rippled", "water.relief", "water.shallow", "water.fresnel")
+DEEP = COLOURS[-1]
 DOWN = Pose(20.0, 5.6, 21.5, 0.0, -89.9)
 
 
@@ -162,6 +169,16 @@ def test_the_depth_texture_is_clear_at_the_edge_and_opaque_in_deep_water_and_at_
     assert row[1, 1] > row[4, 1] == 128
 
 
+def test_the_seas_colour_goes_from_sand_by_turquoise_to_blue_with_its_depth() -> None:
+    depths = np.tile(np.array([5.0, -0.1, 0.0, 0.06, 0.5, 0.0]), (6, 1))
+    sand, edge, turquoise, deep = body_picture(depths, np.array([0.2, 0.4, 0.5]))[2, 1:5] / 255
+    assert (sand == edge).all() and edge[3] == 0 and deep[3] == 1
+    assert edge[0] > turquoise[0] > deep[0], "red goes first"
+    assert turquoise[1] > deep[1] and turquoise[2] > deep[2]
+    assert deep[:3] == pytest.approx(np.array([0.2, 0.4, 0.5]) * DEEP, abs=0.005)
+    assert (body_picture(depths, np.ones(3))[0, :, 3] == 255).all(), "beyond is the open sea"
+
+
 def test_shallow_water_shows_the_bottom_and_deep_water_does_not(
     stage: Stage, plain: Assets
 ) -> None:
@@ -208,11 +225,12 @@ def test_the_ground_is_cut_deeper_only_if_the_water_is_clear_enough_to_show_it()
     ):
         changes = {"water.shallow": shallow, "reflection.rippled": rippled}
         assert cut_level(small(changes)) == cut
-    hidden = depth_picture(np.full((8, 8), SEEN))[4, 4, 3]
-    assert hidden >= 253, "what is cut must not show"
+    at = np.full((8, 8), SEEN)
+    for hidden in (depth_picture(at)[4, 4, 3], body_picture(at, np.ones(3))[4, 4, 3]):
+        assert hidden >= 253, "what is cut must not show"
 
 
-# Fog and ripples.
+# Fog.
 
 
 def test_the_fog_leaves_a_part_of_the_seas_colour_at_the_horizon() -> None:
@@ -242,27 +260,6 @@ def test_the_horizon_stands_out_from_the_fog_and_other_elements_keep_theirs(
         sea.release()
     assert close(shades[0], BACKGROUND, 2)
     assert close(shades[1], 0.6 * BACKGROUND, 8)
-
-
-def test_ripples_vary_what_the_water_mirrors_at_each_pixel(stage: Stage) -> None:
-    base = {"water.color": (0.0, 0.0, 0.4, 0.5), "water.animated": False}
-    spreads = []
-    for strength in (0.0, 1.0):
-        picture = drawn(stage, Assets(), {**base, "water.ripples": strength})[0]
-        spreads.append(picture[-30:, :, 0].astype(float).std())
-    assert spreads[1] > 2 * spreads[0]
-
-
-def test_the_fine_layer_has_a_mean_of_one_half_and_fades_in_its_mip_levels() -> None:
-    picture = np.random.default_rng(1).integers(60, 200, (64, 64, 3)).astype(np.uint8)
-    levels = fine_ripples(picture)
-    assert [level.shape[0] for level in levels] == [64, 32, 16, 8, 4, 2, 1]
-    assert all(abs(level.mean() - 127.5) < 2 for level in levels)
-    assert levels[0].std() > 10 and np.ptp(levels[-2]) <= 1
-    lean = leaning(picture, 1.0)
-    light = picture.mean(axis=2)
-    assert (lean[..., :3] == picture).all()
-    assert np.corrcoef(lean[..., 3].ravel(), light.ravel())[0, 1] > 0.99
 
 
 # State and settings.

@@ -23,7 +23,7 @@ from landscape.gl.calls import gl
 from landscape.gl.state import combine, matrix
 from landscape.gl.texture_target import TextureTarget
 
-SMEAR = 0.7  # chosen: rows of the mirror image per column: waves smear it upright
+ACROSS, DOWN = 0.6, 0.9  # chosen: texels of the mirror image per pixel of its size
 MARGIN = 1.15  # chosen: times the window's width and height that the mirror image covers
 # Chosen: units and radians by which the eye may move and turn until a kept image is drawn again.
 KEPT_DISTANCE, KEPT_ANGLE = 0.12, math.radians(6.0)
@@ -49,29 +49,45 @@ def mirror_unit(mirror: Taken | None, unit: int, depths: int | None) -> Iterator
     if mirror is None:
         yield
         return
+    with projected(mirror, unit):
+        combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+        combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.ones(4, np.float32))
+        if depths is None:
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "CONSTANT"})
+        else:
+            combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{depths}"})
+            combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
+        name = getattr(gl, f"GL_TEXTURE{unit}")
+        gl.glClientActiveTexture(name)
+        gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+        try:
+            yield
+        finally:
+            gl.glClientActiveTexture(name)
+            gl.glDisableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+
+
+@contextmanager
+def projected(mirror: Taken, unit: int) -> Iterator[None]:
+    """Let the block use a unit whose texture is the image, projected onto the water.
+
+    The unit is active, and its environment is the block's.
+    """
     target, projection = mirror
     name = getattr(gl, f"GL_TEXTURE{unit}")
     gl.glActiveTexture(name)
     gl.glEnable(gl.GL_TEXTURE_2D)
     target.bind()
-    combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-    combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
-    gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.ones(4, np.float32))
-    if depths is None:
-        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "CONSTANT"})
-    else:
-        combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{depths}"})
-        combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
-    gl.glClientActiveTexture(name)
-    gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
     gl.glMatrixMode(gl.GL_TEXTURE)
-    try:
-        with matrix():
-            gl.glLoadMatrixf(np.ascontiguousarray(projection.T, np.float32))
+    with matrix():
+        gl.glLoadMatrixf(np.ascontiguousarray(projection.T, np.float32))
+        try:
             yield
-    finally:
-        gl.glMatrixMode(gl.GL_MODELVIEW)
-        gl.glDisableClientState(gl.GL_TEXTURE_COORD_ARRAY)
+        finally:
+            gl.glActiveTexture(name)
+            gl.glMatrixMode(gl.GL_TEXTURE)
+    gl.glMatrixMode(gl.GL_MODELVIEW)
 
 
 class MirrorImage:
@@ -88,7 +104,7 @@ class MirrorImage:
     def drawing(self, frame: Frame) -> Iterator[Frame]:
         """Let the block draw the mirrored scene into the texture; yield the frame to draw it by."""
         width, height = (max(1, round(side * frame.detail.mirror)) for side in frame.size)
-        texels = width, max(1, round(height * SMEAR))
+        texels = max(1, round(width * ACROSS)), max(1, round(height * DOWN))
         if self._target is None or self._target.size != texels:
             self.release()
             self._target = TextureTarget(texels)

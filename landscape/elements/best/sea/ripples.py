@@ -1,70 +1,87 @@
 """Ripples at each pixel: they choose between the mirror image and the water (``water.ripples``).
 
-The sea's grid is too coarse for waves of less than a few cells; those are only in the water's
-texture, which lightens and darkens the water. A real ripple does more: its far side leans away and
-mirrors, its near side lets one look into the water. Technique: the lightness of the texture is its
-alpha as well, and is subtracted from the opacity at each pixel (GL_ADD_SIGNED with
-GL_ONE_MINUS_SRC_ALPHA, OpenGL 1.3), before the mirror image is mixed in by what is left. Near the
-eye a second, finer layer of the same ripples runs across the first.
-State used: texture units 0 and 1 with GL_COMBINE.
+The sea's grid is too coarse for waves of less than a few cells. Real ripples are little mirrors:
+one that leans towards the eye lets it look into the water, and mirrors what is higher; one that
+leans away mirrors what is lower. Technique: a texture of slopes, multiplied by a vector in the
+vertex colour with GL_DOT3 (OpenGL 1.3), as for bump mapping. The vector is the line of sight, times
+how much a slope changes the opacity at this angle of view; its third component adds the opacity of
+the level sea. Nearby, two layers of incommensurate sizes are multiplied with each other. Far away,
+where the mirror image is strong, the long one is multiplied with itself instead, and the same slope
+mixes the mirror image at two places, one higher than the other: so ripples break it up. Gusts of
+wind scale the vector: there are slicks and rough patches.
+The water's own colour comes from a texture of depths, which also shows the bottom where the water
+is shallow (shallows.py).
+State used: five texture units with GL_COMBINE and crossbar (OpenGL 1.4), and the vertex colours.
 """
+
+from contextlib import nullcontext
 
 import numpy as np
 
 from landscape.elements.best.sea.eye_grid import EyeGrid
+from landscape.elements.best.sea.mirror_image import Taken, projected
+from landscape.elements.best.sea.ripple_slopes import RANGE, gusts, slope_picture, slopes
+from landscape.elements.best.sea.shallows import body_picture, lit_colour
+from landscape.elements.best.sea.waves import change_of_opacity, facing, mirror_places, opacity
+from landscape.files.cache import recall
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import combine
+from landscape.gl.state import attrib, client_arrays, combine
 from landscape.gl.texture import Texture, mip_levels
+from landscape.settings import Settings
 
-LEAN = 1.5  # chosen: alpha of the water's texture per lightness, times water.ripples
-FINE_TONE = 1.3  # chosen: contrast of the fine layer, of the texture's
-FINE = 4.7  # chosen: tiles of the fine layer per unit
-FINE_TURN = np.radians(34.0)  # chosen: angle between the two layers
-FINE_DRIFT = (0.31, 0.23)  # chosen: tiles per t
-FINE_SWAY = 0.05  # chosen: tiles by which a slope of 1 moves the fine layer, times FINE
-FINE_LEVELS = (1.0, 1.0, 0.9, 0.5, 0.15, 0.0)  # chosen: its contrast in each mip level
-FINE_CELLS = 0.1  # chosen: units, in larger cells of the grid the fine layer is flat
+STEEP = 0.25  # chosen: standard deviation of the slopes where water.ripples is 1
+MUTED = 0.35  # chosen: by how much a slope of 1 changes the opacity at least
+TILES = (0.32, 3.3)  # chosen: tiles of each layer per tile of water.repeat: a long and a fine one
+TURNS = np.radians([11.0, 48.0])  # chosen: by which each layer is turned on the map
+DRIFTS = ((0.19, 0.10), (0.05, 0.06))  # chosen: units per t along x and z
+FINE_LEVELS = (1.0, 0.95, 0.75, 0.4, 0.1, 0.0)  # chosen: the fine layer's contrast by mip level
+FINE_CELLS = 0.06  # chosen: units, in larger cells of the grid the fine layer is flat
+LEAST = 0.45  # chosen: share of the higher place of the mirror image at a grazing angle
+APART = 0.02  # chosen: slope between the mirror image's two places, and the level sea
+SLICK, GUST = 0.35, 1.35  # chosen: contrast of the ripples in a slick and in a gust
+OPEN_SEA = 9.0  # units of depth where the bottom is not to be seen
+LONG, FINE, BODY, HIGHER, LOWER = range(5)  # texture units
 
-
-def lightness(picture: np.ndarray) -> np.ndarray:
-    """Return how much lighter than its mean each texel is, (h, w), of a picture (h, w, 3)."""
-    light = picture.astype(np.float32).mean(axis=2) / 255.0
-    return np.asarray(light - light.mean())
-
-
-def leaning(picture: np.ndarray, strength: float) -> np.ndarray:
-    """Return a picture of the water, uint8 (h, w, 3), with the ripples' lean as alpha."""
-    alpha = 0.5 + LEAN * strength * lightness(picture)
-    return np.dstack([picture, np.rint(np.clip(alpha, 0, 1) * 255).astype(np.uint8)])
+Waves = tuple[np.ndarray, ...]
+"""Slopes along x and z of the grid's waves, and those that move the mirror image."""
 
 
-def fine_ripples(picture: np.ndarray) -> list[np.ndarray]:
-    """Return the fine layer's mip levels, uint8 (h, w, 1), of mean 1/2, from the water's picture.
+def turned(layer: int) -> np.ndarray:
+    """Return the matrix (2, 2) from directions x, z on the map to those of a layer: rows @ it."""
+    east, south = np.cos(TURNS[layer]), np.sin(TURNS[layer])
+    return np.array([(east, -south), (south, east)], np.float32)
 
-    Far away it fades to its mean sooner than by its mip levels alone.
-    """
-    layer = 0.5 + FINE_TONE * lightness(picture)
-    levels = mip_levels(np.rint(np.clip(layer, 0, 1) * 255).astype(np.uint8)[..., None])
+
+def picture(layer: int) -> np.ndarray:
+    """Return a layer's slopes along x and z of the map, uint8 (n, n, 3), or those in the cache."""
+
+    def make() -> tuple[np.ndarray]:
+        return (slope_picture(slopes(layer + 1) @ turned(layer).T),)
+
+    return recall(["ripples", str(layer)], make)[0]
+
+
+def fading(image: np.ndarray) -> list[np.ndarray]:
+    """Return the mip levels of a layer, uint8 (n, n, 3), that is flat where it is not drawn."""
+    levels = mip_levels(image)
     for k, level in enumerate(levels):
         contrast = FINE_LEVELS[min(k, len(FINE_LEVELS) - 1)]
-        levels[k] = np.rint(127.5 + contrast * (level - 127.5)).astype(np.uint8)
+        level[..., :2] = np.rint(127.5 + contrast * (level[..., :2] - 127.5))
     return levels
 
 
-def fine_coordinates(
-    grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray, t: float
-) -> np.ndarray:
-    """Return the fine layer's texture coordinates, float32 (n, 2): waves push it to and fro."""
-    east, south = np.cos(FINE_TURN), np.sin(FINE_TURN)
-    x = FINE * (grid.x + np.float32(FINE_SWAY) * slope_x)
-    z = FINE * (grid.z + np.float32(FINE_SWAY) * slope_z)
-    out = np.empty((grid.x.size, 2), np.float32)
-    for axis, (a, b) in enumerate(((east, south), (-south, east))):
-        # Reduced to one tile: float32 has too few digits for a large t.
-        drift = FINE_DRIFT[axis] * t % 1.0
-        out[:, axis] = (np.float32(a) * x + np.float32(b) * z + np.float32(drift)).ravel()
-    return out
+def coordinates(places: np.ndarray, t: float, layer: int, repeat: float) -> np.ndarray:
+    """Return a layer's texture coordinates, float32 (n, 2), of places x, z (n, 2) in units.
+
+    ``repeat`` is that of the water's plain texture, in tiles per unit.
+    """
+    tiles = TILES[layer] * repeat
+    # Reduced to one tile: float32 has too few digits for a large t.
+    drift = tiles * (np.array(DRIFTS[layer]) @ turned(layer)) * t % 1.0
+    return np.ascontiguousarray(
+        places @ (np.float32(tiles) * turned(layer)) - drift.astype(np.float32)
+    )
 
 
 def near_rows(grid: EyeGrid) -> int:
@@ -72,39 +89,161 @@ def near_rows(grid: EyeGrid) -> int:
     return min(int((grid.cell > FINE_CELLS).sum()), len(grid.ring) - 1)
 
 
+def sights(
+    grid: EyeGrid, level: np.ndarray, change: np.ndarray, blended: bool = False
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the vertex colours, float32 (n, 4) each, for one layer and for two.
+
+    ``level`` (rows, columns) is the opacity of the sea without ripples, ``change`` by how much the
+    steepest slope in the texture changes it. The sea's opacity is a product of two: of the layer
+    by itself, or of both layers; and of alpha, which makes up for the least that a layer may be.
+    If the sea is ``blended`` over the framebuffer, it is that of one layer and alpha.
+    """
+    root = np.maximum(np.sqrt(level), np.float32(LEAST))
+    share = level / (root if blended else np.square(root))
+    gain = 0.5 * change / (share if blended else root * share)
+    out = np.empty((2, *level.shape, 4), np.float32)
+    for colours, part in zip(out, (1.0 if blended else 0.5, 1.0), strict=True):
+        limited = np.minimum(part * gain, 0.5)
+        colours[..., 0] = 0.5 + limited * grid.east
+        colours[..., 1] = 0.5 + limited * grid.south
+    out[..., 2] = 0.5 + 0.5 * root
+    out[..., 3] = share
+    one, two = out.reshape(2, -1, 4)
+    return one, two
+
+
+def built_from(settings: Settings) -> tuple[object, ...]:
+    """Return the values that the constructor uses."""
+    water = settings.water
+    return water.trilinear, water.lod_bias, water.shallow, *lit_colour(settings)
+
+
 class Ripples:
-    """Owner of the fine layer, and of the list that sets the units of both layers."""
+    """The rippled surface; Sea draws it with its own grid."""
 
-    def __init__(self, picture: np.ndarray, filters: tuple[bool, bool, float]) -> None:
-        """Make the layer from a picture of the water, uint8 (h, w, 3), filtered as its texture."""
-        self._texture = Texture(fine_ripples(picture), *filters)
-        self._list = DisplayList(self._set_units)
+    def __init__(self, settings: Settings, depths: np.ndarray, size: float) -> None:
+        """Upload the layers, and the colours at ``depths`` (n, n) of a map of ``size`` units."""
+        water = settings.water
+        filters = True, water.trilinear, water.lod_bias
+        self._size = size
+        self._layers = [
+            Texture(levels, *filters) for levels in (picture(LONG), fading(picture(FINE)))
+        ]
+        seen = depths if water.shallow else np.full((2, 2), OPEN_SEA)
+        self._body = Texture(body_picture(seen, lit_colour(settings)), repeat=False)
+        self._lists = [
+            DisplayList(each)
+            for each in (self._set_layers, self._set_mirror, self._set_near, self._set_blended)
+        ]
 
-    def _set_units(self) -> None:
-        lean = {"COMBINE_ALPHA": "ADD_SIGNED", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "TEXTURE"}
-        tone = {"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"}
-        both = {**tone, **lean, "OPERAND1_ALPHA": "ONE_MINUS_SRC_ALPHA"}
-        combine(both)
-        gl.glActiveTexture(gl.GL_TEXTURE1)
-        gl.glEnable(gl.GL_TEXTURE_2D)
-        self._texture.bind()
-        combine(both)
-        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+    def draw(
+        self,
+        settings: Settings,
+        grid: EyeGrid,
+        vertices: np.ndarray,
+        slopes: Waves,
+        t: float,
+        mirror: Taken | None,
+    ) -> None:
+        """Draw the grid with these vertices (n, 3) and waves, mixed with the mirror image.
 
-    def set_units(self) -> None:
-        """Let unit 0 subtract the lean from the opacity, and unit 1 do so with the fine layer."""
-        self._list.call()
-
-    def switch(self, on: bool, active: int) -> None:
-        """Turn the fine layer on or off; ``active`` is the unit that is active, and stays so.
-
-        It is not asked for: a frame that is compiled into a list would get that of another moment.
+        Without one it is blended over the framebuffer.
         """
-        gl.glActiveTexture(gl.GL_TEXTURE1)
-        (gl.glEnable if on else gl.glDisable)(gl.GL_TEXTURE_2D)
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{active}"))
+        water, shape = settings.water, grid.x.shape
+        slope_x, slope_z, move_x, move_z = slopes
+        places = np.ascontiguousarray(vertices[:, ::2])
+        rough = SLICK + (GUST - SLICK) * gusts(grid.x, grid.z, t)
+        level, change = np.full(shape, water.color[3], np.float32), np.zeros(shape, np.float32)
+        if water.fresnel:
+            cosine = facing(grid, slope_x, slope_z, rough)
+            level = opacity(cosine, water.color[3])
+            change = change_of_opacity(grid, cosine, water.color[3])
+        change = (change + np.float32(MUTED)) * rough * np.float32(STEEP * RANGE * water.ripples)
+        one, two = sights(grid, level, change, mirror is None)
+        repeat = water.repeat / water.patch
+        layers = [coordinates(places, t, layer, repeat) for layer in (LONG, FINE)]
+        layers.append(places / np.float32(self._size))
+        far = near_rows(grid) * 2 * (shape[1] - 1)
+        if mirror is not None:
+            # Where the fine layer begins there is only one mirror image left.
+            begun = np.clip(2.0 * (grid.cell / FINE_CELLS - 1.0), 0.0, 1.0)
+            apart = (0.4 + 0.6 * rough) * (APART * begun)[:, None]
+            y = vertices[:, 1].reshape(shape)
+            layers += [
+                mirror_places(grid, y, move_x * rough, move_z * rough, tilt.astype(np.float32))
+                for tilt in (apart, -apart)
+            ]
+        units = [projected(mirror, unit) if mirror else nullcontext() for unit in (HIGHER, LOWER)]
+        with (
+            attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT),
+            client_arrays(vertices, None, one, layers),
+            units[0],
+            units[1],
+        ):
+            if not settings.shading.smooth:
+                gl.glShadeModel(gl.GL_FLAT)
+            self._lists[0].call()
+            self._lists[1 if mirror else 3].call()
+            self._send(grid.triangles[:far])
+            if mirror:
+                self._lists[2].call()
+                gl.glColorPointer(4, gl.GL_FLOAT, 0, two)
+            self._send(grid.triangles[far:])
+
+    @staticmethod
+    def _send(triangles: np.ndarray) -> None:
+        gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+
+    def _set_layers(self) -> None:
+        """Bind the textures; let the long layer's product be colour and alpha."""
+        for unit, texture in enumerate((*self._layers, self._body)):
+            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+            texture.bind()
+            if unit != FINE:
+                gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+        combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "PRIMARY_COLOR", "SRC1_RGB": "TEXTURE"})
+
+    @staticmethod
+    def _set_mirror() -> None:
+        """Mix far water: its own colour and the image, by colour; then with the other, by alpha."""
+        mix = {"COMBINE_RGB": "INTERPOLATE", "SRC1_RGB": "TEXTURE", "SRC2_RGB": "PREVIOUS"}
+        alpha = {"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"}
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PRIMARY_COLOR"})
+        combine({"OPERAND1_RGB": "SRC_ALPHA", **alpha})
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{HIGHER}"))
+        combine({**mix, "SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR", **alpha})
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LOWER}"))
+        combine({**mix, "SRC0_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": f"TEXTURE{BODY}"})
+
+    @staticmethod
+    def _set_near() -> None:
+        """Multiply near water's layers, and mix its own colour with one mirror image alone."""
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{FINE}"))
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        combine({"COMBINE_RGB": "DOT3_RGB", "SRC0_RGB": "PRIMARY_COLOR", "SRC1_RGB": "TEXTURE"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
+        combine({"SRC1_RGB": "PREVIOUS"})
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{HIGHER}"))
+        gl.glDisable(gl.GL_TEXTURE_2D)
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LOWER}"))
+        combine({"SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR"})
+
+    @staticmethod
+    def _set_blended() -> None:
+        """Let the colour be the water's own, and alpha the opacity."""
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
+        combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"})
+        combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "PREVIOUS"})
+        combine({"SRC1_ALPHA": "PRIMARY_COLOR"})
 
     def release(self) -> None:
-        """Delete list and texture; may be called twice."""
-        self._list.release()
-        self._texture.release()
+        """Delete lists and textures; may be called twice."""
+        for owned in self._lists:
+            owned.release()
+        for texture in (*self._layers, self._body):
+            texture.release()

@@ -9,7 +9,7 @@ water's own colour from above, a mirror in the distance. ``water.shallow`` shows
 shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
 Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
 it as the patches are.
-State used: GL_LIGHTING, up to three texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
+State used: GL_LIGHTING, up to five texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
 texture matrix, GL_BLEND.
 """
 
@@ -19,18 +19,19 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from landscape.elements.best.sea import serpent_wash
+from landscape.elements.best.sea import ripples, serpent_wash
 from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
 from landscape.elements.best.sea.foam import Foam
 from landscape.elements.best.sea.glitter import Glitter
-from landscape.elements.best.sea.mirror_image import MirrorImage, mirror_unit
-from landscape.elements.best.sea.ripples import (
-    Ripples,
-    fine_coordinates,
-    leaning,
-    near_rows,
+from landscape.elements.best.sea.mirror_image import MirrorImage, Taken, mirror_unit
+from landscape.elements.best.sea.ripples import Ripples
+from landscape.elements.best.sea.shallows import (
+    TEXELS,
+    Shallows,
+    cut_level,
+    draw_floor,
+    sea_depths,
 )
-from landscape.elements.best.sea.shallows import TEXELS, Shallows, cut_level, sea_depths
 from landscape.elements.best.sea.waves import (
     facing,
     mirror_places,
@@ -49,13 +50,11 @@ from landscape.elements.water_surface import (
     wave_time,
 )
 from landscape.files.assets import Assets
-from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.draw import level_square
 from landscape.gl.state import attrib, client_arrays
-from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 SHOAL = 0.15  # chosen: units of depth below which the relief fades out towards the beach
@@ -124,9 +123,15 @@ def softened(settings: Settings) -> Iterator[None]:
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     water = settings.water
-    looks = water.trilinear, water.lod_bias, water.ripples
+    looks = water.trilinear, water.lod_bias, water.shallow
     foam = serpent_wash.built_from(settings) if water.foam else None
-    return water.level, *looks, water.shallow, foam, water.glitter > 0
+    rippled = ripples.built_from(settings) if rippling(settings) else None
+    return water.level, *looks, foam, water.glitter > 0, rippled
+
+
+def rippling(settings: Settings) -> bool:
+    """Return whether there are ripples at each pixel."""
+    return settings.water.textured and settings.water.ripples > 0
 
 
 class Sea:
@@ -144,20 +149,14 @@ class Sea:
         depths = sea_depths(field)
         self._relief = np.clip(depths / SHOAL, 0.0, 1.0).astype(np.float32)
         self.mirror = MirrorImage()
-        self._texture, self._fine = self._textures(settings, assets)
-        self._shallows = Shallows(depths, field.size) if settings.water.shallow else None
+        self._ripples = self._texture = self._shallows = None
+        if rippling(settings):
+            self._ripples = Ripples(settings, depths, field.size)
+        else:
+            self._texture = water_texture(settings, assets)
+            self._shallows = Shallows(depths, field.size) if settings.water.shallow else None
         self._foam = Foam(settings, assets, field, dragon) if settings.water.foam else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
-
-    @staticmethod
-    def _textures(settings: Settings, assets: Assets) -> tuple[Texture, Ripples | None]:
-        """Return the water's texture, and the fine layer of ripples if they are wanted."""
-        water = settings.water
-        if not water.ripples:
-            return water_texture(settings, assets), None
-        picture = read_image(assets.path("water.png"), "RGB")
-        filters = True, water.trilinear, water.lod_bias
-        return Texture(leaning(picture, water.ripples), *filters), Ripples(picture, filters)
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the sea must be rebuilt."""
@@ -183,51 +182,58 @@ class Sea:
         if water.relief:
             y += lift * self._relief_left(grid)
         vertices = np.stack([grid.x.ravel(), y.ravel(), grid.z.ravel()], axis=1)
-        normals = surface_normals(slope_x, slope_z)
-        colors = self._colors(grid, slope_x, slope_z)
-        plane = np.stack([grid.x.ravel(), grid.z.ravel()])
-        places = np.ascontiguousarray(plane.T)
-        layers = [wave_coordinates(plane / np.float32(water.patch), t, water.repeat)]
-        fine = self._fine if water.textured else None
-        if fine is not None:
-            layers.append(fine_coordinates(grid, slope_x, slope_z, t))
-        if self._shallows is not None:
-            layers.append(self._shallows.coordinates(places))
-        depths = None if self._shallows is None else len(layers) - 1
-        triangles = grid.triangles
-        parts = [triangles]
-        if fine is not None:
-            far = near_rows(grid) * 2 * (grid.x.shape[1] - 1)
-            parts = [triangles[:far], triangles[far:]]
+        places = np.ascontiguousarray(vertices[:, ::2])
+        tilts = slope_x, slope_z, move_x, move_z
 
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups):
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             floor = cut_level(self._settings)
-            if self._shallows is not None and floor < water.level:
-                self._shallows.draw_floor(floor, self._settings.sun)
-            lit(self._settings.shading)
-            gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
-            with (
-                self._clearer_fog(grid),
-                self._texture_units(fine),
-                client_arrays(vertices, normals, colors, layers),
-                mirror_unit(mirror, len(layers), depths),
-            ):
-                if mirror is not None:
-                    looked_up = mirror_places(grid, y, move_x, move_z)
-                    gl.glTexCoordPointer(3, gl.GL_FLOAT, 0, looked_up)
-                for number, part in enumerate(parts):
-                    if fine is not None:
-                        fine.switch(number == 1, 0 if mirror is None else len(layers))
-                    gl.glDrawElements(gl.GL_TRIANGLES, part.size, gl.GL_UNSIGNED_INT, part)
+            if water.shallow and floor < water.level:
+                draw_floor(floor, self._size, self._settings.sun)
+            with self._clearer_fog(grid):
+                if self._ripples is not None:
+                    self._ripples.draw(self._settings, grid, vertices, tilts, t, mirror)
+                else:
+                    self._draw_plain(grid, vertices, places, tilts, t, mirror)
             if self._foam is not None:
                 with self._clearer_fog(grid):
                     self._foam.draw(frame, self._settings, grid, vertices, places)
             if self._glitter is not None:
                 surface, slopes = (vertices, places), (slope_x, slope_z)
                 self._glitter.draw(frame, self._settings, grid, surface, slopes)
+
+    def _draw_plain(
+        self,
+        grid: EyeGrid,
+        vertices: np.ndarray,
+        places: np.ndarray,
+        tilts: tuple[np.ndarray, ...],
+        t: float,
+        mirror: Taken | None,
+    ) -> None:
+        """Draw the surface without ripples at each pixel, with the texture of 2006."""
+        water, (slope_x, slope_z, move_x, move_z) = self._settings.water, tilts
+        normals, colors = surface_normals(slope_x, slope_z), self._colors(grid, slope_x, slope_z)
+        layers = [wave_coordinates(places.T / np.float32(water.patch), t, water.repeat)]
+        if self._shallows is not None:
+            layers.append(self._shallows.coordinates(places))
+        depths = None if self._shallows is None else 1
+        lit(self._settings.shading)
+        gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
+        with (
+            self._texture_units(),
+            client_arrays(vertices, normals, colors, layers),
+            mirror_unit(mirror, len(layers), depths),
+        ):
+            if mirror is not None:
+                looked_up = mirror_places(
+                    grid, vertices[:, 1].reshape(grid.x.shape), move_x, move_z
+                )
+                gl.glTexCoordPointer(3, gl.GL_FLOAT, 0, looked_up)
+            triangles = grid.triangles
+            gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
     def _grid(self, frame: Frame) -> EyeGrid | None:
         """Return the grid on all water in view; None if there is none."""
@@ -273,22 +279,20 @@ class Sea:
             gl.glFogi(gl.GL_FOG_COORD_SRC, gl.GL_FRAGMENT_DEPTH)
 
     @contextmanager
-    def _texture_units(self, fine: Ripples | None) -> Iterator[None]:
-        """Unit 0: the water's texture times the light; then the ripples and the depths, if any."""
+    def _texture_units(self) -> Iterator[None]:
+        """Unit 0: the water's texture times the light; then the depths, if any."""
         # GL_TEXTURE_BIT restores every unit's environment, and which unit is active.
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
-            if self._settings.water.textured:
+            if self._texture is not None and self._settings.water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
-            if fine is not None:
-                fine.set_units()
             if self._shallows is not None:
-                self._shallows.set_unit(1 if fine is None else 2)
+                self._shallows.set_unit(1)
             yield
 
     def release(self) -> None:
         """Delete what was made; may be called twice."""
-        owned = self._texture, self._fine, self._shallows, self._foam, self._glitter
+        owned = self._ripples, self._texture, self._shallows, self._foam, self._glitter
         for owner in (self.mirror, *owned):
             if owner is not None:
                 owner.release()

@@ -3,7 +3,8 @@
 Technique: a texture over the whole map holds, for the depth there, a tint for the water's colour
 and, in alpha, how much of the bottom the water hides. The ground is then cut not at the water but
 SEEN below it. Where it is cut, a plane closes the sea; otherwise the background would show at steep
-coasts.
+coasts. With ``water.ripples`` the texture holds the sea's own colour instead of a tint: sand that
+shows through, turquoise, blue (drawn in ripples.py).
 State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 """
 
@@ -18,6 +19,14 @@ from landscape.gl.texture import Texture
 from landscape.settings import Settings, Sun
 
 SEEN = 0.45  # chosen: units of depth below which no bottom shows through the water
+# Chosen: the sea by depth in units: how much of the bottom it hides, and its colour as factors of
+# that of the deep sea: sand that shows through, turquoise, blue.
+DEPTHS = (0.0, 0.015, 0.05, 0.12, 0.25, 0.43)
+HIDING = (0.0, 0.18, 0.44, 0.74, 0.95, 1.0)
+COLOURS = np.array(
+    [(3.4, 2.25, 1.7), (3.0, 2.2, 1.7), (2.1, 2.05, 1.7), (1.2, 1.75, 1.55), (0.8, 1.25, 1.25),
+     (0.6, 0.95, 1.0)]
+)  # fmt: skip
 CLEAR = 0.085  # chosen: units of depth that hide two thirds of the bottom
 TURQUOISE = np.array([1.05, 1.5, 1.3])  # chosen: times the water's colour where it is shallow
 FLOOR = (0.13, 0.29, 0.31)  # chosen: RGB of the sea floor, where the ground is cut
@@ -54,8 +63,46 @@ def depth_picture(depths: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(picture * 255 + 0.5, np.uint8)
 
 
+def body_picture(depths: np.ndarray, colour: np.ndarray) -> np.ndarray:
+    """Return the sea's own colour by depths (n, n) in units as a texture, uint8 (n, n, 4).
+
+    ``colour`` (3,) is that of the deep sea in the light. Alpha is how much of the bottom the water
+    hides; the border is opaque, as in :func:`depth_picture`.
+    """
+    depth = np.maximum(depths, 0.0)
+    tint = np.stack([np.interp(depth, DEPTHS, COLOURS[:, k]) for k in range(3)], axis=2)
+    hidden = np.interp(depth, DEPTHS, HIDING)
+    hidden[[0, -1], :] = hidden[:, [0, -1]] = 1.0
+    picture = np.concatenate([tint * colour, hidden[..., None]], axis=2)
+    return np.ascontiguousarray(np.clip(picture, 0.0, 1.0) * 255 + 0.5, np.uint8)
+
+
+def lit_colour(settings: Settings) -> np.ndarray:
+    """Return the colour of the level sea in the light, RGB (3,), as OpenGL would light it."""
+    colour = np.array(settings.water.color[:3])
+    if not settings.shading.lighting:
+        return colour
+    sun = settings.sun
+    light = np.array(sun.ambient) + direction(sun)[1] * np.array(sun.diffuse)
+    return np.asarray(np.minimum(colour * light, 1.0))
+
+
+def draw_floor(level: float, size: float, sun: Sun) -> None:
+    """Draw the plane that closes the sea at ``level``, where the ground is cut.
+
+    It is as large as the map, ``size`` units. Without fog: that is computed at the vertices, and
+    the square's corners are far away.
+    """
+    groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
+    with attrib(groups):
+        for cap in (gl.GL_BLEND, gl.GL_LIGHTING, gl.GL_TEXTURE_2D, gl.GL_FOG):
+            gl.glDisable(cap)
+        gl.glColor3f(*(painted(sun, direction(sun)[1]) * FLOOR))
+        level_square(0.0, size, level)
+
+
 class Shallows:
-    """Owner of the texture of depths."""
+    """Owner of the texture of depths, for the sea without ripples."""
 
     def __init__(self, depths: np.ndarray, size: float) -> None:
         """Upload ``depths`` (n, n) of a map of ``size`` units per side."""
@@ -65,18 +112,6 @@ class Shallows:
     def coordinates(self, places: np.ndarray) -> np.ndarray:
         """Return texture coordinates (n, 2) of places x, z (n, 2) in units."""
         return places / np.float32(self._size)
-
-    def draw_floor(self, level: float, sun: Sun) -> None:
-        """Draw the plane that closes the sea at ``level``, where the ground is cut.
-
-        Without fog: that is computed at the vertices, and the square's corners are far away.
-        """
-        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
-        with attrib(groups):
-            for cap in (gl.GL_BLEND, gl.GL_LIGHTING, gl.GL_TEXTURE_2D, gl.GL_FOG):
-                gl.glDisable(cap)
-            gl.glColor3f(*(painted(sun, direction(sun)[1]) * FLOOR))
-            level_square(0.0, self._size, level)
 
     def set_unit(self, unit: int) -> None:
         """Let a unit multiply by twice the tint; its alpha is for the next, the mirror image's."""

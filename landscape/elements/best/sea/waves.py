@@ -29,7 +29,7 @@ RELIEF_FROM = 0.4  # chosen: units, shorter waves tilt the surface but do not li
 LIFTING = int((WAVES[:, 0] >= RELIEF_FROM).sum())  # the longest come first
 DAMPED = 0.02  # chosen: fraction of its slope below which a wave is left out
 MIRRORED = 0.6  # chosen: fraction of a ripple's tilt that moves the mirror image; 1 is a rough sea
-FOLD = 0.45  # chosen: how far one wave may compress the mirror image; at 1 it would begin to fold
+FOLD = 0.6  # chosen: how far one wave may compress the mirror image; at 1 it would begin to fold
 CALM = 0.8  # chosen: how far towards the horizon a ripple may move the image, as a fraction
 ROUGH = 0.2  # chosen: slope towards the eye of the facets that one sees of the far sea
 ROUGH_FROM = 14.0  # chosen: units away at which half of that is reached
@@ -41,6 +41,12 @@ def opacity(cosine: np.ndarray, alpha: float) -> np.ndarray:
     ``alpha`` straight down; at a grazing angle a third of it, so that the mirror image dominates.
     """
     return alpha * (1.0 - CLEARED * (1.0 - cosine) ** FRESNEL_POWER)
+
+
+def change_of_opacity(grid: EyeGrid, cosine: np.ndarray, alpha: float) -> np.ndarray:
+    """Return by how much a slope of 1 towards the eye would change the opacity, (rows, columns)."""
+    change = CLEARED * FRESNEL_POWER * alpha * (1.0 - cosine) ** (FRESNEL_POWER - 1.0)
+    return np.asarray(change * (grid.ring[:, None] / grid.sight))
 
 
 def damped_slopes(cell: np.ndarray) -> np.ndarray:
@@ -122,16 +128,22 @@ def surface_normals(slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
 
 
 def mirror_places(
-    grid: EyeGrid, y: np.ndarray, slope_x: np.ndarray, slope_z: np.ndarray
+    grid: EyeGrid,
+    y: np.ndarray,
+    slope_x: np.ndarray,
+    slope_z: np.ndarray,
+    tilt: np.ndarray | float = 0.0,
 ) -> np.ndarray:
     """Return where each vertex looks up the mirror image, float32 (n, 3) in units.
+
+    ``tilt`` is a slope towards the eye that is added.
 
     A mirror tilted by a slope turns the ray by twice that angle. Along the line of sight this
     moves the image up or down by that angle; across it, by the fraction height / distance of it.
     """
     along = slope_x * grid.east + slope_z * grid.south
     across = slope_x * -grid.south + slope_z * grid.east
-    up = np.minimum(-2.0 * MIRRORED * along * grid.sight, CALM * grid.height)
+    up = np.minimum(-2.0 * MIRRORED * (along + tilt) * grid.sight, CALM * grid.height)
     aside = -2.0 * MIRRORED * across * np.float32(grid.height)
     out = np.empty((grid.x.size, 3), np.float32)
     out[:, 0] = (grid.x - aside * grid.south).ravel()
@@ -140,12 +152,14 @@ def mirror_places(
     return out
 
 
-def facing(grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
+def facing(
+    grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray, rough: np.ndarray | float = 1.0
+) -> np.ndarray:
     """Return the cosine of the angle between each facet's normal and the view, (rows, columns).
 
     Of far waves, too short for the grid, one sees the sides that lean towards the eye.
     """
     along = slope_x * grid.east + slope_z * grid.south
     far = np.square(grid.ring[:, None])
-    along += np.float32(ROUGH) * far / (far + np.float32(ROUGH_FROM**2))
+    along += np.float32(ROUGH) * far / (far + np.float32(ROUGH_FROM**2)) * rough
     return np.clip((grid.height + along * grid.ring[:, None]) / grid.sight, 0.0, 1.0)
