@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from landscape.flyover.environment import Environment
+from landscape.flyover.environment import NAMES, Environment, open_environment
 from landscape.flyover.flight import STEEPEST, Flight, follow, nearest
 from landscape.flyover.height_field import height_field
 from landscape.flyover.scene_flight import SceneFlight
@@ -24,7 +24,7 @@ CIRCLE = 100 + 60 * np.array(
 ACROSS = np.array([[(20, 64), (50, 64), (80, 64), (110, 64)]], np.float64)
 BACK = np.array([[(110, 20), (80, 20), (50, 20), (20, 20)]], np.float64)
 NOTHING = np.zeros((0, 2))
-PLAIN = Flyover(ease=0.0, smooth=0.0)
+PLAIN = Flyover(ease=0.0, smooth=0.0, ahead=False)
 ROUGH = height_field(np.random.default_rng(3).integers(0, 26, (256, 256)).astype(np.float32))
 
 
@@ -173,7 +173,7 @@ def test_a_path_is_flown_over_a_scene_of_another_size() -> None:
     image = np.zeros((128, 128), np.float32)
     corner_to_corner = np.array([[(0, 0), (40, 40), (80, 80), (128, 128)]], np.float64)
     over = Environment("test", image, (corner_to_corner,), np.array([(128.0, 0.0)]))
-    flight = SceneFlight(over, Ramp(), 0.3, Flyover(smooth=0.0))
+    flight = SceneFlight(over, Ramp(), 0.3, Flyover(smooth=0.0, ahead=False))
     assert flight.duration == pytest.approx(128 * 2**0.5 / 20)
     start, middle = flight.pose(0.0), flight.pose(flight.duration / 2)
     # The point to look at is in the north-east; north is -z, and a yaw of 90 degrees is east.
@@ -182,3 +182,38 @@ def test_a_path_is_flown_over_a_scene_of_another_size() -> None:
     assert middle.yaw == pytest.approx(45, abs=1)
     assert middle.pitch == pytest.approx(math.degrees(math.atan2(1.7, 20 * 2**0.5)), abs=0.2)
     assert flight.pose(flight.duration - 1e-9).x == pytest.approx(40)
+
+
+def test_with_ahead_it_looks_at_points_before_it_and_back_at_none() -> None:
+    ahead = dataclasses.replace(PLAIN, ahead=True, turn=1e4)
+    flight = flown([ACROSS], [(80, 84), (20, 60)], ahead)
+    seen = [flight.camera(t).theta_z for t in (0.5, 1.5, 2.4, 4.0)]
+    # Nearer points behind it and beside it do not count; it looks aside by 35 degrees at most.
+    assert seen[0] == pytest.approx(math.atan2(20, 50)) and seen[1] == pytest.approx(
+        math.atan2(20, 30)
+    )
+    assert seen[2] == pytest.approx(math.radians(35)) and seen[3] == pytest.approx(0)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_shipped_paths_look_where_they_go_and_keep_their_distance(name: str) -> None:
+    environment, settings = open_environment(name), Flyover()
+    field = environment.field(settings)
+    flight = environment.flight(field, settings)
+    # The ends of an open path are left out: there is no way to compare with.
+    times = np.arange(0.5, flight.duration - 0.6, 0.25)
+    seen, later = cameras(flight, times), cameras(flight, times + 0.1)
+    way = later[:, :2] - seen[:, :2]
+    steps = np.linalg.norm(way, axis=1)
+    # Between these places the path is curved.
+    assert steps.min() / 2.0 > 0.98 and steps.max() / 2.0 < 1.001
+    way /= steps[:, None]
+    off = np.arccos(
+        np.clip(np.sum(way * np.stack([np.cos(seen[:, 5]), np.sin(seen[:, 5])], 1), 1), -1, 1)
+    )
+    assert np.degrees(off).max() < 60 and np.degrees(np.median(off)) < 30
+    # No ground at its sides is as high as the eye.
+    aside = np.stack([-way[:, 1], way[:, 0]], 1)
+    for side in (-2.0, 2.0):
+        at = seen[:, :2] + side * aside
+        assert (field.height(*at.T) > np.maximum(seen[:, 2], 6.4 + 1.5)).mean() < 0.01

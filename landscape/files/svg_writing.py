@@ -17,7 +17,7 @@ from landscape.files.svg_environment import CAMERA, TARGETS
 NOTE = (
     "The map: black is high, white is low. A pixel is one unit.",
     "Layer camera: the path that the camera flies along, 2 units above the ground.",
-    "Layer targets: circles. The camera turns to the centre of the nearest one.",
+    "Layer targets: circles. The camera turns to the nearest one before it.",
     "Change them as you like, save as Inkscape SVG, and type: landscape flyover FILE.svg",
 )
 LINE = 14.0  # chosen: user units from one line of the note to the next, on a map of 512

@@ -8,7 +8,9 @@ camera at any moment is the same, whatever moments were asked for before.
 
 Section 2.3 has the camera turn at one rate, which starts and stops it with a jerk; ``flyover.ease``
 gives it time to. A fixed distance above rough ground jolts the camera; with ``flyover.smooth`` it
-follows a smooth curve over the ground's highest places around it.
+follows a smooth curve over the ground's highest places around it. And who flies by a point would
+look back at it until another one is nearer; with ``flyover.ahead`` only points before the camera
+count, and where there is none it looks along its path.
 """
 
 import math
@@ -23,6 +25,9 @@ from landscape.geometry.bezier import BezierPath
 STEPS_PER_SECOND = 60  # chosen: of the table
 MOST_STEPS = 100_000  # chosen: in a flight of more than half an hour they are longer
 AHEAD = 12.0  # units, chosen: how far ahead on its path it looks where there is no target
+# Chosen: with flyover.ahead, how far from its way targets count, and how far from it they are
+# looked at. So the eye is turned away little from where it flies.
+SEEN, ASIDE = math.radians(60), math.radians(35)
 STEEPEST = math.radians(40)  # chosen: over a target the camera would look straight down
 BATCH = 4096  # steps whose nearest targets are computed at once, chosen: they take 30 MB
 Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -73,18 +78,21 @@ class Flight:
         step = (at[1] - at[0]) / settings.speed
         if settings.smooth:
             z = smoothed(z, round(settings.smooth / (at[1] - at[0])), self._endless)
-        if len(targets):
-            away = nearest(places, targets) - places
-            below = z - self._ground(*(places + away).T)
-        else:
-            # Near the end it keeps looking in the direction that it has.
-            start = inside if self._endless else np.maximum(np.minimum(inside, last - AHEAD), first)
-            ahead = np.minimum(start + AHEAD, last)
-            if self._endless:
-                ahead = (start + AHEAD) % last
-            away = self._path.at(ahead) - self._path.at(start)
-            below = np.interp(start, at, z) - np.interp(ahead, at, z)
+        # Near the end it keeps looking in the direction that it has.
+        start = inside if self._endless else np.maximum(np.minimum(inside, last - AHEAD), first)
+        ahead = (start + AHEAD) % last if self._endless else np.minimum(start + AHEAD, last)
+        away = self._path.at(ahead) - self._path.at(start)
         theta_z = np.arctan2(away[:, 1], away[:, 0])
+        below = np.interp(start, at, z) - np.interp(ahead, at, z)
+        if len(targets):
+            found = nearest(places, targets, away if settings.ahead else None)
+            some = np.isfinite(found[:, 0])
+            away[some] = (found - places)[some]
+            below[some] = z[some] - self._ground(*found[some].T)
+            aside = np.arctan2(away[:, 1], away[:, 0]) - theta_z
+            if settings.ahead:
+                aside = np.clip((aside + math.pi) % math.tau - math.pi, -ASIDE, ASIDE)
+            theta_z = theta_z + aside
         theta_y = np.clip(np.arctan2(below, np.hypot(*away.T)), -STEEPEST, STEEPEST)
         rate = math.radians(settings.turn)
         angles = []
@@ -97,13 +105,25 @@ class Flight:
         return at, z, *angles
 
 
-def nearest(places: np.ndarray, targets: np.ndarray) -> np.ndarray:
-    """Return for each place (n, 2) the nearest target (n, 2) of all (m, 2)."""
+def nearest(places: np.ndarray, targets: np.ndarray, along: np.ndarray | None = None) -> np.ndarray:
+    """Return for each place (n, 2) the nearest target (n, 2) of all (m, 2).
+
+    If directions ``along`` (n, 2) are given, only targets count that are less than SEEN from them;
+    NaN stands for none.
+    """
     found = []
     for first in range(0, len(places), BATCH):
-        x, y = places[first : first + BATCH].T[..., None] - targets.T[:, None]
-        found.append(np.argmin(x * x + y * y, axis=1))
-    return np.asarray(targets[np.concatenate(found)])
+        part = slice(first, first + BATCH)
+        x, y = targets.T[:, None] - places[part].T[..., None]
+        away = x * x + y * y
+        if along is not None:
+            u, v = along[part].T[..., None]
+            seen = x * u + y * v > math.cos(SEEN) * np.sqrt(away * (u * u + v * v))
+            away = np.where(seen, away, np.inf)
+        which = np.argmin(away, axis=1)
+        none = np.isinf(away[np.arange(len(away)), which])
+        found.append(np.where(none[:, None], np.nan, targets[which]))
+    return np.concatenate(found)
 
 
 def follow(

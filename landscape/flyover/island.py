@@ -15,12 +15,15 @@ from landscape.settings import Ground, Water
 
 WIDTH = Ground().size  # units
 HEIGHT_IMAGE = "height16.png"
-# Chosen, in units: what the path goes through, and what there is to see. It starts on the meadow,
-# follows the beach, passes the massif on both sides, crosses it, and goes around the castle's hill.
+# Chosen, in units: what the path goes through, and what there is to see. It comes from the sea,
+# with a view of the island, crosses the massif below its summit, follows the northern coast, and
+# goes over the castle's hill back to the bay.
 PATH = [
-    (20.0, 27.0), (16.0, 28.0), (12.0, 24.6), (8.6, 22.0), (7.2, 17.0), (8.6, 12.4), (11.2, 9.4),
-    (14.6, 7.6), (17.4, 10.4), (21.0, 12.4), (25.0, 11.4), (28.6, 13.2), (29.8, 18.0),
-    (28.4, 22.6), (24.6, 24.6),
+    (12.3, 27.5), (11.7, 25.6), (11.7, 23.7), (11.7, 21.6), (11.6, 19.6), (10.9, 17.7), (12, 16.9),
+    (14.1, 16.7), (15.4, 15.5), (15.1, 13.5), (16.2, 11.9), (16.3, 9.8), (17.1, 8), (18.6, 6.7),
+    (20.5, 6.6), (22.1, 7.8), (24.1, 8), (25.5, 8.9), (24.1, 10.4), (22.5, 11.6), (22.2, 12.9),
+    (23.3, 14.5), (24.7, 16.1), (26.1, 17.5), (26.6, 19.3), (25.5, 20.9), (24.4, 22.7),
+    (23.1, 24.1), (21.2, 25.2), (19.1, 26.2), (16.9, 27.3), (14.7, 28.3), (13.1, 28.4),
 ]  # fmt: skip
 SUMMIT, SECOND_SUMMIT, CASTLE = (13.0, 10.0), (18.3, 7.1), (26.5, 16.7)
 

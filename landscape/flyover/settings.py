@@ -69,6 +69,12 @@ class Flyover:
         1e4,
         unit="degrees per second",
     )
+    ahead: bool = setting(
+        True,
+        "chosen",
+        "only points before it count, and without one it looks along its path; off, the nearest "
+        "of all, as in section 2.3",
+    )
     ease: float = setting(
         0.5,
         "chosen",
@@ -237,6 +243,7 @@ PRESETS: dict[str, dict[str, Value]] = {
     "document": {
         "flyover.widen": False,
         "flyover.smooth": 0.0,
+        "flyover.ahead": False,
         "flyover.ease": 0.0,
         "flyover.hidden_lines": False,
     },

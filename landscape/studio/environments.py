@@ -116,10 +116,22 @@ def canyon() -> np.ndarray:
     return ndimage.gaussian_filter(h, 0.6)
 
 
-# Chosen: the camera's paths, as points that they go through, and points to look at.
+# Chosen: the camera's paths, as points that they go through, and points to look at. They keep to
+# the middle of valleys; the first one goes around the horn and over one pass, which has a view.
 HORN_PATH = [
-    (150, 262), (166, 206), (196, 150), (232, 116), (292, 132), (336, 160), (372, 204), (378, 262),
-    (338, 306), (290, 342), (228, 344), (170, 318),
+    (187, 395), (176, 373), (176, 347), (172, 322), (160, 305), (144, 292), (127, 273),
+    (124, 247), (138, 227), (150, 207), (152, 181), (166, 159), (176, 136), (185, 112), (208, 105),
+    (232, 112), (255, 123), (273, 141), (290, 158), (312, 168), (332, 180), (352, 193), (374, 206),
+    (392, 226), (400, 252), (400, 278), (400, 304), (399, 329), (377, 343), (357, 358), (335, 372),
+    (312, 384), (287, 385), (262, 392), (238, 399), (212, 399),
+]  # fmt: skip
+CANYON_PATH = [
+    (84, 422), (107, 434), (133, 435), (154, 419), (167, 397), (178, 373), (177, 348), (161, 328),
+    (143, 309), (124, 291), (111, 268), (101, 244), (102, 218), (120, 200), (145, 192), (170, 185),
+    (196, 187), (218, 200), (232, 222), (245, 244), (256, 267), (259, 293), (270, 317), (278, 341),
+    (298, 358), (319, 373), (344, 369), (368, 359), (384, 339), (395, 315), (395, 290), (389, 265),
+    (376, 243), (356, 226), (336, 210), (324, 187), (322, 161), (333, 138), (340, 113), (359, 96),
+    (385, 94), (410, 102), (436, 106), (459, 96),
 ]  # fmt: skip
 HORN_TARGETS = [(262, 236), (424, 104), (104, 84), (62, 346), (432, 402), (236, 458)]
 
@@ -132,7 +144,7 @@ def alps_svg() -> str:
 
 def canyon_svg() -> str:
     """Return the environment of the canyon, where the camera looks ahead."""
-    path = through(np.array(RIVER[1:-1], float), closed=False)
+    path = through(np.array(CANYON_PATH, float), closed=False)
     return environment_text(grey(canyon() / RELIEF), [path], np.zeros((0, 2)))
 
 
