@@ -17,6 +17,7 @@ WHITE, YOLK = np.array([0.62, 0.62, 0.58]), np.array([0.62, 0.36, 0.018])
 BUTTER, CREAM = np.array([0.72, 0.50, 0.010]), np.array([0.56, 0.57, 0.47])
 CLOVER, CORNFLOWER = np.array([0.43, 0.115, 0.27]), np.array([0.085, 0.125, 0.56])
 LILAC = np.array([0.36, 0.16, 0.44])
+TILT = 0.85  # chosen: how far an umbel faces up, over how far it faces the viewer
 
 
 def rays(
@@ -117,21 +118,24 @@ def hawkbit(
 
 
 def umbel(at: np.ndarray, face: np.ndarray, size: float, rng: np.random.Generator) -> list[Leaves]:
-    """Return a wild carrot: a flat umbel of small white clusters on green spokes."""
-    n = 26
-    way = whorl(np.tile(UP, (n, 1)), np.arange(n) * 2.4)
+    """Return a wild carrot: a shallow umbel of small white clusters on green spokes.
+
+    It is tilted towards the viewer, who looks down on it: edge-on it would be a white dash.
+    """
+    n, sideways = 22, np.array([face[0], 0.0, 0.0])
+    middle = unit(TILT * UP + VIEWER + 0.5 * sideways)[None]
     far = size * np.sqrt((np.arange(n) + 0.5) / n)
-    tops = (
-        at
-        + way * far[:, None] * np.array([1.0, 0.0, 0.55])
-        + UP * (0.26 * size - 0.18 * far)[:, None]
-    )
-    foot = at - 0.45 * size * UP
+    way = whorl(np.repeat(middle, n, axis=0), np.arange(n) * 2.4 + rng.uniform(0, 6))
+    tops = at + way * far[:, None] + middle * (0.20 * size - 0.20 * far * far / size)[:, None]
+    foot = at - 0.55 * size * UP
     spokes = kites(
         np.tile(foot, (n, 1)), tops - foot, np.tile(VIEWER, (n, 1)),
         np.linalg.norm(tops - foot, axis=1), 0.012, STEM,
     )  # fmt: skip
-    florets = np.repeat(tops, 5, axis=0) + rng.normal(0, 0.014, (5 * n, 3))
-    shade = CREAM * rng.uniform(0.75, 1.1, (5 * n, 1))
-    around = unit(rng.normal(size=(5 * n, 3)))
-    return [spokes, kites(florets, around, UP + VIEWER + 0 * around, 0.034, 0.034, shade)]
+    each = 9
+    around = whorl(np.repeat(middle, each * n, axis=0), rng.uniform(0, 6.3, each * n))
+    florets = np.repeat(tops, each, axis=0)
+    florets = florets + around * (0.12 * size * np.sqrt(rng.random(each * n)))[:, None]
+    light = np.repeat(rng.uniform(0.72, 1.05, n), each) * rng.uniform(0.85, 1.1, each * n)
+    shade = CREAM * (light * (0.9 + 0.25 * np.repeat(way[:, 1], each)))[:, None]
+    return [spokes, kites(florets, around, middle + 0 * around, 0.21 * size, 0.21 * size, shade)]

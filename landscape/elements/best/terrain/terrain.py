@@ -119,7 +119,9 @@ class Terrain(Ground):
         levels: np.ndarray | list[np.ndarray] = image
         if repeat and self._mixed and ground.verdure and halves_evenly(image):
             levels = list(recall(["grained", image.tobytes()], lambda: tuple(grained(image))))
-        self._textures.append(Texture(levels, repeat, lod_bias=bias))
+        # Between two levels of almost the same contrast no blending is needed.
+        blended = levels is image
+        self._textures.append(Texture(levels, repeat, blended, bias))
         return self._textures[-1]
 
     def _with_shore(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
