@@ -6,10 +6,12 @@ import numpy as np
 
 from landscape.elements.best.terrain.cloud_shade import cloud_cover, cloud_light, clouds_shade
 from landscape.elements.best.terrain.verdure import grained, verdant
+from landscape.geometry.height_field import HeightField
 from landscape.gl.texture import mip_levels
 from landscape.settings import preset
 
 GRASS, SAND = (95, 110, 75), (210, 194, 157)
+HIGH = HeightField(np.full((9, 9), 2.0, np.float32), 40.0, 0.6)
 
 
 def grown(colour: tuple[int, int, int], turf: int, strength: float) -> np.ndarray:
@@ -45,20 +47,25 @@ def test_a_detail_of_one_colour_stays_so() -> None:
 
 
 def test_clouds_shade_part_of_the_land_with_soft_edges() -> None:
-    cover = cloud_cover(40.0, 512)
+    cover = cloud_cover(HIGH, 512)
     assert cover.min() == 0.0 and cover.max() == 1.0 and 0.15 < cover.mean() < 0.5
     assert np.abs(np.diff(cover, axis=0)).max() < 0.4
 
 
 def test_the_map_of_the_clouds_is_the_same_at_every_resolution() -> None:
-    fine = cloud_cover(40.0, 512).reshape(128, 4, 128, 4).mean(axis=(1, 3))
-    assert np.abs(fine - cloud_cover(40.0, 128)).mean() < 0.02
+    fine = cloud_cover(HIGH, 512).reshape(128, 4, 128, 4).mean(axis=(1, 3))
+    assert np.abs(fine - cloud_cover(HIGH, 128)).mean() < 0.02
+
+
+def test_no_cloud_shades_the_beach() -> None:
+    beach = replace(HIGH, heights=np.full((9, 9), 0.65, np.float32))
+    assert cloud_cover(beach, 64).max() == 0.0
 
 
 def test_under_clouds_the_light_lies_between_sun_and_shade() -> None:
     best = preset("best")
     z, x = np.mgrid[0:40:0.5, 0:40:0.5].reshape(2, -1)
-    light = cloud_light(best, x, z)
+    light = cloud_light(best, HIGH, x, z)
     darkest = 1.0 - best.ground.clouds * (1.0 - np.array(best.sun.shade))
     assert light.max() == 1.0 and np.allclose(light.min(axis=0), darkest, atol=0.02)
 

@@ -136,7 +136,7 @@ class RefinedSprites:
             # On trees and deer no shadows fall but those of clouds.
             tall = np.flatnonzero(self.sprites.cells < PLANT)
             x, _, z = self.sprites.positions[tall].T
-            self.sprites.tints[tall, :3] *= cloud_light(self._settings, x, z) ** SHADE
+            self.sprites.tints[tall, :3] *= cloud_light(self._settings, ground.field, x, z) ** SHADE
         self._view = None
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:

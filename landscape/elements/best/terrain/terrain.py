@@ -255,7 +255,7 @@ class Terrain(Ground):
         light = relief_light(self.field, sun, side)
         if not clouds_shade(self._settings):
             return light
-        hidden = self._settings.ground.clouds * cloud_cover(self.size, side)[..., None]
+        hidden = self._settings.ground.clouds * cloud_cover(self.field, side)[..., None]
         return light + hidden * (np.array(sun.shade, np.float32) - light)
 
     def shade(self, light: np.ndarray) -> None:
