@@ -597,6 +597,9 @@ class Sky:
     NEEDS: ClassVar[tuple[str, ...]] = ("sky",)
 
     set: str = setting("day", "chosen", "set of sky pictures", choices=("day", "sunset"))
+    refined: bool = setting(
+        False, "chosen", "pictures with wide, flat clouds and fibrous cirrus; off, the former ones"
+    )
     half_width: float = setting(
         8.0, "chosen", "distance of the walls from the centre, D", 0.5, 10000, unit=UNITS
     )
@@ -1224,6 +1227,7 @@ BEST: dict[str, Value] = {
     "water.horizon": 400.0,
     "water.glitter": 0.35,
     "water.color": (0.16, 0.32, 0.38, 0.88),
+    "sky.refined": True,
     "sky.moving": True,
     "sky.follow_y": True,
     "sky.background": True,

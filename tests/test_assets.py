@@ -254,6 +254,17 @@ def test_a_horizon_without_the_fog_colour_is_found(tmp_path: Path) -> None:
     }
 
 
+def test_a_step_along_an_edge_of_coded_sky_is_found_and_noise_of_coding_is_not(
+    tmp_path: Path,
+) -> None:
+    wall = np.asarray(Image.open(shipped() / "sky_fair_north.jpg")).astype(int)
+    noise = np.random.default_rng(1).integers(-5, 6, (*wall.shape[:2], 1))
+    kept = tmp_path / "sky_fair_north.jpg"
+    for off, found in ((noise, set()), (5, {"horizon", "edges"})):
+        Image.fromarray(np.clip(wall + off, 0, 255).astype(np.uint8)).save(kept, "PNG")
+        assert {measure for _, measure in failures(tmp_path, checks.check_sky)} == found
+
+
 def test_different_heights_and_a_displaced_hill_are_found(tmp_path: Path) -> None:
     heights = np.asarray(Image.open(shipped() / "height16.png"))
     save(np.roll(heights, 20, axis=1), tmp_path / "height16.png")
@@ -353,6 +364,13 @@ def test_what_an_asset_is_made_from_is_in_its_png_beside_the_pixels(studio: Any)
         np.testing.assert_array_equal(np.asarray(image), pixels)
     with Image.open(io.BytesIO(studio.encoded(pixels))) as image:
         assert image.info == {}
+
+
+def test_a_jpeg_keeps_its_colours_at_full_resolution(studio: Any) -> None:
+    stripes = np.full((16, 16, 3), 200, np.uint8)
+    stripes[:, ::2] = (200, 120, 200)
+    off = np.abs(pixels(studio.jpeg(stripes)) - stripes)
+    assert off.mean() < 8, "half the colours would be lost in columns of one texel"
 
 
 def test_two_processes_make_the_same_bytes_as_one(studio: Any) -> None:

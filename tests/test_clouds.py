@@ -87,3 +87,22 @@ def test_the_moving_clouds_are_thin_in_front_of_the_sun() -> None:
         sun = SCENE.values("best", {"time": time}).sun
         at, opposite = (cloud_opacity(way * direction(sun)[None], sun)[0] for way in (3.0, -3.0))
         assert at < 0.4 and opposite > 0.99
+
+
+@pytest.mark.parametrize(("width", "tall"), [(400.0, 150.0), (1000.0, 400.0), (2400.0, 900.0)])
+def test_a_cumulus_of_domes_is_wider_than_high_and_fills_its_base(
+    width: float, tall: float
+) -> None:
+    pytest.importorskip("numba", reason="the extra `studio` is not installed")
+    from landscape.studio.domes import cloud_spheres
+
+    for seed in range(5):
+        spheres = cloud_spheres(np.random.default_rng(seed), 0.0, 0.0, width, tall)
+        x, up, z, radius = spheres.T
+        high = (up + radius).max()
+        spread = max((a + radius).max() - (a - radius).min() for a in (x, z))
+        assert spread > 1.3 * high
+        at_base = np.abs(up) < radius
+        reach = np.sqrt(radius[at_base] ** 2 - up[at_base] ** 2)
+        widest = max((a[at_base] + reach).max() - (a[at_base] - reach).min() for a in (x, z))
+        assert widest > 0.75 * spread, "no narrow foot under a wide head"

@@ -63,6 +63,7 @@ BETTER: dict[str, Any] = {
     **{"reflection.stencil": True, "reflection.castle": True, "water.fresnel": True},
     **{"water.horizon": 300.0, "water.glitter": 0.7, "water.color": (0.1, 0.2, 0.3, 0.85)},
     **{
+        "sky.refined": True,
         "sky.moving": True,
         "sky.follow_y": True,
         "sky.background": True,

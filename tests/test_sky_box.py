@@ -1,14 +1,16 @@
 """The sky box: five walls that close, colours in given directions, what it follows."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 from stage import Stage, close, pixel, project, quad, small, write_plain
 
 from landscape.elements.fog import visibility
-from landscape.elements.sky_box import FACES, SkyBox, face_coordinates, face_corners
+from landscape.elements.sky_box import FACES, SkyBox, face_coordinates, face_corners, set_files
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
@@ -175,6 +177,37 @@ def test_the_sunset_is_another_set_of_faces(stage: Stage, plain_folder) -> None:
     assert close(picture[60, 80], (220, 90, 30))
 
 
+UP = Pose(20.0, 1.0, 20.0, 0.0, 10.0)
+OWN, FINE = (220, 90, 30), (30, 90, 220)
+
+
+@pytest.mark.parametrize(
+    ("name", "plain", "fine"), [("day", "", "fair_"), ("sunset", "sunset_", "dusk_")]
+)
+def test_own_pictures_of_plain_names_are_drawn_unless_refined_ones_are_beside_them(
+    stage: Stage, tmp_path: Path, name: str, plain: str, fine: str
+) -> None:
+    shown = {"set": name, "refined": True}
+    shipped = drawn(stage, Assets(), UP, **shown)
+    assert (drawn(stage, Assets(tmp_path), UP, **shown) == shipped).all()
+    assert (drawn(stage, Assets(), UP, set=name) != shipped).any()
+    Image.new("RGB", (8, 8), OWN).save(tmp_path / f"sky_{plain}north.png")
+    for refined in (False, True):
+        assert close(drawn(stage, Assets(tmp_path), UP, set=name, refined=refined)[60, 80], OWN)
+    Image.new("RGB", (8, 8), FINE).save(tmp_path / f"sky_{fine}north.jpg", "PNG")
+    assert close(drawn(stage, Assets(tmp_path), UP, set=name)[60, 80], OWN)
+    assert close(drawn(stage, Assets(tmp_path), UP, **shown)[60, 80], FINE)
+
+
+def test_one_own_picture_of_a_plain_name_has_the_plain_set_beside_it(tmp_path: Path) -> None:
+    (tmp_path / "sky_top.png").touch()
+    found = set_files("day", True, Assets(tmp_path))
+    assert [path.name for path in found] == [f"sky_{face}.png" for face in FACES]
+    assert [path.parent == tmp_path for path in found] == [face == "top" for face in FACES]
+    other = [path.name for path in set_files("sunset", True, Assets(tmp_path))]
+    assert other == [f"sky_dusk_{face}.jpg" for face in FACES]
+
+
 def test_r8_climbing_does_not_bring_the_clouds_nearer(stage: Stage) -> None:
     low, high = (Pose(20.0, y, 20.0, 40.0, 30.0) for y in (0.7, 4.5))
     plain, following = (
@@ -239,7 +272,8 @@ def test_a_box_draws_applied_switches_as_if_built_from_them(
 
 
 @pytest.mark.parametrize(
-    "change", [{"set": "sunset"}, {"half_width": 9.0}, {"height": 6.0}, {"moving": True}]
+    "change",
+    [{"set": "sunset"}, {"refined": True}, {"half_width": 9.0}, {"height": 6.0}, {"moving": True}],
 )
 def test_a_box_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
     stage: Stage, plain: Assets, change: dict

@@ -12,8 +12,10 @@ import numpy as np
 
 from landscape.effects import plan
 from landscape.effects.settings import Settings
+from landscape.elements.sky_box import FACES, set_files
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
+from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
 from landscape.geometry.doors import Door
 from landscape.gl.calls import gl
@@ -73,7 +75,8 @@ class Entrance:
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the pictures and compile the display list."""
-        self._sky = Texture(read_image(assets.path("sky_south.png"), "RGB"), repeat=False)
+        south = set_files("day", True, assets)[FACES.index("south")]
+        self._sky = Texture(read_smooth(south), repeat=False)
         self._detail = Texture(read_image(assets.path("ground_detail.png"), "RGB"))
         self._trees = {
             name: Texture(read_image(assets.path(name), "RGBA"), repeat=False)

@@ -17,7 +17,7 @@ import numpy as np
 
 from landscape.elements.best.sky.clouds import Clouds
 from landscape.files.assets import Assets
-from landscape.files.images import read_image
+from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
 from landscape.geometry.height_field import mirrored_height
 from landscape.gl.calls import gl
@@ -27,6 +27,9 @@ from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
 FACES = ("west", "north", "east", "south", "top")
+# The files of each set of pictures by ``sky.set``: those of 2006, and those of ``sky.refined``.
+PLAIN = {"day": "sky_{}.png", "sunset": "sky_sunset_{}.png"}
+REFINED = {"day": "sky_fair_{}.jpg", "sunset": "sky_dusk_{}.jpg"}
 
 
 def face_corners(d: float, h: float) -> dict[str, np.ndarray]:
@@ -60,17 +63,28 @@ def face_coordinates(width: int, height: int) -> np.ndarray:
     return np.array([(s, t), (s, 1 - t), (1 - s, 1 - t), (1 - s, t)], np.float32)
 
 
+def set_files(name: str, refined: bool, assets: Assets) -> list[Path]:
+    """Return the paths of the pictures of a set's faces; InputError if one is missing.
+
+    Pictures of the plain names in the user's own folder are drawn by every preset, unless refined
+    ones are beside them. Then all five are the plain set's, which match along their edges.
+    """
+    plain, better = ([names[name].format(face) for face in FACES] for names in (PLAIN, REFINED))
+    if refined and assets.has_own(*plain) and not assets.has_own(*better):
+        refined = False
+    return [assets.path(each) for each in (better if refined else plain)]
+
+
 def face_files(settings: Settings, assets: Assets) -> list[Path]:
     """Return the paths of the pictures of the faces; InputError if one is missing."""
-    name = settings.sky.set
-    prefix = "sky_" if name == "day" else f"sky_{name}_"
-    return [assets.path(f"{prefix}{face}.png") for face in FACES]
+    return set_files(settings.sky.set, settings.sky.refined, assets)
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     sky = settings.sky
-    return sky.set, sky.half_width, sky.height, sky.moving, settings.sun if sky.moving else None
+    pictures = sky.set, sky.refined, sky.half_width, sky.height
+    return *pictures, sky.moving, settings.sun if sky.moving else None
 
 
 class SkyBox:
@@ -80,7 +94,7 @@ class SkyBox:
         """Read the five faces and compile the display list."""
         self._settings = settings
         sky = settings.sky
-        images = [read_image(path, "RGB") for path in face_files(settings, assets)]
+        images = [read_smooth(path) for path in face_files(settings, assets)]
         # A sky is so smooth that the change from one mip level to the next does not show.
         self._textures = [Texture(image, repeat=False, trilinear=False) for image in images]
         corners = face_corners(sky.half_width, sky.height)

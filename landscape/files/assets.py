@@ -35,6 +35,10 @@ class Assets:
             raise InputError(f"assets {folder}: expected a folder that can be read")
         self._folders = ([folder] if folder is not None else []) + [shipped()]
 
+    def has_own(self, *names: str) -> bool:
+        """Return whether the user's folder has a file of one of these names."""
+        return any(os.path.exists(folder / name) for folder in self._folders[:-1] for name in names)
+
     def contents(self, *names: str) -> list[bytes]:
         """Return a hash of the bytes of every file an island may be made of, and of ``names``.
 

@@ -72,6 +72,7 @@ BEST_FIXES: tuple[Fix, ...] = (
         ),
         common={
             "sky.set": "sunset",
+            "sky.refined": True,
             "sun.azimuth": 250.0,  # where the sun is in the sunset textures
             "sun.elevation": 4.0,
             "sun.diffuse": (1.0, 0.8, 0.55),

@@ -13,10 +13,10 @@ COLUMNS = 7  # chosen
 
 
 def contact_sheet(folder: Path | None = None) -> np.ndarray:
-    """Return the sheet, uint8 (h, w, 3), of all PNG assets; files in ``folder`` take precedence."""
+    """Return the sheet, uint8 (h, w, 3), of all images; files in ``folder`` take precedence."""
     assets = Assets(folder)
-    names = {path.name for path in shipped().glob("*.png")}
-    names |= {path.name for path in folder.glob("*.png")} if folder else set()
+    places = [shipped(), *([folder] if folder else [])]
+    names = {p.name for place in places for kind in ("png", "jpg") for p in place.glob(f"*.{kind}")}
     ordered = sorted(names)
     rows = -(-len(ordered) // COLUMNS)
     sheet = Image.new("RGB", (COLUMNS * CELL, rows * (CELL + 16)), (32, 32, 32))

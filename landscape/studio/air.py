@@ -5,7 +5,7 @@ All values are linear light; the axes are those of :mod:`landscape.studio.light`
 """
 
 import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import ndimage
@@ -33,15 +33,18 @@ class Scene:
     exposure: float  # multiplies the scattered light before the tone curve 1 - exp(-x)
     glow: tuple[float, float, float]  # uniform light that stands for multiple scattering
     saturation: float  # of the clear sky; makes up for the tone curve, which desaturates it
+    tint: tuple[float, float, float]  # multiplies the sunlight scattered once
     sun: tuple[float, float, float]  # sunlight on the clouds
+    sun_on_clouds_deg: float  # elevation of that sunlight; a low one reaches the bases
     shade: tuple[float, float, float]  # skylight on the clouds
     bounce: tuple[float, float, float]  # light from the sea on the undersides of the clouds
     far_air: tuple[float, float, float]  # fraction of the haze's colour lost in front of far land
     wall_width: int
 
-    def towards_sun(self) -> np.ndarray:
-        """Return the unit vector (3,) towards the sun."""
-        a, e = np.radians(self.azimuth_deg), np.radians(self.elevation_deg)
+    def towards_sun(self, elevation_deg: float | None = None) -> np.ndarray:
+        """Return the unit vector (3,) towards the sun, or one at another elevation below it."""
+        high = self.elevation_deg if elevation_deg is None else elevation_deg
+        a, e = np.radians(self.azimuth_deg), np.radians(high)
         return np.array([np.cos(e) * np.sin(a), np.sin(e), -np.cos(e) * np.cos(a)])
 
 
@@ -53,7 +56,9 @@ DAY = Scene(
     exposure=0.95,
     glow=(0.10, 0.21, 0.40),
     saturation=1.2,
+    tint=(1.0, 1.0, 1.0),
     sun=(9.6, 9.2, 8.5),
+    sun_on_clouds_deg=light.SUN_ELEVATION_DEG,
     shade=(0.30, 0.375, 0.50),
     bounce=(0.16, 0.20, 0.24),
     far_air=(0.40, 0.26, 0.11),
@@ -67,11 +72,26 @@ SUNSET = Scene(
     exposure=0.85,
     glow=(0.30, 0.10, 0.22),
     saturation=2.0,
+    tint=(1.0, 1.0, 1.0),
     sun=(9.5, 2.9, 0.8),
+    sun_on_clouds_deg=4.0,
     shade=(0.24, 0.15, 0.32),
     bounce=(0.20, 0.10, 0.08),
     far_air=(0.50, 0.44, 0.22),
     wall_width=1024,
+)
+FAIR = replace(DAY, sun=(9.6, 9.3, 8.7), shade=(0.30, 0.40, 0.58))
+DUSK = replace(
+    SUNSET,
+    haze_deg=5.5,
+    exposure=1.15,
+    glow=(0.15, 0.20, 0.33),
+    saturation=1.7,
+    tint=(1.1, 0.88, 0.82),
+    sun=(8.6, 3.0, 1.05),
+    sun_on_clouds_deg=-1.0,
+    shade=(0.20, 0.17, 0.36),
+    wall_width=2048,
 )
 
 
@@ -126,7 +146,7 @@ def scattered(scene: Scene, direction: np.ndarray, sun: np.ndarray) -> np.ndarra
         total_r += attenuation * air_r[..., None]
         total_m += attenuation * air_m[..., None]
     single = total_r * RAYLEIGH * phase_r[..., None] + total_m * MIE * phase_m[..., None]
-    return 20.0 * single + np.array(scene.glow) * total_glow
+    return 20.0 * np.array(scene.tint) * single + np.array(scene.glow) * total_glow
 
 
 @functools.lru_cache(maxsize=2)

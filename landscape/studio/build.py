@@ -53,6 +53,9 @@ PALETTES = {
 }
 
 
+# Of pictures stored as JPEG, whose names end with .jpg. Chosen: magnified three times, a sky looks
+# the same as before coding once its gradients are smoothed (landscape/files/smooth.py).
+QUALITY = 85
 MADE_FROM = "Made from"  # keyword of the text in a PNG that says what it was made from
 
 
@@ -90,6 +93,14 @@ def texts() -> dict[str, Callable[[], str]]:
     return found
 
 
+def jpeg(pixels: np.ndarray) -> bytes:
+    """Encode uint8 (h, w, 3) as JPEG, colours at full resolution."""
+    buffer = io.BytesIO()
+    image = Image.fromarray(np.ascontiguousarray(pixels))
+    image.save(buffer, "JPEG", quality=QUALITY, subsampling=0, progressive=True, optimize=True)
+    return buffer.getvalue()
+
+
 def encoded(made: Any, colours: int = 0, made_from: str = "") -> bytes:
     """Encode the result of a maker: pixels as PNG, (vertices, faces, colours) as PLY, text.
 
@@ -120,8 +131,10 @@ def encoded(made: Any, colours: int = 0, made_from: str = "") -> bytes:
 
 def make(name: str) -> bytes:
     """Make one asset and return the bytes of its file."""
-    made_from = texts().get(name, lambda: "")
-    return encoded(table()[name](), PALETTES.get(name, 0), made_from())
+    made, made_from = table()[name](), texts().get(name, lambda: "")
+    if name.endswith(".jpg"):
+        return jpeg(made)
+    return encoded(made, PALETTES.get(name, 0), made_from())
 
 
 def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:

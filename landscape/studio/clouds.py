@@ -4,30 +4,88 @@ The shapes of the cumulus come from :mod:`landscape.studio.cumulus`; volumes of 
 noise displace and fray their surfaces. They are ray marched with Beer's law and a few octaves of
 attenuated light for the multiple scattering (Schneider 2015; Wrenninge et al. 2013). Cirrus lie on
 a plane above them. Both depend on the view direction only.
+
+There are two looks: TOWERS is that of the sky of the preset 2006, DOMES of that of best.
 """
 
 import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numba
 import numpy as np
-from scipy import ndimage
 
+from landscape.studio import domes, towers
 from landscape.studio.air import Scene
-from landscape.studio.cumulus import ACROSS, BELOW, HIGH, VOXEL, distance_field
+from landscape.studio.cirrus import fibres, streaks
+from landscape.studio.cumulus import ACROSS, BELOW, VOXEL, distance_field
 from landscape.studio.grids import trilinear
-from landscape.studio.images import smoothstep, spectral_noise
 
 # Cumulus, in metres. Chosen: fair-weather clouds, low enough to look near.
-BASE, DEPTH = 950.0, 1400.0  # height of the cloud base, and from there to the highest top
+BASE = 950.0  # height of the cloud base
 BILLOW_PERIOD, BILLOW = 1700.0, 190.0  # period and amplitude of the Worley displacement
-CURL_PERIOD, CURL = 360.0, 74.0  # the same for a second, finer lookup in the same volume
 WISP_PERIOD, WISP = 900.0, 42.0  # period and amplitude of the fractal displacement
 EXTINCTION = 0.055  # per metre at full density
-HAZE = 52.0  # width of the fringe of thin wisps
-SOFT, HARD = 85.0, 22.0  # depth over which the density rises to 1, at the base and at the top
 FAR = 27e3  # end of the march; beyond it the air hides the clouds
-AIR_FADE = 23e3  # distance over which a cloud fades into the air by a factor e
-CIRRUS_HEIGHT, CIRRUS_PERIOD = 9000.0, 52e3
+
+
+class Body(NamedTuple):
+    """What a cumulus is like; lengths are in metres."""
+
+    depth: float  # from the base to the highest top
+    curl_period: float  # of a second, finer lookup of the Worley displacement
+    curl: float  # its amplitude
+    frayed: float  # fraction of the fractal displacement at the top; it is whole at the base
+    haze: float  # width of the fringe of thin wisps
+    soft: float  # depth over which the density rises to 1, at the base
+    hard: float  # the same at the top
+    fringe: float  # farther out no fine noise is looked up
+    solid: float  # nor deeper inside, for light
+    from_sample: int  # of those towards the sun; with 1 the nearest is the marched point itself
+    gain: float  # brightness of an octave of scattering over that of the one before
+
+
+@dataclass(frozen=True)
+class Look:
+    """How the clouds of a sky are made and lit."""
+
+    spheres: Callable[[], np.ndarray]  # of all clouds; see distance_field
+    high: int  # voxels, height of the distance field
+    body: Body
+    air_fade: float  # distance over which a cloud fades into the air by a factor e
+    bright: float  # multiplies the light before the tone curve
+    contrast: float  # exponent of the light before the tone curve
+    toned: float  # fraction of the tone curve that is applied to the brightness alone
+    cirrus: Callable[[Scene, np.ndarray], np.ndarray]
+    cirrus_sun: float  # fraction of the sunlight on them
+    veiled_sun: bool  # haze and clouds are in front of the sun's disc
+
+
+TOWERS = Look(
+    spheres=towers.all_spheres,
+    high=34,
+    body=Body(1400.0, 360.0, 74.0, 0.25, 52.0, 85.0, 22.0, np.inf, np.inf, 0, 0.54),
+    air_fade=23e3,
+    bright=1.0,
+    contrast=1.15,
+    toned=0.0,
+    cirrus=streaks,
+    cirrus_sun=0.30,
+    veiled_sun=True,
+)
+DOMES = Look(
+    spheres=domes.all_spheres,
+    high=45,
+    body=Body(1950.0, 400.0, 92.0, 0.12, 44.0, 80.0, 15.0, 75.0, 140.0, 1, 0.50),
+    air_fade=34e3,
+    bright=1.3,
+    contrast=1.35,
+    toned=0.5,  # or the lit sides would be yellow at sunset
+    cirrus=fibres,
+    cirrus_sun=0.18,
+    veiled_sun=False,
+)
 
 
 @numba.njit(cache=False)
@@ -86,6 +144,7 @@ def _depth(field: np.ndarray, x: float, y: float, z: float) -> float:
 
 @numba.njit
 def _density(
+    body: Body,
     field: np.ndarray,
     clear: np.ndarray,
     billow_volume: np.ndarray,
@@ -101,7 +160,7 @@ def _density(
     crease, which sees little of the sky.
     """
     u, v, w = x / VOXEL + ACROSS // 2, (y - BASE) / VOXEL + BELOW, z / VOXEL + ACROSS // 2
-    if v < 0.0 or v >= HIGH - 1.001:
+    if v < 0.0 or v >= field.shape[2] - 1.001:
         return -60.0, 0.0
     if u < 1.0 or u > ACROSS - 2.0 or w < 1.0 or w > ACROSS - 2.0:
         return -400.0, 0.0
@@ -112,28 +171,36 @@ def _density(
     if value < -95.0:
         return min(-8.0, value + 75.0), 0.0
     up = y - BASE
-    s = wisp_volume.shape[0] / WISP_PERIOD
-    fray = trilinear(wisp_volume, x * s, y * s, z * s)
+    if not detail and value > body.solid and up > body.solid:
+        return 1.0, 0.0
     s = billow_volume.shape[0] / BILLOW_PERIOD
     displaced = BILLOW * trilinear(billow_volume, x * s, y * s, z * s)
+    if value + displaced < -body.fringe:
+        return min(-4.0, 0.7 * (value + displaced + 0.8 * body.fringe)), displaced
+    s = wisp_volume.shape[0] / WISP_PERIOD
+    fray = trilinear(wisp_volume, x * s, y * s, z * s)
     if detail:
-        s = billow_volume.shape[0] / CURL_PERIOD
-        displaced += CURL * trilinear(billow_volume, z * s + 3.0 * fray, x * s, y * s - 3.0 * fray)
+        s = billow_volume.shape[0] / body.curl_period
+        shift = 3.0 * fray
+        displaced += body.curl * trilinear(billow_volume, z * s + shift, x * s, y * s - shift)
     loose = 1.0 - min(1.0, max(0.0, up / 300.0))  # more ragged towards the base
-    value += displaced + WISP * fray * (0.25 + 0.75 * loose) - 14.0 - 10.0 * loose
+    value += (
+        displaced + WISP * fray * (body.frayed + (1.0 - body.frayed) * loose) - 14.0 - 10.0 * loose
+    )
     # The base is nearly flat: water condenses from one height upwards.
     value = min(value, up * 1.2 + 14.0 * fray)
     # Wisps surround the body and are much thinner.
-    edge = value + HAZE * min(1.0, max(0.0, fray - 0.1))
+    edge = value + body.haze * min(1.0, max(0.0, fray - 0.1))
     if edge <= 0.0:
         return min(-4.0, 0.7 * edge), displaced
-    soft = (HARD + (SOFT - HARD) * loose) * min(3.5, max(0.35, 1.0 + fray))
-    return min(1.0, max(value / soft, 0.06 * min(1.0, edge / HAZE))), displaced
+    soft = (body.hard + (body.soft - body.hard) * loose) * min(3.5, max(0.35, 1.0 + fray))
+    return min(1.0, max(value / soft, 0.06 * min(1.0, edge / body.haze))), displaced
 
 
 @numba.njit
 def march(
     d: np.ndarray,
+    body: Body,
     field: np.ndarray,
     clear: np.ndarray,
     billow_volume: np.ndarray,
@@ -152,13 +219,13 @@ def march(
         slope = d[i, 1]
         if slope < 0.008:
             continue
-        t, end = (BASE - 40.0) / slope, min((BASE + DEPTH) / slope, FAR)
+        t, end = (BASE - 40.0) / slope, min((BASE + body.depth) / slope, FAR)
         cos = d[i, 0] * sun[0] + d[i, 1] * sun[1] + d[i, 2] * sun[2]
         through, lit, filled, seen, weight, jump = 1.0, 0.0, 0.0, 0.0, 1e-6, 0.0
         while t < end and through > 0.01:
             fine = steps_m + 0.0012 * t
             x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-            rho, displaced = _density(field, clear, billow_volume, wisp_volume, x, y, z, True)
+            rho, displaced = _density(body, field, clear, billow_volume, wisp_volume, x, y, z, True)
             if rho <= 0.0:
                 jump = max(fine, -rho)
                 t += jump
@@ -169,22 +236,30 @@ def march(
                 for _ in range(5):
                     t = 0.5 * (low + high)
                     x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-                    if _density(field, clear, billow_volume, wisp_volume, x, y, z, True)[0] > 0.0:
+                    if (
+                        _density(body, field, clear, billow_volume, wisp_volume, x, y, z, True)[0]
+                        > 0.0
+                    ):
                         high = t
                     else:
                         low = t
                 t, jump = high + 0.35 * fine, 0.0
                 x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
-                rho, displaced = _density(field, clear, billow_volume, wisp_volume, x, y, z, True)
+                rho, displaced = _density(
+                    body, field, clear, billow_volume, wisp_volume, x, y, z, True
+                )
                 rho = max(1e-3, rho)
             fine *= 2.0 if rho < 0.07 else 1.0  # wisps take longer steps
             sigma = EXTINCTION * rho
             absorbed = 1.0 - np.exp(-sigma * fine)
-            tau, previous = 0.0, 0.0
-            for s in range(6):
+            previous = reaches[0] if body.from_sample else 0.0
+            tau = EXTINCTION * rho * previous
+            for s in range(body.from_sample, 6):
                 r = 0.5 * (previous + reaches[s])
                 at_x, at_y, at_z = x + sun[0] * r, y + sun[1] * r, z + sun[2] * r
-                q, _ = _density(field, clear, billow_volume, wisp_volume, at_x, at_y, at_z, s < 3)
+                q, _ = _density(
+                    body, field, clear, billow_volume, wisp_volume, at_x, at_y, at_z, s < 3
+                )
                 tau += EXTINCTION * max(q, 0.0) * (reaches[s] - previous)
                 previous = reaches[s]
             # Octaves of reduced extinction and anisotropy approximate multiple scattering.
@@ -198,11 +273,13 @@ def march(
                     * np.exp(-tau * extinction_scale)
                     / (4 * np.pi)
                 )
-                gain, extinction_scale, g = gain * 0.54, extinction_scale * 0.3, g * 0.5
-            up = (y - BASE) / DEPTH
+                gain, extinction_scale, g = gain * body.gain, extinction_scale * 0.3, g * 0.5
+            up = (y - BASE) / body.depth
             crease = 1.0 / (1.0 + np.exp(-0.06 * displaced))
             lit += through * absorbed * (0.85 + 1.25 * crease) * glow
-            overhead, _ = _density(field, clear, billow_volume, wisp_volume, x, y + 70.0, z, False)
+            overhead, _ = _density(
+                body, field, clear, billow_volume, wisp_volume, x, y + 70.0, z, False
+            )
             # Cloud overhead and creases hide the sky.
             open_sky = np.exp(-1.1 * max(0.0, overhead)) * crease
             filled += through * absorbed * (0.25 + 1.3 * min(1.0, 0.2 + up * 2.0) * open_sky)
@@ -216,11 +293,11 @@ def march(
     return out
 
 
-def add_cumulus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
+def add_cumulus(scene: Scene, look: Look, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
     """Return the sky (h, w, 3) with the cumulus composited over it."""
-    marched = march(
-        d.reshape(-1, 3), *distance_field(), billows(), wisps(), scene.towards_sun(), 6.0
-    )
+    shapes = distance_field(look.spheres, look.high)
+    sun = scene.towards_sun(scene.sun_on_clouds_deg)
+    marched = march(d.reshape(-1, 3), look.body, *shapes, billows(), wisps(), sun, 6.0)
     lit, filled, through, far = np.moveaxis(marched.reshape(*d.shape[:2], 4), -1, 0)
     through = np.clip(through, 0.0, 1.0)[..., None]
     cover = np.maximum(
@@ -229,35 +306,17 @@ def add_cumulus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
     lit, filled = lit[..., None] / cover, filled[..., None] / cover
     cloud = lit * np.array(scene.sun) + filled * np.array(scene.shade)
     cloud += 0.7 * np.clip(1.0 - filled, 0.0, None) * np.array(scene.bounce)
-    cloud = 1.0 - np.exp(-(cloud**1.15))  # chosen: white where lit, grey in the shade
-    clear = np.exp(-np.clip(far, 0.0, FAR) / AIR_FADE)[..., None]
+    # Chosen: white where lit, grey in the shade.
+    cloud = look.bright * cloud**look.contrast
+    bright = np.maximum(cloud.max(axis=-1, keepdims=True), 1e-6)
+    by_channel, by_brightness = 1.0 - np.exp(-cloud), cloud * (1.0 - np.exp(-bright)) / bright
+    cloud = (1.0 - look.toned) * by_channel + look.toned * by_brightness
+    clear = np.exp(-np.clip(far, 0.0, FAR) / look.air_fade)[..., None]
     return sky + (1.0 - through) * clear * (cloud - sky)
 
 
-def add_cirrus(scene: Scene, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
-    """Return the sky (h, w, 3) with thin streaks of cirrus composited over it."""
-    up = np.maximum(d[..., 1], 0.02)
-    x, z = d[..., 0] / up * CIRRUS_HEIGHT, d[..., 2] / up * CIRRUS_HEIGHT
-    n = 1024
-    fine, wide = _cirrus_tiles()
-    turn = np.radians(28.0)
-    along = (x * np.cos(turn) + z * np.sin(turn)) / CIRRUS_PERIOD * n
-    across = (-x * np.sin(turn) + z * np.cos(turn)) / CIRRUS_PERIOD * n
-
-    def at(tile: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-        return ndimage.map_coordinates(tile, [u % n, v % n], order=1, mode="grid-wrap")
-
-    bend = 26.0 * at(wide, along * 0.7 + 300.0, across * 0.7)
-    streak = at(fine, along * 0.7 + bend, across * 1.7 + 1.4 * bend)
-    clusters = at(wide, along * 0.8, across * 0.8)
-    amount = smoothstep(-0.3, 3.4, streak + 0.9 * clusters) * smoothstep(-0.2, 1.6, clusters)
-    amount = 0.45 * amount * smoothstep(np.sin(0.07), np.sin(0.42), d[..., 1])
+def add_cirrus(scene: Scene, look: Look, d: np.ndarray, sky: np.ndarray) -> np.ndarray:
+    """Return the sky (h, w, 3) with cirrus composited over it."""
     sun = np.array(scene.sun)
-    colour = 1.0 - np.exp(-(0.30 * sun + 0.7 * np.array(scene.shade)))
-    return sky + amount[..., None] * (colour - sky)
-
-
-@functools.lru_cache(maxsize=1)
-def _cirrus_tiles() -> tuple[np.ndarray, np.ndarray]:
-    """Return tiling noise for the cirrus, fine and coarse, each (1024, 1024)."""
-    return spectral_noise(1024, 1.75, 51, low_cut=4.0), spectral_noise(1024, 2.4, 52, low_cut=1.0)
+    colour = 1.0 - np.exp(-(look.cirrus_sun * sun + 0.7 * np.array(scene.shade)))
+    return sky + look.cirrus(scene, d)[..., None] * (colour - sky)

@@ -1,103 +1,22 @@
-"""The shapes of the cumulus clouds: domes upon domes over a flat base.
+"""The cumulus clouds as a distance field, rasterized from the spheres that a cloud is made of.
 
-A cloud is a hierarchy of spheres (Bouthors and Neyret 2004): towers of large ones, smaller ones on
-their surfaces, and still smaller ones on those. The spheres of all clouds are rasterized into one
-distance field.
+A cloud is a hierarchy of spheres (Bouthors and Neyret 2004): towers of them in
+:mod:`landscape.studio.towers`, domes side by side in :mod:`landscape.studio.domes`.
 """
 
 import functools
+from collections.abc import Callable
 
 import numba
 import numpy as np
 from scipy import ndimage
 
-from landscape.studio.images import spectral_noise
-
 # Lengths are in metres.
 VOXEL = 48.0  # voxel size of the distance field
-ACROSS, HIGH = 1200, 34  # size of the field in voxels; the eye is below its centre
+ACROSS = 1200  # width of the field in voxels; the eye is below its centre
+HALF = 0.5 * ACROSS * VOXEL - 2e3  # clouds stand in a square of this half width
 BELOW = 3  # layers of voxels below the cloud base
 REACH = 150.0  # the field holds distances up to this far outside a cloud
-SEED = 849  # chosen by eye: clouds on every side, and none over the sun at noon or at sunset
-CLEARING = 3100.0  # chosen: radius without clouds; nearer ones would fill the view
-# Chosen: least width, greatest width and number of placement attempts of three sizes of cloud.
-SIZES = ((1700.0, 3200.0, 44), (700.0, 1600.0, 170), (280.0, 650.0, 480))
-
-
-def _cloud_spheres(rng: np.random.Generator, x: float, z: float, width: float) -> list[list[float]]:
-    """Return the spheres of one cloud: x, height of the centre above the base, z, radius."""
-    turn, stretch = rng.uniform(0.0, np.pi), rng.uniform(1.0, 1.9)
-    tall = min(0.65 * width, 21.0 * width**0.5, 1000.0) * rng.uniform(0.65, 1.1)
-    peak = rng.uniform(-0.7, 0.7)  # off centre, or every cloud would be a pyramid
-    spheres = []
-    for tower in range(int(7 + width / 100.0)):
-        # The first towers form a core that connects the others; some stand at its edge.
-        distance, angle = rng.random() ** 0.65, rng.uniform(0.0, 2.0 * np.pi)
-        distance = (
-            0.4 * distance if tower < 4 else 0.95 + 0.35 * distance if tower % 5 == 4 else distance
-        )
-        along, across = np.cos(angle) * distance * stretch, np.sin(angle) * distance / stretch
-        u = x + 0.5 * width * (along * np.cos(turn) - across * np.sin(turn))
-        v = z + 0.5 * width * (along * np.sin(turn) + across * np.cos(turn))
-        radius = min(width * rng.uniform(0.10, 0.20), 330.0) * (1.2 - 0.55 * distance)
-        radius = max(75.0, radius)
-        lower = min(1.0, np.hypot(along - peak, across)) ** 2
-        top = tall * (1.0 - 0.6 * lower) * rng.uniform(0.45, 1.0)
-        top = min(top, 4.5 * radius)  # or narrow towers would be spikes
-        up = 0.25 * radius
-        while True:
-            r = radius * rng.uniform(0.8, 1.15)
-            spheres.append([u, up, v, r])
-            up += 0.8 * r
-            if up + 0.6 * r > top:
-                break
-            u, v = u + rng.normal(0.12, 0.22) * r, v + rng.normal(0.0, 0.22) * r
-    parents = list(spheres)
-    for children in (6, 4):
-        born = []
-        for u, up, v, r in parents:
-            for _ in range(children):
-                d = rng.normal(size=3)
-                d /= np.linalg.norm(d)
-                small = r * rng.uniform(0.35, 0.6)
-                if small > 45.0 and d[1] > -0.25:
-                    reach = r * rng.uniform(0.72, 0.95)
-                    born.append([u + d[0] * reach, up + d[1] * reach, v + d[2] * reach, small])
-        spheres += born
-        parents = born
-    return spheres
-
-
-def _all_spheres() -> np.ndarray:
-    """Return the spheres of all clouds, (n, 4)."""
-    rng = np.random.default_rng(SEED)
-    coverage = spectral_noise(256, 1.6, SEED, low_cut=2.0)  # cloud streets and gaps
-    half = 0.5 * ACROSS * VOXEL - 2e3
-    spheres: list[list[float]] = []
-    taken: list[tuple[float, float, float]] = []
-    for low, high, count in SIZES:
-        for _ in range(count):
-            for _ in range(60):
-                x, z = rng.uniform(-half, half, 2)
-                width = low * (high / low) ** rng.random()
-                distance = float(np.hypot(x, z))
-                # Small clouds near the eye would look like crumbs.
-                if distance < (2.0 * CLEARING if width < 700.0 else CLEARING + 0.55 * width):
-                    continue
-                at = coverage[int((x / half + 1) * 127.9), int((z / half + 1) * 127.9)]
-                if at < rng.uniform(-0.3, 1.5):
-                    continue
-                # Wide clouds keep a distance from others; small ones may merge.
-                room = 0.42 if width > 700.0 else 0.0
-                if all(np.hypot(x - a, z - b) > room * (width + w) for a, b, w in taken):
-                    break
-            else:
-                continue
-            taken.append((x, z, width))
-            # A generator per cloud, so that a change to one cloud leaves the others as they are.
-            shape = np.random.default_rng([SEED, len(taken)])
-            spheres += _cloud_spheres(shape, x, z, width * (1.0 - 0.3 * distance / half))
-    return np.array(spheres)
 
 
 @numba.njit
@@ -110,7 +29,7 @@ def _rasterize(field: np.ndarray, spheres: np.ndarray) -> None:
         for i in range(max(0, i0), min(ACROSS, i1 + ACROSS // 2 + 2)):
             for k in range(max(0, k0), min(ACROSS, k1 + ACROSS // 2 + 2)):
                 a, c = (i - ACROSS // 2) * VOXEL - x, (k - ACROSS // 2) * VOXEL - z
-                for j in range(HIGH):
+                for j in range(field.shape[2]):
                     b = (j - BELOW) * VOXEL - y
                     deep = r - np.sqrt(a * a + b * b + c * c)
                     if deep > -REACH:
@@ -118,13 +37,15 @@ def _rasterize(field: np.ndarray, spheres: np.ndarray) -> None:
 
 
 @functools.lru_cache(maxsize=1)
-def distance_field() -> tuple[np.ndarray, np.ndarray]:
+def distance_field(spheres: Callable[[], np.ndarray], high: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the distance field of all clouds and the map of the free distance.
 
-    The field is the depth inside a cloud in decimetres, int16 (x, z, up), negative outside. The map
-    is the horizontal distance in metres to the nearest column with any cloud, float32 (x, z).
+    ``spheres`` returns those of all clouds (n, 4): x, height of the centre above the base, z,
+    radius. The field is the depth inside a cloud in decimetres, int16 (x, z, up), ``high`` voxels
+    high, negative outside. The map is the horizontal distance in metres to the nearest column with
+    any cloud, float32 (x, z).
     """
-    field = np.full((ACROSS, ACROSS, HIGH), int(-10 * REACH), np.int16)
-    _rasterize(field, _all_spheres())
+    field = np.full((ACROSS, ACROSS, high), int(-10 * REACH), np.int16)
+    _rasterize(field, spheres())
     clear = ndimage.distance_transform_edt(field.max(axis=2) <= int(-10 * REACH)) * VOXEL
     return field, clear.astype(np.float32)

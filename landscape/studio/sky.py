@@ -1,4 +1,4 @@
-"""The sky box: five faces of one sky, by day and at sunset.
+"""The sky box: five faces of one sky, by day and at sunset, in the looks of 2006 and of best.
 
 :mod:`landscape.studio.air` gives the clear sky. The clouds of :mod:`landscape.studio.clouds` and
 the far land of :mod:`landscape.studio.islands` are composited over it. Everything depends on the
@@ -13,8 +13,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from landscape.studio.air import DAY, SUNSET, Scene, clear_sky
-from landscape.studio.clouds import add_cirrus, add_cumulus
+from landscape.studio.air import DAY, DUSK, FAIR, SUNSET, Scene, clear_sky
+from landscape.studio.clouds import DOMES, TOWERS, Look, add_cirrus, add_cumulus
 from landscape.studio.images import smoothstep, to_linear, to_srgb, to_uint8
 from landscape.studio.islands import add_islands
 
@@ -41,36 +41,38 @@ def directions(face: str, width: int, height: int) -> np.ndarray:
     return np.round(d / np.linalg.norm(d, axis=-1, keepdims=True), 9)
 
 
-def compose(scene: Scene, d: np.ndarray) -> np.ndarray:
+def compose(scene: Scene, look: Look, d: np.ndarray) -> np.ndarray:
     """Return the linear colours (h, w, 3) of directions (h, w, 3), with all layers composited."""
     sky = clear_sky(scene, d)
     from_sun = np.degrees(np.arccos(np.clip(d @ scene.towards_sun(), -1.0, 1.0)))
-    glow = (
-        0.30 * np.exp(-from_sun / 5.0)
-        + 0.5 * np.exp(-from_sun / 1.4)
-        + 3.0 * smoothstep(0.9, 0.6, from_sun)
-    )
     tint = np.array(scene.sun) / max(scene.sun)
+    halo, core = 0.30 * np.exp(-from_sun / 5.0), 0.5 * np.exp(-from_sun / 1.4)
+    disc = smoothstep(0.9, 0.6, from_sun)
+    glow = halo + core + 3.0 * disc if look.veiled_sun else halo
     sky = 1.0 - (1.0 - sky) * np.exp(-glow[..., None] * tint)
-    sky = add_cirrus(scene, d, sky)
-    sky = add_cumulus(scene, d, sky)
+    sky = add_cirrus(scene, look, d, sky)
+    sky = add_cumulus(scene, look, d, sky)
     haze = to_linear(np.array(scene.horizon_srgb))
     elevation = np.degrees(np.arcsin(np.clip(d[..., 1:2], 0.0, 1.0)))
     sky = sky + np.exp(-elevation / scene.haze_deg) * (haze - sky)
+    if not look.veiled_sun:
+        # At the horizon itself the colour stays that of the fog.
+        glow = core[..., None] * tint + 4.0 * disc[..., None] * np.sqrt(tint)
+        sky = 1.0 - (1.0 - sky) * np.exp(-glow * smoothstep(0.3, 2.5, elevation))
     return add_islands(scene, d, sky, haze)
 
 
-def paint(scene: Scene, face: str) -> np.ndarray:
+def paint(scene: Scene, look: Look, face: str) -> np.ndarray:
     """Return one face of the box, uint8 (h, w, 3)."""
     width, height = scene.wall_width, scene.wall_width // 4
     if face == "top":
         width = height = scene.wall_width // 2
     d = directions(face, width, height)
-    sky = to_srgb(compose(scene, d))
+    sky = to_srgb(compose(scene, look, d))
     if face != "top":
         # The top face has half the texels along this edge. Take its colours, or cloud detail finer
         # than its texels would show as a seam.
-        coarse = to_srgb(compose(scene, directions(face, width // 2, 2)[:1])[0])
+        coarse = to_srgb(compose(scene, look, directions(face, width // 2, 2)[:1])[0])
         x, x_coarse = np.linspace(0, 1, width), np.linspace(0, 1, width // 2)
         sky[0] = np.stack([np.interp(x, x_coarse, channel) for channel in coarse.T], axis=-1)
     # Dither by less than one level to hide 8-bit banding, except at the horizon, which must have
@@ -81,7 +83,15 @@ def paint(scene: Scene, face: str) -> np.ndarray:
 
 
 FACES = ("north", "east", "south", "west", "top")
+# Prefix of the files, their suffix, the light and the clouds of each set.
+SETS = (
+    ("sky_", "png", DAY, TOWERS),
+    ("sky_sunset_", "png", SUNSET, TOWERS),
+    ("sky_fair_", "jpg", FAIR, DOMES),
+    ("sky_dusk_", "jpg", DUSK, DOMES),
+)
 ASSETS: dict[str, Callable[[], np.ndarray]] = {
-    **{f"sky_{face}.png": functools.partial(paint, DAY, face) for face in FACES},
-    **{f"sky_sunset_{face}.png": functools.partial(paint, SUNSET, face) for face in FACES},
+    f"{prefix}{face}.{suffix}": functools.partial(paint, scene, look, face)
+    for prefix, suffix, scene, look in SETS
+    for face in FACES
 }

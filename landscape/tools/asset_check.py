@@ -19,6 +19,7 @@ from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image
 from landscape.files.meshes import read_ply
+from landscape.files.smooth import read_smooth
 from landscape.flyover.environment import open_environment
 from landscape.geometry.mesh import vertex_normals
 from landscape.settings import TIMES, preset
@@ -30,6 +31,7 @@ from landscape.tools.asset_measures import (
     flipped_normals,
     frames,
     height_at,
+    largest_step,
     loop_steps,
     open_edges,
     seams,
@@ -56,6 +58,12 @@ SIZES = {
     "sky_top.png": (1024, 1024, "RGB"),
     **{f"sky_sunset_{face}.png": (1024, 256, "RGB") for face in SKY_FACES[:4]},
     "sky_sunset_top.png": (512, 512, "RGB"),
+    **{
+        f"sky_{name}_{face}.jpg": (2048, 512, "RGB")
+        for name in ("fair", "dusk")
+        for face in SKY_FACES[:4]
+    },
+    **{f"sky_{name}_top.jpg": (1024, 1024, "RGB") for name in ("fair", "dusk")},
     "clouds.png": (512, 512, "RGBA"),
     "water.png": (512, 512, "RGB"),
     "fire.png": (512, 512, "RGBA"),
@@ -100,6 +108,12 @@ TILES = (
     RIPPLES_FILE,
 )  # fmt: skip
 MID_GREY = ("ground_detail.png", "ground_sand.png", "ground_rock.png")
+# Pictures of the sky stored as JPEG. The eye sees a step along an edge, which is a difference of
+# one sign over many texels. It does not see the noise of coding, whose sign changes from block to
+# block.
+RUN = 64  # texels, chosen: eight blocks, some three degrees of the sky
+CODED_STEP = 3.0  # levels, chosen: the largest mean difference over such a run
+CODED_MOST = 24.0  # levels, chosen: of a single texel, at the edge of a cloud
 SHEETS = {"fire.png": 4}  # sprite sheets: frames per side
 # Of the software fly-over: maps of 512 x 512 with a path that is 700 to 1500 pixels long.
 ENVIRONMENTS = ("flyover_alps.svg", "flyover_canyon.svg")
@@ -185,19 +199,31 @@ def check_tiles(assets: Assets) -> Iterator[Finding]:
 
 def check_sky(assets: Assets) -> Iterator[Finding]:
     """Check that sky faces match along their edges and have the fog colour at the horizon."""
-    for prefix, horizon in (
-        ("sky_", preset("best").fog.color),
-        ("sky_sunset_", TIMES["sunset"]["fog.color"]),
+    day, sunset = preset("best").fog.color, TIMES["sunset"]["fog.color"]
+    for prefix, suffix, horizon in (
+        ("sky_", "png", day),
+        ("sky_sunset_", "png", sunset),
+        ("sky_fair_", "jpg", day),
+        ("sky_dusk_", "jpg", sunset),
     ):
-        faces = {f: read_image(assets.path(f"{prefix}{f}.png"), "RGB") for f in SKY_FACES}
-        edges = sky_edges(faces)
+        coded = suffix == "jpg"
+        faces = {f: read_smooth(assets.path(f"{prefix}{f}.{suffix}")) for f in SKY_FACES}
+        run, limit, over = (RUN, CODED_STEP, f" over {RUN} texels") if coded else (1, 2.0, "")
+        edges = sky_edges(faces, run)
         text = "edges " + ", ".join(f"{name} {value:.1f}" for name, value in edges.items())
-        ok = max(edges.values()) <= 2.0
-        yield Finding(f"{prefix}*.png", "edges", ok, f"{text} (limit 2)", edges)
-        last_rows = np.concatenate([faces[face][-1] for face in SKY_FACES[:4]])
-        off = float(np.abs(last_rows - 255.0 * np.array(horizon)).max())
-        text = f"differs from the fog colour by {off:.1f} levels (limit 2)"
-        yield Finding(f"{prefix}*.png", "horizon", off <= 2.0, text, {"off": off})
+        text += f" (limit {limit:g}{over})"
+        ok = max(edges.values()) <= limit
+        if coded:
+            most = max(sky_edges(faces).values())
+            text += f", single texels {most:.0f} (limit {CODED_MOST:.0f})"
+            ok = ok and most <= CODED_MOST
+        yield Finding(f"{prefix}*.{suffix}", "edges", ok, text, edges)
+        last_rows = np.stack(
+            [faces[face][-1] - 255.0 * np.array(horizon) for face in SKY_FACES[:4]]
+        )
+        off = max(largest_step(row, run) for row in last_rows)
+        text = f"differs from the fog colour by {off:.1f} levels (limit {limit:g}{over})"
+        yield Finding(f"{prefix}*.{suffix}", "horizon", off <= limit, text, {"off": off})
 
 
 def surround(rgba: np.ndarray) -> float:

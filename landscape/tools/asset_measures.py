@@ -59,18 +59,24 @@ def resampled_row(line: np.ndarray, count: int) -> np.ndarray:
     return np.stack([np.interp(at, places, channel) for channel in line.T.astype(float)], axis=-1)
 
 
-def sky_edges(faces: dict[str, np.ndarray]) -> dict[str, float]:
-    """Return the maximum difference, in levels, along each of the eight shared edges."""
+def largest_step(difference: np.ndarray, run: int = 1) -> float:
+    """Return the greatest absolute mean of a difference (n, 3) over ``run`` texels in a row."""
+    total = np.cumsum(np.pad(difference.astype(float), ((1, 0), (0, 0))), axis=0)
+    return float(np.abs(total[run:] - total[:-run]).max() / run)
+
+
+def sky_edges(faces: dict[str, np.ndarray], run: int = 1) -> dict[str, float]:
+    """Return the largest step, in levels, along each of the eight shared edges."""
     walls = SKY_FACES[:4]
     found = {}
     for one, other in zip(walls, (*walls[1:], walls[0]), strict=True):
         right, remaining = faces[one][:, -1].astype(int), faces[other][:, 0].astype(int)
-        found[f"{one}-{other}"] = float(np.abs(right - remaining).max())
+        found[f"{one}-{other}"] = largest_step(right - remaining, run)
     top = faces["top"]
     edges = {"north": top[0], "east": top[:, -1], "south": top[-1, ::-1], "west": top[::-1, 0]}
     for wall, edge in edges.items():
         row = faces[wall][0].astype(float)
-        found[f"{wall}-top"] = float(np.abs(resampled_row(edge, len(row)) - row).max())
+        found[f"{wall}-top"] = largest_step(resampled_row(edge, len(row)) - row, run)
     return found
 
 

@@ -13,9 +13,10 @@ import itertools
 
 import numpy as np
 
+from landscape.elements.sky_box import FACES, set_files
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
-from landscape.files.images import read_image
+from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
 from landscape.gl import cube_map
 from landscape.gl.calls import gl
@@ -25,7 +26,6 @@ from landscape.gl.extensions import possible
 from landscape.gl.state import attrib, matrix
 from landscape.voxel.settings import Settings
 
-PICTURES = ("west", "north", "east", "south", "top")
 HEIGHT = (
     0.5  # of the pictures' box, in halves of its width: the walls are four times as wide as high
 )
@@ -106,13 +106,12 @@ class Sky:
 
     def _faces(self, settings: Settings) -> np.ndarray:
         """Return the images of the cube map, uint8 (6, n, n, 3), made once."""
-        prefix = {"day": "sky_"}.get(settings.sky.set, f"sky_{settings.sky.set}_")
-        paths = {name: self._assets.path(f"{prefix}{name}.png") for name in PICTURES}
+        paths = dict(zip(FACES, set_files(settings.sky.set, True, self._assets), strict=True))
         haze = 255.0 * np.array(settings.fog.color)
         sea = 255.0 * np.array(settings.water.horizon)
 
         def make() -> tuple[np.ndarray]:
-            pictures = {name: read_image(path, "RGB") for name, path in paths.items()}
+            pictures = {name: read_smooth(path) for name, path in paths.items()}
             faces = np.empty((6, SIDE, SIDE, 3), np.uint8)
             for face, start in itertools.product(range(6), range(0, SIDE, ROWS)):
                 rows = slice(start, start + ROWS)

@@ -70,7 +70,7 @@ def sea_colour(settings: Settings) -> np.ndarray:
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the faces depend on."""
     box = settings.sky.height / settings.sky.half_width
-    return settings.sky.set, box, tuple(sea_colour(settings).tolist())
+    return settings.sky.set, settings.sky.refined, box, tuple(sea_colour(settings).tolist())
 
 
 def surroundings(settings: Settings, assets: Assets) -> np.ndarray:
