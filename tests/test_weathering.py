@@ -31,6 +31,16 @@ def test_ledges_follow_lines_of_equal_height() -> None:
     assert across > 2.0 * along and tone.min() < 130 and tone.std() > 8
 
 
+def test_sand_on_steep_ground_turns_to_rock_without_streaks() -> None:
+    sandy = np.full((SIDE, SIDE, 3), (210, 194, 157), np.uint8)
+    sandy[:, ::2] -= 40  # what is a texel wide seen from above is a streak on a cliff
+    flat, steep = (weathered(sandy, BARE, slope(rise, 1.0), GREY)[0] for rise in (0.0, 0.9))
+    fade = [float((each[..., 0] / each[..., 2]).mean()) for each in (flat, steep)]
+    assert fade[0] > 1.25 and fade[1] < 1.2 and steep.mean() < 0.9 * flat.mean()
+    streaks = [np.abs(np.diff(each[..., 0].astype(float))).mean() for each in (flat, steep)]
+    assert streaks[0] > 35 and streaks[1] < 20
+
+
 def test_the_pattern_of_rock_stands_upright_on_both_axes() -> None:
     rows = np.tile((np.arange(64) // 8 % 2 * 255).astype(np.uint8)[:, None, None], (1, 64, 3))
     at, zero, one = np.linspace(0.0, 3.0, 50), np.zeros(50), np.ones(50)

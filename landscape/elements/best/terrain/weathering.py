@@ -15,11 +15,14 @@ from landscape.geometry.height_field import HeightField
 COARSE = 256  # side of the reduced rock pattern
 PERIOD = 3.1  # units per repeat of it
 STEEP = (0.28, 0.55)  # slopes between which ground turns to rock
-PATTERN = 1.3  # strength of the pattern
+PATTERN = 0.8  # strength of the pattern
 LAYERS = 7.5  # ledges per unit of height
 UNDERCUT, RIM = 0.42, 0.22  # how dark the foot of a ledge is, and how light its edge
 DARKEST, LIGHTEST = 0.5, 1.18
 TIDES = ((0.060, 0.010, 1.0), (0.024, 0.005, 0.6))  # units above the water, half width, strength
+GREY = np.array((0.355, 0.337, 0.308), np.float32)  # hue of rock
+SOFTER = 10  # texels over which the colours of steep ground are blurred
+PALEST = 0.46  # lighter rock, in 0..1, is halfway to this
 WEED = (0.46, 0.40, 0.32)  # factor on sand under dry weed
 RAGGED = 1.6  # how far noise moves the edges of turf
 
@@ -77,6 +80,19 @@ def weathered(
     ledge = RIM * ramp(0.7, 0.95, layer) - UNDERCUT * ramp(0.30, 0.05, layer)
     ledge *= ramp(-0.6, 0.6, noise(4, side // 22, side)[at])
     factor[at] = np.clip(1.0 + stony[at] * (shade + ledge), DARKEST, LIGHTEST)[:, None]
+
+    # No sand lies on steep ground: it is rock, whatever its colour was. Its fine shades were
+    # painted from above and would be streaks on it; they are blurred below the pattern.
+    steep = (stony[at] * ramp(0.35, 0.6, slope[at]))[:, None]
+    own = colours[at].astype(np.float32)
+    small = max(side // SOFTER, 1)
+    reduced = Image.fromarray(colours).resize((small, small), Image.Resampling.BOX)
+    soft = np.asarray(reduced.resize((side, side), Image.Resampling.BICUBIC))
+    own += steep * (soft[at] - own)
+    light = own @ np.full(3, 1 / 3, np.float32)
+    rocky = np.minimum(light, 0.5 * light + 0.5 * 255 * PALEST)[:, None] * 3.0 * GREY
+    colours = colours.copy()
+    colours[at] = own + steep * (rocky - own) + 0.5
 
     flat = bare * ramp(0.3, 0.15, slope)
     for height, half, strength in TIDES:
