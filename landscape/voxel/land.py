@@ -16,6 +16,7 @@ import numpy as np
 
 from landscape.files.assets import Assets
 from landscape.gl.calls import gl
+from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
@@ -84,6 +85,16 @@ class Land:
         levels = [level for level in levels if len(level) <= largest]
         self._tiles = Texture(levels if mipmaps else levels[:1], mipmaps=mipmaps, crisp=crisp)
         self._plants = Texture(plants(assets), repeat=False, mipmaps=mipmaps, crisp=crisp)
+
+        # A list, since each pass of a frame needs all of it.
+        self._state = DisplayList(self._set_state)
+
+    def _set_state(self) -> None:
+        """Scale blocks to units, and draw faces of one side with the tiles."""
+        gl.glScalef(self.scale, self.scale, self.scale)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glEnable(gl.GL_CULL_FACE)
+        self._tiles.bind()
 
     @property
     def meshes(self) -> list[RegionMesh]:
@@ -180,8 +191,8 @@ class Land:
 
         ``share`` k, n: only every n-th of the land's regions, from k on.
         """
-        regions = np.flatnonzero(visible_in_world(self.low, self.high, clip))
-        regions = regions[regions % share[1] == share[0]]
+        regions = np.arange(share[0], len(self.low), share[1])
+        regions = regions[visible_in_world(self.low[regions], self.high[regions], clip)]
         away = 1e6 * towards
         ways = facing(self.low[regions], self.high[regions], away)
         return Choice(regions, regions + FAR * len(self.low), ways)
@@ -190,10 +201,7 @@ class Land:
         """Draw the regions of a choice, textured, in the current state of fog and shadows."""
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups), matrix(), self.buffer.bound(fog_by_height):
-            gl.glScalef(self.scale, self.scale, self.scale)
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glEnable(gl.GL_CULL_FACE)
-            self._tiles.bind()
+            self._state.call()
             nearby = bool((choice.shares < len(self.low)).any())
             holed = self.settings.voxel.holes and nearby and choice.part != UNDER
             if holed:
@@ -316,7 +324,8 @@ class Land:
         )
 
     def release(self) -> None:
-        """Delete the buffer and the textures; may be called twice."""
+        """Delete the buffer, the list and the textures; may be called twice."""
+        self._state.release()
         self.buffer.release()
         self._tiles.release()
         self._plants.release()

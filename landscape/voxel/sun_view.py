@@ -1,6 +1,8 @@
 """The sun's camera: matrices of a square around the eye, and of a part of it. No OpenGL."""
 
+import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
@@ -11,10 +13,15 @@ AROUND = 2  # texels, chosen: drawn around what has changed
 
 def light_axes(towards: np.ndarray) -> np.ndarray:
     """Return the rotation (3, 3) to the sun's eye space: rows right, up and towards the sun."""
-    right = np.cross((0.0, 1.0, 0.0), towards)
-    if np.linalg.norm(right) < 1e-6:
-        right = np.array([1.0, 0.0, 0.0])
-    right /= np.linalg.norm(right)
+    return _axes(*towards.tolist())
+
+
+@lru_cache(maxsize=8)
+def _axes(x: float, y: float, z: float) -> np.ndarray:
+    """Return the same, computed once for each sun; not to be changed."""
+    level = math.hypot(x, z)
+    right = np.array([z, 0.0, -x]) / level if level > 1e-6 else np.array([1.0, 0.0, 0.0])
+    towards = np.array([x, y, z])
     return np.stack([right, np.cross(towards, right), towards])
 
 

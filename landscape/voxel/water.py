@@ -25,6 +25,7 @@ from landscape.frame import Frame
 from landscape.gl import cube_map, surface_query
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap
+from landscape.gl.display_list import DisplayList
 from landscape.gl.extensions import COMBINE, CROSSBAR, Need, has, possible
 from landscape.gl.state import attrib, client_arrays, combine
 from landscape.gl.surface_query import SurfaceQuery
@@ -62,6 +63,10 @@ class Water:
         self.query: SurfaceQuery | None = None
         self._fresnel: CubeMap | None = None
         self._normals: Texture | None = None
+        self._state: DisplayList | None = (
+            None  # the textures and equations, and what they depend on
+        )
+        self._made_of: tuple[float, ...] = ()
         if not possible("water.reflection, water.refraction", PICTURES, 2):
             return
         self.images = WaterImages(settings.water)
@@ -107,7 +112,7 @@ class Water:
             ways.append(flat - frame.eye)
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT | gl.GL_FOG_BIT
         with attrib(groups), self._projected(clip), arrays(flat, half, ways):
-            self._combine()
+            self._combined()
             gl.glFogfv(gl.GL_FOG_COLOR, np.array([*values.horizon, 1.0], np.float32))
             gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
         gl.glActiveTexture(gl.GL_TEXTURE0)
@@ -147,6 +152,21 @@ class Water:
                 gl.glActiveTexture(self._unit(k))
                 gl.glPopMatrix()
             gl.glMatrixMode(gl.GL_MODELVIEW)
+
+    def _combined(self) -> None:
+        """Bind the textures and set the units' equations, which are compiled once."""
+        images, values = self.images, self.settings.water
+        assert images and images.reflection and images.refraction
+        made_of = images.reflection.name, images.refraction.name, values.fresnel, values.sparkle
+        if self._state is None or self._made_of != made_of:
+            self._forget_state()
+            self._state, self._made_of = DisplayList(self._combine), made_of
+        self._state.call()
+
+    def _forget_state(self) -> None:
+        if self._state is not None:
+            self._state.release()
+            self._state = None
 
     def _combine(self) -> None:
         """Bind the textures and set the units' equations."""
@@ -206,6 +226,7 @@ class Water:
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
+        self._forget_state()
         for owned in (self.images, self.query, self._normals, self._fresnel):
             if owned is not None:
                 owned.release()
