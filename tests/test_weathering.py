@@ -19,9 +19,18 @@ def slope(rise: float, low: float = 0.0) -> HeightField:
 
 def test_level_turf_and_the_floor_of_the_sea_stay_as_they_are() -> None:
     turf = np.full((SIDE, SIDE, 1), 255, np.uint8)
-    for field, alpha in ((slope(0.0, 1.0), turf), (slope(0.0, 0.2), BARE)):
+    for field, alpha in ((slope(0.0, 1.0), turf), (slope(0.0, 0.0), BARE)):
         colours, left = weathered(SAND, alpha, field, GREY)
         assert (np.abs(colours.astype(int) - SAND) <= 1).all() and (left == alpha).all()
+
+
+def test_the_bed_of_shallow_water_is_pale_sand_that_gets_darker_and_bluer_with_its_depth() -> None:
+    grey = np.full((SIDE, SIDE, 3), 90, np.uint8)
+    bed = weathered(grey, BARE, slope(0.05, 0.2), GREY)[0].astype(float).mean(axis=0)
+    above = 0.2 + 0.05 * (np.arange(SIDE) + 0.5) / SIDE * 8.0 - 0.6
+    shallow, deep = (bed[np.abs(above - at) < 0.02].mean(axis=0) for at in (-0.06, -0.37))
+    assert shallow.min() > 150 and shallow[0] > shallow[2], "sand"
+    assert deep[0] < 100 and deep[2] > deep[0], "the colour of the floor below"
 
 
 def test_ledges_follow_lines_of_equal_height() -> None:

@@ -24,6 +24,13 @@ GREY = np.array((0.355, 0.337, 0.308), np.float32)  # hue of rock
 SOFTER = 10  # texels over which the colours of steep ground are blurred
 PALEST = 0.46  # lighter rock, in 0..1, is halfway to this
 WEED = (0.46, 0.40, 0.32)  # factor on sand under dry weed
+# Sand on the bed of shallow water: its colour, which wet.py will darken, and the units above the
+# water between which the painted bed turns to sand, and sand to the colour of the sea floor that
+# shallows.py draws below. Where it is steep, rock stays.
+BED, FLOOR = (235.0, 218.0, 178.0), (66.0, 146.0, 160.0)
+BEDDED = (0.004, -0.012)
+DEEP_BED = (-0.08, -0.34)
+LOWEST = -0.5
 RAGGED = 1.6  # how far noise moves the edges of turf
 
 
@@ -103,11 +110,30 @@ def weathered(
     dune = flat * ramp(0.03, 0.1, above)
     factor *= (1.0 + 0.03 * dune * (broad + 1.2 * fine))[..., None]
 
+    colours = on_sand(colours, above, slope, broad + fine)
     edge = turf[..., 0] / np.float32(255.0)
     edge = edge + RAGGED * fine * edge * (1.0 - edge)
     ragged = np.clip((edge - 0.5) * 1.5 + 0.5, 0.0, 1.0)
     found = np.clip(colours * factor + 0.5, 0, 255).astype(np.uint8)
     return found, (255.0 * ragged + 0.5).astype(np.uint8)[..., None]
+
+
+def on_sand(
+    colours: np.ndarray, above: np.ndarray, slope: np.ndarray, shade: np.ndarray
+) -> np.ndarray:
+    """Return colours, (n, n, 3), with sand on the bed of shallow water, paler than the deep bed.
+
+    ``above`` (n, n) is the height above the water in units, ``shade`` noise of deviation about 1.
+    """
+    bed = (above < BEDDED[0]) & (above > LOWEST)
+    height = above[bed]
+    deep = ramp(*DEEP_BED, height)[:, None]
+    share = np.maximum(ramp(0.6, 0.3, slope[bed]), deep[:, 0]) * ramp(*BEDDED, height)
+    sand = np.array(BED, np.float32) * (1.0 + 0.05 * shade[bed][:, None])
+    sand += deep * (np.array(FLOOR, np.float32) - sand)
+    found = colours.astype(np.float32)
+    found[bed] += share[:, None] * (sand - found[bed])
+    return found
 
 
 def upright(
