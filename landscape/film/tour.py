@@ -22,7 +22,7 @@ from landscape.scene import check_options, scene
 
 FADE, OPENING, ENDING = 1.2, 1.5, 2.0  # seconds, chosen: between shots, from black, to black
 LINES, FILLED = 5.5, 5.0  # seconds, chosen: of the fly-over as lines, and with its ground
-SET_OUT = 6.0  # seconds, chosen: where in its flight it is joined
+SET_OUT = 21.0  # seconds, chosen: where in its flight it is joined
 
 TEXTS: Texts = {
     "title": "landscape",

@@ -83,17 +83,21 @@ class Flight:
         ahead = (start + AHEAD) % last if self._endless else np.minimum(start + AHEAD, last)
         away = self._path.at(ahead) - self._path.at(start)
         theta_z = np.arctan2(away[:, 1], away[:, 0])
-        below = np.interp(start, at, z) - np.interp(ahead, at, z)
+        # Up and down it looks farther ahead: else it would nod at each bump.
+        far = (start + 3 * AHEAD) % last if self._endless else np.minimum(start + 3 * AHEAD, last)
+        apart = (far - start) % last if self._endless else far - start
+        below = np.interp(start, at, z) - np.interp(far, at, z)
         if len(targets):
             found = nearest(places, targets, away if settings.ahead else None)
             some = np.isfinite(found[:, 0])
             away[some] = (found - places)[some]
+            apart[some] = np.hypot(*away[some].T)
             below[some] = z[some] - self._ground(*found[some].T)
             aside = np.arctan2(away[:, 1], away[:, 0]) - theta_z
             if settings.ahead:
                 aside = np.clip((aside + math.pi) % math.tau - math.pi, -ASIDE, ASIDE)
             theta_z = theta_z + aside
-        theta_y = np.clip(np.arctan2(below, np.hypot(*away.T)), -STEEPEST, STEEPEST)
+        theta_y = np.clip(np.arctan2(below, apart), -STEEPEST, STEEPEST)
         rate = math.radians(settings.turn)
         angles = []
         for wanted in (theta_y, theta_z):

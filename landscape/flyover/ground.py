@@ -30,7 +30,7 @@ WARM_ROCK, RED_ROCK, PALE_ROCK = (
 SNOW_LINE, ALPINE_SNOW_LINE = 0.62, 0.33  # of the land's height; the latter of mountain ranges
 SHALLOW, DEEP, FOAM = colour(0.16, 0.50, 0.50), colour(0.01, 0.11, 0.20), colour(0.90, 0.94, 0.95)
 SUN, SKY, BOUNCE = colour(1.30, 1.14, 0.90), colour(0.34, 0.45, 0.64), colour(0.10, 0.085, 0.06)
-GREEN, DARK_GREEN = colour(0.17, 0.33, 0.26), colour(0.02, 0.13, 0.125)  # of a plateau's river
+GREEN, DARK_GREEN = colour(0.13, 0.23, 0.18), colour(0.01, 0.08, 0.075)  # of a plateau's river
 WET = 128  # in the highest byte of a texel: there is water
 CLEAR = 5.0  # depth at which a third of the bottom is still seen, % of the heights' range, chosen
 

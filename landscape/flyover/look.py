@@ -60,7 +60,7 @@ def _made(field: HeightField, settings: Settings) -> Look:
     texels = 1 << (ours.texels.bit_length() - 1)
     image = None if ours.image == "none" else read_image(Path(ours.image), "RGB")
     parts = (
-        "ground, stone and snow",
+        "ground, stone, snow and rivers",
         f"{texels} {sea} {field.unit} {towards.tolist()} {ours.shadows} {ours.occlusion}",
         b"" if image is None else f"{image.shape}".encode() + image.tobytes(),
         f"{heights.shape}",
