@@ -7,7 +7,7 @@ import pytest
 from castles import FLAT, GATE, PLACED, at, drawn
 from stage import Stage, pixel, project, small
 
-from landscape.elements.best.ornate import weathering
+from landscape.elements.best.ornate import ornate_castle, weathering
 from landscape.elements.best.ornate.blocks import Blocks, add_frames, add_quoins, add_steps
 from landscape.elements.best.ornate.doorway import LONG, WIDE, hall, light
 from landscape.elements.best.ornate.footing import ground_marks, outside_of_walls, ring, rubble
@@ -218,6 +218,13 @@ def test_the_hall_is_brightest_at_its_lamps_and_windows_and_within_its_walls() -
     assert lamp > 1.5 * corner and end > 1.5 * corner
 
 
+@pytest.fixture
+def hall_from_afar(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Show the hall in pictures as small as those of the tests, too."""
+    monkeypatch.setattr(ornate_castle, "HALL_PIXELS", 0.0)
+
+
+@pytest.mark.usefixtures("hall_from_afar")
 def test_through_the_door_one_sees_deeper_parts_move_less(stage: Stage, plain: Assets) -> None:
     keys = {"castle__ornate": True, "castle__open": True, "castle__depth": True}
     pictures = [
@@ -236,6 +243,7 @@ def test_through_the_door_one_sees_deeper_parts_move_less(stage: Stage, plain: A
     assert abs(column[1] - column[0]) > 0.1, "the windows at the end are seen elsewhere"
 
 
+@pytest.mark.usefixtures("hall_from_afar")
 def test_depth_and_stencil_are_as_if_the_door_were_a_wall(stage: Stage, plain: Assets) -> None:
     found = []
     for deep in (False, True):

@@ -16,7 +16,7 @@ from landscape.elements.best.ornate.baked_light import light_map
 from landscape.elements.best.ornate.doorway import Doorway
 from landscape.elements.best.ornate.gate import TIMES, CastleInOnePass, Unit
 from landscape.elements.best.ornate.loopholes import loopholes
-from landscape.elements.best.ornate.open_door import send_open_door, send_opening
+from landscape.elements.best.ornate.open_door import HALF, send_open_door, send_opening
 from landscape.elements.best.ornate.ornate_masonry import KEEP, ornate_masonry
 from landscape.elements.best.ornate.pennants import draw_pennants
 from landscape.elements.best.ornate.roofs import MASTS, ornate_outlines, roofs
@@ -34,7 +34,7 @@ from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.extensions import has_stencil
-from landscape.gl.state import attrib, combine, matrix
+from landscape.gl.state import attrib, combine, front_faces, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
@@ -43,6 +43,7 @@ SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  
 BY_DAY = 0.5  # chosen: fraction of the flickering glow that is visible; torches add to it
 SHADE = (0.42, 0.42, 0.45)  # chosen: of the door within; the yard is in the shadow of its walls
 WARM = np.array([1.1, 0.62, 0.3])  # chosen: the light of larger flames is less yellow
+HALL_PIXELS = 5.2  # chosen: half width of the door from which the hall behind it is seen
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
 
 
@@ -142,7 +143,9 @@ class OrnateCastle(CastleInOnePass):
         return np.asarray(self._field.height(x, z) - self.base[1])
 
     def _draw_open_door(self, frame: Frame) -> None:
-        if self._hall and not frame.mirrored:
+        away, (_, inwards) = math.dist(frame.eye, self.base), self._inside(frame.eye)
+        seen = not frame.mirrored and inwards < 0 and frame.pixels * HALF > HALL_PIXELS * away
+        if self._hall and seen:
             self._hall.draw(frame)
         else:
             self._opening.call()
@@ -185,8 +188,11 @@ class OrnateCastle(CastleInOnePass):
         """Draw what is opaque: drawn before ground and sky, it hides much of them."""
         if not self._settings.camera.cull or self.visible(frame):
             with self._placed():
-                self._masonry.call()
-                self._draw_gate(frame.kt)
+                # The gate wall first: who stands before it sees little else of the castle.
+                with attrib(gl.GL_ENABLE_BIT):
+                    self._draw_gate(frame.kt)
+                with front_faces(self._settings.camera.cull and not frame.mirrored):
+                    self._masonry.call()
 
     def draw_rest(self, frame: Frame) -> None:
         """Draw the open door, what is blended, and what lies on the ground."""

@@ -119,7 +119,9 @@ class Where:
         large ones, texels as large as they are tell whether there is foam.
         """
         apart = np.maximum(np.abs(self._corner + self._size / 2 - grid.eye) - self._size / 2, 0.0)
-        if np.hypot(*apart) > FARTHEST:
+        low, high = self._corner, self._corner + self._size
+        out = (grid.x.max(), grid.z.max()) < low, (grid.x.min(), grid.z.min()) > high
+        if np.hypot(*apart) > FARTHEST or np.any(out):
             return grid.triangles[:0]
         near = np.zeros(grid.x.shape, bool)
         seen = np.flatnonzero(grid.ring < FARTHEST)
