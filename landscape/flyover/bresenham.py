@@ -22,9 +22,9 @@ import numpy as np
 FURTHEST = 1 << 30  # the products of two coordinates must fit into 64 bits
 # Up to such coordinates float64 is exact enough: 1 / (4 * 2^20) is far above its rounding errors.
 NEARBY = 1 << 20
-# Pixels computed at once, chosen: arrays of 64 kB stay in the processor's cache, and the system
+# Pixels computed at once, chosen: arrays of 128 kB stay in the processor's cache, and the system
 # need not find new memory for them, which takes longer than the arithmetic.
-CHUNK = 1 << 13
+CHUNK = 1 << 14
 
 
 def line(x0: int, y0: int, x1: int, y1: int) -> list[tuple[int, int]]:

@@ -33,7 +33,7 @@ from landscape.flyover.height_field import HeightField
 from landscape.flyover.look import look
 from landscape.flyover.settings import MOST_PROCESSES, Settings, check
 
-DAMPING = 0.5  # how far cuts go towards where they should have been, chosen
+DAMPING = 0.7  # how far cuts go towards where they should have been, chosen
 READY_WITHIN = 60.0  # seconds, chosen
 ENDED = "landscape: flyover: a process that draws has ended (%s); from now on one draws alone"
 

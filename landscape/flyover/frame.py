@@ -26,7 +26,7 @@ from landscape.flyover.levels import levels
 from landscape.flyover.quad_tree import Tiles, View
 from landscape.flyover.settings import Settings, check
 
-BATCH = 1 << 13  # vertices computed at once, chosen: as for bresenham.CHUNK
+BATCH = 1 << 14  # vertices computed at once, chosen
 CUT = shade.BESIDE  # pixels that share something are not divided
 COUNTS = ("boxes", "tiles", "vertices", "considered", "on screen", "lines", "pixels")
 

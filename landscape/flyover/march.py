@@ -8,6 +8,7 @@ screen says which step fills each pixel. No loop runs over steps, columns or pix
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -32,6 +33,7 @@ class Steps:
     blend: np.ndarray
 
 
+@lru_cache(maxsize=4)
 def steps(
     near: float, far: float, growth: float, longest: float, levels: int, unit: float
 ) -> Steps:

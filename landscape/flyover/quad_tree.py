@@ -68,13 +68,17 @@ class View:
 
     @cached_property
     def walls(self) -> tuple[np.ndarray, np.ndarray]:
-        """All planes in the terrain's directions: normals (n, 3), and distances (n, 1)."""
+        """All planes in the terrain's directions: normals and their absolute values, (n, 6).
+
+        Together they say how far a box reaches along them. The second result are distances, (n, 1).
+        """
         along_x, along_y, along_z = np.eye(3)
         axes = np.stack(camera_transform(along_x, along_y, along_z, self.camera))
         walls = np.concatenate(
             [planes(self.volume, self.size), np.pad(self.beside, ((0, 0), (0, 1)))]
         )
-        return walls[:, :3] @ axes, walls[:, 3:]
+        normals = walls[:, :3] @ axes
+        return np.concatenate([normals, np.abs(normals)], axis=1), walls[:, 3:]
 
     def origin(self, tiles: Tiles) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return x and y of tiles' corners relative to the camera, and their sides' length."""
@@ -135,8 +139,12 @@ def in_view(tiles: Tiles, view: View) -> np.ndarray:
     """
     x, y, side = view.origin(tiles)
     low, high = view.bounds.at(tiles.level, tiles.row, tiles.column).T
-    middle = np.stack([x + side / 2, y + side / 2, (low + high) / 2.0 - view.camera.z])
-    half = np.stack([side / 2, side / 2, (high - low) / 2.0])
+    boxes = np.empty((6, len(tiles)))  # boxes' middles, then half of their sides
+    boxes[3:5] = side / 2
+    np.add(x, boxes[3], out=boxes[0])
+    np.add(y, boxes[3], out=boxes[1])
+    np.subtract((low + high) / 2.0, view.camera.z, out=boxes[2])
+    np.divide(high - low, 2.0, out=boxes[5])
     normals, distances = view.walls
-    farthest = normals @ middle + np.abs(normals) @ half + distances
+    farthest = normals @ boxes + distances
     return np.asarray((farthest >= -ROUNDING * (1 + view.levels.reach)).all(axis=0))

@@ -3,7 +3,8 @@
 The same frames of the same path are drawn in turns, one of each row per round, so that a slow
 moment of the machine affects all of them: by one process, and by as many as draw together. The
 first frame of each row is drawn before, without being timed: what is computed for the whole terrain
-is kept from then on, as it is in a flight, and the picture is divided where it should be.
+is kept from then on, as it is in a flight. Where several processes divide a picture follows from
+the one before it, which in a flight is nearly the same; so they draw each once without being timed.
 """
 
 import time
@@ -19,7 +20,6 @@ from landscape.flyover.settings import Settings
 from landscape.keys import with_settings
 
 FRAMES = 12  # chosen: evenly along the path
-BEFORE = 3  # frames that are not timed, chosen
 # Switch and what it needs, in the order in which a student would write them.
 TECHNIQUES = {
     "strips": ("flyover.strips",),
@@ -79,7 +79,7 @@ def measure(
         for number in range(count):
             camera = flight.camera(flight.duration * number / count)
             for name, values in rows.items():
-                for _ in range(0 if number else BEFORE if processes > 1 else 1):
+                if processes > 1 or not number:
                     crew.draw(camera, values, size)
                 ms, found = timed(single, camera, values, size)
                 alone[name].append(ms)
