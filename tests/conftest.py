@@ -22,7 +22,7 @@ else:
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -63,18 +63,22 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out most cases of a sweep: `sweep(n)` keeps the first of every n, unless --all."""
+    """Leave out most cases of a sweep, unless --all.
+
+    `sweep(n, first=0)` keeps every nth case from the one numbered ``first``, at least one of them.
+    """
     if config.getoption("--all"):
         return
-    seen: Counter[str] = Counter()
-    left_out = set()
+    families: defaultdict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
-        sweep = item.get_closest_marker("sweep")
-        if sweep:
-            name = item.nodeid.partition("[")[0]
-            if seen[name] % sweep.args[0]:
-                left_out.add(item)
-            seen[name] += 1
+        if item.get_closest_marker("sweep"):
+            families[item.nodeid.partition("[")[0]].append(item)
+    left_out = set()
+    for family in families.values():
+        marker = family[0].get_closest_marker("sweep")
+        assert marker is not None
+        every, first = marker.args[0], marker.kwargs.get("first", 0)
+        left_out |= {*family} - {*(family[first::every] or family[:1])}
     if left_out:
         config.hook.pytest_deselected(items=list(left_out))
         items[:] = [item for item in items if item not in left_out]

@@ -303,13 +303,13 @@ def test_render_and_trace_take_the_preset_that_views_says(shell: Shell, view: st
     entries = {entry["name"]: entry for entry in shell("views", "--json").json()}
     preset = entries[view]["preset"]
     assert (view, preset) in (("fig35f", "best"), ("fig6a", "2006"))
-    small = ("--only", "ground,fog", "--size", "32x24", "--samples", "0", "--quiet")
+    coarse = [f"--set=ground.{key}" for key in ("resolution=40", "tiles=2", "texture_size=256")]
+    small = ("--only", "ground,fog", "--size", "32x24", "--samples", "0", "--quiet", *coarse)
     pictures = {}
     for name, options in (("own", ()), ("best", ("--preset=best",)), ("2006", ("--preset=2006",))):
         assert shell("render", view, *small, *options, "--out", f"{name}.png").status == 0
         pictures[name] = (shell.cwd / f"{name}.png").read_bytes()
     assert pictures["own"] == pictures[preset] and pictures["best"] != pictures["2006"]
-    coarse = ("--set", "ground.resolution=40", "--set", "ground.tiles=2")
     trace = ("trace", view, "--only", "ground,fog", "--json", *coarse)
     assert shell(*trace).json() == shell(*trace, "--preset", preset).json()
 
@@ -473,7 +473,8 @@ def test_progress_is_shown_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Pat
 
 def test_the_same_command_twice_gives_the_same_bytes(tmp_path: Path) -> None:
     counts = ("--set=grass.count=20000", "--set=trees.count=200", "--set=plants.count=100",
-              "--set=ground.resolution=60", "--set=ground.tiles=2")  # fmt: skip
+              "--set=ground.resolution=40", "--set=ground.tiles=2",
+              "--set=ground.texture_size=256", "--set=ground.stones=500")  # fmt: skip
     for name in ("first.png", "second.png"):
         done = landscape(
             *("render", "fig35a", "--size", "64x48", "--out", name, *counts), cwd=tmp_path

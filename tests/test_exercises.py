@@ -45,6 +45,7 @@ def hints(report: Report) -> list[Hint]:
 
 
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.sweep(2)
 def test_both_solutions_pass_and_the_start_does_not(name: str, grader: Grader) -> None:
     for file in ("solution.py", "solution2.py"):
         report = grader.check(exercise(name).folder / file)
@@ -55,6 +56,7 @@ def test_both_solutions_pass_and_the_start_does_not(name: str, grader: Grader) -
 
 
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.sweep(2, first=1)
 def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
     name: str, grader: Grader, tmp_path: Path, pytestconfig: pytest.Config
 ) -> None:
@@ -97,6 +99,7 @@ ONLY_FIRST = """        if glfw.get_time() > 0:
 
 
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.sweep(3)
 def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame(
     name: str, grader: Grader, tmp_path: Path
 ) -> None:
@@ -133,6 +136,7 @@ REGIONS = {
 
 
 @pytest.mark.parametrize("region", REGIONS)
+@pytest.mark.sweep(3)
 def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
     region: str, grader: Grader, tmp_path: Path
 ) -> None:

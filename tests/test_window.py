@@ -35,8 +35,12 @@ from landscape.window.walker import Intent, Walker, advance, start
 
 pytestmark = pytest.mark.window
 
-SMALL = {"grass.count": 2000, "trees.count": 100, "plants.count": 100, "ground.resolution": 40}
+SMALL = {
+    **{"grass.count": 2000, "trees.count": 100, "plants.count": 100},
+    **{"ground.resolution": 40, "ground.texture_size": 256, "ground.stones": 500},
+}
 SET = [word for key, value in SMALL.items() for word in ("--set", f"{key}={value}")]
+COARSE = [f"--set={key}={value}" for key, value in SMALL.items() if key.startswith("ground.")]
 PRESS, RELEASE = glfw.PRESS, glfw.RELEASE
 
 
@@ -376,7 +380,10 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
     ("words", "wanted"),
     [
         (["fig2a"], ((20.0, 29.5, 43.5, 0.0, -51.0), 0.0, True, "none")),
-        (["fig2a", "--preset", "best"], ((20.0, 29.5, 43.5, 0.0, -51.0), 0.0, False, "both")),
+        (
+            ["fig2a", "--preset", "best", *COARSE],
+            ((20.0, 29.5, 43.5, 0.0, -51.0), 0.0, False, "both"),
+        ),
         (["fig4a", "--kt", "7"], ((13.4, 1.75, 27.6, 345.0, -14.0), 7.0, False, "large")),
         (
             ["fig4a", "--pose=-1,ground,20,90,5"],
