@@ -140,7 +140,7 @@ class Crew:
         failed = []
         for worker, columns in zip(self._workers, parts[1:], strict=True):
             try:
-                worker.pipe.send(Task(camera, new, size, columns))
+                worker.ask(Task(camera, new, size, columns))
             except OSError as error:
                 failed.append((columns, _reason(error)))
         self._settings = settings
@@ -219,6 +219,7 @@ class _Worker:
 
     def __init__(self) -> None:
         self._process: Any = None
+        self._bell = -1
         self.ready = False
         self.pipe: Connection
 
@@ -226,12 +227,15 @@ class _Worker:
         """Start the process; ``heights`` and ``picture`` are files of shared memory."""
         spawn = multiprocessing.get_context("spawn")
         self.pipe, theirs = spawn.Pipe()
-        task = _Given(theirs, heights, picture, count, given)
+        # A process that reads from a pipe is woken on the core of the one that writes, which is
+        # expected to wait from then on. Here both work: so a bell wakes it, on a core that is free.
+        self._bell = os.eventfd(0) if hasattr(os, "eventfd") else -1
+        task = _Given(theirs, (heights, picture, self._bell), count, given)
         process = spawn.Process(target=_work, args=(task,), daemon=True)
         try:
             process.start()
         except BaseException:
-            self.pipe.close()
+            self._hang_up()
             raise
         finally:
             theirs.close()
@@ -242,6 +246,12 @@ class _Worker:
         if not self.ready and self.pipe.poll():
             self.ready = bool(self.pipe.recv())
         return self.ready
+
+    def ask(self, task: Task) -> None:
+        """Ask for a part; OSError if the process has ended."""
+        self.pipe.send(task)
+        if self._bell >= 0:
+            os.eventfd_write(self._bell, 1)
 
     def answer(self) -> tuple[float, dict[str, int]]:
         """Wait until a part is drawn; return how long it took, and its counts."""
@@ -254,42 +264,48 @@ class _Worker:
         """End the process, whatever it does."""
         if self._process is None:
             return
-        self.pipe.close()
+        self._hang_up()
         self._process.terminate()
         self._process.join()
         self._process.close()
         self._process = None
+
+    def _hang_up(self) -> None:
+        self.pipe.close()
+        if self._bell >= 0:
+            os.close(self._bell)
 
 
 class _Given:
     """What a process is started with; files are duplicated for it."""
 
     def __init__(
-        self, pipe: Connection, heights: int, picture: int, count: int, given: tuple[Any, ...]
+        self, pipe: Connection, files: tuple[Any, ...], count: int, given: tuple[Any, ...]
     ) -> None:
-        self.pipe, self.count, self.given = pipe, count, given
-        self.files: tuple[Any, ...] = heights, picture
+        self.pipe, self.files, self.count, self.given = pipe, files, count, given
 
     def __getstate__(self) -> dict[str, Any]:
-        return vars(self) | {"files": tuple(map(DupFd, self.files))}
+        return vars(self) | {"files": [DupFd(file) if file >= 0 else None for file in self.files]}
 
-    def opened(self) -> tuple[HeightField, np.ndarray]:
-        """Return the terrain and the memory of the pictures, in the process."""
-        heights, picture = (file.detach() for file in self.files)
+    def opened(self) -> tuple[HeightField, np.ndarray, int]:
+        """Return the terrain, the memory of the pictures and the bell, in the process."""
+        heights, picture, bell = (file.detach() if file else -1 for file in self.files)
         values = _array(heights, np.float32)[: self.count]
-        return HeightField(values, *self.given), _array(picture, np.uint32)
+        return HeightField(values, *self.given), _array(picture, np.uint32), bell
 
 
 def _work(given: _Given) -> None:
     """Draw the parts that are asked for, until the pipe is closed."""
     begin_worker()
-    terrain, memory = given.opened()
+    terrain, memory, bell = given.opened()
     canvas = frame.Canvas(np.empty((0, 0), np.uint32))
     settings = Settings()
     pipe = given.pipe
     with contextlib.suppress(EOFError, OSError):
         pipe.send(True)
         while True:
+            if bell >= 0:
+                os.eventfd_read(bell)
             task = pipe.recv()
             started = time.perf_counter()
             settings = task.settings or settings
