@@ -50,8 +50,11 @@ def lowest(heights: np.ndarray, reach: int) -> np.ndarray:
     found = heights
     for axis in (0, 1):
         size = found.shape[axis] - 2 * reach
-        ends = [(slice(None),) * axis + (slice(k, k + size),) for k in range(2 * reach + 1)]
-        found = np.minimum.reduce([found[each] for each in ends])
+        parts = [(slice(None),) * axis + (slice(k, k + size),) for k in range(2 * reach + 1)]
+        least = found[parts[0]].copy()
+        for part in parts[1:]:  # one by one: all at once would be an array many times as large
+            np.minimum(least, found[part], out=least)
+        found = least
     return found
 
 
