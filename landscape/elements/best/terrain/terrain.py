@@ -102,7 +102,7 @@ class Terrain(Ground):
         else:
             both = [(self._splat, 1.0), (detail("detail_texture"), ground.detail_repeat)]
             layers = {"both": both, "large": both[:1], "detail": both[1:], "none": []}[ground.units]
-        detail_uv = low_stretch_uv(self.field) if ground.low_stretch else None
+        detail_uv = self._low_stretch() if ground.low_stretch else None
         mesh = ground_mesh(self.field, tuple(repeat for _, repeat in layers), detail_uv)
         if self._mixed:
             x, z = mesh.vertices[:, 0], mesh.vertices[:, 2]
@@ -123,6 +123,12 @@ class Terrain(Ground):
         blended = levels is image
         self._textures.append(Texture(levels, repeat, blended, bias))
         return self._textures[-1]
+
+    def _low_stretch(self) -> np.ndarray:
+        """Return the details' texture coordinates, (n*n, 2), that keep their scale on slopes."""
+        what = repr((self.field.size, self.field.heights.shape))
+        made_from: list[bytes | str] = ["low stretch", what, self.field.heights.tobytes()]
+        return recall(made_from, lambda: (low_stretch_uv(self.field),))[0]
 
     def _with_shore(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
         """Return the large colours with those of the shore where it is drawn, see shore.py."""
