@@ -25,7 +25,7 @@ from PIL import Image
 from landscape.files.assets import shipped
 
 TESTS = Path(__file__).resolve().parent
-SECONDS = 120  # timeout of a command
+SECONDS = 300  # timeout of a command; the machine may be busy
 
 _CHILD = """
 import contextlib, gc, io, json, os, sys, traceback, warnings

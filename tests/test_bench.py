@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
-from commands import TESTS, environment, landscape
+from commands import SECONDS, TESTS, environment, landscape
 from stage import SMALL, Stage, live_names, small
 
 from landscape.cli import main
@@ -51,7 +51,7 @@ def result() -> dict[str, Any]:
     )
     command = [sys.executable, "-c", code, json.dumps(TINY)]
     done = subprocess.run(
-        command, capture_output=True, text=True, timeout=120, env=environment(), check=False
+        command, capture_output=True, text=True, timeout=SECONDS, env=environment(), check=False
     )
     assert done.returncode == 0, done.stderr
     answer: dict[str, Any] = json.loads(done.stdout)
@@ -303,7 +303,7 @@ def test_300_frames_of_changing_views_leak_neither_memory_nor_objects() -> None:
     settings = {**LIGHT, "grass.count": 2_000}
     command = [sys.executable, "-c", LONG_RUN, str(TESTS), json.dumps(settings)]
     done = subprocess.run(
-        command, capture_output=True, text=True, timeout=120, env=environment(), check=False
+        command, capture_output=True, text=True, timeout=SECONDS, env=environment(), check=False
     )
     assert done.returncode == 0, done.stderr
     answer = json.loads(done.stdout)

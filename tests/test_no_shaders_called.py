@@ -14,7 +14,7 @@ from stage import write_plain, write_ply
 
 from landscape.elements import atlas
 from landscape.elements.atlas import CELLS
-from landscape.elements.best.ornate import ornate_castle
+from landscape.elements.best.ornate import ornate_castle, weathered_castle
 from landscape.elements.best.sprites import refined_atlas
 from landscape.elements.water_surface import WaterSurface
 from landscape.geometry.mesh import Mesh
@@ -74,6 +74,7 @@ def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
             for module in (atlas, refined_atlas):
                 patch.setattr(module, "mip_chain", quick_levels)
             patch.setattr(ornate_castle, "light_map", quick_light)
+            patch.setattr(weathered_castle, "worn_light_map", quick_light)
             patch.setattr(ornate_castle, "recall", lambda parts, make: make())
             with Offscreen((64, 48), preset, SMALL, assets=folder) as offscreen:
                 for view in sorted(mine, key=lambda v: (str(v.settings), v.shown)):
