@@ -16,7 +16,7 @@ from stage import Stage, close, pixel, project
 from landscape.effects import plan
 from landscape.effects.entrance import door
 from landscape.effects.hall import SCENE, Ground, obstacles
-from landscape.elements.best.ornate import ornate_castle
+from landscape.elements.best.ornate import ornate_castle, weathered_castle
 from landscape.elements.best.ornate.open_door import DARK, GLOW, HALF, glow, half_arch, turned
 from landscape.errors import InputError
 from landscape.files.assets import Assets
@@ -82,11 +82,10 @@ def test_the_castles_door_is_where_its_gate_is_drawn(
     # Its light, which takes a second, has no part in this.
     dark = np.zeros((8, 8, 3), np.uint8)
     monkeypatch.setattr(ornate_castle, "recall", lambda parts, make: make())
-    monkeypatch.setattr(
-        ornate_castle,
-        "light_map",
-        lambda mesh, *_: (dark, np.zeros((len(mesh.vertices), 2), np.float32)),
-    )
+    for module, name in ((ornate_castle, "light_map"), (weathered_castle, "worn_light_map")):
+        monkeypatch.setattr(
+            module, name, lambda mesh, *_: (dark, np.zeros((len(mesh.vertices), 2), np.float32))
+        )
     values = with_settings(preset("best"), {**PLACED, "castle.yaw": yaw})
     island = Island(values, Assets(), only=("castle",))
     (gate,) = island.doors
