@@ -9,11 +9,13 @@ import pytest
 from PIL import Image
 from stage import Stage, close, pixel, project, quad, small, write_plain
 
+from landscape.elements.best.sky.seamless import seamless_levels
 from landscape.elements.fog import visibility
 from landscape.elements.sky_box import FACES, SkyBox, face_coordinates, face_corners, set_files
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
+from landscape.gl.texture import mip_levels
 
 LEVEL, D, H = 0.6, 8.0, 5.0
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
@@ -287,3 +289,19 @@ def test_a_box_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
         picture = stage.read()
     box.release()
     assert (picture == drawn(stage, plain, pose)).all()
+
+
+def test_mip_levels_of_neighbouring_faces_match_along_the_edge() -> None:
+    random = np.random.default_rng(5)
+    left = random.integers(0, 256, (64, 256, 3), np.uint8)
+    right = random.integers(0, 256, (64, 256, 3), np.uint8)
+    right[:, 0] = left[:, -1]
+    pairs = list(zip(seamless_levels(left), seamless_levels(right), strict=True))
+    assert [one.shape[:2] for one, _ in pairs] == [(64 >> k, 256 >> k) for k in range(6)]
+    for one, other in pairs:
+        assert (one[:, -1] == other[:, 0]).all()
+    plain = mip_levels(left)
+    assert all((one[1:-1, 1:-1] == levels[1:-1, 1:-1]).all() for (one, _), levels in
+               zip(pairs, plain, strict=False))  # fmt: skip
+    odd = left[:63]
+    assert len(seamless_levels(odd)) == 1 and seamless_levels(odd)[0] is odd

@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from landscape.elements.best.sky.clouds import Clouds
+from landscape.elements.best.sky.seamless import seamless_levels
 from landscape.files.assets import Assets
 from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
@@ -95,8 +96,9 @@ class SkyBox:
         self._settings = settings
         sky = settings.sky
         images = [read_smooth(path) for path in face_files(settings, assets)]
+        levels = [seamless_levels(each) if sky.refined else [each] for each in images]
         # A sky is so smooth that the change from one mip level to the next does not show.
-        self._textures = [Texture(image, repeat=False, trilinear=False) for image in images]
+        self._textures = [Texture(each, repeat=False, trilinear=False) for each in levels]
         corners = face_corners(sky.half_width, sky.height)
 
         def send() -> None:

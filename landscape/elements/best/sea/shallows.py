@@ -29,7 +29,7 @@ COLOURS = np.array(
 )  # fmt: skip
 CLEAR = 0.085  # chosen: units of depth that hide two thirds of the bottom
 TURQUOISE = np.array([1.05, 1.5, 1.3])  # chosen: times the water's colour where it is shallow
-FLOOR = (0.13, 0.29, 0.31)  # chosen: RGB of the sea floor, where the ground is cut
+FLOOR = (0.21, 0.39, 0.37)  # chosen: RGB of the sea floor; the ground has it where it is cut
 TEXELS = 512  # chosen: depths per side of the map
 
 
