@@ -31,7 +31,7 @@ from landscape.gl.texture import Texture, mip_levels
 from landscape.settings import Settings
 
 STEEP = 0.25  # chosen: standard deviation of the slopes where water.ripples is 1
-MUTED = 0.35  # chosen: by how much a slope of 1 changes the opacity at least
+MUTED = 0.2  # chosen: by how much a slope of 1 changes the opacity at least
 TILES = (0.32, 3.3)  # chosen: tiles of each layer per tile of water.repeat: a long and a fine one
 TURNS = np.radians([11.0, 48.0])  # chosen: by which each layer is turned on the map
 DRIFTS = ((0.19, 0.10), (0.05, 0.06))  # chosen: units per t along x and z
