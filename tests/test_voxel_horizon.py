@@ -39,6 +39,12 @@ def test_columns_are_solid_up_to_the_first_block_that_one_can_look_through() -> 
     assert solid_heights(blocks).tolist() == [[2, 2, 4, 1, 0]]
 
 
+def test_heights_take_a_byte_a_column_unless_the_world_is_higher() -> None:
+    for tall, size in ((255, 1), (256, 2)):
+        heights = solid_heights(np.full((2, 3, tall), ROCK, np.uint8))
+        assert heights.itemsize == size and (heights == tall).all()
+
+
 def test_each_point_of_a_line_has_heights_from_far_enough_around() -> None:
     assert ROWS[0].start == 0 and ROWS[-1].stop == len(ALONG)
 

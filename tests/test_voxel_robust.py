@@ -24,6 +24,7 @@ from landscape.voxel import build, region_buffer
 from landscape.voxel.blocks import AIR, block
 from landscape.voxel.build import source
 from landscape.voxel.mesh import Look, RegionMesh, region_mesh
+from landscape.voxel.packed_mesh import packed, unpacked
 from landscape.voxel.region_buffer import Light, RegionBuffer
 from landscape.voxel.voxel import SCENE, Voxel
 
@@ -358,3 +359,16 @@ def test_a_large_world_whose_meshes_are_packed_looks_like_a_small_one(
         for one, other in zip(meshes, theirs, strict=True):
             np.testing.assert_array_equal(one.counts, other.counts)
             np.testing.assert_array_equal(one.vertices, other.vertices)
+
+
+def test_a_packed_mesh_takes_a_fifth_of_its_vertices_and_is_unpacked_as_it_was() -> None:
+    x, z, y = np.ogrid[:42, :42, :30]
+    ground = 14 + 6 * np.sin(x / 7.0) * np.cos(z / 5.0)
+    hills = np.where(y < ground, block("rock"), AIR).astype(np.uint8)
+    look = Look(np.ones((6, 4)), np.random.default_rng(3).uniform(-1, 1, (42, 42)), shore=(8, 10))
+    for mesh in (region_mesh(hills, (0, 0, 0), look), region_mesh(hills * 0, (0, 0, 0), look)):
+        small = packed(mesh)
+        assert len(small.data) < max(mesh.vertices.nbytes / 5, 20), mesh.size
+        again = unpacked(small)
+        assert again.vertices.dtype == mesh.vertices.dtype
+        np.testing.assert_array_equal(again.vertices, mesh.vertices)

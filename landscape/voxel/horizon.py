@@ -33,8 +33,12 @@ OPAQUE = SOLID & ~LEAFY
 
 
 def solid_heights(blocks: np.ndarray) -> np.ndarray:
-    """Return how many blocks of each column [x, z, y] are opaque from the bottom up, int16."""
-    found = np.empty(blocks.shape[:2], np.int16)
+    """Return how many blocks of each column [x, z, y] are opaque from the bottom up.
+
+    They are uint8 if that is enough, since a large map has four million columns, and there are five
+    such arrays.
+    """
+    found = np.empty(blocks.shape[:2], np.min_scalar_type(blocks.shape[2]))
     many = max(1, AT_ONCE // blocks[0].size)
     for start in range(0, len(blocks), many):
         opaque = looked_up(OPAQUE, blocks[start : start + many])

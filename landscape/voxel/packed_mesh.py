@@ -2,7 +2,8 @@
 
 A vertex buffer is given its size before the first vertex is uploaded, and Mesa fills it with zeros
 at once. So all meshes are made first, and those of a large world would need as much memory again as
-the buffer that they go into. Compressed they need less than a third of that.
+the buffer that they go into. Compressed they need less than a fifth of that: first come all s, then
+all t and so on, since what follows is then alike.
 """
 
 import zlib
@@ -13,6 +14,7 @@ import numpy as np
 from landscape.voxel.mesh import VERTEX, RegionMesh
 
 LEVEL = 1  # of zlib, chosen: the fastest; the others save little more
+WORDS = VERTEX.itemsize // 4  # of a vertex: s, t, the colour, x, y, z
 
 
 @dataclass(frozen=True)
@@ -27,7 +29,8 @@ class PackedMesh:
 
 def packed(mesh: RegionMesh) -> PackedMesh:
     """Return a mesh compressed."""
-    data = zlib.compress(mesh.vertices.tobytes(), LEVEL)
+    words = mesh.vertices.view(np.uint32).reshape(-1, WORDS)
+    data = zlib.compress(words.T.tobytes(), LEVEL)
     return PackedMesh(mesh.size, mesh.counts, mesh.box, data)
 
 
@@ -35,5 +38,5 @@ def unpacked(mesh: RegionMesh | PackedMesh) -> RegionMesh:
     """Return a mesh as it was before it was compressed, if it was."""
     if isinstance(mesh, RegionMesh):
         return mesh
-    vertices = np.frombuffer(zlib.decompress(mesh.data), VERTEX)
-    return RegionMesh(vertices, mesh.counts)
+    words = np.frombuffer(zlib.decompress(mesh.data), np.uint32).reshape(WORDS, -1)
+    return RegionMesh(np.ascontiguousarray(words.T).view(VERTEX).reshape(-1), mesh.counts)

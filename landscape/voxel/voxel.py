@@ -78,12 +78,14 @@ class Voxel(Played, Ground):
         self.textures = TexturesView()
         try:
             begin_pass("setup")
+            # First, since it takes much memory for a moment, and the land from then on.
+            self.sky = self._built(("sky",), Sky, settings, assets)
+            give_back()
             with drawing("land"):  # always built: everything stands on it
                 self.land = Land(settings, assets, seed)
                 self._owned.append(self.land)
             shadowed = ("land",) if settings.shadow.enabled else ()
             self.shadow = self._built(shadowed, ShadowMap, settings)
-            self.sky = self._built(("sky",), Sky, settings, assets)
             self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
             self.map = self._built(("map",), Map, settings, assets, self.land)
