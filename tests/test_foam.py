@@ -107,6 +107,19 @@ def test_only_cells_near_the_shore_are_drawn_again_and_none_is_left_out(pose: Po
     assert len(corners) < 0.7 * len(z)
 
 
+def test_least_distances_are_exact_nearby_and_never_too_large_far_away() -> None:
+    size, texel = 64, 0.1
+    row, column = np.mgrid[:size, :size]
+    away = texel * np.hypot(row - 20, column - 37)
+    # What the maps hold is not right where it is large.
+    found = foam.least_distances(np.minimum(away, 0.6), texel)
+    near = away <= foam.NEARBY
+    assert np.allclose(found[near], away[near], atol=1e-6)
+    assert (found <= away + 1e-6).all() and (found[~near] >= foam.NEARBY).all()
+    # 64 texels are halved three times.
+    assert (found[away > 2.5] >= 8 * texel - 1e-6).all()
+
+
 def test_a_sea_with_foam_is_built_for_one_setting_and_leaves_nothing(
     stage: Stage, plain: Assets
 ) -> None:

@@ -10,6 +10,8 @@ own grid that lie near the shore: it rises and falls with the waves.
 State used: two texture units, a texture matrix, GL_BLEND, no lighting or depth writes.
 """
 
+import math
+
 import numpy as np
 
 from landscape.elements.best.sea.eye_grid import EyeGrid
@@ -100,6 +102,21 @@ def near_masks(foamy: np.ndarray) -> list[np.ndarray]:
         foamy = foamy[:, ::2] | foamy[:, 1::2]
 
 
+def least_distances(apart: np.ndarray, texel: float) -> np.ndarray:
+    """Return how far from foam each texel is at least, float32 (n, n) in units, 0 in foam.
+
+    ``apart`` (n, n) are the distances, which need not be right where they are larger than NEARBY.
+    There each halving of the texels tells by how many of its texels the foam is away.
+    """
+    masks = near_masks(apart <= 0.0)
+    least = np.zeros(masks[-1].shape, np.float32)
+    for k in reversed(range(len(masks))):
+        if least.shape != masks[k].shape:
+            least = least.repeat(2, axis=0).repeat(2, axis=1)
+        np.maximum(least, np.float32(2**k * texel), out=least, where=~masks[k])
+    return np.where(apart <= NEARBY, apart, np.maximum(least, NEARBY)).astype(np.float32)
+
+
 class Where:
     """Where foam may be on a square of ``size`` units, with its corner (2,) at x and z."""
 
@@ -108,49 +125,41 @@ class Where:
 
         It need not be right where it is larger than NEARBY.
         """
-        self._apart = apart.astype(np.float32)
         self._corner, self._size = np.array(corner, np.float32), size
-        self._masks = near_masks(apart <= 0.0)
+        self._texel = size / len(apart)
+        self._least = least_distances(apart, self._texel)
 
     def cells(self, grid: EyeGrid) -> np.ndarray:
-        """Return the triangles, uint32 (m,) corners, of those cells of a grid that foam may touch.
+        """Return the corners, uint32 (m, 6), of the grid's m cells that foam may touch.
 
-        In small cells no point is farther from the nearest corner than half the diagonal. For
-        large ones, texels as large as they are tell whether there is foam.
+        No point of a cell is farther from the nearest corner than half the diagonal.
         """
+        none = grid.triangles[:0].reshape(-1, 6)
         apart = np.maximum(np.abs(self._corner + self._size / 2 - grid.eye) - self._size / 2, 0.0)
-        low, high = self._corner, self._corner + self._size
-        out = (grid.x.max(), grid.z.max()) < low, (grid.x.min(), grid.z.min()) > high
-        if np.hypot(*apart) > FARTHEST or np.any(out):
-            return grid.triangles[:0]
-        near = np.zeros(grid.x.shape, bool)
-        seen = np.flatnonzero(grid.ring < FARTHEST)
-        across = grid.ring * np.float32(np.hypot(*np.diff([grid.east, grid.south])[:, 0]))
-        half = 0.5 * np.hypot(grid.cell, across) + self._size / len(self._apart)
-        small = seen[half[seen] < NEARBY]
-        inside, places = self._texels(grid, small, len(self._apart))
-        near[small] = (self._apart[places] <= half[small, None]) & inside
-        spans = np.maximum(grid.cell, across) * len(self._apart) / self._size
-        level = np.ceil(np.log2(np.maximum(spans, 1.0))).astype(int)
-        level = np.minimum(level, len(self._masks) - 1)
-        large = seen[half[seen] >= NEARBY]
-        for k in np.unique(level[large]).tolist():
-            rows, mask = large[level[large] == k], self._masks[k]
-            inside, places = self._texels(grid, rows, len(mask))
-            near[rows] = mask[places] & inside
-        cell = near[:-1] | near[1:]
-        cell = cell[:, :-1] | cell[:, 1:]
-        return np.ascontiguousarray(grid.triangles.reshape(-1, 6)[cell.ravel()].ravel())
-
-    def _texels(
-        self, grid: EyeGrid, rows: np.ndarray, side: int
-    ) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
-        """Return which vertices of rows are on a map of ``side`` texels, and row and column."""
-        scale, last = np.float32(side / self._size), side - 1
-        column = np.floor((grid.x[rows] - self._corner[0]) * scale).astype(np.int32)
-        row = np.floor((grid.z[rows] - self._corner[1]) * scale).astype(np.int32)
-        inside = (np.minimum(row, column) >= 0) & (np.maximum(row, column) <= last)
-        return inside, (np.clip(row, 0, last), np.clip(column, 0, last))
+        # The rings become smaller from row to row.
+        first = int((grid.ring >= FARTHEST).sum())
+        if np.hypot(*apart) > FARTHEST or first == len(grid.ring):
+            return none
+        scale, side = np.float32(1.0 / self._texel), len(self._least)
+        column = (grid.x[first:] - self._corner[0]) * scale
+        row = (grid.z[first:] - self._corner[1]) * scale
+        inside = (column >= 0) & (column < side) & (row >= 0) & (row < side)
+        if not inside.any():
+            return none
+        ring, cell = grid.ring[first:], grid.cell[first:]
+        step = math.hypot(grid.east[1] - grid.east[0], grid.south[1] - grid.south[0])
+        half = (0.5 * np.hypot(cell, ring * step) + self._texel).astype(np.float32)
+        # What is outside looks up any texel.
+        place = row.astype(np.int32) * side + column.astype(np.int32)
+        near = self._least.take(place, mode="clip") <= half[:, None]
+        near &= inside
+        if first:  # the row before the first one has no vertex near foam
+            near = np.concatenate([np.zeros_like(near[:1]), near])
+            first -= 1
+        touched = near[:-1] | near[1:]
+        touched = touched[:, :-1] | touched[:, 1:]
+        strips = grid.triangles.reshape(-1, 6)[first * (near.shape[1] - 1) :]
+        return strips[touched.ravel()]
 
 
 def turns(x: np.ndarray, z: np.ndarray, kt: float) -> np.ndarray:
@@ -181,11 +190,12 @@ class Wash:
         self._where = Where(apart, corner, size)
         self._texture = Texture(wash_picture(*parts), repeat=False, trilinear=False)
 
-    def draw(self, grid: EyeGrid) -> None:
-        """Draw the cells of a grid that foam may touch; the coordinates of unit 0 are x and z."""
-        triangles = self._where.cells(grid)
-        if not len(triangles):
-            return
+    def cells(self, grid: EyeGrid) -> np.ndarray:
+        """Return the corners, uint32 (m, 6), of the grid's m cells that foam may touch."""
+        return self._where.cells(grid)
+
+    def draw(self, triangles: np.ndarray) -> None:
+        """Draw triangles of the grid; the coordinates of unit 0 are x and z."""
         self._texture.bind()
         gl.glMatrixMode(gl.GL_TEXTURE)
         with matrix():
@@ -234,12 +244,20 @@ class Foam:
         places: np.ndarray,
     ) -> None:  # fmt: skip
         """Blend the foam of the frame's kt over vertices (n, 3) at places x, z (n, 2)."""
-        turn = turns(places[:, 0], places[:, 1], frame.kt)
+        found = [(each, each.cells(grid)) for each in self._washes]
+        found = [(each, triangles) for each, triangles in found if len(triangles)]
+        if not found:
+            return
+        first = min(int(triangles.min()) for _, triangles in found)
+        last = max(int(triangles.max()) for _, triangles in found)
+        used = slice(first, last + 1)
+        turn = turns(places[used, 0], places[used, 1], frame.kt)
         left = np.clip((FARTHEST - grid.ring) / (FARTHEST - FADING), 0.0, 1.0)
-        strength = 0.5 * np.repeat(left.astype(np.float32), grid.x.shape[1])
+        strength = 0.5 * np.repeat(left.astype(np.float32), grid.x.shape[1])[used]
         colors = np.ones((len(places), 4), np.float32)
-        colors[:, 0], colors[:, 1] = 0.5 + strength * np.cos(turn), 0.5 + strength * np.sin(turn)
-        colors[:, 2] = 0.5 + strength
+        colors[used, 0] = 0.5 + strength * np.cos(turn)
+        colors[used, 1] = 0.5 + strength * np.sin(turn)
+        colors[used, 2] = 0.5 + strength
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups):
@@ -260,8 +278,8 @@ class Foam:
                 gl.glTranslatef(drift, -drift, 0.0)
                 gl.glScalef(LACE_REPEAT, LACE_REPEAT, 1.0)
                 gl.glActiveTexture(gl.GL_TEXTURE0)
-                for each in self._washes:
-                    each.draw(grid)
+                for each, triangles in found:
+                    each.draw(triangles)
                 gl.glMatrixMode(gl.GL_TEXTURE)
                 gl.glActiveTexture(gl.GL_TEXTURE1)
                 gl.glPopMatrix()
