@@ -33,6 +33,7 @@ LEAST = 3  # levels of 255: less may be the rounding of colours
 BAY = Pose(13.4, 1.75, 27.6, 345.0, -14.0)
 SEA = Pose(12.0, 1.1, 30.5, 330.0, -4.0)
 GATE = Pose(28.3, 2.6, 18.9, 336.0, 2.0)
+DOOR = Pose(27.6, 2.4, 17.4, 336.0, 2.0)
 RABBIT = Pose(20.2, 1.4, 24.5, 40.0, -15.0)
 WOOD = Pose(19.5, 1.45, 26.0, 320.0, -3.0)
 LAWN = Pose(20.0, None, 28.0, 180.0, -20.0)
@@ -99,8 +100,8 @@ SHOTS = {
     "water.roughness": replace(GLINTING, value=0.6),
     "castle.torches": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "castle.open": replace(GROUPS["castle"], settings={"castle.ornate": True}),
-    "castle.depth": replace(
-        GROUPS["castle"], settings={"castle.ornate": True, "castle.open": True}
+    "castle.depth": Shot(
+        DOOR, ("castle",), {"castle.ornate": True, "castle.open": True}
     ),
     "castle.glow": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "castle.weathered": replace(GROUPS["castle"], settings={"castle.ornate": True}),
