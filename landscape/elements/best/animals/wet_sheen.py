@@ -5,13 +5,13 @@ Technique: two cube maps (OpenGL 1.3) beside the animal's own texture. Unit 1 lo
 mirrors, Fresnel's law baked into a map. Unit 2 looks up the mirrored line of sight
 (GL_REFLECTION_MAP), which the texture matrix turns to the world's axes, in a map of what is around
 (best/sky/surroundings.py). GL_COMBINE mixes that with the lit colour by the alpha of unit 1
-(GL_INTERPOLATE). With ``dragon.wet`` unit 3 looks up the mirrored line of sight once more, in a map
-of the sun alone, and brightens towards white by it: as Fresnel's law lets a scale mirror little, a
-sun within the other map would hardly show.
+(GL_INTERPOLATE). With ``dragon.wet`` the alpha of that map is the sun alone, and unit 3 brightens
+towards the sun's colour by it: as Fresnel's law lets a scale mirror little, a sun within the map's
+colours would hardly show. Unit 3 looks nothing up; its texture is on so that it takes part.
 Not in the report. Where OpenGL has no cube maps or fewer units, scales stay dry.
 What is wrong with it: the map takes the viewer to be far away straight ahead, so at the picture's
 side the mirroring is a little off; and no part of the animal mirrors another.
-State used: texture units 1 and 2 with generated coordinates, GL_COMBINE, the texture matrix.
+State used: texture units 1 to 3, two with generated coordinates, GL_COMBINE, the texture matrix.
 """
 
 from collections.abc import Iterator
@@ -39,7 +39,6 @@ NEEDS = (
 )
 UNITS = 3
 SIDE = 32  # chosen: texels per side of a face of the map of Fresnel's law
-GLINT_SIDE = 64  # chosen: texels per side of a face of the map of the sun
 SUN_SIZE = 0.15  # chosen: radians, of the sun as wet scales mirror it
 BAND = 0.085  # chosen: height of the wetted band on a mesh of -1..1
 SOAKED = (0.40, 0.44, 0.48)  # chosen: what water in the pores leaves of the colour
@@ -57,10 +56,10 @@ def mirrored_part(facing: np.ndarray) -> np.ndarray:
 
 
 def glints(sun: Sun) -> np.ndarray:
-    """Return the faces of a cube map of the sun alone, uint8 (6, n, n, 3), with a faint halo."""
-    away = np.arccos(np.clip(face_directions(GLINT_SIDE) @ direction(sun), -1.0, 1.0))
+    """Return the faces of a cube map of the sun alone, uint8 (6, n, n, 1), with a faint halo."""
+    away = np.arccos(np.clip(face_directions(surroundings.SIDE) @ direction(sun), -1.0, 1.0))
     disc = np.exp(-((away / SUN_SIZE) ** 2)) + 0.16 * np.exp(-((away / (4 * SUN_SIZE)) ** 2))
-    shown = 255.0 * disc[..., None] * np.array(sun.diffuse)
+    shown = 255.0 * disc[..., None] * max(sun.diffuse)
     return np.rint(np.clip(shown, 0.0, 255.0)).astype(np.uint8)
 
 
@@ -94,11 +93,15 @@ class WetSheen:
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Upload the maps."""
-        self._around = CubeMap(surroundings.surroundings(settings, assets), trilinear=False)
+        self._wet = settings.dragon.wet > 0.0 and enough_units("dragon.wet", UNITS + 1)
+        around = surroundings.surroundings(settings, assets)
+        if self._wet:
+            around = np.concatenate([around, glints(settings.sun)], axis=-1)
+        diffuse = np.array(settings.sun.diffuse, np.float32)
+        self._sun_colour = diffuse / max(float(diffuse.max()), 1e-6)
+        self._around = CubeMap(around, trilinear=False)
         part = np.rint(mirrored_part(face_directions(SIDE)[..., 2]) * 255).astype(np.uint8)
         self._part = CubeMap(np.repeat(part[..., None], 4, axis=-1), mipmaps=False)
-        wet = settings.dragon.wet > 0.0 and enough_units("dragon.wet", UNITS + 1)
-        self._sun = CubeMap(glints(settings.sun), trilinear=False) if wet else None
 
     @classmethod
     def made(cls, settings: Settings, assets: Assets) -> "WetSheen | None":
@@ -132,39 +135,29 @@ class WetSheen:
             generate("REFLECTION_MAP")
             combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
             combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            with texture_matrix(frame.to_world), self._sunlit(frame, wet):
+            found = "TEXTURE" if self._wet else "PREVIOUS"
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": found})
+            with texture_matrix(frame.to_world):
+                if self._wet:
+                    self._add_sun(wet)
                 gl.glActiveTexture(gl.GL_TEXTURE0)
                 try:
                     yield
                 finally:
                     gl.glActiveTexture(gl.GL_TEXTURE2)
 
-    @contextmanager
-    def _sunlit(self, frame: Frame, wet: float) -> Iterator[None]:
-        """Add the mirrored sun in unit 3; unit 2 is active before and after."""
-        if self._sun is None:
-            yield
-            return
+    def _add_sun(self, wet: float) -> None:
+        """Set unit 3: the sun's colour by the alpha of unit 2."""
         gl.glActiveTexture(gl.GL_TEXTURE3)
         gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)
-        self._sun.bind()
-        generate("REFLECTION_MAP")
+        self._around.bind()
         combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "CONSTANT", "SRC1_RGB": "PREVIOUS"})
-        combine({"SRC2_RGB": "TEXTURE", "OPERAND2_RGB": "SRC_COLOR"})
+        combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-        constant = np.array([wet, wet, wet, 1.0], np.float32)
+        constant = np.array([*(wet * self._sun_colour), 1.0], np.float32)
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
-        with texture_matrix(frame.to_world):
-            try:
-                yield
-            finally:
-                gl.glActiveTexture(gl.GL_TEXTURE3)
-        gl.glActiveTexture(gl.GL_TEXTURE2)
 
     def release(self) -> None:
         """Delete the maps; may be called twice."""
         self._around.release()
         self._part.release()
-        if self._sun:
-            self._sun.release()
