@@ -15,7 +15,7 @@ from landscape.files.images import read_image
 REACH = 4  # texels, chosen: a mean over 9 x 9 is wider than a block
 COARSE = 2.0  # levels, chosen: what differs more from the mean is detail
 NOISE = 0.7  # levels, chosen: enough to hide the rounding to whole levels
-SEED = 71
+SEED = 71  # chosen
 
 
 def smoothed(picture: np.ndarray) -> np.ndarray:

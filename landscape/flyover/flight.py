@@ -8,8 +8,8 @@ camera at any moment is the same, whatever moments were asked for before.
 
 Section 2.3 has the camera turn at one rate, which starts and stops it with a jerk; ``flyover.ease``
 gives it time to. A fixed distance above rough ground jolts the camera; with ``flyover.smooth`` it
-follows a smooth curve over the ground's highest places around it. And who flies by a point would
-look back at it until another one is nearer; with ``flyover.ahead`` only points before the camera
+follows a smooth curve over the ground's highest places around it. Past a point, the camera would
+keep looking back at it until another is nearer; with ``flyover.ahead`` only points ahead of it
 count, and where there is none it looks along its path.
 """
 

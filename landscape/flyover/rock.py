@@ -15,7 +15,7 @@ import numpy as np
 from landscape.flyover.noise import noise
 from landscape.flyover.sunlight import smooth_step
 
-BITS = 10
+BITS = 10  # of a texel's row and column, chosen
 SIDE = 1 << BITS  # texels a side; a power of two, so that it repeats
 THICK, WIDE = 16.0, 2.5  # texels for each texel of the ground up a wall, and along it, chosen
 BEND = 7.0  # how far layers are bent up and down, texels, chosen

@@ -72,7 +72,7 @@ class Flyover:
     ahead: bool = setting(
         True,
         "chosen",
-        "only points before it count, and without one it looks along its path; off, the nearest "
+        "only points ahead of it count, and without one it looks along its path; off, the nearest "
         "of all, as in section 2.3",
     )
     ease: float = setting(
