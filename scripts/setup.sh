@@ -59,7 +59,9 @@ how_to_install() {
 }
 
 # A package that only others refer to is shown, but cannot be installed.
-apt_knows() { LC_ALL=C apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'; }
+# The answer is read whole: after `grep -q` has ended, apt-cache can no longer write, and with pipefail
+# its failure would count: each package that is listed twice would be unknown.
+apt_knows() { [[ $(LC_ALL=C apt-cache policy "$1" 2>/dev/null) =~ Candidate:\ [^\(] ]]; }
 
 # Install the given packages, except those that apt does not know on this system.
 apt_install() {
