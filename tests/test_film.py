@@ -16,7 +16,7 @@ from pathlib import Path
 import av
 import numpy as np
 import pytest
-from commands import Shell, refused, running
+from commands import Shell, need_library, refused, running
 from environments import image, layer, path, svg, written
 from PIL import Image
 
@@ -132,6 +132,7 @@ def test_the_island_depends_on_the_time_alone() -> None:
 
 @pytest.mark.window
 def test_a_recorded_walk_leads_where_it_led_in_the_window(boards: None, tmp_path: Path) -> None:
+    need_library("OSMesa")
     plan, ticks = read(recorded(tmp_path / "stroll.jsonl", *strolled()))
     poses = []
     with Walk(plan, Assets(), "osmesa") as walk:

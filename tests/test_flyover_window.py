@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from commands import need_library
 
 from landscape.flyover import frame
 from landscape.flyover.camera import Camera
@@ -26,6 +27,7 @@ SIZE = (96, 72)
 @pytest.fixture(scope="module")
 def flying() -> Iterator[Flying]:
     """A window on GLFW's null platform, at the beginning of the flight over the island."""
+    need_library("OSMesa")
     settings = with_settings(Settings(), PRESETS["best"])
     window = Flying(open_environment("island"), settings, SIZE, "en", headless=True)
     yield window

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from commands import TESTS, landscape, python, refused
+from commands import TESTS, landscape, need_library, python, refused
 
 LANTERN = TESTS / "programs" / "lantern.py"
 CHILD = """
@@ -81,6 +81,7 @@ while not glfw.window_should_close(window):
 
 
 def test_a_program_without_fixed_function_is_traced_and_no_more(tmp_path: Path) -> None:
+    need_library("OSMesa")  # without a screen nothing else gives a core profile
     path = tmp_path / "core.py"
     path.write_text(CORE)
     done = landscape("trace", path)

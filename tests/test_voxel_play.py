@@ -280,7 +280,7 @@ def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
 
 def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_anew() -> None:
     values = {"voxel.regions": 2, "voxel.region_size": 16, "shadow.size": 512, "voxel.cull": False}
-    with Offscreen((96, 72), None, values, "osmesa", 0, place="voxel") as drawn:
+    with Offscreen((96, 72), None, values, "auto", 0, place="voxel") as drawn:
         drawn.look((1.28, "ground", 1.28, 40.0, -40.0))
         drawn.draw()
         scene: Any = drawn.scene
@@ -421,7 +421,7 @@ def test_a_world_being_saved_when_the_program_is_killed_is_never_lost(tmp_path: 
 def played(regions: int, region_size: int) -> Iterator[Any]:
     """Let the block play on a small island of as many regions."""
     values = {"voxel.regions": regions, "voxel.region_size": region_size, "shadow.enabled": False}
-    with Offscreen((32, 24), None, values, "osmesa", 0, place="voxel", only=("land",)) as drawn:
+    with Offscreen((32, 24), None, values, "auto", 0, place="voxel", only=("land",)) as drawn:
         drawn.draw()
         with drawn.targeted():
             yield drawn.scene
@@ -575,4 +575,4 @@ def test_a_picture_needs_a_world_that_is_there(tmp_path: Path) -> None:
         path = tmp_path / ("none" if view == "voxel_bay" else "empty")
         (tmp_path / "empty").write_bytes(b"")
         with pytest.raises(InputError, match=path.name):
-            Offscreen(world=path, backend="osmesa").look(view)
+            Offscreen(world=path).look(view)

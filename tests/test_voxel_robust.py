@@ -335,7 +335,7 @@ def test_a_large_world_whose_meshes_are_packed_looks_like_a_small_one(
 ) -> None:
     def picture_and_meshes(dug: bool) -> tuple[np.ndarray, list[RegionMesh]]:
         values = {"voxel.regions": 2, "voxel.region_size": 16}
-        with Offscreen((96, 72), None, values, "osmesa", 0, place="voxel") as drawn:
+        with Offscreen((96, 72), None, values, "auto", 0, place="voxel") as drawn:
             drawn.look((1.28, "ground", 1.28, 40.0, -40.0))
             land = drawn.scene.land  # type: ignore[union-attr]
             if dug:

@@ -98,6 +98,7 @@ class _Glfw:
         self._host = run.host
         self._egl: EGLContext | None = None
         self._window: Any = None
+        self._current: Any = None  # the window, while its context of EGL is current
         self._callbacks: dict[str, Callable[..., Any]] = {}
         self._closing = False
         self._started = 0.0  # where get_time counts from, in seconds of the held clock
@@ -215,6 +216,9 @@ class _Glfw:
             size = self._real.get_framebuffer_size(window)
             self._egl = self._egl or EGLContext(size)
             self._egl.make_current()
+        elif self._egl is not None:
+            self._egl.leave()
+        self._current = window
         if window and self._run.window is None:
             self._run.open(
                 Window(
@@ -226,7 +230,7 @@ class _Glfw:
             )
 
     def get_current_context(self) -> Any:
-        return self._window if self._egl else self._real.get_current_context()
+        return self._current if self._egl else self._real.get_current_context()
 
     def get_proc_address(self, name: str) -> Any:
         if self._egl is None:

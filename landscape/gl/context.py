@@ -241,14 +241,19 @@ class EGLContext:
             raise NoOpenGLError("EGL refused to make its context current")
         use_lists(self.lists)
 
+    def leave(self) -> None:
+        """Have no context of EGL current."""
+        egl = self._egl
+        egl.eglMakeCurrent(
+            self._display, egl.EGL_NO_SURFACE, egl.EGL_NO_SURFACE, egl.EGL_NO_CONTEXT
+        )
+
     def release(self) -> None:
         """Destroy the context and its pbuffer."""
         if self._context is None:
             return
         egl = self._egl
-        egl.eglMakeCurrent(
-            self._display, egl.EGL_NO_SURFACE, egl.EGL_NO_SURFACE, egl.EGL_NO_CONTEXT
-        )
+        self.leave()
         egl.eglDestroyContext(self._display, self._context)
         egl.eglDestroySurface(self._display, self._surface)
         self._context = None

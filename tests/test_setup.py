@@ -1,0 +1,35 @@
+"""The script that installs what a make target needs: which system packages apt knows."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+SETUP = Path(__file__).resolve().parent.parent / "scripts" / "setup.sh"
+ANSWER = "package:\n  Installed: (none)\n  Candidate: {}\n  Version table:\n"
+
+
+def knows(folder: Path, answer: str) -> bool:
+    """Return whether `apt_knows` finds a package where apt-cache prints ``answer``."""
+    (folder / "answer").write_text(answer)
+    apt_cache = folder / "apt-cache"
+    apt_cache.write_text(f'#!/bin/sh\nexec cat "{folder}/answer"\n')
+    apt_cache.chmod(0o755)
+    (function,) = (line for line in SETUP.read_text().splitlines() if line.startswith("apt_knows"))
+    code = f"set -euo pipefail\n{function}\napt_knows package"
+    env = dict(os.environ, PATH=f"{folder}{os.pathsep}{os.environ['PATH']}")
+    done = subprocess.run(["bash", "-c", code], env=env, capture_output=True, text=True)
+    assert done.stderr == "" and done.returncode in (0, 1), done
+    return done.returncode == 0
+
+
+@pytest.mark.parametrize("more", [0, 1, 100_000])
+def test_a_package_is_found_however_many_versions_apt_lists(tmp_path: Path, more: int) -> None:
+    # More lines than a pipe holds: apt-cache still writes when its first lines have been read.
+    assert knows(tmp_path, ANSWER.format("1.0-2") + "     1.0-1 500\n" * more)
+
+
+@pytest.mark.parametrize("answer", ["", ANSWER.format("(none)")])
+def test_a_package_that_apt_cannot_install_is_not_found(tmp_path: Path, answer: str) -> None:
+    assert not knows(tmp_path, answer)
