@@ -8,7 +8,7 @@ import pytest
 from landscape.gl.texture import mip_levels
 from landscape.voxel import distant, faces
 from landscape.voxel.blocks import AIR, BLOCKS, SOLID, TILES, block
-from landscape.voxel.distant import distant_mesh, halved
+from landscape.voxel.distant import distant_mesh, distant_meshes, halved
 from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, shown_in, visible_faces
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials
@@ -387,12 +387,20 @@ def test_large_regions_are_looked_through_in_slabs_that_miss_nothing(
 @pytest.mark.parametrize(("size", "merge"), [(6, "rectangles"), (5, "runs"), (1, "none")])
 def test_regions_meshed_together_are_the_same_as_meshed_one_by_one(size: int, merge: str) -> None:
     rng = np.random.default_rng(3)
-    blocks = rng.choice([AIR, block("rock"), block("grass"), block("fern")], (size, 4 * size, 9))
+    kinds = [AIR, block("rock"), block("grass"), block("fern")]
+    blocks = rng.choice(kinds, (2 * size, 4 * size, 9))
     blocks[:, :, :4] = block("rock")
     blocks = np.pad(blocks.astype(np.uint8), EDGE, mode="edge")
-    together = region_meshes(blocks, size, (0, 0, 0), plain_look(4 * size), merge)
-    assert len(together) == 4
-    for k, mesh in enumerate(together):
-        own = blocks[:, k * size : (k + 1) * size + 2 * EDGE]
-        alone = region_mesh(own, (0, k * size, 0), plain_look(4 * size), merge)
-        assert (mesh.counts == alone.counts).all() and (mesh.vertices == alone.vertices).all()
+    look = plain_look(4 * size)
+    together = region_meshes(blocks, size, (0, 0, 0), look, merge)
+    distant = distant_meshes(blocks, size, (0, 0, 0), look, merge)
+    assert len(together) == len(distant) == 8
+    for k, found in enumerate(zip(together, distant, strict=True)):
+        x, z = size * (k // 4), size * (k % 4)
+        own = blocks[x : x + size + 2 * EDGE, z : z + size + 2 * EDGE]
+        alone = (
+            region_mesh(own, (x, z, 0), look, merge),
+            distant_mesh(own, (x, z, 0), look, merge),
+        )
+        for mesh, other in zip(found, alone, strict=True):
+            assert (mesh.counts == other.counts).all() and (mesh.vertices == other.vertices).all()

@@ -143,10 +143,11 @@ def meshes(place: World, colours: Look, values: Voxel) -> Iterator[tuple[RegionM
     """Yield the meshes of each region: for near, for far, and distant."""
     size, height = place.region_size, place.blocks.shape[2]
     many = max(1, MOST_CELLS // (size * size * height))
-    for row in range(place.regions):
-        for first in range(0, place.regions, many):
-            number = min(many, place.regions - first)
-            found = meshed(place, row * place.regions + first, colours, values, number)
+    number, rows = min(many, place.regions), max(1, many // place.regions)
+    for row in range(0, place.regions, rows):
+        for column in range(0, place.regions, number):
+            part = min(number, place.regions - column), min(rows, place.regions - row)
+            found = meshed(place, row * place.regions + column, colours, values, *part)
             yield from zip(*found, strict=True)
 
 
@@ -156,15 +157,17 @@ def by_level(found: Iterable[tuple[M, ...]]) -> list[M]:
 
 
 def meshed(
-    place: World, region: int, colours: Look, values: Voxel, number: int = 1
+    place: World, region: int, colours: Look, values: Voxel, number: int = 1, rows: int = 1
 ) -> tuple[list[RegionMesh], list[RegionMesh], list[RegionMesh]]:
     """Return the meshes of ``number`` regions from one on, for near, for far, and where distant.
+
+    They lie one after the other along z; in the following ``rows`` there are as many.
 
     Dark corners keep faces from being merged. From afar they do not show, and without them, and
     without plants, there are two thirds as many quads. Distant blocks are joined by eight, but not
     where something is built.
     """
-    blocks, origin = place.with_edge(region, number)
+    blocks, origin = place.with_edge(region, number, rows)
     size, merge, plain = place.region_size, values.merge, seen_from_afar(colours)
     shown = shown_in(blocks)
     near = region_meshes(

@@ -11,9 +11,11 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.voxel.blocks import AIR, SOLID, block, looked_up
-from landscape.voxel.faces import AT_ONCE, EDGE
-from landscape.voxel.mesh import Look, RegionMesh, region_meshes
+from landscape.voxel.faces import AT_ONCE, DIRECTIONS, EDGE, Faces, shown_in, visible_faces
+from landscape.voxel.mesh import Look, RegionMesh, assembled, part_of
+from landscape.voxel.tile_column import WIDEST
 
+CELL = 2  # blocks: side of a cell
 SOLID_KIND = np.where(SOLID, np.arange(len(SOLID)), AIR).astype(np.uint8)  # the others are air
 
 
@@ -39,36 +41,51 @@ def halved(blocks: np.ndarray) -> np.ndarray:
 
 
 def closed(columns: np.ndarray) -> np.ndarray:
-    """Return what closes the sides of cells, (n, h): rock, or air where a wall is needed.
+    """Return what closes the sides of cells, (..., n, h): rock, or air where a wall is needed.
 
-    ``columns`` (2 n, 2 h) are the blocks in front of those sides. Four of them close one.
+    ``columns`` (..., 2 n, 2 h) are the blocks in front of those sides. Four of them close one.
     """
-    solid = np.pad(looked_up(SOLID, columns), [(0, side % 2) for side in columns.shape])
-    every = solid[::2, ::2] & solid[1::2, ::2] & solid[::2, 1::2] & solid[1::2, 1::2]
-    return np.where(every, block("rock"), AIR)
+    odd = [(0, 0)] * (columns.ndim - 2) + [(0, side % 2) for side in columns.shape[-2:]]
+    solid = np.pad(looked_up(SOLID, columns), odd)
+    lower, upper = solid[..., 0::2], solid[..., 1::2]
+    both = lower & upper
+    return np.where(both[..., 0::2, :] & both[..., 1::2, :], block("rock"), AIR)
 
 
-def cells_of(blocks: np.ndarray) -> np.ndarray:
-    """Return the cells of one region's blocks, both with an edge all around, but not in height.
+def cells_of(blocks: np.ndarray, size: int) -> np.ndarray:
+    """Return the cells of regions of ``size`` columns a side: (rows, n, number, n, h).
 
-    The edge of the cells is solid only where no wall is needed. If the sides are odd, the last
-    cells reach into the next region, and there are always walls.
+    ``blocks`` [x, z, y] have an edge all around. The cells of each region have one of their own,
+    but not in height, which is solid only where no wall is needed. If the regions' sides are odd,
+    their last cells reach into the next region, and there are always walls.
     """
-    found = np.pad(halved(blocks[EDGE:-EDGE, EDGE:-EDGE]), [(EDGE, EDGE), (EDGE, EDGE), (0, 0)])
-    deep, side = (each - 2 * EDGE for each in blocks.shape[:2])
-    found[0, EDGE:-EDGE] = closed(blocks[0, EDGE:-EDGE])
-    found[EDGE:-EDGE, 0] = closed(blocks[EDGE:-EDGE, 0])
-    if deep % 2 == 0:
-        found[-1, EDGE:-EDGE] = closed(blocks[-1, EDGE:-EDGE])
-    if side % 2 == 0:
-        found[EDGE:-EDGE, -1] = closed(blocks[EDGE:-EDGE, -1])
+    rows, number = ((side - 2 * EDGE) // size for side in blocks.shape[:2])
+    inner, odd = blocks[EDGE:-EDGE, EDGE:-EDGE], size % 2
+    if odd:
+        apart = inner.reshape(rows, size, number, size, -1)
+        apart = np.pad(apart, [(0, 0), (0, 1), (0, 0), (0, 1), (0, 0)])
+        inner = apart.reshape(rows * (size + 1), number * (size + 1), -1)
+    halves = halved(inner)
+    half, tall = (size + 1) // 2, halves.shape[2]
+    side = half + 2 * EDGE
+    found = np.zeros((rows, side, number, side, tall), np.uint8)
+    within = slice(EDGE, -EDGE)
+    found[:, within, :, within] = halves.reshape(rows, half, number, half, tall)
+    # The blocks in front of a region: before its first and, if it ends with a whole cell, after its
+    # last.
+    for end in (0,) if odd else (0, -1):
+        first = 0 if end == 0 else size + EDGE
+        across = blocks[first::size, within][:rows].reshape(rows, number, size, -1)
+        along = blocks[within, first::size][:, :number].reshape(rows, size, number, -1)
+        found[:, end, :, within] = closed(across)
+        found[:, within, :, end] = closed(along.swapaxes(1, 2)).swapaxes(1, 2)
     return found
 
 
 def distant_meshes(
     blocks: np.ndarray, size: int, origin: tuple[int, int, int], look: Look, merge: str
 ) -> list[RegionMesh]:
-    """Return the meshes of far away regions of ``size`` columns, one after the other along z.
+    """Return the meshes of far away regions of ``size`` columns a side, in rows along z.
 
     ``blocks`` have an edge all around, and ``origin`` is the place [x, z, y] of the first within.
     Plants are left out, and corners are not darker.
@@ -78,22 +95,34 @@ def distant_meshes(
     if bottom % 2:  # cells of all regions begin at even levels
         blocks = np.concatenate([blocks[:, :, :1], blocks], axis=2)
         bottom -= 1
-    starts = range(0, blocks.shape[1] - 2 * EDGE, size)
-    parts = [cells_of(blocks[:, start : start + size + 2 * EDGE]) for start in starts]
-    cells = np.pad(np.concatenate(parts, axis=1), [(0, 0), (0, 0), (EDGE, EDGE)])
-    cells[:, :, 0] = block("rock")
-    deep, side = parts[0].shape[:2]
-    last = len(look.tint) - 1
-    across = np.minimum(x + 2 * np.arange(deep), last)
-    along = [np.minimum(z + start + 2 * np.arange(side), last) for start in starts]
-    tint = look.tint[np.ix_(across, np.concatenate(along))]
-    shore = (look.shore[0] - bottom) / 2, (look.shore[1] - bottom) / 2
-    of_cells = replace(look, tint=tint, shore=shore, band=look.band / 2, repeat=2)
-    meshes = region_meshes(cells, side, (0, 0, 0), of_cells, merge, occlusion=False, plants=False)
-    for k, (start, mesh) in enumerate(zip(starts, meshes, strict=True)):
-        mesh.vertices["position"] *= 2
-        mesh.vertices["position"] += np.array([x, bottom, z + start - 2 * k * side], np.float32)
-    return meshes
+    own = cells_of(blocks, size)
+    rows, side, number, _, tall = own.shape
+    whole = np.zeros((*own.shape[:-1], tall + 2 * EDGE), np.uint8)
+    whole[..., 0] = block("rock")
+    whole[..., EDGE:-EDGE] = own
+    cells = whole.reshape(rows * side, number * side, -1)
+    # Nothing is drawn of the regions' edges, where their neighbours begin.
+    within = np.zeros(whole.shape, bool)
+    within[:, EDGE:-EDGE, :, EDGE:-EDGE] = True
+    shown = shown_in(cells)
+    shown = shown._replace(places=[at[within.ravel()[at]] for at in shown.places])
+    look = replace(look, overlap=CELL * look.overlap)
+    parts = []
+    for direction in DIRECTIONS:
+        faces = visible_faces(cells, direction, merge, False, shown, side, WIDEST // CELL)
+        row, column = faces.low[:, 0] // side, faces.low[:, 1] // side
+        faces = in_blocks(faces)
+        # Where the region is, and not where it would be if all had their edges between them.
+        faces.low[:, 0] += row * (size - CELL * side)
+        faces.low[:, 1] += column * (size - CELL * side)
+        parts.append(part_of(faces, row * number + column, (x, z, bottom), look))
+    return assembled(parts, rows * number)
+
+
+def in_blocks(faces: Faces) -> Faces:
+    """Return faces of cells as faces of blocks."""
+    low, long, wide = CELL * faces.low, CELL * faces.long, CELL * faces.wide
+    return Faces(faces.direction, low, long, wide, faces.block, faces.shade, thick=CELL)
 
 
 def distant_mesh(

@@ -52,7 +52,8 @@ class Faces:
 
     ``low`` (m, 3) is the corner block [x, z, y] in the region; ``long`` and ``wide`` are the sides
     in blocks along and across. ``shade`` holds how many blocks darken each corner, 0..3, in the
-    order (0, 0), (1, 0), (1, 1), (0, 1) of along and across.
+    order (0, 0), (1, 0), (1, 1), (0, 1) of along and across. ``thick`` is how many blocks lie
+    between them and those that look the other way.
     """
 
     direction: Direction
@@ -61,15 +62,10 @@ class Faces:
     wide: np.ndarray
     block: np.ndarray
     shade: np.ndarray
+    thick: int = 1
 
     def __len__(self) -> int:
         return len(self.block)
-
-    def sorted_by(self, key: np.ndarray) -> "Faces":
-        """Return the faces in the order of a key (m,)."""
-        order = np.argsort(key, kind="stable")
-        kept = self.low, self.long, self.wide, self.block, self.shade
-        return Faces(self.direction, *(each[order] for each in kept))
 
 
 def exposed(density: np.ndarray, direction: Direction) -> np.ndarray:
@@ -160,8 +156,8 @@ def visible_faces(
     """Return the faces that blocks [x, z, y], uint8 with an edge all around, show in a direction.
 
     ``merge`` is "rectangles", "runs" or "none". ``shown`` is what :func:`shown_in` returns, if that
-    is known. If the blocks are those of several regions, one after the other along z,
-    ``region_size`` says how many columns each has; no face goes over from one to the next. No
+    is known. If the blocks are those of several regions, side by side along x and z,
+    ``region_size`` says how many columns they are wide; no face goes over from one to the next. No
     rectangle is more than ``widest`` blocks wide.
     """
     blocks = np.ascontiguousarray(blocks)
@@ -185,13 +181,13 @@ def visible_faces(
             (shade, 8),
             (along, 12),
         )
-        key, long = joined(parts, EVEN_ALONG, region_size if direction.along == 1 else 0)
+        key, long = joined(parts, EVEN_ALONG, region_size)  # along is x or z
         layer, across, kinds, shade, along = split(key, parts)
         low = rows(direction, layer, along, across)
         wide = np.ones(len(key), np.intp)
     if merge == "rectangles":
         parts = ((layer, 12), (along, 12), (long, 5), (kinds, 8), (shade, 8), (across, 12))
-        key, wide = joined(parts, EVEN_ACROSS, region_size if direction.across == 1 else 0, widest)
+        key, wide = joined(parts, EVEN_ACROSS, 0 if direction.across == 2 else region_size, widest)
         layer, along, long, kinds, shade, across = split(key, parts)
         low = rows(direction, layer, along, across)
     corners = shade[:, None] >> np.array([6, 4, 2, 0], np.uint8) & 3

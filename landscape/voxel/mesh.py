@@ -6,7 +6,9 @@ is the block's tint, times the light of the direction, times the darkness of the
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -94,7 +96,7 @@ class Look:
     [x, z]. Quads overlap their neighbours by ``overlap`` blocks, so that no background shows
     through where a corner of one meets the side of another (a T-junction). ``shore`` are two
     heights: faces are WET up to the first, and dry from the second on. ``band`` is the height of a
-    band of dry faces. ``repeat`` is how often a tile is repeated along the side of a block.
+    band of dry faces.
     """
 
     light: np.ndarray
@@ -102,12 +104,6 @@ class Look:
     overlap: float = OVERLAP
     shore: tuple[float, float] = (-np.inf, np.inf)
     band: float = BAND
-    repeat: int = 1
-
-    @property
-    def widest(self) -> int:
-        """How many blocks wide a face may be, so that its tile is repeated often enough."""
-        return WIDEST // self.repeat
 
 
 def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
@@ -121,14 +117,14 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
     high[direction.along] += faces.long
     high[direction.across] += faces.wide
     if direction.sign > 0:
-        low[direction.axis] += 1
-        high[direction.axis] += 1
+        low[direction.axis] += faces.thick
+        high[direction.axis] += faces.thick
 
     found = np.empty((len(faces), 4), VERTEX)
     position, coordinate = found["position"], found["coordinate"]
     tile = first_row(FACE_TILES[faces.block, DIRECTIONS.index(direction)])
     # Row 0 of a tile is its upper edge.
-    top = tile + (faces.wide * look.repeat if direction.across == 2 else 0)
+    top = tile + (faces.wide if direction.across == 2 else 0)
     turned = -1 if direction.across == 2 else 1
     position[..., X_Z_Y[direction.axis]] = low[direction.axis][:, None]
     for s, axis in enumerate((direction.along, direction.across)):
@@ -143,10 +139,10 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
             # The overlap shows no more of the tile: beyond its edge is its opposite side.
             at = ends_of_tile[int(corners[corner, s])]
             if s:
-                row = top + (at - low[axis]) * (turned * look.repeat)
+                row = top + (at - low[axis]) * turned
                 coordinate[:, corner, s] = row * np.float32(1 / ROWS)
             else:
-                coordinate[:, corner, s] = at * look.repeat
+                coordinate[:, corner, s] = at
     # Which corners lie at the far end along x and z.
     far = {direction.along: corners[:, 0] > 0, direction.across: corners[:, 1] > 0}
     x, z = (
@@ -160,7 +156,8 @@ def quads(faces: Faces, origin: tuple[int, int, int], look: Look) -> np.ndarray:
 def sets(faces: Faces, bottom: int, look: Look) -> np.ndarray:
     """Return the set of each face, (m,); ``bottom`` is the region's lowest level."""
     direction = faces.direction
-    low = faces.low[:, 2] + (bottom + (direction.axis == 2 and direction.sign > 0))
+    raised = faces.thick if direction.axis == 2 and direction.sign > 0 else 0
+    low = faces.low[:, 2] + (bottom + raised)
     return sets_between(low, low + faces.wide if direction.across == 2 else low, look)
 
 
@@ -210,14 +207,20 @@ def shown_tiles(mesh: RegionMesh) -> np.ndarray:
     return np.asarray(mesh.vertices["coordinate"][:, 1] * (ROWS / PLACES)).astype(np.intp)
 
 
-def plant_quads(blocks: np.ndarray, origin: tuple[int, int, int], look: Look) -> np.ndarray:
-    """Return two crossed quads (m, 4) for each plant in a region, blocks without an edge.
+def plant_places(blocks: np.ndarray) -> np.ndarray:
+    """Return where in blocks [x, z, y] plants are, (m, 3)."""
+    flat = np.flatnonzero(looked_up(PLANT, blocks))
+    return np.stack(np.unravel_index(flat, blocks.shape), axis=1)
+
+
+def plant_quads(
+    blocks: np.ndarray, place: np.ndarray, origin: tuple[int, int, int], look: Look
+) -> np.ndarray:
+    """Return two crossed quads (2 m, 4) for each plant; ``place`` (m, 3) are those in ``blocks``.
 
     Plants do not stand in rows: each is moved a little from the middle of its block, except the tip
     of a tree.
     """
-    flat = np.flatnonzero(looked_up(PLANT, blocks))
-    place = np.stack(np.unravel_index(flat, blocks.shape), axis=1)
     kinds = blocks[tuple(place.T)]
     place = place + np.array(origin)
     # A number from the place, so that a plant stays where it is when its region is built again.
@@ -285,37 +288,69 @@ def region_meshes(
     plants: bool = True,
     shown: Shown | None = None,
 ) -> list[RegionMesh]:
-    """Return the meshes of regions that lie one after the other along z.
+    """Return the meshes of regions that lie side by side, in rows along z.
 
     They are the same as :func:`region_mesh` makes of each, but numpy is called once for all.
     ``size`` columns are a region; 0 means that there is only one. ``shown`` is what
     :func:`shown_in` returns, if that is known.
     """
-    number = -(-(blocks.shape[1] - 2 * EDGE) // size) if size else 1
-    counts = np.zeros((number, len(TURNS), SETS), np.int32)
-    found: list[list[np.ndarray]] = [[] for _ in range(number)]
+    rows, number = ((side - 2 * EDGE) // size if size else 1 for side in blocks.shape[:2])
+
+    def regions(low: np.ndarray) -> np.ndarray:
+        """Return the regions (m,) in which faces or plants at ``low`` (m, 3) are."""
+        if not size:
+            return np.zeros(len(low), np.intp)
+        return np.asarray(low[:, 0] // size * number + low[:, 1] // size)
+
     shown = shown or shown_in(blocks)
-    for k, direction in enumerate(DIRECTIONS):
-        faces = visible_faces(blocks, direction, merge, occlusion, shown, size, look.widest)
-        key = sets(faces, origin[2], look)
-        if size:
-            key += faces.low[:, 1] // size * SETS
-        vertices = quads(faces.sorted_by(key), origin, look)
-        many = np.bincount(key, minlength=number * SETS).reshape(number, SETS)
-        counts[:, k] = 4 * many
-        ends = np.cumsum(many.sum(axis=1))
-        for region in range(number):
-            found[region].append(vertices[ends[region] - many[region].sum() : ends[region]])
+    parts = []
+    for direction in DIRECTIONS:
+        faces = visible_faces(blocks, direction, merge, occlusion, shown, size, WIDEST)
+        parts.append(part_of(faces, regions(faces.low), origin, look))
     if plants:
-        x, z, y = origin
-        for region in range(number):
-            columns = slice(region * size, (region + 1) * size) if size else slice(None)
-            inner = blocks[1:-1, 1:-1, 1:-1][:, columns]
-            crossed = plant_quads(inner, (x, z + region * size, y), look)
-            key = plant_sets(crossed, look)
-            counts[region, PLANTS] = 4 * np.bincount(key, minlength=SETS)
-            found[region].append(crossed[np.argsort(key, kind="stable")])
+        inner = blocks[EDGE:-EDGE, EDGE:-EDGE, EDGE:-EDGE]
+        place = plant_places(inner)
+        crossed = plant_quads(inner, place, origin, look)
+        parts.append(part_of_plants(crossed, np.repeat(regions(place), 2), look))
+    return assembled(parts, rows * number)
+
+
+class Part(NamedTuple):
+    """Quads (m, 4) of VERTEX, and of each the region, the index in TURNS and the set: ``key`` (m,).
+
+    They are one number: the sets of the first direction of the first region come first.
+    """
+
+    quads: np.ndarray
+    key: np.ndarray
+
+
+def part_of(
+    faces: Faces, regions: np.ndarray | int, origin: tuple[int, int, int], look: Look
+) -> Part:
+    """Return the quads of faces, of which ``regions`` (m,) says where they are."""
+    turn = DIRECTIONS.index(faces.direction)
+    key = (regions * len(TURNS) + turn) * SETS + sets(faces, origin[2], look)
+    return Part(quads(faces, origin, look), key)
+
+
+def part_of_plants(crossed: np.ndarray, regions: np.ndarray | int, look: Look) -> Part:
+    """Return the quads (m, 4) of plants as a part."""
+    return Part(crossed, (regions * len(TURNS) + PLANTS) * SETS + plant_sets(crossed, look))
+
+
+def assembled(parts: Sequence[Part], regions: int) -> list[RegionMesh]:
+    """Return the meshes of so many regions, of all their quads."""
+    key = np.concatenate([part.key for part in parts])
+    counts = 4 * np.bincount(key, minlength=regions * len(TURNS) * SETS)
+    counts = counts.reshape(regions, len(TURNS), SETS)
+    # Numbers of 16 bits are sorted in two steps of 8 bits.
+    order = np.argsort(key.astype(np.min_scalar_type(counts.size)), kind="stable")
+    # As plain numbers, four vertices a row, whole quads are copied at once.
+    rows = np.concatenate([part.quads.view(np.float32) for part in parts])
+    vertices = rows[order].reshape(-1).view(VERTEX)
+    ends = np.cumsum(counts.sum(axis=(1, 2)))
     return [
-        RegionMesh(np.concatenate(parts).reshape(-1), count)
-        for parts, count in zip(found, counts, strict=True)
+        RegionMesh(vertices[end - count.sum() : end], count.astype(np.int32))
+        for end, count in zip(ends, counts, strict=True)
     ]

@@ -24,13 +24,14 @@ from landscape.voxel.faces import (
 from landscape.voxel.mesh import (
     PLANTS,
     SETS,
-    VERTEX,
     Look,
+    Part,
     RegionMesh,
+    assembled,
+    part_of,
+    part_of_plants,
+    plant_places,
     plant_quads,
-    plant_sets,
-    quads,
-    sets,
 )
 from landscape.voxel.world import World
 
@@ -159,21 +160,11 @@ def patched(
     out, rectangles = touched(mesh, key, low, high)
     found, place = faces_again(world, low, high, rectangles, occlusion)
     origin = place[0], place[1], place[2]
-    parts, keys = [mesh.vertices.reshape(-1, 4)], [key]
-    for k, faces in enumerate(found):
-        if len(faces):
-            parts.append(quads(faces, origin, look))
-            keys.append(k * SETS + sets(faces, origin[2], look))
+    parts = [Part(mesh.vertices.reshape(-1, 4)[~out], key[~out])]
+    parts += [part_of(faces, 0, origin, look) for faces in found if len(faces)]
     if plants:
         inner = tuple(slice(*ends) for ends in zip(low, high, strict=True))
-        crossed = plant_quads(world.blocks[inner], (low[0], low[1], low[2]), look)
-        parts.append(crossed)
-        keys.append(PLANTS * SETS + plant_sets(crossed, look))
-    key = np.concatenate(keys)
-    order = np.argsort(key, kind="stable")
-    order = order[~np.concatenate([out, np.zeros(len(key) - len(out), bool)])[order]]
-    counts = 4 * np.bincount(key[order], minlength=mesh.counts.size)
-    # As plain numbers, four vertices a row, whole quads are copied at once.
-    numbers = np.concatenate([each.view(np.float32).reshape(-1, VERTEX.itemsize) for each in parts])
-    vertices = numbers[order].reshape(-1).view(VERTEX)
-    return RegionMesh(vertices, counts.reshape(mesh.counts.shape).astype(np.int32))
+        blocks = world.blocks[inner]
+        crossed = plant_quads(blocks, plant_places(blocks), (low[0], low[1], low[2]), look)
+        parts.append(part_of_plants(crossed, 0, look))
+    return assembled(parts, 1)[0]
