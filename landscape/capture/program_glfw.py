@@ -213,20 +213,15 @@ class _Glfw:
             if not window and self._backend == "osmesa":
                 osmesa.leave()
         elif window:
-            size = self._real.get_framebuffer_size(window)
-            self._egl = self._egl or EGLContext(size)
+            self._egl = self._egl or EGLContext(self._real.get_framebuffer_size(window))
             self._egl.make_current()
         elif self._egl is not None:
             self._egl.leave()
         self._current = window
         if window and self._run.window is None:
+            doubled = self._double_buffered or self._backend == "egl" or self._host is not None
             self._run.open(
-                Window(
-                    "glfw",
-                    self._backend,
-                    lambda: self.get_framebuffer_size(self._window),
-                    self._double_buffered or self._backend == "egl" or self._host is not None,
-                )
+                Window("glfw", self._backend, lambda: self.get_framebuffer_size(window), doubled)
             )
 
     def get_current_context(self) -> Any:

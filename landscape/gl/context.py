@@ -243,20 +243,16 @@ class EGLContext:
 
     def leave(self) -> None:
         """Have no context of EGL current."""
-        egl = self._egl
-        egl.eglMakeCurrent(
-            self._display, egl.EGL_NO_SURFACE, egl.EGL_NO_SURFACE, egl.EGL_NO_CONTEXT
-        )
+        none = self._egl.EGL_NO_SURFACE
+        self._egl.eglMakeCurrent(self._display, none, none, self._egl.EGL_NO_CONTEXT)
 
     def release(self) -> None:
         """Destroy the context and its pbuffer."""
-        if self._context is None:
-            return
-        egl = self._egl
-        self.leave()
-        egl.eglDestroyContext(self._display, self._context)
-        egl.eglDestroySurface(self._display, self._surface)
-        self._context = None
+        if self._context is not None:
+            self.leave()
+            self._egl.eglDestroyContext(self._display, self._context)
+            self._egl.eglDestroySurface(self._display, self._surface)
+            self._context = None
 
 
 class GLFWContext:
