@@ -3,10 +3,12 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from landscape.files.assets import Assets
 from landscape.keys import with_settings
 from landscape.render import Offscreen
+from landscape.voxel import map
 from landscape.voxel.blocks import block
 from landscape.voxel.map import DEPTHS, GAP, PART, map_picture
 
@@ -35,6 +37,18 @@ def test_each_column_has_its_top_blocks_colour_and_water_that_of_its_depth() -> 
     assert (red > 2 * blue).all()
     deep = np.clip(world.sea - 1, 0, 12)
     assert deep == 9 and (np.abs(picture[32:38, 42:48] - DEPTHS[-1]) < 20).all()
+
+
+def test_of_a_large_world_the_map_has_every_second_column(monkeypatch: pytest.MonkeyPatch) -> None:
+    with opened() as view:
+        view.look(ABOVE)
+        world = view.scene.land.world
+        world.blocks[:] = 0
+        world.blocks[:, :, : world.sea + 5] = block("sand")
+        world.blocks[80:, :30, : world.sea + 5] = block("red cloth")
+        whole = map_picture(world, Assets())
+        monkeypatch.setattr(map, "MOST", world.side // 2)
+        np.testing.assert_array_equal(map_picture(world, Assets()), whole[::2, ::2])
 
 
 def corner(view: Offscreen) -> np.ndarray:

@@ -354,6 +354,7 @@ def test_a_large_world_whose_meshes_are_packed_looks_like_a_small_one(
             patch.setattr(build, "MOST_KEPT", 0)
             for name in ("LARGE", "LITTLE_SPARE", "RESERVE"):
                 patch.setattr(region_buffer, name, 0)
+            patch.setattr(region_buffer, "MOST_SENT", 1000)  # so that land is drawn in parts
             large, theirs = picture_and_meshes(dug)
         np.testing.assert_array_equal(plain, large)
         for one, other in zip(meshes, theirs, strict=True):

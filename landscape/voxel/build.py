@@ -133,7 +133,7 @@ def look(settings: Settings, seed: int) -> Look:
     """Return what the vertices depend on besides the blocks."""
     values = settings.voxel
     side = values.regions * values.region_size
-    tint = variation(side + 1, TINT_SIZE, np.random.default_rng(seed + 1))
+    tint = variation(side + 1, TINT_SIZE, np.random.default_rng(seed + 1)).astype(np.float32)
     # The water is between these, and so is all that is drawn of what lies under it.
     shore = values.sea - 1, values.sea + 1
     return Look(face_light(settings.sun, settings.shadow), tint, shore=shore)

@@ -55,6 +55,10 @@ class Heights:
         """The number of blocks in each column, int16 (n, n), at least 1."""
         return np.maximum(np.rint(self.field), 1).astype(np.int16)
 
+    def top(self, i: int, k: int) -> int:
+        """Return the number of blocks in one column, as ``tops`` has it."""
+        return max(int(np.rint(self.field[i, k])), 1)
+
 
 def heights(image: np.ndarray, columns: int, levels: int) -> Heights:
     """Resample an image (h, w) of values 0..255 to ``columns`` x ``columns`` heights in blocks."""

@@ -1,8 +1,9 @@
 """The map: the blocks from above in a corner of the window (Map, section 9).
 
 Technique: each column of blocks is a texel, with the mean colour of its top block's tile, brighter
-where the column to its north is lower and darker where it is higher; water by its depth. A second
-viewport at the upper left has the picture, and an arrow where the walker is and looks.
+where the column to its north is lower and darker where it is higher; water by its depth. Of a
+large world only every second column is one. A second viewport at the upper left has the picture,
+and an arrow where the walker is and looks.
 State used: viewport, both matrices, GL_TEXTURE_2D; depth test and fog off.
 What is not drawn: blocks that change while the map is shown; off and on again, it has them.
 """
@@ -27,25 +28,32 @@ PART = 0.3  # chosen, of the window's height
 GAP = 0.02  # chosen, of the window's height
 STEP = 0.12  # chosen: how much brighter or darker a column is for each level of difference
 STEPS = 3  # chosen: levels of difference beyond which it is no brighter or darker
-AT_ONCE = 100  # columns from west to east, chosen: as many are looked at at once
+AT_ONCE = 32  # columns from west to east, chosen: as many are looked at at once
+MOST = 1024  # texels on each side, chosen: more would not be seen
 DEEP = 12  # chosen: blocks of water from which it has its darkest colour
 ARROW = ((0.0, 1.0), (0.6, -0.8), (0.0, -0.4), (-0.6, -0.8))
 OUTLINE, INSIDE = (0.09, (0.1, 0.05, 0.05)), (0.06, (1.0, 0.95, 0.85))  # sizes of 1 and colours
 
 
 def map_picture(world: World, assets: Assets) -> np.ndarray:
-    """Return the map, uint8 (side, side, 3): north at the top, west at the left."""
+    """Return the map, uint8 (n, n, 3): north at the top, west at the left.
+
+    n is the world's side, or a fraction of it if that is more than MOST.
+    """
     pictures = tiles(assets)
     colours = np.zeros((len(BLOCKS), 3))
     for number, block in enumerate(BLOCKS):
         if SOLID[number]:
             colours[number] = pictures[block.top][..., :3].mean(axis=(0, 1)) * block.tint / 255.0
-    whole = np.empty((world.side, world.side, 3), np.uint8)
-    for start in range(0, world.side, AT_ONCE):
-        blocks = world.blocks[start : start + AT_ONCE]
+    step = -(-world.side // MOST)
+    columns = world.blocks[::step, ::step]
+    side = len(columns)
+    whole = np.empty((side, side, 3), np.uint8)
+    for start in range(0, side, AT_ONCE):
+        blocks = columns[start : start + AT_ONCE]
         solid = looked_up(SOLID, blocks)
         top = solid.shape[2] - 1 - solid[:, :, ::-1].argmax(axis=2).T  # [z, x] from here on
-        x, z = np.meshgrid(np.arange(len(blocks)), np.arange(world.side))
+        x, z = np.meshgrid(np.arange(len(blocks)), np.arange(side))
         north = np.vstack([top[:1], top[:-1]])
         slope = np.clip(top - north, -STEPS, STEPS)[..., None]
         land = colours[blocks[x, z, top]] * (1.0 + STEP * slope)

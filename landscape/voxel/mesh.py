@@ -92,9 +92,9 @@ class Look:
     """What colours depend on.
 
     ``light`` (6, 4) is the colour of the light on faces in each of DIRECTIONS, with the alpha that
-    shadows need, and ``tint`` (n + 1, n + 1) a noise of -1..1 over the corners of the columns,
-    [x, z]. Quads overlap their neighbours by ``overlap`` blocks, so that no background shows
-    through where a corner of one meets the side of another (a T-junction). ``shore`` are two
+    shadows need, and ``tint`` (n + 1, n + 1), float32, a noise of -1..1 over the corners of the
+    columns, [x, z]. Quads overlap their neighbours by ``overlap`` blocks, so that no background
+    shows through where a corner of one meets the side of another (a T-junction). ``shore`` are two
     heights: faces are WET up to the first, and dry from the second on. ``band`` is the height of a
     band of dry faces.
     """
@@ -178,7 +178,7 @@ def colours(
     k = DIRECTIONS.index(faces.direction)
     tint = (TINTS * look.light[k, :3]).astype(np.float32)[faces.block]
     last_x, last_z = look.tint.shape[0] - 1, look.tint.shape[1] - 1
-    noise = look.tint[np.minimum(x, last_x), np.minimum(z, last_z)].astype(np.float32)
+    noise = look.tint[np.minimum(x, last_x), np.minimum(z, last_z)]
     steps = STEPS[faces.block]
     dark = SHADES[shade]
     found = np.empty((len(faces), 4, 4), np.uint8)

@@ -12,6 +12,7 @@ State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
 import ctypes
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -29,10 +30,11 @@ MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks t
 Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
 SPARE = 512  # vertices, chosen: and by at least this
 LARGE = 1 << 23  # vertices, chosen: in a larger buffer it is larger only by the following
-LITTLE_SPARE = 256  # vertices, chosen
+LITTLE_SPARE = 128  # vertices, chosen: a block that is placed takes up to 24
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
 AT_ONCE = 1 << 18  # vertices, chosen: so many are lit anew at a time
 FINISHED = 64  # chosen: so many shares of a large world are uploaded at a time
+MOST_SENT = 1 << 19  # vertices, chosen: so many of a large world are drawn at a time
 
 # The sets of faces that are drawn, from one to another: all of them, those that are not wholly
 # under water, and those that are not wholly above it.
@@ -252,6 +254,16 @@ class RegionBuffer:
             first, count = first[wanted], count[wanted]
         if not len(first):
             return
+        ends = [0, len(first)]
+        if self._large:
+            ends[1:1] = (1 + np.flatnonzero(np.diff(np.cumsum(count) // MOST_SENT))).tolist()
+        for one, end in pairwise(ends):
+            if one:
+                gl.glFinish()  # Mesa keeps up to 0.1 GB of what is still to be drawn
+            self._send_at_once(first[one:end], count[one:end])
+
+    def _send_at_once(self, first: np.ndarray, count: np.ndarray) -> None:
+        """Draw so many vertices from each of ``first`` on."""
         if self._multi_draw:
             gl.glMultiDrawArrays(gl.GL_QUADS, first, count, len(first))
             return

@@ -44,14 +44,13 @@ class Ground:
         """Read the heights; InputError for an image that cannot be used."""
         self.settings = settings
         self.heights: Heights = build.source(settings.voxel, assets)
-        self._tops = self.heights.tops
-        self.size = len(self._tops) * settings.voxel.block
+        self.size = len(self.heights.field) * settings.voxel.block
 
     def height(self, x: float, z: float) -> float:
         """Return the height in units of the ground's blocks at x, z, or of the water over them."""
-        block, last = self.settings.voxel.block, len(self._tops) - 1
+        block, last = self.settings.voxel.block, len(self.heights.field) - 1
         i, k = (int(min(max(each / block, 0), last)) for each in (x, z))
-        return max(int(self._tops[i, k]), self.settings.voxel.sea) * block
+        return max(self.heights.top(i, k), self.settings.voxel.sea) * block
 
 
 class Shore(NamedTuple):
