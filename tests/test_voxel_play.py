@@ -296,7 +296,7 @@ def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_a
             picture = drawn.draw()
         with drawn.targeted():
             # Meshes for where a region is distant are made again when they are first drawn.
-            land.choose(np.eye(4), np.zeros(3), near=0.0, far=0.0)
+            land.choose(np.eye(4), np.zeros(3), land.around(np.zeros(3)), near=0.0, far=0.0)
             before = [unit_faces(mesh, land.world.sea) for mesh in land.meshes]
             for region in range(4):
                 land.rebuild(region)

@@ -74,10 +74,11 @@ def test_faces_turned_away_cannot_be_seen_from_any_point_of_the_region() -> None
     assert facing(low, high, np.array([2.0, -1.0, 9.0])).tolist() == [[1, 1, 0, 1, 1, 0]]
 
 
-def test_distances_are_taken_in_plan() -> None:
+def test_distances_are_those_to_the_nearest_point_of_a_box() -> None:
     low, high = np.array([[3.0, 0.0, 4.0]]), np.array([[5.0, 1.0, 6.0]])
-    assert distances(low, high, np.array([0.0, 50.0, 0.0])) == pytest.approx([5.0])
-    assert distances(low, high, np.array([4.0, 50.0, 5.0])) == pytest.approx([0.0])
+    assert distances(low, high, np.array([0.0, 0.5, 0.0])) == pytest.approx([5.0])
+    assert distances(low, high, np.array([4.0, 50.0, 5.0])) == pytest.approx([49.0])
+    assert distances(low, high, np.array([4.0, 0.5, 5.0])) == pytest.approx([0.0])
 
 
 def test_no_visible_region_and_no_visible_direction_is_culled() -> None:

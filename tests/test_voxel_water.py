@@ -148,8 +148,8 @@ def test_the_grid_covers_the_water_on_the_screen_and_lies_in_its_plane() -> None
         frame = some_frame(Pose(3.0, 1.5, 4.0, 33.0, pitch))
         points = water_grid(frame, 0.7, 80.0)
         assert points is not None
-        assert points[..., 1] == pytest.approx(0.7)
-        away = points - frame.eye
+        assert points[:, 1] == pytest.approx(0.7)
+        away = points.reshape(ROWS, COLUMNS, 3) - frame.eye
         depth = -away @ frame.back
         assert (depth > 0).all()
         top = np.tan(np.radians(30.0))
@@ -164,34 +164,32 @@ def test_there_is_no_water_where_one_looks_up() -> None:
 
 
 def test_ripples_move_points_within_the_plane_and_not_at_all_without_strength() -> None:
-    points, deep = some_water()
-    eye = np.array([20.0, 3.0, 20.0])
-    assert disturbed(points, eye, deep, 12.0, 0.0) == pytest.approx(points)
-    moved = disturbed(points, eye, deep, 12.0, 1.0)
-    assert moved[..., 1] == pytest.approx(0.7) and not np.allclose(moved, points)
+    points, away, deep = some_water()
+    assert disturbed(points, away, deep, 12.0, 0.0) == pytest.approx(points)
+    moved = disturbed(points, away, deep, 12.0, 1.0)
+    assert moved[:, 1] == pytest.approx(0.7) and not np.allclose(moved, points)
 
 
 def test_ripples_move_less_what_is_near_or_shallow_and_nothing_at_the_screens_edges() -> None:
-    points, deep = some_water()
-    eye = np.array([20.0, 3.0, 20.0])
+    points, away, deep = some_water()
 
-    def way(points: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        return np.linalg.norm(disturbed(points, eye, depth, 12.0, 1.0) - points, axis=-1)
+    def way(away: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        return np.linalg.norm(disturbed(points, away, depth, 12.0, 1.0) - points, axis=-1)
 
-    far, shallow = way(points, deep), way(points, deep / 50)
-    assert (shallow <= far).all() and shallow.max() < 0.2 * far.max()
-    assert way(points, -deep) == pytest.approx(0.0)  # on land
-    near = np.array(eye) + (points - eye) * (0.3, 0.0, 0.3) / 40
-    assert way(near, deep).max() < 0.5 * far.max()
+    far, shallow = way(away, deep), way(away, deep / 50)
+    assert (shallow <= far + 1e-6).all() and shallow.max() < 0.2 * far.max()
+    assert way(away, -deep) == pytest.approx(0.0)  # on land
+    assert way(away / 40, deep).max() < 0.5 * far.max()
+    far = far.reshape(ROWS, COLUMNS)
     assert far[-1] == pytest.approx(0.0) and far[:, [0, -1]] == pytest.approx(0.0)
 
 
 def test_glints_are_dimmer_in_shallow_water_and_close_by() -> None:
-    points, deep = some_water()
-    eye, half = np.array([20.0, 3.0, 20.0]), np.tile((0.0, 1.0, 0.0), (ROWS, COLUMNS, 1))
-    assert calmed(half, points, eye, deep)[..., 1].max() == pytest.approx(1.0)
-    assert (calmed(half, points, eye, 0.0 * deep)[..., 1] < 0.96).all()
-    assert (calmed(half, eye + 0.01 * (points - eye), eye, deep)[..., 1] < 0.97).all()
+    points, away, deep = some_water()
+    half = np.tile((0.0, 1.0, 0.0), (len(points), 1))
+    assert calmed(half, away, deep)[:, 1].max() == pytest.approx(1.0)
+    assert (calmed(half, away, 0.0 * deep)[:, 1] < 0.96).all()
+    assert (calmed(half, 0.01 * away, deep)[:, 1] < 0.97).all()
 
 
 def test_normals_made_steeper_are_of_unit_length_and_of_steeper_slopes() -> None:
@@ -202,16 +200,18 @@ def test_normals_made_steeper_are_of_unit_length_and_of_steeper_slopes() -> None
     assert steep[:2] / steep[2] == pytest.approx((0.6, -0.4), abs=0.03)
 
 
-def some_water() -> tuple[np.ndarray, np.ndarray]:
-    points = np.random.default_rng(0).uniform(0, 40, (ROWS, COLUMNS, 3))
-    points[..., 1] = 0.7
-    return points, np.full((ROWS, COLUMNS), 2.0)
+def some_water() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    points = np.random.default_rng(0).uniform(0, 40, (ROWS * COLUMNS, 3)).astype(np.float32)
+    points[:, 1] = 0.7
+    away = np.linalg.norm(points - (20.0, 3.0, 20.0), axis=-1).astype(np.float32)
+    return points, away, np.full(len(points), 2.0, np.float32)
 
 
 def test_a_half_vector_is_the_normal_where_the_water_mirrors_the_sun() -> None:
     sun = np.array([0.6, 0.8, 0.0])
     eye = np.array([-3.0, 4.0, 0.0])  # the sun's image in level water at the origin
-    assert half_vectors(np.zeros((1, 3)), eye, sun) == pytest.approx(np.array([[0.0, 1.0, 0.0]]))
+    found = half_vectors(-eye[None], np.array([5.0]), sun)
+    assert found == pytest.approx(np.array([[0.0, 1.0, 0.0]]))
 
 
 def test_no_picture_of_the_water_is_drawn_where_none_is_in_view() -> None:

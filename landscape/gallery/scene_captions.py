@@ -134,9 +134,11 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
             "holes, by the alpha test.",
         ),
         "voxel_regions": (
-            "the land under a grid of green boxes, and in a corner the whole map from outside",
-            "Each region of 50 x 50 columns has a box. Those in the frustum are drawn, green; the "
-            "others are culled, red. The inset shows frustum and regions from outside.",
+            "a beach and a sea dragon under green boxes, red boxes behind them, and in a corner "
+            "the map from outside",
+            "Each region of 20 x 20 columns has a box. Those in the frustum and near enough are "
+            "drawn, green; the others are culled, red: here all beyond 13 units. The inset shows "
+            "the frustum from outside, and the regions it leaves.",
         ),
     },
 }

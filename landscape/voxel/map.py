@@ -35,6 +35,15 @@ ARROW = ((0.0, 1.0), (0.6, -0.8), (0.0, -0.4), (-0.6, -0.8))
 OUTLINE, INSIDE = (0.09, (0.1, 0.05, 0.05)), (0.06, (1.0, 0.95, 0.85))  # sizes of 1 and colours
 
 
+def highest(blocks: np.ndarray) -> np.ndarray:
+    """Return the level of the uppermost solid block, int16 (n, m), of columns [x, z, y]."""
+    found = np.empty(blocks.shape[:2], np.int16)
+    for start in range(0, len(blocks), AT_ONCE):
+        solid = looked_up(SOLID, blocks[start : start + AT_ONCE])
+        found[start : start + AT_ONCE] = solid.shape[2] - 1 - solid[:, :, ::-1].argmax(axis=2)
+    return found
+
+
 def map_picture(world: World, assets: Assets) -> np.ndarray:
     """Return the map, uint8 (n, n, 3): north at the top, west at the left.
 
@@ -51,8 +60,7 @@ def map_picture(world: World, assets: Assets) -> np.ndarray:
     whole = np.empty((side, side, 3), np.uint8)
     for start in range(0, side, AT_ONCE):
         blocks = columns[start : start + AT_ONCE]
-        solid = looked_up(SOLID, blocks)
-        top = solid.shape[2] - 1 - solid[:, :, ::-1].argmax(axis=2).T  # [z, x] from here on
+        top = highest(blocks).T  # [z, x] from here on
         x, z = np.meshgrid(np.arange(len(blocks)), np.arange(side))
         north = np.vstack([top[:1], top[:-1]])
         slope = np.clip(top - north, -STEPS, STEPS)[..., None]

@@ -69,12 +69,18 @@ class Voxel:
         28.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)
     )
     near: float = setting(
-        7.0, "chosen", "how far corners are dark and plants are drawn", 0, 1e4, unit=UNITS
+        7.0,
+        "chosen",
+        "how far corners are dark and plants are drawn; less in windows under 900 pixels high",
+        0,
+        1e4,
+        unit=UNITS,
     )
     far: float = setting(
         12.0,
         "Luanti",
-        "how far blocks are drawn one by one; beyond, eight make a larger one",
+        "how far blocks are drawn one by one; beyond, eight make a larger one; less in windows "
+        "under 900 pixels high",
         0,
         1e4,
         unit=UNITS,

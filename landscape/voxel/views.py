@@ -20,7 +20,8 @@ VIEWS = {
         View("voxel_forest", "a glade in the forest below the mountain",
              Pose(18.95, 1.7, 24.6, 3.0, 3.0), 20.0),
         View("voxel_regions", "the regions' boxes, culled ones red; the frustum from outside",
-             Pose(20.3, 4.6, 27.2, 12.0, -18.0), 20.0, settings={"debug.regions": True}),
+             Pose(13.8, 3.0, 34.0, 15.0, -7.0), 20.0,
+             settings={"debug.regions": True, "voxel.distance": 13.0}),
     )
 }  # fmt: skip
 MAIN = tuple(VIEWS)

@@ -12,23 +12,27 @@ import numpy as np
 CORNERS = np.array([[i >> 2 & 1, i >> 1 & 1, i & 1] for i in range(8)], np.float64)
 
 
+# A point is in front of each of these when it is inside the clip cube -w..w.
+SIDES = np.array([(sign * (k == 0), sign * (k == 1), sign * (k == 2), 1.0)
+                  for k in range(3) for sign in (1.0, -1.0)])  # fmt: skip
+
+
 def frustum_planes(matrix: np.ndarray) -> np.ndarray:
     """Return the six planes (6, 4) of a projection times modelview matrix, looking inwards.
 
     ``matrix`` (4, 4) transforms column vectors. A point p is inside where plane . (p, 1) >= 0
     (Gribb and Hartmann 2001).
     """
-    x, y, z, w = matrix
-    return np.stack([w + x, w - x, w + y, w - y, w + z, w - z])
+    return np.asarray(SIDES @ matrix)
 
 
 def visible_in_world(low: np.ndarray, high: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     """Return which boxes from ``low`` to ``high`` (n, 3) are not behind one plane of a frustum."""
     planes = frustum_planes(matrix)
-    normals, offsets = planes[:, :3], planes[:, 3]
+    normals, offsets = planes[:, :3], planes[:, 3:]
     # Of each box only the corner that is farthest along the plane's normal counts.
-    within = np.maximum(normals, 0) @ high.T + np.minimum(normals, 0) @ low.T + offsets[:, None]
-    return np.asarray((within >= 0).all(axis=0))
+    within = np.maximum(normals, 0) @ high.T + np.minimum(normals, 0) @ low.T + offsets
+    return np.asarray(within.min(axis=0) >= 0)
 
 
 def visible_projected(low: np.ndarray, high: np.ndarray, matrix: np.ndarray) -> np.ndarray:
@@ -40,9 +44,10 @@ def visible_projected(low: np.ndarray, high: np.ndarray, matrix: np.ndarray) -> 
 
 
 def distances(low: np.ndarray, high: np.ndarray, eye: np.ndarray) -> np.ndarray:
-    """Return how far boxes (n, 3) are from the eye (3,) in plan, 0 for one above or below it."""
-    gap = np.maximum(np.maximum(low - eye, eye - high), 0.0)
-    return np.hypot(gap[:, 0], gap[:, 2])
+    """Return how far the eye (3,) is from boxes (n, 3), 0 within."""
+    at = eye[:, None]
+    gap = np.maximum(np.maximum(low.T - at, at - high.T), 0.0)
+    return np.asarray(np.sqrt((gap * gap).sum(axis=0)))
 
 
 def facing(low: np.ndarray, high: np.ndarray, eye: np.ndarray) -> np.ndarray:
@@ -50,7 +55,7 @@ def facing(low: np.ndarray, high: np.ndarray, eye: np.ndarray) -> np.ndarray:
 
     A face that looks east can only be seen from east of it, so not from west of the whole box.
     """
-    beyond_low, before_high = eye > low, eye < high
-    east, up, south = beyond_low.T
-    west, down, north = before_high.T
-    return np.stack([east, west, up, down, south, north], axis=1)
+    found = np.empty((len(low), 3, 2), bool)
+    np.greater(eye, low, out=found[:, :, 0])  # east, up, south
+    np.less(eye, high, out=found[:, :, 1])  # west, down, north
+    return found.reshape(-1, 6)

@@ -23,9 +23,10 @@ from landscape.voxel.heights import Heights
 from landscape.voxel.land import Land
 from landscape.voxel.map import Map
 from landscape.voxel.memory import give_back
+from landscape.voxel.outside_view import OutsideView
 from landscape.voxel.played import Played
 from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Part
-from landscape.voxel.regions_view import draw_boxes, draw_from_outside
+from landscape.voxel.regions_view import draw_boxes
 from landscape.voxel.safeguards import SAFEGUARDS
 from landscape.voxel.settings import PRESETS, Settings
 from landscape.voxel.shadow_map import ShadowMap
@@ -35,6 +36,10 @@ from landscape.voxel.textures_view import TexturesView
 from landscape.voxel.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.voxel.water import Water
 from landscape.voxel.water_images import clipped
+
+# Chosen: pixels of a unit, one unit away, from which on more of them show no finer land, and fewer
+# no coarser: those of windows 900 and 600 pixels high, with a field of view of 66 degrees.
+MOST_PIXELS, LEAST_PIXELS = 693.0, 462.0
 
 
 class Ground:
@@ -54,7 +59,7 @@ class Ground:
 
 
 class Shore(NamedTuple):
-    """The water in view: its height in units, and points of it (rows, columns, 3)."""
+    """The water in view: its height in units, and points of it (n, 3)."""
 
     level: float
     points: np.ndarray
@@ -74,7 +79,7 @@ class Voxel(Played, Ground):
         Played.__init__(self, assets, seed)
         self.shown = set(only)
         self._owned: list[Any] = []
-        self.textures = TexturesView()
+        self.textures, self.outside = TexturesView(), OutsideView(assets)
         try:
             begin_pass("setup")
             # First, since it takes much memory for a moment, and the land from then on.
@@ -136,6 +141,7 @@ class Voxel(Played, Ground):
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
         clip = clip_matrix()
         self.land.catch_up()
+        self._around = self.land.around(frame.eye)
         self._draw_shadows(frame, moment.walking)
         begin_pass("main")
         shore = self._shore(frame)
@@ -159,10 +165,10 @@ class Voxel(Played, Ground):
         self._draw("map", self.map, frame)
 
     def depth(self, shore: Shore) -> np.ndarray:
-        """Return how deep the water is at its points in view, in units; negative on land."""
+        """Return how deep the water is at its points, float32 (n,), in units; negative on land."""
         block = self.settings.voxel.block
-        x, _, z = np.moveaxis(shore.points / block, -1, 0)
-        return np.asarray(shore.level - block * self.heights.height(x, z))
+        x, _, z = shore.points.T / block
+        return np.asarray(shore.level - block * self.heights.height(x, z), np.float32)
 
     def _draw_land(
         self,
@@ -180,16 +186,25 @@ class Voxel(Played, Ground):
         if "land" not in self.shown:
             return
         with drawing("land"):
-            values, eye = self.settings, frame.eye
-            near, far = values.voxel.near, values.voxel.far
+            eye = frame.eye
+            near, far = self._detail(frame)
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
-                near, far = 0.0, values.water.far
-            choice = self.land.choose(clip, eye, near, far, part)
+            choice = self.land.choose(clip, eye, self._around, near, far, part)
             if not behind_hills:
                 choice = self.land.without_hidden(choice, eye)
             with self._lit():
                 self.land.draw(choice, fog_by_height=below)
+
+    def _detail(self, frame: Frame) -> tuple[float, float]:
+        """Return how far land is drawn with the meshes for near, and then for far, in units.
+
+        Where a frame has fewer pixels, blocks are as small on the screen less far away.
+        """
+        finer = min(max(frame.pixels, LEAST_PIXELS) / MOST_PIXELS, 1.0)
+        if frame.mirrored:
+            return 0.0, finer * self.settings.water.far
+        return finer * self.settings.voxel.near, finer * self.settings.voxel.far
 
     def _lit(self) -> AbstractContextManager[None]:
         """Return the state in which the land is drawn, with shadows or without."""
@@ -199,14 +214,15 @@ class Voxel(Played, Ground):
         """Draw what one may look at besides the picture: regions and textures."""
         values, land = self.settings.debug, self.land
         textures = values.textures or values.picture != "none"
+        if not values.regions:
+            self.outside.release()
         if "land" not in self.shown or not (values.regions or values.edges or textures):
             return
-        detail = self.settings.voxel.near, self.settings.voxel.far
-        choice = land.choose(clip, frame.eye, *detail)
+        choice = land.choose(clip, frame.eye, self._around, *self._detail(frame))
         with drawing("land"):
             if values.regions:
-                draw_boxes(land, choice)
-                draw_from_outside(land, choice, frame, clip, self._lit())
+                draw_boxes(land, choice, clip)
+                self.outside.draw(land, choice, frame, clip)
             if values.edges:
                 draw_edges(land, choice)
             if textures:
@@ -300,6 +316,7 @@ class Voxel(Played, Ground):
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""
         self.textures.release()
+        self.outside.release()
         while self._owned:
             self._owned.pop().release()
 

@@ -88,30 +88,31 @@ class Water:
         return (values.sea - BELOW) * values.block
 
     def grid(self, frame: Frame) -> np.ndarray | None:
-        """Return the points of the water in view (rows, columns, 3), None if there are none."""
+        """Return the points of the water in view (n, 3), None if there are none."""
         return water_grid(frame, self.level, self.settings.camera.far * 0.9)
 
     def draw(self, frame: Frame, clip: np.ndarray, points: np.ndarray, depth: np.ndarray) -> None:
-        """Draw the water at ``points``, which is ``depth`` units deep there.
+        """Draw the water at ``points`` (n, 3), which is ``depth`` (n,) units deep there.
 
         ``clip`` is the camera's projection times modelview.
         """
         values = self.settings.water
-        flat = points.reshape(-1, 3)
         if self.images is None:
-            self._draw_plain(flat)
+            self._draw_plain(points)
             return
-        moved = disturbed(points, frame.eye, depth, frame.kt, values.ripples).reshape(-1, 3)
-        half = half_vectors(flat, frame.eye, sun.direction(self.settings.sun).astype(np.float64))
-        half = calmed(half, flat, frame.eye, depth.ravel())
-        drift = np.array([0.8, 0.6]) * DRIFT * frame.kt
-        ways = [moved, moved]
+        ways = points - frame.eye.astype(np.float32)
+        away = np.sqrt(np.einsum("ij,ij->i", ways, ways))
+        moved = disturbed(points, away, depth, frame.kt, values.ripples)
+        half = half_vectors(ways, away, sun.direction(self.settings.sun))
+        half = calmed(half, away, depth)
+        coordinates = [moved, moved]
         if self._normals:
-            ways.insert(0, flat[:, [0, 2]] / RIPPLE_SIZE + drift)
+            drift = np.array([0.8, 0.6]) * DRIFT * frame.kt % 1.0
+            coordinates.insert(0, points[:, ::2] / RIPPLE_SIZE + drift.astype(np.float32))
         if self._fresnel:
-            ways.append(flat - frame.eye)
+            coordinates.append(ways)
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT | gl.GL_FOG_BIT
-        with attrib(groups), self._projected(clip), arrays(flat, half, ways):
+        with attrib(groups), self._projected(clip), arrays(points, half, coordinates):
             self._combined()
             gl.glFogfv(gl.GL_FOG_COLOR, np.array([*values.horizon, 1.0], np.float32))
             gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
@@ -122,7 +123,7 @@ class Water:
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with (
             attrib(groups | gl.GL_FOG_BIT),
-            client_arrays(np.ascontiguousarray(points, np.float32)),
+            client_arrays(points),
         ):
             gl.glEnable(gl.GL_BLEND)
             gl.glFogfv(gl.GL_FOG_COLOR, np.array([*self.settings.water.horizon, 1.0], np.float32))
@@ -260,21 +261,22 @@ def steepened(normals: np.ndarray, times: float) -> np.ndarray:
 
 
 @contextmanager
-def arrays(points: np.ndarray, half: np.ndarray, ways: list[np.ndarray]) -> Iterator[None]:
-    """Enable the arrays of points (n, 3), of half vectors (n, 3) as colours, and of coordinates."""
-    kept = [np.ascontiguousarray(points, np.float32)]
+def arrays(points: np.ndarray, half: np.ndarray, coordinates: list[np.ndarray]) -> Iterator[None]:
+    """Enable the arrays of points (n, 3), of half vectors (n, 3) as colours, and of coordinates.
+
+    All are float32.
+    """
     # A component of -1..1 becomes a colour of 0..1, which GL_DOT3 turns back.
-    kept.append(np.ascontiguousarray(half[:, [0, 2, 1]] * 0.5 + 0.5, np.float32))
+    colours = np.ascontiguousarray((half * 0.5 + 0.5)[:, [0, 2, 1]])
     gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
     gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
-    gl.glVertexPointer(3, gl.GL_FLOAT, 0, kept[0])
+    gl.glVertexPointer(3, gl.GL_FLOAT, 0, points)
     gl.glEnableClientState(gl.GL_COLOR_ARRAY)
-    gl.glColorPointer(3, gl.GL_FLOAT, 0, kept[1])
-    for unit, array in enumerate(ways):
-        kept.append(np.ascontiguousarray(array, np.float32))
-        gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+    gl.glColorPointer(3, gl.GL_FLOAT, 0, colours)
+    for unit, array in enumerate(coordinates):
+        gl.glClientActiveTexture(int(gl.GL_TEXTURE0) + unit)
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
-        gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, kept[-1])
+        gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, array)
     try:
         yield
     finally:

@@ -31,91 +31,102 @@ CALM_DEPTH, CALM_DISTANCE, CALM = 0.5, 1.6, 0.045
 FADE = 4  # rows and columns at the screen's edges, beyond which there is no picture to look up
 
 
-def water_grid(frame: Frame, level: float, far: float) -> np.ndarray | None:
-    """Return points of the water at ``level``, float64 (rows, columns, 3), or None if none is seen.
+def screen_fade() -> np.ndarray:
+    """Return 1 within the screen, falling to 0 at its edges, float32 (n,); not at its top."""
+    columns, rows = np.arange(COLUMNS), np.arange(ROWS)
+    sides = np.minimum(columns, COLUMNS - 1 - columns) / FADE
+    found = np.minimum(np.minimum.outer((ROWS - 1 - rows) / FADE, sides), 1.0)
+    return found.ravel().astype(np.float32)
 
-    The first row is the farthest, ``far`` units in front of the eye where the water reaches so far.
+
+DEGREES, LENGTHS, SPEEDS, SLOPES = np.array(RIPPLES).T
+ALONG = np.stack([np.cos(np.radians(DEGREES)), np.sin(np.radians(DEGREES))])
+WAVES = (ALONG / LENGTHS).astype(np.float32)  # of each ripple, lengths per unit along x and z
+STEEPEST = (SLOPES * ALONG).T.astype(np.float32)
+TURN = np.float32(2 * math.pi)
+ON_SCREEN = screen_fade()
+ACROSS, RISE = np.linspace(-MARGIN, MARGIN, COLUMNS), np.linspace(MARGIN, -MARGIN, ROWS)
+
+
+def water_grid(frame: Frame, level: float, far: float) -> np.ndarray | None:
+    """Return points of the water at ``level``, float32 (n, 3), or None if none is seen.
+
+    They are row by row as on the screen, from the farthest row on, ``far`` units in front of the
+    eye where the water reaches so far.
     """
     top = math.tan(math.radians(frame.fov) / 2)
     side = top * frame.size[0] / frame.size[1]
-    across = np.linspace(-MARGIN, MARGIN, COLUMNS) * side
-    rise = np.linspace(MARGIN, -MARGIN, ROWS) * top
+    across, rise = ACROSS * side, RISE * top
     height = frame.eye_y - level
     # A line of sight, back * -1 + right * across + up * rise, sinks by -(...).y per unit of depth.
     # Without roll ``right`` is level, so that a row of the screen sinks all alike.
-    sink = frame.back[1] - rise * frame.up[1]
+    down, up = (float(axis[1]) for axis in (frame.back, frame.up))
+    sink = down - rise * up
     if abs(frame.right[1]) > 1e-6:
-        steepest = frame.back[1] - np.add.outer(rise * frame.up[1], across * frame.right[1])
+        steepest = down - np.add.outer(rise * up, across * frame.right[1])
         sink = steepest.min(axis=1)
-    least = abs(height) / far
-    seen = sink * np.sign(height) > least
+    least, side_of_it = abs(height) / far, float(np.sign(height))
+    seen = sink * side_of_it > least
     if not seen.any():
         return None
     if not seen.all():
         # The rows between the horizon and the edge of the screen. From above the horizon is at the
         # top of them, from below at their bottom.
-        horizon = (frame.back[1] - np.sign(height) * least) / frame.up[1] if frame.up[1] else 0.0
-        near = -MARGIN * top if (height > 0) == (frame.up[1] > 0) else MARGIN * top
-        rise = np.linspace(horizon, near, ROWS)
-    rays = -frame.back + across[None, :, None] * frame.right + rise[:, None, None] * frame.up
-    depth = height / np.where(np.abs(rays[..., 1]) < 1e-9, -1e-9, -rays[..., 1])
-    depth = np.where((depth < 0) | (depth > 4 * far), far, depth)
-    points = frame.eye + rays * depth[..., None]
-    points[..., 1] = level
+        horizon = (down - side_of_it * least) / up if up else 0.0
+        near = -MARGIN * top if (height > 0) == (up > 0) else MARGIN * top
+        rise = horizon + (near - horizon) * np.arange(ROWS) / (ROWS - 1)
+    rays = (frame.up * rise[:, None] - frame.back)[:, None] + frame.right * across[:, None]
+    rays = rays.reshape(-1, 3).astype(np.float32)
+    sink = rays[:, 1] * -side_of_it
+    sink[sink < least / 4] = least  # what does not meet the water in front of the eye
+    points = rays * (abs(height) / sink)[:, None] + frame.eye.astype(np.float32)
+    points[:, 1] = level
     return points
 
 
-def ripple_slopes(x: np.ndarray, z: np.ndarray, kt: float) -> np.ndarray:
-    """Return the slopes (..., 2) along x and z of the ripples at x, z at time ``kt``."""
-    degrees, length, speed, slope = np.array(RIPPLES).T
-    angle = np.radians(degrees)
-    along = np.stack([np.cos(angle), np.sin(angle)])
+def ripple_slopes(points: np.ndarray, kt: float) -> np.ndarray:
+    """Return the slopes, float32 (n, 2), along x and z of the ripples at points (n, 3)."""
     # Whole lengths are left out before 32 bits are too few for them.
-    begun = (kt * speed / 100.0) % 1.0
-    phase = np.stack([x, z], axis=-1) @ (along / length) + begun
-    return np.asarray(
-        (slope * np.cos(np.float32(2 * math.pi) * phase.astype(np.float32))) @ along.T
-    )
-
-
-def screen_fade() -> np.ndarray:
-    """Return 1 within the screen, falling to 0 at its edges, (rows, columns); not at its top."""
-    columns, rows = np.arange(COLUMNS), np.arange(ROWS)
-    sides = np.minimum(columns, COLUMNS - 1 - columns) / FADE
-    return np.minimum(np.minimum.outer((ROWS - 1 - rows) / FADE, sides), 1.0)
+    begun = (kt * SPEEDS / 100.0 % 1.0).astype(np.float32)
+    phase = points[:, ::2] @ WAVES + begun
+    return np.asarray(np.cos(TURN * phase) @ STEEPEST)
 
 
 def disturbed(
-    points: np.ndarray, eye: np.ndarray, depth: np.ndarray, kt: float, strength: float
+    points: np.ndarray, away: np.ndarray, depth: np.ndarray, kt: float, strength: float
 ) -> np.ndarray:
-    """Return points (rows, columns, 3) of the water moved to where its ripples let one see.
+    """Return points (n, 3) of the water moved to where its ripples let one see.
 
-    They stay in its plane. ``depth`` (rows, columns) is that of the water at the points, in units.
+    They stay in its plane. ``away`` (n,) is how far they are from the eye, and ``depth`` (n,) that
+    of the water there, in units.
     """
-    far = np.minimum(PER_DISTANCE * np.linalg.norm(points - eye, axis=-1), PER_DEPTH * depth)
-    reach = strength * np.clip(far, 0.0, DEEP) * screen_fade()
+    reach = np.minimum(np.minimum(PER_DISTANCE * away, PER_DEPTH * depth), DEEP)
+    reach = np.maximum(reach, 0.0) * ON_SCREEN * strength
     found = points.copy()
-    slopes = ripple_slopes(points[..., 0], points[..., 2], kt)
-    found[..., [0, 2]] += reach[..., None] * slopes
+    found[:, ::2] += reach[:, None] * ripple_slopes(points, kt)
     return found
 
 
-def half_vectors(points: np.ndarray, eye: np.ndarray, sun: np.ndarray) -> np.ndarray:
-    """Return the unit vectors (..., 3) half way between the sun and the eye, seen from points."""
-    to_eye = eye - points
-    to_eye /= np.linalg.norm(to_eye, axis=-1, keepdims=True)
-    half = to_eye + sun
-    return np.asarray(half / np.maximum(np.linalg.norm(half, axis=-1, keepdims=True), 1e-9))
+def half_vectors(ways: np.ndarray, away: np.ndarray, sun: np.ndarray) -> np.ndarray:
+    """Return the unit vectors (n, 3) half way between the sun and the eye, seen from points.
+
+    ``ways`` (n, 3) lead from the eye to the points, and ``away`` (n,) is how long they are.
+    """
+    half = sun - ways / away[:, None]
+    # The square of the length of a sum of two unit vectors.
+    length = 2.0 * (half @ sun)
+    return np.asarray(half / np.sqrt(np.maximum(length, 1e-9))[:, None])
 
 
-def calmed(half: np.ndarray, points: np.ndarray, eye: np.ndarray, depth: np.ndarray) -> np.ndarray:
+def calmed(half: np.ndarray, away: np.ndarray, depth: np.ndarray) -> np.ndarray:
     """Return half vectors (n, 3) a little shorter where fewer glints are wanted.
 
-    So no ripple's product with them gets as large. ``depth`` (n,) is that of the water, in units.
+    So no ripple's product with them gets as large. ``away`` and ``depth`` (n,) are as for
+    :func:`disturbed`.
     """
-    far = np.linalg.norm(points - eye, axis=-1) / CALM_DISTANCE
-    wild = np.clip(np.minimum(depth / CALM_DEPTH, far), 0.0, 1.0)
-    return np.asarray(half * (1.0 - CALM * (1.0 - wild))[..., None])
+    wild = np.minimum(depth * (1.0 / CALM_DEPTH), away * (1.0 / CALM_DISTANCE))
+    calm = 1.0 - np.minimum(np.maximum(wild, 0.0), 1.0)
+    return np.asarray(half * (1.0 - CALM * calm)[:, None])
 
 
 def grid_quads() -> np.ndarray:
