@@ -52,7 +52,7 @@ LAND: tuple[Safeguard, ...] = (
         GLADE,
         20.0,
         {"voxel.near": 0.0},
-        {"voxel.near": 7.0},
+        {"voxel.near": 6.5},
         flaw="The simple meshes for far regions are drawn here, too: without plants, and without "
         "dark corners.",
         look="Look at the ground near the eye.",

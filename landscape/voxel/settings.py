@@ -69,7 +69,7 @@ class Voxel:
         28.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)
     )
     near: float = setting(
-        7.0,
+        6.5,
         "chosen",
         "how far corners are dark and plants are drawn; less in windows under 900 pixels high",
         0,
@@ -77,7 +77,7 @@ class Voxel:
         unit=UNITS,
     )
     far: float = setting(
-        12.0,
+        11.5,
         "Luanti",
         "how far blocks are drawn one by one; beyond, eight make a larger one; less in windows "
         "under 900 pixels high",
