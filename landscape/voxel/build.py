@@ -4,8 +4,10 @@ All of it is kept in the cache, so that it is made once.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from itertools import product
 from typing import TypeVar
 
 import numpy as np
@@ -59,7 +61,10 @@ BUILDINGS = np.isin(TILES, ("brick", "slate", "planks", "hide", "lamp"))
 FAR_OVERLAP = 0.02  # blocks, chosen: from afar, pixels are larger
 # Columns, chosen: larger worlds are not cached, which they would fill, and their meshes are packed.
 MOST_KEPT = 1000
-MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once, in regions of one row
+MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once
+# Measured on two processors: 0.36 s instead of 0.41, and 6.0 s instead of 8.8 for 2,000 x 2,000
+# columns.
+THREADS = 2
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
 SKYLIGHT = {"up": 0.64, "down": 0.42}
@@ -67,6 +72,11 @@ SIDELIGHT = 0.54
 SUNLIGHT = 0.52
 BLUE_SKY = np.array([0.94, 0.98, 1.06])
 WARMER = 0.35  # chosen: how far the light of the sky has the colour of the sun's
+
+
+def unchanged(mesh: RegionMesh) -> RegionMesh:
+    """Return a mesh as it is."""
+    return mesh
 
 
 def source(values: Voxel, assets: Assets) -> Heights:
@@ -139,16 +149,28 @@ def look(settings: Settings, seed: int) -> Look:
     return Look(face_light(settings.sun, settings.shadow), tint, shore=shore)
 
 
-def meshes(place: World, colours: Look, values: Voxel) -> Iterator[tuple[RegionMesh, ...]]:
-    """Yield the meshes of each region: for near, for far, and distant."""
+def meshes(
+    place: World, colours: Look, values: Voxel, kept: Callable[[RegionMesh], M]
+) -> Iterator[tuple[M, ...]]:
+    """Yield the meshes of each region, for near, for far, and distant, as ``kept`` returns them.
+
+    Threads share the work: numpy lets others run while it goes through large arrays.
+    """
     size, height = place.region_size, place.blocks.shape[2]
     many = max(1, MOST_CELLS // (size * size * height))
     number, rows = min(many, place.regions), max(1, many // place.regions)
-    for row in range(0, place.regions, rows):
-        for column in range(0, place.regions, number):
-            part = min(number, place.regions - column), min(rows, place.regions - row)
-            found = meshed(place, row * place.regions + column, colours, values, *part)
-            yield from zip(*found, strict=True)
+
+    def part(row: int, column: int) -> list[tuple[M, ...]]:
+        """Return the meshes of so many regions from one on."""
+        across, along = min(rows, place.regions - row), min(number, place.regions - column)
+        first = row * place.regions + column
+        found = meshed(place, first, colours, values, along, across)
+        return [tuple(map(kept, each)) for each in zip(*found, strict=True)]
+
+    starts = product(range(0, place.regions, rows), range(0, place.regions, number))
+    with ThreadPoolExecutor(THREADS) as workers:
+        for found in workers.map(part, *zip(*starts, strict=True)):
+            yield from found
 
 
 def by_level(found: Iterable[tuple[M, ...]]) -> list[M]:
@@ -209,12 +231,13 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
     if side > MOST_KEPT:
         place = world(values, assets, seed)
         give_back()
-        packing = (tuple(map(packed, each)) for each in meshes(place, colours, values))
-        return place, colours, by_level(packing)
+        small = by_level(meshes(place, colours, values, packed))
+        give_back()
+        return place, colours, small
 
     def make() -> tuple[np.ndarray, ...]:
         place = world(values, assets, seed)
-        found = by_level(meshes(place, colours, values))
+        found = by_level(meshes(place, colours, values, unchanged))
         vertices = np.concatenate([mesh.vertices for mesh in found])
         counts = np.stack([mesh.counts for mesh in found])
         return place.blocks, place.ground, vertices.view(np.uint8), counts
