@@ -31,8 +31,15 @@ SMALL: dict[str, Any] = {
     "plants.count": 60,
     "deer.count": 10,
     "ground.resolution": 40,
+    "ground.texture_size": 256,
 }
 """An island with few objects, for speed."""
+
+SMALL_BEST: dict[str, Any] = {**SMALL, "ground.stones": 500}
+"""The same for the preset best, where stones take time, too.
+
+Tests that take these values and no others share what the cache keeps of the island.
+"""
 
 WHITE_LIGHT: dict[str, Any] = {"sun.ambient": (1.0, 1.0, 1.0), "sun.diffuse": (0.0, 0.0, 0.0)}
 """Lighting under which lit surfaces show their own colour whatever their normals."""

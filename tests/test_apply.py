@@ -76,7 +76,8 @@ def pictures(stage: Stage, island: Island) -> list[np.ndarray]:
 
 @pytest.fixture(scope="module", params=["2006", "best"])
 def base(request: pytest.FixtureRequest) -> Settings:
-    return small({**PRESETS[request.param], **FEW})
+    stones = {"ground.stones": 500} if request.param == "best" else {}
+    return small({**PRESETS[request.param], **FEW, **stones})
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 from commands import SECONDS, TESTS, environment, landscape
-from stage import SMALL, Stage, live_names, small
+from stage import SMALL, SMALL_BEST, Stage, live_names, small
 
 from landscape.cli import main
 from landscape.errors import InputError
@@ -32,7 +32,7 @@ LIGHT = {**SMALL, "deer.count": 4}
 TINY: dict[str, Any] = {
     "views": ["fig35b", "fig35i", "fig34a"],
     "size": [96, 64],
-    "settings": LIGHT,
+    "settings": SMALL_BEST,
     "rounds": 3,
     "grass": [2_000, 400_000],
     "ways": 500,
@@ -300,7 +300,7 @@ GROWTH = 1 << 19  # chosen: bytes per 50 frames; what the grass of all views tak
 @pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 def test_300_frames_of_changing_views_leak_neither_memory_nor_objects() -> None:
-    settings = {**LIGHT, "grass.count": 2_000}
+    settings = SMALL_BEST
     command = [sys.executable, "-c", LONG_RUN, str(TESTS), json.dumps(settings)]
     done = subprocess.run(
         command, capture_output=True, text=True, timeout=SECONDS, env=environment(), check=False

@@ -32,7 +32,10 @@ EVERY_KEY = list(
     dict.fromkeys(key for name in SCENES for key in keys.fields(type(scene(name).settings)))
 )
 NINE = [f"fig35{panel}" for panel in "abcdefghi"]
-SMALL = ("--preset", "2006", "--size", "48x36", "--samples", "0", "--only", "ground,water,sky,fog")
+SMALL = (
+    *("--preset", "2006", "--size", "48x36", "--samples", "0", "--only", "ground,water,sky,fog"),
+    "--set=ground.texture_size=256",
+)
 MODULE = [sys.executable, "-m", "landscape"]
 
 
@@ -303,7 +306,10 @@ def test_render_and_trace_take_the_preset_that_views_says(shell: Shell, view: st
     entries = {entry["name"]: entry for entry in shell("views", "--json").json()}
     preset = entries[view]["preset"]
     assert (view, preset) in (("fig35f", "best"), ("fig6a", "2006"))
-    coarse = [f"--set=ground.{key}" for key in ("resolution=40", "tiles=2", "texture_size=256")]
+    coarse = [
+        f"--set=ground.{key}"
+        for key in ("resolution=40", "tiles=2", "texture_size=256", "stones=0")
+    ]
     small = ("--only", "ground,fog", "--size", "32x24", "--samples", "0", "--quiet", *coarse)
     pictures = {}
     for name, options in (("own", ()), ("best", ("--preset=best",)), ("2006", ("--preset=2006",))):

@@ -223,7 +223,8 @@ from landscape.window.recording import Plan, Tick, Writer, read
 from landscape.window.walker import Intent
 
 island = scene("island")
-given = {"walk.speed": 0.6, "ground.resolution": 30, "ground.texture_size": 64}
+given = {"walk.speed": 0.6, "ground.resolution": 30, "ground.texture_size": 64,
+         "ground.stones": 500}
 values = island.values(None, given)
 plan = Plan("island", values, "", Pose(27.56, None, 17.6, 340.0), (64, 48), 20.0, 2006,
             only=("ground", "castle", "sword"), preset="best", given=given)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from gl_state import changes, snapshot
-from stage import SIZE, SMALL, Stage, live_names, write_plain, write_ply
+from stage import SIZE, SMALL, SMALL_BEST, Stage, live_names, write_plain, write_ply
 
 from landscape.elements import sun
 from landscape.elements.atlas import CELLS
@@ -94,7 +94,9 @@ def assets(tmp_path_factory) -> Assets:
 
 
 def configured(name: str) -> Settings:
-    return with_settings(preset(name), {**SMALL, **PLACED, **MANY})
+    return with_settings(
+        preset(name), {**(SMALL_BEST if name == "best" else SMALL), **PLACED, **MANY}
+    )
 
 
 @pytest.fixture(params=list(PRESETS))

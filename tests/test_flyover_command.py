@@ -98,7 +98,10 @@ def test_a_film_begins_at_its_second(
 
 def test_settings_come_from_the_preset_a_file_and_the_command_line(tmp_path: Path) -> None:
     table = tmp_path / "a.toml"
-    table.write_text("[flyover]\nmode = 'filled'\ncolours = 'phosphor'\n", encoding="utf-8")
+    table.write_text(
+        "[flyover]\nmode = 'filled'\ncolours = 'phosphor'\n[filled]\ntexels = 256\n",
+        encoding="utf-8",
+    )
     pictures = []
     for words in (
         ("--preset", "document"),
@@ -132,7 +135,7 @@ def test_the_bench_prints_and_writes_how_many_lines_each_technique_leaves(
 ) -> None:
     file = tmp_path / "bench.json"
     words = ["--bench", "--frames", "1", "--jobs", "1", "--json", str(file)]
-    assert main(["flyover", *SMALL, *words]) == 0
+    assert main(["flyover", *SMALL, *words, "--set", "filled.texels=256"]) == 0
     measured = json.loads(file.read_text())
     by = measured["rows"]
     assert (measured["environment"], measured["size"], measured["side"]) == (

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import Shell, refused, small_textures
-from stage import SMALL, Stage
+from stage import SMALL, SMALL_BEST, Stage
 from state_calls import Fresh
 
 from landscape.capture.moments import leaks, state_at
@@ -23,6 +23,7 @@ from landscape.render import Offscreen
 from landscape.tools.state_report import report
 
 SIZE = (96, 72)
+QUICK = {"2006": SMALL, "best": SMALL_BEST}
 NINE = tuple(f"fig35{letter}" for letter in "abcdefghi")
 
 
@@ -62,7 +63,9 @@ class LaidOpen:
 def laid_open(request: pytest.FixtureRequest, assets: Path) -> LaidOpen:
     """A frame of each preset: building an island takes most of the time."""
     rng = np.random.default_rng(15)
-    with Offscreen(SIZE, request.param, SMALL, samples=0, assets=assets) as offscreen:
+    with Offscreen(
+        SIZE, request.param, QUICK[request.param], samples=0, assets=assets
+    ) as offscreen:
         with offscreen.taped("fig35e") as tape:
             frame = read_pixels(SIZE)
             pairs = {}
@@ -117,7 +120,7 @@ def test_a_frame_of_the_main_views_ends_in_the_state_in_which_it_began(
     assets: Path, preset: str
 ) -> None:
     """All of the state, but for where the vertex arrays point, which are disabled."""
-    with Offscreen(SIZE, preset, SMALL, samples=0, assets=assets) as offscreen:
+    with Offscreen(SIZE, preset, QUICK[preset], samples=0, assets=assets) as offscreen:
         for view in NINE:
             offscreen.look(view)
             offscreen.draw()

@@ -9,8 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from stage import SMALL as FEW
-from stage import write_plain, write_ply
+from stage import SMALL, SMALL_BEST, write_plain, write_ply
 
 from landscape.elements import atlas
 from landscape.elements.atlas import CELLS
@@ -24,7 +23,8 @@ from landscape.settings import PRESETS
 from landscape.views import VIEWS
 
 LIST = Path(__file__).resolve().parents[1] / "shaders_none" / "forbidden.txt"
-SMALL = {**FEW, "grass.count": 100_000}
+FEW = {name: SMALL_BEST if name == "best" else SMALL for name in PRESETS}
+MANY = {"grass.count": 100_000}
 FORBIDDEN = frozenset(
     line for line in LIST.read_text(encoding="utf-8").splitlines() if line[:1] not in ("", "#")
 )
@@ -76,7 +76,7 @@ def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
             patch.setattr(ornate_castle, "light_map", quick_light)
             patch.setattr(weathered_castle, "worn_light_map", quick_light)
             patch.setattr(ornate_castle, "recall", lambda parts, make: make())
-            with Offscreen((64, 48), preset, SMALL, assets=folder) as offscreen:
+            with Offscreen((64, 48), preset, FEW[preset] | MANY, assets=folder) as offscreen:
                 for view in sorted(mine, key=lambda v: (str(v.settings), v.shown)):
                     start = len(recorder.calls)
                     offscreen.look(view.name)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from commands import small_textures
 from gl_state import changes, snapshot
-from stage import SMALL, Stage
+from stage import SMALL, SMALL_BEST, Stage
 
 from landscape.files.assets import Assets
 from landscape.gl.context import open_context
@@ -30,7 +30,7 @@ FRAMES: list[Frame] = [
 
 
 def configured(name: str) -> Settings:
-    return with_settings(preset(name), {**SMALL, **MANY})
+    return with_settings(preset(name), {**(SMALL_BEST if name == "best" else SMALL), **MANY})
 
 
 def moment(island: Island, view: str) -> Moment:

@@ -15,6 +15,7 @@ from landscape.render import Offscreen
 
 SETTINGS = small({"water.level": 0.6, "water.horizon": 10.0})
 FEW = {"grass.count": 200_000, "trees.count": 700, "plants.count": 500}
+FEW |= {"ground.texture_size": 256, "ground.stones": 2000}
 
 
 def asked(stage: Stage, query: SeaQuery, wall: bool, eye_y: float = 2.0) -> tuple[bool, bool]:

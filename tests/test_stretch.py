@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from stage import SIZE, SMALL, Stage
+from stage import SIZE, SMALL, SMALL_BEST, Stage
 
 from landscape.files.assets import Assets
 from landscape.frame import Detail, scaled
@@ -30,7 +30,8 @@ def stretch(stage: Stage) -> Iterator[Stretch]:
 def islands(the_stage: Stage, shipped: Assets) -> Iterator[dict[str, Island]]:
     the_stage.enter()
     opened = {
-        name: Island(with_settings(preset(name), SMALL), shipped) for name in ("2006", "best")
+        name: Island(with_settings(preset(name), few), shipped)
+        for name, few in (("2006", SMALL), ("best", SMALL_BEST))
     }
     yield opened
     for island in opened.values():

@@ -158,6 +158,7 @@ FEW = {
     "ground.resolution": 60,
     "fog.enabled": False,
     "overlay.map": False,
+    "ground.stones": 500,
 }
 # Places with the sun behind the viewer, or beside him.
 COAST = Pose(12.0, 1.1, 32.5, 10.0, -4.0)

@@ -140,5 +140,6 @@ def test_a_path_that_cannot_be_flown_is_refused(
 
 def test_the_command_flies_along_a_path() -> None:
     words = ["fig35a", "--path", "canyon", "--size", "64x48", "--only", "ground", "--frames", "2"]
+    words += ["--set=ground.texture_size=256", "--set=ground.stones=500"]
     done = landscape("walk", "--backend", "osmesa", *words)
     assert (done.status, done.err) == (0, "")

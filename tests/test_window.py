@@ -435,7 +435,10 @@ def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
         (["--backend", "osmesa"], "--frames"),
         (["--backend", "osmesa", "--replay", "none.jsonl"], "none.jsonl"),
         (["--backend", "osmesa", "--frames", "1", "--record", "/dev/null/a.jsonl"], "--record"),
-        (["--backend", "osmesa", "--frames", "1", "--set", "rabbit.mesh=none.ply"], "none.ply"),
+        (
+            ["--backend=osmesa", "--frames=1", "--only=rabbit", "--set=rabbit.mesh=none.ply"],
+            "none.ply",
+        ),
     ],
 )
 def test_bad_input_ends_in_one_line(words: list[str], reason: str, tmp_path: Path) -> None:

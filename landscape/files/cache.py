@@ -30,7 +30,7 @@ NAME_BYTES = 20  # of the hash that names a file
 # A file: MAGIC, its name, the length of the table that follows and the checksum of all the rest,
 # both 4 bytes; the table of types and shapes as JSON; the arrays.
 HEAD_BYTES = len(MAGIC) + NAME_BYTES + 8
-MOST_BYTES = 400 << 20  # chosen: about five times what the shipped island takes
+MOST_BYTES = 1 << 30  # chosen: about five times what the island takes in the preset best
 MOST_HASHED = 1 << 30  # bytes of a file, chosen: what reads it accepts no larger one
 ALIGNED = 16  # bytes
 PACKAGE = Path(__file__).resolve().parents[1]
