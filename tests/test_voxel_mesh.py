@@ -314,6 +314,16 @@ def test_no_face_is_made_at_the_border_of_the_map_or_under_it() -> None:
     }  # fmt: skip
 
 
+def test_the_ground_under_a_plant_in_a_pit_is_drawn() -> None:
+    blocks = np.zeros((4, 4, 6), np.uint8)
+    blocks[:, :, :3] = block("rock")
+    for kind in ("fern", "oak leaves"):
+        blocks[1, 2, 2] = block(kind)
+        place = World(blocks, np.full((4, 4), 3, np.int16), 4, 1, 0.08)
+        faces = visible_faces(place.with_edge(0)[0], DIRECTIONS[2], "none")
+        assert len(faces) == 16 + (kind == "oak leaves")
+
+
 def test_heights_slopes_and_normals_of_a_plane_are_those_of_the_plane() -> None:
     x, z = np.meshgrid(np.arange(20) + 0.5, np.arange(20) + 0.5, indexing="ij")
     plane = Heights((3 + 0.5 * x - 0.25 * z).astype(np.float32))

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from landscape.voxel.blocks import AIR, SOLID, block
+from landscape.voxel.blocks import AIR, DENSITY, SOLID, block, looked_up
 from landscape.voxel.faces import EDGE
 
 Cell = tuple[int, int, int]  # [x, z, y]
@@ -122,10 +122,16 @@ class World:
 
 def levels_in_use(blocks: np.ndarray) -> tuple[int, int]:
     """Return the levels [low, high) of blocks [x, z, y] between which faces can be visible."""
-    # A level is of no interest if all of it is solid with solid around it, or all of it is air.
+    # A level is of no interest if all of it is opaque with opaque blocks around it, or all is air.
     # One axis after the other is faster than both at once.
     some, every = (end.reduce(end.reduce(blocks)) != AIR for end in (np.maximum, np.minimum))
     high = int(np.flatnonzero(some)[-1]) + 1 if some.any() else 1
-    empty = np.flatnonzero(~every)
-    low = int(empty[0]) - 1 if len(empty) else high - 1
-    return max(low, 0), high
+    full = leading(every[:high])
+    density = looked_up(DENSITY, blocks[:, :, :full])  # of plants and leaves, too
+    opaque = np.minimum.reduce(np.minimum.reduce(density)) == DENSITY.max()
+    return max(leading(opaque) - 1, 0), high
+
+
+def leading(flags: np.ndarray) -> int:
+    """Return how many of flags (n,) are set before the first that is not."""
+    return int(np.append(flags, False).argmin())
