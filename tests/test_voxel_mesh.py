@@ -1,6 +1,7 @@
 """The voxel island's faces against a brute-force count, and its materials. No OpenGL."""
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from landscape.voxel.faces import DIRECTIONS, EDGE, Faces, shown_in, visible_fac
 from landscape.voxel.heights import Heights, heights
 from landscape.voxel.materials import filled, top_materials
 from landscape.voxel.mesh import (
+    FIRM,
     OVERLAP,
     PLANTS,
     SETS,
@@ -208,7 +210,8 @@ def plain_look(side: int) -> Look:
 @pytest.mark.parametrize("merge", MERGES)
 def test_quads_are_counter_clockwise_from_outside_and_as_large_as_their_faces(merge: str) -> None:
     blocks = some_blocks(3, 0.5, (1, 3))
-    mesh = region_mesh(blocks, (0, 0, 0), plain_look(9), merge)
+    look = replace(plain_look(9), firm=OVERLAP)
+    mesh = region_mesh(blocks, (0, 0, 0), look, merge)
     quads = mesh.vertices["position"].reshape(-1, 4, 3).astype(np.float64)
     way = np.repeat(np.arange(len(mesh.counts)), mesh.counts.sum(axis=1) // 4)
     edges = quads[:, 1] - quads[:, 0], quads[:, 2] - quads[:, 1]
@@ -222,6 +225,28 @@ def test_quads_are_counter_clockwise_from_outside_and_as_large_as_their_faces(me
     assert along == pytest.approx((sides[0] + 2 * OVERLAP) * (sides[1] + 2 * OVERLAP), rel=1e-4)
     faces = sum(len(brute_force(blocks, each.axis, each.sign)) for each in DIRECTIONS)
     assert (sides[0] * sides[1]).sum() == pytest.approx(faces, rel=1e-4)
+
+
+@pytest.mark.parametrize("merge", MERGES)
+def test_faces_that_look_up_overlap_more_where_blocks_lie_all_along_a_side(merge: str) -> None:
+    wide = 0
+    for seed in range(4):
+        blocks = some_blocks(seed, 0.7, (1, 3))
+        quads = region_mesh(blocks, (0, 0, 0), plain_look(9), merge).vertices.reshape(-1, 4)
+        position = quads["position"]
+        up = np.cross(position[:, 1] - position[:, 0], position[:, 2] - position[:, 1])[:, 1] > 0
+        for corners in position[up]:
+            ends = corners.min(axis=0), corners.max(axis=0)
+            (x0, y, z0), (x1, _, z1) = (np.rint(end).astype(int).tolist() for end in ends)
+            layer = SOLID[blocks[:, :, y]]  # blocks have an edge: this is the one below y
+            west_east = layer[[x0, x1 + 1], z0 + 1 : z1 + 1]
+            north_south = layer[x0 + 1 : x1 + 1, [z0, z1 + 1]].T
+            for axis, beside in ((0, west_east), (2, north_south)):
+                for end, firm, sign in zip(ends, beside.all(axis=1), (-1, 1), strict=True):
+                    out = sign * (end[axis] - np.rint(end[axis]))
+                    assert out == pytest.approx(FIRM if firm else OVERLAP, abs=1e-5)
+                    wide += firm
+    assert wide > 50
 
 
 def test_a_tile_stands_upright_on_sides_and_is_repeated_once_a_block() -> None:
@@ -256,7 +281,8 @@ def test_no_face_is_wider_than_its_tile_is_repeated() -> None:
     blocks[:, :, :3] = block("grass")
     quads = region_mesh(blocks, (0, 0, 0), plain_look(32)).vertices.reshape(-1, 4)
     rows = quads["coordinate"][..., 1] * ROWS - first_row(np.array(TILES.index("grass_top")))
-    assert (rows.min(), rows.max()) == (0, WIDEST)
+    # On level ground the tile goes on where faces overlap.
+    assert (rows.min(), rows.max()) == pytest.approx((-FIRM, WIDEST + FIRM), abs=1e-3)
     assert PLACES == WIDEST + 1
 
 

@@ -1,5 +1,6 @@
 """Boxes against the view frustum: two ways that agree, and culling that loses no pixel."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 from landscape.frame import Pose
 from landscape.render import Offscreen
+from landscape.voxel.horizon import CLEAR
 from landscape.voxel.visibility import (
     distances,
     facing,
@@ -14,6 +16,7 @@ from landscape.voxel.visibility import (
     visible_in_world,
     visible_projected,
 )
+from landscape.voxel.voxel import Voxel
 
 SIZE = (96, 72)
 
@@ -119,3 +122,43 @@ def test_no_background_shows_between_merged_quads() -> None:
             view.moment = replace(view.moment, pose=pose)
             magenta = (view.draw() == (255, 0, 255)).all(axis=-1)
             assert not magenta.any(), pose
+
+
+@pytest.fixture(scope="module")
+def merged_and_not() -> Iterator[tuple[Offscreen, Offscreen]]:
+    """The land with merged faces, and with a quad for each face: there are no T-junctions."""
+    given = {"shadow.enabled": False, "fog.enabled": False, "fog.color": (1.0, 0.0, 1.0)}
+    given |= {"voxel.holes": False, "voxel.distance": 1000.0}
+    plain = given | {"voxel.merge": "none", "voxel.horizon": False}
+    with (
+        Offscreen((400, 300), samples=0, place="voxel", settings=given, only=("land",)) as one,
+        Offscreen((400, 300), samples=0, place="voxel", settings=plain, only=("land",)) as other,
+    ):
+        for view in (one, other):
+            view.look((20.0, 9.0, 20.0))
+        yield one, other
+
+
+@pytest.mark.sweep(25)
+@pytest.mark.parametrize("seed", range(25))
+def test_no_background_shows_through_level_ground_at_a_grazing_angle(
+    merged_and_not: tuple[Offscreen, Offscreen], seed: int
+) -> None:
+    """From eye height, the sky shows only where it does without merging, or a pixel beside."""
+    rng = np.random.default_rng(seed)
+    scene = merged_and_not[0].scene
+    assert isinstance(scene, Voxel)
+    for _ in range(40):
+        x, z = rng.uniform(2, 38, 2)
+        y = scene.roof(x, z) + 0.13
+        pose = Pose(x, y, z, rng.uniform(0, 360), rng.uniform(-30, 15))
+        block = scene.land.scale
+        if not scene.land.world.is_air(x / block, z / block, y / block, CLEAR):
+            continue  # the near plane would cut a wall open
+        sky = []
+        for view in merged_and_not:
+            view.moment = replace(view.moment, pose=pose)
+            sky.append((view.draw() == (255, 0, 255)).all(axis=-1))
+        around = np.pad(sky[1], 1, mode="edge")
+        beside = [around[i:, k:][:300, :400] for i in range(3) for k in range(3)]
+        assert not (sky[0] & ~np.any(beside, axis=0)).any(), pose

@@ -58,7 +58,8 @@ BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "me
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
 # Which of TILES only what is built has.
 BUILDINGS = np.isin(TILES, ("brick", "slate", "planks", "hide", "lamp"))
-FAR_OVERLAP = 0.02  # blocks, chosen: from afar, pixels are larger
+# Blocks, chosen: how far quads overlap, also level ones, from afar, where pixels are larger.
+FAR_OVERLAP, FAR_FIRM = 0.02, 0.1
 # Columns, chosen: larger worlds are not cached, which they would fill, and their meshes are packed.
 MOST_KEPT = 1000
 MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once
@@ -213,7 +214,7 @@ def shows_buildings(mesh: RegionMesh) -> bool:
 def seen_from_afar(colours: Look) -> Look:
     """Return what the meshes for far are made with: no dark corners, and a larger overlap."""
     light = colours.light * (*3 * [FAR_SHADE], 1.0)
-    return replace(colours, light=light, overlap=FAR_OVERLAP)
+    return replace(colours, light=light, overlap=FAR_OVERLAP, firm=FAR_FIRM)
 
 
 def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, Meshes]:

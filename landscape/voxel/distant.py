@@ -106,7 +106,7 @@ def distant_meshes(
     within[:, EDGE:-EDGE, :, EDGE:-EDGE] = True
     shown = shown_in(cells)
     shown = shown._replace(places=[at[within.ravel()[at]] for at in shown.places])
-    look = replace(look, overlap=CELL * look.overlap)
+    look = replace(look, overlap=CELL * look.overlap, firm=CELL * look.firm)
     parts = []
     for direction in DIRECTIONS:
         faces = visible_faces(cells, direction, merge, False, shown, side, WIDEST // CELL)
@@ -122,7 +122,7 @@ def distant_meshes(
 def in_blocks(faces: Faces) -> Faces:
     """Return faces of cells as faces of blocks."""
     low, long, wide = CELL * faces.low, CELL * faces.long, CELL * faces.wide
-    return Faces(faces.direction, low, long, wide, faces.block, faces.shade, thick=CELL)
+    return Faces(faces.direction, low, long, wide, faces.block, faces.shade, CELL, faces.firm)
 
 
 def distant_mesh(

@@ -7,7 +7,7 @@ equal runs of following rows into rectangles.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -53,7 +53,8 @@ class Faces:
     ``low`` (m, 3) is the corner block [x, z, y] in the region; ``long`` and ``wide`` are the sides
     in blocks along and across. ``shade`` holds how many blocks darken each corner, 0..3, in the
     order (0, 0), (1, 0), (1, 1), (0, 1) of along and across. ``thick`` is how many blocks lie
-    between them and those that look the other way.
+    between them and those that look the other way. ``firm`` (m, 4) says whether there are blocks
+    all along the sides at the low and the high end along, and at both ends across.
     """
 
     direction: Direction
@@ -63,6 +64,7 @@ class Faces:
     block: np.ndarray
     shade: np.ndarray
     thick: int = 1
+    firm: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.block)
@@ -107,6 +109,32 @@ def corner_shade(solid: np.ndarray, at: np.ndarray, direction: Direction) -> np.
     for k, (side, other, step) in enumerate(corners):
         found[:, k] = side + other + (flat[at + step] | (side & other))
     return found
+
+
+def firm_sides(solid: np.ndarray, faces: Faces) -> np.ndarray:
+    """Return whether there are blocks all along each side of faces, bool (m, 4).
+
+    They are in the order of ``Faces.firm``. A face goes on there, or ends at a wall.
+    """
+    direction, flat = faces.direction, solid.ravel()
+    steps = np.array(solid.strides) // solid.itemsize
+    first = (faces.low + EDGE) @ steps
+    found = np.ones((len(faces), 4), bool)
+    sides = (direction.along, faces.long), (direction.across, faces.wide)
+    for pair, ((axis, size), (other, length)) in enumerate((sides, sides[::-1])):
+        step = steps[other]
+        for end, start in enumerate((first - steps[axis], first + steps[axis] * size)):
+            firm = found[:, 2 * pair + end]
+            for k in range(int(length.max(initial=0))):
+                rows = np.flatnonzero(firm & (length > k))
+                firm[rows] = flat[start[rows] + k * step]
+    return found
+
+
+def with_firm_sides(faces: Faces, solid: np.ndarray) -> Faces:
+    """Return faces that know their firm sides, if they look up: others need not."""
+    up = faces.direction.axis == 2 and faces.direction.sign > 0
+    return replace(faces, firm=firm_sides(solid, faces)) if up else faces
 
 
 class Shown(NamedTuple):
@@ -191,7 +219,8 @@ def visible_faces(
         layer, along, long, kinds, shade, across = split(key, parts)
         low = rows(direction, layer, along, across)
     corners = shade[:, None] >> np.array([6, 4, 2, 0], np.uint8) & 3
-    return Faces(direction, low.T, long, wide, kinds.astype(np.uint8), corners.astype(np.uint8))
+    found = Faces(direction, low.T, long, wide, kinds.astype(np.uint8), corners.astype(np.uint8))
+    return with_firm_sides(found, shown.solid)
 
 
 def packed(shade: np.ndarray) -> np.ndarray:

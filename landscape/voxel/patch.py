@@ -20,6 +20,7 @@ from landscape.voxel.faces import (
     corner_shade,
     exposed,
     shown_kinds,
+    with_firm_sides,
 )
 from landscape.voxel.mesh import (
     PLANTS,
@@ -127,7 +128,8 @@ def faces_again(
             shade = corner_shade(solid, flat + direction.sign * steps[direction.axis], direction)
         kinds = shown_kinds(blocks, flat, direction)
         sizes = sides[:, direction.along], sides[:, direction.across]
-        found.append(Faces(direction, at, *sizes, kinds, shade))
+        faces = Faces(direction, at, *sizes, kinds, shade)
+        found.append(with_firm_sides(faces, solid))
     return found, place
 
 
