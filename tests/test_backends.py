@@ -40,7 +40,8 @@ if backend == "null":
 only = ("ground", "water", "sky", "castle", "trees", "map", "fog", "reflection")
 found = {}
 for samples in (0, 4):
-    options = {"preset": "2006", "only": only, "samples": samples, "settings": {"trees.count": 90}}
+    few = {"trees.count": 90, "ground.texture_size": 256}
+    options = {"preset": "2006", "only": only, "samples": samples, "settings": few}
     with landscape.Offscreen((96, 72), backend=backend, **options) as view:
         view.look("fig35a")
         pixels = view.draw()

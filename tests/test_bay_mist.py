@@ -17,6 +17,7 @@ from landscape.settings import Settings, Sun
 SEA = HeightField(np.zeros((4, 4), np.float32), 40.0, 0.6)
 OVER_THE_BAY = (8.6, 1.4, 33.7, 25.0, -5.0)
 ONLY = ("ground", "water", "mist", "fog", "dragon")
+FEW = {"ground.texture_size": 256, "ground.stones": 500}
 
 
 def at(field: HeightField, x: float, height: float, z: float = 20.0) -> float:
@@ -53,7 +54,7 @@ def test_the_mist_has_the_sun_s_tint() -> None:
 
 def picture(kt: float = 40.0, **settings: Any) -> np.ndarray:
     given = {name.replace("_", ".", 1): value for name, value in settings.items()}
-    with Offscreen((120, 90), settings=given, samples=0, only=ONLY) as view:
+    with Offscreen((120, 90), settings=FEW | given, samples=0, only=ONLY) as view:
         view.look(Pose(*OVER_THE_BAY), kt)
         return view.draw().astype(np.int16)
 
@@ -70,7 +71,7 @@ def test_mist_lies_over_the_bay_where_it_is_asked_for_and_drifts() -> None:
 
 def test_the_mist_is_drawn_over_the_water_and_before_the_sprites() -> None:
     given = {"mist.enabled": True, "mist.sheets": 3}
-    with Offscreen((60, 45), settings=given, samples=0, only=(*ONLY, "trees")) as view:
+    with Offscreen((60, 45), settings=FEW | given, samples=0, only=(*ONLY, "trees")) as view:
         view.look(Pose(*OVER_THE_BAY), 40.0)
         with recording() as recorder:
             view.draw()

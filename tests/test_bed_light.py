@@ -16,7 +16,8 @@ from landscape.scene import Moment
 from landscape.settings import preset
 
 SIZE = (160, 120)
-BEST = with_settings(preset("best"), {"fog.enabled": False, "camera.fov": 60.0})
+BARE = {"ground.stones": 0, "ground.texture_size": 512, "fog.enabled": False, "camera.fov": 60.0}
+BEST = with_settings(preset("best"), BARE)
 NOON = BEST.sun
 EYE = Pose(5.5, 3.1, 28.75, 0.0, -90.0)  # straight above a sand bank
 

@@ -526,7 +526,7 @@ def rendered(shell: Shell, *arguments: str) -> bytes:
         ["--kt", "90"],
         ["--wireframe"],
         ["--samples", "4"],
-        ["--preset", "best"],
+        ["--preset", "best", "--set", "ground.stones=0"],
         ["--set", "fog.density=0.5"],
         ["--set", "fog.color=1, 0, 0"],
         ["--set", "fog.enabled=off"],
@@ -570,7 +570,8 @@ import numpy as np
 import PIL.Image
 import landscape
 
-image = landscape.render("fig35e", size=(64, 36), only=("ground", "sky"), samples=0)
+few = {"ground.stones": 500, "ground.texture_size": 256}
+image = landscape.render("fig35e", (64, 36), settings=few, only=("ground", "sky"), samples=0)
 assert isinstance(image, PIL.Image.Image) and image.size == (64, 36) and image.mode == "RGB"
 assert image._repr_png_(), "Jupyter would not show it"
 

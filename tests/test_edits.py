@@ -124,7 +124,8 @@ CASES = {**IN_THE_FRAME, **IN_LISTS}
 
 
 def opened(case: Case, edits: Edits | None = None) -> Offscreen:
-    return Offscreen(SIZE, case.preset, only=case.only, samples=0, edits=edits)
+    few = {"ground.texture_size": 256}
+    return Offscreen(SIZE, case.preset, few, only=case.only, samples=0, edits=edits)
 
 
 def picture(case: Case, edits: Edits | None = None) -> np.ndarray:

@@ -124,7 +124,7 @@ SHOTS = {
     "ground.rock_repeat": replace(STONY, settings=STONY.settings | MATERIALS, value=9.0),
     "ground.low_stretch": replace(STONY, settings={"ground.detail_repeat": 40.0}),
     "ground.weathered": replace(STONY, only=("ground",), settings=MATERIALS),
-    "ground.stones": replace(STONY, only=("ground",), settings=MATERIALS, value=30_000),
+    "ground.stones": replace(STONY, only=("ground",), settings=MATERIALS, value=5_000),
     "ground.lod_bias": replace(GROUPS["ground"], settings=MATERIALS, value=-2.0),
     "ground.verdure": replace(GROUPS["ground"], settings=MATERIALS, value=1.0),
     "ground.clouds": replace(GROUPS["ground"], settings={"ground.shadows": True}, value=1.0),

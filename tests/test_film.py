@@ -121,7 +121,8 @@ def test_several_processes_draw_the_pixels_of_one_in_their_order(
 @pytest.mark.slow
 def test_the_island_depends_on_the_time_alone() -> None:
     kind, view = find_view("fig35f")
-    look = Look("island", kind.values("best", {"grass.count": 2_000_000}), ("ground", "grass"))
+    few = {"grass.count": 2_000_000, "ground.texture_size": 256, "ground.stones": 500}
+    look = Look("island", kind.values("best", few), ("ground", "grass"))
     poses = tuple(replace(view.pose, z=view.pose.z - away, yaw=330 + 9 * away) for away in (0, 0.8))
     film = Film((Part(Flight(look, poses, (0.6,))),), drawing(), Fraction(4))
     with Stage(film.drawing) as stage:

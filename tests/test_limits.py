@@ -32,7 +32,7 @@ def shell(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
 )
 def test_a_setting_at_its_limit_gives_no_warning(only: str, change: str, shell: Shell) -> None:
     small = ("--size=64x48", "--samples=0", *shell.small)
-    few = () if only == "ground" else (f"--set={only}.count=2000",)
+    few = ("--set=ground.stones=500",) if only == "ground" else (f"--set={only}.count=2000",)
     done = shell("render", "fig35e", "--only", only, *small, *few, "--set", change, "--out=a.png")
     assert (done.status, done.err) == (0, ""), done.err
 
