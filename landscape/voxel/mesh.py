@@ -100,8 +100,8 @@ class Look:
     corners to fractions of a pixel, and of level ground that is seen at a grazing angle so small an
     overlap is less than that. So the faces that look up overlap by ``firm`` blocks at their firm
     sides, where it makes no ledge: it lies in a wall, or on ground that is as high. ``shore`` are
-    two heights: faces are WET up to the first, and dry from the second on. ``band`` is the height of
-    a band of dry faces.
+    two heights: faces are WET up to the first, and dry from the second on. ``band`` is the height
+    of a band of dry faces.
     """
 
     light: np.ndarray
