@@ -63,7 +63,7 @@ FAR_OVERLAP, FAR_FIRM = 0.02, 0.1
 # Columns, chosen: larger worlds are not cached, which they would fill, and their meshes are packed.
 MOST_KEPT = 1000
 MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once
-# Measured on two processors: 0.36 s instead of 0.41, and 6.0 s instead of 8.8 for 2,000 x 2,000
+# Measured on two processors: 0.39 s instead of 0.46, and 6.0 s instead of 8.8 for 2,000 x 2,000
 # columns.
 THREADS = 2
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
