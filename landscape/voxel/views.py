@@ -13,7 +13,7 @@ VIEWS = {
     view.name: replace(view, shown=STANDING)
     for view in (
         View("voxel_bay", "the sea dragon in the bay", Pose(13.8, 1.2, 31.4, 345.0, 3.0), 20.0),
-        View("voxel_castle", "the castle on its hill", Pose(26.9, 3.7, 20.6, 330.0, 5.0), 20.0),
+        View("voxel_castle", "the castle on its hill", Pose(26.9, 3.7, 20.6, 327.5, 5.0), 20.0),
         View("voxel_cliff", "the mountain and its beacon", Pose(9.0, 3.6, 16.5, 15.0, 5.0), 20.0),
         View("voxel_water", "through clear water one sees the ground, in it the shore",
              Pose(16.7, 1.25, 32.9, 146.0, -15.0), 20.0),

@@ -44,7 +44,9 @@ HEAD_X, NECK_Y, HEAD_YAW_RAD = 0.62, (-0.15, 0.05), 0.22
 EARS_Y, SPREAD = (0.30, 0.55), 0.13
 THINNEST = 20.0  # times its size along its measured axis: how long a mesh may be, chosen
 BLACK = 0.16  # colours darker than this are the eyes, chosen
-SEA = 0.375  # of the dragon's height: its water line, where the island's dragon has it
+# Of the dragon's height, chosen: where the water is. It is lower than the island's: with that, the
+# arches of a body of blocks would be closed, and discs with their mirror images.
+SEA = 0.2
 
 
 def rabbit(path: Path, height: int = 14) -> np.ndarray:
