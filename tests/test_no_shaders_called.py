@@ -24,7 +24,7 @@ from landscape.views import VIEWS
 
 LIST = Path(__file__).resolve().parents[1] / "shaders_none" / "forbidden.txt"
 FEW = {name: SMALL_BEST if name == "best" else SMALL for name in PRESETS}
-MANY = {"grass.count": 100_000}
+MANY = {"grass.count": 20_000}
 FORBIDDEN = frozenset(
     line for line in LIST.read_text(encoding="utf-8").splitlines() if line[:1] not in ("", "#")
 )
