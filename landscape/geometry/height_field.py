@@ -21,8 +21,9 @@ MOST_VERTICES = 1025  # chosen: more makes over a million vertices, which take s
 def lookup(image: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Interpolate ``image`` (h, w[, c]) linearly at u, v in 0..1, clamped at the borders."""
     h, w = image.shape[:2]
-    x = np.clip(np.asarray(u, np.float64) * w, 0, w - 1)
-    y = np.clip(np.asarray(v, np.float64) * h, 0, h - 1)
+    # np.clip is the same, but slower for few numbers.
+    x = np.minimum(np.maximum(np.asarray(u, np.float64) * w, 0), w - 1)
+    y = np.minimum(np.maximum(np.asarray(v, np.float64) * h, 0), h - 1)
     x0, y0 = x.astype(int), y.astype(int)
     x1, y1 = np.minimum(x0 + 1, w - 1), np.minimum(y0 + 1, h - 1)
     fx, fy = x - x0, y - y0

@@ -12,6 +12,7 @@ State used: colour and depth masks, the query.
 """
 
 import math
+from operator import sub
 
 import numpy as np
 
@@ -47,7 +48,7 @@ class SurfaceQuery:
         self._query = int(np.ravel(gl.glGenQueries(1))[0])
         self._asked = False
         self._shows = True
-        self._last: np.ndarray | None = None
+        self._last: tuple[float, ...] | None = None
 
     def expected(self, frame: Frame) -> bool:
         """Return whether to draw a mirror image before it is known if the surface is visible."""
@@ -55,8 +56,8 @@ class SurfaceQuery:
             return self._shows
         if self._asked:
             self._shows, self._asked = self._answer() > 0, False
-        here = np.concatenate([frame.eye, frame.pose.forward])
-        if self._last is not None and np.abs(here - self._last).max() > JUMP:
+        here = (*frame.eye.tolist(), *frame.pose.forward)
+        if self._last is not None and max(map(abs, map(sub, here, self._last))) > JUMP:
             self._shows = False
         self._last = here
         return self._shows

@@ -76,7 +76,7 @@ ROWS = [slice(*np.searchsorted(GAPS, ends)) for ends in pairwise((0, *REACHES))]
 ANGLES = (np.arange(AZIMUTHS) + 0.5) * (2 * math.pi / AZIMUTHS)
 # The columns (2, m, AZIMUTHS) of the points of all lines from the middle of the first cell on.
 LINES = np.stack([np.cos(ANGLES), np.sin(ANGLES)])[:, None] * ALONG[:, None] + CELL / 2
-LINES = np.floor(LINES).astype(np.intp)
+LINES = np.floor(LINES).astype(np.int32)
 
 
 class Horizon:
@@ -132,7 +132,6 @@ class Horizon:
 
     def _of_regions(self, x0: int, z0: int, top: int) -> np.ndarray:
         """Return the same for any eye at most as high as ``top`` in the cell that begins there."""
-        least = minima(self._horizon(x0, z0, top))
         x, z = self._corners[0] - (x0 + CELL / 2), self._corners[1] - (z0 + CELL / 2)
         size = x[3] - x[0]
         # The nearest point of each region, and its farthest corner.
@@ -146,34 +145,37 @@ class Horizon:
         first = np.floor((towards + aside.min(axis=0)) * per_line).astype(np.intp)
         last = np.floor((towards + aside.max(axis=0)) * per_line).astype(np.intp)
         at = np.searchsorted(ALONG, near) - 1  # the last point before it
-        wide = np.minimum(last - first + 1, AZIMUTHS // 2)
-        level = np.frexp(wide)[1] - 1
-        one = least[level, at, first % AZIMUTHS]
-        other = least[level, at, (last + 1 - (1 << level)) % AZIMUTHS]
-        slope = np.minimum(one, other)
+        many = np.minimum(last - first + 1, AZIMUTHS)
+        slope = least(self._horizon(x0, z0, top), np.maximum(at, 0), first, many)
         found = top + slope * np.where(slope > 0, near, far) - MARGIN
         return np.where(at < 0, 0.0, found)
 
     def _horizon(self, x0: int, z0: int, top: int) -> np.ndarray:
         """Return how steep lines of sight are blocked up to each point of each line, (m, lines)."""
         last = len(self._lowest[0]) - 1
-        x, z = (np.clip(line + at, 0, last) for at, line in zip((x0, z0), LINES, strict=True))
+        x, z = (np.minimum(np.maximum(line + at, 0), last)
+                for at, line in zip((x0, z0), LINES, strict=True))  # fmt: skip
         at = x * (last + 1) + z
-        ground = np.empty(x.shape, np.float32)
+        slope = np.empty(x.shape, np.float32)
         for rows, lowest_there in zip(ROWS, self._lowest, strict=True):
-            ground[rows] = lowest_there.ravel()[at[rows]]
-        return np.maximum.accumulate((ground - np.float32(top)) / ALONG[:, None], axis=0)
+            slope[rows] = lowest_there.ravel()[at[rows]]
+        slope -= top
+        slope /= ALONG[:, None]
+        return np.asarray(np.maximum.accumulate(slope, axis=0))
 
 
-def minima(values: np.ndarray) -> np.ndarray:
-    """Return the least of 1, 2, 4 ... following values of each row (m, n), all the way round.
+def least(values: np.ndarray, rows: np.ndarray, first: np.ndarray, many: np.ndarray) -> np.ndarray:
+    """Return the least of ``many`` values (k,) from ``first`` on in rows (k,) of values (m, n).
 
-    (k, m, n): the least of those from each one on.
+    A row begins again where it ends; at most n values are asked for.
     """
-    _, n = values.shape
-    found = np.empty((n.bit_length() - 1, *values.shape), values.dtype)
-    some = np.concatenate([values, values], axis=1)
-    for k, part in enumerate(found):
-        part[:] = some[:, :n]
-        some = np.minimum(some[:, : -1 << k], some[:, 1 << k :])
+    n = values.shape[1]
+    twice = np.concatenate([values, values], axis=1).ravel()
+    begin = rows * (2 * n) + first % n
+    # Parts are given by where they begin and end. From the last one on each begins before the one
+    # before it ends, so that nothing is looked at between two of them.
+    order = np.argsort(-begin)
+    ends = np.stack([begin, np.minimum(begin + many, len(twice) - 1)], axis=1)[order]
+    found = np.empty(len(rows), values.dtype)
+    found[order] = np.minimum.reduceat(twice, ends.ravel())[::2]
     return found

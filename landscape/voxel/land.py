@@ -167,8 +167,8 @@ class Land:
         ):
             return choice
         hidden = self._horizon.hidden(x, z, y)[choice.regions]
-        bands = np.clip((hidden - self.colours.shore[1]) // BAND, 0, BANDS - 1)
-        last = SETS - 1 - bands.astype(np.intp)
+        bands = (hidden - self.colours.shore[1]) // BAND
+        last = SETS - 1 - np.minimum(np.maximum(bands, 0), BANDS - 1).astype(np.intp)
         last[hidden * self.scale >= self.high[choice.regions, 1]] = -1
         return choice._replace(last=last)
 
