@@ -84,7 +84,7 @@ class Land:
         low, high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
         # All x, then all y, then all z: numpy is faster so, and each frame asks for them often.
         self.low, self.high = np.asfortranarray(low), np.asfortranarray(high)
-        self._horizon = Horizon(solid_heights(self.world.blocks), self.world.region_size)
+        self._horizon: Horizon | None = None  # once what hills hide is asked for
         pictures = tiles(assets)
         mipmaps, crisp = settings.voxel.mipmaps, settings.voxel.crisp
         # Down to the level in which a tile is one texel. Where OpenGL allows no texture as large as
@@ -166,6 +166,8 @@ class Land:
             or not world.is_air(x, z, y, CLEAR)
         ):
             return choice
+        if self._horizon is None:
+            self._horizon = Horizon(solid_heights(world.blocks), world.region_size)
         hidden = self._horizon.hidden(x, z, y)[choice.regions]
         bands = (hidden - self.colours.shore[1]) // BAND
         last = SETS - 1 - np.minimum(np.maximum(bands, 0), BANDS - 1).astype(np.intp)
@@ -274,8 +276,9 @@ class Land:
         """Change blocks in the world, and what is known of how high its columns are solid."""
         for cell, kind in blocks.items():
             self.world.put(cell, kind)
-        for x, z in {cell[:2] for cell in blocks}:
-            self._horizon.change(x, z, self.world.blocks[x, z])
+        if self._horizon is not None:
+            for x, z in {cell[:2] for cell in blocks}:
+                self._horizon.change(x, z, self.world.blocks[x, z])
 
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
