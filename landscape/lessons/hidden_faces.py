@@ -5,7 +5,7 @@ tells which cubes have air beside them: six comparisons, no loop over voxels. Ru
 then become one long quad. Back-face culling is another thing: of what is drawn, it leaves out the
 faces that look away. Where the hill is cut open they are seen, coral, and what is left inside.
 
-Keys: 1 all faces, 2 exposed ones, 3 runs of them; C cuts the hill, B culls.
+Keys: 1 all faces, 2 exposed ones, 3 runs of them; C closes or cuts the hill, B culls.
 """
 # topic: voxels
 # needs: height_columns, clip_plane, orientation
@@ -28,7 +28,7 @@ def make_blocks():  # of a hill with a cave: the kinds of the voxels, [x, y, z],
     x, y, z = np.mgrid[:36, :20, :36]
     hill = 14 * np.exp(-((x - 15) ** 2 + (z - 14) ** 2) / 110)
     up = np.round(3 + hill + 1.6 * np.sin(x / 3) * np.sin(z / 4 + 1)) - y  # cubes above it
-    cave = (x - 16) ** 2 / 50 + (y - 5) ** 2 / 9 + (z - 19) ** 2 / 50 < 1
+    cave = (x - 16) ** 2 / 50 + (y - 5) ** 2 / 9 + (z - 18) ** 2 / 50 < 1
     return np.select(((up < 0) | cave, up == 0, up < 3), (0, 1 + np.digitize(y, (4, 7, 11)), 5), 4)
 
 
