@@ -1,9 +1,9 @@
 """Height columns: an island of cubes from an image
 
-Every pixel of a small height image becomes a column of cubes as high as the pixel is bright. A
-cube has 8 corners but 24 vertices: three faces meet in a corner, and each brings its own normal.
-With one normal a corner, which 8 vertices would have to share, the light runs over the edges, and
-the steps of the ground look like cushions.
+Of the pixels of a height image, 32 x 32 are picked; each becomes a column of cubes, as high as the
+pixel is bright. A cube has 8 corners but 24 vertices: three faces meet in a corner, and each
+brings its own normal. With one normal a corner, which 8 vertices would have to share, the light
+runs over the edges, and the steps of the ground look like cushions.
 
 Keys: Left and Right change the number of columns, Up and Down the relief; N shares the normals.
 """
@@ -71,7 +71,7 @@ def on_key(window, key, scancode, action, mods):
     global side, relief, shared
     if action != glfw.RELEASE:
         side = min(56, max(8, side + 8 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))))
-        relief = min(1.4, max(0, relief + 0.1 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))))
+        relief = min(1, max(0, relief + 0.1 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))))
         shared ^= key == glfw.KEY_N
         glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
         make_cubes()
@@ -96,7 +96,7 @@ def main():
         glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 10)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()
-        glTranslatef(0, 0.08, -4.6)
+        glTranslatef(0, -0.06, -4.8)
         glRotatef(35, 1, 0, 0)
         glRotatef(-30, 0, 1, 0)
         glLightfv(GL_LIGHT0, GL_POSITION, (0.3, 1, 0.8, 0))
