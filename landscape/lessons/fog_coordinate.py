@@ -1,12 +1,12 @@
 """Fog coordinate: water that darkens with its depth
 
-Fog has an amount for each fragment. Usually it follows from the distance to the eye; with
+Each fragment gets an amount of fog. Usually it follows from the distance to the eye; with
 GL_FOG_COORDINATE it is interpolated between numbers that the vertices bring, here their depths.
 The shallows are clear and the deep is dark, from wherever one looks. By the distance, the land
-fades as well. If depths are clamped at the surface, as there is no fog above it, the fog climbs
+darkens as well. If depths are clamped at the surface, as there is no fog above it, the fog climbs
 up the rocks: the interpolation then begins at their tops and not at the surface.
 
-Keys: Space takes the distance, C clamps; Up and Down move the sea, Left and Right the reach.
+Keys: Space fog by the distance, C depths clamped; Up and Down sea level, Left and Right visibility.
 """
 # topic: voxels
 # needs: fog, height_columns, blending
@@ -25,7 +25,7 @@ FACES = np.array(((4, 6, 7, 5), (0, 1, 3, 2), (2, 3, 7, 6), (1, 5, 7, 3), (0, 2,
 SHADES = np.repeat((0.75, 0.6, 1, 0.85, 0.5), 4)
 # The heights from which a column is sand, grass, rock.
 TINTS = np.array(((0.6, 0.55, 0.5), (0.93, 0.84, 0.62), (0.5, 0.68, 0.35), (0.62, 0.58, 0.55)))
-level, reach, by_depth, clamped = 0.0, 8, True, False
+level, reach, by_depth, clamped = 0, 8, True, False
 
 
 def make_columns():
@@ -59,7 +59,7 @@ def draw_surface():
 def on_key(window, key, scancode, action, mods):
     global level, reach, by_depth, clamped
     if action != glfw.RELEASE:
-        level += 0.5 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
+        level += (key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)
         reach = max(1, reach + (key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
         by_depth ^= key == glfw.KEY_SPACE
         clamped ^= key == glfw.KEY_C
@@ -104,7 +104,7 @@ def main():
         draw_surface()
         write(16, 64, "depth clamped" if clamped else "depth not clamped")
         write(16, 40, "fog from the depth" if by_depth else "fog from the distance")
-        write(16, 16, "sea level {level:.1f}, reach of sight {reach}", level=level, reach=reach)
+        write(16, 16, "sea level {level}, visibility {reach}", level=level, reach=reach)
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()
