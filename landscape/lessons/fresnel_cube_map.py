@@ -37,7 +37,7 @@ for axis, side in np.ndindex(3, 2):
     for place in np.argwhere((blocks > 0) & (np.roll(blocks, 1 - 2 * side, axis) == 0)):
         color = COLORS[blocks[tuple(place)]] * SHADES[axis][side] * WATER ** max(SEA - place[1], 0)
         vertices += [(*color, *(place + corner)) for corner in corners]
-vertices += [(1, 1, 1, 600 * s - 300, 0, 600 * t - 300) for s, t in SQUARE]
+vertices += [(1, 1, 1, 16000 * s - 8000, 0, 16000 * t - 8000) for s, t in SQUARE]
 
 
 def on_key(window, key, scancode, action, mods):
@@ -59,11 +59,11 @@ def main():
         glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR)
         for name in (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T):
             glTexParameteri(target, name, GL_CLAMP_TO_EDGE)
-    t, s = np.mgrid[-1:1:128j, -1:1:128j]
+    t, s = np.mgrid[-1:1:512j, -1:1:512j]
     for face in range(6):  # by Schlick's formula
         cosine = np.abs(1 if face in (2, 3) else t) / np.sqrt(1 + s * s + t * t)
         data = GL_ALPHA, GL_UNSIGNED_BYTE, np.uint8(5 + 250 * (1 - cosine) ** 5)
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_ALPHA8, 128, 128, 0, *data)
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_ALPHA8, 512, 512, 0, *data)
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE)
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE1_RGB, GL_TEXTURE1)
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE2_RGB, GL_TEXTURE2)  # its alpha is how much of source 0
@@ -72,7 +72,7 @@ def main():
         for mode in (GL_MODELVIEW, GL_PROJECTION):
             glMatrixMode(mode)
             glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 0.7, 500)
+        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 0.7, 12000)
         glMatrixMode(GL_MODELVIEW)
         glTranslatef(0, -1.8, -27)
         glRotatef(11, 1, 0, 0)
