@@ -1,11 +1,11 @@
 """Projective texture: a slide projector in a room of blocks
 
 The projector is a second camera: its matrix leads from each point to a place on the slide, and the
-planes of the texture coordinates are its rows. What divides by q makes a second picture, upside
-down, of what is behind the projector; the clip plane q = 0 takes it away. Without q, nothing is
+planes of the texture coordinates are its rows. The division by q makes a second picture, upside
+down, on what is behind the projector; the clip plane w = 0 takes it away. With q = 1 nothing is
 divided; without a border, slides stand side by side.
 
-Keys: 1 to 3 leave out the clip plane, q, the border; 4 nothing.
+Keys: 1 leaves out the clip plane, 2 sets q to 1, 3 leaves out the border, 4 leaves out nothing.
 """
 # topic: voxels
 # needs: hidden_faces, perspective, clip_plane, blending, shadow_map
@@ -18,10 +18,10 @@ import numpy as np
 from OpenGL.GL import *
 from text import _, write
 
-LABELS = "no clip plane", "no q", "GL_REPEAT", "one slide"
+LABELS = "no clip plane", "q = 1", "GL_REPEAT", "one slide"
 CORNERS = (0, 0), (1, 0), (1, 1), (0, 1)
 PANES = (255, 205, 75), (225, 55, 45), (50, 110, 230), (255, 155, 45), (45, 165, 130)
-PLACE = np.array((7.5, 6.5, 7.5))  # of the projector
+PLACE = np.array((7.5, 6.5, 7.5))  # of the projector, the origin of all vertices
 COLORS = ((0, 0, 0), (0.8, 0.77, 0.74), (0.62, 0.45, 0.32), (0.85, 0.35, 0.2))
 blocks, chosen = np.zeros((16, 14, 16), int), 3  # blocks: the color of each, 0 is air
 blocks[1:15, 1, 1:15] = blocks[1, 1:11, 1:15] = blocks[1:15, 1:11, 1] = 1
@@ -85,7 +85,7 @@ def main():
         glLoadIdentity()
         glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 60)
         glMatrixMode(GL_MODELVIEW)
-        glTranslatef(0, 0.7, -34.5)
+        glTranslatef(0, 1.5, -40)
         glRotatef(28, 1, 0, 0)
         glRotatef(-45, 0, 1, 0)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
@@ -102,10 +102,11 @@ def main():
         wrap = GL_REPEAT if chosen == 2 else GL_CLAMP_TO_BORDER  # the border is black
         for name in (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T):
             glTexParameteri(GL_TEXTURE_2D, name, wrap)
-        for axis, plane in ((0, (x + w) / 2), (1, (y + w) / 2), (3, w)):  # s, t, q
+        q = (0, 0, 0, 1) if chosen == 1 else w
+        for axis, plane in ((0, (x + q) / 2), (1, (y + q) / 2), (3, q)):  # s, t, q
             glTexGeni(GL_S + axis, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR)
             glTexGenfv(GL_S + axis, GL_EYE_PLANE, plane)
-            (glDisable if axis == 3 and chosen == 1 else glEnable)(GL_TEXTURE_GEN_S + axis)
+            glEnable(GL_TEXTURE_GEN_S + axis)
         glDrawArrays(GL_QUADS, 0, len(vertices))
         glPopAttrib()
         write(16, 16, LABELS[chosen])
