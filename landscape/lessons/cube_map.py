@@ -32,7 +32,7 @@ def load_faces():
     image = np.asarray(Image.open(DATA / "sky.jpg"))
     for number, (place, tint) in enumerate(zip(PLACES, TINTS, strict=True)):
         face = np.split(image, 6, axis=1)[place]
-        if not as_taken:  # left and right swapped, of +y and -y top and bottom
+        if not as_taken:  # left and right swapped, for +y and -y instead top and bottom
             face = face[::-1] if number in (2, 3) else face[:, ::-1]
         face = np.uint8(face * 0.5 + 120 * np.array(tint)) if tinted else face
         data = *face.shape[:2], 0, GL_RGB, GL_UNSIGNED_BYTE, face.tobytes()
@@ -109,7 +109,7 @@ def main():
         glPopAttrib()
         for n in range(6 if tinted else 0):
             write(16 + 40 * n, 40, LABELS[n], TINTS[n])
-        write(16, 16, "pictures as they were taken" if as_taken else "pictures mirrored")
+        write(16, 16, "pictures as they were taken" if as_taken else "mirrored, as OpenGL expects")
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()
