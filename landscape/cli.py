@@ -5,6 +5,7 @@ Exit status: 0 done, 1 a check failed, 2 bad input, 3 no usable OpenGL.
 
 import argparse
 import contextlib
+import gc
 import io
 import json
 import os
@@ -38,7 +39,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         status: int = options.run(options)
         return status
 
-    return _reported(run)
+    try:
+        return _reported(run)
+    finally:
+        if argv is None:
+            # Python ends by looking for garbage among all that was imported, which is none.
+            gc.freeze()
 
 
 def _reported(work: Callable[[], int]) -> int:

@@ -4,10 +4,10 @@ The map, the camera's path, the points to look at and a note have a layer each.
 """
 
 import base64
+import html
 import io
 import textwrap
 from collections.abc import Sequence
-from xml.sax.saxutils import escape
 
 import numpy as np
 from PIL import Image
@@ -54,8 +54,8 @@ def environment_text(
         for x, y in targets
     )
     lines = "\n".join(
-        f'    <tspan x="0" y="{_number(side + (k + 1) * LINE * scale)}">{escape(line)}</tspan>'
-        for k, line in enumerate(note)
+        f'    <tspan x="0" y="{_number(side + (k + 1) * LINE * scale)}">{line}</tspan>'
+        for k, line in enumerate(html.escape(line, quote=False) for line in note)
     )
     height = _number(side + (len(note) + 0.5) * LINE * scale)
     return f"""<?xml version="1.0" encoding="UTF-8"?>
