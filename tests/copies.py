@@ -26,10 +26,13 @@ LATER = {
 # The copy leaves the loop: its end is that of the interpreter, with all that Python does there.
 _SERVER = """
 import gc, json, os, runpy, sys
-import landscape.cli, landscape.render, landscape.tools.render_many, PIL.PngImagePlugin
+import landscape.cli, landscape.render, landscape.tools.render_many, platformdirs, PIL.Image
+from landscape.files import cache
 from landscape.scene import SCENES, scene
 for name in SCENES:
     scene(name)
+PIL.Image.preinit()
+cache.code()
 assert not [name for name in sys.modules if name.startswith("OpenGL")]
 gc.collect()
 gc.freeze()  # a copy need not look through all of this when it ends

@@ -22,6 +22,7 @@ import numpy as np
 import pytest
 from commands import SECONDS, TESTS, end, environment, landscape, need_library, python, running
 from PIL import Image
+from stage import SMALL_BEST
 
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights
@@ -35,12 +36,8 @@ from landscape.window.walker import Intent, Walker, advance, start
 
 pytestmark = pytest.mark.window
 
-SMALL = {
-    **{"grass.count": 2000, "trees.count": 100, "plants.count": 100},
-    **{"ground.resolution": 40, "ground.texture_size": 256, "ground.stones": 500},
-}
-SET = [word for key, value in SMALL.items() for word in ("--set", f"{key}={value}")]
-COARSE = [f"--set={key}={value}" for key, value in SMALL.items() if key.startswith("ground.")]
+SET = [word for key, value in SMALL_BEST.items() for word in ("--set", f"{key}={value}")]
+COARSE = [f"--set={key}={value}" for key, value in SMALL_BEST.items() if key.startswith("ground.")]
 PRESS, RELEASE = glfw.PRESS, glfw.RELEASE
 
 
@@ -136,7 +133,7 @@ def scripted(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """Two walks on the null platform: a scripted one, and its replay."""
     folder = tmp_path_factory.mktemp("scripted")
     code = f"import os; os.chdir({str(folder)!r})\n{SCRIPTED}"
-    words = (str(folder / "a.jsonl"), json.dumps(SMALL), str(TESTS))
+    words = (str(folder / "a.jsonl"), json.dumps(SMALL_BEST), str(TESTS))
     done = python(code, *words, env=environment(LANG="C"))
     assert done.status == 0, done.err
     plan, ticks = recording.read(folder / "a.jsonl")
@@ -270,7 +267,7 @@ print(json.dumps([hint, seen]))
 
 
 def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
-    done = python(STILLS, json.dumps(SMALL | {"trees.count": 3000}), env=environment())
+    done = python(STILLS, json.dumps(SMALL_BEST | {"trees.count": 3000}), env=environment())
     assert done.status == 0, done.err
     hint, seen = json.loads(done.out)
     still, plain = seen.pop("plain")
@@ -335,20 +332,35 @@ def test_a_replay_from_the_command_line_records_itself_again(scripted, tmp_path:
     assert second.read_bytes() == first.read_bytes()
 
 
-def test_a_replay_keeps_to_the_size_that_is_asked_for(scripted, tmp_path: Path) -> None:
-    first, second = scripted["folder"] / "a.jsonl", tmp_path / "b.jsonl"
+def short_walk(path: Path, ticks: list[Tick]) -> Path:
+    """Write the recording of a walk under the sky alone, which opens quickly; return ``path``."""
+    settings = with_settings(preset("2006"), SMALL_BEST)
+    pose, size = Pose(20.0, None, 30.0, 190.0), (320, 240)
+    writer = recording.Writer(path, Plan("island", settings, "", pose, size, only=("sky",)))
+    for tick in ticks:
+        writer.add(tick)
+    writer.finish()
+    return path
+
+
+def test_a_replay_keeps_to_the_size_that_is_asked_for(tmp_path: Path) -> None:
+    intents = [Intent(forward=1.0), Intent(turn=1.0), Intent(run=True), Intent()] * 4
+    first = short_walk(tmp_path / "a.jsonl", [Tick(0.2, each, (), (97, 61)) for each in intents])
+    second = tmp_path / "b.jsonl"
     words = ["walk", "--backend", "osmesa", "--replay", first, "--size", "64x48", "--frames", "12"]
     done = landscape(*words, "--record", second)
     assert (done.status, done.err) == (0, "")
     plan, ticks = recording.read(second)
     assert {plan.size, *(tick.size for tick in ticks)} == {(64, 48)}
-    assert [tick.intent for tick in ticks] == [tick.intent for tick in scripted["ticks"][:12]]
+    assert [tick.intent for tick in ticks] == intents[:12]
 
 
-def test_the_language_of_the_window_can_be_asked_for(scripted, tmp_path: Path) -> None:
+def test_the_language_of_the_window_can_be_asked_for(tmp_path: Path) -> None:
     path = tmp_path / "b.jsonl"
+    english = short_walk(tmp_path / "a.jsonl", [Tick(0.2, Intent(), (), (320, 240))])
+    assert recording.read(english)[0].language == "en"
     first = ["walk", "fig35a", "--frames", "1", "--only", "sky"]
-    for begin in (first, ["walk", "--replay", scripted["folder"] / "a.jsonl", "--frames", "1"]):
+    for begin in (first, ["walk", "--replay", english, "--frames", "1"]):
         words = ["--backend", "osmesa", "--size", "64x48", "--record", path, "--lang", "fr"]
         done = landscape(*begin, *words, env=environment(LANG="C"))
         assert (done.status, done.err) == (0, "")
@@ -475,14 +487,7 @@ def screen() -> Iterator[dict[str, str]]:
 def test_a_full_screen_replay_is_drawn_at_the_size_of_the_screen(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
-    path = tmp_path / "a.jsonl"
-    ticks = [Tick(0.2, Intent(), (), (320, 240))] * 12
-    settings = with_settings(preset("2006"), SMALL)
-    plan = Plan("island", settings, "", Pose(20.0, None, 30.0, 190.0), (320, 240), only=("sky",))
-    writer = recording.Writer(path, plan)
-    for tick in ticks:
-        writer.add(tick)
-    writer.finish()
+    path = short_walk(tmp_path / "a.jsonl", [Tick(0.2, Intent(), (), (320, 240))] * 12)
     again = tmp_path / "b.jsonl"
     words = ["walk", "--replay", path, "--record", again, "--fullscreen", "--quiet"]
     done = landscape(*words, env=screen)
