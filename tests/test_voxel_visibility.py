@@ -21,7 +21,7 @@ from landscape.voxel.visibility import (
     visible_in_world,
     visible_projected,
 )
-from landscape.voxel.voxel import Voxel
+from landscape.voxel.voxel import LEAST_PIXELS, MOST_PIXELS, SCENE, Voxel
 
 SIZE = (96, 72)
 
@@ -198,19 +198,38 @@ def test_no_background_shows_between_merged_quads() -> None:
             assert not magenta.any(), pose
 
 
+BARE: dict[str, Any] = {
+    "shadow.enabled": False, "fog.enabled": False, "fog.color": (1.0, 0.0, 1.0),
+    "voxel.holes": False, "voxel.distance": 1000.0,
+}  # fmt: skip
+UNMERGED = BARE | {"voxel.merge": "none", "voxel.horizon": False}
+FINER = 4  # times as many pixels along each side, where sky shows between trees
+
+
 @pytest.fixture(scope="module")
 def merged_and_not() -> Iterator[tuple[Offscreen, Offscreen]]:
     """The land with merged faces, and with a quad for each face: there are no T-junctions."""
-    given = {"shadow.enabled": False, "fog.enabled": False, "fog.color": (1.0, 0.0, 1.0)}
-    given |= {"voxel.holes": False, "voxel.distance": 1000.0}
-    plain = given | {"voxel.merge": "none", "voxel.horizon": False}
     with (
-        Offscreen((400, 300), samples=0, place="voxel", settings=given, only=("land",)) as one,
-        Offscreen((400, 300), samples=0, place="voxel", settings=plain, only=("land",)) as other,
+        Offscreen((400, 300), samples=0, place="voxel", settings=BARE, only=("land",)) as one,
+        Offscreen((400, 300), samples=0, place="voxel", settings=UNMERGED, only=("land",)) as other,
     ):
         for view in (one, other):
             view.look((20.0, 9.0, 20.0))
         yield one, other
+
+
+def any_sky(pose: Pose) -> np.ndarray:
+    """Return which of 400 x 300 pixels show any sky without merging, however little, bool."""
+    smallest, values = LEAST_PIXELS / MOST_PIXELS, SCENE.settings.voxel
+    given = {"voxel.near": smallest * values.near, "voxel.far": smallest * values.far}
+    size = (400 * FINER, 300 * FINER)
+    with Offscreen(
+        size, samples=0, place="voxel", settings=UNMERGED | given, only=("land",)
+    ) as view:
+        view.look((20.0, 9.0, 20.0))
+        view.moment = replace(view.moment, pose=pose)
+        sky = (view.draw() == (255, 0, 255)).all(axis=-1)
+    return np.asarray(sky.reshape(300, FINER, 400, FINER).any(axis=(1, 3)))
 
 
 @pytest.mark.sweep(25)
@@ -218,7 +237,7 @@ def merged_and_not() -> Iterator[tuple[Offscreen, Offscreen]]:
 def test_no_background_shows_through_level_ground_at_a_grazing_angle(
     merged_and_not: tuple[Offscreen, Offscreen], seed: int
 ) -> None:
-    """From eye height, the sky shows only where it does without merging, or a pixel beside."""
+    """From eye height, sky shows only where it does without merging, or a pixel beside."""
     rng = np.random.default_rng(seed)
     scene = merged_and_not[0].scene
     assert isinstance(scene, Voxel)
@@ -235,4 +254,6 @@ def test_no_background_shows_through_level_ground_at_a_grazing_angle(
             sky.append((view.draw() == (255, 0, 255)).all(axis=-1))
         around = np.pad(sky[1], 1, mode="edge")
         beside = [around[i:, k:][:300, :400] for i in range(3) for k in range(3)]
-        assert not (sky[0] & ~np.any(beside, axis=0)).any(), pose
+        holes = sky[0] & ~np.any(beside, axis=0)
+        # A gap between trees may be too narrow for the other picture's pixels.
+        assert not holes.any() or not (holes & ~any_sky(pose)).any(), pose
