@@ -5,8 +5,7 @@ What is below the base is cut off when the field is marched.
 
 import numpy as np
 
-from landscape.studio.cumulus import HALF
-from landscape.studio.images import spectral_noise
+from landscape.studio.scatter import Place, coverage, scattered
 
 # Lengths are in metres.
 SEED = 849  # chosen by eye: clouds on every side
@@ -76,35 +75,33 @@ def cloud_spheres(
 
 def all_spheres() -> np.ndarray:
     """Return the spheres of all clouds, (n, 4)."""
-    rng = np.random.default_rng(SEED)
-    coverage = spectral_noise(256, 1.6, SEED, low_cut=2.0)  # cloud streets and gaps
+    rng, cover = np.random.default_rng(SEED), coverage(SEED)
     spheres: list[np.ndarray] = []
-    taken: list[tuple[float, float, float]] = []
+    taken: list[Place] = []
     for low, high, nearest, farthest, rise, count in KINDS:
-        for _ in range(count):
-            for _ in range(60):
-                x, z = rng.uniform(-HALF, HALF, 2)
-                width = low * (high / low) ** rng.random()
-                distance = float(np.hypot(x, z))
-                if not nearest + 0.5 * width < distance < farthest:
-                    continue
-                off = np.degrees(np.arctan2(x, -z)) - GAP_AZIMUTH_DEG
-                if abs((off + 180.0) % 360.0 - 180.0) < GAP_DEG + np.degrees(
-                    0.5 * width / distance
-                ):
-                    continue
-                at = coverage[int((x / HALF + 1) * 127.9), int((z / HALF + 1) * 127.9)]
-                if rise < 0.5 and at < rng.uniform(-0.5, 1.3):
-                    continue
-                # Wide clouds keep a distance from others; small ones may merge.
-                room = 0.48 if width > 600.0 else 0.25
-                if all(np.hypot(x - a, z - b) > room * (width + w) for a, b, w in taken):
-                    break
-            else:
-                continue
-            taken.append((x, z, width))
+
+        def suits(
+            x: float, z: float, width: float, covered: float,
+            nearest: float = nearest, farthest: float = farthest, rise: float = rise,
+        ) -> bool:  # fmt: skip
+            """Return whether a cloud of this kind may be there."""
+            distance = float(np.hypot(x, z))
+            if not nearest + 0.5 * width < distance < farthest:
+                return False
+            off = np.degrees(np.arctan2(x, -z)) - GAP_AZIMUTH_DEG
+            gap = GAP_DEG + np.degrees(0.5 * width / distance)
+            if abs((off + 180.0) % 360.0 - 180.0) < gap:
+                return False
+            return bool(rise >= 0.5 or covered >= rng.uniform(-0.5, 1.3))
+
+        for x, z, width in scattered(rng, cover, (low, high), count, taken, suits, room):
             # A generator per cloud, so that a change to one cloud leaves the others as they are.
             shape = np.random.default_rng([SEED, len(taken)])
             tall = width * rise * shape.uniform(0.75, 1.2)
             spheres.append(cloud_spheres(shape, x, z, width, tall))
     return np.concatenate(spheres)
+
+
+def room(width: float) -> float:
+    """Return how far apart clouds are; wide ones keep a distance, small ones may merge."""
+    return 0.48 if width > 600.0 else 0.25

@@ -3,7 +3,7 @@
 import numpy as np
 
 from landscape.studio.cumulus import HALF
-from landscape.studio.images import spectral_noise
+from landscape.studio.scatter import Place, coverage, scattered
 
 # Lengths are in metres.
 SEED = 849  # chosen by eye: clouds on every side, and none over the sun at noon or at sunset
@@ -58,30 +58,24 @@ def _cloud_spheres(rng: np.random.Generator, x: float, z: float, width: float) -
 
 def all_spheres() -> np.ndarray:
     """Return the spheres of all clouds, (n, 4)."""
-    rng = np.random.default_rng(SEED)
-    coverage = spectral_noise(256, 1.6, SEED, low_cut=2.0)  # cloud streets and gaps
+    rng, cover = np.random.default_rng(SEED), coverage(SEED)
     spheres: list[list[float]] = []
-    taken: list[tuple[float, float, float]] = []
+    taken: list[Place] = []
+
+    def suits(x: float, z: float, width: float, covered: float) -> bool:
+        """Return whether a cloud may be there; small ones near the eye would look like crumbs."""
+        clear = 2.0 * CLEARING if width < 700.0 else CLEARING + 0.55 * width
+        return bool(np.hypot(x, z) >= clear and covered >= rng.uniform(-0.3, 1.5))
+
     for low, high, count in SIZES:
-        for _ in range(count):
-            for _ in range(60):
-                x, z = rng.uniform(-HALF, HALF, 2)
-                width = low * (high / low) ** rng.random()
-                distance = float(np.hypot(x, z))
-                # Small clouds near the eye would look like crumbs.
-                if distance < (2.0 * CLEARING if width < 700.0 else CLEARING + 0.55 * width):
-                    continue
-                at = coverage[int((x / HALF + 1) * 127.9), int((z / HALF + 1) * 127.9)]
-                if at < rng.uniform(-0.3, 1.5):
-                    continue
-                # Wide clouds keep a distance from others; small ones may merge.
-                room = 0.42 if width > 700.0 else 0.0
-                if all(np.hypot(x - a, z - b) > room * (width + w) for a, b, w in taken):
-                    break
-            else:
-                continue
-            taken.append((x, z, width))
+        for x, z, width in scattered(rng, cover, (low, high), count, taken, suits, room):
             # A generator per cloud, so that a change to one cloud leaves the others as they are.
             shape = np.random.default_rng([SEED, len(taken)])
+            distance = float(np.hypot(x, z))
             spheres += _cloud_spheres(shape, x, z, width * (1.0 - 0.3 * distance / HALF))
     return np.array(spheres)
+
+
+def room(width: float) -> float:
+    """Return how far apart clouds are; wide ones keep a distance, small ones may merge."""
+    return 0.42 if width > 700.0 else 0.0
