@@ -7,14 +7,14 @@ vertex colour with GL_DOT3 (OpenGL 1.3), as for bump mapping. The vector is the 
 how much a slope changes the opacity at this angle of view; its third component adds the opacity of
 the level sea. Nearby, two layers of incommensurate sizes are multiplied with each other. Far away,
 where the mirror image is strong, the long one is multiplied with itself instead, and the same slope
-mixes the mirror image at two places, one higher than the other: so ripples break it up. Gusts of
+mixes the mirror image at two places, one higher than the other: so ripples break it up. No pixel
+needs both the fine layer and the higher place, so these take turns on one unit. Gusts of
 wind scale the vector: there are slicks and rough patches.
 The water's own colour comes from a texture of depths, which also shows the bottom where the water
 is shallow (shallows.py).
-State used: five texture units with GL_COMBINE and crossbar (OpenGL 1.4), and the vertex colours.
+Without a mirror image the water is blended over the framebuffer, which takes the first two units.
+State used: four texture units with GL_COMBINE and crossbar (OpenGL 1.4), and the vertex colours.
 """
-
-from contextlib import nullcontext
 
 import numpy as np
 
@@ -41,7 +41,10 @@ LEAST = 0.45  # chosen: share of the higher place of the mirror image at a grazi
 APART = 0.02  # chosen: slope between the mirror image's two places, and the level sea
 SLICK, GUST = 0.35, 1.35  # chosen: contrast of the ripples in a slick and in a gust
 OPEN_SEA = 9.0  # units of depth where the bottom is not to be seen
-LONG, FINE, BODY, HIGHER, LOWER = range(5)  # texture units
+LONG, FINE = range(2)  # layers
+# Texture units: the long layer, the water's own colour, the higher place of the mirror image or the
+# fine layer, the lower place of the mirror image.
+FIRST, BODY, SHARED, LAST = range(4)
 
 Waves = tuple[np.ndarray, ...]
 """Slopes along x and z of the grid's waves, and those that move the mirror image."""
@@ -162,8 +165,8 @@ class Ripples:
         change = (change + np.float32(MUTED)) * rough * np.float32(STEEP * RANGE * water.ripples)
         one, two = sights(grid, level, change, mirror is None)
         repeat = water.repeat / water.patch
-        layers = [coordinates(places, t, layer, repeat) for layer in (LONG, FINE)]
-        layers.append(places / np.float32(self._size))
+        long, fine = (coordinates(places, t, layer, repeat) for layer in (LONG, FINE))
+        layers = [long, places / np.float32(self._size)]
         far = near_rows(grid) * 2 * (shape[1] - 1)
         if mirror is not None:
             # Where the fine layer begins there is only one mirror image left.
@@ -174,35 +177,37 @@ class Ripples:
                 mirror_places(grid, y, move_x * rough, move_z * rough, tilt.astype(np.float32))
                 for tilt in (apart, -apart)
             ]
-        units = [projected(mirror, unit) if mirror else nullcontext() for unit in (HIGHER, LOWER)]
         with (
             attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT),
             client_arrays(vertices, None, one, layers),
-            units[0],
-            units[1],
         ):
             if not settings.shading.smooth:
                 gl.glShadeModel(gl.GL_FLAT)
             self._lists[0].call()
-            self._lists[1 if mirror else 3].call()
-            self._send(grid.triangles[:far])
-            if mirror:
+            if mirror is None:
+                self._lists[3].call()
+                self._send(grid.triangles)
+                return
+            with projected(mirror, LAST):
+                with projected(mirror, SHARED):
+                    self._lists[1].call()
+                    self._send(grid.triangles[:far])
                 self._lists[2].call()
+                gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{SHARED}"))
+                gl.glTexCoordPointer(2, gl.GL_FLOAT, 0, fine)
                 gl.glColorPointer(4, gl.GL_FLOAT, 0, two)
-            self._send(grid.triangles[far:])
+                self._send(grid.triangles[far:])
 
     @staticmethod
     def _send(triangles: np.ndarray) -> None:
         gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
     def _set_layers(self) -> None:
-        """Bind the textures; let the long layer's product be colour and alpha."""
-        for unit, texture in enumerate((*self._layers, self._body)):
+        """Bind the first two textures; let the long layer's product be colour and alpha."""
+        for unit, texture in ((BODY, self._body), (FIRST, self._layers[LONG])):
             gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
             texture.bind()
-            if unit != FINE:
-                gl.glEnable(gl.GL_TEXTURE_2D)
-        gl.glActiveTexture(gl.GL_TEXTURE0)
+            gl.glEnable(gl.GL_TEXTURE_2D)
         combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "PRIMARY_COLOR", "SRC1_RGB": "TEXTURE"})
 
     @staticmethod
@@ -213,24 +218,22 @@ class Ripples:
         gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PRIMARY_COLOR"})
         combine({"OPERAND1_RGB": "SRC_ALPHA", **alpha})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{HIGHER}"))
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{SHARED}"))
         combine({**mix, "SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR", **alpha})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LOWER}"))
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LAST}"))
         combine({**mix, "SRC0_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": f"TEXTURE{BODY}"})
 
-    @staticmethod
-    def _set_near() -> None:
+    def _set_near(self) -> None:
         """Multiply near water's layers, and mix its own colour with one mirror image alone."""
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{FINE}"))
-        gl.glEnable(gl.GL_TEXTURE_2D)
-        combine({"COMBINE_RGB": "DOT3_RGB", "SRC0_RGB": "PRIMARY_COLOR", "SRC1_RGB": "TEXTURE"})
-        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
         gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
-        combine({"SRC1_RGB": "PREVIOUS"})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{HIGHER}"))
-        gl.glDisable(gl.GL_TEXTURE_2D)
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LOWER}"))
+        combine({"COMBINE_RGB": "DOT3_RGB", "SRC0_RGB": "PRIMARY_COLOR"})
+        combine({"SRC1_RGB": f"TEXTURE{SHARED}", "OPERAND1_RGB": "SRC_COLOR"})
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{SHARED}"))
+        self._layers[FINE].bind()
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
+        combine({"OPERAND1_RGB": "SRC_ALPHA"})
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LAST}"))
         combine({"SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR"})
 
     @staticmethod

@@ -9,7 +9,7 @@ water's own colour from above, a mirror in the distance. ``water.shallow`` shows
 shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
 Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
 it as the patches are.
-State used: GL_LIGHTING, up to five texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
+State used: GL_LIGHTING, up to four texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
 texture matrix, GL_BLEND.
 """
 
