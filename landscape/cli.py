@@ -19,10 +19,10 @@ from typing import Any
 
 from landscape.capture.guard import guarded
 from landscape.errors import InputError, NoOpenGLError, short
-from landscape.files.processes import end_tidily
 from landscape.frame import Pose
 from landscape.options import parse
 from landscape.scene import SCENES, View, find_view, listed_views, scene
+from landscape.system.processes import end_tidily
 from landscape.tools.given import given_changes, notify, offscreen_options, tell_of_no_effect
 
 

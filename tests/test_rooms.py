@@ -12,6 +12,7 @@ PACKAGE = Path(__file__).resolve().parents[1] / "landscape"
 # but for a room's own modules.
 FLOORS = (
     ("errors", "frame"),
+    ("system",),
     ("files",),
     ("keys", "languages"),
     ("arguments", "conditions", "settings"),

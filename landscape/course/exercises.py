@@ -14,10 +14,11 @@ from runpy import run_path
 from typing import Any
 
 from landscape.course import program_texts
+from landscape.course.budget import SECONDS
 from landscape.course.evidence import Evidence
 from landscape.course.evidence_file import load
 from landscape.course.grading import Result, Test, _, difference, grade, tests_of
-from landscape.course.sandbox import SECONDS, Job, Outcome, Sandbox
+from landscape.course.sandbox import Job, Outcome, Sandbox
 from landscape.course.troubles import known
 from landscape.errors import InputError, short
 from landscape.files.input import read_bounded

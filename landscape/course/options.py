@@ -5,9 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from landscape.course.sandbox import SECONDS
-
-MOST_SECONDS = 600.0  # chosen
+from landscape.course.budget import MOST_SECONDS, SECONDS
 
 
 def _(text: str) -> str:

@@ -35,10 +35,9 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from landscape.course.budget import MEGABYTES, SECONDS
 from landscape.errors import InputError
 
-SECONDS = 20.0  # chosen: a program's own work up to its last frame
-MEGABYTES = 1024  # chosen: beyond what Python and OpenGL take
 GRACE = 1.5  # seconds, chosen: between asking a program to end and ending it
 FILE_BYTES = 64 << 20  # chosen: the largest file, the evidence included
 NAMESPACES = (0x40000000, 0x50000000)  # CLONE_NEWNET; for users other than root with CLONE_NEWUSER

@@ -1,14 +1,17 @@
 """Reading a user's files: no more than fits into memory, and never for ever."""
 
 import os
-import select
 import stat
 import time
+from collections.abc import Iterable, Iterator
+from contextlib import closing
 from pathlib import Path
 
 from landscape.errors import InputError
+from landscape.system import read_parts
 
 WAIT_S = 15.0  # chosen: what comes through a pipe must be there by then
+PART = 1 << 20  # bytes, chosen: read at once
 
 
 def read_bounded(path: Path, most: int, name: str = "") -> bytes:
@@ -18,26 +21,22 @@ def read_bounded(path: Path, most: int, name: str = "") -> bytes:
     """
     name = name or str(path)
     try:
-        # Otherwise opening a pipe would wait for somebody to write into it.
-        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb", 0) as file:
-            plain = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
-            parts: list[bytes] = []
-            count, deadline = 0, time.monotonic() + WAIT_S
-            ready = select.poll()
-            ready.register(file, select.POLLIN)
-            while count <= most:
-                left = deadline - time.monotonic()
-                if not plain and (left <= 0 or not ready.poll(left * 1e3)):
-                    raise InputError(f"{name}: expected all of it within {WAIT_S:g} seconds")
-                part = file.read(1 << 20)
-                if part == b"":
-                    return b"".join(parts)
-                if part:  # None: nothing is there yet after all
-                    parts.append(part)
-                    count += len(part)
+        with closing(read_parts(path, PART, time.monotonic() + WAIT_S)) as parts:
+            return b"".join(_bounded(parts, most, name))
+    except TimeoutError:
+        raise InputError(f"{name}: expected all of it within {WAIT_S:g} seconds") from None
     except OSError as error:
         raise InputError(f"{name}: cannot be read ({error.strerror})") from None
-    raise InputError(f"{name}: too large, expected at most {amount(most)}")
+
+
+def _bounded(parts: Iterable[bytes], most: int, name: str) -> Iterator[bytes]:
+    """Yield parts; InputError once they have more than ``most`` bytes."""
+    count = 0
+    for part in parts:
+        count += len(part)
+        if count > most:
+            raise InputError(f"{name}: too large, expected at most {amount(most)}")
+        yield part
 
 
 def check_plain(path: Path, most: int) -> None:

@@ -17,6 +17,7 @@ import numpy as np
 from PIL import Image
 
 from landscape.errors import InputError
+from landscape.system import replace
 
 WRITABLE = "a folder that can be written"
 
@@ -85,7 +86,7 @@ class Output:
                 os.fsync(self._file.fileno())
             self._file.close()
             if self._temporary:
-                os.replace(self._temporary, self._target)
+                replace(self._temporary, self._target)
                 self._temporary, self._folders = "", []
 
     def discard(self) -> None:

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.files.processes import cores, interrupts_held
 from landscape.files.progress import Progress
 from landscape.film.cut import Film
 from landscape.film.encode import Encoder, check, encoder
@@ -15,6 +14,8 @@ from landscape.film.sources import Wanted, film_of, places
 from landscape.film.stage import Drawing
 from landscape.film.workers import drawn
 from landscape.languages import choose
+from landscape.system import interrupts_held
+from landscape.system.processes import cores
 from landscape.tools.given import given_changes, notify, tell_of_no_effect
 
 SAMPLED = 12  # chosen: how many frames the palette of a GIF is made from

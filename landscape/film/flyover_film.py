@@ -4,7 +4,6 @@ import argparse
 from fractions import Fraction
 
 from landscape.errors import InputError
-from landscape.files.processes import cores
 from landscape.film.along import Software
 from landscape.film.command import finished, write
 from landscape.film.cut import Film, Part
@@ -13,6 +12,7 @@ from landscape.film.stage import Drawing
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
 from landscape.scene import SEED
+from landscape.system.processes import cores
 from landscape.tools.flyover_options import SIZE
 
 

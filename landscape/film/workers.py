@@ -17,10 +17,11 @@ from typing import Any
 import numpy as np
 
 from landscape.errors import InputError, NoOpenGLError
-from landscape.files.processes import begin_worker, interrupts_held, one_core
 from landscape.film.cut import Film
 from landscape.film.stage import Stage
 from landscape.scene import SCENES
+from landscape.system import starting_workers
+from landscape.system.processes import begin_worker, one_core
 
 AHEAD = 2  # pictures that a process has been asked for and that have not come yet
 EARLY = 3  # times the number of processes: pictures that may wait for an earlier one
@@ -39,7 +40,7 @@ def drawn(
     count = len(frames)
     crew = [_Worker(film) for _ in range(min(jobs, count))]
     try:
-        with one_core(), interrupts_held():
+        with one_core(), starting_workers():
             for worker in crew:
                 worker.start()
         waiting: dict[int, np.ndarray] = {}

@@ -26,12 +26,13 @@ from typing import Any
 import numpy as np
 
 from landscape import arguments
-from landscape.files.processes import begin_worker, cores, interrupts_held, one_core
 from landscape.flyover import frame
 from landscape.flyover.camera import Camera
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.look import look
 from landscape.flyover.settings import MOST_PROCESSES, Settings, check
+from landscape.system import starting_workers
+from landscape.system.processes import begin_worker, cores, one_core
 
 DAMPING = 0.7  # how far cuts go towards where they should have been, chosen
 READY_WITHIN = 60.0  # seconds, chosen
@@ -79,7 +80,7 @@ class Crew:
             _array(heights, np.float32)[: self.terrain.values.size] = self.terrain.values
             self._picture = _array(picture, np.uint32)
             given = self.terrain.side, self.terrain.unit, self.terrain.name
-            with one_core(), interrupts_held():
+            with one_core(), starting_workers():
                 for _ in range(count):
                     worker = _Worker()
                     self._workers.append(worker)

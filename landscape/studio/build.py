@@ -18,8 +18,9 @@ from PIL.PngImagePlugin import PngInfo
 from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.files.output import write_whole
-from landscape.files.processes import begin_worker, interrupts_held
 from landscape.files.progress import Progress
+from landscape.system import starting_workers
+from landscape.system.processes import begin_worker
 
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
@@ -147,7 +148,7 @@ def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
     spawn = multiprocessing.get_context("spawn")
     pool = ProcessPoolExecutor(count, spawn, initializer=begin_worker)
     try:
-        with interrupts_held():
+        with starting_workers():
             jobs = {pool.submit(make, name): name for name in names}
         for job in as_completed(jobs):
             yield jobs[job], job.result()

@@ -15,10 +15,11 @@ from typing import Any
 from landscape.capture.edits import Edit, Edits
 from landscape.errors import InputError
 from landscape.files.output import save_png
-from landscape.files.processes import begin_worker, interrupts_held
 from landscape.frame import Pose
 from landscape.render import Offscreen
 from landscape.scene import SCENES
+from landscape.system import starting_workers
+from landscape.system.processes import begin_worker
 
 FEWEST = 16  # chosen: with fewer stills, starting another process costs more than it saves
 MOST_PROCESSES = 4  # chosen: llvmpipe's own threads keep the other cores busy
@@ -55,7 +56,7 @@ def render_all(
     # Spawned, not forked: a fork of a process that has used OpenGL may hang.
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(count, spawn, _prepare, (dict(SCENES),)) as pool:
-        with interrupts_held():
+        with starting_workers():
             names = {
                 pool.submit(_draw, dict(arguments), view, kt, wireframe, path, edits): name
                 for name, view, path in jobs

@@ -18,11 +18,11 @@ from landscape.arguments import MAX_PIXELS, MAX_SIDE
 from landscape.errors import InputError
 from landscape.files.input import read_bounded
 from landscape.files.output import Output
-from landscape.files.processes import interrupts_held
 from landscape.frame import Pose
 from landscape.keys import Value, current_names, get, with_settings
 from landscape.keys import fields as keys_of
 from landscape.scene import SCENES, Scene, scene
+from landscape.system import interrupts_held
 from landscape.window.settings_list import rows
 from landscape.window.walker import Intent
 

@@ -7,6 +7,8 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from landscape import system
+
 LEAST_MEMORY = 1 << 30  # chosen: bytes of memory for each process; the largest scene takes 0.9 GB
 # What a process is started with, unless the user has set it: llvmpipe draws in the process's own
 # thread, and numpy's library starts none.
@@ -15,12 +17,11 @@ ONE_CORE = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS
 
 def cores() -> int:
     """Return how many processes draw if nobody says: one for each core that has enough memory."""
-    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    try:
-        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (AttributeError, ValueError, OSError):
-        memory = LEAST_MEMORY
-    return max(min(count or 1, memory // LEAST_MEMORY), 1)
+    count = system.processors()
+    memory = system.memory()
+    if memory is None:
+        return 1
+    return max(min(count, memory // LEAST_MEMORY), 1)
 
 
 @contextmanager
@@ -33,20 +34,6 @@ def one_core() -> Iterator[None]:
     finally:
         for name in own:
             del os.environ[name]
-
-
-@contextmanager
-def interrupts_held() -> Iterator[None]:
-    """Hold back Ctrl-C inside the block, for this thread and the processes it starts.
-
-    A worker ignores Ctrl-C once its initializer has run; without this, one that comes earlier
-    ends the worker with a traceback on the user's screen. It reaches this thread after the block.
-    """
-    held = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, held)
 
 
 def begin_worker() -> None:
@@ -66,7 +53,7 @@ def begin_worker() -> None:
 
 
 def end_tidily() -> None:
-    """Let `kill`, and a terminal that closes, end this process as an exception would.
+    """Let signals that end a process, as `kill` sends them, do so as an exception would.
 
     So a command that they end leaves no temporary file and no worker. A signal that somebody
     handles or ignores already, as nohup does, is left alone.
@@ -77,6 +64,6 @@ def end_tidily() -> None:
     def end(number: int, _: object) -> None:
         raise SystemExit(128 + number)
 
-    for number in (signal.SIGTERM, signal.SIGHUP):
+    for number in system.ENDING_SIGNALS:
         if signal.getsignal(number) is signal.SIG_DFL:
             signal.signal(number, end)

@@ -1,0 +1,38 @@
+"""What operating systems do differently: one function for each, and a form of it per system.
+
+``posix.py`` and ``windows.py`` define the same names; this chooses between them. Nothing else in
+the package asks for a signal, a lock or a way to wait that only some systems have.
+"""
+
+import sys
+
+if sys.platform == "win32":
+    from landscape.system.windows import (
+        ENDING_SIGNALS,
+        interrupts_held,
+        memory,
+        processors,
+        read_parts,
+        replace,
+        starting_workers,
+    )
+else:
+    from landscape.system.posix import (
+        ENDING_SIGNALS,
+        interrupts_held,
+        memory,
+        processors,
+        read_parts,
+        replace,
+        starting_workers,
+    )
+
+__all__ = [
+    "ENDING_SIGNALS",
+    "interrupts_held",
+    "memory",
+    "processors",
+    "read_parts",
+    "replace",
+    "starting_workers",
+]

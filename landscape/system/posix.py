@@ -1,0 +1,72 @@
+"""Linux, macOS and other systems with POSIX calls."""
+
+import os
+import select
+import signal
+import stat
+import sys
+import time
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+assert sys.platform != "win32"
+
+# What ends a program from outside: `kill`, and a terminal that closes.
+ENDING_SIGNALS = (signal.SIGTERM, signal.SIGHUP)
+
+
+def replace(source: str, target: str) -> None:
+    """Rename a file, in place of another even while that is being read."""
+    os.replace(source, target)
+
+
+def read_parts(path: Path, size: int, deadline: float) -> Generator[bytes, None, None]:
+    """Yield the bytes of a file, a pipe or a device in parts of at most ``size`` bytes.
+
+    OSError if it cannot be read; TimeoutError if a pipe or a device has not ended by ``deadline``,
+    a time of time.monotonic().
+    """
+    # Without O_NONBLOCK, opening a pipe would wait for somebody to write into it.
+    with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb", 0) as file:
+        plain = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
+        ready = select.poll()
+        ready.register(file, select.POLLIN)
+        while True:
+            left = deadline - time.monotonic()
+            if not plain and (left <= 0 or not ready.poll(left * 1e3)):
+                raise TimeoutError
+            part = file.read(size)
+            if part == b"":
+                return
+            if part:  # None: nothing is there yet after all
+                yield part
+
+
+@contextmanager
+def interrupts_held() -> Iterator[None]:
+    """Hold back Ctrl-C inside the block; it reaches this thread after the block."""
+    held = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, held)
+
+
+# Processes inherit what their parent holds back.
+starting_workers = interrupts_held
+
+
+def processors() -> int:
+    """Return how many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def memory() -> int | None:
+    """Return the bytes of memory of this machine; None if the system does not say."""
+    try:
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (ValueError, OSError):
+        return None

@@ -1,0 +1,140 @@
+"""Windows."""
+
+import ctypes
+import errno
+import io
+import os
+import queue
+import signal
+import stat
+import sys
+import threading
+import time
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+assert sys.platform == "win32"
+
+# What ends a program from outside; SIGBREAK: Ctrl-Break, and a console that closes.
+ENDING_SIGNALS = (signal.SIGTERM, signal.SIGBREAK)
+
+# Chosen: a virus scanner or a reader holds a file for less.
+REPLACE_TRIES = 20
+REPLACE_PAUSE_S = 0.05
+
+
+def replace(source: str, target: str) -> None:
+    """Rename a file, in place of another; PermissionError if that is held open for too long.
+
+    Windows replaces no file that somebody has open, unlike other systems.
+    """
+    for _ in range(REPLACE_TRIES - 1):
+        try:
+            return os.replace(source, target)
+        except PermissionError:
+            time.sleep(REPLACE_PAUSE_S)
+    os.replace(source, target)
+
+
+def read_parts(path: Path, size: int, deadline: float) -> Generator[bytes, None, None]:
+    """Yield the bytes of a file, a pipe or a device in parts of at most ``size`` bytes.
+
+    OSError if it cannot be read; TimeoutError if a pipe or a device has not ended by ``deadline``,
+    a time of time.monotonic().
+    """
+    if os.path.isdir(path):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+    file = io.FileIO(path)
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        yield from _read_apart(file, size, deadline)
+        return
+    with file:
+        while part := file.read(size):
+            yield part
+
+
+def _read_apart(file: io.FileIO, size: int, deadline: float) -> Generator[bytes, None, None]:
+    """Yield the bytes of a pipe or a device, such as CON, which a thread of its own waits for.
+
+    If it is late, the thread is left behind with the file: nothing can interrupt or close it.
+    """
+    parts: queue.Queue[bytes | OSError] = queue.Queue(maxsize=1)
+
+    def read() -> None:
+        with file:
+            part: bytes | OSError = b" "
+            while part and not isinstance(part, OSError):
+                try:
+                    part = file.read(size)
+                except OSError as error:
+                    part = error
+                parts.put(part)
+
+    threading.Thread(target=read, daemon=True).start()
+    while True:
+        try:
+            part = parts.get(timeout=max(deadline - time.monotonic(), 0))
+        except queue.Empty:
+            raise TimeoutError from None
+        if isinstance(part, OSError):
+            raise part
+        if not part:
+            return
+        yield part
+
+
+@contextmanager
+def interrupts_held() -> Iterator[None]:
+    """Hold back Ctrl-C inside the block; it reaches this thread after the block."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # Ctrl-C reaches the main thread alone
+        return
+    held: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, _: held.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if held:
+        signal.raise_signal(signal.SIGINT)
+
+
+@contextmanager
+def starting_workers() -> Iterator[None]:
+    """Let the processes that the block starts ignore Ctrl-C; so does this one inside the block."""
+    kernel = ctypes.windll.kernel32
+    kernel.SetConsoleCtrlHandler(None, True)  # processes inherit this
+    try:
+        yield
+    finally:
+        kernel.SetConsoleCtrlHandler(None, False)
+
+
+def processors() -> int:
+    """Return how many processors this process may use."""
+    return os.cpu_count() or 1
+
+
+def memory() -> int | None:
+    """Return the bytes of memory of this machine; None if the system does not say."""
+    status = _MemoryStatus(length=ctypes.sizeof(_MemoryStatus))
+    if not ctypes.windll.kernel32.GlobalMemoryStatusEx(ctypes.byref(status)):
+        return None
+    return int(status.total_physical)
+
+
+class _MemoryStatus(ctypes.Structure):
+    """MEMORYSTATUSEX of the Windows API."""
+
+    _fields_ = [
+        ("length", ctypes.c_uint32),
+        ("load_percent", ctypes.c_uint32),
+        ("total_physical", ctypes.c_uint64),
+        ("available_physical", ctypes.c_uint64),
+        ("total_page_file", ctypes.c_uint64),
+        ("available_page_file", ctypes.c_uint64),
+        ("total_virtual", ctypes.c_uint64),
+        ("available_virtual", ctypes.c_uint64),
+        ("available_extended_virtual", ctypes.c_uint64),
+    ]
