@@ -16,6 +16,7 @@ from landscape.window.bindings import (
 )
 from landscape.window.hands import JUMP, Hands
 from landscape.window.walker import Intent
+from landscape.window.wheel import Wheel
 
 pytestmark = pytest.mark.window
 
@@ -257,3 +258,30 @@ def test_shift_that_types_the_plus_sign_makes_no_step_finer() -> None:
     assert inspect_pick(key, glfw.MOD_SHIFT, us_name) == inspect_pick(key, 0, us_name) == "more"
     assert inspect_pick(key, glfw.MOD_CONTROL, us_name) == "more_fine"
     assert inspect_pick(glfw.KEY_MINUS, glfw.MOD_CONTROL, us_name) == "less_fine"
+
+
+def test_ten_tenths_of_a_notch_are_one_step_and_the_other_way_begins_anew() -> None:
+    wheel = Wheel()
+    steps = [wheel.steps(0.1) for _ in range(20)]
+    assert steps == [*[0] * 9, 1] * 2, "ten reports of a trackpad are a notch"
+    assert [wheel.steps(0.9), wheel.steps(-0.9), wheel.steps(-0.2)] == [0, 0, -1]
+    assert [wheel.steps(1.0), wheel.steps(-2.0), wheel.steps(0.0)] == [1, -2, 0]
+
+
+def test_a_trackpad_goes_on_by_a_kind_of_block_for_each_whole_notch() -> None:
+    hands = Hands()
+    hands.enter(True, "")
+    for _ in range(12):
+        hands.wheel(-0.1)
+    assert hands.take()[1] == ("next_slot",)
+    hands.wheel(2.0)
+    assert hands.take()[1] == ("previous_slot", "previous_slot")
+
+
+def test_turns_of_the_wheel_within_a_frame_reach_the_inspector_as_one() -> None:
+    hands = Hands()
+    hands.inspecting = True
+    hands.motion(30.0, 40.0)
+    hands.wheel(0.25)
+    hands.wheel(0.5)
+    assert hands.inspected[1:] == [("wheel", 30.0, 40.0, 0.75)]

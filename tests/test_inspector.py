@@ -14,7 +14,7 @@ from landscape.capture.safe import may_be_changed, may_be_left_out
 from landscape.gl.calls import Call, Listing, gl
 from landscape.gl.notes import Site
 from landscape.window import words
-from landscape.window.inspector import Inspector
+from landscape.window.inspector import WHEEL, Inspector
 from landscape.window.inspector_image import picture
 from landscape.window.inspector_page import details, foot, head, visible
 from landscape.window.inspector_tree import Node, Tree
@@ -392,3 +392,15 @@ def test_the_panel_leaves_the_middle_free_and_a_click_finds_what_is_drawn_there(
         middle = (left + right) / 2, (top + bottom) / 2
         if target[0] == "cell":
             assert shown.at(*middle) == target and right <= width and bottom <= height
+
+
+def test_a_trackpad_scrolls_as_many_rows_as_a_wheel_that_turns_as_far(model: Inspector) -> None:
+    model.opened |= {node.identity for node in model.rows}
+    model.show(numbered([density() for _ in range(30)]), {})
+    model.press("right")
+    model.wheel(-2.0, 0)
+    rows = model.first
+    assert rows == 2 * WHEEL < len(model.rows)
+    for _ in range(20):
+        model.wheel(0.1, model.first or 0)
+    assert model.first == 0

@@ -21,6 +21,7 @@ from landscape.gl.apart import apart
 from landscape.gl.calls import unnoted
 from landscape.gl.context import GLFWContext
 from landscape.gl.objects import forget_objects
+from landscape.window.wheel import Wheel
 
 WINDOW = (1280, 720)  # chosen: of a lecture that began in full screen and leaves it
 FASTEST = 0.01  # chosen: seconds that a frame takes at least, where the screen does not wait
@@ -76,6 +77,7 @@ class Stage(GLFWContext):
         self._list = StepList(lecture)
         self._coding: bool | None = None  # what the user has chosen; None: as the lecture says
         self._first: int | None = None  # the first line of code shown, where the user has scrolled
+        self._wheel = Wheel()
         self._shown_at = 0.0
         self._at = 0.0, 0.0
         self._windowed = (60, 60, *self.size)
@@ -359,7 +361,9 @@ class Stage(GLFWContext):
         if self._busy or self.player is None:
             return
         if self.coded and self._at[0] * self.scale() >= self.layout.area[0]:
-            first = (self._first or 1) - round(y * WHEEL)
-            self._first, self.changed = min(max(first, 1), len(self._source)), True
+            lines = self._wheel.steps(y * WHEEL)
+            if lines:
+                first = (self._first or 1) - lines
+                self._first, self.changed = min(max(first, 1), len(self._source)), True
         else:
             self.player.scroll(x, y)

@@ -31,6 +31,7 @@ from landscape.window.bindings import (
     us_name,
 )
 from landscape.window.walker import Intent
+from landscape.window.wheel import Wheel
 
 FINELY = (  # what makes a drag fine
     glfw.KEY_LEFT_SHIFT, glfw.KEY_RIGHT_SHIFT, glfw.KEY_LEFT_CONTROL, glfw.KEY_RIGHT_CONTROL,
@@ -74,6 +75,7 @@ class Hands:
         self._dragging = False
         self._last: tuple[float, float] | None = None
         self._at = 0.0, 0.0  # where the mouse was at the last report
+        self._wheel = Wheel()
 
     def listen(self, window: Any) -> None:
         """Note what happens in a GLFW window."""
@@ -172,11 +174,17 @@ class Hands:
             self._using.discard(tool)
 
     def wheel(self, notches: float) -> None:
-        """Note that the wheel was turned, up where ``notches`` is positive."""
+        """Note that the wheel was turned, up where ``notches`` is positive; may be a fraction."""
         if self.inspecting:
+            # Turns of one frame count together: the inspector scrolls what was drawn last.
+            last = self.inspected[-1] if self.inspected else ""
+            if isinstance(last, tuple) and last[0] == "wheel":
+                self.inspected.pop()
+                notches += last[3]
             self.inspected.append(("wheel", *self._at, notches))
-        elif self.building and notches:
-            self._switches.append("previous_slot" if notches > 0 else "next_slot")
+        elif self.building:
+            steps = self._wheel.steps(notches)
+            self._switches += ["previous_slot" if steps > 0 else "next_slot"] * abs(steps)
 
     def motion(self, x: float, y: float) -> None:
         """Note that the mouse is at x, y in pixels; its motion turns the view."""

@@ -14,6 +14,7 @@ from landscape.capture.safe import may_be_left_out
 from landscape.gl.calls import Call
 from landscape.window.inspector_tree import Identity, Node, Tree
 from landscape.window.inspector_values import Cell, cells, chosen, dragged, edit_of, stepped
+from landscape.window.wheel import Wheel
 
 PAGE = 12  # chosen: rows that Page Up and Page Down go
 WHEEL = 3  # chosen: rows that a notch of the wheel goes
@@ -55,6 +56,7 @@ class Inspector:
         self._past: list[list[Edit]] = []
         self._dragged: tuple[Cell, float] | None = None
         self._moved = False
+        self._wheel = Wheel()
         self._before = 0  # calls listed that are made before the frame begins
 
     # What is shown.
@@ -345,5 +347,7 @@ class Inspector:
 
     def wheel(self, notches: float, first: int) -> None:
         """Scroll the rows; ``first`` is the first one shown now."""
-        self.first = min(max(first - round(notches * WHEEL), 0), max(len(self.rows) - 1, 0))
-        self.version += 1
+        rows = self._wheel.steps(notches * WHEEL)
+        if rows:
+            self.first = min(max(first - rows, 0), max(len(self.rows) - 1, 0))
+            self.version += 1
