@@ -7,5 +7,5 @@
 from landscape.errors import InputError, NoOpenGLError
 from landscape.render import Offscreen, render
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = ["InputError", "NoOpenGLError", "Offscreen", "render"]

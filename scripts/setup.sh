@@ -136,6 +136,8 @@ install_package() {
     local target=.
     [ "$extras" = package ] || target=".[$extras]"
     say "installing $target into .venv (pip; the first time takes a minute or two)"
+    # The distribution's name until version 0.1.
+    quietly .venv/bin/python -m pip uninstall -q -y landscape
     quietly .venv/bin/python -m pip install -q --disable-pip-version-check -e "$target" ||
         die 1 "pip could not install $target; is the network available?"
     # Record the extras that are included in this one.

@@ -266,7 +266,7 @@ for _ in range(20):
 def test_doctor_json_has_the_documented_fields() -> None:
     done = landscape("doctor", "--json")
     found = done.json()
-    assert set(found) == {"backends", "chosen", "python", "packages", "cache"}
+    assert set(found) == {"backends", "chosen", "python", "packages", "conflict", "cache"}
     assert set(found["cache"]) == {"folder", "reason"}
     assert tuple(found["backends"]) == BACKENDS
     for state in found["backends"].values():

@@ -13,7 +13,7 @@ Write = Callable[[str], Path]
 
 pytestmark = pytest.mark.skipif(
     importlib.util.find_spec("pygame") is None,
-    reason="pygame is not installed: pip install 'landscape[test]'",
+    reason="pygame is not installed: pip install 'landscape-gl[test]'",
 )
 
 BEGIN = """

@@ -17,6 +17,7 @@ import numpy as np
 from landscape.errors import InputError
 from landscape.files.gif import FASTEST, GifFile, palette_of
 from landscape.files.gif import MOST as MOST_OF_GIF
+from landscape.files.installation import how_to_add
 from landscape.files.output import Output, check_writable
 
 ENDINGS = (".mp4", ".webm", ".gif")
@@ -28,7 +29,6 @@ CODECS: dict[str, tuple[str, dict[str, str]]] = {
 }
 KEY_SECONDS = 4  # chosen: seconds between pictures that need no earlier one, to which players jump
 BT709 = 1  # as in ITU-T H.273: primaries, transfer and matrix of high-definition television
-NO_AV = "needs PyAV: run `pip install landscape[film]`, or name a file .gif"
 
 
 class Encoder(Protocol):
@@ -72,7 +72,10 @@ def _av(out: Path) -> ModuleType:
     try:
         import av
     except ImportError:
-        raise InputError(f"--out {out}: {out.suffix} {NO_AV}") from None
+        add = how_to_add("film", "av")
+        raise InputError(
+            f"--out {out}: {out.suffix} needs PyAV: run `{add}`, or name a file .gif"
+        ) from None
     return av
 
 

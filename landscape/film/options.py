@@ -18,7 +18,7 @@ SOURCES = (
 SECONDS = "how long the film is; default: %s"
 OWN = "as long as the path, at the speed of a flight; a single view 5, a recording all of it"
 JOBS = "processes that draw, each on a core of its own; default: one for each core"
-OUT = "the film: H.264, VP9 or a GIF, by the name's ending (the first two need landscape[film])"
+OUT = "the film: H.264, VP9 or a GIF, by the name's ending (the first two need the extra `film`)"
 
 
 def add(

@@ -17,6 +17,7 @@ from PIL.PngImagePlugin import PngInfo
 
 from landscape.errors import InputError
 from landscape.files.assets import shipped
+from landscape.files.installation import how_to_add
 from landscape.files.output import write_whole
 from landscape.files.progress import Progress
 from landscape.system import starting_workers
@@ -172,7 +173,8 @@ def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> 
     try:
         makers = table()
     except ImportError as error:
-        raise InputError(f"assets build: requires the extra `studio` ({error})") from None
+        add = how_to_add("studio", "scipy numba scikit-image fast-simplification")
+        raise InputError(f"assets build: {error}; run `{add}`") from None
     selected = list(dict.fromkeys(names)) or list(makers)
     for name in selected:
         if name not in makers:

@@ -8,10 +8,11 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from landscape.files import cache
+from landscape.files.installation import NAME, conflict
 from landscape.gl.context import BACKENDS
 
 PACKAGES = (
-    "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs",
+    NAME, "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs",
     "polib", "tqdm", "svgelements",
 )  # fmt: skip
 SECONDS = 60  # chosen: a backend that takes longer is considered to hang
@@ -47,6 +48,7 @@ def examine() -> dict[str, Any]:
         "chosen": chosen,
         "python": platform.python_version(),
         "packages": packages,
+        "conflict": conflict(),
         "cache": {"folder": str(cache.folder() or ""), "reason": cache.trouble()},
     }
 
@@ -78,6 +80,8 @@ def report(found: dict[str, Any]) -> str:
         lines.append(f"nothing is cached, so each start is slow: {found['cache']['reason']}")
     else:
         lines.append(f"cache: {found['cache']['folder'] or 'off'}")
+    if found["conflict"]:
+        lines.append(found["conflict"])
     lines.append(f"Python {found['python']}")
     lines += [f"{name} {number}" for name, number in found["packages"].items()]
     return "\n".join(lines)

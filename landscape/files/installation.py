@@ -1,0 +1,52 @@
+"""How the program was installed, and so how more can be installed beside it.
+
+The distribution is named `landscape-gl`; the package and the command that it installs, `landscape`.
+"""
+
+import json
+import sys
+from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from pathlib import Path
+
+NAME = "landscape-gl"
+STRANGER = "landscape"  # somebody else's distribution, with a package and a command of this name
+
+
+def how_to_add(extra: str, package: str) -> str:
+    """Return the command that installs an extra; ``package`` is what the extra stands for.
+
+    It is that of pipx or uv in their environments, and in a checkout that of the checkout.
+    """
+    here = Path(sys.prefix)
+    if (here / "pipx_metadata.json").is_file():
+        return f"pipx inject {here.name} {package}"
+    if (here / "uv-receipt.toml").is_file() or "archive-v0" in here.parts:
+        return f'uvx --from "{NAME}[{extra}]" landscape'
+    return f'pip install {"-e " if _editable() else ""}"{_editable() or NAME}[{extra}]"'
+
+
+def conflict() -> str:
+    """Return a line where a distribution that writes to the same folder is installed, or ""."""
+    other = _installed(STRANGER)
+    if other is None:
+        return ""
+    return (
+        f"{STRANGER} {other.version}, another distribution, has the same package and command: "
+        f"run `pip uninstall {STRANGER}`, then `pip install --force-reinstall {NAME}`"
+    )
+
+
+def _editable() -> str:
+    """Return the checkout that an editable installation is of, else ""."""
+    installed = _installed(NAME)
+    origin = json.loads((installed and installed.read_text("direct_url.json")) or "{}")
+    if not origin.get("dir_info", {}).get("editable"):
+        return ""
+    return str(Path(__file__).resolve().parents[2])
+
+
+def _installed(name: str) -> Distribution | None:
+    try:
+        return distribution(name)
+    except PackageNotFoundError:
+        return None

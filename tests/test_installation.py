@@ -1,0 +1,71 @@
+"""How more is installed: the command fits how the program itself was."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+from landscape.files import installation
+from landscape.files.installation import conflict, how_to_add
+from landscape.tools import doctor
+
+ROOT = Path(__file__).parents[1]
+
+
+class Installed:
+    """A distribution, with what pip noted of where it came from."""
+
+    def __init__(self, origin: dict | None = None, version: str = "0.1.1") -> None:
+        self.origin, self.version = origin, version
+
+    def read_text(self, name: str) -> str | None:
+        assert name == "direct_url.json"
+        return json.dumps(self.origin) if self.origin else None
+
+
+@pytest.fixture
+def installed(monkeypatch: pytest.MonkeyPatch) -> dict[str, Installed]:
+    """What is installed, by name: at first this program from an index, and nothing else."""
+    found = {"landscape-gl": Installed()}
+    monkeypatch.setattr(installation, "_installed", found.get)
+    return found
+
+
+def test_pip_is_told_the_distribution_and_the_extra(installed: dict[str, Installed]) -> None:
+    assert how_to_add("film", "av") == 'pip install "landscape-gl[film]"'
+
+
+def test_in_a_checkout_the_checkout_is_installed_again(installed: dict[str, Installed]) -> None:
+    installed["landscape-gl"].origin = {"url": ROOT.as_uri(), "dir_info": {"editable": True}}
+    assert how_to_add("film", "av") == f'pip install -e "{ROOT}[film]"'
+
+
+def test_a_wheel_from_a_file_is_no_checkout(installed: dict[str, Installed]) -> None:
+    installed["landscape-gl"].origin = {"url": "file:///downloads/a.whl", "archive_info": {}}
+    assert how_to_add("film", "av") == 'pip install "landscape-gl[film]"'
+
+
+def test_pipx_injects_into_its_environment_and_uv_makes_another(
+    installed: dict[str, Installed], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "prefix", str(tmp_path / "venvs" / "landscape-gl"))
+    here = Path(sys.prefix)
+    here.mkdir(parents=True)
+    (here / "pipx_metadata.json").touch()
+    assert how_to_add("film", "av") == "pipx inject landscape-gl av"
+    (here / "pipx_metadata.json").rename(here / "uv-receipt.toml")
+    assert how_to_add("film", "av") == 'uvx --from "landscape-gl[film]" landscape'
+
+
+def test_another_distribution_of_the_packages_name_is_told_by_doctor(
+    installed: dict[str, Installed], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(doctor, "probe", lambda name: {"ok": False, "reason": "not asked"})
+    assert conflict() == ""
+    quiet = doctor.report(doctor.examine()).splitlines()
+    installed["landscape"] = Installed()
+    lines = doctor.report(doctor.examine()).splitlines()
+    (told,) = [line for line in lines if line not in quiet]
+    assert told.startswith("landscape 0.1.1, another distribution, ")
+    assert "pip uninstall landscape" in told
