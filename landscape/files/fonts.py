@@ -1,50 +1,43 @@
-"""Fonts for text in pictures: one of the system's."""
+"""Fonts for text in pictures: DejaVu, which comes with the program.
+
+The text is laid out by Pillow alone. Pillow's other way needs a library that some systems lack, and
+spaces letters differently. So a text is the same pixels on every system.
+"""
 
 import unicodedata
 from functools import lru_cache
-from typing import Any
 
 from PIL import ImageFont
+from PIL.ImageFont import FreeTypeFont
 
-FONTS = ("DejaVuSans.ttf", "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
-BOLD = ("DejaVuSans-Bold.ttf", "LiberationSans-Bold.ttf", "NotoSans-Bold.ttf", "Arialbd.ttf")
-MONOSPACED = (
-    "DejaVuSansMono.ttf",
-    "LiberationMono-Regular.ttf",
-    "NotoSansMono-Regular.ttf",
-    "cour.ttf",
-)
+from landscape.files.assets import shipped
+
+REGULAR, BOLD, MONOSPACED = "DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf"
 
 
-@lru_cache(maxsize=16)
-def font(size: int, bold: bool = False) -> Any:
-    """Return a font of ``size`` pixels: one of the system's, else Pillow's own (ASCII only)."""
-    for name in (*(BOLD if bold else ()), *FONTS):
-        try:
-            return ImageFont.truetype(name, size)
-        except OSError:
-            continue
-    return ImageFont.load_default(size)
+def font(size: int, bold: bool = False) -> FreeTypeFont:
+    """Return a font of ``size`` pixels."""
+    return _opened(BOLD if bold else REGULAR, size)
 
 
-@lru_cache(maxsize=16)
-def monospaced(size: int) -> Any:
-    """Return a font of ``size`` pixels in which all letters are equally wide, if there is one."""
-    for name in MONOSPACED:
-        try:
-            return ImageFont.truetype(name, size)
-        except OSError:
-            continue
-    return font(size)
+def monospaced(size: int) -> FreeTypeFont:
+    """Return a font of ``size`` pixels in which all letters are equally wide."""
+    return _opened(MONOSPACED, size)
 
 
-def writable(text: str, face: Any) -> str:
+@lru_cache(maxsize=32)
+def _opened(name: str, size: int) -> FreeTypeFont:
+    path = shipped() / "fonts" / name
+    return ImageFont.truetype(path, size, layout_engine=ImageFont.Layout.BASIC)
+
+
+def writable(text: str, face: FreeTypeFont) -> str:
     """Return the text; characters that the font lacks lose their accents or become "?"."""
     return "".join(_known(character, face) for character in text)
 
 
 @lru_cache(maxsize=2048)
-def _known(character: str, face: Any) -> str:
+def _known(character: str, face: FreeTypeFont) -> str:
     missing = bytes(face.getmask("\uffff"))
     for candidate in (character, unicodedata.normalize("NFKD", character)[0]):
         if candidate == " " or bytes(face.getmask(candidate)) != missing:
