@@ -18,6 +18,7 @@ from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, Protocol
 
+from landscape import system
 from landscape.errors import InputError
 
 LANGUAGES = ("en", "fr")
@@ -43,11 +44,14 @@ def choose(environment: Mapping[str, str]) -> str:
     """Return the first of LANGUAGES that the environment asks for, else "en".
 
     LANGUAGE may list several, preferred first; then LC_ALL, LC_MESSAGES and LANG, in this order.
+    An environment that names none, as on Windows, leaves it to the user's settings of the system.
     """
     wanted = environment.get("LANGUAGE", "").split(":")
     locale = next(
         (environment[v] for v in ("LC_ALL", "LC_MESSAGES", "LANG") if environment.get(v)), ""
     )
+    if not any((*wanted, locale)):
+        locale = system.user_language()
     for name in (*wanted, locale):
         code = name.replace("-", "_").split("_")[0].split(".")[0].lower()
         if code in LANGUAGES:

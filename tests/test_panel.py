@@ -1,5 +1,6 @@
 """The window's texts, in each language, and the panel that shows them."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from gl_state import changes, snapshot
 from PIL import ImageFont
 from stage import Stage
 
+from landscape import system
 from landscape.files.fonts import font, writable
 from landscape.fixes import FIXES
 from landscape.gl.calls import gl
@@ -48,7 +50,6 @@ def test_no_two_actions_share_a_key() -> None:
 @pytest.mark.parametrize(
     ("variables", "language"),
     [
-        ({}, "en"),
         ({"LANG": "fr_FR.UTF-8"}, "fr"),
         ({"LANG": "fr"}, "fr"),
         ({"LANG": "fr_FR.UTF-8", "LC_ALL": "C"}, "en"),
@@ -59,6 +60,20 @@ def test_no_two_actions_share_a_key() -> None:
 )
 def test_the_environment_chooses_the_language(variables: dict[str, str], language: str) -> None:
     assert choose(variables) == language
+
+
+def test_where_the_environment_names_no_language_the_system_is_asked(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for theirs, language in (("fr_CA", "fr"), ("en_US", "en"), ("", "en"), ("de_DE", "en")):
+        monkeypatch.setattr(system, "user_language", lambda theirs=theirs: theirs)
+        assert choose({}) == choose({"LANG": "", "LANGUAGE": ""}) == language
+        assert choose({"LANG": "C"}) == choose({"LANGUAGE": "en"}) == "en"
+        assert choose({"LC_ALL": "fr_FR.UTF-8"}) == "fr"
+
+
+def test_the_system_names_a_language_or_nothing() -> None:
+    assert re.fullmatch(r"|[a-z]{2,3}_.+", system.user_language())
 
 
 def test_a_fix_is_named_by_its_title_in_each_language() -> None:

@@ -15,6 +15,7 @@ if sys.platform == "win32":
         read_parts,
         replace,
         starting_workers,
+        user_language,
     )
 else:
     from landscape.system.posix import (
@@ -25,6 +26,7 @@ else:
         read_parts,
         replace,
         starting_workers,
+        user_language,
     )
 
 __all__ = [
@@ -35,4 +37,5 @@ __all__ = [
     "read_parts",
     "replace",
     "starting_workers",
+    "user_language",
 ]

@@ -4,10 +4,12 @@ import os
 import select
 import signal
 import stat
+import subprocess
 import sys
 import time
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 
 assert sys.platform != "win32"
@@ -70,3 +72,19 @@ def memory() -> int | None:
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     except (ValueError, OSError):
         return None
+
+
+@cache
+def user_language() -> str:
+    """Return the language in the user's settings, as "fr_FR"; "" if they do not say.
+
+    Only macOS has it there; elsewhere it is in the environment.
+    """
+    if sys.platform != "darwin":
+        return ""
+    command = ["defaults", "read", "-g", "AppleLocale"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=5)
+    except (OSError, subprocess.SubprocessError):
+        return ""
+    return done.stdout.strip()

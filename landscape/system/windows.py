@@ -3,6 +3,7 @@
 import ctypes
 import errno
 import io
+import locale
 import os
 import queue
 import signal
@@ -12,6 +13,7 @@ import threading
 import time
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 
 assert sys.platform == "win32"
@@ -138,3 +140,9 @@ class _MemoryStatus(ctypes.Structure):
         ("available_virtual", ctypes.c_uint64),
         ("available_extended_virtual", ctypes.c_uint64),
     ]
+
+
+@cache
+def user_language() -> str:
+    """Return the language of the user's Windows, as "fr_FR"; "" if Python has no name for it."""
+    return locale.windows_locale.get(ctypes.windll.kernel32.GetUserDefaultUILanguage(), "")
