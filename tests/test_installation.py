@@ -46,16 +46,28 @@ def test_a_wheel_from_a_file_is_no_checkout(installed: dict[str, Installed]) -> 
     assert how_to_add("film", "av") == 'pip install "landscape-gl[film]"'
 
 
-def test_pipx_injects_into_its_environment_and_uv_makes_another(
-    installed: dict[str, Installed], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("folder", "mark", "command"),
+    [
+        ("pipx/venvs/landscape-gl", "pipx_metadata.json", "pipx inject landscape-gl av"),
+        ("pipx/.cache/013", "pipx_metadata.json", 'pipx run --spec "landscape-gl[film]" landscape'),
+        ("tools/landscape-gl", "uv-receipt.toml", 'uv tool install "landscape-gl[film]"'),
+        ("uv/archive-v0/LlS", "pyvenv.cfg", 'uvx --from "landscape-gl[film]" landscape'),
+    ],
+)
+def test_pipx_and_uv_have_commands_of_their_own(
+    folder: str,
+    mark: str,
+    command: str,
+    installed: dict[str, Installed],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(sys, "prefix", str(tmp_path / "venvs" / "landscape-gl"))
-    here = Path(sys.prefix)
+    here = tmp_path / folder
     here.mkdir(parents=True)
-    (here / "pipx_metadata.json").touch()
-    assert how_to_add("film", "av") == "pipx inject landscape-gl av"
-    (here / "pipx_metadata.json").rename(here / "uv-receipt.toml")
-    assert how_to_add("film", "av") == 'uvx --from "landscape-gl[film]" landscape'
+    (here / mark).touch()
+    monkeypatch.setattr(sys, "prefix", str(here))
+    assert how_to_add("film", "av") == command
 
 
 def test_another_distribution_of_the_packages_name_is_told_by_doctor(

@@ -15,14 +15,20 @@ STRANGER = "landscape"  # somebody else's distribution, with a package and a com
 def how_to_add(extra: str, package: str) -> str:
     """Return the command that installs an extra; ``package`` is what the extra stands for.
 
-    It is that of pipx or uv in their environments, and in a checkout that of the checkout.
+    It is one of pipx or uv in their environments; in a checkout, it installs that again.
     """
     here = Path(sys.prefix)
+    wanted = f'"{NAME}[{extra}]"'
     if (here / "pipx_metadata.json").is_file():
-        return f"pipx inject {here.name} {package}"
-    if (here / "uv-receipt.toml").is_file() or "archive-v0" in here.parts:
-        return f'uvx --from "{NAME}[{extra}]" landscape'
-    return f'pip install {"-e " if _editable() else ""}"{_editable() or NAME}[{extra}]"'
+        if here.parent.name == "venvs":
+            return f"pipx inject {here.name} {package}"
+        return f"pipx run --spec {wanted} landscape"
+    if (here / "uv-receipt.toml").is_file():
+        return f"uv tool install {wanted}"
+    if "archive-v0" in here.parts:  # a folder of uv's cache: uvx
+        return f"uvx --from {wanted} landscape"
+    checkout = _editable()
+    return f'pip install -e "{checkout}[{extra}]"' if checkout else f"pip install {wanted}"
 
 
 def conflict() -> str:
