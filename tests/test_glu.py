@@ -111,6 +111,17 @@ def test_calls_made_for_glu_are_seen_and_everything_is_put_back(stage: Stage) ->
     assert np.linalg.norm(points, axis=1) == pytest.approx(2.0)
 
 
+def test_what_pyopengl_calls_past_its_wrappers_stays_as_it_was(stage: Stage) -> None:
+    from OpenGL import GL
+    from OpenGL.raw.GL.VERSION import GL_1_1
+
+    before = {name: value for name, value in vars(GL_1_1).items() if name.startswith("gl")}
+    own = GL.glVertexPointer
+    with patched(Notes().make):
+        assert {name: getattr(GL_1_1, name) for name in before} == before
+        assert GL.glVertexPointer is not own
+
+
 def test_projections_are_undone_by_unprojecting(stage: Stage) -> None:
     from landscape.gl.glu import gluPerspective, gluProject, gluUnProject, gluUnProject4
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from commands import TESTS, landscape, need_library, python, refused
+from commands import TESTS, environment, landscape, need_library, python, refused
 
 LANTERN = TESTS / "programs" / "lantern.py"
 CHILD = """
@@ -46,6 +46,13 @@ def test_the_lists_of_a_text_are_found_from_the_list_base(tmp_path: Path) -> Non
 
 def test_the_setup_ends_with_the_first_call_that_draws(tmp_path: Path) -> None:
     check("the_setup_ends_with_the_first_draw", tmp_path)
+
+
+def test_the_tools_do_without_the_accelerator_of_pyopengl() -> None:
+    without = landscape("state", LANTERN, env=environment(PYOPENGL_USE_ACCELERATE="0"))
+    assert without.status == 0, without.err
+    assert "GL_SELECTION_BUFFER_POINTER" in without.out
+    assert without.out == landscape("state", LANTERN).out
 
 
 def test_the_commands_look_into_programs(tmp_path: Path) -> None:

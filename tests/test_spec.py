@@ -371,6 +371,8 @@ def error_of(name: str, args) -> int:
         getattr(gl, name)(*args)
     except GLError as error:
         return int(error.err)
+    except KeyError:  # how PyOpenGL without its accelerator refuses the type of an array
+        return INVALID_ENUM
     return 0
 
 

@@ -69,6 +69,8 @@ def use_platform(name: str, checked: bool | None = None) -> None:
     OpenGL.ERROR_CHECKING = checks if checked is None else checked
     OpenGL.ERROR_ON_COPY = checks and checked is None
     OpenGL.ERROR_LOGGING = False
+    # PyOpenGL 4 would learn of errors by a callback that it installs by calls of its own.
+    OpenGL.ERROR_DEBUG_OUTPUT = False
     try:
         from OpenGL import platform
 

@@ -85,8 +85,6 @@ def patched(make: Make) -> Iterator[None]:
     names: dict[str, Callable[..., Any]] = {}
 
     def choose(module: str, name: str, value: Any) -> Any:
-        if module.startswith("OpenGL.raw"):
-            return None  # arguments as in C, for PyOpenGL's own use
         if name in FUNCTIONS and module.startswith("OpenGL.GLU"):
             # One for each function replaced, so that each can be put back.
             new: Any = functools.partial(FUNCTIONS[name])
@@ -103,7 +101,8 @@ def patched(make: Make) -> Iterator[None]:
         stack.callback(_patched.remove, names)
         stack.callback(setattr, vbo.Implementation, "CHOSEN", None)
         vbo.Implementation.CHOSEN = None  # holds functions, chosen at the first use
-        stack.enter_context(replaced(("OpenGL",), choose, prefix="gl"))
+        # What raw holds takes arguments as in C, for PyOpenGL's own use.
+        stack.enter_context(replaced(("OpenGL",), choose, prefix="gl", but=("OpenGL.raw",)))
         for table in (getattr(OpenGL.GL.exceptional, table) for table in TABLES):
             stack.callback(table.update, dict(table))
             table.update({n: _replacement(make, f.__name__, f) for n, f in table.items()})

@@ -17,16 +17,21 @@ Choose = Callable[[str, str, Any], Any]
 
 
 @contextmanager
-def replaced(packages: Sequence[str], choose: Choose, prefix: str = "") -> Iterator[None]:
+def replaced(
+    packages: Sequence[str], choose: Choose, prefix: str = "", but: Sequence[str] = ()
+) -> Iterator[None]:
     """Inside the block, the modules of ``packages`` hold what ``choose`` gives for their values.
 
-    A value is replaced by the same object wherever it is held, and put back afterwards. Only names
-    that begin with ``prefix`` are looked at: of PyOpenGL's 30,000 most are constants.
+    A value is replaced by the same object wherever it is held, and put back afterwards; what the
+    modules of the packages ``but`` hold stays. Only names that begin with ``prefix`` are looked at:
+    of PyOpenGL's 30,000 most are constants.
     """
     replacements: dict[int, Any] = {}  # by the identity of the value
     originals: dict[int, Any] = {}  # by the identity of the replacement
 
     def apply(module: ModuleType) -> None:
+        if _belongs(module.__name__, but):
+            return
         held = vars(module)
         for name, value in _held(held, prefix):
             if id(value) in originals:

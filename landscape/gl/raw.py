@@ -31,14 +31,23 @@ class Raw:
             address = ctypes.cast(getattr(PLATFORM.GL, name), ctypes.c_void_p).value
         except AttributeError:
             address = PLATFORM.getExtensionProcedure(name.encode())
-        types = (kind if _is_number(kind) else ctypes.c_void_p for kind in known.argtypes)
-        function = PLATFORM.DEFAULT_FUNCTION_TYPE(known.restype, *types)(address)
+        result, *arguments = (_plain(kind) for kind in (known.restype, *known.argtypes))
+        function = PLATFORM.DEFAULT_FUNCTION_TYPE(result, *arguments)(address)
         self.__dict__[name] = function
         return function
 
 
-def _is_number(kind: Any) -> bool:
-    return isinstance(kind, type) and issubclass(kind, ctypes._SimpleCData)
+def _plain(kind: Any) -> Any:
+    """Return the C type of a declared one: itself for numbers and None, else an address.
+
+    How an array is declared differs between the versions of PyOpenGL, and between PyOpenGL with
+    and without its accelerator: as an object, or as a type derived from a pointer.
+    """
+    if kind is None:
+        return None
+    simple = isinstance(kind, type) and issubclass(kind, ctypes._SimpleCData)
+    pointer = simple and issubclass(kind, (ctypes.c_void_p, ctypes.c_char_p))
+    return kind if simple and not pointer else ctypes.c_void_p
 
 
 def _declared(name: str) -> Any:

@@ -15,6 +15,7 @@ PACKAGES = (
     NAME, "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs",
     "polib", "tqdm", "svgelements",
 )  # fmt: skip
+OPTIONAL = ("PyOpenGL-accelerate",)
 SECONDS = 60  # chosen: a backend that takes longer is considered to hang
 
 _PROBE = """
@@ -42,7 +43,7 @@ def examine() -> dict[str, Any]:
         try:
             packages[name] = version(name)
         except PackageNotFoundError:
-            packages[name] = "missing"
+            packages[name] = "missing (optional)" if name in OPTIONAL else "missing"
     return {
         "backends": backends,
         "chosen": chosen,
