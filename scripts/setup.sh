@@ -85,21 +85,29 @@ apt_install() {
 
 new_enough() { "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; }
 
-# Print the first Python 3.11 or newer. If PYTHON is set, no other interpreter is tried.
-find_python() {
+# Print the first Python 3.11 or newer, if there is one.
+first_python() {
     local candidate
-    if [ -n "${PYTHON:-}" ]; then
-        new_enough "$PYTHON" || die 1 "PYTHON=$PYTHON is not Python 3.11 or newer"
-        printf '%s\n' "$PYTHON"
-        return
-    fi
     for candidate in python3 python3.14 python3.13 python3.12 python3.11; do
         if new_enough "$candidate"; then
             printf '%s\n' "$candidate"
             return
         fi
     done
-    die 1 "Python 3.11 or newer is required; python3 is $(python3 --version 2>&1 || true)." \
+    return 1
+}
+
+# Print a Python 3.11 or newer, installed if there is none. If PYTHON is set, no other is tried.
+find_python() {
+    if [ -n "${PYTHON:-}" ]; then
+        new_enough "$PYTHON" || die 1 "PYTHON=$PYTHON is not Python 3.11 or newer"
+        printf '%s\n' "$PYTHON"
+        return
+    fi
+    first_python && return
+    if may_install; then apt_install python3 python3-venv || true; fi
+    first_python || die 1 "Python 3.11 or newer is required; python3 is" \
+        "$(python3 --version 2>/dev/null || echo "not installed")." \
         "Install it (Debian 12, Ubuntu 24.04 and newer: apt-get install python3 python3-venv;" \
         "others: https://www.python.org/downloads/), or set make PYTHON=/path/to/python3"
 }
