@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -114,14 +113,15 @@ def test_a_forged_error_is_still_one_line(grader: Grader, tmp_path: Path) -> Non
     ],
 )  # fmt: skip
 def test_a_program_that_never_ends_is_ended(code: str, words: set[str], tmp_path: Path) -> None:
-    with Grader(0.4) as hasty:
-        path = tmp_path / "mine.py"
-        path.write_text(HEAD + code + "\n")
-        hasty._solutions["winding"] = None  # type: ignore[assignment]
-        begun = time.monotonic()
-        report = hasty.check(path)
-        assert report.error is not None and report.error["word"] in words
-        assert time.monotonic() - begun < 30
+    path = tmp_path / "mine.py"
+    path.write_text(HEAD + code + "\n")
+    for seconds in (0.4, 2.0, 10.0, 50.0):  # more, where the machine is too busy to come so far
+        with Grader(seconds) as hasty:
+            hasty._solutions["winding"] = None  # type: ignore[assignment]
+            error = hasty.check(path).error
+        if error is not None and error["word"] in words:
+            return
+    raise AssertionError(error)
 
 
 def test_a_program_may_print_as_much_as_it_likes(grader: Grader, tmp_path: Path) -> None:

@@ -380,24 +380,24 @@ def test_a_missing_program_is_refused(watch: Watcher, tmp_path: Path) -> None:
 
 
 ENDLESS = {
-    "before its window": ("import glfw\nwhile True: pass\n", "opened no window for OpenGL within"),
+    "before its window": ("import glfw\nwhile True: pass\n", "opened no window for OpenGL {}"),
     "without swapping": (
         BEGIN + "while True:\n    try:\n        glfw.poll_events()\n    except: pass\n",
-        "completed no frame within",
+        "completed no frame {}",
     ),
     "after a frame": (
         BEGIN + "glfw.swap_buffers(window)\nimport threading\nthreading.Event().wait()\n",
-        "completed 1 frame within 0.4 s; frame 2 was not reached",
+        "completed 1 frame {}; frame 2 was not reached",
     ),
 }
 
 
 @pytest.mark.parametrize("name", ENDLESS)
 def test_a_program_that_never_ends_is_ended(watch: Watcher, tmp_path: Path, name: str) -> None:
-    text, words = ENDLESS[name]
+    text, error = ENDLESS[name]
     path = tmp_path / "program.py"
     path.write_text(text)
-    assert words in watch(path, 2, limit=0.4).error
+    watch.ended(path, 2, error)
 
 
 def test_a_thread_left_behind_goes_on_and_holds_nothing_up(watch: Watcher, write: Write) -> None:

@@ -257,6 +257,18 @@ class Watcher:
         assert seen.left == [], seen.left
         return seen
 
+    def ended(self, path: Path, frame: int, error: str) -> None:
+        """Assert that a program that never comes to a frame is ended by ``error``.
+
+        ``{}`` in it stands for the limit. On a machine so busy that the program does not come as
+        far as it would within the limit, the limit is raised.
+        """
+        for limit in (0.4, 2.0, 10.0, 50.0):
+            seen = self(path, frame, limit=limit)
+            if error.format(f"within {limit:g} s") in seen.error:
+                return
+        raise AssertionError(seen.error)
+
     def close(self) -> None:
         """End the process."""
         with self._process:
