@@ -68,15 +68,13 @@ def use_platform(name: str, checked: bool | None = None) -> None:
     checks = os.environ.get("LANDSCAPE_GL_CHECKS") == "1"
     OpenGL.ERROR_CHECKING = checks if checked is None else checked
     OpenGL.ERROR_ON_COPY = checks and checked is None
-    OpenGL.ERROR_LOGGING = False
-    # PyOpenGL 4 would learn of errors by a callback that it installs by calls of its own.
-    OpenGL.ERROR_DEBUG_OUTPUT = False
+    OpenGL.ERROR_LOGGING = OpenGL.ERROR_DEBUG_OUTPUT = False  # the latter makes calls of its own
     try:
         from OpenGL import platform
 
         if name == "osmesa":
-            # PyOpenGL stores arrays by the current context. Without this type every call returns
-            # a new pointer object, equal to no other, so no array would ever be freed.
+            # PyOpenGL stores arrays by the current context. Without this type every call returns a
+            # new pointer object, equal to no other, so no array would ever be freed.
             platform.PLATFORM.OSMesa.OSMesaGetCurrentContext.restype = ctypes.c_void_p
         import OpenGL.GL
     except (ImportError, AttributeError, OSError, TypeError) as error:
