@@ -7,6 +7,7 @@
 
 SHELL := /bin/bash
 BIN := .venv/bin
+LINT := .venv-lint/bin
 OUT ?= out
 VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
 # Further options for the program, for example: make demo ARGS="--preset 2006"
@@ -40,10 +41,10 @@ test-all:
 	@$(MAKE) --no-print-directory test ALL=--all
 
 lint:
-	@scripts/setup.sh test
-	@$(BIN)/ruff check .
-	@$(BIN)/ruff format --check .
-	@$(BIN)/mypy landscape
+	@scripts/setup.sh lint
+	@$(LINT)/ruff check .
+	@$(LINT)/ruff format --check .
+	@$(LINT)/mypy landscape
 
 docs:
 	@scripts/setup.sh docs
@@ -66,5 +67,5 @@ assets:
 	@$(BIN)/landscape assets build $(ARGS)
 
 clean:
-	rm -rf .venv $(OUT) build dist .pytest_cache .mypy_cache .ruff_cache
+	rm -rf .venv .venv-lint $(OUT) build dist .pytest_cache .mypy_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

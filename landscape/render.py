@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from operator import attrgetter
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from PIL import Image
@@ -37,7 +37,7 @@ from landscape.scene import (
 
 SIZE = (800, 600)  # chosen
 # A view's name, or x, y, z and perhaps yaw and pitch; y may be "ground" or None.
-Place = str | Pose | tuple[Any, ...] | list[Any] | np.ndarray
+Place: TypeAlias = str | Pose | tuple[Any, ...] | list[Any] | np.ndarray
 
 
 class Offscreen:

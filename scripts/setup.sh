@@ -3,7 +3,8 @@
 #
 #   scripts/setup.sh demo     .venv with the package, and an OpenGL library
 #   scripts/setup.sh studio   the same, and the dependencies of the asset generator
-#   scripts/setup.sh test     all of these, the linters, and a virtual display for the window tests
+#   scripts/setup.sh test     all of these, and a virtual display for the window tests
+#   scripts/setup.sh lint     .venv-lint with the linters
 #   scripts/setup.sh docs     the package, an OpenGL library, and what builds the site
 #   scripts/setup.sh docs-check   the same, and a browser
 #   scripts/setup.sh screen   installs nothing: status 0 if a window can be opened, 1 if not
@@ -114,8 +115,14 @@ find_python() {
 
 can_make_venv() { "$1" -c 'import ensurepip, venv' 2>/dev/null; }
 
+have_venv() {
+    [ "$(cat "$1/.folder" 2>/dev/null)" = "$PWD" ] && "$1/bin/python" -m pip -V >/dev/null 2>&1
+}
+
+# Make a virtual environment in a folder, and note where that is: after its checkout was moved it
+# does not work.
 make_venv() {
-    local python version
+    local folder=$1 python version
     python=$(find_python)
     if ! can_make_venv "$python"; then
         version=$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
@@ -124,23 +131,19 @@ make_venv() {
             "the module venv or ensurepip is missing." \
             "On Debian and Ubuntu: sudo apt-get install python$version-venv"
     fi
-    say "creating .venv with $("$python" --version)"
-    quietly "$python" -m venv --clear .venv || die 1 "$python -m venv failed"
+    say "creating $folder with $("$python" --version)"
+    quietly "$python" -m venv --clear "$folder" || die 1 "$python -m venv failed"
+    printf '%s\n' "$PWD" >"$folder/.folder"
 }
 
-# Install the package with the given extras; repeat only when pyproject.toml changes. The stamp also
-# holds the folder, because a virtual environment does not work after its checkout was moved.
+# Install the package with the given extras; repeat only when pyproject.toml changes.
 install_package() {
     local extras=$1 stamp=.venv/.installed now
     now="$PWD $(cksum <pyproject.toml)"
     if [ -x .venv/bin/landscape ] && [ "$(head -n 1 "$stamp" 2>/dev/null)" = "$now" ]; then
         case " $(tail -n 1 "$stamp") " in *" $extras "*) return ;; esac
     fi
-    if [ "$(cat .venv/.folder 2>/dev/null)" != "$PWD" ] ||
-        ! .venv/bin/python -m pip -V >/dev/null 2>&1; then
-        make_venv
-        printf '%s\n' "$PWD" >.venv/.folder
-    fi
+    have_venv .venv || make_venv .venv
     local target=.
     [ "$extras" = package ] || target=".[$extras]"
     say "installing $target into .venv (pip; the first time takes a minute or two)"
@@ -155,6 +158,19 @@ install_package() {
     esac
     [ "$(head -n 1 "$stamp" 2>/dev/null)" != "$now" ] || extras+=" $(tail -n 1 "$stamp")"
     printf '%s\n%s\n' "$now" "$extras" >"$stamp"
+}
+
+# Install the linters, which read the types of no other versions than those listed: another version
+# may report what these did not.
+install_linters() {
+    local stamp=.venv-lint/.installed now
+    now="$PWD $(cksum <requirements-lint.txt)"
+    [ "$(cat "$stamp" 2>/dev/null)" != "$now" ] || return 0
+    make_venv .venv-lint
+    say "installing the linters into .venv-lint"
+    quietly .venv-lint/bin/python -m pip install -q --disable-pip-version-check --no-deps \
+        -r requirements-lint.txt || die 1 "pip could not install the linters; is the network available?"
+    printf '%s\n' "$now" >"$stamp"
 }
 
 # --- OpenGL ------------------------------------------------------------------------------------
@@ -254,6 +270,7 @@ case ${1:-} in
         install_package dev
         check_system test
         ;;
+    lint) install_linters ;;
     docs)
         install_package site
         check_system demo
@@ -265,5 +282,5 @@ case ${1:-} in
         command -v chromium >/dev/null || apt_install $(packages_for docs-check)
         ;;
     screen) can_open_window ;;
-    *) die 2 "usage: scripts/setup.sh demo|studio|test|docs|docs-check|screen" ;;
+    *) die 2 "usage: scripts/setup.sh demo|studio|test|lint|docs|docs-check|screen" ;;
 esac

@@ -1,12 +1,14 @@
 """The script that installs what a make target needs: which system packages apt knows."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
 import pytest
 
-SETUP = Path(__file__).resolve().parent.parent / "scripts" / "setup.sh"
+ROOT = Path(__file__).resolve().parent.parent
+SETUP = ROOT / "scripts" / "setup.sh"
 ANSWER = "package:\n  Installed: (none)\n  Candidate: {}\n  Version table:\n"
 
 
@@ -33,3 +35,10 @@ def test_a_package_is_found_however_many_versions_apt_lists(tmp_path: Path, more
 @pytest.mark.parametrize("answer", ["", ANSWER.format("(none)")])
 def test_a_package_that_apt_cannot_install_is_not_found(tmp_path: Path, answer: str) -> None:
     assert not knows(tmp_path, answer)
+
+
+def test_the_linters_and_what_they_read_have_exact_versions() -> None:
+    lines = (ROOT / "requirements-lint.txt").read_text(encoding="utf-8").splitlines()
+    pinned = [line for line in lines if line and not line.startswith("#")]
+    assert {"ruff", "mypy", "numpy", "pillow"} <= {line.split("==")[0] for line in pinned}
+    assert all(re.fullmatch(r"[\w-]+==[\d.]+", line) for line in pinned), pinned

@@ -5,12 +5,13 @@ south, y up, and column (i, k) covers i..i+1, k..k+1.
 """
 
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
 from landscape.geometry.height_field import lookup
 
-Number = np.ndarray | float
+Number: TypeAlias = np.ndarray | float
 
 
 @dataclass(frozen=True)
