@@ -11,16 +11,12 @@ until they are ready, pictures are drawn by this process alone, and so are they 
 """
 
 import contextlib
-import mmap
 import multiprocessing
-import os
 import sys
-import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from multiprocessing.connection import Connection, wait
-from multiprocessing.reduction import DupFd
+from multiprocessing.connection import wait
 from typing import Any
 
 import numpy as np
@@ -33,6 +29,7 @@ from landscape.flyover.look import look
 from landscape.flyover.settings import MOST_PROCESSES, Settings, check
 from landscape.system import starting_workers
 from landscape.system.processes import begin_worker, cores, one_core
+from landscape.system.sharing import Bell, Pipe, SharedMemory
 
 DAMPING = 0.7  # how far cuts go towards where they should have been, chosen
 READY_WITHIN = 60.0  # seconds, chosen
@@ -74,11 +71,11 @@ class Crew:
 
     def _start(self, count: int) -> None:
         """Start processes, which share the terrain and the picture with this one."""
-        heights = _shared(self.terrain.values.nbytes)
-        picture = _shared(4 * arguments.MAX_PIXELS)
+        heights = SharedMemory(self.terrain.values.nbytes)
+        picture = SharedMemory(4 * arguments.MAX_PIXELS)
         try:
-            _array(heights, np.float32)[: self.terrain.values.size] = self.terrain.values
-            self._picture = _array(picture, np.uint32)
+            _heights(heights, self.terrain.values.size)[:] = self.terrain.values
+            self._picture = _pixels(picture)
             given = self.terrain.side, self.terrain.unit, self.terrain.name
             with one_core(), starting_workers():
                 for _ in range(count):
@@ -86,8 +83,8 @@ class Crew:
                     self._workers.append(worker)
                     worker.start(heights, picture, self.terrain.values.size, given)
         finally:
-            os.close(heights)
-            os.close(picture)
+            heights.close()
+            picture.close()
 
     @property
     def processes(self) -> int:
@@ -220,18 +217,18 @@ class _Worker:
 
     def __init__(self) -> None:
         self._process: Any = None
-        self._bell = -1
         self.ready = False
-        self.pipe: Connection
+        self.pipe: Pipe[Any, Any]
+        self._bell: Bell
 
-    def start(self, heights: int, picture: int, count: int, given: tuple[Any, ...]) -> None:
-        """Start the process; ``heights`` and ``picture`` are files of shared memory."""
+    def start(
+        self, heights: SharedMemory, picture: SharedMemory, count: int, given: tuple[Any, ...]
+    ) -> None:
+        """Start the process; ``given`` is what describes ``count`` heights as a terrain."""
         spawn = multiprocessing.get_context("spawn")
         self.pipe, theirs = spawn.Pipe()
-        # A process that reads from a pipe is woken on the core of the one that writes, which is
-        # expected to wait from then on. Here both work: so a bell wakes it, on a core that is free.
-        self._bell = os.eventfd(0) if hasattr(os, "eventfd") else -1
-        task = _Given(theirs, (heights, picture, self._bell), count, given)
+        self._bell = Bell()
+        task = _Given(theirs, self._bell, heights, picture, count, given)
         process = spawn.Process(target=_work, args=(task,), daemon=True)
         try:
             process.start()
@@ -251,8 +248,7 @@ class _Worker:
     def ask(self, task: Task) -> None:
         """Ask for a part; OSError if the process has ended."""
         self.pipe.send(task)
-        if self._bell >= 0:
-            os.eventfd_write(self._bell, 1)
+        self._bell.ring()
 
     def answer(self) -> tuple[float, dict[str, int]]:
         """Wait until a part is drawn; return how long it took, and its counts."""
@@ -273,40 +269,33 @@ class _Worker:
 
     def _hang_up(self) -> None:
         self.pipe.close()
-        if self._bell >= 0:
-            os.close(self._bell)
+        self._bell.close()
 
 
+@dataclass(frozen=True)
 class _Given:
-    """What a process is started with; files are duplicated for it."""
+    """What a process is started with."""
 
-    def __init__(
-        self, pipe: Connection, files: tuple[Any, ...], count: int, given: tuple[Any, ...]
-    ) -> None:
-        self.pipe, self.files, self.count, self.given = pipe, files, count, given
-
-    def __getstate__(self) -> dict[str, Any]:
-        return vars(self) | {"files": [DupFd(file) if file >= 0 else None for file in self.files]}
-
-    def opened(self) -> tuple[HeightField, np.ndarray, int]:
-        """Return the terrain, the memory of the pictures and the bell, in the process."""
-        heights, picture, bell = (file.detach() if file else -1 for file in self.files)
-        values = _array(heights, np.float32)[: self.count]
-        return HeightField(values, *self.given), _array(picture, np.uint32), bell
+    pipe: "Pipe[Any, Any]"
+    bell: Bell
+    heights: SharedMemory
+    picture: SharedMemory
+    count: int  # of the heights
+    given: tuple[Any, ...]  # side, unit and name of the terrain
 
 
 def _work(given: _Given) -> None:
     """Draw the parts that are asked for, until the pipe is closed."""
     begin_worker()
-    terrain, memory, bell = given.opened()
+    terrain = HeightField(_heights(given.heights, given.count), *given.given)
+    memory = _pixels(given.picture)
     canvas = frame.Canvas(np.empty((0, 0), np.uint32))
     settings = Settings()
     pipe = given.pipe
     with contextlib.suppress(EOFError, OSError):
         pipe.send(True)
         while True:
-            if bell >= 0:
-                os.eventfd_read(bell)
+            given.bell.wait()
             task = pipe.recv()
             started = time.perf_counter()
             settings = task.settings or settings
@@ -328,17 +317,11 @@ def _reason(error: BaseException) -> str:
     return " ".join(str(error).split()) or type(error).__name__
 
 
-def _shared(size: int) -> int:
-    """Return a new file in memory that no other process can open by a name; OSError."""
-    if hasattr(os, "memfd_create"):
-        file = os.memfd_create("landscape")
-    else:
-        with tempfile.TemporaryFile() as made:
-            file = os.dup(made.fileno())
-    os.ftruncate(file, size)
-    return file
+def _heights(shared: SharedMemory, count: int) -> np.ndarray:
+    """Return the heights in shared memory, float32 (count,)."""
+    return np.frombuffer(shared.memory, np.float32, count)
 
 
-def _array(file: int, kind: type[np.generic]) -> np.ndarray:
-    """Return a file's memory as an array."""
-    return np.frombuffer(mmap.mmap(file, 0), kind)
+def _pixels(shared: SharedMemory) -> np.ndarray:
+    """Return the pixels in shared memory, uint32, as many as the largest picture has."""
+    return np.frombuffer(shared.memory, np.uint32)

@@ -98,7 +98,9 @@ def _wayland_socket(environment: Mapping[str, str]) -> Path | None:
 
 
 def _reaches(path: Path) -> bool:
-    """Return whether somebody listens at a socket."""
+    """Return whether somebody listens at a socket, of a kind that Windows lacks in Python."""
+    if sys.platform == "win32":
+        return False
     try:
         with socket.socket(socket.AF_UNIX) as tried:
             tried.connect(os.fspath(path))
