@@ -194,7 +194,7 @@ def _prepare(stack: contextlib.ExitStack) -> str:
     """
     import gc
 
-    from landscape.capture.program_glfw import bind
+    from landscape.capture.program_context import bind
     from landscape.capture.program_source import Source
     from landscape.errors import NoOpenGLError
 
