@@ -1,6 +1,6 @@
 """The command line: parse, call, report.
 
-Exit status: 0 done, 1 a check failed, 2 bad input, 3 no usable OpenGL.
+Exit status: 0 done, 1 a check failed, 2 bad input, 3 no usable OpenGL, 70 a defect of this program.
 """
 
 import argparse
@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape.capture.guard import guarded
-from landscape.errors import InputError, NoOpenGLError, short
+from landscape.errors import InputError, NoOpenGLError, say_unexpected, short
 from landscape.frame import Pose
 from landscape.options import parse
 from landscape.scene import SCENES, View, find_view, listed_views, scene
@@ -70,6 +70,8 @@ def _reported(work: Callable[[], int]) -> int:
         return _fail("not enough memory: expected a smaller --size or smaller settings", 2)
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
+    except Exception as error:
+        return say_unexpected(error)
 
 
 def _fail(reason: object, status: int, details: str = "") -> int:

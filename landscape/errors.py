@@ -1,6 +1,8 @@
-"""The two errors that users see as one line, and how a line shows a value that was given."""
+"""The errors that users see as one line, and how a line shows a value that was given."""
 
 import reprlib
+import sys
+import traceback
 from typing import Any
 
 
@@ -10,6 +12,34 @@ class InputError(ValueError):
 
 class NoOpenGLError(RuntimeError):
     """No usable OpenGL: one line that names the package to install (exit status 3)."""
+
+
+class UnexpectedError(RuntimeError):
+    """A defect of this program that another process met; ``details`` is the traceback there."""
+
+    def __init__(self, reason: str, details: str = "") -> None:
+        super().__init__(reason)
+        self.details = details
+
+
+UNEXPECTED = 70  # the exit status for a defect of this program: EX_SOFTWARE of sysexits.h
+
+
+def say_unexpected(error: BaseException) -> int:
+    """Print that this program has a defect: what and where, then the traceback; return UNEXPECTED.
+
+    On standard error: what a command prints stays what it is documented to be.
+    """
+    if sys.stderr is None:  # a program of Windows without a console
+        return UNEXPECTED
+    details = getattr(error, "details", "") or "".join(traceback.format_exception(error))
+    frames = traceback.extract_tb(error.__traceback__)
+    where = f" in {frames[-1].filename}, line {frames[-1].lineno}" if frames else ""
+    reason = " ".join(str(error).split())
+    what = f"{type(error).__name__}: {reason}" if reason else type(error).__name__
+    print(f"landscape: a defect of this program: {what}{where}", file=sys.stderr)
+    print(details, end="", file=sys.stderr, flush=True)
+    return UNEXPECTED
 
 
 _REPR = reprlib.Repr()

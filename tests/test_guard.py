@@ -1,11 +1,14 @@
 """Programs that end their process, or would never end it, still end the command in one line."""
 
 import json
+import re
 import textwrap
 from pathlib import Path
 
 import pytest
-from commands import Done, landscape, need_library, python, refused
+from commands import Done, environment, landscape, need_library, python, refused
+
+from landscape.errors import UNEXPECTED
 
 BEGIN = """
 import os
@@ -29,23 +32,31 @@ RUN = """
 import sys
 from landscape.capture import guard, program
 from landscape.cli import main
+from landscape.system import limits
 
 program.LIMIT, guard.GRACE = float(sys.argv[1]), float(sys.argv[2])
-sys.argv[1:] = sys.argv[3:]
+limits.FORKS = limits.FORKS and sys.argv[3] == "copied"
+sys.argv[1:] = sys.argv[4:]
 sys.exit(main())
 """
+# The program's process is a copy of the command's, or the command is started once more. The tests'
+# own server of copies cannot do that: a variable of Python keeps it out.
+WAYS = {"copied": {}, "started": {"PYTHONDONTWRITEBYTECODE": ""}}
+both_ways = pytest.mark.parametrize("way", WAYS)
 
 
-def run(tmp_path: Path, rest: str, limits: tuple[str, str] = ("15", "5")) -> Done:
+def run(tmp_path: Path, rest: str, limits: tuple[str, str] = ("15", "5"), way="copied") -> Done:
     path = tmp_path / "program.py"
     path.write_text(BEGIN + textwrap.dedent(rest))
-    return python(RUN, *limits, "state", str(path), "--json")
+    words = (*limits, way, "state", str(path), "--json")
+    return python(RUN, *words, env=environment(**WAYS[way]))
 
 
 ENDS = {
     "crashes": ("import ctypes\nctypes.string_at(0)", "crashed (SIGSEGV), as OpenGL does where"),
     "is killed": ("os.kill(os.getpid(), 9)", "was killed, as the system does where memory runs"),
     "is held up in C": ("sum(range(10**13))", "was ended within one call that nothing can inter"),
+    "leaves by itself": ("import ctypes\nctypes.CDLL(None)._exit(0)", "ended its own process"),
     "keeps its objects": (
         "class Keeper:\n    def __del__(self):\n        while True: pass\nk = Keeper()" + SHOW,
         "was ended within one call",
@@ -53,15 +64,17 @@ ENDS = {
 }
 
 
+@both_ways
 @pytest.mark.parametrize("name", ENDS)
-def test_what_no_exception_can_end_ends_in_one_line(tmp_path: Path, name: str) -> None:
+def test_what_no_exception_can_end_ends_in_one_line(tmp_path: Path, name: str, way: str) -> None:
     rest, words = ENDS[name]
-    limits = ("1", "0.3") if "ended" in words else ("15", "5")
-    refused(run(tmp_path, rest, limits), "program.py: ", words)
+    limits = ("1", "0.3") if "was ended" in words else ("15", "5")
+    refused(run(tmp_path, rest, limits, way), "program.py: ", words)
 
 
-def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path) -> None:
-    done = run(tmp_path, "glFlush()\nmuch = b'x' * (2 << 30)\n" + SHOW)
+@both_ways
+def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path, way: str) -> None:
+    done = run(tmp_path, "glFlush()\nmuch = b'x' * (2 << 30)\n" + SHOW, way=way)
     assert done.status == 2
     first = done.err.splitlines()[0]
     assert first.startswith("landscape: ") and first.endswith(
@@ -69,7 +82,10 @@ def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path
     )
 
 
-def test_what_a_program_prints_by_any_means_stays_out_of_the_output(tmp_path: Path) -> None:
+@both_ways
+def test_what_a_program_prints_by_any_means_stays_out_of_the_output(
+    tmp_path: Path, way: str
+) -> None:
     done = run(
         tmp_path,
         """
@@ -81,6 +97,7 @@ def test_what_a_program_prints_by_any_means_stays_out_of_the_output(tmp_path: Pa
         for _ in range(3): print("x" * 1000000)
         """
         + textwrap.indent(SHOW, " " * 8),
+        way=way,
     )
     assert "GL_FOG" in json.loads(done.out)
     for words in ("by print", "by the descriptor", "by a command", "by the original"):
@@ -99,3 +116,43 @@ def test_the_last_thing_drawn_may_be_waiting_when_the_window_closes(tmp_path: Pa
     path.write_text(BEGIN + SHOW)
     done = landscape("trace", path, "--backend", "osmesa")
     assert done.status == 0 and "glVertex2f(0, 1)" in done.out, done.err
+
+
+# Looks into a frame where the tool itself has a defect.
+DEFECT = """
+import sys
+from landscape.cli import main
+from landscape.system import limits
+from landscape.tools import frame_commands
+
+def defect(target, options):
+    return 1 // len("")
+
+limits.FORKS = limits.FORKS and sys.argv[1] == "copied"
+frame_commands.RUN["trace"] = defect
+sys.argv[1:] = sys.argv[2:]
+sys.exit(main())
+"""
+
+
+@both_ways
+@pytest.mark.parametrize("target", ["program.py", "fig35e"])
+def test_a_defect_of_a_tool_says_what_and_where_and_prints_no_half_json(
+    tmp_path: Path, target: str, way: str
+) -> None:
+    (tmp_path / "program.py").write_text(BEGIN + SHOW)
+    path = tmp_path / target if target.endswith(".py") else target
+    done = python(DEFECT, way, "trace", str(path), "--json", env=environment(**WAYS[way]))
+    first, *details = done.err.splitlines()
+    assert (done.status, done.out) == (UNEXPECTED, "")
+    assert re.fullmatch(r"landscape: a defect .*: ZeroDivisionError: .* in .*, line \d+", first)
+    assert details[0].startswith("Traceback") and details[-1].startswith("ZeroDivisionError")
+    assert any(line.endswith("in defect") for line in details)
+
+
+def test_work_that_raises_in_a_process_of_its_own_is_told() -> None:
+    code = "from landscape.capture.guard import guarded\nimport sys\n"
+    done = python(code + "sys.exit(guarded('a program', lambda: {}['key']))")
+    assert done.status == UNEXPECTED and done.out == ""
+    assert done.err.startswith("landscape: a defect of this program: KeyError: 'key' in ")
+    assert "Traceback" in done.err

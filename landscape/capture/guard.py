@@ -2,20 +2,24 @@
 
 It can end what no exception ends: a loop inside a C function, which leaves Python no time for
 signals; a crash of OpenGL, which has read past the end of an array; memory taken without bounds.
+The process is a copy of the command's where that is possible; elsewhere the command is started
+once more, and passes on what it says.
 """
 
-import ctypes
-import io
 import mmap
 import os
 import signal
 import struct
+import subprocess
 import sys
+import tempfile
 import time
-import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import NoReturn, Protocol
 
-from landscape.errors import InputError
+from landscape.errors import UNEXPECTED, InputError, say_unexpected
+from landscape.system import limits
 
 GRACE = 2.0  # chosen: seconds that a program has to end by itself, once its time is over
 MEMORY = 1 << 30  # chosen: bytes that a program may take
@@ -23,10 +27,15 @@ MEMORY = 1 << 30  # chosen: bytes that a program may take
 MEMORY_ON_SCREEN = 4 << 30
 RESERVE = 1 << 20  # chosen: bytes
 PAUSE = 0.01  # chosen: seconds between two looks at the process
-PR_SET_PDEATHSIG = 1  # from sys/prctl.h
+SHORT_ARRAY = "where an array is shorter than it was told"  # how OpenGL crashes
+# Tells a command that it was started as the program's own process: the parent's number, and the
+# file of _shared.
+VARIABLE = "LANDSCAPE_GUARDED"
+# What both processes see: when the program's will be ended, and whether it ended by itself.
+SHARED = struct.Struct("d?")
 
 _now = time.monotonic  # the true clock, the same in both processes
-_deadline: mmap.mmap = mmap.mmap(-1, 8)  # when the process will be ended; both processes see it
+_shared: mmap.mmap = mmap.mmap(-1, SHARED.size)
 _alone = False  # whether this process is the program's own
 _reserve = b""  # memory for what is done when the program has none left
 _most: int | None = None  # bytes that the process may have while the program goes on
@@ -34,29 +43,42 @@ _given = MEMORY  # bytes that the program may take
 
 
 def guarded(path: str, work: Callable[[], int]) -> int:
-    """Return the exit status of ``work``, done by a new process; but for Linux, by this one.
+    """Return the exit status of ``work``, done by a process of its own.
 
-    ``work`` raises nothing. InputError if the process crashes or has to be ended.
+    What it raises and does not foresee is told there. InputError if the process crashes or has to
+    be ended.
     """
-    global _alone
-    if not sys.platform.startswith("linux"):
-        return work()
+    if VARIABLE in os.environ:
+        _join(os.environ.pop(VARIABLE))
+        _work_alone(work)
     print(end="", flush=True)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # the threads of numpy only wait
-        child = os.fork()
-    if child:
+    if sys.platform != "win32" and limits.FORKS:
+        from landscape.system.copying import copy
+
+        child = copy()
+        if child is None:
+            _work_alone(work)
         return _await(child, path)
+    with _started() as process:
+        return _await(process, path)
+
+
+def _work_alone(work: Callable[[], int]) -> NoReturn:
+    """Do the work in the program's own process, and end that."""
+    global _alone
     _alone = True
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    limits.limit_memory(None)
     _print_apart()
-    status = 1
+    status = UNEXPECTED
     try:
         status = work()
         print(end="", flush=True)
     except SystemExit as end:
         status = end.code if isinstance(end.code, int) else 1
+    except BaseException as error:
+        say_unexpected(error)
     finally:
+        _share(0.0, ended=True)
         # What the program has left behind must not keep the process from its end.
         os._exit(status)
 
@@ -69,14 +91,13 @@ def go_on(seconds: float, memory: int = 0) -> None:
     global _given, _most, _reserve
     if not _alone:
         return
-    _deadline[:] = struct.pack("d", _now() + seconds + GRACE)
+    _share(_now() + seconds + GRACE)
     if memory:
         _reserve = _reserve or bytes(RESERVE)
         if _most is None:
-            with open("/proc/self/statm") as file:
-                _most = int(file.read().split()[5]) * mmap.PAGESIZE + memory
+            _most = limits.used() + memory
             _given = memory
-        _limit(_most)
+        limits.limit_memory(_most)
 
 
 def stand_by() -> None:
@@ -84,8 +105,8 @@ def stand_by() -> None:
     global _reserve
     _reserve = b""
     if _alone:
-        _deadline[:] = bytes(8)
-        _limit(None)
+        _share(0.0)
+        limits.limit_memory(None)
 
 
 def memory() -> str:
@@ -93,13 +114,9 @@ def memory() -> str:
     return f" (it may take {_given >> 20} MB)" if _alone else ""
 
 
-def _limit(most: int | None) -> None:
-    import resource
-
-    hard = resource.getrlimit(resource.RLIMIT_DATA)[1]
-    soft = hard if most is None else most
-    if hard == resource.RLIM_INFINITY or soft <= hard:
-        resource.setrlimit(resource.RLIMIT_DATA, (soft, hard))
+def _share(deadline: float, ended: bool = False) -> None:
+    """Tell the other process when the program is to be ended, 0 for never; or that it has."""
+    _shared[:] = SHARED.pack(deadline, ended)
 
 
 def _print_apart() -> None:
@@ -107,17 +124,66 @@ def _print_apart() -> None:
     own = os.dup(1)
     os.dup2(2, 1)
     encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
-    sys.stdout = io.TextIOWrapper(io.FileIO(own, "w"), encoding, errors="backslashreplace")
+    # On Windows `open` knows a console, which wants no bytes.
+    sys.stdout = open(own, "w", encoding=encoding, errors="backslashreplace")  # noqa: SIM115
 
 
-def _await(child: int, path: str) -> int:
+@contextmanager
+def _started() -> Iterator["subprocess.Popen[bytes]"]:
+    """Start this command once more, as the program's own process."""
+    global _shared
+    with tempfile.TemporaryDirectory(prefix="landscape-") as folder:
+        file = os.path.join(folder, "shared")
+        _shared = _mapped(file)
+        try:
+            with subprocess.Popen(
+                [sys.executable, *sys.orig_argv[1:]],
+                env={**os.environ, VARIABLE: f"{os.getpid()} {file}"},
+            ) as process:
+                yield process
+        finally:
+            _shared.close()  # Windows deletes no file that is mapped
+
+
+def _mapped(file: str) -> mmap.mmap:
+    """Return a file of SHARED in memory; it is written if it is not there."""
+    number = os.open(file, os.O_RDWR | os.O_CREAT)
+    try:
+        os.truncate(number, SHARED.size)
+        return mmap.mmap(number, SHARED.size)
+    finally:
+        os.close(number)
+
+
+def _join(parent: str) -> None:
+    """Make this process that of the program: ``parent`` is the value of VARIABLE."""
+    global _shared
+    number, _, file = parent.partition(" ")
+    limits.end_with(int(number))
+    _shared = _mapped(file)
+
+
+class _Child(Protocol):
+    """The program's process, seen by its parent; a Popen is one."""
+
+    def poll(self) -> int | None:
+        """Return the exit status, or minus the signal that ended it; None while it runs."""
+
+    def kill(self) -> None:
+        """End it at once."""
+
+    def terminate(self) -> None:
+        """Ask it to end."""
+
+
+def _await(child: _Child, path: str) -> int:
     """Return the exit status of the process."""
     # Ctrl-C reaches both, and the process says so; if nothing can interrupt it, it is ended.
     before = signal.signal(signal.SIGINT, lambda *_: _end_soon())
     try:
-        ended, late = _watch(child)
+        status, late = _watch(child)
     except SystemExit:  # we are to end
-        os.kill(child, signal.SIGTERM)
+        child.terminate()
         _end_soon()
         _watch(child)
         raise
@@ -125,29 +191,29 @@ def _await(child: int, path: str) -> int:
         signal.signal(signal.SIGINT, before)
     if late:
         raise InputError(f"{path}: was ended within one call that nothing can interrupt")
-    if ended >= 0:
-        return ended
-    if -ended == signal.SIGKILL:
+    if SHARED.unpack(_shared[:])[1]:
+        return status
+    crash = limits.crash(status)
+    if crash == limits.KILLED:
         raise InputError(f"{path}: was killed, as the system does where memory runs out")
-    raise InputError(
-        f"{path}: crashed ({signal.Signals(-ended).name}), as OpenGL does where an array is "
-        "shorter than it was told"
-    )
+    if not crash:
+        raise InputError(f"{path}: ended its own process (status {status})")
+    raise InputError(f"{path}: crashed ({crash}), as OpenGL does {SHORT_ARRAY}")
 
 
 def _end_soon() -> None:
-    _deadline[:] = struct.pack("d", _now() + GRACE)
+    _share(_now() + GRACE)
 
 
-def _watch(child: int) -> tuple[int, bool]:
-    """Return the exit status of a process, or minus its signal, and whether it was too late."""
+def _watch(child: _Child) -> tuple[int, bool]:
+    """Return how the process ended, as its ``poll`` does, and whether it was too late."""
     late = False
     while True:
-        done, status = os.waitpid(child, os.WNOHANG)
-        if done:
-            return os.waitstatus_to_exitcode(status), late
-        (deadline,) = struct.unpack("d", _deadline[:])
+        status = child.poll()
+        if status is not None:
+            return status, late
+        deadline, _ = SHARED.unpack(_shared[:])
         if deadline and _now() > deadline and not late:
             late = True
-            os.kill(child, signal.SIGKILL)
+            child.kill()
         time.sleep(PAUSE)

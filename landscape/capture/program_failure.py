@@ -20,6 +20,8 @@ MEANINGS = {
     "stack overflow": "more is pushed than popped",
     "stack underflow": "less was pushed than is popped",
 }
+# On Windows, ctypes makes an exception of a crash in a function of C.
+CAUGHT = "OSError: exception: "
 
 
 def raised(path: Path, error: BaseException) -> ProgramError:
@@ -39,6 +41,8 @@ def raised(path: Path, error: BaseException) -> ProgramError:
     reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
     if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
         reason = _of_opengl(error)
+    if reason.startswith(CAUGHT):
+        reason += f", as OpenGL does {guard.SHORT_ARRAY}"
     if isinstance(error, MemoryError):
         reason += guard.memory()
     # The last of the program's own lines, which calls what is not its own.

@@ -1,7 +1,7 @@
 """A limit for the time that someone else's code may take; it ends even a loop that does nothing."""
 
-import ctypes
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -10,6 +10,7 @@ from types import FrameType
 from typing import Any
 
 from landscape.capture import guard
+from landscape.system import limits
 
 AGAIN = 0.25  # seconds until it raises once more, if the code swallowed what was raised; chosen
 UNWATCHED = 1e6  # seconds: with more, the user watches the program
@@ -26,7 +27,7 @@ class Watchdog:
         self._left = seconds
         self._late = late
         main = threading.current_thread() is threading.main_thread()
-        self._by_signal = main and hasattr(signal, "setitimer")  # which Windows has not
+        self._by_signal = main and sys.platform != "win32"
         self._thread = threading.get_ident()
         self._timer: threading.Timer | None = None
         self._watching = False
@@ -34,14 +35,14 @@ class Watchdog:
         self._before: Any = None
 
     def __enter__(self) -> "Watchdog":
-        if self._by_signal:
+        if sys.platform != "win32" and self._by_signal:
             self._before = signal.signal(signal.SIGALRM, self._alarm)
         self._start()
         return self
 
     def __exit__(self, *_: object) -> None:
         self._stop()
-        if self._by_signal:
+        if sys.platform != "win32" and self._by_signal:
             signal.signal(signal.SIGALRM, self._before)
 
     @contextmanager
@@ -60,7 +61,7 @@ class Watchdog:
         self._since, self._watching = _now(), True
         left = max(self._left, 0.001)
         guard.go_on(left, guard.MEMORY if left < UNWATCHED else guard.MEMORY_ON_SCREEN)
-        if self._by_signal:
+        if sys.platform != "win32" and self._by_signal:
             signal.setitimer(signal.ITIMER_REAL, left, AGAIN)
         else:
             self._timer = threading.Timer(left, self._from_outside)
@@ -71,7 +72,7 @@ class Watchdog:
         self._watching = False
         self._left -= _now() - self._since
         guard.stand_by()
-        if self._by_signal:
+        if sys.platform != "win32" and self._by_signal:
             signal.setitimer(signal.ITIMER_REAL, 0)
         elif self._timer is not None:
             self._timer.cancel()
@@ -82,7 +83,5 @@ class Watchdog:
 
     def _from_outside(self) -> None:
         while self._watching:
-            error = type(self._late())
-            set_error = ctypes.pythonapi.PyThreadState_SetAsyncExc
-            set_error(ctypes.c_ulong(self._thread), ctypes.py_object(error))
+            limits.interrupt(self._thread, type(self._late()))
             threading.Event().wait(AGAIN)

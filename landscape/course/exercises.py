@@ -18,7 +18,7 @@ from landscape.course.budget import SECONDS
 from landscape.course.evidence import Evidence
 from landscape.course.evidence_file import load
 from landscape.course.grading import Result, Test, _, difference, grade, tests_of
-from landscape.course.sandbox import Job, Outcome, Sandbox
+from landscape.course.sandbox import LATE, Job, Outcome, Sandbox
 from landscape.course.troubles import known
 from landscape.errors import InputError, short
 from landscape.files.input import read_bounded
@@ -232,9 +232,9 @@ def _syntax(path: Path) -> dict[str, Any] | None:
 
 def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence | dict[str, Any]:
     """Return the evidence of a program that has run, or what went wrong."""
-    if outcome.ended == "late":
+    if outcome.ended == LATE:
         return {"word": "late"}
-    if outcome.ended.startswith("SIG"):
+    if outcome.crashed:
         if outcome.line:
             return {"word": "crashed_at", "signal": outcome.ended, "line": outcome.line}
         return {"word": "crashed", "signal": outcome.ended}

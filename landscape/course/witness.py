@@ -16,6 +16,7 @@ from typing import Any
 
 from landscape.capture import program, spec, state
 from landscape.capture.program import Window
+from landscape.capture.program_failure import CAUGHT
 from landscape.capture.program_source import ProgramError
 from landscape.course.evidence_file import Writer, only_gives_numbers
 from landscape.course.refusals import Refusals
@@ -94,6 +95,8 @@ def _line_of(message: str) -> int:
 def _exception(details: str) -> dict[str, Any]:
     """Return the word for what a traceback ends with, and the values of its message."""
     lines = [line.strip() for line in details.strip().splitlines()]
+    if lines[-1].startswith(CAUGHT):
+        return {"word": "crashed_at", "signal": lines[-1].removeprefix(CAUGHT)}
     if lines[-1] != ")":
         return {"word": "raised", "error": lines[-1][:200]}
     # PyOpenGL writes its errors as GLError( err = 1280, description = b'...', ... ).

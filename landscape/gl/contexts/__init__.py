@@ -1,1 +1,0 @@
-"""One module for each way to a context; context.py chooses among them."""

@@ -1,0 +1,95 @@
+"""Limits on Linux, macOS and other systems with POSIX calls."""
+
+import contextlib
+import ctypes
+import os
+import resource
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+assert sys.platform != "win32"
+
+# Whether the system sees to ``limit_memory``. macOS refuses or ignores the limits of memory.
+KEEPS_MEMORY = sys.platform == "linux"
+OUT_OF_TIME = "SIGXCPU"  # what ends a process that has used up its processor time
+KILLED = "SIGKILL"  # what ends a process where the system runs out of memory
+OWN_GROUP: dict[str, Any] = {
+    "start_new_session": True
+}  # for Popen: Ctrl-C does not reach the process
+DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
+NAMESPACES = (0x40000000, 0x50000000)  # CLONE_NEWNET; for users other than root with CLONE_NEWUSER
+PAUSE = 0.5  # seconds between two looks for the parent, chosen
+
+
+def limit_work(seconds: int, file_bytes: int | None = None) -> None:
+    """Limit the processor's seconds and the size of files; a crash writes no core file."""
+    _limit(resource.RLIMIT_CORE, 0)
+    _limit(resource.RLIMIT_CPU, seconds)
+    if file_bytes is not None:
+        _limit(resource.RLIMIT_FSIZE, file_bytes)
+
+
+def limit_memory(most: int | None) -> None:
+    """Limit the bytes that ``used`` counts; None: no limit. Only Linux does so."""
+    if KEEPS_MEMORY:
+        _limit(resource.RLIMIT_DATA, most)
+
+
+def _limit(kind: int, most: int | None) -> None:
+    """Set a limit that the process itself can lift; None: as high as it may be."""
+    hard = resource.getrlimit(kind)[1]
+    if most is None or (hard != resource.RLIM_INFINITY and most > hard):
+        most = hard
+    resource.setrlimit(kind, (most, hard))
+
+
+def used() -> int:
+    """Return the bytes of memory that the process has for its data; but for Linux, the most yet."""
+    if sys.platform == "linux":
+        return int(Path("/proc/self/statm").read_text().split()[5]) * resource.getpagesize()
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most if sys.platform == "darwin" else most << 10
+
+
+def end_with(parent: int) -> None:
+    """Let this process end when its parent, the process of that number, has ended."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(DEATH_SIGNAL, int(signal.SIGKILL), 0, 0, 0)
+        if os.getppid() != parent:
+            os._exit(1)
+        return
+    leave, sleep = os._exit, time.sleep  # a program may be given others
+
+    def look() -> None:
+        while os.getppid() == parent:
+            sleep(PAUSE)
+        leave(1)
+
+    threading.Thread(target=look, daemon=True).start()
+
+
+def end_group(process: int) -> None:
+    """End a process that was started with OWN_GROUP, and its own children."""
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(process, signal.SIGKILL)
+
+
+def crash(status: int) -> str:
+    """Return the name of the signal that ended a process; "" if it ended by itself."""
+    if status >= 0:
+        return ""
+    try:
+        return signal.Signals(-status).name
+    except ValueError:
+        return f"signal {-status}"
+
+
+def leave_network() -> None:
+    """Take the network from this process, where the system allows that."""
+    if sys.platform == "linux":
+        libc = ctypes.CDLL(None)
+        any(libc.unshare(flags) == 0 for flags in NAMESPACES)
