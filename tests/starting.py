@@ -15,7 +15,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-SECONDS = 60
+from commands import SECONDS
 
 # The copy leaves the loop: its end is that of the interpreter, with all that Python does there.
 _SERVER = """

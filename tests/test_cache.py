@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from commands import SECONDS
 from PIL import Image
 
 from landscape.files import cache
@@ -220,7 +221,7 @@ def test_a_file_that_has_taken_another_s_name_is_replaced(folder: Path) -> None:
 def crowd(folder: str, gate: "multiprocessing.synchronize.Barrier", number: int) -> None:
     """One of several processes that start at once."""
     os.environ["LANDSCAPE_CACHE"] = folder
-    gate.wait(30)
+    gate.wait(SECONDS)
     for turn in range(20):
         made = np.full((64, 64, 3), turn, np.uint8)
         (got,) = cache.recall(["crowd", str(turn)], lambda made=made: (made,))
@@ -234,7 +235,7 @@ def test_processes_that_start_together_all_get_complete_arrays(folder: Path) -> 
     for process in crew:
         process.start()
     for process in crew:
-        process.join(60)
+        process.join(SECONDS)
     assert [process.exitcode for process in crew] == [0, 0]
     assert len(list(folder.glob("*.arrays"))) == 20 and not list(folder.glob(".*"))
 

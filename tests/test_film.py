@@ -16,7 +16,7 @@ from pathlib import Path
 import av
 import numpy as np
 import pytest
-from commands import Shell, need_library, refused, running
+from commands import SECONDS, Shell, need_library, refused, running
 from environments import image, layer, path, svg, written
 from PIL import Image
 
@@ -355,13 +355,13 @@ def test_ctrl_c_ends_all_processes_and_says_how_much_there_is(tmp_path: Path) ->
     out = tmp_path / "film.gif"
     words = ["film", "fig2a", "--seconds", "600", "--out", out, "--size", "64x48", "--jobs", "2"]
     with running(*words, stderr=subprocess.PIPE) as process:
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + SECONDS
         while time.monotonic() < deadline:
             if any(part.stat().st_size > 3000 for part in tmp_path.glob(".landscape.*")):
                 break
             time.sleep(0.05)
         os.killpg(process.pid, signal.SIGINT)
-        error = process.communicate(timeout=60)[1]
+        error = process.communicate(timeout=SECONDS)[1]
     assert process.returncode == 130 and error.count("\n") == 1, error
     assert error.startswith(f"landscape: interrupted: {out} has ")
     with Image.open(out) as film:

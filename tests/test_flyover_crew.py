@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from commands import SECONDS
 
 from landscape.flyover import frame
 from landscape.flyover.camera import Camera
@@ -108,7 +109,7 @@ def test_no_process_outlives_the_one_that_started_it(number: signal.Signals, tmp
         assert parent.stdout is not None
         pid = int(parent.stdout.readline())
         parent.send_signal(number)
-    until = time.monotonic() + 30
+    until = time.monotonic() + SECONDS
     while running(pid) and time.monotonic() < until:
         time.sleep(0.02)
     assert not running(pid)

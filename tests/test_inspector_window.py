@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import end, environment, landscape, python
+from commands import SECONDS, end, environment, landscape, python
 
 from landscape.capture.edit_files import read, write
 from landscape.capture.edits import Edit, Key, located_at
@@ -108,14 +108,14 @@ class Driven:
 
     def tool(self, *words: str) -> str:
         done = subprocess.run(
-            ["xdotool", *words], env=self._screen, capture_output=True, text=True, timeout=30
+            ["xdotool", *words], env=self._screen, capture_output=True, text=True, timeout=SECONDS
         )
         assert done.returncode == 0, done.stderr
         return done.stdout.strip()
 
     def until(self, condition: Callable[[dict[str, Any]], Any], what: str) -> dict[str, Any]:
         """Return the first frame from now on of which the condition is true."""
-        deadline = time.monotonic() + 20
+        deadline = time.monotonic() + SECONDS
         while not (self._now and condition(self._now)):
             assert time.monotonic() < deadline, f"waited in vain for {what}: {self._now}"
             assert self._process.poll() is None, f"the walk ended while waiting for {what}"

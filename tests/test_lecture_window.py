@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from commands import SECONDS
 from PIL import ImageGrab
 from test_window import _wait_for, screen, xdotool
 
@@ -187,7 +188,7 @@ def test_steps_follow_each_other_in_one_window_each_in_a_new_opengl(
         shown.press("Home")
         shown.wait(lambda: shown.notes().count("[1/4]") == 2, "the first step")
         shown.press("Escape")
-        assert shown.process.wait(30) == 0
+        assert shown.process.wait(SECONDS) == 0
     line = f"landscape: {tmp_path}/failing.py, line 3: the program raised ValueError: no such thing"
     assert shown.errors().startswith(line)
 
@@ -227,7 +228,7 @@ def test_the_list_the_code_the_strip_and_the_inspector_open_and_close(
         shown.press("F1", "End", "Return")
         shown.wait(lambda: "C’est la dernière étape" in shown.notes(), "the last step")
         shown.press("F1", "Escape", "Escape")
-        assert shown.process.wait(30) == 0
+        assert shown.process.wait(SECONDS) == 0
     assert shown.errors() == ""
 
 
@@ -244,5 +245,5 @@ def test_a_view_is_walked_and_taken_apart(screen: dict[str, str], tmp_path: Path
         shown.press("Prior")
         shown.wait(lambda: shown.notes().count("[1/2]") == 2, "the view again")
         shown.press("Escape")
-        assert shown.process.wait(30) == 0
+        assert shown.process.wait(SECONDS) == 0
     assert shown.errors() == ""

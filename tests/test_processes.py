@@ -9,12 +9,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from commands import environment, need_library
+from commands import SECONDS, environment, need_library
 
 pytestmark = pytest.mark.skipif(
     not Path("/proc/self/stat").exists(), reason="processes are looked up in /proc"
 )
-SECONDS = 60
 # Chosen: a mark by which the processes of one command are found, also when their parent is gone.
 MARK = "LANDSCAPE_TEST_MARK"
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import TESTS, landscape, refused
+from commands import SECONDS, TESTS, landscape, refused
 from test_window import _wait_for, screen, xdotool
 
 from landscape.capture.edit_files import read
@@ -76,7 +76,7 @@ def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
         subprocess.run(
             ["xdotool", "windowclose", window], env=screen, check=False, capture_output=True
         )
-        process.wait(30)
+        process.wait(SECONDS)
     finally:
         process.kill()
         process.wait()
@@ -181,7 +181,7 @@ def test_a_program_that_cannot_go_on_ends_the_inspector_in_one_line(
             _wait_for(begun.exists, process, "the program")
             time.sleep(0.2)  # until it is within the call
             os.killpg(process.pid, signal.SIGINT)
-        told = process.communicate(timeout=60)[1]
+        told = process.communicate(timeout=SECONDS)[1]
     finally:
         process.kill()
         process.wait()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import running
+from commands import SECONDS, running
 from PIL import Image
 
 from landscape.errors import InputError
@@ -62,11 +62,11 @@ def test_few_pictures_are_drawn_without_further_processes(
 def test_ctrl_c_while_drawing_many_pictures_leaves_only_complete_files(tmp_path: Path) -> None:
     words = ["render", *list(VIEWS)[:40], "--size", "160x120", "--samples", "0", "--out", tmp_path]
     with running(*words, stderr=subprocess.PIPE) as process:
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + SECONDS
         while len(list(tmp_path.glob("*.png"))) < 3 and time.monotonic() < deadline:
             time.sleep(0.02)
         os.killpg(process.pid, signal.SIGINT)
-        error = process.communicate(timeout=60)[1]
+        error = process.communicate(timeout=SECONDS)[1]
     files = list(tmp_path.iterdir())
     assert process.returncode == 130 and "Traceback" not in error, error
     assert 3 <= len(files) < 40 and all(path.suffix == ".png" for path in files)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from commands import SECONDS
 
 from landscape.elements.dragon import dragon_obstacles
 from landscape.elements.rabbit import rabbit_obstacles
@@ -362,7 +363,7 @@ def test_the_walker_needs_no_opengl():
         "import sys, landscape.window.walker;"
         "sys.exit('OpenGL' in sys.modules or 'glfw' in sys.modules)"
     )
-    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
+    assert subprocess.run([sys.executable, "-c", code], timeout=SECONDS).returncode == 0
 
 
 @pytest.mark.parametrize(

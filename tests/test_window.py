@@ -498,7 +498,7 @@ def test_a_full_screen_replay_is_drawn_at_the_size_of_the_screen(
 def xdotool(screen: dict[str, str], *words: str) -> str:
     """Run xdotool; return what it prints."""
     done = subprocess.run(
-        ["xdotool", *words], env=screen, capture_output=True, text=True, timeout=30
+        ["xdotool", *words], env=screen, capture_output=True, text=True, timeout=SECONDS
     )
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()
@@ -531,7 +531,7 @@ def test_f11_in_a_walk_that_began_full_screen_comes_back_to_its_size(
         size = '"size": [320, 240]'
         _wait_for(lambda: _text(tmp_path).count(size) == 2, process, "the size asked for")
         xdotool(screen, "key", "Escape")
-        assert process.wait(30) == 0
+        assert process.wait(SECONDS) == 0
     finally:
         process.kill()
         process.wait()
@@ -585,7 +585,7 @@ def test_real_key_events_walk_turn_and_strike(screen: dict[str, str], tmp_path: 
         time.sleep(0.3)
         assert process.poll() is None, "Escape lets the mouse go before it leaves"
         xdotool(screen, "key", "Escape")
-        assert process.wait(30) == 0
+        assert process.wait(SECONDS) == 0
     finally:
         process.kill()
         process.wait()
@@ -620,7 +620,7 @@ def _recorded(folder: Path) -> int:
 
 
 def _wait_for(condition, process: subprocess.Popen, what: str) -> None:
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + SECONDS
     while not condition():
         assert process.poll() is None, f"the walk ended while waiting for {what}"
         assert time.monotonic() < deadline, f"waited in vain for {what}"
