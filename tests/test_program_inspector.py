@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -129,11 +130,20 @@ def test_an_edit_of_the_setup_stays_in_force_and_is_undone_in_a_later_frame(
         xdotool(screen, "key", "Home", "Down", "Right", "Down", "equal", "F12")
         _wait_for(lambda: len(told()) > 3, process, "the frames after it")
         assert told()[-1] == "13 0 255"
-        xdotool(screen, "key", "F12", "ctrl+z", "F12")
+        xdotool(screen, "key", "F12")
+        _wait_for(lambda: _stands(told), process, "the program to stand still")
+        xdotool(screen, "key", "ctrl+z", "F12")
         _wait_for(lambda: told()[-1] == "0 0 255", process, "the colour of before")
     finally:
         process.kill()
         process.wait()
+
+
+def _stands(told: Callable[[], list[str]]) -> bool:
+    """Return whether a program tells nothing for half a second."""
+    count = len(told())
+    time.sleep(0.5)
+    return len(told()) == count
 
 
 def test_a_view_and_a_program_of_another_toolkit_are_refused_in_one_line(tmp_path: Path) -> None:
