@@ -18,7 +18,7 @@ from landscape.errors import InputError, short
 from landscape.frame import Pose
 from landscape.keys import plain
 
-BACKENDS = ("auto", "osmesa", "egl", "glfw")
+BACKENDS = ("auto", "osmesa", "egl", "glfw", "cgl", "software")
 SAMPLES = (0, 4)
 MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow less
 MAX_PIXELS = 1 << 26  # chosen: they take 1.3 GB while a picture is drawn and written

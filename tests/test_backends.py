@@ -8,11 +8,14 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from commands import end, environment, landscape, need_library, python
+from commands import TESTS, end, environment, landscape, need_library, python
+
+from landscape.gl import advice, libraries
 
 SCENE = (
     "fig35a",
@@ -26,17 +29,22 @@ SCENE = (
 BACKENDS = ("osmesa", "egl", "glfw")
 
 # Renders an image without and one with antialiasing; prints the renderer and their hashes.
-DRAW = """
+DRAW = (
+    f"TESTS = {str(TESTS)!r}"
+    + """
 import hashlib, json, sys
+sys.path.insert(0, TESTS)
 import landscape
 from landscape.gl import ownership
 from landscape.gl.calls import gl
-from landscape.gl.context import GLFWContext
+from landscape.gl.contexts.glfw import GLFWContext
 
-backend = sys.argv[1]
-if backend == "null":
-    backend = "auto"
-    ownership.open_context = lambda _: GLFWContext(size=(40, 30), headless=True)
+backend, null = sys.argv[1].removeprefix("null "), sys.argv[1].startswith("null ")
+if null:
+    ownership.open_context = lambda name: GLFWContext(size=(40, 30), backend=name)
+if backend == "cgl":
+    import fake_cgl
+    fake_cgl.install()
 only = ("ground", "water", "sky", "castle", "trees", "map", "fog", "reflection")
 found = {}
 for samples in (0, 4):
@@ -50,14 +58,22 @@ for samples in (0, 4):
         found["renderer"] = gl.glGetString(gl.GL_RENDERER).decode()
 print(json.dumps(found))
 """
+)
 
 # Runs a command line as if the libraries in the first argument were not installed.
 WITHOUT = """
-import ctypes.util, sys
+import sys
 from landscape.cli import main
+from landscape.gl import libraries
 
-hidden, find = sys.argv[1].split(","), ctypes.util.find_library
-ctypes.util.find_library = lambda name: None if name in hidden else find(name)
+hidden, load = sys.argv[1].split(","), libraries.load
+
+def load_others(name):
+    if name in hidden:
+        raise OSError("none found")
+    return load(name)
+
+libraries.load = load_others
 if "glfw" in hidden:
     sys.modules["glfw"] = None
 sys.exit(main(sys.argv[2:]))
@@ -121,11 +137,24 @@ def test_a_hidden_window_gives_the_same_pixels(
 
 
 @pytest.mark.window
-def test_the_null_platform_of_glfw_with_osmesa_gives_the_same_pixels(
+@pytest.mark.parametrize(("backend", "library"), [("osmesa", "OSMesa"), ("egl", "EGL")])
+def test_the_null_platform_of_glfw_gives_the_same_pixels(
+    backend: str, library: str, reference: dict[str, str]
+) -> None:
+    need_library(library)
+    check_same(f"null {backend}", environment(), reference)
+
+
+def test_software_asked_for_gives_the_same_pixels(reference: dict[str, str]) -> None:
+    check_same("software", environment(), reference)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="EGL stands in for macOS's CGL on Linux")
+def test_a_context_without_a_framebuffer_of_its_own_gives_the_same_pixels(
     reference: dict[str, str],
 ) -> None:
-    need_library("OSMesa")
-    check_same("null", environment(), reference)
+    need_library("EGL")
+    check_same("cgl", environment(), reference)
 
 
 @pytest.mark.window
@@ -151,10 +180,10 @@ def test_the_glfw_backend_without_a_display_ends_with_status_3() -> None:
 @pytest.mark.parametrize(
     ("backend", "hidden", "package"),
     [
-        ("osmesa", "OSMesa", "libosmesa6"),
-        ("egl", "EGL", "libegl1"),
-        ("glfw", "glfw", "glfw"),
-        ("auto", "OSMesa,EGL,GL,glfw", "libegl1, libegl-mesa0"),
+        ("osmesa", "OSMesa", advice.install("osmesa")),
+        ("egl", "EGL", advice.install("egl")),
+        ("glfw", "glfw", "install the Python package glfw"),
+        ("auto", "OSMesa,EGL,GL,glfw", advice.install("egl")),
     ],
 )
 def test_a_missing_library_ends_with_status_3_and_names_the_package(
@@ -164,7 +193,7 @@ def test_a_missing_library_ends_with_status_3_and_names_the_package(
     done = python(WITHOUT, hidden, "render", *SCENE, "--backend", backend, "--out", str(out))
     assert done.status == 3 and done.out == ""
     assert one_line(done.err)
-    assert package in done.err and "install" in done.err
+    assert package in done.err
     assert not out.exists()
 
 
@@ -172,15 +201,16 @@ def test_a_missing_library_ends_with_status_3_and_names_the_package(
 def test_a_missing_libgl_is_named_by_its_package(screen: dict[str, str]) -> None:
     done = python(WITHOUT, "GL", "render", *SCENE, "--backend", "glfw", env=screen)
     assert done.status == 3
-    assert one_line(done.err) and "libgl1" in done.err
+    assert one_line(done.err) and advice.install("glfw") in done.err
 
 
 def test_an_unloadable_library_ends_with_status_3(tmp_path: Path) -> None:
-    fake = tmp_path / "libOSMesa.so"
-    fake.write_text("not a library")
-    code = WITHOUT.replace("None if name in hidden", f"{str(fake)!r} if name in hidden")
-    done = python(code, "OSMesa", "render", *SCENE, "--backend", "osmesa")
-    assert done.status == 3 and one_line(done.err) and "libosmesa6" in done.err
+    for name in libraries.file_names("OSMesa"):
+        (tmp_path / name).write_text("not a library")
+    env = environment(LD_LIBRARY_PATH=str(tmp_path))
+    done = landscape("render", *SCENE, "--backend", "osmesa", env=env)
+    assert done.status == 3 and one_line(done.err)
+    assert f"{tmp_path}/libOSMesa.so" in done.err and advice.install("osmesa") in done.err
 
 
 def test_auto_uses_the_next_backend_if_the_first_is_missing(tmp_path: Path) -> None:
@@ -195,11 +225,15 @@ def test_auto_uses_the_next_backend_if_the_first_is_missing(tmp_path: Path) -> N
 def test_a_missing_backend_keeps_nothing_alive() -> None:
     need_library("EGL")
     code = """
-import ctypes.util, gc, weakref
+import gc, weakref
 import landscape
+from landscape.errors import NoOpenGLError
+from landscape.gl import context
 
-find = ctypes.util.find_library
-ctypes.util.find_library = lambda name: None if name == "OSMesa" else find(name)
+def missing():
+    raise NoOpenGLError("no OSMesa library")
+
+context.MAKERS["osmesa"] = missing
 landscape.Offscreen((64, 48)).close()  # the first one imports OpenGL, whose import keeps frames
 gc.disable()
 view = landscape.Offscreen((64, 48))
@@ -232,9 +266,10 @@ def test_a_context_may_be_closed_right_after_a_bitmap_was_drawn(backend: str) ->
     code = """
 import sys
 from landscape.gl.calls import gl
-from landscape.gl.context import GLFWContext, open_context
+from landscape.gl.context import open_context
+from landscape.gl.contexts.glfw import GLFWContext
 null = sys.argv[1] == "null"
-context = GLFWContext(size=(40, 30), headless=True) if null else open_context("osmesa")
+context = GLFWContext(size=(40, 30), backend="headless") if null else open_context("osmesa")
 gl.glRasterPos2f(0.0, 0.0)
 gl.glBitmap(8, 1, 0.0, 0.0, 9.0, 0.0, bytes(8))
 context.release()
@@ -304,9 +339,9 @@ def test_doctor_ends_with_status_3_and_names_packages_if_nothing_works() -> None
     code = """
 import sys
 from landscape.tools import doctor
-from landscape.gl.context import PACKAGES
+from landscape.gl import advice
 from landscape.cli import main
-doctor.probe = lambda name: {"ok": False, "reason": f"install {PACKAGES[name]}"}
+doctor.probe = lambda name: {"ok": False, "reason": advice.install(name, on="debian")}
 sys.exit(main(["doctor", *sys.argv[1:]]))
 """
     done = python(code)

@@ -290,9 +290,8 @@ def test_a_nested_recording_hands_the_pass_back(stage: Stage) -> None:
 def test_a_replay_is_split_where_the_framebuffer_changes_and_restores_the_seam(
     stage: Stage,
 ) -> None:
-    import OpenGL.GL as original
-
     target = TextureTarget((8, 8))
+    plain = gl.glBindFramebuffer
 
     def draw() -> None:
         gl.glPointSize(1.0)
@@ -302,7 +301,7 @@ def test_a_replay_is_split_where_the_framebuffer_changes_and_restores_the_seam(
 
     with stage.borrowed():
         replay = Replay(draw)
-        assert gl.glBindFramebuffer is original.glBindFramebuffer
+        assert gl.glBindFramebuffer is plain
         with recording() as recorder:
             replay.call()
         bound = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
@@ -325,7 +324,7 @@ def test_a_replay_is_split_where_the_framebuffer_changes_and_restores_the_seam(
 
     with pytest.raises(RuntimeError):
         Replay(fail)
-    assert gl.glBindFramebuffer is original.glBindFramebuffer
+    assert gl.glBindFramebuffer is plain
 
 
 def test_an_edit_changes_what_opengl_gets(stage: Stage) -> None:

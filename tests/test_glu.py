@@ -14,7 +14,7 @@ from landscape.gl.foreign import original, patched
 BOTH = """
 import itertools, json, sys
 import numpy as np
-from landscape.gl.context import EGLContext
+from landscape.gl.contexts.egl import EGLContext
 context = EGLContext((96, 96))
 from OpenGL.GL import *
 from OpenGL import GLU

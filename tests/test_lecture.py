@@ -22,8 +22,8 @@ DOCS = Path(__file__).resolve().parents[1] / "docs" / "lecture.md"
 MOUSE = """
 import functools, sys
 from pathlib import Path
-from landscape.gl.context import GLFWContext
-GLFWContext.__init__ = functools.partialmethod(GLFWContext.__init__, headless=True)
+from landscape.gl.contexts.glfw import GLFWContext
+GLFWContext.__init__ = functools.partialmethod(GLFWContext.__init__, backend="headless")
 from landscape.course.lecture import read
 from landscape.course.lecture_stage import Stage
 from landscape.course.lecture_view import LectureWalk, planned

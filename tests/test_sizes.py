@@ -97,7 +97,7 @@ def fine_screen() -> Iterator[dict[str, str]]:
 def test_a_window_is_larger_on_a_fine_screen_unless_its_size_is_asked_for(fine_screen) -> None:
     code = """
 import sys
-from landscape.gl.context import GLFWContext
+from landscape.gl.contexts.glfw import GLFWContext
 for size, enlarged in (((300, 200), True), ((300, 200), False), ((1000, 500), True)):
     context = GLFWContext(size, enlarged=enlarged)
     print(context.size, context.glfw.get_window_size(context.window))

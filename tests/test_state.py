@@ -37,7 +37,8 @@ NOT_IN_CHANGES = re.compile(
 FRESH = """
 import json, sys
 from landscape.capture.state import DEFAULTS, difference, read
-from landscape.gl.context import GLFWContext, open_context
+from landscape.gl.context import open_context
+from landscape.gl.contexts.glfw import GLFWContext
 from landscape.gl.raw import raw
 
 if sys.argv[1] == "bare":
@@ -49,7 +50,7 @@ if sys.argv[1] == "bare":
     )
     context = GLFWContext()
 elif sys.argv[1] == "null":
-    context = GLFWContext(headless=True)
+    context = GLFWContext(backend="headless")
 else:
     context = open_context(sys.argv[1])
 found = read()

@@ -173,7 +173,7 @@ def prepare(prepared: bool) -> ExitStack:
     stack = ExitStack()
     if prepared:
         from landscape.capture import program
-        from landscape.capture.program_glfw import bind
+        from landscape.capture.program_context import bind
         from landscape.capture.program_source import Source
 
         bind(Source(Path(), compile("", "", "exec"), frozenset(), True), "auto")

@@ -33,7 +33,10 @@ from landscape.capture.program_source import ProgramError, Source, read_source
 from landscape.capture.watchdog import Watchdog
 from landscape.errors import InputError, NoOpenGLError
 from landscape.gl.calls import Site, gl, unrecorded, use_lists
+from landscape.gl.contexts.software import check_renderer
+from landscape.gl.extensions import profile_mask
 from landscape.gl.foreign import Make, beside, patched
+from landscape.gl.window_framebuffer import WindowFramebuffer
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
 LIMIT = 15.0  # seconds that a program may take to its frame, chosen
@@ -47,9 +50,10 @@ class Window:
     """
 
     toolkit: str  # glfw, glut or pygame
-    backend: str  # osmesa, egl or glfw: without a screen by the first two, on one by the last
+    backend: str  # osmesa, egl or cgl: without a screen; glfw: on one
     size: Callable[[], tuple[int, int]]
     double_buffered: bool = True
+    hidden: bool = False  # on a screen, and not shown; or without a framebuffer of its own
     core_profile: bool = field(default=False, init=False)  # without fixed function
     early: tuple[str, int] | None = field(default=None, init=False)
 
@@ -129,6 +133,7 @@ class Run:
         self.result: Any = None
         self.reason = ""  # why there is no window, if the toolkit said so
         self.over = False
+        self.framebuffer: WindowFramebuffer | None = None  # in the place of the window's own
         self.watchdog: Watchdog | None = None
         self.live = live
         self._frame = frame
@@ -169,8 +174,11 @@ class Run:
         use_lists({})
         if gl.glGetString(gl.GL_VERSION) is None:
             raise self.refuse("its context has no OpenGL")
-        mask = _profile_mask()
-        window.core_profile = bool(mask & 1)
+        if self.backend == "software":
+            check_renderer()
+        if window.hidden and WindowFramebuffer.possible():
+            self.framebuffer = WindowFramebuffer(window.size(), window.double_buffered)
+        window.core_profile = bool(profile_mask() & 1)
         if window.core_profile:
             self.notice(
                 "asks for a core profile, which has no fixed function; its calls are shown, but "
@@ -183,6 +191,12 @@ class Run:
             name, line = self._early
             opening = self.source.opening
             self.notice(f"line {line}: {name} is called before {opening}, so it has no effect")
+
+    def closed(self) -> None:
+        """Note that the window is about to be closed."""
+        self.drawing = False
+        if self.framebuffer is not None:
+            self.framebuffer.release()
 
     def called_early(self, name: str, site: Site) -> None:
         """Note that the program calls OpenGL before it has a context."""
@@ -243,14 +257,6 @@ class Run:
             self.begin_frame()
 
 
-def _profile_mask() -> int:
-    """Return GL_CONTEXT_PROFILE_MASK; 0 before OpenGL 3.2, which does not know it."""
-    version = gl.glGetString(gl.GL_VERSION).split()[0].split(b".")
-    if [int(part) for part in version[:2]] < [3, 2]:
-        return 0
-    return int(gl.glGetIntegerv(gl.GL_CONTEXT_PROFILE_MASK))
-
-
 _prepared = False
 _runs: list[Run] = []  # the program that runs with functions that were prepared
 
@@ -307,11 +313,10 @@ def run(
     """Run a program to the end of a frame and return what the observer made of it.
 
     ``frame``: from 0; None runs the program until it ends. ``events``: a file or a list (see
-    program_events.py). ``backend``: auto, osmesa, egl or glfw, as for our own drawing; GLUT needs a
-    screen. ``limit``: seconds that the program itself may take, LIMIT by default. ``live``: who
-    uses the window meanwhile. ``host``: a window to run it in, where it has none of its own; then
-    its clock is not held. Raises ProgramError, an InputError whose ``details`` hold the program's
-    own traceback, and NoOpenGLError.
+    program_events.py). ``backend``: as for our own drawing; GLUT needs a screen. ``limit``: seconds
+    that the program itself may take, LIMIT by default. ``live``: who uses the window meanwhile.
+    ``host``: a window to run it in, where it has none of its own; then its clock is not held.
+    Raises NoOpenGLError, and ProgramError, whose ``details`` hold the program's own traceback.
     """
     if frame is not None and (type(frame) is not int or frame < 0):
         raise InputError(f"frame {frame}: expected a whole number from 0")

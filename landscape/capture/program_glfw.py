@@ -1,23 +1,26 @@
 """GLFW for a program that is run to a frame: a hidden window, a held clock, events from a list.
 
 Without a screen, GLFW's null platform gives the window and OSMesa draws in it, or EGL does, into a
-buffer of the window's size. The program's callbacks are never given to GLFW: they are called here,
+buffer of the window's size. On a screen the window is hidden, and a framebuffer object of the size
+that the program asks for stands for its own (gl/window_framebuffer.py); so it does with CGL, which
+has none. The program's callbacks are never given to GLFW: they are called here,
 when it polls for events.
 """
 
-import os
-import sys
 import types
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 from landscape.capture.program import Run, Window
+from landscape.capture.program_context import bind
 from landscape.capture.program_events import BUTTONS, KEYS, MODS, Event
-from landscape.capture.program_source import Source, need_package
+from landscape.capture.program_source import need_package
 from landscape.errors import NoOpenGLError
-from landscape.gl import display, osmesa
-from landscape.gl.context import EGLContext, require, use_platform
+from landscape.gl.contexts import egl, osmesa
+from landscape.gl.contexts.cgl import CGLContext
+from landscape.gl.contexts.egl import EGLContext
+from landscape.gl.contexts.glfw import check_thread
 from landscape.gl.holders import replaced
 from landscape.gl.raw import raw
 
@@ -34,7 +37,6 @@ WITHOUT_EFFECT = (
     *("set_cursor", "set_window_opacity", "post_empty_event", "swap_interval"),
     *("set_window_aspect_ratio", "set_window_size_limits", "set_window_attrib"),
 )
-BACKENDS = ("osmesa", "egl", "glfw")
 
 
 @contextmanager
@@ -52,42 +54,6 @@ def glfw_program(run: Run) -> Iterator[None]:
             stand_in.terminate()
 
 
-def bind(source: Source, backend: str) -> str:
-    """Bind PyOpenGL to a backend; the first that works, if it may be any.
-
-    The libraries of GLUT and of NURBS draw by calls of libGL, which OSMesa does not see; that of
-    GLUT needs a screen, too.
-    """
-    if backend != "auto":
-        _prepare(backend, source.checked)
-        return backend
-    order = list(BACKENDS)
-    if "glut" in source.modules:
-        order = ["glfw", "osmesa", "egl"]
-    elif "nurbs" in source.modules:
-        order = ["egl", "glfw", "osmesa"]
-    reasons = []
-    for name in order:
-        try:
-            _prepare(name, source.checked)
-            return name
-        except NoOpenGLError as error:
-            reasons.append(error)
-    raise reasons[-1]
-
-
-def _prepare(backend: str, checked: bool) -> None:
-    """Bind PyOpenGL to a backend; NoOpenGLError if there is none here."""
-    if backend != "glfw":
-        require({"osmesa": "OSMesa", "egl": "EGL"}[backend], backend)
-        use_platform(backend, checked)
-        return
-    kind, reason = display.choose(os.environ) if sys.platform == "linux" else ("native", "")
-    if not kind:
-        raise NoOpenGLError(f"there is no screen to open a window on ({reason}): use xvfb-run")
-    use_platform({"x11": "glx"}.get(kind, kind), checked)
-
-
 class _Glfw:
     """What a program's calls of GLFW do. The public methods have the names of GLFW's functions."""
 
@@ -96,8 +62,9 @@ class _Glfw:
         self._real: Any = types.SimpleNamespace(**vars(glfw))
         self._backend = backend
         self._host = run.host
-        self._egl: EGLContext | None = None
+        self._own: EGLContext | CGLContext | None = None  # the context, where GLFW makes none
         self._window: Any = None
+        self._size = 0, 0  # that the program has asked for
         self._current: Any = None  # the window, while its context of EGL is current
         self._callbacks: dict[str, Callable[..., Any]] = {}
         self._closing = False
@@ -138,6 +105,8 @@ class _Glfw:
             return True
         if self._backend != "glfw":
             real.init_hint(real.PLATFORM, real.PLATFORM_NULL)
+        else:
+            check_thread()
         if not real.init():
             raise self._run.stop(NoOpenGLError("GLFW cannot open the screen that DISPLAY names"))
         self._started = self._run.clock.now
@@ -176,12 +145,12 @@ class _Glfw:
         real.window_hint(real.SAMPLES, 0)
         if self._backend == "osmesa":
             real.window_hint(real.CONTEXT_CREATION_API, real.OSMESA_CONTEXT_API)
-        elif self._backend == "egl":
+        elif self._backend != "glfw":
             real.window_hint(real.CLIENT_API, real.NO_API)
         else:
             real.window_hint(real.CONTEXT_CREATION_API, real.NATIVE_CONTEXT_API)
-        size = self._run.sized(width, height)
-        self._window = real.create_window(*size, title, None, None)
+        self._size = self._run.sized(width, height)
+        self._window = real.create_window(*self._size, title, None, None)
         if self._backend == "osmesa":
             osmesa.leave()
         if not self._window:
@@ -192,60 +161,72 @@ class _Glfw:
 
     def destroy_window(self, window: Any) -> None:
         if self._window:
-            self._run.drawing = False
+            self._run.closed()
             if self._host is not None:
                 self._real.set_input_mode(self._window, self._real.CURSOR, self._real.CURSOR_NORMAL)
                 self._window = None
                 return
-            if self._egl is not None:
-                self._egl.release()
+            if self._own is not None:
+                self._own.release()
             elif self._backend == "osmesa" and self._run.window is not None:
                 # Mesa crashes if a context goes before it has drawn everything.
                 self._real.make_context_current(self._window)
                 raw.glFinish()
             self._real.destroy_window(self._window)
-        self._window = self._egl = None
+        self._window = self._own = None
 
     def make_context_current(self, window: Any) -> None:
         self._run.check()
-        if self._backend != "egl":
+        if self._backend in ("osmesa", "glfw"):
             self._real.make_context_current(window)
             if not window and self._backend == "osmesa":
                 osmesa.leave()
         elif window:
-            self._egl = self._egl or EGLContext(self._real.get_framebuffer_size(window))
-            self._egl.make_current()
-        elif self._egl is not None:
-            self._egl.leave()
+            self._own = self._own or self._context(window)
+            self._own.make_current()
+        elif self._own is not None:
+            self._own.leave()
         self._current = window
         if window and self._run.window is None:
-            doubled = self._double_buffered or self._backend == "egl" or self._host is not None
-            self._run.open(
-                Window("glfw", self._backend, lambda: self.get_framebuffer_size(window), doubled)
-            )
+            self._run.open(self._described(window))
+
+    def _context(self, window: Any) -> EGLContext | CGLContext:
+        if self._backend == "cgl":
+            return CGLContext()
+        return EGLContext(self._real.get_framebuffer_size(window))
+
+    def _described(self, window: Any) -> Window:
+        unseen = self._host is None and self._run.live is None
+        hidden = self._backend == "cgl" or (self._backend == "glfw" and unseen)
+        doubled = self._double_buffered or self._own is not None or self._host is not None
+        size = (lambda: self._size) if hidden else lambda: self.get_framebuffer_size(window)
+        return Window("glfw", self._backend, size, doubled, hidden)
 
     def get_current_context(self) -> Any:
-        return self._current if self._egl else self._real.get_current_context()
+        return self._current if self._own else self._real.get_current_context()
 
     def get_proc_address(self, name: str) -> Any:
-        if self._egl is None:
+        if self._backend != "egl":
             return self._real.get_proc_address(name)
-        import ctypes
-
-        from landscape.gl.foreign import library
-
-        return ctypes.cast(library("EGL").eglGetProcAddress(name.encode()), ctypes.c_void_p).value
+        return egl.library().eglGetProcAddress(name.encode())
 
     def swap_buffers(self, window: Any) -> None:
         self._run.end_frame()
-        if self._egl is None:
+        if self._own is None and self._run.framebuffer is None:
             self._real.swap_buffers(self._window)
         self._run.begin_frame()
 
     def get_framebuffer_size(self, window: Any) -> Any:
         if self._host is not None:
             return self._host.pixels()
+        if self._run.framebuffer is not None:
+            return self._size
         return self._real.get_framebuffer_size(self._window)
+
+    def get_window_content_scale(self, window: Any) -> Any:
+        if self._run.framebuffer is not None:
+            return 1.0, 1.0
+        return self._real.get_window_content_scale(self._window)
 
     def get_window_size(self, window: Any) -> Any:
         if self._host is not None:
@@ -265,8 +246,11 @@ class _Glfw:
         width, height = self._run.sized(width, height)
         real.set_window_size(self._window, width, height)
         real.poll_events()  # where there is a screen, the size changes only now
-        if self._egl is not None:
-            self._egl.resize((width, height))
+        self._size = width, height
+        if self._run.framebuffer is not None:
+            self._run.framebuffer.resize(self._size)
+        elif isinstance(self._own, EGLContext):
+            self._own.resize(self._size)
         elif self._run.drawing:
             raw.glFinish()  # Mesa may still draw into the old buffer, which now goes
             real.make_context_current(self._window)  # OSMesa gets a buffer of the new size

@@ -6,9 +6,9 @@ one of them ends the program as it would end any other. A frame ends with glutSw
 the display callback returns without it. A program that waits for somebody is asked to redraw.
 """
 
-import ctypes.util
 import os
 import re
+import sys
 import types
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -19,12 +19,12 @@ from landscape.capture.program_clock import milliseconds
 from landscape.capture.program_events import CONTROL, Event
 from landscape.capture.program_source import ProgramError
 from landscape.errors import NoOpenGLError
-from landscape.gl import display
-from landscape.gl.context import use_platform
+from landscape.gl import advice, display
+from landscape.gl.contexts.glfw import check_thread
+from landscape.gl.contexts.software import ask_for_software
 from landscape.gl.foreign import library, load_glut
 from landscape.gl.holders import replaced
 
-PACKAGE = "libglut3.12 or freeglut3 (Debian, Ubuntu), or freeglut (Fedora)"
 # What needs someone who looks at the window.
 WITHOUT_EFFECT = (
     *("FullScreen", "FullScreenToggle", "LeaveFullScreen", "PositionWindow", "IconifyWindow"),
@@ -51,14 +51,17 @@ PATIENCE = 1000  # turns without a frame until the program is asked to redraw; c
 @contextmanager
 def glut_program(run: Run) -> Iterator[None]:
     """Prepare GLUT and PyOpenGL for a program, and replace GLUT's functions inside the block."""
-    if ctypes.util.find_library("glut") is None:
-        raise ProgramError(f"{run.source.path}: needs GLUT: install {PACKAGE}")
-    reason = display.problem("x11", os.environ)
-    if reason or run.backend in ("osmesa", "egl"):
-        reason = reason or f"it cannot draw by {run.backend}"
+    if run.backend in ("osmesa", "egl", "cgl"):
+        reason = f"GLUT needs a screen, it cannot draw by {run.backend}"
+        raise NoOpenGLError(f"{run.source.path}: {reason}: use --backend glfw")
+    if run.backend == "software":
+        ask_for_software()
+    if sys.platform == "linux" and (reason := display.problem("x11", os.environ)):
         raise NoOpenGLError(f"{run.source.path}: GLUT needs a screen ({reason}): use xvfb-run")
-    use_platform("glx", run.source.checked)
-    load_glut()
+    if sys.platform == "darwin":
+        check_thread()
+    if not load_glut(run.source.checked):
+        raise ProgramError(f"{run.source.path}: needs GLUT: {advice.install('glut')}")
     stand_in = _Glut(run, library("GLUT"))
     functions = stand_in.functions()
 
@@ -111,11 +114,19 @@ class _Glut:
             # freeglut destroys a window that is current; what was drawn to it then ends in an error
             # of the X server, which ends the process.
             library("contextdata").cleanupContext()
-            glx = library("GLX")
-            glx.glXMakeCurrent(glx.glXGetCurrentDisplay(), 0, None)
+            if sys.platform == "linux":
+                glx = library("GLX")
+                glx.glXMakeCurrent(glx.glXGetCurrentDisplay(), 0, None)
             library("raw.GLUT").glutDestroyWindow(self._window)
             self._window = 0
+            self._turn()
+
+    def _turn(self) -> None:
+        """Let GLUT itself do what is due; macOS's own has another name for it."""
+        if self._real.glutMainLoopEvent:
             self._real.glutMainLoopEvent()
+        else:
+            library("GLUT.osx").glutCheckLoop()
 
     def _setter(self, name: str) -> Callable[..., Any]:
         def set_callback(function: Any = None, *args: Any) -> None:
@@ -186,7 +197,7 @@ class _Glut:
     def glutReshapeWindow(self, width: int, height: int) -> None:
         self._size = self._run.sized(width, height)
         self._real.glutReshapeWindow(width, height)
-        self._real.glutMainLoopEvent()  # freeglut only changes the size here
+        self._turn()  # freeglut only changes the size here
         self._posted = self._reshaped = True
 
     def glutSwapBuffers(self) -> None:

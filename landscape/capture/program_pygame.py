@@ -1,6 +1,7 @@
 """pygame for a program that is run to a frame: a hidden window, a held clock, events from a list.
 
-Without a screen, SDL's driver "offscreen" draws by EGL. The program sees the events of the list and
+Without a screen, SDL's driver "offscreen" draws by EGL; on one, a framebuffer object stands for
+that of the hidden window (gl/window_framebuffer.py). The program sees the events of the list and
 those it posts itself; SDL's own are never read.
 """
 
@@ -12,11 +13,13 @@ from typing import Any
 
 from landscape.capture.program import Run, Window
 from landscape.capture.program_clock import Clock, milliseconds
+from landscape.capture.program_context import screen
 from landscape.capture.program_events import CONTROL, KEYS, Event
 from landscape.capture.program_source import need_package
 from landscape.errors import NoOpenGLError
-from landscape.gl import display
-from landscape.gl.context import use_platform
+from landscape.gl.binding import use_platform
+from landscape.gl.contexts.glfw import check_thread
+from landscape.gl.contexts.software import ask_for_software
 from landscape.gl.holders import replaced
 
 MODULES = ("display", "event", "key", "mouse", "time")
@@ -51,24 +54,33 @@ def pygame_program(run: Run) -> Iterator[None]:
         try:
             yield
         finally:
-            run.drawing = False
+            run.closed()
             stand_in.quit()
 
 
 def _choose(run: Run, pygame: Any) -> str:
     """Choose SDL's driver and bind PyOpenGL to the same; return the backend's name."""
-    if run.backend == "osmesa":
-        raise NoOpenGLError(f"{run.source.path}: pygame draws by EGL or on a screen, not by OSMesa")
-    screen, reason = display.choose(os.environ)
-    ways = {"egl": ("offscreen", "egl"), "glfw": (screen, {"x11": "glx"}.get(screen, screen))}
+    refused = {"osmesa": "OSMesa", "cgl": "CGL"}
+    if run.backend in refused:
+        reason = f"pygame draws by EGL or on a screen, not by {refused[run.backend]}"
+        raise NoOpenGLError(f"{run.source.path}: {reason}")
+    if run.backend == "software":
+        ask_for_software()
+    kind, reason = screen()
+    ways = {"egl": ("offscreen", "egl"), "glfw": (kind, {"x11": "glx"}.get(kind, kind))}
     order = ["glfw", "egl"] if "glut" in run.source.modules else ["egl", "glfw"]
+    if kind == "native":
+        # SDL knows its driver there, and has none that draws by EGL.
+        ways, order = {"glfw": ("native", "native")}, ["glfw"]
+        check_thread()
     reasons = []
-    for backend in order if run.backend == "auto" else [run.backend]:
-        driver, platform = ways[backend]
+    for backend in order if run.backend in ("auto", "software") else [run.backend]:
+        driver, platform = ways.get(backend, ("", ""))
         if not driver:
-            reasons.append(reason)
+            reasons.append(reason or "SDL has no EGL on this system")
             continue
-        os.environ["SDL_VIDEODRIVER"] = driver
+        if driver != "native":
+            os.environ["SDL_VIDEODRIVER"] = driver
         try:
             pygame.display.quit()
             pygame.display.init()
@@ -137,12 +149,14 @@ class _Pygame:
             self._real.display.gl_set_attribute(attribute, 0)
         surface = self._real.display.set_mode(self._size, flags | pygame.HIDDEN)
         if run.window is None:
-            run.open(Window("pygame", self._backend, lambda: self._size))
+            hidden = self._backend == "glfw"
+            run.open(Window("pygame", self._backend, lambda: self._size, hidden=hidden))
         return surface
 
     def display_flip(self) -> None:
         self._run.end_frame()
-        self._real.display.flip()
+        if self._run.framebuffer is None:
+            self._real.display.flip()
         self._run.begin_frame()
 
     def display_update(self, *args: Any) -> None:
@@ -297,6 +311,8 @@ class _Pygame:
 
         width, height = map(int, event.value)
         SDLWindow.from_display_module().size = self._size = (width, height)
+        if self._run.framebuffer is not None:
+            self._run.framebuffer.resize(self._size)
         return [self._event("VIDEORESIZE", size=self._size, w=width, h=height)]
 
     def _close(self, event: Event, before: Any) -> list[Any]:

@@ -19,7 +19,7 @@ from landscape.course.lecture_list import StepList
 from landscape.course.lecture_plates import Plates
 from landscape.gl.apart import apart
 from landscape.gl.calls import unnoted
-from landscape.gl.context import GLFWContext
+from landscape.gl.contexts.glfw import GLFWContext
 from landscape.gl.objects import forget_objects
 from landscape.window.wheel import Wheel
 

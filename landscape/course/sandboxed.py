@@ -33,7 +33,7 @@ def prepare(stack: contextlib.ExitStack) -> str:
 
     Returns why there is no OpenGL, or "".
     """
-    from landscape.capture.program_glfw import bind
+    from landscape.capture.program_context import bind
     from landscape.capture.program_source import Source
     from landscape.errors import NoOpenGLError
 

@@ -1,11 +1,11 @@
 """The seam: every OpenGL call of the program goes through the namespace :data:`gl`.
 
-Off, it costs nothing: once looked up, an attribute of ``gl`` is PyOpenGL's function itself. Inside
-:func:`noting` the attributes are functions that note a call and then make it. Three things need
-that. A :func:`recording` collects the calls, with their arguments, the element that draws, the pass
-and the source line. Edits (:func:`edited`) change arguments or leave calls out. And a display list
-remembers the calls it was compiled from, recording or not, so that a recording of any later frame
-can look inside it.
+Off, it costs nothing: once looked up, an attribute of ``gl`` is PyOpenGL's function itself, but for
+a few (window_framebuffer.py). Inside :func:`noting` they are functions that note a call and then
+make it. Three things need that. A :func:`recording` collects the calls, with their arguments, the
+element that draws, the pass and the source line. Edits (:func:`edited`) change arguments or leave
+calls out. And a display list remembers the calls it was compiled from, recording or not, so that a
+recording of any later frame can look inside it.
 
 The element is the one that the code names: ``with drawing("water"): water.draw(frame)``.
 Tests, ``landscape trace`` and the lessons are built on this module. One thread draws at a time.

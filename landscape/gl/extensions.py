@@ -39,6 +39,17 @@ def version() -> tuple[int, int]:
     return int(found[1]), int(found[2])
 
 
+def profile_mask() -> int:
+    """Return GL_CONTEXT_PROFILE_MASK; 0 before OpenGL 3.2, which does not know it.
+
+    Asked of the context itself, whose core profile has no GL_EXTENSIONS.
+    """
+    version = gl.glGetString(gl.GL_VERSION).split()[0].split(b".")
+    if [int(part) for part in version[:2]] < [3, 2]:
+        return 0
+    return int(gl.glGetIntegerv(gl.GL_CONTEXT_PROFILE_MASK))
+
+
 def extensions() -> frozenset[str]:
     """Return the names of the current OpenGL's extensions."""
     return _strings()[1]

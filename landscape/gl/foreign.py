@@ -12,7 +12,6 @@ by calls of their own, are passed to ``make`` by their own names, as if OpenGL h
 """
 
 import ctypes
-import ctypes.util
 import functools
 import importlib
 import sys
@@ -21,7 +20,10 @@ from contextlib import ExitStack, contextmanager
 from types import ModuleType
 from typing import Any
 
+from landscape.gl import libraries
+from landscape.gl.binding import use_platform
 from landscape.gl.holders import replaced
+from landscape.gl.window_framebuffer import redirected
 
 Make = Callable[[str, Callable[..., Any]], Callable[..., Any]]
 
@@ -51,7 +53,7 @@ def original(name: str) -> Any:
     import OpenGL.GL
 
     if hasattr(OpenGL.GL, name):
-        return _unwrapped(getattr(OpenGL.GL, name))
+        return redirected(name, _unwrapped(getattr(OpenGL.GL, name)))
     for names in reversed(_patched):
         if name in names:
             return names[name]
@@ -128,7 +130,9 @@ def _replacement(make: Make, name: str, function: Any) -> Any:
     from OpenGL.raw.GL.VERSION import GL_1_0, GL_1_1
 
     if any(getattr(raw, name, None) is function for raw in (GL_1_0, GL_1_1)):
-        noted = make(name, function)  # always there, and without keywords: nothing in between
+        noted = make(
+            name, redirected(name, function)
+        )  # always there, and without keywords: nothing in between
         if noted is not function:
             noted.__wrapped__ = function  # type: ignore[attr-defined]
         return noted
@@ -140,7 +144,7 @@ class _Wrapper:
 
     def __init__(self, make: Make, name: str, function: Any) -> None:
         self.__wrapped__ = function
-        self._noted = make(name, function)
+        self._noted = make(name, redirected(name, function))
 
     def __call__(self, *args: Any, **named: Any) -> Any:
         return self._noted(*args, **named)
@@ -168,13 +172,22 @@ def beside(
     return both
 
 
-def load_glut() -> None:
-    """Load freeglut where PyOpenGL does not find it: Debian 12 names the file libglut.so.3.12."""
+def load_glut(checked: bool) -> bool:
+    """Bind PyOpenGL to the screen and load GLUT; return whether there is one.
+
+    On Linux it is loaded here, as PyOpenGL does not find Debian 12's libglut.so.3.12.
+    """
+    linux = sys.platform == "linux"
+    try:
+        glut = libraries.load("glut") if linux else None
+    except OSError:
+        return False
+    use_platform("glx" if linux else "native", checked)
     from OpenGL import platform
 
-    path = ctypes.util.find_library("glut")
-    if platform.PLATFORM.GLUT is None and path:
-        platform.PLATFORM.GLUT = ctypes.CDLL(path, ctypes.RTLD_GLOBAL)
+    if platform.PLATFORM.GLUT is None and glut is not None:
+        platform.PLATFORM.GLUT = ctypes.CDLL(glut._name, ctypes.RTLD_GLOBAL)
+    return platform.PLATFORM.GLUT is not None
 
 
 def library(name: str) -> ModuleType:

@@ -12,6 +12,8 @@ import ctypes
 from importlib import import_module
 from typing import Any
 
+from landscape.gl.window_framebuffer import redirected_raw
+
 VERSIONS = ("1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0")
 
 
@@ -33,6 +35,7 @@ class Raw:
             address = PLATFORM.getExtensionProcedure(name.encode())
         result, *arguments = (_plain(kind) for kind in (known.restype, *known.argtypes))
         function = PLATFORM.DEFAULT_FUNCTION_TYPE(result, *arguments)(address)
+        function = redirected_raw(name, function)
         self.__dict__[name] = function
         return function
 

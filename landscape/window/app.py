@@ -17,7 +17,7 @@ from landscape.errors import InputError, NoOpenGLError
 from landscape.files.assets import Assets
 from landscape.geometry.doors import Door
 from landscape.gl.calls import gl
-from landscape.gl.context import GLFWContext
+from landscape.gl.contexts.glfw import HEADLESS, GLFWContext
 from landscape.gl.framebuffer import read_pixels
 from landscape.gl.glfw_library import glfw
 from landscape.languages import translator
@@ -45,7 +45,7 @@ REST = 0.05  # chosen: seconds between checks of a window that is minimised or h
 class Walk:
     """A window, a scene in it, and the walker; use as ``with Walk(...) as walk``.
 
-    The backend "osmesa" needs no screen: it uses GLFW's null platform and renders into memory.
+    The backends "osmesa" and "egl" need no screen: on GLFW's null platform they render into memory.
     """
 
     def __init__(
@@ -65,7 +65,7 @@ class Walk:
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
         ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed.
         """
-        self.headless = backend == "osmesa"
+        self.headless = backend in HEADLESS
         self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
         self.place.begin_with(plan.view)
         self._places, self._door = Places(plan), ""
@@ -82,7 +82,7 @@ class Walk:
         self._panel: Panel | None = None
         self.steady = Steady(fps)
         self._context: GLFWContext | None = context or GLFWContext(
-            plan.size, "landscape", True, fullscreen, self.headless, enlarged
+            plan.size, "landscape", True, fullscreen, backend, enlarged
         )
         self.inspection = Inspection(edits, plan.language)
         self._full_screen = FullScreen(self._context.size)

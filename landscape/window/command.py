@@ -12,6 +12,7 @@ from landscape.capture.edit_files import read as read_edits
 from landscape.errors import InputError
 from landscape.files.assets import Assets, recording
 from landscape.flyover.environment import open_environment
+from landscape.gl.contexts.glfw import HEADLESS
 from landscape.languages import choose
 from landscape.scene import SEED, Scene, View, scene
 from landscape.window import words
@@ -62,10 +63,10 @@ def walk(
     doors.
     Raises InputError and NoOpenGLError.
     """
-    if backend == "egl":
-        raise InputError("--backend egl: it opens no window; expected auto, glfw or osmesa")
-    if backend == "osmesa" and frames is None and replay is None:
-        raise InputError("--backend osmesa: no window to leave by; expected --frames as well")
+    if backend == "cgl":
+        raise InputError("--backend cgl: it opens no window; expected auto, glfw or software")
+    if backend in HEADLESS and frames is None and replay is None:
+        raise InputError(f"--backend {backend}: no window to leave by; expected --frames as well")
     if path is not None and (record is not None or replay is not None):
         raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
     environment = open_environment(path) if path is not None else None

@@ -11,7 +11,7 @@ from landscape.flyover.crew import Crew, processes
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
 from landscape.gl.calls import gl
-from landscape.gl.context import GLFWContext
+from landscape.gl.contexts.glfw import GLFWContext
 from landscape.gl.framebuffer import read_pixels
 from landscape.gl.glfw_library import glfw
 from landscape.gl.screen_picture import ScreenPicture
@@ -67,7 +67,7 @@ def show(environment: Environment, settings: Settings, options: argparse.Namespa
 class Flying:
     """A window and the flight in it.
 
-    ``headless`` needs no screen: GLFW's null platform, and OSMesa renders into memory.
+    ``headless`` needs no screen: GLFW's null platform, and OSMesa or EGL renders into memory.
     """
 
     def __init__(
@@ -91,7 +91,7 @@ class Flying:
         self.crew = Crew(self.terrain, jobs)
         try:
             self.context: GLFWContext | None = GLFWContext(
-                size, "landscape", True, False, headless, enlarged
+                size, "landscape", True, False, "headless" if headless else "auto", enlarged
             )
         except BaseException:
             self.crew.close()

@@ -1,0 +1,1 @@
+"""One module for each way to a context; context.py chooses among them."""
