@@ -5,7 +5,7 @@
 # make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
 # They install what they need on the first run.
 
-SHELL := /bin/bash
+SHELL := bash
 BIN := .venv/bin
 LINT := .venv-lint/bin
 OUT ?= out
@@ -27,7 +27,8 @@ demo:
 # The tests run even if the style or the types fail; the status is that of both. Style and types are
 # checked beside the tests, and told after them. Some tests wait for a window or a process: one more
 # of them than there are processors keeps those busy.
-WORKERS := $(shell echo $$(( ($$(nproc) < 3 ? $$(nproc) : 3) + 1 )))
+PROCESSORS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
+WORKERS := $(shell echo $$(( ($(PROCESSORS) < 3 ? $(PROCESSORS) : 3) + 1 )))
 
 test:
 	@scripts/setup.sh test

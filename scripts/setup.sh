@@ -242,10 +242,14 @@ check_system() {
 # --- screen ------------------------------------------------------------------------------------
 
 can_open_window() {
-    [ -z "${CI:-}" ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || return 1
-    # Do not wait for a display that does not answer.
-    timeout 20 .venv/bin/python - >/dev/null 2>&1 <<'PYTHON'
-import sys, glfw
+    [ -z "${CI:-}" ] || return 1
+    # Only on Linux does a variable name the display.
+    [ "$(uname -s)" != Linux ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || return 1
+    .venv/bin/python - >/dev/null 2>&1 <<'PYTHON'
+import signal, sys
+
+signal.alarm(20)  # do not wait for a display that does not answer
+import glfw
 
 glfw.ERROR_REPORTING = False
 if not glfw.init():

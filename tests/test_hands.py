@@ -1,8 +1,11 @@
 """Keys and mouse: what GLFW reports, and the intents and switches made of it."""
 
+from types import SimpleNamespace
+
 import glfw
 import pytest
 
+from landscape.window import hands as hands_module
 from landscape.window.bindings import (
     BY_ACTION,
     LETTERS,
@@ -285,3 +288,31 @@ def test_turns_of_the_wheel_within_a_frame_reach_the_inspector_as_one() -> None:
     hands.wheel(0.25)
     hands.wheel(0.5)
     assert hands.inspected[1:] == [("wheel", 30.0, 40.0, 0.75)]
+
+
+@pytest.mark.parametrize(
+    ("system", "scale", "pixels", "expected"),
+    [("Windows at 150 %", 1.5, 200, 1.5), ("Retina", 2.0, 400, 1.0), ("usual", 1.0, 200, 1.0)],
+)
+def test_the_mouse_is_as_fast_on_a_fine_display_whatever_its_coordinates_are(
+    system: str, scale: float, pixels: int, expected: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = SimpleNamespace(
+        get_framebuffer_size=lambda _: (pixels, pixels),
+        get_window_size=lambda _: (200, 200),
+        get_window_content_scale=lambda _: (scale, scale),
+    )
+    monkeypatch.setattr(hands_module, "glfw", window)
+    assert hands_module.fineness(None) == expected, system
+
+
+def test_a_motion_turns_the_view_by_what_it_is_on_a_display_of_usual_resolution() -> None:
+    turned = []
+    for fine in (1.0, 1.5):
+        hands = Hands()
+        hands.fineness = fine
+        hands.capture(True)
+        hands.motion(0.0, 0.0)
+        hands.motion(30.0 * fine, -12.0 * fine)
+        turned.append(hands.take()[0].look)
+    assert turned[0] == turned[1] != (0.0, 0.0)

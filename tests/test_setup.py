@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -42,3 +43,30 @@ def test_the_linters_and_what_they_read_have_exact_versions() -> None:
     pinned = [line for line in lines if line and not line.startswith("#")]
     assert {"ruff", "mypy", "numpy", "pillow"} <= {line.split("==")[0] for line in pinned}
     assert all(re.fullmatch(r"[\w-]+==[\d.]+", line) for line in pinned), pinned
+
+
+@pytest.mark.parametrize(("system", "status"), [("Darwin", 0), ("Linux", 1)])
+def test_only_linux_needs_a_variable_that_names_the_display(
+    tmp_path: Path, system: str, status: int
+) -> None:
+    (tmp_path / "scripts").mkdir()
+    (tmp_path / "scripts" / "setup.sh").write_text(SETUP.read_text())
+    opens = tmp_path / ".venv" / "bin" / "python"
+    opens.parent.mkdir(parents=True)
+    for tool, answer in ((opens, "exit 0"), (tmp_path / "uname", f"echo {system}")):
+        tool.write_text(f"#!/bin/sh\n{answer}\n")
+        tool.chmod(0o755)
+    kept = {"PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
+    command = ["bash", str(tmp_path / "scripts" / "setup.sh"), "screen"]
+    assert subprocess.run(command, env=kept).returncode == status
+
+
+def test_the_processors_are_counted_without_the_tool_of_linux(tmp_path: Path) -> None:
+    for tool in ("bash", "make", "getconf"):
+        path = shutil.which(tool)
+        if path is None:
+            pytest.skip(f"{tool} is not installed")
+        (tmp_path / tool).symlink_to(path)
+    command = [str(tmp_path / "make"), "-n", "-C", str(ROOT), "test"]
+    done = subprocess.run(command, env={"PATH": str(tmp_path)}, capture_output=True, text=True)
+    assert re.search(r"pytest -q -n [234] ", done.stdout), done

@@ -41,8 +41,19 @@ TOOLS = {  # what a mouse button does in a scene of blocks
     glfw.MOUSE_BUTTON_RIGHT: "place",
     glfw.MOUSE_BUTTON_MIDDLE: "pick",
 }  # fmt: skip
-DRAG = 5.0  # chosen: pixels; a motion with the button down that is longer is no click
-JUMP = 200.0  # chosen: pixels; a larger motion between two reports is a pointer jump: clamped
+# Both in coordinates of a display of the usual resolution.
+DRAG = 5.0  # chosen; a motion with the button down that is longer is no click
+JUMP = 200.0  # chosen; a larger motion between two reports is a pointer jump: clamped
+
+
+def fineness(window: Any) -> float:
+    """Return how many of a window's coordinates are one of a display of the usual resolution.
+
+    On Windows and X11 coordinates are pixels, and so smaller on a fine display. On macOS and
+    Wayland they are not.
+    """
+    pixels, width = glfw.get_framebuffer_size(window)[0], glfw.get_window_size(window)[0]
+    return max(1.0, max(glfw.get_window_content_scale(window)) * width / max(pixels, 1))
 
 
 class Hands:
@@ -75,6 +86,7 @@ class Hands:
         self._dragging = False
         self._last: tuple[float, float] | None = None
         self._at = 0.0, 0.0  # where the mouse was at the last report
+        self.fineness = 1.0  # see fineness()
         self._wheel = Wheel()
 
     def listen(self, window: Any) -> None:
@@ -85,6 +97,7 @@ class Hands:
         )
         glfw.set_scroll_callback(window, lambda _, __, notches: self.wheel(notches))
         self._at = glfw.get_cursor_pos(window)
+        self.fineness = fineness(window)
         glfw.set_cursor_pos_callback(window, lambda _, x, y: self.motion(x, y))
         glfw.set_window_focus_callback(window, lambda _, on: self.focus(bool(on)))
 
@@ -187,18 +200,18 @@ class Hands:
             self._switches += ["previous_slot" if steps > 0 else "next_slot"] * abs(steps)
 
     def motion(self, x: float, y: float) -> None:
-        """Note that the mouse is at x, y in pixels; its motion turns the view."""
+        """Note that the mouse is at x, y in coordinates; its motion turns the view."""
         self._at = x, y
         if self.inspecting:
             self.inspected.append(("move", x, y, float(not self._held.isdisjoint(FINELY))))
         if self._pressed is not None and not self._dragging:
-            self._dragging = math.dist(self._pressed, (x, y)) > DRAG
+            self._dragging = math.dist(self._pressed, (x, y)) > DRAG * self.fineness
             self._last = None
         if not self.captured and not self._dragging:
             return
         if self._last is not None:
             for axis, way in enumerate((x - self._last[0], y - self._last[1])):
-                self._look[axis] += max(-JUMP, min(way, JUMP))
+                self._look[axis] += max(-JUMP, min(way / self.fineness, JUMP))
         self._last = x, y
 
     def capture(self, captured: bool) -> None:

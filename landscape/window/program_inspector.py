@@ -113,7 +113,7 @@ class ProgramInspector(ExitStack):
         self._number(tape, number)
         end = state.read()
         covered = False
-        panel = Panel("", ())
+        panel = Panel("", (), self._dpi())
         while self._listen() and self.inspection.open:
             end = self._build(tape, end)
             with unnoted():
@@ -177,7 +177,10 @@ class ProgramInspector(ExitStack):
         """Draw the panel over the picture, whatever the program's state is."""
         state.restore(self._new)
         gl.glViewport(0, 0, *size)
-        panel.draw(size, left=self.inspection.image(1.0), cross=self.inspection.cross())
+        panel.draw(size, left=self.inspection.image(panel.dpi), cross=self.inspection.cross())
+
+    def _dpi(self) -> float:
+        return float(max(self._glfw.get_window_content_scale(self._window)))
 
     # The window.
 
