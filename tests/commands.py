@@ -171,11 +171,11 @@ def _run(
 ) -> Done:
     """Run code, or `landscape ARGS`, in a copy of a process that has imported the program.
 
-    Python is started anew if its start depends on the environment.
+    Python is started anew if its start depends on the environment, and where nothing is copied.
     """
     words, usual, cwd = list(map(str, args)), environment(), cwd or Path.cwd()
     env = usual if env is None else env
-    if differ_late(usual, env):
+    if hasattr(os, "fork") and differ_late(usual, env):
         done = Done(*copies(code, words, cwd, env, SECONDS))
     else:
         command = [sys.executable, *(("-c", code) if code else ("-m", "landscape")), *words]
