@@ -111,6 +111,8 @@ class _Glut:
         """Destroy the window."""
         if self._window:
             self._run.drawing = False
+            if sys.platform == "win32":  # a redraw that waits would find no callback any more
+                self._real.glutMainLoopEvent()
             # freeglut destroys a window that is current; what was drawn to it then ends in an error
             # of the X server, which ends the process.
             library("contextdata").cleanupContext()

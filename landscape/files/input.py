@@ -1,5 +1,6 @@
 """Reading a user's files: no more than fits into memory, and never for ever."""
 
+import errno
 import os
 import stat
 import time
@@ -40,14 +41,14 @@ def _bounded(parts: Iterable[bytes], most: int, name: str) -> Iterator[bytes]:
 
 
 def check_plain(path: Path, most: int) -> None:
-    """Raise InputError unless ``path`` is a plain file of at most ``most`` bytes, or a folder.
+    """Raise InputError unless ``path`` is a plain file of at most ``most`` bytes.
 
-    For what is read more than once, which a pipe cannot be. OSError where it cannot be found; that
-    a folder is no file is left to the reader to say.
+    For what is read more than once, which a pipe cannot be. OSError where it cannot be found or is
+    a folder.
     """
     found = os.stat(path)
     if stat.S_ISDIR(found.st_mode):
-        return
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     if not stat.S_ISREG(found.st_mode):
         raise InputError(f"{path}: expected a file, found a pipe or a device")
     if found.st_size > most:
