@@ -282,6 +282,43 @@ except NoOpenGLError as error:
 
 @linux
 @pytest.mark.window
+def test_a_program_in_another_opengl_than_that_of_its_window_is_told_so(tmp_path: Path) -> None:
+    need_library("OSMesa", "GL")
+    path = tmp_path / "program.py"
+    path.write_text(
+        "import glfw\nglfw.init()\nwindow = glfw.create_window(64, 48, '', None, None)\n"
+        "glfw.make_context_current(window)\n"
+    )
+    code = """
+from landscape.capture import program_context
+from landscape.cli import main
+from landscape.gl import binding
+program_context.use_platform = lambda name, checked: binding.use_platform("glx", checked)
+sys.exit(main(sys.argv[1:]))
+"""
+    done = python(BEGIN + code, "trace", str(path), "--backend", "osmesa")
+    assert done.status == 2 and done.err.count("\n") == 1
+    assert "its context has no OpenGL" in done.err and "two OpenGL libraries" in done.err
+
+
+@linux
+@pytest.mark.window
+def test_a_missing_glut_is_told_with_the_file_that_it_is_on_this_system(tmp_path: Path) -> None:
+    code = """
+from landscape.capture import program_glut
+from landscape.cli import main
+program_glut.display.problem = lambda kind, environment: ""
+without("glut")
+sys.exit(main(sys.argv[1:]))
+"""
+    done = python(BEGIN + code, "trace", str(TESTS / "programs" / "windmill.py"))
+    assert done.status == 2 and done.err.count("\n") == 1
+    assert f"needs GLUT: {advice.install('glut')}" in done.err
+    assert "freeglut64.vc14.dll" in advice.install("glut", on="windows")
+
+
+@linux
+@pytest.mark.window
 def test_the_walk_needs_no_screen_where_egl_draws(tmp_path: Path) -> None:
     need_library("EGL")
     words = ["walk", "fig35a", "--size", "64x48", "--only", "sky", "--backend", "egl"]

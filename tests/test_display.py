@@ -84,7 +84,9 @@ def test_a_missing_library_is_named_by_its_package(
 ) -> None:
     needed = {"libnone.so.0": "libnone0", "libc.so.6": "libc6"}
     monkeypatch.setitem(display.LIBRARIES, "wayland", needed)
-    assert "needs the packages libnone0 (" in problem("wayland", compositor)
+    for system, wanted in (("debian", "the packages libnone0 ("), ("fedora", "libnone.so.0")):
+        monkeypatch.setattr(display.advice, "system", lambda system=system: system)
+        assert f"needs {wanted}" in problem("wayland", compositor)
 
 
 def test_the_walk_opens_a_window_on_x_in_a_session_said_to_be_wayland(

@@ -33,6 +33,7 @@ from landscape.capture.program_source import ProgramError, Source, read_source
 from landscape.capture.watchdog import Watchdog
 from landscape.errors import InputError, NoOpenGLError
 from landscape.gl.calls import Site, gl, unrecorded, use_lists
+from landscape.gl.contexts.glfw import no_context
 from landscape.gl.contexts.software import check_renderer
 from landscape.gl.extensions import profile_mask
 from landscape.gl.foreign import Make, beside, patched
@@ -173,7 +174,7 @@ class Run:
         window.early = self._early
         use_lists({})
         if gl.glGetString(gl.GL_VERSION) is None:
-            raise self.refuse("its context has no OpenGL")
+            raise self.refuse(f"its context has no OpenGL, or {no_context()}")
         if self.backend == "software":
             check_renderer()
         if window.hidden and WindowFramebuffer.possible():
@@ -195,8 +196,7 @@ class Run:
     def closed(self) -> None:
         """Note that the window is about to be closed."""
         self.drawing = False
-        if self.framebuffer is not None:
-            self.framebuffer.release()
+        WindowFramebuffer.leave()
 
     def called_early(self, name: str, site: Site) -> None:
         """Note that the program calls OpenGL before it has a context."""

@@ -111,8 +111,7 @@ class _Glut:
         """Destroy the window."""
         if self._window:
             self._run.drawing = False
-            if sys.platform == "win32":  # a redraw that waits would find no callback any more
-                self._real.glutMainLoopEvent()
+            self._turn()  # a redraw that still waits would find no callback
             # freeglut destroys a window that is current; what was drawn to it then ends in an error
             # of the X server, which ends the process.
             library("contextdata").cleanupContext()

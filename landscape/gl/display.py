@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape.errors import NoOpenGLError
+from landscape.gl import advice
 
 # What GLFW loads at run time, without which it opens no window there, and the packages of Debian
 # and Ubuntu that have it.
@@ -42,10 +43,12 @@ def problem(kind: str, environment: Mapping[str, str]) -> str:
             return "XDG_RUNTIME_DIR, where Wayland has its socket, is not set"
         if not _reaches(path):
             return f"no Wayland compositor at {path}"
-    missing = [package for name, package in LIBRARIES[kind].items() if not _loads(name)]
+    missing = {name: package for name, package in LIBRARIES[kind].items() if not _loads(name)}
     if missing:
         display = "DISPLAY" if kind == "x11" else "the Wayland compositor"
-        return f"{display} needs the packages {', '.join(missing)} (Debian, Ubuntu)"
+        if advice.system() == "debian":
+            return f"{display} needs the packages {', '.join(missing.values())} (Debian, Ubuntu)"
+        return f"{display} needs {', '.join(missing)}"
     if kind == "x11" and not _x_answers(environment["DISPLAY"]):
         return f"no X server at DISPLAY={environment['DISPLAY']}"
     return ""

@@ -80,8 +80,9 @@ class WindowFramebuffer:
             self._raw.glRenderbufferStorage(RENDERBUFFER, kind, *size)
         self._raw.glBindRenderbuffer(RENDERBUFFER, 0)
 
-    def release(self) -> None:
-        """Stand for framebuffer 0 no longer; the objects go with the context."""
+    @staticmethod
+    def leave() -> None:
+        """Have none stand for framebuffer 0; the objects go with the context."""
         WindowFramebuffer.current = None
 
     def bound(self, buffer: int) -> bool:

@@ -76,7 +76,7 @@ def report(found: dict[str, Any]) -> str:
             lines.append(f"{name:8} ok   {state['renderer']}, OpenGL {state['version']}")
         else:
             lines.append(f"{name:8} no   {state['reason']}")
-    lines.append(f"`auto` takes {found['chosen'] or 'none: install one of the packages above'}")
+    lines.append(f"`auto` takes {found['chosen'] or 'none: each line above says what is missing'}")
     if found["cache"]["reason"]:
         lines.append(f"nothing is cached, so each start is slow: {found['cache']['reason']}")
     else:

@@ -37,13 +37,18 @@ def check_library() -> None:
     system's.
     """
     if raw.glGetString(VERSION) is None:
-        from OpenGL.platform import PLATFORM
+        raise NoOpenGLError(no_context())
 
-        name = getattr(PLATFORM.GL, "_name", None) or "the OpenGL library of PyOpenGL"
-        raise NoOpenGLError(
-            f"{name} has no context where GLFW has opened one: there are two OpenGL libraries; "
-            "take the folder of this one out of PATH"
-        )
+
+def no_context() -> str:
+    """Return why PyOpenGL sees no context where one was made current, and what to do."""
+    from OpenGL.platform import PLATFORM
+
+    name = getattr(PLATFORM.GL, "_name", None) or "the OpenGL library of PyOpenGL"
+    return (
+        f"{name} has no context where one is open: there are two OpenGL libraries; take the folder "
+        "of this one out of PATH"
+    )
 
 
 class GLFWContext:
