@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
@@ -20,11 +21,12 @@ WORKFLOW = (ROOT / ".github" / "workflows" / "desks.yml").read_text(encoding="ut
 
 
 @pytest.fixture
-def smoke(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(ROOT / "scripts" / "desks")
-    import smoke
-
-    return smoke
+def smoke() -> ModuleType:
+    spec = spec_from_file_location("smoke", ROOT / "scripts" / "desks" / "smoke.py")
+    assert spec and spec.loader
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def fill(folder: Path, smoke: ModuleType, level: int = 100) -> Path:

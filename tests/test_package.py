@@ -21,7 +21,11 @@ def targets(text: str) -> list[str]:
 
 def test_the_readme_of_the_package_refers_to_no_file_beside_it() -> None:
     assert [target for target in targets(README) if not ABSOLUTE.match(target)] == []
-    assert [each for each in targets((ROOT / "README.md").read_text()) if not ABSOLUTE.match(each)]
+    assert [
+        each
+        for each in targets((ROOT / "README.md").read_text(encoding="utf-8"))
+        if not ABSOLUTE.match(each)
+    ]
 
 
 def test_the_readme_of_the_package_names_extras_that_exist() -> None:
