@@ -76,6 +76,7 @@ class Watchdog:
             signal.setitimer(signal.ITIMER_REAL, 0)
         elif self._timer is not None:
             self._timer.cancel()
+            self._timer.join()  # a thread that still runs would seem to be one of the program's
 
     def _alarm(self, number: int, frame: FrameType | None) -> None:
         if self._watching:
