@@ -207,7 +207,8 @@ have_window_library() {
 }
 
 has_library() {
-    .venv/bin/python -c 'import ctypes.util, sys; sys.exit(not ctypes.util.find_library(sys.argv[1]))' "$1"
+    .venv/bin/python -c 'import sys; from landscape.gl.libraries import load; load(sys.argv[1])' "$1" \
+        2>/dev/null
 }
 
 # Install missing system packages. OpenGL is required. The library for windows and Xvfb are optional:

@@ -5,7 +5,6 @@ context opened there cannot disturb the context of the tests.
 """
 
 import contextlib
-import ctypes.util
 import json
 import os
 import re
@@ -23,6 +22,7 @@ from copies import copies, differ_late
 from PIL import Image
 
 from landscape.files.assets import shipped
+from landscape.gl.libraries import load
 
 TESTS = Path(__file__).resolve().parent
 SECONDS = 300  # timeout of a command; the machine may be busy
@@ -213,8 +213,17 @@ REMOVED = {"OSMesa": ": Mesa removed it in version 25.1"}
 def need_library(*names: str) -> None:
     """Skip the test if a system library is not installed."""
     for name in names:
-        if ctypes.util.find_library(name) is None:
+        if not has_library(name):
             pytest.skip(f"lib{name} is not installed{REMOVED.get(name, '')}")
+
+
+def has_library(name: str) -> bool:
+    """Return whether a system library is installed."""
+    try:
+        load(name)
+    except OSError:
+        return False
+    return True
 
 
 def bound_by_rights() -> list[str]:

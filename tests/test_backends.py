@@ -3,7 +3,6 @@
 PyOpenGL binds to one platform per process, so each backend is tested in its own process.
 """
 
-import ctypes.util
 import json
 import os
 import shutil
@@ -13,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from commands import TESTS, end, environment, landscape, need_library, python
+from commands import TESTS, end, environment, has_library, landscape, need_library, python
 
 from landscape.gl import advice, libraries
 
@@ -107,7 +106,7 @@ def screen() -> Iterator[dict[str, str]]:
 @pytest.fixture(scope="module")
 def reference() -> dict[str, str]:
     """The result of OSMesa, or of EGL if OSMesa is not installed."""
-    backend = "osmesa" if ctypes.util.find_library("OSMesa") else "egl"
+    backend = "osmesa" if has_library("OSMesa") else "egl"
     done = python(DRAW, backend)
     assert done.status == 0, done.err
     found: dict[str, str] = json.loads(done.out)
