@@ -3,6 +3,7 @@
 PyOpenGL binds to one platform per process, so each case has a process of its own.
 """
 
+import os
 import sys
 import threading
 from pathlib import Path
@@ -66,7 +67,8 @@ import ctypes.util
 assert ctypes.util.find_library("Elsewhere") is None
 print(bool(libraries.load("Elsewhere").glClear))
 """
-    assert told(code, environment(LD_LIBRARY_PATH=str(tmp_path))) == "True"
+    folders = [str(tmp_path), *os.environ.get("LD_LIBRARY_PATH", "").split(":")]
+    assert told(code, environment(LD_LIBRARY_PATH=":".join(filter(None, folders)))) == "True"
 
 
 @linux
