@@ -33,26 +33,43 @@ def installed(monkeypatch: pytest.MonkeyPatch) -> dict[str, Installed]:
 
 
 def test_pip_is_told_the_distribution_and_the_extra(installed: dict[str, Installed]) -> None:
-    assert how_to_add("film", "av") == 'pip install "landscape-gl[film]"'
+    assert how_to_add("av", extra="film") == 'pip install "landscape-gl[film]"'
+
+
+def test_pip_installs_what_no_extra_stands_for_by_its_name(installed: dict[str, Installed]) -> None:
+    installed["landscape-gl"].origin = {"url": ROOT.as_uri(), "dir_info": {"editable": True}}
+    assert how_to_add("pygame") == "pip install pygame"
 
 
 def test_in_a_checkout_the_checkout_is_installed_again(installed: dict[str, Installed]) -> None:
     installed["landscape-gl"].origin = {"url": ROOT.as_uri(), "dir_info": {"editable": True}}
-    assert how_to_add("film", "av") == f'pip install -e "{ROOT}[film]"'
+    assert how_to_add("av", extra="film") == f'pip install -e "{ROOT}[film]"'
 
 
 def test_a_wheel_from_a_file_is_no_checkout(installed: dict[str, Installed]) -> None:
     installed["landscape-gl"].origin = {"url": "file:///downloads/a.whl", "archive_info": {}}
-    assert how_to_add("film", "av") == 'pip install "landscape-gl[film]"'
+    assert how_to_add("av", extra="film") == 'pip install "landscape-gl[film]"'
 
 
 @pytest.mark.parametrize(
     ("folder", "mark", "command"),
     [
-        ("pipx/venvs/landscape-gl", "pipx_metadata.json", "pipx inject landscape-gl av"),
-        ("pipx/.cache/013", "pipx_metadata.json", 'pipx run --spec "landscape-gl[film]" landscape'),
-        ("tools/landscape-gl", "uv-receipt.toml", 'uv tool install "landscape-gl[film]"'),
-        ("uv/archive-v0/LlS", "pyvenv.cfg", 'uvx --from "landscape-gl[film]" landscape'),
+        ("pipx/venvs/landscape-gl", "pipx_metadata.json", "pipx inject landscape-gl av pip"),
+        (
+            "pipx/.cache/013",
+            "pipx_metadata.json",
+            "pipx run --with av --with pip --spec landscape-gl landscape",
+        ),
+        (
+            "tools/landscape-gl",
+            "uv-receipt.toml",
+            "uv tool install --with av --with pip landscape-gl",
+        ),
+        (
+            "uv/archive-v0/LlS",
+            "pyvenv.cfg",
+            "uvx --with av --with pip --from landscape-gl landscape",
+        ),
     ],
 )
 def test_pipx_and_uv_have_commands_of_their_own(
@@ -67,7 +84,7 @@ def test_pipx_and_uv_have_commands_of_their_own(
     here.mkdir(parents=True)
     (here / mark).touch()
     monkeypatch.setattr(sys, "prefix", str(here))
-    assert how_to_add("film", "av") == command
+    assert how_to_add("av", "pip") == how_to_add("av", "pip", extra="film") == command
 
 
 def test_another_distribution_of_the_packages_name_is_told_by_doctor(

@@ -5,6 +5,7 @@ import tomllib
 from pathlib import Path
 
 from landscape import __version__
+from landscape.studio.build import NEEDED
 
 ROOT = Path(__file__).parents[1]
 BUILD = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -31,6 +32,11 @@ def test_the_readme_of_the_package_refers_to_no_file_beside_it() -> None:
 def test_the_readme_of_the_package_names_extras_that_exist() -> None:
     named = set(re.findall(r"landscape-gl\[(\w+)\]", README))
     assert named and named <= set(PROJECT["optional-dependencies"])
+
+
+def test_the_studio_names_the_packages_of_its_extra() -> None:
+    studio = PROJECT["optional-dependencies"]["studio"]
+    assert [re.split("[>=]", each)[0] for each in studio] == list(NEEDED)
 
 
 def test_extras_refer_to_the_distribution_by_its_name() -> None:

@@ -13,6 +13,7 @@ from typing import Any
 
 from landscape.errors import InputError
 from landscape.files.input import read_bounded
+from landscape.files.installation import how_to_add
 
 # In this order: GLUT may only draw its shapes and letters. What makes a context current in each.
 TOOLKITS = {
@@ -149,4 +150,4 @@ def _beside(folder: Path, parts: list[str]) -> list[Path]:
 def need_package(name: str, path: Path) -> None:
     """Raise ProgramError if the Python package of a toolkit is not installed."""
     if importlib.util.find_spec(name) is None:
-        raise ProgramError(f"{path}: needs the Python package {name}: pip install {name}")
+        raise ProgramError(f"{path}: needs the Python package {name}: {how_to_add(name)}")

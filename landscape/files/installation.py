@@ -12,23 +12,25 @@ NAME = "landscape-gl"
 STRANGER = "landscape"  # somebody else's distribution, with a package and a command of this name
 
 
-def how_to_add(extra: str, package: str) -> str:
-    """Return the command that installs an extra; ``package`` is what the extra stands for.
+def how_to_add(*packages: str, extra: str = "") -> str:
+    """Return the command that installs packages beside the program; ``extra`` stands for them all.
 
-    It is one of pipx or uv in their environments; in a checkout, it installs that again.
+    It is one of pipx or uv in their environments; in a checkout, an extra installs that again.
     """
     here = Path(sys.prefix)
-    wanted = f'"{NAME}[{extra}]"'
+    added = "".join(f"--with {package} " for package in packages)
     if (here / "pipx_metadata.json").is_file():
         if here.parent.name == "venvs":
-            return f"pipx inject {here.name} {package}"
-        return f"pipx run --spec {wanted} landscape"
+            return " ".join(("pipx inject", here.name, *packages))
+        return f"pipx run {added}--spec {NAME} landscape"
     if (here / "uv-receipt.toml").is_file():
-        return f"uv tool install {wanted}"
+        return f"uv tool install {added}{NAME}"
     if "archive-v0" in here.parts:  # a folder of uv's cache: uvx
-        return f"uvx --from {wanted} landscape"
+        return f"uvx {added}--from {NAME} landscape"
+    if not extra:
+        return " ".join(("pip install", *packages))
     checkout = _editable()
-    return f'pip install -e "{checkout}[{extra}]"' if checkout else f"pip install {wanted}"
+    return f'pip install -e "{checkout}[{extra}]"' if checkout else f'pip install "{NAME}[{extra}]"'
 
 
 def conflict() -> str:

@@ -72,7 +72,7 @@ def _av(out: Path) -> ModuleType:
     try:
         import av
     except ImportError:
-        add = how_to_add("film", "av")
+        add = how_to_add("av", extra="film")
         raise InputError(
             f"--out {out}: {out.suffix} needs PyAV: run `{add}`, or name a file .gif"
         ) from None

@@ -37,6 +37,7 @@ INDIVIDUALS = (
     "stag_walking", "doe", "doe_grazing",
 )  # fmt: skip
 
+NEEDED = ("scipy", "numba", "scikit-image", "fast-simplification")  # the extra `studio`
 PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte
 # Number of palette colours for textures of nearly one hue. The loss is not visible, and the file
 # is two thirds smaller.
@@ -173,7 +174,7 @@ def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> 
     try:
         makers = table()
     except ImportError as error:
-        add = how_to_add("studio", "scipy numba scikit-image fast-simplification")
+        add = how_to_add(*NEEDED, extra="studio")
         raise InputError(f"assets build: {error}; run `{add}`") from None
     selected = list(dict.fromkeys(names)) or list(makers)
     for name in selected:
