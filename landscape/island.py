@@ -35,6 +35,7 @@ from landscape.elements.map import Map
 from landscape.elements.planting import trunks
 from landscape.elements.reflection import mirrored
 from landscape.elements.sky_box import SkyBox
+from landscape.elements.support import supported
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
@@ -119,13 +120,12 @@ class Island:
         only: tuple[str, ...] = ELEMENTS,
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
-        self.settings = settings
-        self.shown = set(only)
+        self.settings, self.shown = supported(settings), set(only)
         self._only, self._assets, self._seed = frozenset(only), assets, seed
         self._kinds = tuple(name for name in SPRITES if name in only)
         self._owned: list[Any] = []
         try:
-            self._build(settings)
+            self._build(self.settings)
         except BaseException:
             self.release()
             raise
@@ -216,10 +216,10 @@ class Island:
         Return False, changing nothing, if the ground must be built again, on which all of them
         stand. InputError as when the island is opened.
         """
+        settings = supported(settings)
         same_ground = ground_class(settings) is type(self.ground)
-        if not same_ground or cast_from(settings) != cast_from(self.settings):
-            return False
-        if not self.ground.apply(settings):
+        other_light = cast_from(settings) != cast_from(self.settings)
+        if not same_ground or other_light or not self.ground.apply(settings):
             return False
         taken, built = [self.ground], {}
         begin_pass("setup")

@@ -19,7 +19,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.digging import Diggable, read_world
 from landscape.gl.calls import Edits, edited, gl, recording, unnoted
-from landscape.gl.framebuffer import Framebuffer
+from landscape.gl.framebuffer import Target, still_target
 from landscape.gl.ownership import OwnedContext
 from landscape.scene import (
     SCENES,
@@ -72,7 +72,7 @@ class Offscreen:
         world: str | os.PathLike[str] | None = None,
     ) -> None:
         self._owned: OwnedContext | None = None
-        self._target: Framebuffer | None = None
+        self._target: Target | None = None
         self.scene: OpenScene | None = None
         self.notices: list[str] = []
         self._built_for: Any = None
@@ -93,7 +93,7 @@ class Offscreen:
         self._owned = OwnedContext(self, backend)
         try:
             with self._current():
-                self._target = Framebuffer(self.size, samples)
+                self._target = still_target(self._owned.context, self.size, samples)
         except BaseException:
             self.close()
             raise

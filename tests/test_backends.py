@@ -305,7 +305,9 @@ def test_doctor_json_has_the_documented_fields() -> None:
     assert tuple(found["backends"]) == BACKENDS
     for state in found["backends"].values():
         if state["ok"]:
-            assert set(state) == {"ok", "renderer", "version"}
+            assert set(state) == {"ok", "renderer", "version", "units", "widest_line", "off"}
+            assert state["units"] >= 1 and state["widest_line"] >= 1.0
+            assert all(names and why for why, names in state["off"].items())
             assert all(
                 isinstance(state[key], str) and state[key] for key in ("renderer", "version")
             )
@@ -329,7 +331,7 @@ def test_doctor_finds_the_glfw_backend_if_there_is_a_display(screen: dict[str, s
 def test_doctor_prints_one_line_per_backend() -> None:
     done = landscape("doctor")
     assert done.status == 0 and done.err == ""
-    lines = done.out.splitlines()
+    lines = [line for line in done.out.splitlines() if not line.startswith(" ")]
     assert [line.split()[0] for line in lines[:3]] == list(BACKENDS)
     assert lines[3].startswith("`auto` takes ")
 

@@ -4,12 +4,11 @@ import numpy as np
 import pytest
 from stage import Stage
 
-from landscape.elements.best.terrain import bed_light
 from landscape.elements.best.terrain.bed_light import DEEPEST, fade_picture, strength, under_net
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.mesh import Mesh, grid_triangles, vertex_normals
-from landscape.gl.calls import gl
+from landscape.gl import extensions
 from landscape.island import Island
 from landscape.keys import with_settings
 from landscape.scene import Moment
@@ -65,11 +64,11 @@ def test_with_too_few_texture_units_the_bed_is_drawn_without_the_net(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     plain, _ = ground(stage, False)
-    monkeypatch.setattr(bed_light, "UNITS", 99)
+    monkeypatch.setattr(extensions, "texture_units", lambda: 6)
+    monkeypatch.setattr(extensions, "_told", set())
     without, _ = ground(stage, True)
     assert (without == plain).all()
-    found = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS))
-    line = f"landscape: water.caustics: off, for it needs 99 texture units of {found}\n"
+    line = "landscape: water.caustics: off, for it needs 7 texture units of 6\n"
     assert capsys.readouterr().err == line
 
 

@@ -9,7 +9,7 @@ from gl_state import changes, snapshot
 from stage import SIZE, Stage, live_names
 from state_calls import Fresh
 
-from landscape.effects import caustics, plan
+from landscape.effects import plan
 from landscape.effects.caustics import generate, planes
 from landscape.effects.hall import SCENE, Hall
 from landscape.effects.pool import INDEX, left_of_light, mirrored_share, steepness
@@ -17,6 +17,7 @@ from landscape.effects.reflected_light import lit_meshes, thrown
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.gl import extensions
 from landscape.gl.calls import gl
 from landscape.gl.texture import Texture
 from landscape.keys import with_settings
@@ -190,7 +191,8 @@ def test_water_mirrors_two_hundredths_from_above_and_all_along_its_surface() -> 
 def test_with_too_few_texture_units_the_pool_is_drawn_without_caustics(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(caustics, "FIRST_FREE", 98)
+    monkeypatch.setattr(extensions, "texture_units", lambda: 1)
+    monkeypatch.setattr(extensions, "_told", set())
     for passes in ("two", "one"):
         settings = with_settings(SCENE.settings, {"caustics.passes": passes})
         hall = Hall(settings, Assets(), 0, ("room", "caustics"))
@@ -202,7 +204,7 @@ def test_with_too_few_texture_units_the_pool_is_drawn_without_caustics(
                 pictures.append(stage.read())
         hall.release()
         assert (pictures[0] == pictures[1]).all()
-    assert capsys.readouterr().err.count("landscape: caustics: off, for it needs 100 texture") == 1
+    assert capsys.readouterr().err.count("landscape: caustics: off, for it needs 2 texture") == 1
 
 
 @pytest.mark.parametrize(

@@ -1,10 +1,8 @@
-"""Each thing that an effect of the hall needs of OpenGL, hidden: a line says so, and all else is
-drawn as before.
+"""The hall without a stencil buffer: a line says what is off, and all else is drawn as before.
+
+What other drivers lack is in test_drivers.py.
 """
 
-import importlib
-import pkgutil
-import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -13,34 +11,13 @@ import pytest
 from hall_pictures import SIZE, HallPictures
 from stage import Stage
 
-import landscape.effects
 from landscape.effects import hall
-from landscape.effects.mirror import UNIT
-from landscape.errors import NoOpenGLError
 from landscape.frame import Pose
 from landscape.gl import extensions
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need
 
 # Nave with pool and statue; the exhibits of motion blur and of shadow volume from nearby.
 PLACES = ("hall", Pose(1.2, 0.15, 1.52, 270.0, 0.0), Pose(1.2, 0.15, 2.32, 270.0, 0.0))
-# Without these an effect is drawn in another way, and the picture is the same.
-REPLACED = {Need((1, 4), ("GL_EXT_stencil_wrap",))}
-
-
-def needs() -> set[Need]:
-    """Return all needs that a module of landscape/effects holds, by itself or in a tuple."""
-    found: set[Need] = set()
-    prefix = f"{landscape.effects.__name__}."
-    for module in pkgutil.walk_packages(landscape.effects.__path__, prefix):
-        for value in vars(importlib.import_module(module.name)).values():
-            each = [value] if isinstance(value, Need) else value
-            if isinstance(each, (tuple, list)):
-                found |= {need for need in each if isinstance(need, Need)}
-    return found
-
-
-NEEDS = sorted(needs(), key=lambda need: need.text)
 
 
 @pytest.fixture(scope="module")
@@ -61,13 +38,6 @@ def anew(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Iterator[Draw]:
     pictures.release()
 
 
-def hide(need: Need, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let OpenGL be older than the need's version, with all extensions but the need's."""
-    every = extensions.extensions()
-    monkeypatch.setattr(extensions, "version", lambda: (1, 1))
-    monkeypatch.setattr(extensions, "extensions", lambda: every - set(need.extensions))
-
-
 def assert_as_good(found: list[np.ndarray], whole: list[np.ndarray]) -> None:
     """Assert that pictures are neither black nor broken: much as they are with every effect."""
     for one, other in zip(found, whole, strict=True):
@@ -81,62 +51,6 @@ def assert_as_good(found: list[np.ndarray], whole: list[np.ndarray]) -> None:
 
 def told(capfd: pytest.CaptureFixture[str]) -> list[str]:
     return capfd.readouterr().err.splitlines()
-
-
-def test_every_need_is_found() -> None:
-    assert len(NEEDS) >= 7 and set(hall.NEEDS) <= set(NEEDS) and set(NEEDS) >= REPLACED
-
-
-@pytest.mark.parametrize("need", NEEDS, ids=lambda need: need.text)
-def test_without_what_an_effect_needs_a_line_says_so_and_the_rest_is_drawn(
-    need: Need,
-    whole: list[np.ndarray],
-    anew: Draw,
-    monkeypatch: pytest.MonkeyPatch,
-    capfd: pytest.CaptureFixture[str],
-) -> None:
-    hide(need, monkeypatch)
-    if need in hall.NEEDS:
-        with pytest.raises(NoOpenGLError, match=f"great hall .* has no {re.escape(need.text)}$"):
-            anew()
-        return
-    found = anew()
-    assert_as_good(found, whole)
-    lines = told(capfd)
-    if need in REPLACED:
-        assert lines == []
-        for one, other in zip(found, whole, strict=True):
-            np.testing.assert_array_equal(one, other)
-        return
-    assert lines and len(set(lines)) == len(lines)
-    for line in lines:
-        ends = f": off, for this OpenGL has no {need.text}"
-        assert line.startswith("landscape: ") and line.endswith(ends)
-
-
-@pytest.mark.parametrize("units", [2, 3])
-def test_with_few_texture_units_what_needs_more_is_off(
-    units: int,
-    whole: list[np.ndarray],
-    anew: Draw,
-    monkeypatch: pytest.MonkeyPatch,
-    capfd: pytest.CaptureFixture[str],
-) -> None:
-    monkeypatch.setattr(extensions, "texture_units", lambda: units)
-    assert_as_good(anew(), whole)
-    lines = told(capfd)
-    assert f"landscape: mirror.fresnel: off, for it needs {UNIT + 1} texture units of {units}" in (
-        lines
-    )
-    assert all(f" texture units of {units}" in line for line in lines)
-
-
-def test_with_one_texture_unit_one_line_says_that_there_is_no_hall(
-    anew: Draw, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(hall, "texture_units", lambda: 1)
-    with pytest.raises(NoOpenGLError, match="needs 2 texture units of 1"):
-        anew()
 
 
 @pytest.fixture

@@ -1,22 +1,18 @@
 """The voxel island where OpenGL lacks a piece, in odd sizes and places, and the state it leaves."""
 
-import importlib
 import itertools
-import pkgutil
 from typing import Any
 
 import numpy as np
 import pytest
+from drivers import KNOWN
 from gl_state import changes, snapshot
 from stage import Stage
 
-import landscape.voxel
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl import extensions
-from landscape.gl.calls import gl, recording
-from landscape.gl.extensions import Need
 from landscape.keys import with_settings
 from landscape.render import Offscreen
 from landscape.scene import Moment
@@ -33,43 +29,10 @@ SEEN = ("land", "sky", "water")
 POSE = Pose(2.0, 1.5, 6.5, 35.0, -10.0)  # sea, land and sky
 
 
-def found_needs() -> list[Need]:
-    """Return all that the modules of the voxel island say they need."""
-    found = {}
-    for each in pkgutil.iter_modules(landscape.voxel.__path__, "landscape.voxel."):
-        for value in vars(importlib.import_module(each.name)).values():
-            parts = value if isinstance(value, tuple) and not isinstance(value, Need) else (value,)
-            found |= {need: None for need in parts if isinstance(need, Need)}
-    return list(found)
-
-
-# By the first extension of a need: functions and enums that must not be used without it.
-BELONGS_TO = {
-    "GL_ARB_multitexture": ("glActiveTexture", "glClientActiveTexture"),
-    "GL_ARB_texture_env_combine": ("GL_COMBINE", "GL_COMBINE_RGB"),
-    "GL_ARB_texture_env_crossbar": ("GL_TEXTURE0 in glTexEnvi", "GL_TEXTURE1 in glTexEnvi",
-                                    "GL_TEXTURE2 in glTexEnvi", "GL_TEXTURE3 in glTexEnvi"),
-    "GL_ARB_texture_env_dot3": ("GL_DOT3_RGB", "GL_DOT3_RGBA"),
-    "GL_ARB_texture_cube_map": ("GL_TEXTURE_CUBE_MAP",),
-    "GL_ARB_framebuffer_object": ("glGenFramebuffers", "glFramebufferTexture2D"),
-    "GL_EXT_packed_depth_stencil": ("GL_DEPTH24_STENCIL8",),
-    "GL_ARB_texture_non_power_of_two": (),  # sizes, not calls
-    "GL_ARB_depth_texture": ("GL_DEPTH_TEXTURE_MODE", "GL_DEPTH_COMPONENT24"),
-    "GL_ARB_shadow": ("GL_TEXTURE_COMPARE_MODE",),
-    "GL_ARB_texture_border_clamp": ("GL_CLAMP_TO_BORDER",),
-    "GL_ARB_vertex_buffer_object": ("glGenBuffers", "glBindBuffer", "glBufferData"),
-    "GL_EXT_multi_draw_arrays": ("glMultiDrawArrays",),
-    "GL_EXT_fog_coord": ("glFogCoordPointer", "GL_FOG_COORD_SRC", "GL_FOG_COORD_ARRAY"),
-}  # fmt: skip
-# Without these the picture is the same.
-SILENT = {"GL_ARB_vertex_buffer_object", "GL_EXT_multi_draw_arrays"}
-
-
 def hide(monkeypatch: pytest.MonkeyPatch, *hidden: str, units: int = 8) -> None:
     """Let OpenGL seem to be 1.1 with all extensions but those hidden, and with fewer units."""
-    every = {name for need in found_needs() for name in need.extensions} | {"GL_NV_fog_distance"}
     monkeypatch.setattr(extensions, "version", lambda: (1, 1))
-    monkeypatch.setattr(extensions, "extensions", lambda: frozenset(every - set(hidden)))
+    monkeypatch.setattr(extensions, "extensions", lambda: KNOWN - set(hidden))
     if "GL_ARB_multitexture" not in hidden:
         monkeypatch.setattr(extensions, "texture_units", lambda: units)
     monkeypatch.setattr(extensions, "_told", set())
@@ -86,82 +49,6 @@ def picture(stage: Stage, pose: Pose = POSE, **given: Any) -> np.ndarray:
         return stage.read()
     finally:
         scene.release()
-
-
-@pytest.fixture(scope="module")
-def whole(the_stage: Stage) -> np.ndarray:
-    """What is seen where nothing is missing."""
-    the_stage.enter()
-    return picture(the_stage)
-
-
-def is_sound(picture: np.ndarray, whole: np.ndarray) -> bool:
-    """Return whether a picture is much like the whole one, and no darker."""
-    black, white = ((picture.max(axis=2) < 12).mean(), (picture.min(axis=2) > 250).mean())
-    return bool(black < 0.01 and white < 0.05 and np.abs(picture - whole).mean() < 30)
-
-
-def calls_of(recorder: Any) -> set[str]:
-    """Return the names of recorded functions, of their enums, and of both together."""
-    names = {name for each in BELONGS_TO.values() for name in each}
-    enums = {int(getattr(gl, name)): name for text in names for name in [text.split()[0]]
-             if name.startswith("GL_")}  # fmt: skip
-    found = set()
-    for call in recorder.calls:
-        found.add(call.name)
-        for value in call.args:
-            if isinstance(value, int) and value in enums:
-                found |= {enums[value], f"{enums[value]} in {call.name}"}
-    return found
-
-
-@pytest.mark.parametrize("need", found_needs(), ids=lambda need: need.extensions[0])
-def test_without_a_piece_of_opengl_an_effect_is_off_with_one_line_and_the_picture_whole(
-    stage: Stage,
-    need: Need,
-    whole: np.ndarray,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    hide(monkeypatch, *need.extensions)
-    with recording() as recorder:
-        found = picture(stage)
-    told = capsys.readouterr().err.splitlines()
-    if SILENT.isdisjoint(need.extensions):
-        assert told and all(line.startswith("landscape: ") for line in told)
-        assert all(line.endswith(f": off, for this OpenGL has no {need.text}") for line in told)
-        assert len(set(told)) == len(told)
-    else:
-        assert not told and (found == whole).all()
-    assert is_sound(found, whole)
-    assert not calls_of(recorder) & set(BELONGS_TO[need.extensions[0]])
-
-
-@pytest.mark.parametrize("units", [1, 2, 3])
-def test_with_few_texture_units_the_water_and_the_land_do_with_less(
-    stage: Stage,
-    whole: np.ndarray,
-    units: int,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    hide(monkeypatch, units=units)
-    with recording() as recorder:
-        found = picture(stage)
-    told = capsys.readouterr().err.splitlines()
-    off = [line.split(": ")[1] for line in told if line.endswith(f"texture units of {units}")]
-    assert (
-        off
-        == {
-            1: ["shadow", "water.reflection, water.refraction"],
-            2: ["shadow", "water.fresnel", "water.sparkle"],
-            3: ["water.sparkle"],
-        }[units]
-    )
-    assert len(off) == len(told)
-    assert is_sound(found, whole)
-    active = [int(call.args[0]) for call in recorder.calls if call.name == "glActiveTexture"]
-    assert max(active, default=int(gl.GL_TEXTURE0)) < int(gl.GL_TEXTURE0) + units
 
 
 @pytest.mark.parametrize("kept", [True, False])

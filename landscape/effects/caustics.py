@@ -39,13 +39,9 @@ from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.extensions import Need, enough_units, first_missing, tell_off
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, combine, front_faces, matrix
 
-NEEDS = (
-    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
-    Need((1, 4), ("GL_ARB_texture_env_crossbar",)),
-)
 FIRST_FREE = 2  # the texture unit after those of the stone and of the light on it
 FRAMES = 32  # of the product of sines
 # How much of y is in s and in t. In the basin as in glSkel, caustics, whose planes are 0.05, 0.03,
@@ -81,14 +77,6 @@ def generate(both: np.ndarray, how: str) -> None:
     gl.glEnable(gl.GL_TEXTURE_GEN_T)
 
 
-def can_draw() -> bool:
-    """Return whether this OpenGL can draw caustics; if not, say so once."""
-    if need := first_missing(NEEDS):
-        tell_off("caustics", need)
-        return False
-    return enough_units("caustics", FIRST_FREE + 2)
-
-
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     return settings.caustics.pattern, settings.sun
@@ -100,7 +88,7 @@ class Caustics:
     def __init__(self, settings: Settings, assets: Assets, room: Room) -> None:
         """Upload the film and compile what the pool's light reaches; ``room`` draws the stone."""
         self._settings, self._room = settings, room
-        self._possible = can_draw()
+        self._possible = possible("caustics")
         frames = sines(FRAMES) if settings.caustics.pattern == "sines" else shipped(assets)
         self._film, self._mixed = CausticFilm(frames), MixedFilm(frames)
         # By material, bay and level of detail.
@@ -122,11 +110,16 @@ class Caustics:
         self._settings = settings
         return True
 
+    @property
+    def _in_two_passes(self) -> bool:
+        """Whether the net is laid over the basin in a pass of its own."""
+        return self._settings.caustics.passes == "two" or not possible("caustics in one pass")
+
     @contextmanager
     def while_drawn(self, frame: Frame) -> Iterator[None]:
         """Let the block draw the basin with the net on it, if that takes no second pass."""
         values = self._settings.caustics
-        if values.passes == "two" or not (self._possible and values.enabled):
+        if self._in_two_passes or not (self._possible and values.enabled):
             yield
             return
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
@@ -155,7 +148,7 @@ class Caustics:
             gl.glDepthFunc(gl.GL_LEQUAL)
             gl.glDepthMask(gl.GL_FALSE)
             gl.glDisable(gl.GL_FOG)  # what is there is fogged already
-            if values.passes == "two" and not frame.mirrored:
+            if self._in_two_passes and not frame.mirrored:
                 self._second_pass(frame)
             # Twice the fill, and hardly seen in the floor: the mirror image does without.
             if values.reflected > 0 and not frame.mirrored:

@@ -20,7 +20,7 @@ from landscape.frame import Frame
 from landscape.geometry.doors import Door
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import attrib, combine
+from landscape.gl.state import attrib, multiply
 from landscape.gl.texture import Texture
 from landscape.languages import Texts
 
@@ -101,8 +101,7 @@ class Entrance:
     def _send_meadow(self) -> None:
         points, colours = meadow()
         self._detail.bind()
-        combine({"COMBINE_RGB": "MODULATE"})
-        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+        multiply(2.0)
         for row in range(len(points) - 1):
             gl.glBegin(gl.GL_QUAD_STRIP)
             for column in range(points.shape[1]):
@@ -112,8 +111,7 @@ class Entrance:
                     gl.glTexCoord2f(BLADES * x, BLADES * z)
                     gl.glVertex3f(x, y, z)
             gl.glEnd()
-        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
-        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        multiply()
 
     def _send_tree(self, name: str, aside: float, along: float, high: float) -> None:
         self._trees[name].bind()

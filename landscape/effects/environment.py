@@ -24,18 +24,11 @@ import numpy as np
 
 from landscape.effects.settings import Settings
 from landscape.frame import Frame, Pose
-from landscape.gl import cube_map
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, generate, texture_matrix
-from landscape.gl.extensions import Need
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture_target import TextureTarget
 
-NEEDS = (
-    cube_map.NEED,
-    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
-    Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
-)
 FACE, BALL = 128, 128  # chosen: sides of a face of the cube map and of the sphere map, in texels
 NEAR, FAR = 0.02, 40.0  # chosen: units
 RINGS, SIDES = 16, 32  # chosen: of the disc that the sphere map is drawn with
@@ -123,7 +116,7 @@ def cube_around(
 ) -> CubeMap:
     """Return a cube map of ``side`` texels of what ``draw`` draws around a place.
 
-    Of FACES only ``faces`` are drawn; the others stay black. It needs what NEEDS lists.
+    Of FACES only ``faces`` are drawn; the others stay black. "pool.mirrors" must be possible.
     """
     target = TextureTarget((side, side))
     cube = CubeMap(np.zeros((6, side, side, 3), np.uint8))
@@ -148,7 +141,7 @@ class Environment:
     ) -> None:
         """Draw the surroundings of ``place`` into the cube map; ``draw`` draws all but the statue.
 
-        It needs what NEEDS lists.
+        "pool.mirrors" must be possible.
         """
         self._settings = settings
         self._drawn_for: np.ndarray = np.zeros(0)

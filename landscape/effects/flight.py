@@ -24,7 +24,7 @@ from landscape.frame import Frame, Pose
 from landscape.geometry.quaternion import from_angles, looking, slerp, to_angles, turned
 from landscape.geometry.splines import SPLINES
 from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays
+from landscape.gl.state import attrib, client_arrays, line_width
 
 # Chosen: eye, what it looks at, and what is up in its picture, in the order of the flight. The
 # camera flies over the statue's back with its nose down, is upside down behind it, and rolls out.
@@ -115,7 +115,7 @@ class Flight:
         colors = np.full((len(points), 3), 220, np.uint8)
         colors[: axes.size // 3] = np.tile(np.repeat(COLORS, 2, axis=0), (len(cameras), 1))
         with attrib(gl.GL_LINE_BIT | gl.GL_CURRENT_BIT), client_arrays(points, colors=colors):
-            gl.glLineWidth(max(frame.size[1] / 300, 1.0))
+            line_width(frame.size[1] / 300)
             gl.glDrawArrays(gl.GL_LINES, 0, len(points))
 
     def release(self) -> None:

@@ -25,21 +25,14 @@ from landscape.effects.torches import Torches
 from landscape.effects.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.elements import sun
 from landscape.elements.sword import Sword
-from landscape.errors import NoOpenGLError
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
-from landscape.gl.extensions import Need, first_missing, has_stencil, texture_units
+from landscape.gl.extensions import has_stencil
 from landscape.gl.state import attrib
 from landscape.scene import Moment, Scene, View, begin_frame
 
-# Of the stone's light maps, the pool and the clouds; without these there is no hall.
-NEEDS = (
-    Need((1, 3), ("GL_ARB_multitexture",)),
-    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
-)
-UNITS = 2
 IN_STENCIL = "mirror, shadow, exhibits.solids, exhibits.volume, tone.area"
 NOTHING = -10.0  # units, chosen: so that a view may look at the hall from below
 FAR_FROM_WALL = 1.5  # chosen: z from which the floor mirrors too little of the north wall
@@ -63,16 +56,7 @@ class Hall(Ground):
     def __init__(
         self, settings: Settings, assets: Assets, seed: int, only: tuple[str, ...] = STANDING
     ) -> None:
-        """Build the elements in ``only``; InputError names a file that cannot be used.
-
-        NoOpenGLError if the current OpenGL is too old for the stone.
-        """
-        if need := first_missing(NEEDS):
-            raise NoOpenGLError(f"the great hall cannot be drawn: this OpenGL has no {need.text}")
-        if (units := texture_units()) < UNITS:
-            raise NoOpenGLError(
-                f"the great hall cannot be drawn: it needs {UNITS} texture units of {units}"
-            )
+        """Build the elements in ``only``; InputError names a file that cannot be used."""
         self.settings, self.shown = settings, set(only)
         self._owned: list[Any] = []
         self.shadow: PlanarShadow | None = None

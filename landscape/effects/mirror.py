@@ -31,7 +31,7 @@ from landscape.elements import sun
 from landscape.elements.reflection import MIRROR
 from landscape.frame import Frame
 from landscape.gl.calls import drawing, drawn_now, gl
-from landscape.gl.extensions import enough_units
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 
@@ -75,7 +75,7 @@ class Mirror:
         self._values = settings.mirror
         self._sun = settings.sun
         self._opacity: Texture | None = None
-        if enough_units("mirror.fresnel", UNIT + 1):
+        if possible("mirror.fresnel"):
             image = alpha_image(self._values.strength)
             self._opacity = Texture(image, repeat=False, trilinear=False, mipmaps=False)
 

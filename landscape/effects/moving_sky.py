@@ -24,6 +24,7 @@ from landscape.geometry.culling import ball_in_view
 from landscape.geometry.mesh import grid_triangles
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays, combine, matrix
 from landscape.gl.texture import Texture
 
@@ -135,7 +136,7 @@ class MovingSky:
             return
         sky = self._settings.sky
         layers = [HIGH, LOW] if sky.sorted else [LOW, HIGH]
-        layers = layers[: sky.layers]
+        layers = layers[: sky.layers] if possible("sky.layers") else []
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT
         with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_SCISSOR_BIT), matrix():
             gl.glEnable(gl.GL_SCISSOR_TEST)

@@ -20,14 +20,14 @@ from collections.abc import Callable
 import numpy as np
 
 from landscape.effects import plan
-from landscape.effects.environment import NEEDS, cube_around
+from landscape.effects.environment import cube_around
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap
-from landscape.gl.extensions import first_missing, tell_off
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays
 
 CELLS = 24, 36  # chosen: of the grid, along x and z
@@ -123,9 +123,7 @@ class Pool:
 
     def reflect(self, draw: Callable[[Frame], None]) -> None:
         """Let the water mirror what ``draw`` draws around it, where this OpenGL can."""
-        if need := first_missing(NEEDS):
-            tell_off("pool.mirrors", need)
-        else:
+        if possible("pool.mirrors"):
             self._cube = cube_around(CENTRE, SIDE, draw, ABOVE)
 
     def apply(self, settings: Settings) -> bool:

@@ -34,7 +34,8 @@ from landscape.geometry.mesh import Mesh, merged
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import attrib, combine, front_faces
+from landscape.gl.features import possible
+from landscape.gl.state import attrib, combine, front_faces, multiply, use_unit
 from landscape.gl.texture import Texture
 
 FLOOR = "floor", "band", "medallion"
@@ -63,6 +64,7 @@ def meshes() -> dict[Key, Mesh]:
     return {key: merged(parts) for key, parts in found.items()}
 
 
+UNLIT = 0.45  # chosen: the light on stone without a light map
 Part = tuple[Texture, tuple[float, float, float], Mesh]
 
 
@@ -100,6 +102,7 @@ class Room:
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the textures and compile a display list for each material and sheet."""
         self._settings = settings
+        self._lit = possible("the hall's light maps")
         self._textures = {
             name: Texture(read_image(assets.path(name), "RGB"), trilinear=False)
             for name in sorted({each.texture for each in MATERIALS.values()})
@@ -142,10 +145,16 @@ class Room:
     def _in_level(self, bay: Mapping[tuple[str, str, str], Mesh], level: int) -> list[Part]:
         """Return the texture, the tint and the mesh of each material in a level of a bay."""
         return [
-            (self.texture(material), MATERIALS[material].tint, part)
+            (self.texture(material), self._tint(material), part)
             for (material, _, own), part in bay.items()
             if int(own) == min(level, levels_of(material)[-1])
         ]
+
+    def _tint(self, material: str) -> tuple[float, float, float]:
+        """Return the colour that multiplies a material's texture."""
+        red, green, blue = MATERIALS[material].tint
+        light = 1.0 if self._lit else UNLIT
+        return red * light, green * light, blue * light
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing built depends on them."""
@@ -160,8 +169,7 @@ class Room:
         fades = frame.mirrored and self._settings.mirror.fades
         with attrib(gl.GL_CURRENT_BIT):
             with self._textured():
-                self._light["hall", ()].bind()
-                gl.glActiveTexture(gl.GL_TEXTURE0)
+                self._lay_light("hall")
                 for number in order.tolist():
                     if number in levels:
                         self._bay(number, levels[number], fades).call()
@@ -233,16 +241,29 @@ class Room:
 
     @contextmanager
     def _textured(self) -> Iterator[None]:
-        """Let unit 1, which is active then, multiply what unit 0 samples by a light map."""
+        """Let unit 1 multiply what unit 0 samples by a light map; unit 0 is active then.
+
+        With a single texture unit the stone has no light on it.
+        """
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT), front_faces():
             gl.glDisable(gl.GL_LIGHTING)
             gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glActiveTexture(gl.GL_TEXTURE1)
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, SCALE)
+            if self._lit:
+                use_unit(1)
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                multiply(SCALE)
+                if possible("doubled textures"):
+                    combine({"SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+                    combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+                use_unit(0)
             yield
+
+    def _lay_light(self, sheet: str, without: tuple[str, ...] = ()) -> None:
+        """Let unit 1 sample the light map of a sheet; unit 0 is active then."""
+        if self._lit:
+            use_unit(1)
+            self._light[sheet, without if sheet != "hall" else ()].bind()
+            use_unit(0)
 
     def _draw(
         self,
@@ -252,16 +273,13 @@ class Room:
     ) -> None:
         with self._textured():
             for name in materials:
-                gl.glActiveTexture(gl.GL_TEXTURE0)
                 self.texture(name).bind()
                 if name not in FLOOR:
-                    gl.glColor3f(*MATERIALS[name].tint)
+                    gl.glColor3f(*self._tint(name))
                 for sheet in sheets:
                     if (sheet, name) not in self._lists:
                         continue
-                    gl.glActiveTexture(gl.GL_TEXTURE1)
-                    self._light[sheet, without if sheet != "hall" else ()].bind()
-                    gl.glActiveTexture(gl.GL_TEXTURE0)
+                    self._lay_light(sheet, without)
                     self._lists[sheet, name].call()
 
     def release(self) -> None:

@@ -19,7 +19,7 @@ from functools import partial
 import numpy as np
 
 from landscape.effects import plan
-from landscape.effects.environment import NEEDS, Environment
+from landscape.effects.environment import Environment
 from landscape.effects.planar_shadow import flame
 from landscape.effects.settings import Settings
 from landscape.effects.statue_light import soft_light
@@ -33,8 +33,8 @@ from landscape.geometry.mesh import Mesh, gathered, scaled
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.extensions import first_missing, tell_off
-from landscape.gl.state import attrib, front_faces, matrix
+from landscape.gl.features import possible
+from landscape.gl.state import attrib, front_faces, glint_after_texture, matrix
 
 BRONZE = (0.72, 0.50, 0.22)  # chosen
 SOFT = 0.60  # chosen: the hall's soft light, as ambient light, beside the sun's own
@@ -128,9 +128,7 @@ class Statue:
 
     def gild(self, draw: Callable[[Frame], None]) -> None:
         """Let the statue mirror what ``draw`` draws around it, where this OpenGL can."""
-        if need := first_missing(NEEDS):
-            tell_off("statue.environment", need)
-        else:
+        if possible("statue.environment"):
             self._environment = Environment(self._settings, self.middle, draw)
             self._compile()
 
@@ -186,9 +184,9 @@ class Statue:
     def _polish() -> None:
         """Set a metal's material: it glints.
 
-        The glint is added after the texture, by GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2).
+        The glint is added after the texture, by GL_SEPARATE_SPECULAR_COLOR where there is one.
         """
-        gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
+        glint_after_texture()
         gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, np.array(GLINT, np.float32))
         gl.glMaterialf(gl.GL_FRONT, gl.GL_SHININESS, SHININESS)
 

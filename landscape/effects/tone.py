@@ -21,6 +21,8 @@ from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.gl.calls import gl
+from landscape.gl.extensions import antialiased
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, flat_projection
 
 MARK = 16  # the stencil bit of the statue
@@ -86,7 +88,7 @@ class Tone:
             gl.glDepthMask(gl.GL_FALSE)
             with flat_projection():
                 # With antialiasing there is no single pixel to copy: it is an error of OpenGL.
-                if tone.method == "pixels" and not gl.glGetIntegerv(gl.GL_SAMPLE_BUFFERS):
+                if tone.method == "pixels" and not antialiased():
                     self._copy(frame)
                 else:
                     self._blend()
@@ -115,10 +117,12 @@ class Tone:
     def _add(self, bias: float) -> None:
         """Add a number in -1..1 to all colours."""
         gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
-        if bias < 0.0:
+        if bias >= 0.0:
+            cover(bias, bias, bias, 1.0)
+        elif possible("tone.brightness below 0"):
             gl.glBlendEquation(gl.GL_FUNC_REVERSE_SUBTRACT)
-        cover(abs(bias), abs(bias), abs(bias), 1.0)
-        gl.glBlendEquation(gl.GL_FUNC_ADD)
+            cover(-bias, -bias, -bias, 1.0)
+            gl.glBlendEquation(gl.GL_FUNC_ADD)
 
     def _copy(self, frame: Frame) -> None:
         tone = self._settings.tone

@@ -14,10 +14,10 @@ State used: GL_FOG and its parameters.
 import numpy as np
 
 from landscape.gl.calls import Lists, drawing, gl, lists_now
-from landscape.gl.extensions import Need, current_context, has, tell_off
+from landscape.gl.extensions import current_context
+from landscape.gl.features import possible
 from landscape.settings import Fog
 
-CHOICE_OF_DISTANCE = Need(None, ("GL_NV_fog_distance",))
 # Of GL_NV_fog_distance; the last is GL_EYE_PLANE_ABSOLUTE_NV, which OpenGL begins with in Mesa.
 FOG_DISTANCE_MODE, EYE_RADIAL, EYE_PLANE = 0x855A, 0x855B, 0x855C
 
@@ -48,8 +48,7 @@ _chosen: dict[int, Lists] = {}
 
 def _choose_distance(radial: bool) -> None:
     """Let fog go by the distance from the eye, or again by the depth, as OpenGL does by itself."""
-    if radial and not has(CHOICE_OF_DISTANCE):
-        tell_off("fog.radial", CHOICE_OF_DISTANCE)
+    if radial and not possible("fog.radial"):
         return
     if radial:
         _chosen[current_context()] = lists_now()

@@ -24,12 +24,15 @@ from landscape.geometry.height_field import HeightField, ground_mesh, height_fie
 from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import attrib
+from landscape.gl.features import possible
+from landscape.gl.state import attrib, multiply, use_unit
 from landscape.gl.texture import Texture
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
 HEIGHTS = ("height_image", "resolution", "size", "scale_y", "smooth", "subdivide", "exact_height")
+Layer = tuple[Texture, float]
+"""A texture, and how often it is repeated over the map."""
 TEXTURES = ("large_texture", "detail_texture", "detail_repeat", "units", "texture_size")
 OTHER_CLASS = ("materials", "tiles", "low_stretch", "shadows")  # these need best/terrain/terrain.py
 
@@ -73,30 +76,37 @@ def large_texture(
     return np.array(Image.fromarray(image).resize(side, Image.Resampling.BILINEAR))
 
 
+def chosen(both: list[Layer], units: str) -> list[Layer]:
+    """Return those of the large and the detail texture that ``ground.units`` asks for.
+
+    With a single texture unit the detail is left out.
+    """
+    if units == "both" and not possible("ground.detail_texture"):
+        units = "large"
+    return {"both": both, "large": both[:1], "detail": both[1:], "none": []}[units]
+
+
 def lay_units(layers: list[Texture]) -> None:
     """Set unit 0 to the first layer, and each further unit to multiply by twice its layer.
 
     Twice, so that mid grey in the detail leaves the large-scale colour as it is.
     """
     for unit, layer in enumerate(layers):
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        use_unit(unit)
         layer.bind()
         gl.glEnable(gl.GL_TEXTURE_2D)
         if unit == 0:
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         else:
-            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
-            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_COMBINE_RGB, gl.GL_MODULATE)
-            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+            multiply(2.0)
 
 
 def leave_units(layers: list[Texture]) -> None:
     """Undo :func:`lay_units`."""
     for unit in reversed(range(len(layers))):
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        use_unit(unit)
         if unit > 0:
-            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
-            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+            multiply()
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
 
@@ -134,7 +144,7 @@ class Ground:
         """Compile the mesh and its two texture units."""
         both = [(self._texture(self.large, repeat=False), 1.0)]
         both.append((self._detail(assets, "detail_texture"), ground.detail_repeat))
-        layers = {"both": both, "large": both[:1], "detail": both[1:], "none": []}[ground.units]
+        layers = chosen(both, ground.units)
         mesh = ground_mesh(self.field, tuple(repeat for _, repeat in layers))
         textures = [texture for texture, _ in layers]
 

@@ -18,7 +18,7 @@ from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import picture_quad
-from landscape.gl.state import attrib, flat_projection
+from landscape.gl.state import attrib, flat_projection, point_size
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
@@ -84,7 +84,7 @@ class Map:
             gl.glTranslatef(right / (frame.size[0] / 8), up / (frame.size[1] / 8), 0.0)
             self._list.call()
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
-            gl.glPointSize(max(5.0 * frame.detail.scale, 1.0))
+            point_size(5.0 * frame.detail.scale)
             gl.glBegin(gl.GL_POINTS)
             gl.glVertex3f(x, y, -1.0)
             gl.glEnd()

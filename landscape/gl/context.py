@@ -26,6 +26,9 @@ class Context(Protocol):
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
 
+    def resize(self, size: tuple[int, int]) -> None:
+        """Give the default framebuffer another size, in pixels, and make the context current."""
+
     def release(self) -> None:
         """Destroy the context and what it draws to."""
 

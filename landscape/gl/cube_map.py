@@ -11,10 +11,8 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need
-from landscape.gl.texture import mip_levels
+from landscape.gl.texture import edge, mip_levels
 
-NEED = Need((1, 3), ("GL_ARB_texture_cube_map",))
 FACES = ("POSITIVE_X", "NEGATIVE_X", "POSITIVE_Y", "NEGATIVE_Y", "POSITIVE_Z", "NEGATIVE_Z")
 
 
@@ -54,8 +52,8 @@ class CubeMap:
         minified = gl.GL_LINEAR_MIPMAP_LINEAR if trilinear else gl.GL_LINEAR_MIPMAP_NEAREST
         gl.glTexParameteri(kind, gl.GL_TEXTURE_MIN_FILTER, minified if mipmaps else gl.GL_LINEAR)
         gl.glTexParameteri(kind, gl.GL_TEXTURE_MAG_FILTER, gl.GL_LINEAR)
-        gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_S, gl.GL_CLAMP_TO_EDGE)
-        gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_T, gl.GL_CLAMP_TO_EDGE)
+        gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_S, edge())
+        gl.glTexParameteri(kind, gl.GL_TEXTURE_WRAP_T, edge())
         forms = {1: (gl.GL_ALPHA8, gl.GL_ALPHA), 3: (gl.GL_RGB8, gl.GL_RGB)}
         kept, form = (forms | {4: (gl.GL_RGBA8, gl.GL_RGBA)})[faces.shape[-1]]
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)

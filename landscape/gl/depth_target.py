@@ -1,6 +1,6 @@
 """A depth texture that can be drawn into: a framebuffer object without colour.
 
-Needs EXT_framebuffer_object (2005; core in OpenGL 3.0) and ARB_depth_texture (OpenGL 1.4).
+Needs ARB_framebuffer_object (2008; core in OpenGL 3.0) and ARB_depth_texture (OpenGL 1.4).
 """
 
 from collections.abc import Iterator
@@ -9,15 +9,8 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.gl.calls import gl
-from landscape.gl.extensions import FRAMEBUFFERS, Need
 from landscape.gl.state import attrib
 
-NEEDS = (
-    FRAMEBUFFERS,
-    Need((1, 4), ("GL_ARB_depth_texture",)),
-    Need((1, 4), ("GL_ARB_shadow",)),
-    Need((1, 3), ("GL_ARB_texture_border_clamp",)),
-)
 LIT = np.ones(4, np.float32)  # the greatest depth: outside the texture nothing is nearer
 
 

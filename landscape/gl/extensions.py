@@ -1,4 +1,6 @@
-"""What the current OpenGL has: its version and extensions, and what an effect needs of them.
+"""What the current OpenGL has: version, extensions, texture units, widths of lines and points.
+
+What each effect needs of them is in features.py.
 
 Mesa hides what it has by MESA_EXTENSION_OVERRIDE="-GL_ARB_multitexture ..." and
 MESA_GL_VERSION_OVERRIDE=1.3COMPAT, which is how one sees what an older OpenGL would show.
@@ -25,11 +27,8 @@ class Need(NamedTuple):
         return " or ".join([*core, *self.extensions])
 
 
-# Needs of more than one effect.
 MULTITEXTURE = Need((1, 3), ("GL_ARB_multitexture",))
-COMBINE = Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine"))
-CROSSBAR = Need((1, 4), ("GL_ARB_texture_env_crossbar",))
-FRAMEBUFFERS = Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object"))
+MULTISAMPLE = Need((1, 3), ("GL_ARB_multisample",))
 
 
 def version() -> tuple[int, int]:
@@ -64,6 +63,7 @@ def current_context() -> int:
 
 
 _known: dict[int, tuple[str, frozenset[str]]] = {}
+_units: dict[int, int] = {}
 
 
 def _strings() -> tuple[str, frozenset[str]]:
@@ -93,25 +93,34 @@ def first_missing(needs: Iterable[Need]) -> Need | None:
 
 def texture_units() -> int:
     """Return how many texture units the current OpenGL has: 1 before OpenGL 1.3."""
-    if not has(MULTITEXTURE):
-        return 1
-    return int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS))
+    context = current_context()
+    if context not in _units:
+        with unnoted():
+            asked = gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS) if has(MULTITEXTURE) else 1
+        _units[context] = int(asked)
+    return _units[context]
 
 
-def enough_units(what: str, count: int) -> bool:
-    """Return whether there are ``count`` texture units; if not, say once that ``what`` is off."""
-    found = texture_units()
-    if found < count:
-        tell(f"landscape: {what}: off, for it needs {count} texture units of {found}")
-    return found >= count
+def antialiased() -> bool:
+    """Return whether what is drawn to now has several samples a pixel."""
+    return has(MULTISAMPLE) and bool(gl.glGetIntegerv(gl.GL_SAMPLE_BUFFERS))
 
 
-def possible(what: str, needs: Iterable[Need], units: int = 1) -> bool:
-    """Return whether there is all that ``what`` needs; if not, say once that it is off."""
-    if need := first_missing(needs):
-        tell_off(what, need)
-        return False
-    return enough_units(what, units)
+def widest_line() -> float:
+    """Return the greatest width in pixels that the current OpenGL draws lines in."""
+    name = "GL_ALIASED_LINE_WIDTH_RANGE" if version() >= (1, 2) else "GL_LINE_WIDTH_RANGE"
+    return _greatest(name)
+
+
+def largest_point() -> float:
+    """Return the greatest size in pixels that the current OpenGL draws points in."""
+    name = "GL_ALIASED_POINT_SIZE_RANGE" if version() >= (1, 2) else "GL_POINT_SIZE_RANGE"
+    return _greatest(name)
+
+
+def _greatest(name: str) -> float:
+    with unnoted():
+        return float(gl.glGetFloatv(getattr(gl, name))[1])
 
 
 def has_stencil(what: str) -> bool:
@@ -128,11 +137,6 @@ def largest_texture() -> int:
 
 
 _told: set[str] = set()
-
-
-def tell_off(what: str, need: Need) -> None:
-    """Say, once for each effect, in one line on stderr, that it is off and why."""
-    tell(f"landscape: {what}: off, for this OpenGL has no {need.text}")
 
 
 def tell(line: str) -> None:

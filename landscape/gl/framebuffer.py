@@ -1,14 +1,19 @@
 """Where stills are drawn: a framebuffer object, antialiased or not, and reading it back.
 
 Every backend draws stills to the same kind of target, so that the same command gives the same
-pixels whatever the backend. Needs EXT_framebuffer_object (OpenGL 3.0), with blit and multisample
-for antialiasing; the pictures themselves need nothing later than OpenGL 1.5.
+pixels whatever the backend. It needs ARB_framebuffer_object (OpenGL 3.0); the pictures themselves
+need nothing later than OpenGL 1.5. Without it stills are drawn, not antialiased, into the context's
+own framebuffer.
 """
+
+import sys
 
 import numpy as np
 
 from landscape.errors import InputError
 from landscape.gl.calls import gl
+from landscape.gl.context import Context
+from landscape.gl.features import possible
 
 MOST_SMOOTH = 1 << 25  # pixels, chosen: a picture of 7680x4320 takes 1.8 GB with four samples
 
@@ -21,11 +26,7 @@ class Framebuffer:
 
         InputError where the size exceeds GL_MAX_VIEWPORT_DIMS or, with samples, MOST_SMOOTH.
         """
-        limits = gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)
-        most = min(int(gl.glGetIntegerv(gl.GL_MAX_RENDERBUFFER_SIZE)), *(int(v) for v in limits))
-        if not all(0 < side <= most for side in size):
-            text = f"{size[0]}x{size[1]}"
-            raise InputError(f"size {text}: expected from 1x1 to {most}x{most} on this OpenGL")
+        check_size(size, int(gl.glGetIntegerv(gl.GL_MAX_RENDERBUFFER_SIZE)))
         if samples and size[0] * size[1] > MOST_SMOOTH:
             text = f"{size[0]}x{size[1]}"
             raise InputError(
@@ -83,6 +84,48 @@ class Framebuffer:
             gl.glDeleteFramebuffers(1, np.array([frame], np.uint32))
             gl.glDeleteRenderbuffers(len(buffers), np.array(buffers, np.uint32))
         self._names = []
+
+
+class DefaultFramebuffer:
+    """The context's own framebuffer, as large as a still; it has one sample a pixel."""
+
+    samples = 0
+
+    def __init__(self, context: Context, size: tuple[int, int]) -> None:
+        """Give the framebuffer the ``size`` in pixels; InputError if it cannot have it."""
+        check_size(size)
+        context.resize(size)
+        self.size = size
+
+    def bind(self) -> None:
+        """Draw here from now on: nothing else can be bound."""
+
+    def read(self) -> np.ndarray:
+        """Return the picture, uint8 (h, w, 3), top row first: a new array."""
+        return read_pixels(self.size)
+
+    def release(self) -> None:
+        """Nothing was made in OpenGL."""
+
+
+Target = Framebuffer | DefaultFramebuffer
+
+
+def still_target(context: Context, size: tuple[int, int], samples: int) -> Target:
+    """Return what to draw a still of ``size`` in: with framebuffer objects or without."""
+    if possible("stills in framebuffer objects"):
+        return Framebuffer(size, samples)
+    if samples:
+        possible("antialiasing")
+    return DefaultFramebuffer(context, size)
+
+
+def check_size(size: tuple[int, int], most: int = sys.maxsize) -> None:
+    """Raise InputError unless OpenGL can draw pictures of a size, with sides of ``most`` pixels."""
+    most = min(most, *(int(side) for side in gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)))
+    if not all(0 < side <= most for side in size):
+        text = f"{size[0]}x{size[1]}"
+        raise InputError(f"size {text}: expected from 1x1 to {most}x{most} on this OpenGL")
 
 
 def read_pixels(size: tuple[int, int], scratch: np.ndarray | None = None) -> np.ndarray:

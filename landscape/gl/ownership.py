@@ -51,6 +51,11 @@ class OwnedContext:
         """Whether this is the context's own thread."""
         return self._process == os.getpid() and self._thread is threading.current_thread()
 
+    @property
+    def context(self) -> Context:
+        """The context itself, to be used only where it is :meth:`current`."""
+        return self._context
+
     def release(self) -> None:
         """Destroy the context, at once in its own thread, later elsewhere; may be called twice."""
         if self._finalizer.detach() is None:

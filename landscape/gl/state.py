@@ -5,7 +5,9 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from landscape.gl import extensions
 from landscape.gl.calls import gl
+from landscape.gl.features import possible
 
 
 @contextmanager
@@ -72,7 +74,8 @@ def client_arrays(
 ) -> Iterator[None]:
     """Enable vertex arrays of a glDrawElements: float32 (n, 3), (n, 3), (n, 3 or 4), (n, 2 or 3).
 
-    ``coordinates`` holds one array per texture unit, from unit 0 on; colours may be uint8.
+    ``coordinates`` holds one array per texture unit, from unit 0 on; those that OpenGL has no unit
+    for are left out. Colours may be uint8.
     """
     kind = {"float32": gl.GL_FLOAT, "uint8": gl.GL_UNSIGNED_BYTE}
     gl.glEnableClientState(gl.GL_VERTEX_ARRAY)
@@ -83,21 +86,70 @@ def client_arrays(
     if colors is not None:
         gl.glEnableClientState(gl.GL_COLOR_ARRAY)
         gl.glColorPointer(colors.shape[1], kind[str(colors.dtype)], 0, colors)
+    units = extensions.texture_units()
+    coordinates = coordinates[:units]
+    several = units > 1  # an OpenGL that has a single one may lack the function, too
     for unit, array in enumerate(coordinates):
-        gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        if several:
+            gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
         gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, array)
     try:
         yield
     finally:
         for unit in reversed(range(len(coordinates))):
-            gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+            if several:
+                gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
             gl.glDisableClientState(gl.GL_TEXTURE_COORD_ARRAY)
         if colors is not None:
             gl.glDisableClientState(gl.GL_COLOR_ARRAY)
         if normals is not None:
             gl.glDisableClientState(gl.GL_NORMAL_ARRAY)
         gl.glDisableClientState(gl.GL_VERTEX_ARRAY)
+
+
+def use_unit(unit: int) -> None:
+    """Let the next calls concern a texture unit; where there is a single one, they do already."""
+    if extensions.texture_units() > 1:
+        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+
+
+def multiply(scale: float = 1.0) -> None:
+    """Let the active unit multiply by its texture and by ``scale``, 1, 2 or 4.
+
+    Without GL_COMBINE (OpenGL 1.3) it multiplies by the texture alone.
+    """
+    env, mode = gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE
+    if not possible("doubled textures"):
+        gl.glTexEnvi(env, mode, gl.GL_MODULATE)
+    elif scale == 1.0:
+        gl.glTexEnvf(env, gl.GL_RGB_SCALE, 1.0)
+        gl.glTexEnvi(env, mode, gl.GL_MODULATE)
+    else:
+        gl.glTexEnvi(env, mode, gl.GL_COMBINE)
+        gl.glTexEnvi(env, gl.GL_COMBINE_RGB, gl.GL_MODULATE)
+        gl.glTexEnvf(env, gl.GL_RGB_SCALE, scale)
+
+
+def glint_after_texture() -> None:
+    """Let what glints be added after the texture instead of multiplied by it (OpenGL 1.2)."""
+    if possible("separate glints"):
+        gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
+
+
+def line_width(pixels: float) -> None:
+    """Set the width of lines, from 1 on, or the greatest that OpenGL has."""
+    widest = extensions.widest_line()
+    if pixels > widest:
+        extensions.tell(
+            f"landscape: lines: at most {widest:g} pixels wide, as this OpenGL has them"
+        )
+    gl.glLineWidth(min(max(pixels, 1.0), max(widest, 1.0)))
+
+
+def point_size(pixels: float) -> None:
+    """Set the size of points, from 1 on, or the greatest that OpenGL has."""
+    gl.glPointSize(min(max(pixels, 1.0), max(extensions.largest_point(), 1.0)))
 
 
 def combine(terms: dict[str, str]) -> None:

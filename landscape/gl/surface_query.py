@@ -20,10 +20,8 @@ from landscape.frame import Frame
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import level_square
-from landscape.gl.extensions import Need
 from landscape.gl.state import attrib
 
-NEED = Need((1, 5), ("GL_ARB_occlusion_query",))
 JUMP = 0.5  # chosen: change of position in units, or of the unit view vector: no step is so large
 
 

@@ -1,8 +1,10 @@
 """Textures: a texture object and its mip levels (Texture in 2006)."""
 
 import numpy as np
+from PIL import Image
 
 from landscape.gl.calls import gl
+from landscape.gl.features import possible
 
 
 def mean(one: np.ndarray, other: np.ndarray) -> np.ndarray:
@@ -35,6 +37,20 @@ def halves_evenly(image: np.ndarray) -> bool:
     return all(side & (side - 1) == 0 for side in image.shape[:2])
 
 
+def at_most(side: int) -> int:
+    """Return the greatest power of two that is at most ``side``."""
+    return 1 << (side.bit_length() - 1)
+
+
+def possible_size(image: np.ndarray) -> np.ndarray:
+    """Return an image, uint8 (h, w, c), smaller if OpenGL wants powers of two for its sides."""
+    if halves_evenly(image) or possible("textures of any size"):
+        return image
+    size = at_most(image.shape[1]), at_most(image.shape[0])
+    channels = (Image.fromarray(channel).resize(size) for channel in np.moveaxis(image, 2, 0))
+    return np.stack([np.asarray(channel) for channel in channels], axis=2)
+
+
 def levels_to_load(image: np.ndarray) -> list[np.ndarray]:
     """Return an image and its mip levels, or the image alone if the driver must make its levels.
 
@@ -42,6 +58,14 @@ def levels_to_load(image: np.ndarray) -> list[np.ndarray]:
     context, which takes longer than opening the rest of a small scene.
     """
     return mip_levels(image) if halves_evenly(image) else [image]
+
+
+def edge() -> int:
+    """Return how coordinates beyond a texture's border are clamped.
+
+    GL_CLAMP mixes the border's own colour in: a seam, but no texel of the other side.
+    """
+    return int(gl.GL_CLAMP_TO_EDGE if possible("edges of textures") else gl.GL_CLAMP)
 
 
 def _format(channels: int) -> int:
@@ -74,11 +98,13 @@ class Texture:
         ``lod_bias`` is added to the mip level that OpenGL chooses; below 0 the texture is sharper
         (GL_TEXTURE_LOD_BIAS, OpenGL 1.4).
         """
-        images = levels if isinstance(levels, list) else [levels]
+        images = levels if isinstance(levels, list) else [possible_size(levels)]
         if mipmaps and len(images) == 1:
             images = levels_to_load(images[0])
+        if len(images) > 1 and not possible("a number of mip levels"):
+            images = [*images[:-1], *mip_levels(images[-1])]  # down to a single texel
         self.name = int(gl.glGenTextures(1))
-        wrap = gl.GL_REPEAT if repeat else gl.GL_CLAMP_TO_EDGE
+        wrap = gl.GL_REPEAT if repeat else edge()
         previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
         gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
         minified = gl.GL_LINEAR_MIPMAP_LINEAR if trilinear else gl.GL_LINEAR_MIPMAP_NEAREST
@@ -94,11 +120,11 @@ class Texture:
         }
         for name, value in parameters.items():
             gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
-        if lod_bias:
+        if lod_bias and possible("sharper textures"):
             gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_LOD_BIAS, lod_bias)
-        if len(images) > 1:
+        if len(images) > 1 and possible("a number of mip levels"):
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL, len(images) - 1)
-        elif mipmaps:
+        elif len(images) == 1 and mipmaps:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, gl.GL_TRUE)
         # By default every row must begin at a multiple of 4 bytes; rows of RGB images may not.
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
@@ -117,7 +143,7 @@ class Texture:
         previous = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
         self.bind()
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
-        for level, part in enumerate(levels_to_load(image)):
+        for level, part in enumerate(levels_to_load(possible_size(image))):
             height, width, channels = part.shape
             kind = _format(channels), gl.GL_UNSIGNED_BYTE
             gl.glTexSubImage2D(gl.GL_TEXTURE_2D, level, 0, 0, width, height, *kind, part)

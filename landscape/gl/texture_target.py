@@ -1,8 +1,8 @@
 """A texture that can be drawn into: a framebuffer object whose colour is a texture.
 
 It does what glCopyTexSubImage2D did in 2006, without the copy, and it also works beside a
-multisampled framebuffer, from which OpenGL cannot copy to a texture. Needs EXT_framebuffer_object
-with EXT_packed_depth_stencil (2005; core in OpenGL 3.0) and textures of any size (OpenGL 2.0).
+multisampled framebuffer, from which OpenGL cannot copy to a texture. Needs ARB_framebuffer_object
+(2008; core in OpenGL 3.0) and textures of any size (OpenGL 2.0).
 """
 
 from collections.abc import Iterator
@@ -11,13 +11,7 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.gl.calls import gl
-from landscape.gl.extensions import FRAMEBUFFERS, Need
-
-NEEDS = (
-    FRAMEBUFFERS,
-    Need((3, 0), ("GL_EXT_packed_depth_stencil", "GL_ARB_framebuffer_object")),
-    Need((2, 0), ("GL_ARB_texture_non_power_of_two",)),
-)
+from landscape.gl.texture import edge
 
 
 class TextureTarget:
@@ -43,7 +37,7 @@ class TextureTarget:
             None,
         )
         for name in (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T):
-            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_CLAMP_TO_EDGE)
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, edge())
         for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
             gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_LINEAR)
         gl.glBindTexture(gl.GL_TEXTURE_2D, bound)

@@ -22,7 +22,7 @@ from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.gl.calls import gl, recording
 from landscape.gl.context import open_context
-from landscape.gl.framebuffer import Framebuffer
+from landscape.gl.framebuffer import still_target
 from landscape.gl.replay import Replay
 from landscape.scene import (
     SCENES,
@@ -118,7 +118,7 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
     """
     context = open_context(options.backend)
     try:
-        target = Framebuffer(options.size, options.samples)
+        target = still_target(context, options.size, options.samples)
         try:
             result: dict[str, Any] = {
                 "renderer": gl.glGetString(gl.GL_RENDERER).decode(),

@@ -23,12 +23,16 @@ import json, sys
 from landscape.errors import NoOpenGLError
 from landscape.gl.calls import gl
 from landscape.gl.context import open_context
+from landscape.gl.extensions import texture_units, widest_line
+from landscape.gl.features import left_out
 try:
     context = open_context(sys.argv[1])
     names = gl.GL_RENDERER, gl.GL_VERSION
     renderer, version = (gl.glGetString(name).decode() for name in names)
+    found = {"ok": True, "renderer": renderer, "version": version}
+    found |= {"units": texture_units(), "widest_line": widest_line(), "off": left_out()}
     context.release()
-    print(json.dumps({"ok": True, "renderer": renderer, "version": version}))
+    print(json.dumps(found))
 except NoOpenGLError as error:
     print(json.dumps({"ok": False, "reason": str(error)}))
 """
@@ -68,12 +72,20 @@ def probe(backend: str) -> dict[str, Any]:
         return {"ok": False, "reason": f"the process ended with {done.returncode}: {last}"}
 
 
+def abilities(state: dict[str, Any]) -> list[str]:
+    """Return what a backend's OpenGL has and lacks, as lines."""
+    has = f"{state['units']} texture units, lines up to {state['widest_line']:g} pixels wide"
+    off = [f"off: {'; '.join(names)} ({why})" for why, names in state["off"].items()]
+    return [has, *(off or ["nothing that a picture shows is left out"])]
+
+
 def report(found: dict[str, Any]) -> str:
     """Return the findings as text."""
     lines = []
     for name, state in found["backends"].items():
         if state["ok"]:
             lines.append(f"{name:8} ok   {state['renderer']}, OpenGL {state['version']}")
+            lines += [f"{'':13} {line}" for line in abilities(state)]
         else:
             lines.append(f"{name:8} no   {state['reason']}")
     lines.append(f"`auto` takes {found['chosen'] or 'none: each line above says what is missing'}")

@@ -11,7 +11,7 @@ import numpy as np
 
 from landscape.frame import Frame
 from landscape.gl.calls import gl
-from landscape.gl.state import attrib, flat_projection, matrix
+from landscape.gl.state import attrib, flat_projection, line_width, matrix
 
 # All chosen.
 # The edges: RGBA, and width in pixels at a height of TALL. The light line within the dark one shows
@@ -58,7 +58,7 @@ def draw_highlight(
         gl.glEnable(gl.GL_POLYGON_OFFSET_LINE)
         gl.glPolygonOffset(OFFSET, OFFSET)
         for colour, width in EDGES:
-            gl.glLineWidth(max(width * frame.viewport[1] / TALL, 1.0))
+            line_width(width * frame.viewport[1] / TALL)
             gl.glColor4f(*colour)
             gl.glBegin(gl.GL_QUADS)
             for corner in FACES.reshape(-1, 3).tolist():

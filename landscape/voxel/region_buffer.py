@@ -18,14 +18,11 @@ from typing import NamedTuple
 import numpy as np
 
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need, has
+from landscape.gl.features import possible
 from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import PLANTS, SETS, SHORE, TURNS, VERTEX, WET, RegionMesh
 from landscape.voxel.packed_mesh import PackedMesh, packed, unpacked
 
-BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
-MULTI_DRAW = Need((1, 4), ("GL_EXT_multi_draw_arrays",))
-FOG_COORDINATES = Need((1, 4), ("GL_EXT_fog_coord",))
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
 Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
 SPARE = 512  # vertices, chosen: and by at least this
@@ -76,8 +73,8 @@ class RegionBuffer:
         self.at = np.zeros((len(meshes), len(TURNS), SETS + 1), np.int32)
         self._free = int(self.room.sum())
         self._end = self._free + RESERVE
-        self._multi_draw = has(MULTI_DRAW)
-        self.name = int(gl.glGenBuffers(1)) if has(BUFFERS) else 0
+        self._multi_draw = possible("glMultiDrawArrays")
+        self.name = int(gl.glGenBuffers(1)) if possible("vertex buffers") else 0
         # The vertices, where OpenGL does not keep them.
         self._kept = None if self.name else np.zeros(self._end, VERTEX)
         # Their colours in the light that they were made in, once they are shown in another.

@@ -23,18 +23,14 @@ from contextlib import contextmanager
 import numpy as np
 
 from landscape.elements import sun
-from landscape.gl import depth_target
 from landscape.gl.calls import gl
 from landscape.gl.depth_target import DepthTarget
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import COMBINE, CROSSBAR
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture import Texture
 from landscape.voxel.settings import Settings
 from landscape.voxel.sun_view import enlarged, light_matrix, part_of
 
-NEEDS = (*depth_target.NEEDS, COMBINE, CROSSBAR)
-UNITS = 3
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 STEP = 64  # texels, chosen: the square moves by whole multiples of this
 FRAMES = 12  # chosen: over how many the next picture is drawn

@@ -18,11 +18,10 @@ from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
-from landscape.gl import cube_map
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, directions_through
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import possible
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, matrix
 from landscape.voxel.settings import Settings
 
@@ -99,7 +98,7 @@ class Sky:
         """Read the pictures, make the cube map and compile the box."""
         self.settings, self._assets = settings, assets
         self._map: CubeMap | None = None
-        if not possible("sky", (cube_map.NEED,)):
+        if not possible("sky"):
             return
         self._map = CubeMap(self._faces(settings), mipmaps=False)
         self._list = DisplayList(send_box)

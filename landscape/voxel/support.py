@@ -1,26 +1,26 @@
 """What the current OpenGL can do of the voxel island's passes: the others are off, with one line.
 
-Every pass names what it needs beside its own code. Here the settings are changed accordingly, so
+What each pass needs is in gl/features.py. Here the settings are changed accordingly, so
 that all other code only asks the settings.
 """
 
 from dataclasses import replace
 
-from landscape.gl.extensions import largest_texture, possible, tell
-from landscape.voxel import shadow_map, textures_view
+from landscape.gl.extensions import largest_texture, tell
+from landscape.gl.features import possible
 from landscape.voxel.settings import Settings
 
 
 def supported(settings: Settings) -> Settings:
     """Return settings without the passes that the current OpenGL cannot draw."""
     shadow, debug = settings.shadow, settings.debug
-    if shadow.enabled and not possible("shadow", shadow_map.NEEDS, shadow_map.UNITS):
+    if shadow.enabled and not possible("shadow"):
         shadow = replace(shadow, enabled=False)
     if shadow.enabled and shadow.size > largest_texture():
         most = largest_texture()
         tell(f"landscape: shadow.size: {most} instead of {shadow.size}, this OpenGL's largest")
         shadow = replace(shadow, size=most)
     wanted = debug.textures or debug.picture != "none"
-    if wanted and not possible("debug.textures", textures_view.NEEDS, textures_view.UNITS):
+    if wanted and not possible("debug.textures"):
         debug = replace(debug, textures=False, picture="none")
     return replace(settings, shadow=shadow, debug=debug)

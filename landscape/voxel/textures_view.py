@@ -12,16 +12,12 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from landscape.frame import Frame
-from landscape.gl import depth_target
 from landscape.gl.calls import gl
 from landscape.gl.depth_target import DepthTarget
-from landscape.gl.extensions import COMBINE
 from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture_target import TextureTarget
 from landscape.voxel.settings import PICTURES
 
-NEEDS = (*depth_target.NEEDS, COMBINE)
-UNITS = 2
 MARGIN = 0.02  # chosen, of the window's width
 ABOVE = 0.07  # chosen, of the window's width: below them is room for the bar of blocks
 START = np.full(4, 0.75, np.float32)  # what is subtracted before each scaling by 4

@@ -22,15 +22,13 @@ import numpy as np
 from landscape.elements import sun
 from landscape.files.assets import Assets
 from landscape.frame import Frame
-from landscape.gl import cube_map, surface_query
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import COMBINE, CROSSBAR, Need, has, possible
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays, combine
 from landscape.gl.surface_query import SurfaceQuery
 from landscape.gl.texture import Texture
-from landscape.voxel import water_images
 from landscape.voxel.fresnel import fresnel_faces
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import ripples
@@ -40,9 +38,6 @@ from landscape.voxel.world import BELOW
 
 BIAS = np.array([[0.5, 0, 0, 0.5], [0, 0.5, 0, 0.5], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 RIPPLE_SIZE = 1.3  # units, chosen: the side of the map of normals on the water
-PICTURES = (*water_images.NEEDS, COMBINE)
-BY_ANGLE = (cube_map.NEED, CROSSBAR)
-GLINTS = (Need((1, 3), ("GL_ARB_texture_env_dot3", "GL_EXT_texture_env_dot3")),)
 EVEN = 0.4  # chosen: how much is mirrored at all angles, where Fresnel's term is not known
 PLAIN = 0.8  # chosen: alpha of water that is a plain colour
 STEEPER = 1.8  # times, chosen: the ripples' slopes; gentle ones would all glint at once
@@ -67,17 +62,17 @@ class Water:
             None  # the textures and equations, and what they depend on
         )
         self._made_of: tuple[float, ...] = ()
-        if not possible("water.reflection, water.refraction", PICTURES, 2):
+        if not possible("water.reflection, water.refraction"):
             return
         self.images = WaterImages(settings.water)
         far = settings.camera.far
         side = settings.voxel.regions * settings.voxel.region_size * settings.voxel.block
-        if has(surface_query.NEED):  # without it the pictures are drawn in any case
+        if possible("water.query"):  # without it the pictures are drawn in any case
             self.query = SurfaceQuery(self.level, -far, side + far, settings.camera.near)
-        if possible("water.fresnel", BY_ANGLE, 3):
+        if possible("water.fresnel"):
             faces = fresnel_faces(settings.water.fresnel, settings.water.by_angle)
             self._fresnel = CubeMap(faces, mipmaps=False)
-        if possible("water.sparkle", GLINTS, 4):
+        if possible("water.sparkle"):
             normals = steepened(finer(ripples(assets)), STEEPER)
             self._normals = Texture(normals, lod_bias=SHARPER)
 

@@ -17,15 +17,12 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from landscape.gl import texture_target
 from landscape.gl.calls import gl
-from landscape.gl.extensions import has, tell_off
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture_target import TextureTarget
-from landscape.voxel.region_buffer import FOG_COORDINATES
 from landscape.voxel.settings import Water
 
-NEEDS = texture_target.NEEDS
 # Blocks, chosen: so far below the water's level the mirrored land goes on. Ripples at the shore
 # show it, not a light line of sky. No block's top is so near below the water.
 MIRRORED_BELOW = 0.5
@@ -58,9 +55,7 @@ class WaterImages:
         self.values = values
         self.reflection: TextureTarget | None = None
         self.refraction: TextureTarget | None = None
-        self.darkens = has(FOG_COORDINATES)
-        if not self.darkens:
-            tell_off("water.clear", FOG_COORDINATES)
+        self.darkens = possible("water.clear")
 
     def _target(self, kept: TextureTarget | None, viewport: tuple[int, int]) -> TextureTarget:
         """Return a target of the right size, the kept one if it is."""

@@ -23,6 +23,8 @@ import numpy as np
 
 from landscape.frame import scaled
 from landscape.gl.calls import drawing, gl
+from landscape.gl.extensions import texture_units
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture_target import TextureTarget
 from landscape.scene import Moment
@@ -74,6 +76,8 @@ class Stretch:
         ``interlaced`` frames have a scale of a half or a quarter, and follow each other with the
         same pose.
         """
+        if moment.detail.scale < 1.0 and not possible("pictures of fewer pixels in a walk"):
+            moment = replace(moment, detail=replace(moment.detail, scale=1.0))
         if moment.detail.scale >= 1.0:
             self._frame = 0
             self.release()
@@ -143,10 +147,10 @@ def _sized(target: TextureTarget | None, size: tuple[int, int]) -> TextureTarget
 @contextmanager
 def _biased(bias: float) -> Iterator[None]:
     """Add ``bias`` to the mip levels that all texture units choose in the block."""
-    if not bias:
+    if not bias or not possible("sharper textures"):
         yield
         return
-    units = range(int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS)))
+    units = range(texture_units())
 
     def add(value: float) -> None:
         for unit in units:

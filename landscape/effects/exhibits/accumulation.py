@@ -19,15 +19,11 @@ import numpy as np
 from landscape.effects.exhibits.picture import Part, part_of, projection
 from landscape.frame import Frame
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need, first_missing, tell_off
+from landscape.gl.extensions import tell
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, flat_projection
 from landscape.gl.texture_target import TextureTarget
 
-NEEDS = (
-    Need((3, 0), ("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object")),
-    Need((2, 0), ("GL_ARB_texture_non_power_of_two",)),
-)
-DEEP = Need((3, 0), ("GL_ARB_texture_float",))
 SHEET, SIDE = 1024, 512  # chosen: sides of the sheet of samples and of the mean, in pixels
 GOLDEN = np.pi * (3.0 - np.sqrt(5.0))  # radians: the golden angle
 
@@ -55,7 +51,7 @@ def cut(part: Part, size: tuple[int, int]) -> np.ndarray:
 
 
 class Accumulation:
-    """The sheet of samples and their mean. Needs what NEEDS lists."""
+    """The sheet of samples and their mean. Needs framebuffer objects and textures of any size."""
 
     def __init__(self, deep: bool = True) -> None:
         """Make both; ``deep`` keeps sums in floating point, where this OpenGL can."""
@@ -71,13 +67,12 @@ class Accumulation:
     @staticmethod
     def _made(deep: bool) -> TextureTarget:
         """Return the mean's texture: of floating-point numbers, where this OpenGL can draw them."""
-        if deep and first_missing([DEEP]) is None:
+        if deep and possible("exhibits.deep"):
             found = TextureTarget((SIDE, SIDE), "RGBA32F")
             if found.complete:
                 return found
             found.release()
-        if deep:
-            tell_off("exhibits.deep", DEEP)
+            tell("landscape: exhibits.deep: off, for this OpenGL draws into no GL_RGBA32F texture")
         return TextureTarget((SIDE, SIDE), "RGBA8")
 
     def set_deep(self, deep: bool) -> None:

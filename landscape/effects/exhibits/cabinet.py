@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from landscape.effects import plan
-from landscape.effects.exhibits.accumulation import NEEDS, Accumulation
+from landscape.effects.exhibits.accumulation import Accumulation
 from landscape.effects.exhibits.depth_of_field import DepthOfField
 from landscape.effects.exhibits.hidden_lines import HiddenLines
 from landscape.effects.exhibits.motion_blur import MotionBlur
@@ -26,7 +26,7 @@ from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.culling import ball_in_view
-from landscape.gl.extensions import first_missing, tell_off
+from landscape.gl.features import possible
 
 RADIUS = 0.22  # units: a ball around the middle of an alcove that holds it
 FAR = 0.9  # chosen: units beyond which an exhibit is shown without its effect
@@ -43,9 +43,7 @@ class Cabinet:
         self._settings, self._stencil = settings, stencil
         self._stone = Stone(assets)
         self._accumulation: Accumulation | None = None
-        if need := first_missing(NEEDS):
-            tell_off("exhibits.soft, exhibits.blur, exhibits.focus", need)
-        else:
+        if possible("exhibits.soft, exhibits.blur, exhibits.focus"):
             self._accumulation = Accumulation(settings.exhibits.deep)
         sums = self._accumulation
         self._solids = Solids(settings, assets)

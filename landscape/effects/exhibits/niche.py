@@ -23,7 +23,7 @@ from landscape.geometry.mesh import Mesh, grid_triangles, merged, vertex_normals
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import attrib, combine, front_faces
+from landscape.gl.state import attrib, front_faces, multiply
 from landscape.gl.texture import Texture
 
 INSET = 0.0012  # chosen: units between the room's stone and the lining
@@ -262,8 +262,7 @@ class Stone:
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
         with attrib(groups), front_faces():
             gl.glEnable(gl.GL_TEXTURE_2D)
-            combine({"COMBINE_RGB": "MODULATE"})
-            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, SCALE)
+            multiply(SCALE)
             for number in numbers:
                 self._niches[number].send(light, self._textures)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)

@@ -43,11 +43,10 @@ from landscape.geometry.silhouette import shadow_volume
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.extensions import Need, has
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays, matrix
 from landscape.gl.texture import Texture
 
-WRAP = Need((1, 4), ("GL_EXT_stencil_wrap",))
 BRONZE = (0.80, 0.52, 0.22)  # chosen
 ALONG, AROUND = 72, 9  # chosen: vertices of the knot along it and around it
 SIZE, TUBE = 0.0165, 0.0075  # chosen: units: scale of the trefoil, and radius of its tube
@@ -108,7 +107,7 @@ class ShadowVolume:
         self.pedestal = pedestal_boxes(plan.ALCOVES[VOLUME])
         self._list = DisplayList(lambda: draw_mesh(knot))
         self._holder = DisplayList(send_holder)
-        self._wrap = has(WRAP)
+        self._wrap = possible("exhibits.volume")
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing built depends on them."""

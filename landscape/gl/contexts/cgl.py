@@ -80,6 +80,10 @@ class CGLContext:
             raise NoOpenGLError("CGL refused to make its context current")
         use_lists(self.lists)
 
+    def resize(self, size: tuple[int, int]) -> None:
+        """Refuse: there is none. Every OpenGL of macOS has framebuffer objects."""
+        raise NoOpenGLError("a context of CGL draws into framebuffer objects only")
+
     def leave(self) -> None:
         """Have no context of CGL current."""
         self._cgl.CGLSetCurrentContext(None)

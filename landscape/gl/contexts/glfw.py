@@ -169,6 +169,13 @@ class GLFWContext:
             self.glfw.make_context_current(self.window)
         use_lists(self.lists)
 
+    def resize(self, size: tuple[int, int]) -> None:
+        """Give the window another size, in pixels, and make the context current."""
+        scale = self.scale()
+        self.glfw.set_window_size(self.window, *(round(side / scale) for side in size))
+        self.glfw.poll_events()
+        self.make_current()
+
     def pixels(self) -> tuple[int, int]:
         """Return the size of what is drawn to, in pixels."""
         size: tuple[int, int] = self.glfw.get_framebuffer_size(self.window)

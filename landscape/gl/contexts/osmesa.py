@@ -45,7 +45,7 @@ def finish_drawing(context: Any, current: Any) -> None:
 
 
 class OSMesaContext:
-    """A context with an image of its own, which stills leave alone."""
+    """A context with an image of its own, which stills leave alone if they can."""
 
     backend = "osmesa"
 
@@ -62,10 +62,17 @@ class OSMesaContext:
 
     def make_current(self) -> None:
         """Direct this thread's GL calls here."""
-        address = self._image.ctypes.data
-        if not self._osmesa.OSMesaMakeCurrent(self._context, address, UNSIGNED_BYTE, 16, 16):
+        height, width = self._image.shape[:2]
+        image = self._image.ctypes.data, UNSIGNED_BYTE, width, height
+        if not self._osmesa.OSMesaMakeCurrent(self._context, *image):
             raise NoOpenGLError("OSMesa refused to make its context current")
         use_lists(self.lists)
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Give the image another size, in pixels, and make the context current."""
+        before, self._image = self._image, np.zeros((size[1], size[0], 4), np.uint8)
+        self.make_current()
+        del before  # not earlier: until then it was drawn to
 
     def release(self) -> None:
         """Destroy the context; its image must outlive it."""

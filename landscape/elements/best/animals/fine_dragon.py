@@ -21,6 +21,7 @@ from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import gl
+from landscape.gl.state import glint_after_texture
 from landscape.settings import Settings
 
 SHININESS = 40.0  # chosen: wet scales
@@ -85,7 +86,7 @@ class FineDragon(FineAnimal):
         gloss = self._settings.dragon.gloss
         if not gloss:
             return
-        gl.glLightModeli(gl.GL_LIGHT_MODEL_COLOR_CONTROL, gl.GL_SEPARATE_SPECULAR_COLOR)
+        glint_after_texture()
         glint = np.array([gloss] * 3 + [1.0], np.float32)
         gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, glint)
         gl.glMaterialf(gl.GL_FRONT, gl.GL_SHININESS, SHININESS)

@@ -25,19 +25,12 @@ from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
-from landscape.gl import cube_map
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
-from landscape.gl.extensions import Need, enough_units, first_missing, tell_off
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, combine
 from landscape.settings import Settings, Sun
 
-NEEDS = (
-    cube_map.NEED,
-    Need((1, 3), ("GL_ARB_multitexture",)),
-    Need((1, 3), ("GL_ARB_texture_env_combine", "GL_EXT_texture_env_combine")),
-)
-UNITS = 3
 SIDE = 32  # chosen: texels per side of a face of the map of Fresnel's law
 SUN_SIZE = 0.15  # chosen: radians, of the sun as wet scales mirror it
 BAND = 0.085  # chosen: height of the wetted band on a mesh of -1..1
@@ -93,7 +86,7 @@ class WetSheen:
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Upload the maps."""
-        self._wet = settings.dragon.wet > 0.0 and enough_units("dragon.wet", UNITS + 1)
+        self._wet = settings.dragon.wet > 0.0 and possible("dragon.wet")
         around = surroundings.surroundings(settings, assets)
         if self._wet:
             around = np.concatenate([around, glints(settings.sun)], axis=-1)
@@ -106,12 +99,9 @@ class WetSheen:
     @classmethod
     def made(cls, settings: Settings, assets: Assets) -> "WetSheen | None":
         """Return the sheen if it is wanted and this OpenGL can show it."""
-        if settings.dragon.sheen <= 0.0:
+        if settings.dragon.sheen <= 0.0 or not possible("dragon.sheen"):
             return None
-        if need := first_missing(NEEDS):
-            tell_off("dragon.sheen", need)
-            return None
-        return cls(settings, assets) if enough_units("dragon.sheen", UNITS) else None
+        return cls(settings, assets)
 
     @contextmanager
     def shining(self, frame: Frame, strength: float, wet: float = 0.0) -> Iterator[None]:

@@ -56,7 +56,8 @@ from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
 from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays
+from landscape.gl.extensions import antialiased
+from landscape.gl.state import attrib, client_arrays, multiply
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
@@ -76,7 +77,7 @@ def cut_out() -> None:
     GL_SAMPLE_ALPHA_TO_COVERAGE is of OpenGL 1.3: alpha says how many samples are written.
     """
     gl.glEnable(gl.GL_ALPHA_TEST)
-    if gl.glGetIntegerv(gl.GL_SAMPLE_BUFFERS):
+    if antialiased():
         gl.glEnable(gl.GL_SAMPLE_ALPHA_TO_COVERAGE)
         gl.glAlphaFunc(gl.GL_GREATER, 0.1)
     else:
@@ -234,13 +235,11 @@ class Meadow:
                 gl.glColor3f(*self._settings.sun.tint)
             else:
                 # Twice texture times tint: a tint can make a blade lighter than its texture.
-                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
-                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+                multiply(2.0)
             with client_arrays(vertices, None, tinted, [self._coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)
             if tinted is not None:
-                gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
-                gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+                multiply()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def apply(self, settings: Settings) -> bool:

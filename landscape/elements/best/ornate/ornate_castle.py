@@ -15,6 +15,7 @@ import numpy as np
 from landscape.elements.best.ornate.baked_light import light_map
 from landscape.elements.best.ornate.doorway import Doorway
 from landscape.elements.best.ornate.gate import TIMES, CastleInOnePass, Unit
+from landscape.elements.best.ornate.gate_layers import draw_layers
 from landscape.elements.best.ornate.loopholes import loopholes
 from landscape.elements.best.ornate.open_door import HALF, send_open_door, send_opening
 from landscape.elements.best.ornate.ornate_masonry import KEEP, ornate_masonry
@@ -34,6 +35,7 @@ from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.extensions import has_stencil
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, combine, front_faces, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
@@ -44,6 +46,7 @@ BY_DAY = 0.5  # chosen: fraction of the flickering glow that is visible; torches
 SHADE = (0.42, 0.42, 0.45)  # chosen: of the door within; the yard is in the shadow of its walls
 WARM = np.array([1.1, 0.62, 0.3])  # chosen: the light of larger flames is less yellow
 HALL_PIXELS = 5.2  # chosen: half width of the door from which the hall behind it is seen
+GATE = 2  # triangles: the gate wall, which comes first in the bricks
 NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
 
 
@@ -62,6 +65,7 @@ class OrnateCastle(CastleInOnePass):
         )
         self._bricks = replace(bricks, coordinates=(*bricks.coordinates, lit))
         self._light_map = Texture(picture, repeat=False, mipmaps=False)
+        self._one_layer = possible("the ornate castle's gate in one layer")
         super().__init__(settings, assets, field)
         self._open_door = DisplayList(lambda: send_open_door(self._door))
         self._opening = DisplayList(send_opening)
@@ -89,14 +93,7 @@ class OrnateCastle(CastleInOnePass):
 
     def _send_bricks(self) -> None:
         """Send bricks without the gate wall, slates, masts and dark openings."""
-        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
-            gl.glActiveTexture(gl.GL_TEXTURE1)
-            self._light_map.bind()
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
-            # The first two triangles are the gate wall.
-            draw_mesh(replace(self._bricks, triangles=self._bricks.triangles[2:]))
+        self._send_walls(slice(GATE, None))
         self._send_roofs()
         self._stone.bind()
         gl.glColor3f(*WOOD)
@@ -109,6 +106,31 @@ class OrnateCastle(CastleInOnePass):
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._send_door_within()
         gl.glColor3f(1.0, 1.0, 1.0)
+
+    def _send_walls(self, triangles: slice) -> None:
+        """Send some of the bricks' triangles times twice their light map."""
+        with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
+            gl.glActiveTexture(gl.GL_TEXTURE1)
+            self._light_map.bind()
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+            draw_mesh(replace(self._bricks, triangles=self._bricks.triangles[triangles]))
+
+    def _send_gate(self) -> None:
+        if self._one_layer:
+            super()._send_gate()
+            return
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._brick.bind()
+        self._send_walls(slice(GATE))
+
+    def _draw_gate(self, kt: float) -> None:
+        if self._one_layer:
+            super()._draw_gate(kt)
+            return
+        self._gate.call()
+        draw_layers(self._door, self._light, kt)
 
     def _send_roofs(self) -> None:
         gl.glColor3f(*SLATE)

@@ -40,6 +40,7 @@ from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
@@ -199,4 +200,5 @@ def castle_class(settings: Settings) -> type[Castle]:
     castle = settings.castle
     if castle.ornate:
         return WeatheredCastle if castle.weathered else OrnateCastle
-    return CastleInOnePass if castle.multitexture else Castle
+    layered = not castle.multitexture or not possible("castle.multitexture")
+    return Castle if layered else CastleInOnePass

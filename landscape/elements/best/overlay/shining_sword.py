@@ -23,16 +23,14 @@ from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
-from landscape.gl import cube_map
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import Need, first_missing, tell_off
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-NEEDS = (cube_map.NEED, Need((1, 3), ("GL_ARB_multitexture",)))
 COLD, WARM = 0.02, -0.04  # chosen: blue less red, of the brightest, of steel and of leather
 DARK, BRIGHT = 50, 90  # chosen: levels from and above which grey is steel and not shadow
 FAR = 4.0  # chosen: what is this many times the median distance from the axis is no blade
@@ -151,8 +149,7 @@ class ShiningSword(Sword):
         self._masks: list[Texture] = []
         self._strips: list[DisplayList | None] = []
         self._around: CubeMap | None = None
-        if need := first_missing(NEEDS):
-            tell_off("overlay.sheen", need)
+        if not possible("overlay.sheen"):
             return
         self._around = CubeMap(light_around(settings, assets))
         for path in pictures(assets):

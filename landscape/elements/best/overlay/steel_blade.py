@@ -34,7 +34,7 @@ from landscape.geometry.mesh import Mesh, grid_triangles
 from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import enough_units
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
@@ -260,7 +260,7 @@ class SteelBlade(ShiningSword):
         super().__init__(settings, assets)
         self._blade: DisplayList | None = None
         self._owned: list[Texture | CubeMap] = []
-        if self._around is None or not enough_units("overlay.blade", 2):
+        if self._around is None or not possible("overlay.blade"):
             return
         path = pictures(assets)[0]
         (cut,) = recall(["hilt", content(path)], lambda: (finer(without_blade(read_image(path))),))

@@ -5,7 +5,8 @@ framebuffer object of half the window's size (``Detail.mirror``), with a slightl
 ripples look up places beyond the window's borders. The texture is then projected onto the water:
 the texture matrix is bias x projection x camera, so a vertex whose texture coordinate is its own
 position samples its own pixel, and one whose texture coordinate is moved by a ripple samples a
-place beside it. (In 2006 this would have been glCopyTexSubImage2D.)
+place beside it. Without framebuffer objects the image is drawn into the framebuffer and copied,
+as it would have been in 2006 (gl/copied_target.py).
 State used: a framebuffer object, viewport and projection; to draw with it, one texture unit with
 GL_COMBINE (OpenGL 1.3) and crossbar (1.4), its texture matrix.
 """
@@ -20,7 +21,10 @@ import numpy as np
 from landscape.frame import Frame
 from landscape.geometry.culling import is_near
 from landscape.gl.calls import gl
-from landscape.gl.state import combine, matrix
+from landscape.gl.copied_target import CopiedTarget
+from landscape.gl.features import possible
+from landscape.gl.state import combine, matrix, use_unit
+from landscape.gl.texture import at_most
 from landscape.gl.texture_target import TextureTarget
 
 ACROSS, DOWN = 0.6, 0.9  # chosen: texels of the mirror image per pixel of its size
@@ -30,7 +34,8 @@ KEPT_DISTANCE, KEPT_ANGLE = 0.12, math.radians(6.0)
 # Clip coordinates -1..1 to texture coordinates 0..1.
 BIAS = np.array([(0.5, 0, 0, 0.5), (0, 0.5, 0, 0.5), (0, 0, 0.5, 0.5), (0, 0, 0, 1.0)])
 
-Taken = tuple[TextureTarget, np.ndarray]
+Target = TextureTarget | CopiedTarget
+Taken = tuple[Target, np.ndarray]
 """The texture, and the matrix (4, 4) from positions to its coordinates."""
 
 
@@ -75,8 +80,7 @@ def projected(mirror: Taken, unit: int) -> Iterator[None]:
     The unit is active, and its environment is the block's.
     """
     target, projection = mirror
-    name = getattr(gl, f"GL_TEXTURE{unit}")
-    gl.glActiveTexture(name)
+    use_unit(unit)
     gl.glEnable(gl.GL_TEXTURE_2D)
     target.bind()
     gl.glMatrixMode(gl.GL_TEXTURE)
@@ -85,7 +89,7 @@ def projected(mirror: Taken, unit: int) -> Iterator[None]:
         try:
             yield
         finally:
-            gl.glActiveTexture(name)
+            use_unit(unit)
             gl.glMatrixMode(gl.GL_TEXTURE)
     gl.glMatrixMode(gl.GL_MODELVIEW)
 
@@ -95,7 +99,7 @@ class MirrorImage:
 
     def __init__(self) -> None:
         """Create nothing yet: the size of the window is not known."""
-        self._target: TextureTarget | None = None
+        self._target: Target | None = None
         self._matrix: np.ndarray | None = None
         self._drawn: tuple[Frame, np.ndarray] | None = None
         self._served = 0
@@ -105,9 +109,12 @@ class MirrorImage:
         """Let the block draw the mirrored scene into the texture; yield the frame to draw it by."""
         width, height = (max(1, round(side * frame.detail.mirror)) for side in frame.size)
         texels = max(1, round(width * ACROSS)), max(1, round(height * DOWN))
+        if not possible("textures of any size"):
+            texels = at_most(texels[0]), at_most(texels[1])
         if self._target is None or self._target.size != texels:
             self.release()
-            self._target = TextureTarget(texels)
+            drawn_into = possible("reflection.rippled without a copy")
+            self._target = TextureTarget(texels) if drawn_into else CopiedTarget(texels)
         # OpenGL returns and takes matrices in column-major order.
         seen = np.array(gl.glGetFloatv(gl.GL_PROJECTION_MATRIX), np.float64).reshape(4, 4).T
         projection = widened(seen, MARGIN)

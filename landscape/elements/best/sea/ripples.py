@@ -26,6 +26,7 @@ from landscape.elements.best.sea.waves import change_of_opacity, facing, mirror_
 from landscape.files.cache import recall
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays, combine
 from landscape.gl.texture import Texture, mip_levels
 from landscape.settings import Settings
@@ -135,10 +136,10 @@ class Ripples:
         ]
         seen = depths if water.shallow else np.full((2, 2), OPEN_SEA)
         self._body = Texture(body_picture(seen, lit_colour(settings)), repeat=False)
-        self._lists = [
-            DisplayList(each)
-            for each in (self._set_layers, self._set_mirror, self._set_near, self._set_blended)
-        ]
+        sets = [self._set_layers, self._set_blended]
+        if possible("water.ripples in one pass"):
+            sets += [self._set_mirror, self._set_near]
+        self._lists = [DisplayList(each) for each in sets]
 
     def draw(
         self,
@@ -185,14 +186,14 @@ class Ripples:
                 gl.glShadeModel(gl.GL_FLAT)
             self._lists[0].call()
             if mirror is None:
-                self._lists[3].call()
+                self._lists[1].call()
                 self._send(grid.triangles)
                 return
             with projected(mirror, LAST):
                 with projected(mirror, SHARED):
-                    self._lists[1].call()
+                    self._lists[-2].call()
                     self._send(grid.triangles[:far])
-                self._lists[2].call()
+                self._lists[-1].call()
                 gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{SHARED}"))
                 gl.glTexCoordPointer(2, gl.GL_FLOAT, 0, fine)
                 gl.glColorPointer(4, gl.GL_FLOAT, 0, two)

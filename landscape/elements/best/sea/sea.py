@@ -8,7 +8,8 @@ them (eye_grid.py). A sum of small waves gives each vertex its normal, its heigh
 water's own colour from above, a mirror in the distance. ``water.shallow`` shows the bottom through
 shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
 Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
-it as the patches are.
+it as the patches are. Where there are too few texture units for water and image at once, the image
+is drawn first, too (mirror_pass.py).
 State used: GL_LIGHTING, up to four texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4),
 texture matrix, GL_BLEND.
 """
@@ -24,12 +25,14 @@ from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
 from landscape.elements.best.sea.foam import Foam
 from landscape.elements.best.sea.glitter import Glitter
 from landscape.elements.best.sea.mirror_image import MirrorImage, Taken, mirror_unit
+from landscape.elements.best.sea.mirror_pass import draw_mirror
 from landscape.elements.best.sea.ripples import Ripples
 from landscape.elements.best.sea.shallows import (
     TEXELS,
     Shallows,
     cut_level,
     draw_floor,
+    hidden_bottom,
     sea_depths,
 )
 from landscape.elements.best.sea.waves import (
@@ -54,6 +57,7 @@ from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.draw import level_square
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays
 from landscape.settings import Settings
 
@@ -109,7 +113,8 @@ def softened(settings: Settings) -> Iterator[None]:
 
     Clouds with firm edges would show that the image is smooth where the ripples are not.
     """
-    if not (settings.reflection.rippled and settings.water.ripples > 0):
+    rippled = settings.reflection.rippled and settings.water.ripples > 0
+    if not rippled or not possible("sharper textures"):
         yield
         return
     unit = gl.GL_TEXTURE_FILTER_CONTROL, gl.GL_TEXTURE_LOD_BIAS
@@ -148,13 +153,15 @@ class Sea:
         self._size = field.size
         depths = sea_depths(field)
         self._relief = np.clip(depths / SHOAL, 0.0, 1.0).astype(np.float32)
+        self._hidden = hidden_bottom(depths).astype(np.float32)
         self.mirror = MirrorImage()
         self._ripples = self._texture = self._shallows = None
         if rippling(settings):
             self._ripples = Ripples(settings, depths, field.size)
         else:
             self._texture = water_texture(settings, assets)
-            self._shallows = Shallows(depths, field.size) if settings.water.shallow else None
+            if settings.water.shallow and possible("water.shallow"):
+                self._shallows = Shallows(depths, field.size)
         self._foam = Foam(settings, assets, field, dragon) if settings.water.foam else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
 
@@ -180,7 +187,7 @@ class Sea:
         lift, slope_x, slope_z, move_x, move_z = waves(grid.x, grid.z, grid.cell, t, unfolded(grid))
         y = np.full(grid.x.shape, water.level, np.float32)
         if water.relief:
-            y += lift * self._relief_left(grid)
+            y += lift * self._at_vertices(self._relief, grid).reshape(y.shape)
         vertices = np.stack([grid.x.ravel(), y.ravel(), grid.z.ravel()], axis=1)
         places = np.ascontiguousarray(vertices[:, ::2])
         tilts = slope_x, slope_z, move_x, move_z
@@ -193,6 +200,11 @@ class Sea:
             if water.shallow and floor < water.level:
                 draw_floor(floor, self._size, self._settings.sun)
             with self._clearer_fog(grid):
+                if mirror is not None and not self._in_one_pass:
+                    looked_up = mirror_places(grid, y, move_x, move_z)
+                    hidden = self._at_vertices(self._hidden, grid) if water.shallow else 1.0
+                    draw_mirror(mirror, vertices, looked_up, hidden, grid.triangles)
+                    mirror = None
                 if self._ripples is not None:
                     self._ripples.draw(self._settings, grid, vertices, tilts, t, mirror)
                 else:
@@ -203,6 +215,12 @@ class Sea:
             if self._glitter is not None:
                 surface, slopes = (vertices, places), (slope_x, slope_z)
                 self._glitter.draw(frame, self._settings, grid, surface, slopes)
+
+    @property
+    def _in_one_pass(self) -> bool:
+        """Whether water and mirror image are drawn at once."""
+        what = "water.ripples" if self._ripples is not None else "reflection.rippled"
+        return possible(f"{what} in one pass")
 
     def _draw_plain(
         self,
@@ -254,11 +272,11 @@ class Sea:
             colors[:, 3] = opacity(facing(grid, slope_x, slope_z), water.color[3]).ravel()
         return colors
 
-    def _relief_left(self, grid: EyeGrid) -> np.ndarray:
-        """Return the fraction of the relief that remains at the grid's places: 0 on the beach."""
+    def _at_vertices(self, picture: np.ndarray, grid: EyeGrid) -> np.ndarray:
+        """Return what a map (TEXELS, TEXELS) of the sea holds at the grid's vertices, (n,)."""
         scale = np.float32(TEXELS / self._size)
         row, column = (np.clip(a * scale, 0, TEXELS - 1).astype(int) for a in (grid.z, grid.x))
-        return np.asarray(self._relief.take(row * TEXELS + column))
+        return np.asarray(picture.take((row * TEXELS + column).ravel()))
 
     @contextmanager
     def _clearer_fog(self, grid: EyeGrid) -> Iterator[None]:

@@ -63,17 +63,25 @@ def depth_picture(depths: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(picture * 255 + 0.5, np.uint8)
 
 
+def hidden_bottom(depths: np.ndarray) -> np.ndarray:
+    """Return how much of the bottom the water hides at depths (n, n) in units, 0..1.
+
+    The border is opaque, as in :func:`depth_picture`.
+    """
+    hidden = np.interp(np.maximum(depths, 0.0), DEPTHS, HIDING)
+    hidden[[0, -1], :] = hidden[:, [0, -1]] = 1.0
+    return hidden
+
+
 def body_picture(depths: np.ndarray, colour: np.ndarray) -> np.ndarray:
     """Return the sea's own colour by depths (n, n) in units as a texture, uint8 (n, n, 4).
 
     ``colour`` (3,) is that of the deep sea in the light. Alpha is how much of the bottom the water
-    hides; the border is opaque, as in :func:`depth_picture`.
+    hides.
     """
     depth = np.maximum(depths, 0.0)
     tint = np.stack([np.interp(depth, DEPTHS, COLOURS[:, k]) for k in range(3)], axis=2)
-    hidden = np.interp(depth, DEPTHS, HIDING)
-    hidden[[0, -1], :] = hidden[:, [0, -1]] = 1.0
-    picture = np.concatenate([tint * colour, hidden[..., None]], axis=2)
+    picture = np.concatenate([tint * colour, hidden_bottom(depths)[..., None]], axis=2)
     return np.ascontiguousarray(np.clip(picture, 0.0, 1.0) * 255 + 0.5, np.uint8)
 
 

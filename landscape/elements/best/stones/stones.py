@@ -28,12 +28,11 @@ from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, in_view, is_near
 from landscape.geometry.height_field import mirrored_height
 from landscape.gl.calls import gl
-from landscape.gl.extensions import Need, has
-from landscape.gl.state import attrib, front_faces
+from landscape.gl.features import possible
+from landscape.gl.state import attrib, front_faces, multiply
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
-BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
 # All chosen.
 # Diameter in pixels below which a stone is not drawn, by kind, times LIMITS; what is large stands
 # among its like, on rock of its colour, where a small one is not missed.
@@ -89,7 +88,7 @@ class Stones:
             assets.path(name, "ground.rock_texture"), largest=settings.ground.texture_size
         )
         self._texture = Texture(image, trilinear=False)
-        self._name = int(gl.glGenBuffers(1)) if has(BUFFERS) else 0
+        self._name = int(gl.glGenBuffers(1)) if possible("vertex buffers") else 0
         self._upload(self.bodies.vertices)
 
     def _upload(self, vertices: np.ndarray) -> None:
@@ -192,14 +191,11 @@ class Stones:
         corners = self.choice(frame)
         if not len(corners):
             return
-        env = gl.GL_TEXTURE_ENV
         whole = 0 if self._name else self._kept.ctypes.data
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
-            gl.glTexEnvi(env, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
-            gl.glTexEnvi(env, gl.GL_COMBINE_RGB, gl.GL_MODULATE)
-            gl.glTexEnvf(env, gl.GL_RGB_SCALE, 2.0)
+            multiply(2.0)
             gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
             if self._name:
                 gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._name)

@@ -21,13 +21,12 @@ from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.extensions import enough_units
+from landscape.gl.features import possible
 from landscape.gl.state import combine
 from landscape.gl.texture import Texture
 from landscape.settings import Settings, Sun
 
 LAST = 3  # the last texture unit of the ground itself (materials.py)
-UNITS = LAST + 4  # how many are needed
 DEEPEST = 0.15  # chosen: units of depth at which the net has faded out
 EDGE = 0.03  # chosen: units of depth over which it appears at the water's edge
 REPEAT = 3.0  # chosen: nets per unit; the waves are larger than a pool's
@@ -76,7 +75,7 @@ class BedLight:
     @classmethod
     def made(cls, settings: Settings, assets: Assets) -> "BedLight | None":
         """Return the light if it is wanted and there are enough texture units for it."""
-        if not wanted(settings) or not enough_units("water.caustics", UNITS):
+        if not wanted(settings) or not possible("water.caustics"):
             return None
         return cls(assets, settings.water.level, settings.sun)
 

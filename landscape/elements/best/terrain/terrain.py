@@ -43,7 +43,7 @@ from landscape.elements.best.terrain.tiles import boxes, cut, every_second
 from landscape.elements.best.terrain.verdure import grained, verdant
 from landscape.elements.best.terrain.weathering import weathered
 from landscape.elements.best.terrain.wet import dampened, wet_texels
-from landscape.elements.ground import Ground, has_no_colours, lay_units, leave_units
+from landscape.elements.ground import Ground, chosen, has_no_colours, lay_units, leave_units
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights, read_image
@@ -55,6 +55,7 @@ from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.draw import draw_mesh
+from landscape.gl.features import possible
 from landscape.gl.state import front_faces
 from landscape.gl.texture import Texture, halves_evenly
 from landscape.settings import Ground as GroundSettings
@@ -87,10 +88,11 @@ class Terrain(Ground):
         self._light: np.ndarray | None = None
         self._tiles: dict[int, dict[int, DisplayList]] = {}  # by their labels and numbers
         self._looks, self._mirrored = list[DisplayList](), list[DisplayList]()
-        self._mixed = ground.materials and ground.units == "both"
-        self._drawn = self._with_shore(ground, assets) if self._mixed else self.large
-        self._painted = self._materials(ground, assets) if self._mixed else self.large
-        if ground.wet and self._mixed:
+        painted = ground.materials and ground.units == "both"
+        self._mixed = painted and possible("ground.materials")
+        self._drawn = self._with_shore(ground, assets) if painted else self.large
+        self._painted = self._materials(ground, assets) if painted else self.large
+        if ground.wet and painted:
             self._painted = self._dampened(self._painted)
         self._splat = self._texture(self._painted, repeat=False)
         detail = partial(self._detail, assets)
@@ -101,7 +103,7 @@ class Terrain(Ground):
             layers.append((self._splat, 1.0))
         else:
             both = [(self._splat, 1.0), (detail("detail_texture"), ground.detail_repeat)]
-            layers = {"both": both, "large": both[:1], "detail": both[1:], "none": []}[ground.units]
+            layers = chosen(both, ground.units)
         detail_uv = self._low_stretch() if ground.low_stretch else None
         mesh = ground_mesh(self.field, tuple(repeat for _, repeat in layers), detail_uv)
         if self._mixed:

@@ -1,0 +1,30 @@
+"""The ornate castle's gate in layers, where there are too few texture units for one (gate.py).
+
+Door and light are blended over the bricks as in 2006 (castle_gate.py), but the light may brighten:
+glBlendFunc(GL_DST_COLOR, GL_SRC_COLOR) multiplies by twice its colour.
+What is wrong with it: three layers are fogged three times.
+State used: GL_TEXTURE_2D, GL_BLEND, polygon offset.
+"""
+
+from landscape.elements.castle_gate import gate_quad, light_shift
+from landscape.gl.calls import gl
+from landscape.gl.state import attrib
+from landscape.gl.texture import Texture
+
+
+def draw_layers(door: Texture, halo: Texture, kt: float) -> None:
+    """Blend the door over the gate wall's bricks, and multiply both by twice the halo."""
+    with attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_POLYGON_BIT):
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glEnable(gl.GL_BLEND)
+        gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
+        gl.glNormal3f(0.0, 0.0, -1.0)
+        gl.glPolygonOffset(-1.0, -2.0)
+        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+        door.bind()
+        gate_quad(-0.001, 0.0, 0.0)
+        gl.glDisable(gl.GL_LIGHTING)
+        gl.glPolygonOffset(-2.0, -4.0)
+        gl.glBlendFunc(gl.GL_DST_COLOR, gl.GL_SRC_COLOR)
+        halo.bind()
+        gate_quad(-0.002, *light_shift(kt))

@@ -1,0 +1,27 @@
+"""What the current OpenGL can do of the island's techniques: the others are off, with one line.
+
+What each needs is in gl/features.py. Here the settings are changed accordingly, so that all other
+code only asks the settings.
+"""
+
+from typing import Any
+
+from landscape.gl.features import possible
+from landscape.keys import get, with_settings
+from landscape.settings import Settings
+
+# Settings that ask for something, and the value that does not.
+OFF: dict[str, Any] = {
+    "castle.ornate": False,
+    "water.foam": False,
+    "water.glitter": 0.0,
+    "water.horizon_contrast": 0.0,
+    "water.query": False,
+    "water.ripples": 0.0,
+}
+
+
+def supported(settings: Settings) -> Settings:
+    """Return settings without the techniques that the current OpenGL cannot draw."""
+    asked = [key for key, off in OFF.items() if get(settings, key) != off]
+    return with_settings(settings, {key: OFF[key] for key in asked if not possible(key)})

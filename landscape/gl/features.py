@@ -1,0 +1,136 @@
+"""What each part of the pictures needs of OpenGL: one table, asked before anything of it is used.
+
+A name is that of the setting that asks for it, or says what is drawn. What is not possible is left
+out: the rest of the picture stays. :func:`possible` says so once, in one line on stderr;
+``landscape doctor`` lists it all.
+"""
+
+from typing import NamedTuple
+
+from landscape.gl import extensions
+from landscape.gl.extensions import Need, first_missing, tell
+
+# OpenGL 1.2.
+EDGE_CLAMP = Need((1, 2), ("GL_SGIS_texture_edge_clamp",))
+LEVELS = Need((1, 2), ("GL_SGIS_texture_lod",))
+SPECULAR = Need((1, 2), ("GL_EXT_separate_specular_color",))
+# OpenGL 1.3.
+COMBINE = Need((1, 3), ("GL_ARB_texture_env_combine",))
+DOT3 = Need((1, 3), ("GL_ARB_texture_env_dot3",))
+CUBE_MAP = Need((1, 3), ("GL_ARB_texture_cube_map",))
+BORDER = Need((1, 3), ("GL_ARB_texture_border_clamp",))
+# OpenGL 1.4.
+CROSSBAR = Need((1, 4), ("GL_ARB_texture_env_crossbar",))
+DEPTH_TEXTURE = Need((1, 4), ("GL_ARB_depth_texture",))
+SHADOW = Need((1, 4), ("GL_ARB_shadow",))
+FOG_COORDINATES = Need((1, 4), ("GL_EXT_fog_coord",))
+MAKES_LEVELS = Need((1, 4), ("GL_SGIS_generate_mipmap",))
+LOD_BIAS = Need((1, 4))
+EQUATIONS = Need((1, 4), ("GL_EXT_blend_minmax",))
+SUBTRACT = Need((1, 4), ("GL_EXT_blend_subtract",))
+MULTI_DRAW = Need((1, 4), ("GL_EXT_multi_draw_arrays",))
+STENCIL_WRAP = Need((1, 4), ("GL_EXT_stencil_wrap",))
+# OpenGL 1.5 and later.
+BUFFERS = Need((1, 5), ("GL_ARB_vertex_buffer_object",))
+QUERY = Need((1, 5), ("GL_ARB_occlusion_query",))
+ANY_SIZE = Need((2, 0), ("GL_ARB_texture_non_power_of_two",))
+# GL_EXT_framebuffer_object alone has functions of other names, and no buffer of depth and stencil.
+FRAMEBUFFERS = Need((3, 0), ("GL_ARB_framebuffer_object",))
+FLOAT_TEXTURES = Need((3, 0), ("GL_ARB_texture_float",))
+FOG_DISTANCE = Need(None, ("GL_NV_fog_distance",))
+
+PICTURE = (FRAMEBUFFERS, ANY_SIZE)  # to draw into a texture
+DEPTHS = (FRAMEBUFFERS, DEPTH_TEXTURE, SHADOW, BORDER)  # to draw into a texture of depths
+
+
+class Feature(NamedTuple):
+    """What a part of the pictures needs: all of ``needs``, and so many texture units.
+
+    A ``silent`` one changes the speed alone, or is replaced by something as good.
+    """
+
+    needs: tuple[Need, ...] = ()
+    units: int = 1
+    silent: bool = False
+
+
+FEATURES = {
+    "antialiasing": Feature((FRAMEBUFFERS,)),
+    "stills in framebuffer objects": Feature((FRAMEBUFFERS,), silent=True),
+    "pictures of fewer pixels in a walk": Feature(PICTURE),
+    "edges of textures": Feature((EDGE_CLAMP,)),
+    "textures of any size": Feature((ANY_SIZE, MAKES_LEVELS), silent=True),
+    "a number of mip levels": Feature((LEVELS,), silent=True),
+    "sharper textures": Feature((LOD_BIAS,)),
+    "doubled textures": Feature((COMBINE,)),
+    "separate glints": Feature((SPECULAR,)),
+    "vertex buffers": Feature((BUFFERS,), silent=True),
+    "glMultiDrawArrays": Feature((MULTI_DRAW,), silent=True),
+    "fog.radial": Feature((FOG_DISTANCE,)),
+    # The island.
+    "ground.detail_texture": Feature((), 2),
+    "ground.materials": Feature((COMBINE, CROSSBAR), 4),
+    "castle.multitexture": Feature((COMBINE, CROSSBAR), 3),
+    "castle.ornate": Feature((COMBINE,), 2),
+    "the ornate castle's gate in one layer": Feature((COMBINE, CROSSBAR), 4),
+    "dragon.sheen": Feature((CUBE_MAP, COMBINE), 3),
+    "dragon.wet": Feature((CUBE_MAP, COMBINE), 4),
+    "overlay.sheen": Feature((CUBE_MAP,), 2),
+    "overlay.blade": Feature((CUBE_MAP,), 2),
+    "reflection.rippled in one pass": Feature((COMBINE, CROSSBAR), 3),
+    "water.caustics": Feature((COMBINE, CROSSBAR), 7),
+    "water.foam": Feature((COMBINE, DOT3), 2),
+    "water.glitter": Feature((COMBINE,), 2),
+    "water.horizon_contrast": Feature((FOG_COORDINATES,)),
+    "water.query": Feature((QUERY, FRAMEBUFFERS), silent=True),
+    "reflection.rippled without a copy": Feature((FRAMEBUFFERS,), silent=True),
+    "water.ripples": Feature((COMBINE, DOT3), 2),
+    "water.ripples in one pass": Feature((COMBINE, CROSSBAR, DOT3), 4),
+    "water.shallow": Feature((COMBINE,), 2),
+    # The great hall.
+    "the hall's light maps": Feature((), 2),
+    "sky.layers": Feature((COMBINE,), 2),
+    "caustics": Feature((COMBINE,), 2),
+    "caustics in one pass": Feature((COMBINE, CROSSBAR), 4),
+    "exhibits.soft, exhibits.blur, exhibits.focus": Feature(PICTURE),
+    "exhibits.deep": Feature((FLOAT_TEXTURES,)),
+    "exhibits.volume": Feature((STENCIL_WRAP,), silent=True),
+    "mirror.fresnel": Feature((), 4),
+    "pool.mirrors": Feature((CUBE_MAP, COMBINE, *PICTURE)),
+    "statue.environment": Feature((CUBE_MAP, COMBINE, *PICTURE)),
+    "tone.brightness below 0": Feature((EQUATIONS, SUBTRACT)),
+    # The island in voxels.
+    "sky": Feature((CUBE_MAP,)),
+    "shadow": Feature((*DEPTHS, COMBINE, CROSSBAR), 3),
+    "debug.textures": Feature((*DEPTHS, COMBINE), 2),
+    "water.reflection, water.refraction": Feature((*PICTURE, COMBINE), 2),
+    "water.clear": Feature((FOG_COORDINATES,)),
+    "water.fresnel": Feature((CUBE_MAP, CROSSBAR), 3),
+    "water.sparkle": Feature((DOT3,), 4),
+}
+
+
+def reason(name: str) -> str:
+    """Return why a feature is not possible in the current OpenGL; "" if it is."""
+    feature = FEATURES[name]
+    if need := first_missing(feature.needs):
+        return f"this OpenGL has no {need.text}"
+    units = extensions.texture_units()
+    return f"it needs {feature.units} texture units of {units}" if units < feature.units else ""
+
+
+def possible(name: str) -> bool:
+    """Return whether the current OpenGL has all that a feature needs; if not, say once why."""
+    why = reason(name)
+    if why and not FEATURES[name].silent:
+        tell(f"landscape: {name}: off, for {why}")
+    return not why
+
+
+def left_out() -> dict[str, list[str]]:
+    """Return what is not possible in the current OpenGL, by what is missing."""
+    found: dict[str, list[str]] = {}
+    for name in FEATURES:
+        if why := reason(name):
+            found.setdefault(why, []).append(name)
+    return found
