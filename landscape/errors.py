@@ -30,16 +30,21 @@ def say_unexpected(error: BaseException) -> int:
 
     On standard error: what a command prints stays what it is documented to be.
     """
-    if sys.stderr is None:  # a program of Windows without a console
-        return UNEXPECTED
-    details = getattr(error, "details", "") or "".join(traceback.format_exception(error))
-    frames = traceback.extract_tb(error.__traceback__)
-    where = f" in {frames[-1].filename}, line {frames[-1].lineno}" if frames else ""
+    if sys.stderr is not None:  # a program of Windows without a console has none
+        what, details = located(error), "".join(traceback.format_exception(error))
+        if isinstance(error, UnexpectedError):
+            what, details = str(error), error.details or details
+        print(f"landscape: a defect of this program: {what}", file=sys.stderr)
+        print(details, end="", file=sys.stderr, flush=True)
+    return UNEXPECTED
+
+
+def located(error: BaseException) -> str:
+    """Return on one line what an error is, and where it was raised."""
     reason = " ".join(str(error).split())
     what = f"{type(error).__name__}: {reason}" if reason else type(error).__name__
-    print(f"landscape: a defect of this program: {what}{where}", file=sys.stderr)
-    print(details, end="", file=sys.stderr, flush=True)
-    return UNEXPECTED
+    frames = traceback.extract_tb(error.__traceback__)
+    return f"{what}, in {frames[-1].filename}, line {frames[-1].lineno}" if frames else what
 
 
 _REPR = reprlib.Repr()

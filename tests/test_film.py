@@ -20,7 +20,7 @@ from commands import SECONDS, Shell, need_library, refused, running
 from environments import image, layer, path, svg, written
 from PIL import Image
 
-from landscape.errors import InputError
+from landscape.errors import InputError, UnexpectedError
 from landscape.files.assets import Assets
 from landscape.film import command, encode, tour
 from landscape.film.captions import Caption
@@ -46,6 +46,7 @@ def boards(monkeypatch: pytest.MonkeyPatch) -> None:
     """Plug in two small scenes; processes that draw get them with the film."""
     monkeypatch.setitem(SCENES, "chessboard", "chessboard_scene")
     monkeypatch.setitem(SCENES, "mortal", "mortal_scene")
+    monkeypatch.setitem(SCENES, "faulty", "faulty_scene")
 
 
 @pytest.fixture(scope="module")
@@ -302,6 +303,15 @@ def test_a_process_that_dies_ends_in_one_line_and_leaves_nothing(
     with pytest.raises(InputError, match="a process that draws was killed"):
         write(film, tmp_path / "film.mp4", 2)
     assert os.listdir(tmp_path) == [] and not multiprocessing.active_children()
+
+
+def test_a_defect_in_a_process_is_told_with_its_place_and_traceback(
+    boards: None, tmp_path: Path
+) -> None:
+    film = Film((Part(board("faulty")),), drawing(), Fraction(10))
+    with pytest.raises(UnexpectedError, match=r"KeyError: 'a defect', in .*faulty_scene") as told:
+        write(film, tmp_path / "film.mp4", 2)
+    assert "Traceback" in told.value.details and "in draw" in told.value.details
 
 
 def test_an_error_in_a_process_is_told_in_its_own_words(tmp_path: Path) -> None:

@@ -173,5 +173,5 @@ def test_work_that_raises_in_a_process_of_its_own_is_told() -> None:
     code = "from landscape.capture.guard import guarded\nimport sys\n"
     done = python(code + "sys.exit(guarded('a program', lambda: {}['key']))")
     assert done.status == UNEXPECTED and done.out == ""
-    assert done.err.startswith("landscape: a defect of this program: KeyError: 'key' in ")
+    assert done.err.startswith("landscape: a defect of this program: KeyError: 'key', in ")
     assert "Traceback" in done.err

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from landscape.errors import InputError, NoOpenGLError
+from landscape.errors import InputError, NoOpenGLError, UnexpectedError, located
 from landscape.film.cut import Film
 from landscape.film.stage import Stage
 from landscape.scene import SCENES
@@ -132,5 +132,5 @@ def _work(pipe: Connection, film: Film) -> None:
             pipe.send(InputError("not enough memory: expected a smaller --size or fewer --jobs"))
         except (EOFError, OSError):
             raise
-        except Exception:
-            pipe.send(RuntimeError(traceback.format_exc()))
+        except Exception as error:
+            pipe.send(UnexpectedError(located(error), traceback.format_exc()))
