@@ -84,6 +84,17 @@ def test_a_program_is_drawn_in_the_new_size_of_its_window(
     assert hidden(backend, *words).json()["GL_VIEWPORT"] == [0, 0, 96, 80]
 
 
+def test_a_hidden_window_of_pygame_has_one_too(hidden) -> None:
+    pytest.importorskip("pygame", reason="pygame is not installed")
+    program, place = PROGRAM.with_name("waves.py"), "200,150"
+    last = [
+        hidden(backend, "pixel", program, place, "--frame", "2", "--json").json()[-1]["color"]
+        for backend in ("glfw", "egl")
+    ]
+    assert np.abs(np.subtract(*last)).max() <= 4
+    assert hidden("glfw", "state", program, "--json").json()["GL_DRAW_BUFFER"] == "GL_BACK"
+
+
 @pytest.mark.parametrize("backend", ["glfw", "cgl"])
 @pytest.mark.parametrize("name", ["triangle", "stencil_mirror", "shadow_map", "accumulation"])
 def test_a_lesson_has_the_picture_that_it_has_without_a_screen(

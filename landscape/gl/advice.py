@@ -60,7 +60,7 @@ UNKNOWN = {
 MACOS = {
     "osmesa": "macOS has none: use --backend cgl",
     "egl": "macOS has none: use --backend cgl",
-    "glfw": "use --backend cgl, which needs no screen",
+    "glfw": "windows need a session at the screen; pictures do not: --backend cgl",
     "cgl": "macOS has OpenGL itself; where it is refused, use --backend glfw at a screen",
     "glut": "macOS has GLUT itself: expected /System/Library/Frameworks/GLUT.framework",
 }
