@@ -7,6 +7,7 @@ A GL test uses the fixture ``stage``; see stage.py.
 import gc
 import os
 import shutil
+import sys
 import tempfile
 
 # The tests do not use the user's own cache.
@@ -63,10 +64,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out most cases of a sweep, unless --all.
+    """Skip what Windows lacks; leave out most cases of a sweep, unless --all.
 
     `sweep(n, first=0)` keeps every nth case from the one numbered ``first``, at least one of them.
     """
+    for item in items if sys.platform == "win32" else ():
+        for marker in item.iter_markers("posix_only"):
+            item.add_marker(pytest.mark.skip(reason=f"Windows: {marker.args[0]}"))
+    if sys.platform != "win32":
+        left = [item for item in items if not item.get_closest_marker("windows_only")]
+        config.hook.pytest_deselected(items=[item for item in items if item not in left])
+        items[:] = left
     if config.getoption("--all"):
         return
     families: defaultdict[str, list[pytest.Item]] = defaultdict(list)

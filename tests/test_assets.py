@@ -6,7 +6,6 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -413,7 +412,7 @@ def test_an_interrupted_write_keeps_the_old_file(
     assert path.read_bytes() == b"old"
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="requires POSIX signals")
+@pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_a_build_interrupted_by_the_user_ends_at_once_and_leaves_nothing(
     studio: Any, tmp_path: Path
 ) -> None:

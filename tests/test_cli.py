@@ -4,7 +4,6 @@ import argparse
 import json
 import math
 import os
-import pty
 import re
 import signal
 import subprocess
@@ -408,6 +407,7 @@ def test_a_full_disk_on_standard_output_gives_one_error_line() -> None:
     assert done.stderr == b"landscape: standard output: No space left on device\n"
 
 
+@pytest.mark.posix_only("a shell of POSIX closes streams")
 def test_closed_standard_streams_are_tolerated(tmp_path: Path) -> None:
     line = f"{sys.executable} -m landscape render fig35a fig35b {' '.join(SMALL)} >&- 2>&-"
     done = subprocess.run(["sh", "-c", line], cwd=tmp_path, env=environment(), timeout=SECONDS)
@@ -422,6 +422,7 @@ def test_a_name_that_the_terminal_cannot_encode_is_escaped(tmp_path: Path) -> No
     assert done.out == "\\xe9.png\n" and pictures(tmp_path) == ["é.png"]
 
 
+@pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_while_rendering_many_views_leaves_only_complete_files(tmp_path: Path) -> None:
     words = ["render", *NINE, "--preset", "2006", "--size", "640x480", "--out", "many"]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
@@ -457,9 +458,10 @@ def test_a_quiet_run_prints_nothing(quiet: str, shell: Shell) -> None:
     assert pictures(shell.cwd) == ["fig35a.png"]
 
 
+@pytest.mark.posix_only("Python has no pseudo-terminals there")
 @pytest.mark.parametrize("quiet", [False, True])
 def test_progress_is_shown_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Path) -> None:
-    ours, theirs = pty.openpty()
+    ours, theirs = os.openpty()
     command = [*MODULE, "render", "fig35a", "fig35b", *SMALL, *(["-q"] if quiet else [])]
     done = subprocess.run(
         command, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, stderr=theirs

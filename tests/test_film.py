@@ -2,7 +2,6 @@
 
 import multiprocessing
 import os
-import resource
 import signal
 import subprocess
 import sys
@@ -254,8 +253,11 @@ def test_a_gif_lasts_as_long_as_it_should_and_keeps_what_stands_still(tmp_path: 
     assert np.abs(frames[9][:8, 9:17] - (255, 0, 0)).max() < 40
 
 
+@pytest.mark.posix_only("files have no limit of size")
 @pytest.mark.parametrize("name", ["a.mp4", "a.webm", "a.gif"])
 def test_a_full_disk_ends_in_one_line_and_leaves_the_former_file(tmp_path: Path, name: str) -> None:
+    import resource
+
     out = tmp_path / name
     out.write_bytes(b"former")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -361,6 +363,7 @@ def test_a_film_interrupted_before_its_first_picture_leaves_the_former_file(
     assert (tmp_path / "film.mp4").read_bytes() == b"former"
 
 
+@pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 @pytest.mark.slow
 def test_ctrl_c_ends_all_processes_and_says_how_much_there_is(tmp_path: Path) -> None:
     out = tmp_path / "film.gif"

@@ -29,6 +29,7 @@ def shell(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
     process.close()
 
 
+@pytest.mark.posix_only("it has no device such as /dev/zero")
 @pytest.mark.parametrize(
     "words",
     [
@@ -44,6 +45,7 @@ def test_a_device_that_never_ends_is_refused(words: list[str], shell: Shell) -> 
     refused(shell(*words), "/dev/zero")
 
 
+@pytest.mark.posix_only("its pipes have no names in folders")
 def test_settings_may_come_through_a_pipe(tmp_path: Path) -> None:
     path = tmp_path / "pipe"
     os.mkfifo(path)
@@ -53,6 +55,7 @@ def test_settings_may_come_through_a_pipe(tmp_path: Path) -> None:
     writer.join()
 
 
+@pytest.mark.posix_only("its pipes have no names in folders")
 def test_a_pipe_through_which_nothing_comes_is_not_waited_for_long(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -76,6 +79,7 @@ def test_a_file_may_have_as_many_bytes_as_allowed_and_no_more(tmp_path: Path) ->
         read_bounded(path, 1023, "--settings a")
 
 
+@pytest.mark.posix_only("its pipes have no names in folders")
 def test_an_image_or_mesh_is_not_read_from_a_pipe(shell: Shell) -> None:
     os.mkfifo(shell.cwd / "pipe.png")
     for key in ("ground.height_image", "rabbit.mesh"):

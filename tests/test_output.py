@@ -47,6 +47,7 @@ class FullFile(io.BytesIO):
         super().close()
 
 
+@pytest.mark.posix_only("files have no such rights")
 def test_a_file_is_written_whole_with_a_new_folder_and_the_usual_rights(tmp_path: Path) -> None:
     path = tmp_path / "new" / "folder" / "é.bin"
     write_whole(path, b"abc")
@@ -57,6 +58,7 @@ def test_a_file_is_written_whole_with_a_new_folder_and_the_usual_rights(tmp_path
     assert list(path.parent.iterdir()) == [path]
 
 
+@pytest.mark.posix_only("nothing replaces a file that somebody reads")
 def test_an_earlier_file_is_replaced_and_whoever_has_it_open_still_reads_it(
     tmp_path: Path,
 ) -> None:
@@ -123,6 +125,7 @@ def test_an_interrupted_write_leaves_nothing(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.posix_only("symbolic links need a right that few users have")
 def test_a_symbolic_link_is_followed_and_not_replaced(tmp_path: Path) -> None:
     (tmp_path / "real").mkdir()
     (tmp_path / "real" / "a.bin").write_bytes(b"old")
@@ -134,6 +137,7 @@ def test_a_symbolic_link_is_followed_and_not_replaced(tmp_path: Path) -> None:
     assert len(list((tmp_path / "real").iterdir())) == 1
 
 
+@pytest.mark.posix_only("symbolic links need a right that few users have")
 def test_a_link_to_nothing_makes_what_it_points_to(tmp_path: Path) -> None:
     link = tmp_path / "link.bin"
     link.symlink_to("deep/a.bin")
@@ -141,6 +145,7 @@ def test_a_link_to_nothing_makes_what_it_points_to(tmp_path: Path) -> None:
     assert link.is_symlink() and (tmp_path / "deep" / "a.bin").read_bytes() == b"new"
 
 
+@pytest.mark.posix_only("symbolic links need a right that few users have")
 def test_a_link_that_leads_to_itself_is_refused_and_kept(tmp_path: Path) -> None:
     link = tmp_path / "link.bin"
     link.symlink_to(link)
@@ -149,6 +154,7 @@ def test_a_link_that_leads_to_itself_is_refused_and_kept(tmp_path: Path) -> None
     assert link.is_symlink()
 
 
+@pytest.mark.posix_only("its pipes have no names in folders")
 def test_a_pipe_is_written_into_and_not_replaced(tmp_path: Path) -> None:
     path = tmp_path / "pipe.png"
     os.mkfifo(path)
@@ -160,6 +166,7 @@ def test_a_pipe_is_written_into_and_not_replaced(tmp_path: Path) -> None:
     assert path.is_fifo() and list(tmp_path.iterdir()) == [path]
 
 
+@pytest.mark.posix_only("terminals are no files")
 def test_a_device_is_written_into_and_not_replaced() -> None:
     # A terminal, because its place cannot be taken even by a program that tries to.
     terminal, device = os.openpty()
@@ -170,6 +177,7 @@ def test_a_device_is_written_into_and_not_replaced() -> None:
     os.close(device)
 
 
+@pytest.mark.posix_only("its pipes have no names in folders")
 def test_a_pipe_whose_reader_has_gone_is_named(tmp_path: Path) -> None:
     path = tmp_path / "pipe"
     os.mkfifo(path)
@@ -180,6 +188,7 @@ def test_a_pipe_whose_reader_has_gone_is_named(tmp_path: Path) -> None:
         output.write(b"abc")
 
 
+@pytest.mark.posix_only("files have no such rights")
 def test_a_replaced_file_keeps_its_rights(tmp_path: Path) -> None:
     path = tmp_path / "a.bin"
     path.write_bytes(b"old")
@@ -255,6 +264,7 @@ def test_a_folder_to_be_made_may_have_a_number_after_a_dot(tmp_path: Path) -> No
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.posix_only("its pipes have no names in folders")
 def test_one_picture_may_go_into_a_pipe_or_a_device_of_any_name(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     assert output_paths(tmp_path / "pipe", ["a"]) == [tmp_path / "pipe"]

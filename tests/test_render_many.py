@@ -58,7 +58,7 @@ def test_few_pictures_are_drawn_without_further_processes(
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(os.name != "posix", reason="sends SIGINT to a group of processes")
+@pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_while_drawing_many_pictures_leaves_only_complete_files(tmp_path: Path) -> None:
     words = ["render", *list(VIEWS)[:40], "--size", "160x120", "--samples", "0", "--out", tmp_path]
     with running(*words, stderr=subprocess.PIPE) as process:

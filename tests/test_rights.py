@@ -10,10 +10,13 @@ from pathlib import Path
 import pytest
 from commands import SECONDS, Done, bound_by_rights, environment, refused
 
-pytestmark = pytest.mark.skipif(
-    os.geteuid() == 0 and shutil.which("setpriv") is None,
-    reason="nothing is forbidden to root without setpriv (util-linux)",
-)
+pytestmark = [
+    pytest.mark.posix_only("files have no such rights"),
+    pytest.mark.skipif(
+        hasattr(os, "geteuid") and os.geteuid() == 0 and shutil.which("setpriv") is None,
+        reason="nothing is forbidden to root without setpriv (util-linux)",
+    ),
+]
 
 
 @pytest.fixture(scope="module")

@@ -367,6 +367,7 @@ def test_the_language_of_the_window_can_be_asked_for(tmp_path: Path) -> None:
         assert recording.read(path)[0].language == "fr"
 
 
+@pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path) -> None:
     need_library("OSMesa")
     path = tmp_path / "a.jsonl"

@@ -40,6 +40,8 @@ class Output:
         self._folders: list[Path] = []  # made for this file
         with self._undone_on_error():
             self._file = self._opened()
+            if self._temporary:
+                os.chmod(self._temporary, _rights(path))
 
     def _opened(self) -> io.BufferedWriter:
         present = _mode(self._path)
@@ -54,10 +56,6 @@ class Output:
         self._folders = [p for p in (folder, *folder.parents) if not p.exists()]
         folder.mkdir(parents=True, exist_ok=True)
         handle, self._temporary = tempfile.mkstemp(".part", ".landscape.", folder)
-        umask = os.umask(0)
-        os.umask(umask)
-        rights = 0o666 & ~umask if present is None else stat.S_IMODE(present)
-        os.chmod(self._temporary, rights)
         return os.fdopen(handle, "wb")
 
     def write(self, data: bytes) -> None:
@@ -124,6 +122,16 @@ def _mode(path: Path) -> int | None:
         return os.stat(path).st_mode
     except FileNotFoundError:
         return None
+
+
+def _rights(path: Path) -> int:
+    """Return the rights of the file that a path leads to, or those that a new file gets there."""
+    present = _mode(path)
+    if present is not None:
+        return stat.S_IMODE(present)
+    umask = os.umask(0)
+    os.umask(umask)
+    return 0o666 & ~umask
 
 
 def write_whole(path: Path, data: bytes | Sequence[bytes]) -> None:
