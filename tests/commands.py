@@ -5,6 +5,7 @@ context opened there cannot disturb the context of the tests.
 """
 
 import contextlib
+import ctypes
 import json
 import os
 import re
