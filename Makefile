@@ -2,6 +2,7 @@
 # make test    check style and types, then run the tests
 # make test-all  the same, with all cases of the tests of which `make test` runs only some
 # make docs    build the site of the course in build/site; make docs-check looks at it in Chromium
+# make test-drivers  draw views with OpenGL as other drivers have it: fewer units and extensions
 # make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
 # They install what they need on the first run.
 
@@ -13,7 +14,7 @@ VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
 # Further options for the program, for example: make demo ARGS="--preset 2006"
 ARGS ?=
 
-.PHONY: demo test test-all lint docs docs-check fuzz bench assets clean
+.PHONY: demo test test-all lint docs docs-check fuzz test-drivers bench assets clean
 
 demo:
 	@scripts/setup.sh demo
@@ -64,6 +65,10 @@ docs-check:
 fuzz:
 	@scripts/setup.sh test
 	@$(BIN)/python scripts/fuzz $(ARGS)
+
+test-drivers:
+	@scripts/setup.sh test
+	@$(BIN)/python scripts/desks/drivers.py $(ARGS)
 
 bench:
 	@scripts/setup.sh demo

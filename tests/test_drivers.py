@@ -15,6 +15,7 @@ from drivers import KNOWN, Driver, emulated
 from stage import SMALL_BEST
 
 from landscape.elements import support
+from landscape.errors import NoOpenGLError
 from landscape.gl import features, state
 from landscape.gl.features import FEATURES, left_out, possible, reason
 from landscape.keys import fields
@@ -189,6 +190,16 @@ def test_what_changes_no_picture_is_not_told(
     monkeypatch.setattr(features.extensions, "version", lambda: (1, 1))
     monkeypatch.setattr(features.extensions, "extensions", frozenset)
     assert not possible("vertex buffers") and capsys.readouterr().err == ""
+
+
+def test_a_command_that_cannot_do_without_says_so_in_one_line(
+    stage: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    features.require("landscape pixel")
+    monkeypatch.setattr(features.extensions, "version", lambda: (2, 1))
+    monkeypatch.setattr(features.extensions, "extensions", frozenset)
+    with pytest.raises(NoOpenGLError, match=r"^landscape pixel: this OpenGL has no OpenGL 3\.0 or "):
+        features.require("landscape pixel")
 
 
 def test_settings_that_are_turned_off_exist_and_are_features() -> None:

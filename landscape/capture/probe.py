@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from landscape.gl.calls import gl
+from landscape.gl.features import require
 
 Draws = Callable[[], object]
 TARGETS = ("GL_TEXTURE_1D", "GL_TEXTURE_2D", "GL_TEXTURE_3D", "GL_TEXTURE_CUBE_MAP")
@@ -33,6 +34,7 @@ class Probe:
 
     def __init__(self, x: int, y: int, size: tuple[int, int]) -> None:
         """``x`` and ``y`` count from the bottom left, as OpenGL does; ``size`` in pixels."""
+        require("landscape pixel")
         self._box = (x, y, 1, 1)
         self.target = int(gl.glGetIntegerv(gl.GL_DRAW_FRAMEBUFFER_BINDING))
         self._depth = int(gl.glGetIntegerv(gl.GL_DEPTH_BITS)) > 0

@@ -7,6 +7,7 @@ out: the rest of the picture stays. :func:`possible` says so once, in one line o
 
 from typing import NamedTuple
 
+from landscape.errors import NoOpenGLError
 from landscape.gl import extensions
 from landscape.gl.extensions import Need, first_missing, tell
 
@@ -66,6 +67,7 @@ FEATURES = {
     "separate glints": Feature((SPECULAR,)),
     "vertex buffers": Feature((BUFFERS,), silent=True),
     "glMultiDrawArrays": Feature((MULTI_DRAW,), silent=True),
+    "landscape pixel": Feature((QUERY, FRAMEBUFFERS, FLOAT_TEXTURES)),
     "fog.radial": Feature((FOG_DISTANCE,)),
     # The island.
     "ground.detail_texture": Feature((), 2),
@@ -125,6 +127,12 @@ def possible(name: str) -> bool:
     if why and not FEATURES[name].silent:
         tell(f"landscape: {name}: off, for {why}")
     return not why
+
+
+def require(name: str) -> None:
+    """Raise NoOpenGLError if a feature that a command cannot do without is not possible."""
+    if why := reason(name):
+        raise NoOpenGLError(f"{name}: {why}")
 
 
 def left_out() -> dict[str, list[str]]:

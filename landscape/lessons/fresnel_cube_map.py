@@ -51,6 +51,7 @@ def main():
     window = glfw.create_window(640, 480, _("Fresnel by a cube map"), None, None)
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
+    assert glGetIntegerv(GL_MAX_TEXTURE_UNITS) > 2, "this lesson needs three texture units"
     glInterleavedArrays(GL_C3F_V3F, 0, np.array(vertices, np.float32))
     glEnable(GL_DEPTH_TEST)
     for unit, target in UNITS.items():
@@ -94,9 +95,8 @@ def main():
         camera, from_eye = glGetFloatv(GL_MODELVIEW_MATRIX), np.eye(4)
         from_eye[:3, 3] = -np.linalg.inv(camera)[3, :3] * (chosen != 3)
         seen = (camera @ glGetFloatv(GL_PROJECTION_MATRIX)).T
-        seen = (seen + seen[3]) / 2  # from 0 to 1
         glPushAttrib(GL_ENABLE_BIT)
-        for unit, planes in zip(UNITS, (seen, seen, from_eye), strict=True):
+        for unit, planes in zip(UNITS, ((seen + seen[3]) / 2,) * 2 + (from_eye,), strict=True):
             glActiveTexture(unit)
             glEnable(UNITS[unit])
             for row in range(4):
