@@ -4,6 +4,7 @@
 # make docs    build the site of the course in build/site; make docs-check looks at it in Chromium
 # make test-drivers  draw views with OpenGL as other drivers have it: fewer units and extensions
 # make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
+# make test-windows  try the commands and the tests on Windows, by Wine
 # They install what they need on the first run.
 
 SHELL := bash
@@ -14,7 +15,7 @@ VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
 # Further options for the program, for example: make demo ARGS="--preset 2006"
 ARGS ?=
 
-.PHONY: demo test test-all lint docs docs-check fuzz test-drivers bench assets clean
+.PHONY: demo test test-all test-drivers test-windows lint docs docs-check fuzz bench assets clean
 
 demo:
 	@scripts/setup.sh demo
@@ -41,6 +42,10 @@ test:
 
 test-all:
 	@$(MAKE) --no-print-directory test ALL=--all
+
+test-windows:
+	@scripts/setup.sh test
+	@$(BIN)/python scripts/desks/windows.py $(ARGS)
 
 # For the other systems mypy leaves out what is installed, which has the same types there: this takes
 # an eighth of the time. Each system has a cache of its own, or they would take turns in one.

@@ -62,6 +62,8 @@ class Crew:
         self._settings: Settings | None = None
         self._cuts: dict[object, list[int]] = {}
         self._picture: np.ndarray | None = None
+        # Kept until all processes have opened it, which they do by its name on Windows.
+        self._heights: SharedMemory | None = None
         self._canvas: frame.Canvas | None = None
         if count > 1:
             try:
@@ -71,7 +73,7 @@ class Crew:
 
     def _start(self, count: int) -> None:
         """Start processes, which share the terrain and the picture with this one."""
-        heights = SharedMemory(self.terrain.values.nbytes)
+        self._heights = heights = SharedMemory(self.terrain.values.nbytes)
         picture = SharedMemory(4 * arguments.MAX_PIXELS)
         try:
             _heights(heights, self.terrain.values.size)[:] = self.terrain.values

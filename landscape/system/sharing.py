@@ -22,7 +22,10 @@ __all__ = ["Bell", "Pipe", "SharedMemory"]
 if sys.platform == "win32":
 
     class SharedMemory:
-        """Some bytes of ``memory``, zero at first. It stays until no process uses it."""
+        """Some bytes of ``memory``, zero at first. It stays until no process uses it.
+
+        Whoever starts processes with it keeps it until they run: they open it by its name.
+        """
 
         def __init__(self, size: int) -> None:
             """OSError where the system has none."""
