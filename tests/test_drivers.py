@@ -98,7 +98,7 @@ def test_the_sea_is_drawn_in_four_texture_units_with_the_pixels_of_eight(
     np.testing.assert_array_equal(*drawn)
 
 
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(4)  # not 3: each run draws all places
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("name", sorted(KNOWN))
 def test_without_an_extension_nothing_of_it_is_used_and_a_line_says_what_is_off(
@@ -198,7 +198,7 @@ def test_a_command_that_cannot_do_without_says_so_in_one_line(
     features.require("landscape pixel")
     monkeypatch.setattr(features.extensions, "version", lambda: (2, 1))
     monkeypatch.setattr(features.extensions, "extensions", frozenset)
-    with pytest.raises(NoOpenGLError, match=r"^landscape pixel: this OpenGL has no OpenGL 3\.0 or "):
+    with pytest.raises(NoOpenGLError, match="this OpenGL has no OpenGL 3"):
         features.require("landscape pixel")
 
 
