@@ -72,22 +72,22 @@ def interrupt(thread: int, error: type[BaseException]) -> None:
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(error))
 
 
-class _MemoryWatch(threading.Thread):
-    """Raises MemoryError in the main thread, where the system itself limits no memory."""
+class _MemoryWatch:
+    """A thread that raises MemoryError in the main one, where the system limits no memory."""
 
     def __init__(self) -> None:
-        super().__init__(daemon=True)
         self._most: int | None = None
+        self._runs = False
         self._never = threading.Event()
 
     def look_at(self, most: int | None) -> None:
         """Limit the memory to so many bytes; None: no limit."""
         self._most = most
-        if self.ident is None:
-            self.start()
+        if not self._runs:
+            self._runs = True
+            threading.Thread(target=self._look, daemon=True).start()
 
-    def run(self) -> None:
-        """Look at the memory until the process ends."""
+    def _look(self) -> None:
         while True:
             most = self._most
             over = most is not None and used() > most
