@@ -3,7 +3,6 @@
 import argparse
 import json
 import os
-import shlex
 import shutil
 import textwrap
 from pathlib import Path
@@ -16,6 +15,7 @@ from landscape.course.troubles import sentence
 from landscape.errors import InputError
 from landscape.files.output import check_folder, check_writable, save_png, write_whole
 from landscape.languages import Translator, choose, translator
+from landscape.system import quoted
 
 WIDTHS = 72, 100  # chosen: least and most columns of a report
 SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
@@ -62,7 +62,7 @@ def _start(options: argparse.Namespace, language: str) -> None:
     _ = translator(language, "course")
     if not options.quiet:
         print(path)
-        file = shlex.quote(str(path))
+        file = quoted(str(path))
         print(_("The task stands at the top of it. Run it: python {file}").format(file=file))
         print(_("Check it: landscape exercise check {file}").format(file=file))
 
@@ -95,7 +95,7 @@ def _check(options: argparse.Namespace, language: str) -> int:
             if options.heat_map is not None:
                 print(_(WRITTEN).format(file=options.heat_map))
             elif (report.difference or 0) > MOST:
-                print(_(SHOWN).format(file=shlex.quote(str(options.file))))
+                print(_(SHOWN).format(file=quoted(str(options.file))))
         if report.error is not None:
             raise InputError(f"{options.file}: {sentence(report.error, _)}")
         return 0 if report.passed else 1

@@ -216,10 +216,14 @@ class _Spawned:
 
     def _look_for_ready(self) -> None:
         """Begin the program's own time once all is imported."""
-        if self._ready or not (self._folder / READY).exists():
+        if self._ready:
+            return
+        try:
+            answer = (self._folder / READY).read_bytes()
+        except OSError:  # not there yet; or, on Windows, not to be read yet
             return
         self._ready = True
-        if no_opengl := json.loads((self._folder / READY).read_bytes())["no_opengl"]:
+        if no_opengl := json.loads(answer)["no_opengl"]:
             raise NoOpenGLError(no_opengl)
         self._deadline = time.monotonic() + self._seconds + GRACE
 

@@ -25,6 +25,8 @@ SENTENCES: Texts = {
     "no_window": "ended without opening a window",
     "no_context": "shows a frame without a context: glfw.make_context_current(window) must come "
     "before the first call of OpenGL",
+    "early": "line {line}: {call} is called before glfw.make_context_current(window): without a "
+    "context it has no effect",
     "no_frame": "showed no frame within {seconds:g} s: glfw.swap_buffers(window) shows it",
     "late_frame": "got no farther than frame {frames} within {seconds:g} s",
     "ended": "ended in frame {frames}: it must go on until its window is closed",

@@ -70,7 +70,10 @@ def _trouble(
             return {"word": refusals.refused, "line": line}
         if "MemoryError" in raised[-1]:
             return {"word": "memory", "line": line}
-        return {"line": line, **_exception(error.details)}
+        trouble = {"line": line, **_exception(error.details)}
+        if witness.window is None and "call" in trouble:
+            trouble["word"] = "early"  # where calls without a context are errors, as on Windows
+        return trouble
     if "shows a frame before" in str(error):
         return {"word": "no_context"}
     if witness.window is None:

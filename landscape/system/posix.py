@@ -2,6 +2,7 @@
 
 import os
 import select
+import shlex
 import signal
 import stat
 import subprocess
@@ -16,6 +17,11 @@ assert sys.platform != "win32"
 
 # What ends a program from outside: `kill`, and a terminal that closes.
 ENDING_SIGNALS = (signal.SIGTERM, signal.SIGHUP)
+
+
+def quoted(name: str) -> str:
+    """Return a file's name as the user's shell reads it."""
+    return shlex.quote(name)
 
 
 def replace(source: str, target: str) -> None:

@@ -8,6 +8,7 @@ import os
 import queue
 import signal
 import stat
+import subprocess
 import sys
 import threading
 import time
@@ -24,6 +25,11 @@ ENDING_SIGNALS = (signal.SIGTERM, signal.SIGBREAK)
 # Chosen: a virus scanner or a reader holds a file for less.
 REPLACE_TRIES = 20
 REPLACE_PAUSE_S = 0.05
+
+
+def quoted(name: str) -> str:
+    """Return a file's name as the user's shell reads it."""
+    return subprocess.list2cmdline([name])
 
 
 def replace(source: str, target: str) -> None:
