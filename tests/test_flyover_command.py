@@ -182,7 +182,7 @@ def test_the_island_is_written_as_an_environment_and_flown(tmp_path: Path) -> No
         (("--at", "3", "--bench"), "--at: not with --bench"),
         (("--json", "a.json"), "--json: expected --bench"),
         (("--bench", "--out", "a"), "--out: not with --bench"),
-        (("--bench", "--json", "/"), "--json /: expected a file, found a folder"),
+        (("--bench", "--json", "."), "--json .: expected a file, found a folder"),
         (("--out", "a.txt"), "--out a.txt: expected"),
         (("--frames", "2", "--out", "a.png"), "--out a.png: expected a folder"),
         (("--set", "flyover.far=nan"), "setting flyover.far: expected a number"),

@@ -1,5 +1,6 @@
 """Environments by file and by name."""
 
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -98,7 +99,7 @@ def test_an_export_that_is_impossible_leaves_nothing(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
     (tmp_path / "folder.svg").mkdir()
     for name in ("island.png", "file/island.svg", "folder.svg"):
-        with pytest.raises(InputError, match=name):
+        with pytest.raises(InputError, match=re.escape(str(Path(name)))):
             export_island(tmp_path / name)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder.svg"]
 

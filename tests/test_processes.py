@@ -11,9 +11,12 @@ from pathlib import Path
 import pytest
 from commands import SECONDS, environment, need_library
 
-pytestmark = pytest.mark.skipif(
-    not Path("/proc/self/stat").exists(), reason="processes are looked up in /proc"
-)
+pytestmark = [
+    pytest.mark.posix_only("processes are looked up in /proc"),
+    pytest.mark.skipif(
+        not Path("/proc/self/stat").exists(), reason="processes are looked up in /proc"
+    ),
+]
 # Chosen: a mark by which the processes of one command are found, also when their parent is gone.
 MARK = "LANDSCAPE_TEST_MARK"
 

@@ -4,6 +4,7 @@ import argparse
 import json
 import os
 import shutil
+import sys
 import textwrap
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,12 @@ SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map
 WRITTEN = _("{file}: your picture, where it differs, and the solution's")
 
 
+def _json(value: Any) -> str:
+    """Return a value as JSON, with letters as they are where the output has all of them."""
+    encoding = (sys.stdout.encoding or "").lower()
+    return json.dumps(value, indent=1, ensure_ascii=encoding != "utf-8")
+
+
 def list_(options: argparse.Namespace) -> int:
     """Print the exercises in their order."""
     language = _language(options)
@@ -34,7 +41,7 @@ def list_(options: argparse.Namespace) -> int:
         lessons = list(found.lessons)
         rows.append({"name": name, "title": own(found.title), "task": task, "lessons": lessons})
     if options.json:
-        print(json.dumps(rows, indent=1, ensure_ascii=False))
+        print(_json(rows))
     else:
         for row in rows:
             print(f"{row['name']:20} {row['title']}")
@@ -87,7 +94,7 @@ def _check(options: argparse.Namespace, language: str) -> int:
 
             save_png(heat_map(report.work, report.solution), options.heat_map)
         if options.json:
-            print(json.dumps(as_json(report, _), indent=1, ensure_ascii=False))
+            print(_json(as_json(report, _)))
         elif report.error is None and not options.quiet:
             columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
             columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
