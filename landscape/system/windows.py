@@ -51,9 +51,12 @@ def read_parts(path: Path, size: int, deadline: float) -> Generator[bytes, None,
     OSError if it cannot be read; TimeoutError if a pipe or a device has not ended by ``deadline``,
     a time of time.monotonic().
     """
-    if os.path.isdir(path):
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-    file = io.FileIO(path)
+    try:
+        file = io.FileIO(path)
+    except PermissionError:
+        if os.path.isdir(path):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR)) from None
+        raise
     if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
         yield from _read_apart(file, size, deadline)
         return

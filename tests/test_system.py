@@ -1,0 +1,78 @@
+"""What the systems do differently: each form does what the others do."""
+
+import os
+import signal
+import threading
+import time
+from multiprocessing.connection import Listener
+from pathlib import Path
+
+import pytest
+
+from landscape import system
+from landscape.errors import InputError
+from landscape.files import input as module
+from landscape.files.input import read_bounded
+from landscape.files.output import write_whole
+
+
+def test_ctrl_c_that_is_held_back_comes_after_the_block() -> None:
+    steps = []
+    with pytest.raises(KeyboardInterrupt):
+        with system.interrupts_held():
+            signal.raise_signal(signal.SIGINT)
+            steps.append("done")
+        steps.append("not done")
+    assert steps == ["done"]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_block_without_ctrl_c_ends_as_any_other() -> None:
+    with system.interrupts_held(), system.starting_workers():
+        pass
+    with pytest.raises(KeyboardInterrupt):
+        signal.raise_signal(signal.SIGINT)
+
+
+def test_the_machine_has_processors_and_memory() -> None:
+    assert 1 <= system.processors() <= (os.cpu_count() or 1)
+    memory = system.memory()
+    assert memory is None or memory > 1 << 28
+
+
+def test_the_null_device_is_an_empty_file() -> None:
+    assert read_bounded(Path(os.devnull), 100) == b""
+
+
+@pytest.mark.windows_only
+def test_a_pipe_of_windows_is_not_waited_for_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "WAIT_S", 0.05)
+    with Listener(family="AF_PIPE") as listener:
+        with pytest.raises(InputError, match=r"expected all of it within 0\.05 seconds"):
+            read_bounded(Path(str(listener.address)), 100)
+
+
+@pytest.mark.windows_only
+def test_a_file_that_somebody_reads_is_replaced_once_it_is_closed(tmp_path: Path) -> None:
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    reader = path.open("rb")
+
+    def close_soon() -> None:
+        time.sleep(0.2)
+        reader.close()
+
+    closer = threading.Thread(target=close_soon)
+    closer.start()
+    write_whole(path, b"new")
+    closer.join()
+    assert path.read_bytes() == b"new"
+
+
+@pytest.mark.windows_only
+def test_a_file_that_somebody_keeps_open_is_named_and_kept(tmp_path: Path) -> None:
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    with path.open("rb"), pytest.raises(InputError, match=r"a\.bin: cannot be written \("):
+        write_whole(path, b"new")
+    assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path]
