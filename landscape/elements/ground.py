@@ -25,7 +25,7 @@ from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, multiply, use_unit
+from landscape.gl.state import attrib, use_unit
 from landscape.gl.texture import Texture
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
@@ -79,7 +79,7 @@ def large_texture(
 def chosen(both: list[Layer], units: str) -> list[Layer]:
     """Return those of the large and the detail texture that ``ground.units`` asks for.
 
-    With a single texture unit the detail is left out.
+    With a single texture unit, or without GL_COMBINE, the detail is left out.
     """
     if units == "both" and not possible("ground.detail_texture"):
         units = "large"
@@ -98,7 +98,9 @@ def lay_units(layers: list[Texture]) -> None:
         if unit == 0:
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         else:
-            multiply(2.0)
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_COMBINE_RGB, gl.GL_MODULATE)
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
 
 
 def leave_units(layers: list[Texture]) -> None:
@@ -106,7 +108,8 @@ def leave_units(layers: list[Texture]) -> None:
     for unit in reversed(range(len(layers))):
         use_unit(unit)
         if unit > 0:
-            multiply()
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 1.0)
+            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
 

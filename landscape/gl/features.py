@@ -70,7 +70,7 @@ FEATURES = {
     "landscape pixel": Feature((QUERY, FRAMEBUFFERS, FLOAT_TEXTURES)),
     "fog.radial": Feature((FOG_DISTANCE,)),
     # The island.
-    "ground.detail_texture": Feature((), 2),
+    "ground.detail_texture": Feature((COMBINE,), 2),
     "ground.materials": Feature((COMBINE, CROSSBAR), 4),
     "castle.multitexture": Feature((COMBINE, CROSSBAR), 3),
     "castle.ornate": Feature((COMBINE,), 2),
