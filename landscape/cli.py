@@ -22,6 +22,7 @@ from landscape.errors import InputError, NoOpenGLError, say_unexpected, short
 from landscape.frame import Pose
 from landscape.options import parse
 from landscape.scene import SCENES, View, find_view, listed_views, scene
+from landscape.system import is_closed_pipe
 from landscape.system.processes import end_tidily
 from landscape.tools.given import given_changes, notify, offscreen_options, tell_of_no_effect
 
@@ -58,11 +59,11 @@ def _reported(work: Callable[[], int]) -> int:
         return _fail(error, 2, getattr(error, "details", ""))
     except NoOpenGLError as error:
         return _fail(error, 3)
-    except BrokenPipeError:
-        # The reader (head, less) closed the pipe, so there is nothing more to print.
-        _silence_output()
-        return 0
     except OSError as error:
+        if is_closed_pipe(error):
+            # The reader (head, less) closed the pipe, so there is nothing more to print.
+            _silence_output()
+            return 0
         # Errors in writing files have their own messages; this is standard output on a full disk.
         _silence_output()
         return _fail(f"{error.filename or 'standard output'}: {error.strerror}", 2)

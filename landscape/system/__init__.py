@@ -10,6 +10,7 @@ if sys.platform == "win32":
     from landscape.system.windows import (
         ENDING_SIGNALS,
         interrupts_held,
+        is_closed_pipe,
         memory,
         processors,
         quoted,
@@ -22,6 +23,7 @@ else:
     from landscape.system.posix import (
         ENDING_SIGNALS,
         interrupts_held,
+        is_closed_pipe,
         memory,
         processors,
         quoted,
@@ -34,6 +36,7 @@ else:
 __all__ = [
     "ENDING_SIGNALS",
     "interrupts_held",
+    "is_closed_pipe",
     "memory",
     "processors",
     "quoted",

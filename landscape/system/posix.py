@@ -65,6 +65,11 @@ def interrupts_held() -> Iterator[None]:
 starting_workers = interrupts_held
 
 
+def is_closed_pipe(error: OSError) -> bool:
+    """Return whether something was written into a pipe that its reader has closed."""
+    return isinstance(error, BrokenPipeError)
+
+
 def processors() -> int:
     """Return how many processors this process may use."""
     if hasattr(os, "sched_getaffinity"):

@@ -122,6 +122,13 @@ def starting_workers() -> Iterator[None]:
         kernel.SetConsoleCtrlHandler(None, False)
 
 
+def is_closed_pipe(error: OSError) -> bool:
+    """Return whether something was written into a pipe that its reader has closed."""
+    # The C library does not tell this from other wrong arguments, of which a file name is one.
+    unnamed = error.errno == errno.EINVAL and error.filename is None
+    return isinstance(error, BrokenPipeError) or unnamed
+
+
 def processors() -> int:
     """Return how many processors this process may use."""
     return os.cpu_count() or 1
