@@ -13,7 +13,10 @@ from commands import end, environment, landscape
 from landscape.gl import display
 from landscape.gl.display import choose, problem
 
-pytestmark = pytest.mark.window
+pytestmark = [
+    pytest.mark.window,
+    pytest.mark.posix_only("it has one window system, and no choice of X11 or Wayland"),
+]
 
 
 @pytest.fixture(scope="module")
