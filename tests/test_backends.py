@@ -5,6 +5,7 @@ PyOpenGL binds to one platform per process, so each backend is tested in its own
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -15,6 +16,7 @@ import pytest
 from commands import TESTS, end, environment, has_library, landscape, need_library, python
 
 from landscape.gl import advice, libraries
+from landscape.tools import doctor
 
 SCENE = (
     "fig35a",
@@ -364,3 +366,14 @@ print(json.dumps([crashed, doctor.probe("osmesa")]))
     crashed, hung = json.loads(python(code).out)
     assert not crashed["ok"] and "ended with -6" in crashed["reason"]
     assert not hung["ok"] and "no answer in 2 seconds" in hung["reason"]
+
+
+def test_doctor_says_where_a_backend_met_what_nobody_foresaw(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    context = "from landscape.gl import context; context.open_context = lambda name: {}['a defect']"
+    (tmp_path / "sitecustomize.py").write_text(context, encoding="utf-8")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
+    state = doctor.probe("osmesa")
+    assert not state["ok"]
+    assert re.fullmatch(r"KeyError: 'a defect', in .*sitecustomize\.py, line 1", state["reason"])

@@ -87,6 +87,29 @@ def test_pipx_and_uv_have_commands_of_their_own(
     assert how_to_add("av", "pip") == how_to_add("av", "pip", extra="film") == command
 
 
+def test_what_was_installed_from_a_file_is_installed_from_it_again(
+    installed: dict[str, Installed], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    checkout = tmp_path / "my île"
+    checkout.mkdir()
+    installed["landscape-gl"].origin = {"url": checkout.as_uri(), "dir_info": {}}
+    installed["landscape"] = Installed()
+    assert conflict().endswith(f'`pip install --force-reinstall "{checkout}"`')
+    (tmp_path / "uv-receipt.toml").touch()
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    assert how_to_add("av") == f'uv tool install --with av "{checkout}"'
+    checkout.rmdir()  # nothing can be installed from it any more
+    assert how_to_add("av") == "uv tool install --with av landscape-gl"
+
+
+def test_a_checkout_beside_another_distribution_is_installed_again(
+    installed: dict[str, Installed],
+) -> None:
+    installed["landscape-gl"].origin = {"url": ROOT.as_uri(), "dir_info": {"editable": True}}
+    installed["landscape"] = Installed()
+    assert conflict().endswith(f'`pip install --force-reinstall -e "{ROOT}"`')
+
+
 def test_another_distribution_of_the_packages_name_is_told_by_doctor(
     installed: dict[str, Installed], monkeypatch: pytest.MonkeyPatch
 ) -> None:

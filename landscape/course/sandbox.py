@@ -253,6 +253,9 @@ def _unexpected(errors: Path, how: str = "") -> UnexpectedError:
     details = errors.read_text(encoding="utf-8", errors="replace")
     lines = details.strip().splitlines() or [how or "status 0"]
     reason = lines[-1] if lines[0].startswith("Traceback") else lines[0]
+    places = re.findall(r'^  File "(.+)", line (\d+)', details, re.MULTILINE)
+    if places:
+        reason += ", in {}, line {}".format(*places[-1])
     return UnexpectedError(f"the process that runs programs ended ({reason})", details)
 
 

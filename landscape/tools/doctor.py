@@ -20,7 +20,7 @@ SECONDS = 60  # chosen: a backend that takes longer is considered to hang
 
 _PROBE = """
 import json, sys
-from landscape.errors import NoOpenGLError
+from landscape.errors import NoOpenGLError, located
 from landscape.gl.calls import gl
 from landscape.gl.context import open_context
 from landscape.gl.extensions import texture_units, widest_line
@@ -35,6 +35,8 @@ try:
     print(json.dumps(found))
 except NoOpenGLError as error:
     print(json.dumps({"ok": False, "reason": str(error)}))
+except Exception as error:
+    print(json.dumps({"ok": False, "reason": located(error)}))
 """
 
 
