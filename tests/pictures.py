@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from landscape.gallery.compare import agree, agree_lossy, amplified, difference
+from landscape.gallery.compare import agree, amplified, difference
 from landscape.gl.calls import gl
 
 GOLDEN = Path(__file__).resolve().parent / "golden"
@@ -42,11 +42,10 @@ def golden(name: str) -> np.ndarray:
         return np.asarray(image.convert("RGB"))
 
 
-def check(name: str, actual: np.ndarray, update: bool, lines: bool = False) -> None:
+def check(name: str, actual: np.ndarray, update: bool) -> None:
     """Compare a picture with its golden one, or replace that with ``update``.
 
-    Of one that is made of ``lines``, another renderer need only give the mean of each block. Where
-    they differ, the AssertionError names three pictures: expected, actual and difference.
+    Where they differ, the AssertionError names three pictures: expected, actual and difference.
     """
     path = GOLDEN / f"{name}.png"
     actual = actual.astype(np.uint8)
@@ -58,7 +57,7 @@ def check(name: str, actual: np.ndarray, update: bool, lines: bool = False) -> N
     assert path.exists(), f"{path} is missing: run pytest --update-golden, then look at it"
     expected = golden(name)
     same = RENDERER.exists() and RENDERER.read_text(encoding="utf-8") == renderer()
-    if agree(expected, actual, same) or (lines and not same and agree_lossy(expected, actual)):
+    if agree(expected, actual, same):
         return
     FAILURES.mkdir(exist_ok=True)
     shown = {"expected": expected, "actual": actual, "difference": amplified(expected, actual)}

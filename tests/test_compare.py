@@ -1,4 +1,4 @@
-"""Pictures of two renderers: an edge may move by a pixel, but nothing may change or be lost."""
+"""Pictures of two renderers: single pixels may differ, but nothing may move, change or be lost."""
 
 import numpy as np
 import pytest
@@ -25,20 +25,14 @@ def picture() -> np.ndarray:
     return picture
 
 
-def test_an_edge_may_move_by_a_pixel_on_another_renderer_alone(picture: np.ndarray) -> None:
-    moved = np.roll(picture, 1, axis=0)
-    assert (moved != picture).any()
-    assert agree(picture, moved, same_renderer=False)
-    assert not agree(picture, moved, same_renderer=True)
+def test_an_edge_may_not_move(picture: np.ndarray) -> None:
+    assert not agree(picture, np.roll(picture, 1, axis=0), same_renderer=False)
 
 
-def test_an_edge_may_not_move_by_two_pixels(picture: np.ndarray) -> None:
-    assert not agree(picture, np.roll(picture, 2, axis=0), same_renderer=False)
-
-
-def test_many_edges_may_not_move(picture: np.ndarray) -> None:
-    picture[60:, ::8] = 250
-    assert not agree(picture, np.roll(picture, 1, axis=1), same_renderer=False)
+def test_single_pixels_may_differ_on_another_renderer_alone(picture: np.ndarray) -> None:
+    few = blot(picture, side=4, levels=30)
+    assert agree(picture, few, same_renderer=False)
+    assert not agree(picture, few, same_renderer=True)
 
 
 def test_a_small_thing_may_not_appear_nor_be_lost(picture: np.ndarray) -> None:

@@ -45,5 +45,4 @@ def test_a_view_of_the_voxel_island_matches_its_golden_picture(
         stage.target.bind()
     reduced = sum(drawn[row::2, column::2] for row in (0, 1) for column in (0, 1)) // 4
     update = request.config.getoption("--update-golden")
-    lines = name == "voxel_regions"
-    pictures.check(name, reduced, update, lines)  # type: ignore[arg-type]
+    pictures.check(name, reduced, update)  # type: ignore[arg-type]
