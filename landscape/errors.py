@@ -1,5 +1,6 @@
 """The errors that users see as one line, and how a line shows a value that was given."""
 
+import re
 import reprlib
 import sys
 import traceback
@@ -22,6 +23,7 @@ class UnexpectedError(RuntimeError):
         self.details = details
 
 
+PLACE = re.compile(r'^  File "(.+)", line (\d+)', re.MULTILINE)  # as a traceback says it
 UNEXPECTED = 70  # the exit status for a defect of this program: EX_SOFTWARE of sysexits.h
 
 
@@ -43,8 +45,16 @@ def located(error: BaseException) -> str:
     """Return on one line what an error is, and where it was raised."""
     reason = " ".join(str(error).split())
     what = f"{type(error).__name__}: {reason}" if reason else type(error).__name__
-    frames = traceback.extract_tb(error.__traceback__)
-    return f"{what}, in {frames[-1].filename}, line {frames[-1].lineno}" if frames else what
+    # A pool raises an error of its processes once more, with the traceback there as its cause.
+    cause = error.__cause__
+    remote = str(cause) if type(cause).__name__ == "_RemoteTraceback" else ""
+    return what + raised_at(remote or "".join(traceback.format_tb(error.__traceback__)))
+
+
+def raised_at(trace: str) -> str:
+    """Return where a traceback ends, as ``, in FILE, line N``; "" if the text has no place."""
+    places = PLACE.findall(trace)
+    return ", in {}, line {}".format(*places[-1]) if places else ""
 
 
 _REPR = reprlib.Repr()

@@ -1,6 +1,7 @@
 """Many stills by several processes: the same pictures, each reported once, no partial files."""
 
 import os
+import re
 import signal
 import subprocess
 import time
@@ -11,7 +12,7 @@ import pytest
 from commands import SECONDS, running
 from PIL import Image
 
-from landscape.errors import InputError
+from landscape.errors import UNEXPECTED, InputError, say_unexpected
 from landscape.render import Offscreen
 from landscape.tools import render_many
 from landscape.views import VIEWS
@@ -45,6 +46,21 @@ def test_an_error_in_one_process_is_reported_in_its_own_words(two: None, tmp_pat
     with pytest.raises(InputError, match=r"nowhere\.png: no such file"):
         render_many.render_all(jobs, arguments, None, False, lambda name: None)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_defect_in_one_process_is_told_with_its_place_there(
+    two: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fixed = "from landscape import scene; scene.begin_frame = lambda *_, **__: {}['a defect']"
+    (tmp_path / "sitecustomize.py").write_text(fixed, encoding="utf-8")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
+    jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
+    with pytest.raises(KeyError) as told:
+        render_many.render_all(jobs, ARGUMENTS, None, False, lambda name: None)
+    assert say_unexpected(told.value) == UNEXPECTED
+    line, *trace = capsys.readouterr().err.splitlines()
+    assert re.search(r"KeyError: 'a defect', in .*sitecustomize\.py, line 1$", line)
+    assert any("begin_frame" in line for line in trace)
 
 
 def test_few_pictures_are_drawn_without_further_processes(

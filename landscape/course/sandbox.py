@@ -30,7 +30,7 @@ from pathlib import Path
 from typing import Any
 
 from landscape.course.budget import MEGABYTES, SECONDS
-from landscape.errors import NoOpenGLError, UnexpectedError
+from landscape.errors import NoOpenGLError, UnexpectedError, raised_at
 from landscape.system import limits
 
 GRACE = 1.5  # seconds, chosen: between asking a program to end and ending it
@@ -253,9 +253,7 @@ def _unexpected(errors: Path, how: str = "") -> UnexpectedError:
     details = errors.read_text(encoding="utf-8", errors="replace")
     lines = details.strip().splitlines() or [how or "status 0"]
     reason = lines[-1] if lines[0].startswith("Traceback") else lines[0]
-    places = re.findall(r'^  File "(.+)", line (\d+)', details, re.MULTILINE)
-    if places:
-        reason += ", in {}, line {}".format(*places[-1])
+    reason += raised_at(details)
     return UnexpectedError(f"the process that runs programs ended ({reason})", details)
 
 

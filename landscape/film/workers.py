@@ -116,10 +116,10 @@ class _Worker:
 
 def _work(pipe: Connection, film: Film) -> None:
     """Draw the frames that are asked for, until the pipe is closed."""
-    begin_worker()
-    SCENES.update(film.drawing.scenes)
     with suppress(EOFError, OSError):
         try:
+            begin_worker()
+            SCENES.update(film.drawing.scenes)
             with Stage(film.drawing) as stage:
                 picture = film.open(stage)
                 while True:
