@@ -41,7 +41,11 @@ def load(library: str) -> ctypes.CDLL:
     path = ctypes.util.find_library(library)
     if path is None:
         raise OSError(reason)
-    return ctypes.CDLL(path)
+    try:
+        return ctypes.CDLL(path)
+    except OSError as error:
+        # Windows does not say which file it is that does not load.
+        raise OSError(error if path in str(error) else f"{path}: {error}") from None
 
 
 def require(library: str, backend: str) -> ctypes.CDLL:
