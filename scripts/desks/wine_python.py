@@ -32,6 +32,8 @@ TARGET = ("--platform=win_amd64", "--python-version=311", "--only-binary=:all:")
 # Not extension modules: libraries that extension modules load.
 LIBRARIES = ["libffi-8", "libcrypto-3", "libssl-3", "sqlite3", "tcl86t", "tk86t"]
 LEFT_OUT = re.compile(r"\./(site-packages|lib-dynload|test|config-[^/]*)(/|$)|.*/__pycache__(/|$)")
+# A class method in late releases of Python 3.11, a method in earlier ones.
+LATE_METHOD = re.compile(r"(?<!@classmethod\n)    def invalidate_caches\(cls\)")
 
 # A process with a window, hidden. As long as there is one, Wine's desktop stays. A later program
 # would start another desktop, which would keep the program's pipes open.
@@ -95,6 +97,10 @@ def copy_standard_library() -> None:
             place = PYTHON / "Lib" / name
             place.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(path, place)
+    # The DLL is of a late release, and calls this method on the class.
+    metadata = PYTHON / "Lib" / "importlib" / "metadata" / "__init__.py"
+    text = metadata.read_text(encoding="utf-8")
+    metadata.write_text(LATE_METHOD.sub(r"    @classmethod\n\g<0>", text), encoding="utf-8")
 
 
 def install() -> None:
