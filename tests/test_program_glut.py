@@ -216,6 +216,7 @@ def test_what_freeglut_would_end_the_process_for_is_refused(watch: Watcher, writ
     assert "what this screen cannot do" in watch(write("", begin)).error
 
 
+@pytest.mark.posix_only("there is always a screen")
 def test_glut_without_a_screen_is_refused_in_one_line(tmp_path: Path) -> None:
     need_library("glut")
     watcher = Watcher(tmp_path, XDG_RUNTIME_DIR="/nonexistent")

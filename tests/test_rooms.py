@@ -77,11 +77,11 @@ def upward(path: Path) -> list[str]:
         if other == mine:
             continue
         if other not in LEVELS or LEVELS[other] >= LEVELS[mine]:
-            found.append(f"{path.relative_to(PACKAGE.parent)}:{line}: {name}")
+            found.append(f"{path.relative_to(PACKAGE.parent).as_posix()}:{line}: {name}")
     return found
 
 
-@pytest.mark.parametrize("path", modules(), ids=lambda path: str(path.relative_to(PACKAGE)))
+@pytest.mark.parametrize("path", modules(), ids=lambda path: path.relative_to(PACKAGE).as_posix())
 def test_no_module_imports_from_a_floor_above(path: Path) -> None:
     assert upward(path) == []
 

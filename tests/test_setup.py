@@ -12,6 +12,8 @@ ROOT = Path(__file__).resolve().parent.parent
 SETUP = ROOT / "scripts" / "setup.sh"
 ANSWER = "package:\n  Installed: (none)\n  Candidate: {}\n  Version table:\n"
 
+needs_a_shell = pytest.mark.posix_only("the script is for a shell of Linux and macOS")
+
 
 def knows(folder: Path, answer: str) -> bool:
     """Return whether `apt_knows` finds a package where apt-cache prints ``answer``."""
@@ -27,12 +29,14 @@ def knows(folder: Path, answer: str) -> bool:
     return done.returncode == 0
 
 
+@needs_a_shell
 @pytest.mark.parametrize("more", [0, 1, 100_000])
 def test_a_package_is_found_however_many_versions_apt_lists(tmp_path: Path, more: int) -> None:
     # More lines than a pipe holds: apt-cache still writes when its first lines have been read.
     assert knows(tmp_path, ANSWER.format("1.0-2") + "     1.0-1 500\n" * more)
 
 
+@needs_a_shell
 @pytest.mark.parametrize("answer", ["", ANSWER.format("(none)")])
 def test_a_package_that_apt_cannot_install_is_not_found(tmp_path: Path, answer: str) -> None:
     assert not knows(tmp_path, answer)
@@ -45,6 +49,7 @@ def test_the_linters_and_what_they_read_have_exact_versions() -> None:
     assert all(re.fullmatch(r"[\w-]+==[\d.]+", line) for line in pinned), pinned
 
 
+@needs_a_shell
 @pytest.mark.parametrize(("system", "status"), [("Darwin", 0), ("Linux", 1)])
 def test_only_linux_needs_a_variable_that_names_the_display(
     tmp_path: Path, system: str, status: int
@@ -61,6 +66,7 @@ def test_only_linux_needs_a_variable_that_names_the_display(
     assert subprocess.run(command, env=kept).returncode == status
 
 
+@needs_a_shell
 def test_the_processors_are_counted_without_the_tool_of_linux(tmp_path: Path) -> None:
     for tool in ("bash", "make", "getconf"):
         path = shutil.which(tool)

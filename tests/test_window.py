@@ -447,7 +447,7 @@ def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
         (["--backend", "egl"], "--frames"),
         (["--backend", "osmesa"], "--frames"),
         (["--backend", "osmesa", "--replay", "none.jsonl"], "none.jsonl"),
-        (["--backend", "osmesa", "--frames", "1", "--record", "/dev/null/a.jsonl"], "--record"),
+        (["--backend", "osmesa", "--frames", "1", "--record", f"{__file__}/a.jsonl"], "--record"),
         (
             ["--backend=osmesa", "--frames=1", "--only=rabbit", "--set=rabbit.mesh=none.ply"],
             "none.ply",

@@ -157,9 +157,10 @@ def _process() -> dict[str, Any]:
         "environment": dict(os.environ), "main": sys.modules["__main__"], "input": sys.stdin,
         "time": (time.time, time.sleep, time.monotonic_ns, datetime.datetime, datetime.date),
         "random": random.getstate(), "exit": os._exit, "finders": finders,
-        "alarm": (signal.getsignal(signal.SIGALRM), signal.getitimer(signal.ITIMER_REAL)),
         "daemon": threading.current_thread().daemon,
     }  # fmt: skip
+    if sys.platform != "win32":
+        kept["alarm"] = (signal.getsignal(signal.SIGALRM), signal.getitimer(signal.ITIMER_REAL))
     for name in ("OpenGL.GL", "OpenGL.GL.VERSION.GL_1_1", "OpenGL.GLUT", "glfw", "pygame.time"):
         if name in sys.modules:
             kept[name] = {
