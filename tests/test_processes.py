@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from commands import SECONDS, environment, need_library
+from commands import SECONDS, environment, need_library, python
 
 pytestmark = [
     pytest.mark.posix_only("processes are looked up in /proc"),
@@ -106,3 +106,17 @@ def test_kill_ends_a_walk_with_its_recording_complete(mark: str, tmp_path: Path)
     assert walk.wait(SECONDS) == 128 + signal.SIGTERM
     assert [p.name for p in tmp_path.iterdir()] == ["a.jsonl"]
     assert (tmp_path / "a.jsonl").read_text().splitlines()[-1].startswith('{"frames": ')
+
+
+def test_the_first_worker_that_starts_holds_back_ctrl_c_as_the_others_do() -> None:
+    code = """
+import multiprocessing, signal, time
+from landscape.system import starting_workers
+with starting_workers():
+    worker = multiprocessing.get_context("spawn").Process(target=time.sleep, args=(0,))
+    worker.start()
+    print(signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, []))
+worker.join()
+print(signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, []))
+"""
+    assert python(code).out.split() == ["True", "False"]

@@ -61,8 +61,15 @@ def interrupts_held() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, held)
 
 
-# Processes inherit what their parent holds back.
-starting_workers = interrupts_held
+@contextmanager
+def starting_workers() -> Iterator[None]:
+    """Hold back Ctrl-C from the processes that the block starts, and from this one inside it."""
+    from multiprocessing import resource_tracker
+
+    # multiprocessing starts it with the first process, and then lets Ctrl-C through.
+    resource_tracker.ensure_running()
+    with interrupts_held():  # processes inherit what their parent holds back
+        yield
 
 
 def is_closed_pipe(error: OSError) -> bool:
