@@ -16,7 +16,7 @@ from stage import SMALL_BEST
 
 from landscape.elements import support
 from landscape.errors import NoOpenGLError
-from landscape.gl import features, state
+from landscape.gl import extensions, features, state
 from landscape.gl.features import FEATURES, left_out, possible, reason
 from landscape.keys import fields
 from landscape.render import Offscreen
@@ -169,6 +169,18 @@ def test_a_driver_refuses_what_it_lacks_and_nothing_else(stage: Any) -> None:
     assert Driver((1, 5), frozenset({"GL_ARB_texture_non_power_of_two"})).objection(*sides)
 
 
+def test_the_gate_is_open_with_few_texture_units_too() -> None:
+    drawn = {}
+    for units in (8, 3):
+        driver = Driver(units=units)
+        castle: dict[str, Any] = {"settings": SMALL_BEST, "only": ("castle",)}
+        with emulated(driver), Offscreen(SIZE, backend="osmesa", **castle) as offscreen:
+            offscreen.look("fig25f")
+            drawn[units] = offscreen.draw().astype(np.int64)[45:90, 65:95]
+        assert driver.refused == []
+    assert differing({"door": drawn[8]}, {"door": drawn[3]}, 20) < 0.1
+
+
 # --- the table -----------------------------------------------------------------------------------
 
 
@@ -200,6 +212,18 @@ def test_a_command_that_cannot_do_without_says_so_in_one_line(
     monkeypatch.setattr(features.extensions, "extensions", frozenset)
     with pytest.raises(NoOpenGLError, match="this OpenGL has no OpenGL 3"):
         features.require("landscape pixel")
+
+
+@pytest.mark.parametrize("text", [b"OpenGL ES 3.2 Other", None])
+def test_a_driver_whose_version_is_not_of_opengl_is_refused_in_one_line(
+    stage: Any, monkeypatch: pytest.MonkeyPatch, text: bytes | None
+) -> None:
+    driver = Driver()
+    answers = {0x1F02: text, 0x1F03: None}
+    with emulated(driver), stage.borrowed():
+        monkeypatch.setattr(extensions.gl, "glGetString", answers.__getitem__)
+        with pytest.raises(NoOpenGLError, match=r"^this driver's version is .*: expected OpenGL"):
+            possible("water.foam")
 
 
 def test_settings_that_are_turned_off_exist_and_are_features() -> None:

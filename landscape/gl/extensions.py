@@ -11,6 +11,7 @@ import sys
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from landscape.errors import NoOpenGLError
 from landscape.gl.calls import gl, unnoted
 
 
@@ -32,10 +33,12 @@ MULTISAMPLE = Need((1, 3), ("GL_ARB_multisample",))
 
 
 def version() -> tuple[int, int]:
-    """Return the version of the current OpenGL."""
-    found = re.match(r"(\d+)\.(\d+)", _strings()[0])
-    assert found is not None
-    return int(found[1]), int(found[2])
+    """Return the version of the current OpenGL; NoOpenGLError if it is none, as OpenGL ES has."""
+    text = _strings()[0]
+    numbers = re.match(r"(\d+)\.(\d+)", text)
+    if numbers is None:
+        raise NoOpenGLError(f"this driver's version is {text!r}: expected OpenGL, as in '2.1'")
+    return int(numbers[1]), int(numbers[2])
 
 
 def profile_mask() -> int:
@@ -74,7 +77,9 @@ def _strings() -> tuple[str, frozenset[str]]:
     context = current_context()
     if context not in _known:
         with unnoted():
-            text, names = (gl.glGetString(each) for each in (gl.GL_VERSION, gl.GL_EXTENSIONS))
+            # A driver may answer with nothing, as without a context or about a core profile.
+            strings = gl.glGetString(gl.GL_VERSION), gl.glGetString(gl.GL_EXTENSIONS)
+        text, names = (string or b"" for string in strings)
         _known[context] = text.decode(), frozenset(names.decode().split())
     return _known[context]
 

@@ -3,7 +3,7 @@
 Door and light are blended over the bricks as in 2006 (castle_gate.py), but the light may brighten:
 glBlendFunc(GL_DST_COLOR, GL_SRC_COLOR) multiplies by twice its colour.
 What is wrong with it: three layers are fogged three times.
-State used: GL_TEXTURE_2D, GL_BLEND, polygon offset.
+State used: GL_TEXTURE_2D, GL_BLEND, polygon offset, depth mask.
 """
 
 from landscape.elements.castle_gate import gate_quad, light_shift
@@ -14,7 +14,10 @@ from landscape.gl.texture import Texture
 
 def draw_layers(door: Texture, halo: Texture, kt: float) -> None:
     """Blend the door over the gate wall's bricks, and multiply both by twice the halo."""
-    with attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_POLYGON_BIT):
+    blending = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_POLYGON_BIT
+    with attrib(blending | gl.GL_DEPTH_BUFFER_BIT):
+        # The depth stays that of the wall: the layers would hide the opening of an open door.
+        gl.glDepthMask(gl.GL_FALSE)
         gl.glEnable(gl.GL_TEXTURE_2D)
         gl.glEnable(gl.GL_BLEND)
         gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
