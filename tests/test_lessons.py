@@ -311,7 +311,8 @@ def test_a_copy_runs_in_its_folder_and_is_never_overwritten(
         (("no_such",), "expected a lesson"),
         (("text", "--out", f"{__file__}/x.png"), "test_lessons.py/x.png"),
         (("text", "--out", "picture.jpg"), "picture.jpg: expected a name ending in .png"),
-        (("text", "--copy", f"{__file__}/x"), "test_lessons.py/x"),
+        (("text", "--copy", f"{__file__}/x"), "--copy "),
+        (("text", "--copy", __file__), f"--copy {__file__}: expected a folder"),
         (("text", "--out", "a.png", "--copy"), "not allowed with"),
     ],
 )

@@ -116,7 +116,7 @@ def copy(chosen: Lesson, folder: Path) -> list[Path]:
     InputError, and nothing is copied, if one of the files is there already with another content.
     What the lesson imports may be there in another language.
     """
-    check_output_folder(folder)
+    check_output_folder(folder, "--copy ")
     language = choose(os.environ)
     copies, known = {}, {}
     for file in needed(chosen):

@@ -181,19 +181,19 @@ def output_paths(out: Path | None, names: list[str]) -> list[Path]:
     return [out]
 
 
-def check_output_folder(out: Path) -> None:
-    """Raise InputError unless ``--out`` is a folder, or the name of one that can be made."""
-    if not _is_folder(out, WRITABLE):
-        raise InputError(f"--out {out}: expected {WRITABLE}")
-    check_folder(out)
+def check_output_folder(out: Path, option: str = "--out ") -> None:
+    """Raise InputError unless ``out`` is a folder, or the name of one that can be made."""
+    if not _is_folder(out, WRITABLE, option):
+        raise InputError(f"{option}{out}: expected {WRITABLE}")
+    check_folder(out, f"{option}{out}")
 
 
-def _is_folder(out: Path, expected: str) -> bool:
-    """Return whether ``--out`` is a folder, or the name of one that is to be made.
+def _is_folder(out: Path, expected: str, option: str = "--out ") -> bool:
+    """Return whether ``out`` is a folder, or the name of one that is to be made.
 
     InputError, with what is ``expected``, for the name of a file that is not a PNG.
     """
-    mode, suffix = _found(out, "--out "), out.suffix.lower()
+    mode, suffix = _found(out, option), out.suffix.lower()
     if mode is not None and stat.S_ISDIR(mode):
         return True
     if suffix == ".png" or (mode is not None and not stat.S_ISREG(mode)):
@@ -201,7 +201,7 @@ def _is_folder(out: Path, expected: str) -> bool:
     # To make a folder named like a file of another format would be a mistake, but a name such as
     # "run-1.5" has no ending.
     if mode is not None or suffix[1:2].isalpha():
-        raise InputError(f"--out {out}: expected {expected}")
+        raise InputError(f"{option}{out}: expected {expected}")
     return True
 
 
