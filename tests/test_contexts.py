@@ -196,6 +196,24 @@ def test_cgl_is_refused_where_there_is_none_with_what_to_use_instead() -> None:
     assert "only macOS has it" in done.err and "--backend auto" in done.err
 
 
+@pytest.mark.window
+def test_a_window_opens_on_the_screen_after_none_could_be_opened_without_one() -> None:
+    code = """
+from landscape.gl.contexts.glfw import GLFWContext
+without("OSMesa")
+try:
+    GLFWContext(backend="osmesa")
+except NoOpenGLError:
+    tell(open_context("glfw"))
+"""
+    if sys.platform == "win32":
+        assert told(code).split()[0] == "glfw"
+        return
+    need_library("GL")
+    with screen() as display:
+        assert told(code, environment(DISPLAY=display)).split()[0] == "glfw"
+
+
 # --- CGL, with a framework that EGL stands in for -----------------------------------------------
 
 

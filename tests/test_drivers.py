@@ -38,7 +38,7 @@ def pictures(driver: Driver, place: str) -> Pictures:
     """Return the views of a place as a driver draws them, int64 (h, w, 3)."""
     settings, views = PLACES[place]
     drawn = {}
-    with emulated(driver), Offscreen(SIZE, settings=settings, backend="osmesa") as offscreen:
+    with emulated(driver), Offscreen(SIZE, settings=settings) as offscreen:
         for view in views:
             offscreen.look(view)
             drawn[view] = offscreen.draw().astype(np.int64)
@@ -90,7 +90,7 @@ def test_the_sea_is_drawn_in_four_texture_units_with_the_pixels_of_eight(
     for units in (8, 4):
         with (
             emulated(Driver(units=units)) as driver,
-            Offscreen(SIZE, settings=settings, backend="osmesa") as offscreen,
+            Offscreen(SIZE, settings=settings) as offscreen,
         ):
             offscreen.look("fig35a")
             drawn.append(offscreen.draw())

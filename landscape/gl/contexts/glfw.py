@@ -89,8 +89,8 @@ class GLFWContext:
         self._egl: EGLContext | None = None
         glfw.ERROR_REPORTING = "ignore"
         drawn_by = HEADLESS if backend == "headless" else {backend}.intersection(HEADLESS)
-        if drawn_by:
-            glfw.init_hint(glfw.PLATFORM, glfw.PLATFORM_NULL)
+        # The hint outlasts GLFW's end: an earlier window may have had no window system.
+        glfw.init_hint(glfw.PLATFORM, glfw.PLATFORM_NULL if drawn_by else glfw.ANY_PLATFORM)
         if not glfw.init():
             reason = display.choose(os.environ)[1] if sys.platform == "linux" else ""
             said = reason or self._reason()
