@@ -121,6 +121,16 @@ def test_what_a_program_prints_by_any_means_stays_out_of_the_output(
     assert 1_000_000 < len(done.err) < 1_100_000 and "(the program prints more)" in done.err
 
 
+def test_a_program_may_choose_the_encoding_of_what_it_prints(tmp_path: Path) -> None:
+    program = """
+        import sys
+        sys.stdout.reconfigure(encoding="utf-8")
+        print("after the choice")
+        """
+    done = run(tmp_path, program + textwrap.indent(SHOW, " " * 8))
+    assert "GL_FOG" in json.loads(done.out) and "after the choice" in done.err
+
+
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no program can copy itself on this system")
 def test_a_copy_that_a_program_makes_of_itself_prints_nothing(tmp_path: Path) -> None:
     # Since 3.12 Python warns of every copy of a process with threads, as OpenGL has.

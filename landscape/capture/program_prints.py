@@ -34,6 +34,9 @@ class Prints(io.TextIOBase):
             sys.stderr.write("\n")
             self._amid_line = False
 
+    def reconfigure(self, **options: object) -> None:
+        """Do nothing, unlike a file: standard error writes in an encoding of its own."""
+
     def flush(self) -> None:
         """Do nothing: standard error is written at once."""
 
