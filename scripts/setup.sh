@@ -78,8 +78,19 @@ apt_install() {
     [ ${#unknown[@]} -eq 0 ] || say "skipping packages unknown to apt: ${unknown[*]}"
     [ ${#known[@]} -gt 0 ] || return 1
     say "installing ${known[*]} (apt-get)"
+    apt_get_install "${known[@]}" && return
+    # One that cannot be installed, as a former package of a newer Mesa, must not stop the others.
+    say "installing them one by one"
+    local missing=0
+    for package in "${known[@]}"; do
+        apt_get_install "$package" || missing=1
+    done
+    return $missing
+}
+
+apt_get_install() {
     quietly as_root env DEBIAN_FRONTEND=noninteractive \
-        apt-get install -q -y --no-install-recommends "${known[@]}"
+        apt-get install -q -y --no-install-recommends "$@"
 }
 
 # --- Python ------------------------------------------------------------------------------------

@@ -42,6 +42,26 @@ def test_a_package_that_apt_cannot_install_is_not_found(tmp_path: Path, answer: 
     assert not knows(tmp_path, answer)
 
 
+@needs_a_shell
+def test_a_package_that_cannot_be_installed_does_not_stop_the_others(tmp_path: Path) -> None:
+    tools = {
+        "id": "echo 0",
+        "apt-cache": f"cat <<'END'\n{ANSWER.format('1.0')}END",
+        "apt-get": f'case "$*" in *removed*) exit 100 ;; esac; echo "$*" >>"{tmp_path}/calls"',
+    }
+    for name, script in tools.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{script}\n")
+        (tmp_path / name).chmod(0o755)
+    functions = SETUP.read_text().partition("\nsay()")[2].partition("# --- Python")[0]
+    code = f"set -euo pipefail\nsay(){functions}\napt_install one removed two"
+    env = dict(os.environ, PATH=f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
+    done = subprocess.run(["bash", "-c", code], env=env, capture_output=True, text=True)
+    assert done.returncode == 1, done
+    calls = (tmp_path / "calls").read_text().splitlines()
+    installed = [call.split()[-1] for call in calls if call.startswith("install")]
+    assert installed == ["one", "two"]
+
+
 def test_the_linters_and_what_they_read_have_exact_versions() -> None:
     lines = (ROOT / "requirements-lint.txt").read_text(encoding="utf-8").splitlines()
     pinned = [line for line in lines if line and not line.startswith("#")]

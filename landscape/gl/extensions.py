@@ -34,7 +34,11 @@ MULTISAMPLE = Need((1, 3), ("GL_ARB_multisample",))
 
 def version() -> tuple[int, int]:
     """Return the version of the current OpenGL; NoOpenGLError if it is none, as OpenGL ES has."""
-    text = _strings()[0]
+    return _numbers(_strings()[0])
+
+
+def _numbers(text: str) -> tuple[int, int]:
+    """Return the two numbers that a version begins with; NoOpenGLError if it does not."""
     numbers = re.match(r"(\d+)\.(\d+)", text)
     if numbers is None:
         raise NoOpenGLError(f"this driver's version is {text!r}: expected OpenGL, as in '2.1'")
@@ -46,8 +50,8 @@ def profile_mask() -> int:
 
     Asked of the context itself, whose core profile has no GL_EXTENSIONS.
     """
-    version = gl.glGetString(gl.GL_VERSION).split()[0].split(b".")
-    if [int(part) for part in version[:2]] < [3, 2]:
+    text = gl.glGetString(gl.GL_VERSION) or b""
+    if _numbers(text.decode(errors="replace")) < (3, 2):
         return 0
     return int(gl.glGetIntegerv(gl.GL_CONTEXT_PROFILE_MASK))
 

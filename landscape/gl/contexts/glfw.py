@@ -107,7 +107,7 @@ class GLFWContext:
         glfw.window_hint(glfw.DEPTH_BITS, 24)
         glfw.window_hint(glfw.STENCIL_BITS, 8)
         glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 1)
-        glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 5)
+        glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 1)
         self.size = size = self._enlarged(size) if enlarged else size
         screens = glfw.get_monitors() if fullscreen else []
         screen = screens[min(max(monitor, 1), len(screens)) - 1] if screens else None

@@ -31,7 +31,8 @@ class _Context(Protocol):
 
 def check_renderer() -> None:
     """Raise NoOpenGLError if the current context draws by something else than software."""
-    name = ctypes.string_at(raw.glGetString(RENDERER)).decode(errors="replace")
+    address = raw.glGetString(RENDERER)
+    name = ctypes.string_at(address).decode(errors="replace") if address else ""
     if not any(part in name.lower() for part in NAMES):
         raise NoOpenGLError(advice.software(name))
 
