@@ -1,6 +1,7 @@
 """Programs with a GLFW window, run to a frame: what they see, what is seen, how they fail."""
 
 import os
+import sys
 import textwrap
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -306,6 +307,9 @@ def test_calls_without_a_context_have_no_effect(watch: Watcher, write: Write) ->
     draw = "glClearColor(1, 1, 1, 1)\nglScissor(0, 0, 1, 1)\nglClear(GL_COLOR_BUFFER_BIT)\n"
     show = "glfw.swap_buffers(window)\n"
     early = write(on + current + draw + show, BEGIN.replace(current, ""))
+    if sys.platform == "win32":  # where it raises
+        assert "line 6: the program raised GLError: invalid operation (gl" in watch(early).error
+        return
     assert watch(early).centre == [255, 255, 255]
     told = landscape("trace", early).err
     assert "line 6: glEnable is called before glfw.make_context_current, so it has" in told
@@ -379,6 +383,8 @@ def test_a_missing_program_is_refused(watch: Watcher, tmp_path: Path) -> None:
     assert watch(tmp_path).error == f"{tmp_path}: cannot be read (Is a directory)"
 
 
+# On Windows nothing interrupts one wait without an end; there the guard ends the process.
+LONGEST = 0.1 if sys.platform == "win32" else None
 ENDLESS = {
     "before its window": ("import glfw\nwhile True: pass\n", "opened no window for OpenGL {}"),
     "without swapping": (
@@ -386,7 +392,8 @@ ENDLESS = {
         "completed no frame {}",
     ),
     "after a frame": (
-        BEGIN + "glfw.swap_buffers(window)\nimport threading\nthreading.Event().wait()\n",
+        f"{BEGIN}glfw.swap_buffers(window)\nimport threading\n"
+        f"while True: threading.Event().wait({LONGEST})\n",
         "completed 1 frame {}; frame 2 was not reached",
     ),
 }
