@@ -8,7 +8,6 @@ import contextlib
 import io
 import json
 import os
-import resource
 import stat
 import sys
 import tempfile
@@ -168,7 +167,10 @@ class Drain:
 
 
 if __name__ == "__main__":
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    if sys.platform != "win32":  # which writes no core files
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     for kind in (RuntimeWarning, UserWarning, FutureWarning):
         warnings.simplefilter("always", kind)
     answers = os.fdopen(os.dup(1), "w")
