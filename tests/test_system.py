@@ -4,6 +4,7 @@ import os
 import signal
 import threading
 import time
+from collections.abc import Iterator
 from multiprocessing.connection import Listener
 from pathlib import Path
 
@@ -16,6 +17,15 @@ from landscape.files.input import read_bounded
 from landscape.files.output import write_whole
 
 
+@pytest.fixture
+def heeds_ctrl_c() -> Iterator[None]:
+    """Let Ctrl-C interrupt the test, as it does not where the shell has started pytest with `&`."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("heeds_ctrl_c")
 def test_ctrl_c_that_is_held_back_comes_after_the_block() -> None:
     steps = []
     with pytest.raises(KeyboardInterrupt):
@@ -27,6 +37,7 @@ def test_ctrl_c_that_is_held_back_comes_after_the_block() -> None:
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
+@pytest.mark.usefixtures("heeds_ctrl_c")
 def test_a_block_without_ctrl_c_ends_as_any_other() -> None:
     with system.interrupts_held(), system.starting_workers():
         pass
