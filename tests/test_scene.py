@@ -4,6 +4,7 @@ Nothing else is edited: it is one line in the list of scenes. It runs in a proce
 """
 
 import json
+import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -39,7 +40,7 @@ def plugged(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 def landscape(*arguments: str | Path) -> Done:
     """Run a command line with the chessboard plugged in."""
-    path = f"{TESTS.parent}:{TESTS}"
+    path = f"{TESTS.parent}{os.pathsep}{TESTS}"
     return python(COMMAND, *map(str, arguments), env=environment(PYTHONPATH=path))
 
 
@@ -213,7 +214,7 @@ def test_no_generic_module_names_the_island() -> None:
     paths = [path for pattern in GENERIC for path in PACKAGE.glob(pattern)]
     assert len(paths) > 12
     for path in paths:
-        code = path.read_text()
+        code = path.read_text(encoding="utf-8")
         assert not re.search(r"import.*\bisland\b|\bIsland\b|landscape\.views", code), path
         assert path.name == "scene.py" or "landscape.island" not in code, path
 
