@@ -72,7 +72,23 @@ def _reported(work: Callable[[], int]) -> int:
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
     except Exception as error:
-        return say_unexpected(error)
+        return _status_asked_for(error) or say_unexpected(error)
+
+
+def _status_asked_for(error: BaseException) -> int:
+    """Return the exit status of the SystemExit or Ctrl-C that an error came after; 0 if none.
+
+    A signal may interrupt OpenGL anywhere, as between glBegin and glEnd; what is then put back on
+    the way out may fail, which is no defect.
+    """
+    before = error.__context__
+    while before is not None:
+        if isinstance(before, KeyboardInterrupt):
+            return _fail("interrupted", 130)
+        if isinstance(before, SystemExit):
+            return before.code if isinstance(before.code, int) else 1
+        before = before.__context__
+    return 0
 
 
 def _fail(reason: object, status: int, details: str = "") -> int:

@@ -648,3 +648,18 @@ def test_importing_landscape_imports_no_opengl() -> None:
 def test_json_output_contains_no_nan(shell: Shell) -> None:
     for command in (["views"], ["settings"], ["trace", "fig6a", "--only", "ground,fog"]):
         json.loads(shell(*command, "--json").out, parse_constant=lambda name: 1 / 0)
+
+
+@pytest.mark.parametrize(("asked", "status"), [(SystemExit(143), 143), (KeyboardInterrupt(), 130)])
+def test_what_fails_on_the_way_out_of_a_command_that_is_ended_is_no_defect(
+    asked: BaseException, status: int, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    def work(options: argparse.Namespace) -> int:
+        try:
+            raise asked
+        finally:
+            raise RuntimeError("glPopAttrib between glBegin and glEnd")
+
+    monkeypatch.setitem(cli.COMMANDS, "views", work)
+    assert cli.main(["views"]) == status
+    assert "defect" not in capsys.readouterr().err

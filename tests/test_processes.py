@@ -51,7 +51,6 @@ def start(mark: str, *args: object) -> "subprocess.Popen[bytes]":
     return subprocess.Popen(
         [sys.executable, *map(str, args)],
         stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
         env=environment(**{MARK: mark}),
     )
 
