@@ -174,7 +174,7 @@ def test_the_gate_is_open_with_few_texture_units_too() -> None:
     for units in (8, 3):
         driver = Driver(units=units)
         castle: dict[str, Any] = {"settings": SMALL_BEST, "only": ("castle",)}
-        with emulated(driver), Offscreen(SIZE, backend="osmesa", **castle) as offscreen:
+        with emulated(driver), Offscreen(SIZE, **castle) as offscreen:
             offscreen.look("fig25f")
             drawn[units] = offscreen.draw().astype(np.int64)[45:90, 65:95]
         assert driver.refused == []
