@@ -19,8 +19,13 @@ def light_shift(kt: float) -> tuple[float, float]:
     return 0.01 * np.sin(kt / 10.8) ** 2, 0.01 * np.cos(kt / 7.2) ** 2
 
 
-def draw_gate_in_layers(door: Texture, light: Texture, kt: float) -> None:
-    """Blend door and light over the bricks: three layers, each fogged (section 11.2.4)."""
+def draw_gate_in_layers(
+    door: Texture, light: Texture, kt: float, brightening: bool = False
+) -> None:
+    """Blend door and light over the bricks: three layers, each fogged (section 11.2.4).
+
+    With ``brightening`` the light multiplies by twice its colour, else by its colour.
+    """
     gl.glEnable(gl.GL_TEXTURE_2D)
     gl.glEnable(gl.GL_BLEND)
     # From a distance the depth buffer cannot separate the layers from the wall.
@@ -32,7 +37,7 @@ def draw_gate_in_layers(door: Texture, light: Texture, kt: float) -> None:
     gate_quad(-0.001, 0.0, 0.0)
     gl.glDisable(gl.GL_LIGHTING)
     gl.glPolygonOffset(-2.0, -4.0)
-    gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_COLOR)
+    gl.glBlendFunc(gl.GL_DST_COLOR if brightening else gl.GL_ZERO, gl.GL_SRC_COLOR)
     light.bind()
     gate_quad(-0.002, *light_shift(kt))
     gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)

@@ -6,7 +6,7 @@ What is wrong with it: three layers are fogged three times.
 State used: GL_TEXTURE_2D, GL_BLEND, polygon offset, depth mask.
 """
 
-from landscape.elements.castle_gate import gate_quad, light_shift
+from landscape.elements.castle_gate import draw_gate_in_layers
 from landscape.gl.calls import gl
 from landscape.gl.state import attrib
 from landscape.gl.texture import Texture
@@ -16,18 +16,6 @@ def draw_layers(door: Texture, halo: Texture, kt: float) -> None:
     """Blend the door over the gate wall's bricks, and multiply both by twice the halo."""
     blending = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_POLYGON_BIT
     with attrib(blending | gl.GL_DEPTH_BUFFER_BIT):
-        # The depth stays that of the wall: the layers would hide the opening of an open door.
+        # The layers write no depth: they would hide the opening of an open door.
         gl.glDepthMask(gl.GL_FALSE)
-        gl.glEnable(gl.GL_TEXTURE_2D)
-        gl.glEnable(gl.GL_BLEND)
-        gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
-        gl.glNormal3f(0.0, 0.0, -1.0)
-        gl.glPolygonOffset(-1.0, -2.0)
-        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-        door.bind()
-        gate_quad(-0.001, 0.0, 0.0)
-        gl.glDisable(gl.GL_LIGHTING)
-        gl.glPolygonOffset(-2.0, -4.0)
-        gl.glBlendFunc(gl.GL_DST_COLOR, gl.GL_SRC_COLOR)
-        halo.bind()
-        gate_quad(-0.002, *light_shift(kt))
+        draw_gate_in_layers(door, halo, kt, brightening=True)
