@@ -156,7 +156,7 @@ def _mapped(file: str) -> mmap.mmap:
 
 
 def _join(parent: str) -> None:
-    """Make this process that of the program: ``parent`` is the value of VARIABLE."""
+    """Let this process run the program; ``parent`` is the value of VARIABLE."""
     global _shared
     number, _, file = parent.partition(" ")
     limits.end_with(int(number))

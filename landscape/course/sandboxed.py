@@ -1,7 +1,7 @@
 """What runs in the sandbox's processes: a program within its limits (see sandbox.py).
 
 As a module of its own, ``python -m landscape.course.sandboxed FOLDER PARENT`` runs one program: the
-job is in the folder, and the process ends with that of the number PARENT.
+job is in the folder, and the process ends when the process PARENT does.
 """
 
 import contextlib

@@ -50,7 +50,7 @@ SOFTWARE_MAKERS: dict[str, Callable[[], Context]] = {
 # may not fork. On Windows, EGL is rarely more than what a browser has brought for its own use.
 ORDER = {"darwin": ("cgl", "glfw", "osmesa", "egl"), "win32": ("osmesa", "glfw", "egl")}
 BACKENDS = ORDER.get(sys.platform, ("osmesa", "egl", "glfw"))
-# Whose reason is told where none works: that of the one which every user of the system can have.
+# Where no backend works, the reason of this one is told: every user of the system can install it.
 TOLD = {"darwin": "cgl", "win32": "glfw"}.get(sys.platform, "egl")
 
 

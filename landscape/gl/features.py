@@ -1,7 +1,7 @@
 """What each part of the pictures needs of OpenGL: one table, asked before anything of it is used.
 
-A name is that of the setting that asks for it, or says what is drawn. What is not possible is left
-out: the rest of the picture stays. :func:`possible` says so once, in one line on stderr;
+A name is the key of the setting that asks for it, or says what is drawn. What is not possible is
+left out: the rest of the picture stays. :func:`possible` says so once, in one line on stderr;
 ``landscape doctor`` lists it all.
 """
 

@@ -60,7 +60,7 @@ AGAIN = 0.25  # seconds until MemoryError is raised once more, if the work swall
 def limit_memory(most: int | None) -> None:
     """Let work that takes the process beyond ``most`` bytes end by MemoryError; None: no limit.
 
-    ``used`` counts these bytes. The work is that of the main thread.
+    ``used`` counts these bytes. The main thread does the work.
     """
     system.limit_memory(most)
     if not system.KEEPS_MEMORY:
