@@ -23,13 +23,12 @@ from landscape.frame import Pose
 from landscape.options import parse
 from landscape.scene import SCENES, View, find_view, listed_views, scene
 from landscape.system import is_closed_pipe
-from landscape.system.processes import end_tidily
+from landscape.system.processes import Ending, ending_tidily
 from landscape.tools.given import given_changes, notify, offscreen_options, tell_of_no_effect
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
-    end_tidily()
     if isinstance(sys.stdout, io.TextIOWrapper):
         # A file name may have characters that the terminal's encoding lacks.
         sys.stdout.reconfigure(errors="backslashreplace")
@@ -41,15 +40,20 @@ def main(argv: Sequence[str] | None = None) -> int:
         return status
 
     try:
-        return _reported(run)
+        with ending_tidily() as ending:
+            return _reported(run, ending)
     finally:
         if argv is None:
             # Python ends by looking for garbage among all that was imported, which is none.
             gc.freeze()
 
 
-def _reported(work: Callable[[], int]) -> int:
-    """Return the exit status of ``work``, or of the error that it raises, once that is printed."""
+def _reported(work: Callable[[], int], ending: Ending) -> int:
+    """Return the exit status of ``work``, or of the error that it raises, once that is printed.
+
+    A signal may interrupt OpenGL anywhere, as between glBegin and glEnd: what is then put back on
+    the way out may fail, and its error hides what the signal raised. That is no defect.
+    """
     try:
         status = work()
         print(end="", flush=True)
@@ -72,23 +76,9 @@ def _reported(work: Callable[[], int]) -> int:
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
     except Exception as error:
-        return _status_asked_for(error) or say_unexpected(error)
-
-
-def _status_asked_for(error: BaseException) -> int:
-    """Return the exit status of the SystemExit or Ctrl-C that an error came after; 0 if none.
-
-    A signal may interrupt OpenGL anywhere, as between glBegin and glEnd; what is then put back on
-    the way out may fail, which is no defect.
-    """
-    before = error.__context__
-    while before is not None:
-        if isinstance(before, KeyboardInterrupt):
+        if ending.status == 130:
             return _fail("interrupted", 130)
-        if isinstance(before, SystemExit):
-            return before.code if isinstance(before.code, int) else 1
-        before = before.__context__
-    return 0
+        return ending.status or say_unexpected(error)
 
 
 def _fail(reason: object, status: int, details: str = "") -> int:

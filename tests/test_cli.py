@@ -1,6 +1,7 @@
 """The command line and the Python interface, as documented."""
 
 import argparse
+import ctypes
 import json
 import math
 import os
@@ -650,16 +651,25 @@ def test_json_output_contains_no_nan(shell: Shell) -> None:
         json.loads(shell(*command, "--json").out, parse_constant=lambda name: 1 / 0)
 
 
-@pytest.mark.parametrize(("asked", "status"), [(SystemExit(143), 143), (KeyboardInterrupt(), 130)])
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGINT, 130)])
 def test_what_fails_on_the_way_out_of_a_command_that_is_ended_is_no_defect(
-    asked: BaseException, status: int, monkeypatch: pytest.MonkeyPatch, capsys
+    number: signal.Signals, status: int, monkeypatch: pytest.MonkeyPatch, capsys
 ) -> None:
-    def work(options: argparse.Namespace) -> int:
-        try:
-            raise asked
-        finally:
-            raise RuntimeError("glPopAttrib between glBegin and glEnd")
+    class Argument:
+        """An argument of a C function that a signal finds while ctypes is converting it."""
 
+        @classmethod
+        def from_param(cls, _: object) -> None:
+            signal.raise_signal(number)
+
+    convert = ctypes.CFUNCTYPE(None, Argument)(1)
+
+    def work(options: argparse.Namespace) -> int:
+        convert(0)
+        return 0
+
+    before = signal.signal(number, signal.default_int_handler)
     monkeypatch.setitem(cli.COMMANDS, "views", work)
     assert cli.main(["views"]) == status
+    assert signal.signal(number, before) is signal.default_int_handler
     assert "defect" not in capsys.readouterr().err

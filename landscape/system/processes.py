@@ -52,18 +52,40 @@ def begin_worker() -> None:
     threading.Thread(target=end_with_parent, daemon=True).start()
 
 
-def end_tidily() -> None:
+class Ending:
+    """The signal that ended this process, if one did.
+
+    Python raises an exception wherever the signal finds it. That exception may be lost: ctypes puts
+    the words of any other into an ArgumentError when it is converting the arguments of a call.
+    """
+
+    def __init__(self) -> None:
+        self.status = 0  # what the process ends with, by the shell's rule; 0 as no signal has come
+
+    def end(self, number: int, _: object) -> None:
+        """Handle a signal that ends a process; raises SystemExit, or KeyboardInterrupt for Ctrl-C."""
+        self.status = 128 + number
+        if number == signal.SIGINT:
+            raise KeyboardInterrupt
+        raise SystemExit(self.status)
+
+
+@contextmanager
+def ending_tidily() -> Iterator[Ending]:
     """Let signals that end a process, as `kill` sends them, do so as an exception would.
 
     So a command that they end leaves no temporary file and no worker. A signal that somebody
     handles or ignores already, as nohup does, is left alone.
     """
-    if threading.current_thread() is not threading.main_thread():
-        return  # only the main thread may handle signals
-
-    def end(number: int, _: object) -> None:
-        raise SystemExit(128 + number)
-
-    for number in system.ENDING_SIGNALS:
-        if signal.getsignal(number) is signal.SIG_DFL:
-            signal.signal(number, end)
+    ending = Ending()
+    former = {}
+    if threading.current_thread() is threading.main_thread():  # no other may handle signals
+        for number in (signal.SIGINT, *system.ENDING_SIGNALS):
+            handler = signal.getsignal(number)
+            if handler in (signal.SIG_DFL, signal.default_int_handler):
+                former[number] = signal.signal(number, ending.end)
+    try:
+        yield ending
+    finally:
+        for number, handler in former.items():
+            signal.signal(number, handler)
