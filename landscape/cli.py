@@ -33,15 +33,15 @@ def main(argv: Sequence[str] | None = None) -> int:
         # A file name may have characters that the terminal's encoding lacks.
         sys.stdout.reconfigure(errors="backslashreplace")
 
-    def run() -> int:
+    def run(ending: Ending) -> int:
         options = parse(argv, COMMANDS)
-        options.own_process = argv is None
+        options.own_process, options.ending = argv is None, ending
         status: int = options.run(options)
         return status
 
     try:
         with ending_tidily() as ending:
-            return _reported(run, ending)
+            return _reported(partial(run, ending), ending)
     finally:
         if argv is None:
             # Python ends by looking for garbage among all that was imported, which is none.
@@ -230,11 +230,18 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
             events=options.events,
             tell=partial(notify, options),
         )
-        work = partial(_reported, partial(frame_commands.RUN[name], target, options))
+        work = partial(frame_commands.RUN[name], target, options)
         programs = [path for path in (options.target, other) if path and path.endswith(".py")]
-        return guarded(" and ".join(programs), work) if programs and options.own_process else work()
+        return _guarded(" and ".join(programs), work, options) if programs else work()
 
     return run
+
+
+def _guarded(programs: str, work: Callable[[], int], options: argparse.Namespace) -> int:
+    """Do the work on programs in a process of its own, unless this one is somebody else's."""
+    if not options.own_process:
+        return work()
+    return guarded(programs, lambda: _reported(work, options.ending))
 
 
 def _inspect(options: argparse.Namespace) -> int:
@@ -248,7 +255,7 @@ def _inspect(options: argparse.Namespace) -> int:
         notify(options, inspect(options.target, options.edits, options.lang))
         return 0
 
-    return guarded(options.target, lambda: _reported(work)) if options.own_process else work()
+    return _guarded(options.target, work, options)
 
 
 def _of(module: str, function: str = "run") -> Callable[[argparse.Namespace], int]:

@@ -63,7 +63,7 @@ class Ending:
         self.status = 0  # what the process ends with, by the shell's rule; 0 as no signal has come
 
     def end(self, number: int, _: object) -> None:
-        """Handle a signal that ends a process; raises SystemExit, or KeyboardInterrupt for Ctrl-C."""
+        """Handle a signal: raise KeyboardInterrupt for Ctrl-C, SystemExit for any other."""
         self.status = 128 + number
         if number == signal.SIGINT:
             raise KeyboardInterrupt
