@@ -42,10 +42,16 @@ def golden(name: str) -> np.ndarray:
         return np.asarray(image.convert("RGB"))
 
 
-def check(name: str, actual: np.ndarray, update: bool) -> None:
+def same_renderer() -> bool:
+    """Return whether the golden pictures were drawn by the renderer that draws now."""
+    return RENDERER.exists() and RENDERER.read_text(encoding="utf-8") == renderer()
+
+
+def check(name: str, actual: np.ndarray, update: bool, edges: bool = False) -> None:
     """Compare a picture with its golden one, or replace that with ``update``.
 
-    Where they differ, the AssertionError names three pictures: expected, actual and difference.
+    ``edges`` says that it is all hard edges, of which another renderer may move a few. Where they
+    differ, the AssertionError names three pictures: expected, actual and difference.
     """
     path = GOLDEN / f"{name}.png"
     actual = actual.astype(np.uint8)
@@ -56,8 +62,7 @@ def check(name: str, actual: np.ndarray, update: bool) -> None:
         return
     assert path.exists(), f"{path} is missing: run pytest --update-golden, then look at it"
     expected = golden(name)
-    same = RENDERER.exists() and RENDERER.read_text(encoding="utf-8") == renderer()
-    if agree(expected, actual, same):
+    if agree(expected, actual, same_renderer(), edges):
         return
     FAILURES.mkdir(exist_ok=True)
     shown = {"expected": expected, "actual": actual, "difference": amplified(expected, actual)}

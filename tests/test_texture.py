@@ -1,6 +1,7 @@
 """Textures: rows, mip levels that keep a sprite's coverage, wrapping, ownership."""
 
 import numpy as np
+import pictures
 import pytest
 from PIL import Image
 from stage import Stage, close, live_names, quad, small
@@ -84,9 +85,13 @@ def test_the_mip_levels_are_those_that_the_driver_would_make(
     image = noise(*shape)
     ours, wanted = mip_levels(image), driver_levels(image)
     assert len(ours) == len(wanted)
+    exact = pictures.same_renderer()
     for level, (got, expected) in enumerate(zip(ours, wanted, strict=True)):
-        # A driver that rounds to the nearest is off by half a level at each mip level.
-        assert got.shape == expected.shape and close(got, expected.astype(int), level), level
+        # A driver that rounds to the nearest is off by half a level of 255 at each mip level. One
+        # that filters in floating point (Mesa 26) is off from the mean of four by up to one more.
+        assert got.shape == expected.shape, level
+        assert close(got, expected, 0 if exact or level == 0 else level + 1), level
+        assert abs(np.mean(got.astype(float) - expected)) <= 0.5 * level + 0.1, level
 
 
 def test_the_driver_is_not_asked_for_mip_levels_where_the_sides_are_powers_of_two(
