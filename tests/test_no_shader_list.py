@@ -59,14 +59,23 @@ MODULES = (
 
 
 def entry_points() -> dict[str, set[str]]:
-    """Return every GL function in PyOpenGL's raw tables with the modules that define it."""
+    """Return every GL function in PyOpenGL's raw tables with the modules that define it.
+
+    PyOpenGL 4 has the tables in a form of its own, and stubs for readers of types: they declare the
+    functions of an extension in a file each, and its glInitNameOfTheExtension.
+    """
     spec = importlib.util.find_spec("OpenGL")  # does not load any OpenGL library
     assert spec is not None and spec.submodule_search_locations is not None
-    raw = Path(spec.submodule_search_locations[0]) / "raw" / "GL"
+    package = Path(spec.submodule_search_locations[0])
+    raw, stubs = package / "raw" / "GL", package / "GL"
     found: dict[str, set[str]] = {}
-    for path in raw.rglob("*.py"):
-        module = ".".join(path.relative_to(raw).with_suffix("").parts)
-        for name in re.findall(r"^def (gl\w+)\(", path.read_text(encoding="utf-8"), re.MULTILINE):
+    for folder, path in [
+        *((raw, path) for path in raw.rglob("*.py")),
+        *((stubs, path) for path in stubs.rglob("*.pyi") if path.name != "__init__.pyi"),
+    ]:
+        module = ".".join(path.relative_to(folder).with_suffix("").parts)
+        text = path.read_text(encoding="utf-8")
+        for name in re.findall(r"^def (gl(?!Init(?!Names))\w+)\(", text, re.MULTILINE):
             found.setdefault(name, set()).add(module)
     return found
 
