@@ -11,7 +11,7 @@ from sprite_stage import looking
 from stage import Stage
 
 from landscape.elements.best.meadow.gusts import BEND, LENGTH, SPEED, WAY, gusts
-from landscape.elements.best.meadow.meadow import Meadow
+from landscape.elements.best.meadow.meadow import Meadow, cut_out
 from landscape.elements.best.meadow.sward import (
     CARD_SIDES,
     GREEN_KINDS,
@@ -29,6 +29,8 @@ from landscape.elements.best.meadow.sward import (
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
+from landscape.gl.calls import gl
+from landscape.gl.framebuffer import Framebuffer
 
 NORTH = Pose(10.0, 3.1, 10.0)
 SWARD: dict[str, Any] = {
@@ -222,3 +224,22 @@ def test_gusts_bend_tips_and_leave_feet_where_they_are(sow) -> None:
     assert np.abs(moved[:, :2]).max() == 0 and np.abs(moved[..., 1]).max() == 0
     tips, shoulders = moved[:, 4, ::2], moved[:, 2, ::2]
     assert np.allclose(shoulders, tips / 2, atol=1e-5) and np.abs(tips).max() > 0.5 * BEND
+
+
+def test_what_is_half_transparent_covers_half_of_each_pixel_without_a_pattern(stage: Stage) -> None:
+    """Mesa 26 chequers it, if it is not told not to."""
+    with stage.borrowed():
+        target = Framebuffer((16, 16), 4)
+        gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+        for mode in (gl.GL_PROJECTION, gl.GL_MODELVIEW):
+            gl.glMatrixMode(mode)
+            gl.glLoadIdentity()
+        with cut_out():
+            gl.glColor4f(1.0, 1.0, 1.0, 0.4)
+            gl.glRectf(-1.0, -1.0, 1.0, 1.0)
+        assert not gl.glIsEnabled(gl.GL_SAMPLE_ALPHA_TO_COVERAGE)
+        picture = target.read()
+        target.release()
+        stage.target.bind()
+    assert (picture == picture[0, 0]).all()
+    assert 60 < picture.max() < 200

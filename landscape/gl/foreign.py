@@ -31,6 +31,9 @@ Make = Callable[[str, Callable[..., Any]], Callable[..., Any]]
 CHOOSERS = ("glColor", "glMaterial", "glRasterPos", "glTexParameter", "glVertex")
 TABLES = ("glColorDispatch", "glRasterPosDispatch", "glVertexDispatch")
 
+# Extensions that OpenGL.GL does not offer: their functions and enumerants are found by name, too.
+EXTENSIONS = ("OpenGL.GL.NV.alpha_to_coverage_dither_control",)
+
 _SHAPES = "Cone Cube Cylinder Dodecahedron Icosahedron Octahedron RhombicDodecahedron"
 _SHAPES += " SierpinskiSponge Sphere Teacup Teapot Teaspoon Tetrahedron Torus"
 _LETTERS = "BitmapCharacter BitmapString StrokeCharacter StrokeString"
@@ -59,6 +62,10 @@ def original(name: str) -> Any:
             return names[name]
     for package in ("GLUT", "GLU", "GLE"):
         module = sys.modules.get(f"OpenGL.{package}")
+        if hasattr(module, name):
+            return _unwrapped(getattr(module, name))
+    for package in EXTENSIONS if name.endswith("NV") else ():
+        module = importlib.import_module(package)
         if hasattr(module, name):
             return _unwrapped(getattr(module, name))
     raise AttributeError(f"no function {name} in OpenGL, GLU or GLUT")

@@ -17,6 +17,9 @@ State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (Ope
 sward, GL_ALPHA_TEST, and GL_SAMPLE_ALPHA_TO_COVERAGE (1.3) where a pixel has several samples.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+
 import numpy as np
 
 from landscape.elements.best.meadow.facing import facing
@@ -56,11 +59,12 @@ from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
 from landscape.gl.calls import gl
-from landscape.gl.extensions import antialiased
+from landscape.gl.extensions import Need, antialiased, has
 from landscape.gl.state import attrib, client_arrays, multiply
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
+DITHER_CONTROL = Need(None, ("GL_NV_alpha_to_coverage_dither_control",))
 RARELY = 1.5  # chosen: times the margin that is kept where blades are left out
 
 
@@ -71,17 +75,30 @@ def blade_ends(image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return upper, foot
 
 
-def cut_out() -> None:
+@contextmanager
+def cut_out() -> Iterator[None]:
     """Leave out what is transparent in a picture; with several samples a pixel, by their number.
 
-    GL_SAMPLE_ALPHA_TO_COVERAGE is of OpenGL 1.3: alpha says how many samples are written.
+    GL_SAMPLE_ALPHA_TO_COVERAGE is of OpenGL 1.3: alpha says how many samples are written. Where a
+    driver varies which ones from pixel to pixel (Mesa 26), soft edges are chequered: with
+    GL_NV_alpha_to_coverage_dither_control it does not.
     """
-    gl.glEnable(gl.GL_ALPHA_TEST)
-    if antialiased():
+    with attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
+        gl.glEnable(gl.GL_ALPHA_TEST)
+        if not antialiased():
+            gl.glAlphaFunc(gl.GL_GREATER, 0.5)
+            yield
+            return
         gl.glEnable(gl.GL_SAMPLE_ALPHA_TO_COVERAGE)
         gl.glAlphaFunc(gl.GL_GREATER, 0.1)
-    else:
-        gl.glAlphaFunc(gl.GL_GREATER, 0.5)
+        if not has(DITHER_CONTROL):
+            yield
+            return
+        gl.glAlphaToCoverageDitherControlNV(gl.GL_ALPHA_TO_COVERAGE_DITHER_DISABLE_NV)
+        try:
+            yield
+        finally:
+            gl.glAlphaToCoverageDitherControlNV(gl.GL_ALPHA_TO_COVERAGE_DITHER_DEFAULT_NV)
 
 
 def built_from(settings: Settings) -> tuple[object, ...]:
@@ -226,11 +243,10 @@ class Meadow:
         if self._placed is not patch:
             self._placed, self._coordinates = patch, self._corners[patch.kinds].reshape(-1, 2)
         tinted = patch.tints.reshape(-1, 4) if self._settings.grass.tinted else None
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT):
+        cut = cut_out() if self._settings.grass.sward else nullcontext()
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), cut:
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
-            if self._settings.grass.sward:
-                cut_out()
             if tinted is None:
                 gl.glColor3f(*self._settings.sun.tint)
             else:
