@@ -14,6 +14,7 @@ State used: as shining_sword.py.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -52,6 +53,7 @@ FEATHER = 0.0026  # chosen: breadth of the soft edge, in halves of the picture's
 BARE = 0.135  # above this height along the axis the picture shows nothing but the blade
 DARK = 0.55  # chosen: light on the blade next to the guard
 EXPONENT, GREY = 1.5, 0.70  # chosen: contrast, and loss of colour, of what steel mirrors
+TILES = 16  # chosen: parts of the picture along each side, of which the empty ones are not drawn
 SCRATCHES = 256, 64  # chosen: texels along the blade, and across
 
 
@@ -226,6 +228,32 @@ def finer(picture: np.ndarray) -> np.ndarray:
     return np.rint(np.concatenate([colours, cover], axis=2)).astype(np.uint8)
 
 
+def covered(alpha: np.ndarray) -> np.ndarray:
+    """Return which of TILES by TILES parts of a picture show something, bool, row 0 at its top.
+
+    ``alpha`` is uint8 (h, w). The neighbours of such a part count, too: mip levels blend into them.
+    """
+    inside = np.zeros((TILES + 2, TILES + 2), bool)
+    rows, columns = (np.arange(side) * TILES // side + 1 for side in alpha.shape)
+    np.logical_or.at(inside, (rows[:, None], columns), alpha > 0)
+    near = [np.roll(inside, (down, right), (0, 1)) for down in (-1, 0, 1) for right in (-1, 0, 1)]
+    return np.asarray(np.any(near, axis=0)[1:-1, 1:-1])
+
+
+def send_covered(alpha: np.ndarray) -> None:
+    """Send the parts of :func:`gl.draw.picture_quad` in which a picture of ``alpha`` (h, w) shows.
+
+    Most of the sword's square is empty, and to blend nothing costs as much as to blend something.
+    """
+    gl.glBegin(gl.GL_QUADS)
+    for row, column in np.argwhere(covered(alpha)).tolist():
+        for right, down in ((0, 1), (1, 1), (1, 0), (0, 0)):
+            s, t = (column + right) / TILES, (row + down) / TILES
+            gl.glTexCoord2f(s, t)
+            gl.glVertex3f(2.0 * s - 1.0, 1.0 - 2.0 * t, -1.0)
+    gl.glEnd()
+
+
 def scratches() -> np.ndarray:
     """Return fine scratches along and across the blade, uint8 (h, w, 1), near white."""
     along, across = SCRATCHES
@@ -259,6 +287,7 @@ class SteelBlade(ShiningSword):
         """Compile the blade, and cut it out of the picture."""
         super().__init__(settings, assets)
         self._blade: DisplayList | None = None
+        self._covered: DisplayList | None = None
         self._owned: list[Texture | CubeMap] = []
         if self._around is None or not possible("overlay.blade"):
             return
@@ -268,6 +297,7 @@ class SteelBlade(ShiningSword):
         self._hilt, self._scratched = hilt, Texture(scratches())
         self._mirrored = CubeMap(mirrored_light(settings, assets))
         self._owned = [hilt, self._scratched, self._mirrored]
+        self._covered = DisplayList(partial(send_covered, cut[..., 3]))
         self._blade = DisplayList(self._send_blade)
 
     @staticmethod
@@ -282,7 +312,7 @@ class SteelBlade(ShiningSword):
 
     def draw(self, frame: Frame) -> None:
         """Draw blade and hilt; in a stroke the pictures."""
-        if frame.stroke or self._blade is None:
+        if frame.stroke or self._blade is None or self._covered is None:
             super().draw(frame)
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
@@ -304,13 +334,13 @@ class SteelBlade(ShiningSword):
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glColor3f(*painted(self._settings.sun, self._facing(frame)))
             self._hilt.bind()
-            self._list.call()
+            self._covered.call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def release(self) -> None:
         """Delete lists, textures and maps; may be called twice."""
         super().release()
-        for each in (self._blade, *self._owned):
+        for each in (self._blade, self._covered, *self._owned):
             if each is not None:
                 each.release()
 
