@@ -105,8 +105,8 @@ def test_the_picture_of_another_size_is_resized(shipped: Assets, tmp_path: Path)
 def test_without_flowers_none_grow_and_with_them_they_stand_in_drifts() -> None:
     x, z = places(60_000)
     draw, bold = np.random.default_rng(4).random(60_000), np.ones(60_000)
-    assert kinds_at(x, z, draw, bold, 0.0).max() < STANDING
-    flowers = kinds_at(x, z, draw, bold, 0.1) >= STANDING
+    assert kinds_at(x, z, np.arange(60_000), draw, bold, 0.0).max() < STANDING
+    flowers = kinds_at(x, z, np.arange(60_000), draw, bold, 0.1) >= STANDING
     assert 0.005 < flowers.mean() < 0.1
     squares = (x // 1).astype(int) * 40 + (z // 1).astype(int)
     share = np.bincount(squares, flowers) / np.maximum(np.bincount(squares), 1)
@@ -117,14 +117,17 @@ def test_of_the_cards_seen_from_far_away_more_are_flowers() -> None:
     x, z = places(60_000)
     draw = np.random.default_rng(4).random(60_000)
     near, far = (
-        (kinds_at(x, z, draw, np.full(60_000, bold), 0.05) >= STANDING).mean() for bold in (1, 3)
+        (kinds_at(x, z, np.arange(60_000), draw, np.full(60_000, bold), 0.05) >= STANDING).mean()
+        for bold in (1, 3)
     )
     assert far > 1.8 * near
 
 
 def test_several_kinds_grow_everywhere_and_the_grass_is_low_on_the_trails() -> None:
     x, z = places(60_000)
-    kinds = kinds_at(x, z, np.random.default_rng(4).random(60_000), np.ones(60_000), 0.1)
+    kinds = kinds_at(
+        x, z, np.arange(60_000), np.random.default_rng(4).random(60_000), np.ones(60_000), 0.1
+    )
     assert np.bincount(kinds, minlength=16).min() > 20
     beside, on = tallness(x, z)[off_trail(x, z) == 1], tallness(x, z)[off_trail(x, z) == 0]
     assert 100 < len(on) < len(beside) / 5 and on.mean() < 0.6 * beside.mean()

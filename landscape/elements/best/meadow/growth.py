@@ -252,7 +252,7 @@ class Growth:
         x, z = roots.T
         bold = np.minimum(ranges / self.near, 40.0) ** sward.BOLD
         draw = dice.uniform(0.0, 1.0, blades)
-        kinds = sward.kinds_at(positions[:, 0], positions[:, 2], draw, bold, grass.flowers)
+        kinds = sward.kinds_at(x, z, tuft, draw, bold, grass.flowers)
         lean = grass.arch * dice.uniform(-2.2, 2.2, blades)
         corners = sward.card_corners(angles, kinds, lean)
         size = 0.80 + 0.85 * dice.uniform(0.0, 1.0, tufts) ** 3  # most are small, a few tall

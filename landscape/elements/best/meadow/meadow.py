@@ -161,10 +161,12 @@ class Meadow:
             )
         wanted = counts.tolist()
         patches = growth.patches(numbers.tolist(), wanted)
-        found = [patch.only(slice(n)) for patch, n in zip(patches, wanted, strict=True)]
-        whole = joined(found) if found else NOTHING
+        whole = joined(patches, wanted) if patches else NOTHING
         if grass.fade:
-            whole = in_range(frame, whole, radius, margin, growth.thinning)
+            kept = in_range(
+                frame, whole.positions, whole.ranges, radius, margin, angle, growth.thinning
+            )
+            whole = whole.only(kept)
             if frame.detail.grass < 1.0:
                 whole = widened(whole, frame.detail.grass)
         self._in_view = round(len(whole.positions) / frame.detail.grass)

@@ -4,6 +4,7 @@ The blade of 2006 and its wind are in ``elements/grass.py``; facing.py turns bla
 No OpenGL here.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -20,6 +21,8 @@ WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDEN
 THICKER = (
     0.25  # chosen: if only a fraction of the blades is drawn, they are fraction**-THICKER wide
 )
+REACH = 0.07  # chosen: units; no part of a blade is farther from its foot, close by,
+WIDEST = 0.018  # chosen: or this much more for each unit that it is away
 FOOT = 0.75  # chosen: brightness of a tinted blade at its foot, times the ground's
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: change of the ground's colour for tall grass
 
@@ -181,24 +184,45 @@ NOTHING = Patch(
 
 
 def in_range(
-    frame: Frame, patch: Patch, radius: float, margin: float = 0.0, thinning: float = THINNING
-) -> Patch:
-    """Return the blades of a patch that are in range of the walker and not behind him.
+    frame: Frame,
+    positions: np.ndarray,
+    ranges: np.ndarray,
+    radius: float,
+    margin: float = 0.0,
+    angle: float = 0.0,
+    thinning: float = THINNING,
+) -> np.ndarray:
+    """Return the numbers (k,) of blades that may be seen, the nearest first.
 
-    Their cells were thinned out only by the distance of the nearest point. A foot a little
-    behind the eye is kept, as its tip may be in view. ``margin`` is how far the eye may still move.
+    ``positions`` (n, 3) are their feet and ``ranges`` (n,) how far away each would be drawn; their
+    cells were thinned out only by the distance of the nearest point. ``margin`` units is how far
+    the eye may still move, and ``angle`` radians how far it may turn. What is near comes first, as
+    it hides much of what is far.
     """
-    dx, dz = patch.positions[:, 0] - frame.pose.x, patch.positions[:, 2] - frame.pose.z
-    ranges = shortened(patch.ranges, radius, frame.detail.grass, thinning) + np.float32(margin)
-    behind = 0.1 + 1.5 * margin
-    return patch.only(
-        np.flatnonzero(
-            (dx * dx + dz * dz < ranges * ranges) & (frame.depth(patch.positions) < behind)
-        )
-    )
+    away = positions - frame.eye.astype(np.float32)
+    near = away[:, 0] ** 2 + away[:, 2] ** 2
+    reach = shortened(ranges, radius, frame.detail.grass, thinning) + np.float32(margin)
+    found = np.flatnonzero(near < reach * reach)
+    away, near = away[found], near[found]
+    top = math.tan(math.radians(frame.fov / 2))
+    depth = -(away @ frame.back.astype(np.float32))
+    # A card that is far away is widened, see the sward.
+    reach = np.float32(REACH + margin) + np.float32(WIDEST) * np.sqrt(near)
+    seen = depth > -reach
+    for axis, side in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
+        side = math.tan(min(math.atan(side) + angle, 1.5))  # less than a right angle
+        across = np.abs(away @ axis.astype(np.float32))
+        seen &= across <= depth * np.float32(side) + reach * np.float32(math.hypot(1.0, side))
+    found, near = found[seen], near[seen]
+    return np.asarray(found[np.argsort(near)])
 
 
-def joined(patches: list[Patch]) -> Patch:
-    """Return the blades of several patches as one."""
-    names = ("positions", "vertices", "tints", "ranges", "kinds")
-    return Patch(*(np.concatenate([getattr(patch, name) for patch in patches]) for name in names))
+def joined(patches: Sequence[Patch], counts: Sequence[int] | None = None) -> Patch:
+    """Return the blades of several patches as one; of each patch only the first ``counts``."""
+    ends = [len(patch.positions) for patch in patches] if counts is None else counts
+
+    def all_of(name: str) -> np.ndarray:
+        parts = [getattr(patch, name)[:end] for patch, end in zip(patches, ends, strict=True)]
+        return np.concatenate(parts)
+
+    return Patch(*map(all_of, ("positions", "vertices", "tints", "ranges", "kinds")))
