@@ -31,6 +31,9 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.settings import Settings
 
+# Chosen: times the allowed error, in the frames of a walk that have fewer pixels than the window.
+IN_MOTION = 4.0
+
 
 def read_painted(assets: Assets, name: str, key: str, painted: bool) -> Mesh:
     """Return the mesh of a file, its vertices in -1..1; ``key`` names the setting in an error.
@@ -87,6 +90,8 @@ class FineAnimal(Animal):
             return CUBES[0]
         if frame.mirrored:
             allowed *= self._settings.reflection.lod_scale
+        elif frame.detail.coarser > 1.0:
+            allowed *= IN_MOTION
         away = math.dist(frame.eye, self._middle(frame)) - self._reach
         unit = frame.pixels / max(away, self._settings.camera.near)
         return max(cube for cube in self._lists if cube * self._scale * unit <= allowed)
