@@ -26,7 +26,7 @@ from landscape.effects.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.elements import sun
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
-from landscape.frame import Frame
+from landscape.frame import Frame, Pose
 from landscape.geometry.obstacles import Obstacle, Tower, Wall
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.extensions import has_stencil
@@ -114,11 +114,15 @@ class Hall(Ground):
         self.settings = settings
         return True
 
+    def eye(self, walker: Pose, kt: float) -> Pose:
+        """Return from where the hall is seen: the flying camera's pose, or the walker's."""
+        flying = self.settings.flight.enabled and "flight" in self.shown
+        return self.flight.pose(kt) if flying else walker
+
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
         values = self.settings
-        if values.flight.enabled and "flight" in self.shown:
-            moment = replace(moment, pose=self.flight.pose(moment.kt))
+        moment = replace(moment, pose=self.eye(moment.pose, moment.kt))
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
         dimmed = "tone" in self.shown and values.tone.area == "surroundings"
         with attrib(gl.GL_POLYGON_BIT):

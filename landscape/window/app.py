@@ -7,6 +7,7 @@ does, so a replay reproduces a recorded walk to the pixel.
 import time
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, Self
 
 import numpy as np
@@ -65,7 +66,7 @@ class Walk:
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
         ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed.
         """
-        self.headless = backend in HEADLESS
+        self.headless = backend in (*HEADLESS, "headless")
         self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
         self.place.begin_with(plan.view)
         self._places, self._door = Places(plan), ""
@@ -345,21 +346,23 @@ class Walk:
     def _tell(self, name: str, value: keys.Value) -> None:
         self._say(words.state(self._language, name, value))
 
+    @property
+    def moment(self) -> Moment:
+        """What the next frame shows, with all its detail."""
+        steps = self.walker.step, self.walker.stroke
+        return Moment(self.walker.pose, self._size, self.kt, *steps, self._wireframe, walking=True)
+
     def draw(self) -> None:
         """Draw the frame and the panel into the window's back buffer."""
         assert self._panel is not None and self._context is not None
         # Making the context current gives OSMesa a buffer of the window's new size.
         self._context.make_current()
-        walker = self.walker
-        steps = walker.step, walker.stroke
-        moment = Moment(walker.pose, self._size, self.kt, *steps, self._wireframe, walking=True)
+        moment = self.moment
+        scene, shows = self.place.scene, self.place.shows(moment)
         # A screenshot has all the detail, and so has what the inspector looks into.
-        scene, whole = self.place.scene, self._shoot or self.inspection.open
-        self.inspection.draw(
-            lambda: self.steady.draw(moment, scene.draw, whole, self.place.shows),
-            (moment, *self.place.shows),
-            self._size,
-        )
+        whole = self._shoot or self.inspection.open
+        draw = partial(self.steady.draw, moment, scene.draw, whole, shows)
+        self.inspection.draw(draw, (moment, *shows), self._size)
         if self._help:
             # The user may have changed the keyboard's layout.
             self._panel.set_rows(

@@ -15,8 +15,9 @@ from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.digging import Diggable
 from landscape.geometry.doors import Door, Doored
+from landscape.geometry.flown import Flown
 from landscape.keys import Value
-from landscape.scene import Fix, OpenScene, Scene, scene
+from landscape.scene import Fix, Moment, OpenScene, Scene, scene
 from landscape.window.list_image import list_image
 from landscape.window.recording import Plan
 from landscape.window.settings_list import Chooser, page
@@ -39,11 +40,15 @@ class Place:
         assert self._scene is not None
         return self._scene
 
-    @property
-    def shows(self) -> tuple[object, ...]:
-        """What the picture depends on besides the moment: settings, elements, changed blocks."""
-        changes = self.scene.changes if isinstance(self.scene, Diggable) else 0
-        return self.settings, frozenset(self.scene.shown), changes
+    def shows(self, moment: Moment) -> tuple[object, ...]:
+        """Return what the picture of a moment depends on besides the walker.
+
+        Settings, elements, changed blocks, and the camera's pose, which may fly by itself.
+        """
+        scene = self.scene
+        changes = scene.changes if isinstance(scene, Diggable) else 0
+        eye = scene.eye(moment.pose, moment.kt) if isinstance(scene, Flown) else moment.pose
+        return self.settings, frozenset(scene.shown), changes, eye
 
     @property
     def is_open(self) -> bool:
