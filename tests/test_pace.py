@@ -9,19 +9,28 @@ import pytest
 from landscape.frame import FULL, Pose
 from landscape.scene import Moment
 from landscape.window import steady
-from landscape.window.pace import STANDING, WALKING, Pace
+from landscape.window.pace import FIXED, STANDING, WALKING, Level, Pace
 
 BUDGET = 1 / 30
 
 
+def cost(level: Level, fixed: float = FIXED) -> float:
+    """Return what a frame takes, in times of a full one, of which a part is ``fixed``."""
+    return fixed + (1 - fixed) * level.load
+
+
 def walked(
-    pace: Pace, seconds: float, full: Callable[[float], float], moved: bool = True
+    pace: Pace,
+    seconds: float,
+    full: Callable[[float], float],
+    moved: bool = True,
+    fixed: float = FIXED,
 ) -> list[int]:
     """Walk for some seconds where a full frame takes ``full(time)``; return the levels."""
     levels, time = [], 0.0
     while time < seconds:
         ladder = STANDING if pace.still else WALKING
-        spent = full(time) * ladder[pace.level].cost
+        spent = full(time) * cost(ladder[pace.level], fixed)
         pace.frame(spent, spent, moved)
         time += spent
         levels.append(pace.level)
@@ -36,7 +45,7 @@ def test_each_level_draws_less_than_the_one_before() -> None:
     for ladder in (WALKING, STANDING):
         assert ladder[0].detail == FULL
         for finer, coarser in itertools.pairwise(ladder):
-            assert coarser.cost < finer.cost
+            assert coarser.load < finer.load
             assert coarser.detail.scale <= finer.detail.scale
             fewer_blades = coarser.detail.grass < finer.detail.grass
             assert fewer_blades or coarser.detail.scale < finer.detail.scale
@@ -52,22 +61,44 @@ def test_a_fast_opengl_never_loses_detail() -> None:
 
 def test_a_slow_start_alone_loses_no_detail() -> None:
     pace = Pace(30)
-    frames = itertools.chain([0.5, 0.3], itertools.repeat(0.01))
+    frames = itertools.chain([0.8, 0.3, 0.2], itertools.repeat(0.01))
     assert set(walked(pace, 5, lambda _: next(frames))) == {0}
 
 
-@pytest.mark.parametrize("full", [0.04, 0.06, 0.08])
-def test_a_slow_one_soon_keeps_the_rate_and_then_stays_where_it_is(full: float) -> None:
+@pytest.mark.parametrize("full", [0.04, 0.055, 0.07])
+@pytest.mark.parametrize("fixed", [0.1, FIXED])
+def test_a_slow_one_soon_keeps_the_rate_and_then_stays_where_it_is(
+    full: float, fixed: float
+) -> None:
     pace = Pace(30)
-    levels = walked(pace, 20, lambda _: full)
-    settled = levels[10:]
-    assert full * WALKING[settled[-1]].cost < BUDGET
-    assert changes(settled) <= 1
+    levels = walked(pace, 20, lambda _: full, fixed=fixed)
+    settled = levels[20:]
+    assert full * cost(WALKING[settled[-1]], fixed) < BUDGET
+    assert changes(settled) <= 4
+
+
+@pytest.mark.parametrize("fixed", [0.05, 0.2, 0.6])
+def test_it_learns_what_a_level_saves_here_and_draws_no_less_than_it_must(fixed: float) -> None:
+    pace = Pace(30)
+    level = walked(pace, 10, lambda _: 0.045, fixed=fixed)[-1]
+    assert 0.045 * cost(WALKING[level], fixed) < BUDGET
+    # Two levels finer would take too long.
+    assert 0.045 * cost(WALKING[max(level - 2, 0)], fixed) > 0.75 * BUDGET
+
+
+def test_a_new_rung_is_found_within_half_a_second() -> None:
+    pace = Pace(30)
+    walked(pace, 10, lambda _: 0.07)
+    assert pace.level > 3
+    walked(pace, 1.0, lambda _: 0.02)
+    assert pace.level == 0
+    walked(pace, 0.5, lambda _: 0.07)
+    assert 0.07 * cost(WALKING[pace.level]) < BUDGET
 
 
 def test_detail_comes_back_where_there_is_less_to_draw() -> None:
     pace = Pace(30)
-    before = walked(pace, 5, lambda _: 0.08)[-1]
+    before = walked(pace, 5, lambda _: 0.07)[-1]
     assert before > 2 and walked(pace, 30, lambda _: 0.02)[-1] == 0
 
 

@@ -2,9 +2,14 @@
 
 A pace is a level on a ladder: level 0 draws everything, each further one draws less. The time that
 frames take decides. Down it goes at once, by as many levels as the time asks for; up only when the
-finer level, by its known cost, would leave time to spare, and only after a wait, which doubles when
-a rise turned out to be a mistake. So the picture neither pumps nor flickers, and on a fast OpenGL
-it stays at level 0.
+finer level would leave time to spare, and only after a wait, which doubles when a rise turned out
+to be a mistake. So the picture neither pumps nor flickers, and a fast OpenGL stays at level 0.
+
+What a level costs is not the same everywhere: a part of each frame takes the same time however few
+pixels and blades are drawn. How large that part is here, each change of the level tells.
+
+First the pixels become fewer, as a picture that is stretched a little differs least from a still,
+and the mirror image serves for two frames; only then are blades left out, too.
 
 To one who stands still every pixel is shown, four frames to a picture (see stretch.py), with less
 grass if need be.
@@ -23,13 +28,13 @@ FPS = 30.0  # chosen: frames per second that a walk keeps
 
 @dataclass(frozen=True)
 class Level:
-    """A rung of the ladder: the detail, and its cost as a fraction of a full frame's."""
+    """A rung of the ladder: the detail, and how much of what is not fixed it costs, 0..1."""
 
     detail: Detail
-    cost: float
+    load: float
 
 
-def _level(cost: float, scale: float, grass: float, mirror: float, mirror_frames: int) -> Level:
+def _level(load: float, scale: float, grass: float, mirror: float, mirror_frames: int) -> Level:
     detail = Detail(
         scale=scale,
         coarser=1.0 / scale,
@@ -37,47 +42,50 @@ def _level(cost: float, scale: float, grass: float, mirror: float, mirror_frames
         mirror=mirror,
         mirror_frames=mirror_frames,
     )
-    return Level(detail, cost)
+    return Level(detail, load)
 
 
-# Costs: medians over the nine views of figure 35, at 1280x720 on two cores (docs/performance.md).
+# Loads: from frames of figure 35 at 1280x720 on two cores (docs/performance.md).
 WALKING = (
     Level(FULL, 1.0),
-    _level(0.85, 0.85, 0.8, 0.42, 1),
-    _level(0.72, 0.72, 0.6, 0.36, 1),
-    _level(0.60, 0.62, 0.42, 0.30, 2),
-    _level(0.50, 0.54, 0.30, 0.27, 2),
-    _level(0.42, 0.46, 0.20, 0.23, 3),
-    _level(0.37, 0.40, 0.14, 0.20, 3),
-    _level(0.33, 0.34, 0.10, 0.17, 3),
-    _level(0.30, 0.28, 0.07, 0.14, 4),
+    _level(0.72, 0.85, 1.00, 0.45, 1),
+    _level(0.56, 0.75, 1.00, 0.40, 1),
+    _level(0.43, 0.66, 1.00, 0.36, 2),
+    _level(0.35, 0.60, 1.00, 0.33, 2),
+    _level(0.25, 0.52, 0.85, 0.30, 2),
+    _level(0.17, 0.46, 0.65, 0.27, 3),
+    _level(0.10, 0.41, 0.45, 0.24, 3),
+    _level(0.04, 0.36, 0.25, 0.20, 4),
 )
 
 
-def _interlaced(cost: float, scale: float, grass: float, mirror_frames: int) -> Level:
-    return Level(Detail(scale=scale, grass=grass, mirror_frames=mirror_frames), cost)
+def _interlaced(load: float, scale: float, grass: float, mirror_frames: int) -> Level:
+    return Level(Detail(scale=scale, grass=grass, mirror_frames=mirror_frames), load)
 
 
 # All pixels count here, as frames add up to a picture that has all of them.
 STANDING = (
     Level(FULL, 1.0),
-    _interlaced(0.70, 1 / 2, 0.80, 1),
-    _interlaced(0.62, 1 / 2, 0.50, 2),
-    _interlaced(0.54, 1 / 2, 0.30, 3),
-    _interlaced(0.46, 1 / 2, 0.16, 4),
-    _interlaced(0.38, 1 / 4, 0.30, 4),
-    _interlaced(0.32, 1 / 4, 0.16, 4),
-    _interlaced(0.28, 1 / 4, 0.10, 4),
-    _interlaced(0.24, 1 / 4, 0.06, 6),
+    _interlaced(0.50, 1 / 2, 0.80, 1),
+    _interlaced(0.37, 1 / 2, 0.50, 2),
+    _interlaced(0.27, 1 / 2, 0.30, 3),
+    _interlaced(0.20, 1 / 2, 0.16, 4),
+    _interlaced(0.16, 1 / 4, 0.30, 4),
+    _interlaced(0.12, 1 / 4, 0.16, 4),
+    _interlaced(0.08, 1 / 4, 0.10, 4),
+    _interlaced(0.04, 1 / 4, 0.06, 6),
 )
 
+FIXED = 0.40  # of a full frame's time, that no level saves; measured as the loads
+MOST_FIXED = 0.90  # chosen: what is learned stays between none and this
+WARM = 3  # chosen: frames at the start that do not count: OpenGL prepares what it uses first
 RECENT = 9  # chosen: frames whose median is judged
 HURRY = 3  # chosen: frames that are enough where they take more than RUSH times the budget
 RUSH = 1.4  # chosen
 LIMIT = 0.90  # chosen: of the time per frame; if the usual frame takes more, draw less
 AIM = 0.80  # chosen: of the time per frame, what a coarser level should take
-ROOM = 0.70  # chosen: of the time per frame, what a finer level may be expected to take
-WAIT = 1.0  # chosen: seconds at a level before a finer one is tried
+ROOM = 0.75  # chosen: of the time per frame, what a finer level may be expected to take
+WAIT = 0.4  # chosen: seconds at a level before a finer one is tried
 LONGEST_WAIT = 16.0  # chosen: seconds, after a rise that was taken back several times
 REST = 0.25  # chosen: seconds without a motion after which a walker stands still
 
@@ -89,10 +97,16 @@ class Ladder:
         """Begin at the first level, which draws everything; ``budget`` is seconds per frame."""
         self._levels, self._budget = levels, budget
         self.level = 0
+        self.fixed = FIXED  # part of a full frame's time that no level saves, as far as is known
         self._recent: deque[float] = deque(maxlen=RECENT)
         self._since = 0.0  # seconds at this level
         self._wait = WAIT
         self._risen = False
+        self._left: tuple[int, float] | None = None  # the last level, and its seconds a frame
+
+    def cost(self, level: int) -> float:
+        """Return what a frame takes at a level, in times of a full frame."""
+        return self.fixed + (1.0 - self.fixed) * self._levels[level].load
 
     @property
     def detail(self) -> Detail:
@@ -103,36 +117,64 @@ class Ladder:
         """Go to a level."""
         self.level, self._since = level, 0.0
         self._recent.clear()
+        self._left = None
 
     def frame(self, spent: float, seconds: float) -> None:
         """Take note of a frame: seconds it took to draw, seconds since the one before."""
         self._since += seconds
         self._recent.append(spent)
-        level = self._wanted()
+        hurried = len(self._recent) >= HURRY and self._fastest() > RUSH * self._budget
+        if len(self._recent) < RECENT and not hurried:
+            return
+        recent = list(self._recent)
+        usual = median(recent[-HURRY:] if hurried else recent)
+        self._learn(usual)
+        level = self._wanted(usual)
         if level != self.level:
             self._risen = level < self.level
+            left = self.level, usual
             self.stand(level)
+            self._left = left
 
-    def _wanted(self) -> int:
-        """Return the level for the next frame."""
-        times = list(self._recent)
-        hurried = len(times) >= HURRY and min(times[-HURRY:]) > RUSH * self._budget
-        if len(times) < RECENT and not hurried:
-            return self.level
-        usual = median(times[-HURRY:] if hurried else times)
-        full = usual / self._levels[self.level].cost
+    def _fastest(self) -> float:
+        """Return the seconds of the fastest of the last HURRY frames."""
+        return min(list(self._recent)[-HURRY:])
+
+    def _learn(self, usual: float) -> None:
+        """Learn what part of a frame is fixed from what the last change of the level has saved."""
+        if self._left is None:
+            return
+        (level, before), self._left = self._left, None
+        then, now = self._levels[level].load, self._levels[self.level].load
+        ratio = usual / before
+        # ratio = (fixed + (1 - fixed) now) / (fixed + (1 - fixed) then)
+        share = ratio * (1.0 - then) - (1.0 - now)
+        if share:
+            fixed = min(max((now - ratio * then) / share, 0.0), MOST_FIXED)
+            self.fixed += (fixed - self.fixed) / 2.0
+
+    def _wanted(self, usual: float) -> int:
+        """Return the level for the next frame, where frames take ``usual`` seconds."""
+        full = usual / self.cost(self.level)
         if usual > LIMIT * self._budget:
             if self._risen and self._since < 2 * self._wait:
                 self._wait = min(2 * self._wait, LONGEST_WAIT)
-            coarser = range(self.level + 1, len(self._levels))
-            fitting = (n for n in coarser if full * self._levels[n].cost <= AIM * self._budget)
-            return next(fitting, len(self._levels) - 1)
+            return self._first(range(self.level + 1, len(self._levels)), full, AIM)
         if self._risen and self._since >= 2 * self._wait:
             self._wait, self._risen = WAIT, False
-        rested = self.level > 0 and self._since >= self._wait
-        if rested and full * self._levels[self.level - 1].cost <= ROOM * self._budget:
-            return self.level - 1
-        return self.level
+        if self._since < self._wait:
+            return self.level
+        return self._first(range(self.level + 1), full, ROOM, self.level)
+
+    def _first(self, levels: range, full: float, part: float, otherwise: int = -1) -> int:
+        """Return the first of some levels whose frames would take that part of the time at most.
+
+        ``full`` is what a full frame takes, in seconds; without ``otherwise`` the last level is
+        returned where none fits.
+        """
+        most = part * self._budget
+        fitting = (level for level in levels if full * self.cost(level) <= most)
+        return next(fitting, len(self._levels) - 1 if otherwise < 0 else otherwise)
 
 
 class Pace:
@@ -144,6 +186,7 @@ class Pace:
         budget = 1.0 / fps if self.active else math.inf
         self._walking, self._standing = Ladder(WALKING, budget), Ladder(STANDING, budget)
         self._still = 0.0  # seconds without a motion
+        self._drawn = 0  # frames, up to WARM
 
     @property
     def still(self) -> bool:
@@ -167,6 +210,9 @@ class Pace:
 
     def frame(self, spent: float, seconds: float, moved: bool) -> None:
         """Take note of a frame: seconds it took to draw, seconds since the last, eye moved."""
+        if self._drawn < WARM:
+            self._drawn += 1
+            return
         ladder = self._standing if self.still else self._walking
         ladder.frame(spent, seconds)
         was_still = self.still
