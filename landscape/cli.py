@@ -308,34 +308,6 @@ def _assets_fetch(options: argparse.Namespace) -> int:
     return 0
 
 
-def _bench(options: argparse.Namespace) -> int:
-    from landscape.files.output import check_writable, write_whole
-    from landscape.files.progress import Progress
-    from landscape.tools import bench
-
-    if options.json is not None:
-        check_writable(options.json, "--json ")
-
-    names = options.views or scene().main
-    places = [find_view(name) for name in names]
-    changes = given_changes(options, *(kind for kind, _ in places))
-    asked = bench.Options(
-        views=names,
-        size=options.size,
-        settings=changes,
-        wireframe=options.wireframe,
-        **offscreen_options(options),
-    )
-    with Progress(bench.steps(asked), options.quiet) as progress:
-        result = bench.measure(asked, progress.step)
-    tell_of_no_effect(options, places, changes)
-    if options.json is not None:
-        write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())
-    if not options.quiet:
-        print(bench.report(result))
-    return 0
-
-
 def _settings(options: argparse.Namespace) -> int:
     from landscape.tools.settings_list import as_text, rows
 
@@ -372,7 +344,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "exercise list": _of("course.exercise_commands", "list_"),
     "exercise start": _of("course.exercise_commands", "start_"),
     "exercise check": _of("course.exercise_commands", "check"),
-    "bench": _bench,
+    "bench": _of("tools.bench_command"),
     "film": _of("film.command"),
     "settings": _settings,
     "doctor": _doctor,

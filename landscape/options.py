@@ -235,7 +235,13 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
         "views", nargs="*", metavar="VIEW", help="views or fixes; default: the nine of figure 35"
     )
     bench.add_argument("--json", type=Path, metavar="FILE", help="write the results as JSON")
-    _size_option(bench, (800, 600), "size of the frames")
+    bench.add_argument(
+        "--moving",
+        action="store_true",
+        help="walk from each view: frames a second, and how far they are from stills",
+    )
+    _size_option(bench, (800, 600), "size of the frames; with --moving 1280x720")
+    bench.set_defaults(size=None)
     _common(bench, samples=0)
 
     film_options.add(command, _common, _language, _size_option, option_values.number)

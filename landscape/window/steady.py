@@ -10,6 +10,7 @@ from typing import Any
 
 import glfw
 
+from landscape.frame import Detail
 from landscape.gl.calls import gl
 from landscape.scene import Moment
 from landscape.window.pace import Pace
@@ -30,6 +31,11 @@ class Steady:
     def level(self) -> int:
         """How much less is drawn: a level of the pace, 0 for everything."""
         return self._pace.level
+
+    @property
+    def detail(self) -> Detail:
+        """The detail of the next frame."""
+        return self._pace.detail
 
     def draw(
         self,
