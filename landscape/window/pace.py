@@ -8,8 +8,9 @@ to be a mistake. So the picture neither pumps nor flickers, and a fast OpenGL st
 What a level costs is not the same everywhere: a part of each frame takes the same time however few
 pixels and blades are drawn. How large that part is here, each change of the level tells.
 
-First the pixels become fewer, as a picture that is stretched a little differs least from a still,
-and the mirror image serves for two frames; only then are blades left out, too.
+First the pixels become fewer, as a picture that is stretched a little differs least from a still.
+Blades are left out last. Each frame of a walk has a mirror image of its own: to use one for several
+saved a millisecond or two, and in views of the sea one pixel in thirty was wrong.
 
 To one who stands still every pixel is shown, four frames to a picture (see stretch.py), with less
 grass if need be.
@@ -34,28 +35,21 @@ class Level:
     load: float
 
 
-def _level(load: float, scale: float, grass: float, mirror: float, mirror_frames: int) -> Level:
-    detail = Detail(
-        scale=scale,
-        coarser=1.0 / scale,
-        grass=grass,
-        mirror=mirror,
-        mirror_frames=mirror_frames,
-    )
-    return Level(detail, load)
+def _level(load: float, scale: float, grass: float, mirror: float) -> Level:
+    return Level(Detail(scale=scale, coarser=1.0 / scale, grass=grass, mirror=mirror), load)
 
 
 # Loads: from frames of figure 35 at 1280x720 on two cores (docs/performance.md).
 WALKING = (
     Level(FULL, 1.0),
-    _level(0.72, 0.85, 1.00, 0.45, 1),
-    _level(0.56, 0.75, 1.00, 0.40, 1),
-    _level(0.43, 0.66, 1.00, 0.36, 2),
-    _level(0.35, 0.60, 1.00, 0.33, 2),
-    _level(0.25, 0.52, 0.85, 0.30, 2),
-    _level(0.17, 0.46, 0.65, 0.27, 3),
-    _level(0.10, 0.41, 0.45, 0.24, 3),
-    _level(0.04, 0.36, 0.25, 0.20, 4),
+    _level(0.72, 0.85, 1.00, 0.50),
+    _level(0.56, 0.75, 1.00, 0.45),
+    _level(0.43, 0.66, 1.00, 0.40),
+    _level(0.35, 0.60, 1.00, 0.36),
+    _level(0.26, 0.52, 1.00, 0.33),
+    _level(0.20, 0.46, 1.00, 0.30),
+    _level(0.13, 0.42, 0.70, 0.27),
+    _level(0.06, 0.38, 0.40, 0.24),
 )
 
 

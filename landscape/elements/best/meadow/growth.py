@@ -40,7 +40,7 @@ from landscape.settings import Settings
 
 LAYER = 64  # chosen: blades in the first layer of a cell
 TUFT_RADIUS = 0.017  # chosen: units, how far apart the roots of a tuft's blades are
-KEPT = 6  # chosen: blades kept in memory, times those in view, for when the walker turns around
+KEPT = 12  # chosen: blades kept in memory, times those in view, for when the walker turns around
 LEAST = 40_000  # chosen: the number of blades that are kept in any case, 4 MB
 
 
