@@ -6,10 +6,14 @@ from hall_pictures import HallPictures
 from stage import Stage
 
 from landscape.effects.flight import Flight, keyframes
+from landscape.effects.hall import Hall
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
+from landscape.frame import Pose
 from landscape.geometry.quaternion import from_angles
 from landscape.keys import with_settings
+from landscape.scene import Moment, scene
+from landscape.window.place import Place
 
 SPAN = Settings().flight.kt_per_key
 KEYS = len(keyframes())
@@ -59,6 +63,28 @@ def test_its_pose_has_its_orientation() -> None:
         pose = camera.pose(kt)
         turn = from_angles(pose.yaw, pose.pitch, pose.roll)
         assert abs(turn @ camera.camera(kt)[1]) == pytest.approx(1.0)
+
+
+def test_a_flight_is_a_motion_of_the_picture_though_the_walker_stands() -> None:
+    class Flying:
+        """As much of an open hall as the window asks for."""
+
+        shown = frozenset({"flight"})
+        settings = with_settings(Settings(), {"flight.enabled": True})
+        flight = flight()
+        eye = Hall.eye
+
+    hall = Flying()
+    place = Place(scene("hall"), hall.settings, None)
+    place._scene = hall  # type: ignore[assignment]
+    standing = Pose(1.0, 1.0, 1.0)
+
+    def shows(kt: float) -> tuple[object, ...]:
+        return place.shows(Moment(standing, (8, 8), kt))
+
+    assert shows(0.0) != shows(0.1 * SPAN)
+    hall.settings = Settings()
+    assert shows(0.0) == shows(0.1 * SPAN)
 
 
 def test_the_scene_is_seen_from_the_flight_and_its_path_from_outside(
