@@ -60,10 +60,9 @@ def test_the_ladder_holds_every_file_and_each_topic_has_a_title() -> None:
 
 
 @each_lesson
-def test_a_lesson_is_short_tagged_and_builds_on_those_before_it(name: str) -> None:
+def test_a_lesson_is_tagged_and_builds_on_those_before_it(name: str) -> None:
     found = lesson(name)
     source = found.file.read_text(encoding="utf-8")
-    assert found.lines < 120
     assert name in LADDER[found.topic]
     assert len(found.title) <= 70 and not found.title.endswith(".")
     assert found.about[-1].startswith("Keys: ") and len(found.about) >= 2
@@ -107,7 +106,7 @@ def test_a_page_has_its_four_sections_and_answers_its_questions(name: str) -> No
     assert any(b.text.endswith("?") for b in asked)
     assert any(b.text.startswith("Answer:") for b in asked)
     words = sum(len(b.text.split()) for b in blocks)
-    assert 120 <= words <= 480
+    assert words >= 120
 
 
 def test_a_wrong_tag_is_found(tmp_path: Path) -> None:

@@ -26,13 +26,12 @@ SECTIONS: Phrases = ("What you see", "Why", "Change first", "Ask the class")  # 
 
 LADDER: dict[str, tuple[str, ...]] = {
     "window": ("window", "keys", "mouse", "animation", "menu"),
-    "shapes": ("triangle", "primitives", "orientation", "polygon_modes", "tetrahedron"),
-    "transforms": (
-        *("pinhole", "viewport", "perspective", "look_at", "frames", "transform_order", "scale"),
-        "matrix_stack",
-    ),
+    "shapes": ("triangle", "primitives", "orientation"),
+    "transforms": ("viewport", "transform_order"),
+    "meshes": ("polygon_modes", "tetrahedron"),
+    "cameras": ("frames", "pinhole", "perspective", "look_at", "matrix_stack"),
     "light": (
-        *("depth_buffer", "light_model", "attenuation", "spot", "normals", "gouraud"),
+        *("depth_buffer", "light_model", "attenuation", "spot", "normals", "scale", "gouraud"),
         *("camera_light", "world_light"),
     ),
     "arrays": ("vertex_arrays", "display_list"),
@@ -58,7 +57,9 @@ LADDER: dict[str, tuple[str, ...]] = {
 TOPICS: Texts = {
     "window": "Window and events",
     "shapes": "Shapes",
-    "transforms": "Cameras and transforms",
+    "transforms": "Transforms",
+    "meshes": "Meshes",
+    "cameras": "Frames and cameras",
     "light": "Light",
     "arrays": "Arrays and lists",
     "textures": "Textures",

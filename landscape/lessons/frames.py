@@ -5,8 +5,8 @@ camera's; the modelview matrix is their product. Without the first, it stands at
 
 Keys: Left and Right turn the chair; Space leaves out its matrix.
 """
-# topic: transforms
-# needs: look_at
+# topic: cameras
+# needs: transform_order
 # picture: frame 0
 # keys: LEFT RIGHT SPACE
 
@@ -38,7 +38,7 @@ def camera_to_world():
 
 
 def world_to_us():
-    glTranslatef(0, -0.5, -7.5)
+    glTranslatef(0.4, -0.1, -9)
     glRotatef(32, 1, -0.8, 0)
 
 
@@ -95,7 +95,7 @@ def main():
         glLineWidth(height / 240)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
-        glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
+        glOrtho(-2.9 * width / height, 2.9 * width / height, -2.9, 2.9, 1, 50)
         glMatrixMode(GL_MODELVIEW)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         set_frame(world_to_us)

@@ -7,8 +7,8 @@ the view, no direction is right, and nothing can be seen.
 
 Keys: Left and Right lead the camera around, Up and Down lift it; Space lays up into the view.
 """
-# topic: transforms
-# needs: perspective
+# topic: cameras
+# needs: perspective, frames
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE
 

@@ -6,8 +6,8 @@ with their axle, and all of them follow the body.
 
 Keys: Left and Right steer; Space leaves out glPushMatrix and glPopMatrix.
 """
-# topic: transforms
-# needs: transform_order
+# topic: cameras
+# needs: transform_order, perspective
 # picture: frame 45
 # loop: 120 frames
 # keys: LEFT RIGHT SPACE

@@ -6,8 +6,8 @@ far things are as large as near ones. The near plane cuts off whatever is nearer
 
 Keys: Up and Down move the near plane; Left and Right change the opening angle; Space: glOrtho.
 """
-# topic: transforms
-# needs: pinhole, viewport
+# topic: cameras
+# needs: pinhole, frames
 # picture: frame 0
 # keys: UP DOWN LEFT RIGHT SPACE
 

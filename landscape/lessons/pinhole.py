@@ -8,8 +8,8 @@ at any distance. Nothing here is projected by OpenGL: the program works out each
 Keys: Left and Right move the house nearer and farther, Up and Down move it up and down; F changes
 the distance f; Space makes the rays parallel.
 """
-# topic: transforms
-# needs: triangle
+# topic: cameras
+# needs: transform_order
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN F SPACE
 

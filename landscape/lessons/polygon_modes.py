@@ -7,8 +7,8 @@ all of its polygons, and how few of them make a round body.
 
 Keys: F changes the mode of the front faces, B that of the back faces; Up and Down tilt the vase.
 """
-# topic: shapes
-# needs: orientation
+# topic: meshes
+# needs: orientation, transform_order
 # picture: frame 0
 # keys: F B UP DOWN
 

@@ -7,8 +7,8 @@ uneven scale, and costs a square root per vertex.
 
 Keys: 1 leaves the normals alone; 2 enables GL_RESCALE_NORMAL; 3 enables GL_NORMALIZE.
 """
-# topic: transforms
-# needs: transform_order
+# topic: light
+# needs: transform_order, normals
 # picture: frame 0
 # keys: 1 2
 

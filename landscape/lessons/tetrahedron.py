@@ -7,7 +7,7 @@ If one face lists its numbers in the opposite order, there is a hole.
 
 Keys: Left and Right turn the body; Up and Down choose a face; Space reverses its order.
 """
-# topic: shapes
+# topic: meshes
 # needs: orientation, polygon_modes
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE

@@ -7,7 +7,7 @@ moved. With the two swapped, it is moved first, and swings around the world's or
 Keys: Left and Right change the angle; Space swaps the two calls.
 """
 # topic: transforms
-# needs: frames
+# needs: viewport
 # picture: frame 0
 # keys: LEFT RIGHT SPACE
 
@@ -22,8 +22,9 @@ swapped = False
 def look():
     """Set the modelview matrix to what all drawings have in common: the camera."""
     glLoadIdentity()
-    glTranslatef(-1.3, -0.1, -6)
-    glRotatef(45, 1, 0, 0)
+    glTranslatef(-1.3, 0.2, -6)
+    glRotatef(40, 1, 0, 0)
+    glRotatef(-15, 0, 1, 0)
 
 
 def place_block(turned):
@@ -39,8 +40,8 @@ def place_block(turned):
 def draw_floor():
     glBegin(GL_LINES)
     glColor3f(0.26, 0.31, 0.38)
-    for n in range(-5, 6):
-        for x, z in ((n, -5), (n, 5), (-5, n), (5, n)):
+    for n in range(-8, 9):
+        for x, z in ((n, -8), (n, 8), (-8, n), (8, n)):
             glVertex3f(x, -0.26, z)
     glEnd()
     write(-62, -6, "origin", at=(0, 0, 0))
@@ -94,7 +95,7 @@ def main():
         glLineWidth(height / 240)
         glMatrixMode(GL_PROJECTION)
         glLoadIdentity()
-        glFrustum(-width / height / 2, width / height / 2, -0.5, 0.5, 1, 50)
+        glOrtho(-3 * width / height, 3 * width / height, -3, 3, -20, 20)
         glMatrixMode(GL_MODELVIEW)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         look()

@@ -16,7 +16,7 @@ def pages(language: str, drawn: Drawn) -> dict[str, str]:
     front = [
         f"# {_('Lessons')}",
         _(
-            "Each lesson is a complete program under 120 lines, with GLFW and PyOpenGL. "
+            "Each lesson is a complete program with GLFW and PyOpenGL. "
             "`landscape lesson` lists them, `landscape lesson NAME` runs one, and with `--copy` it "
             "is copied to be changed."
         ),
