@@ -12,8 +12,16 @@ from dataclasses import dataclass, replace
 from landscape.course.ladder import Lesson
 
 CODE, ROW = "```", "| "
+BY_CELL = ("documents",)
+"""The documents whose rows are translated cell by cell: long tables, mostly of paths and commands.
+
+A path or a command may then change, and no translation is lost with it.
+"""
 _MARK = re.compile(r"(#+ |[-*] |\d+\. )?(.*)", re.DOTALL)
 _NO_WORDS = re.compile(r"\|( *(:?-+:?|-?[\d.]+|fig\d+[a-i]?|) *\|)+")  # a row of a table
+_BAR = re.compile(r"(?<!\\)\|")  # between two cells of a row
+_CODE = re.compile(r"`[^`]*`")
+_LETTER = re.compile(r"[^\W\d_]")
 _WORD = re.compile(r"(?:!?\[[^\]]*\]\([^)]*\)|`[^`]*`|[^ ])+")  # with its links and code whole
 _BEGINS_BLOCK = re.compile(r"[-+*#=]+$|\d+[.)]$|[>|]")
 
@@ -73,6 +81,28 @@ def _blocks(markdown: str) -> Iterator[Block]:
                     match = _MARK.fullmatch(" ".join(item.split()))
                     if match:
                         yield Block(match[1] or "", match[2])
+
+
+def cells(row: str) -> list[str]:
+    """Return the cells of a row of a table."""
+    return [cell.strip() for cell in _BAR.split(row)[1:-1]]
+
+
+def has_words(cell: str) -> bool:
+    """Return whether a cell has letters outside its code: it is then to be translated."""
+    return bool(_LETTER.search(_CODE.sub("", cell)))
+
+
+def by_cell(translate: Callable[[str], str]) -> Callable[[str], str]:
+    """Return a translation of blocks that takes rows cell by cell, and leaves cells of code."""
+
+    def translated(text: str) -> str:
+        if not text.startswith("|"):
+            return translate(text)
+        row = (translate(cell) if has_words(cell) else cell for cell in cells(text))
+        return f"| {' | '.join(row)} |"
+
+    return translated
 
 
 def page(lesson: Lesson, translate: Callable[[str], str] = str) -> list[Block]:

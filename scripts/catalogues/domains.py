@@ -14,7 +14,7 @@ from catalogue import Message
 from landscape.course import lecture, program_texts
 from landscape.course.exercises import NAMES, exercise
 from landscape.course.ladder import SECTIONS, Lesson, lessons
-from landscape.course.pages import blocks, page
+from landscape.course.pages import BY_CELL, blocks, cells, has_words, page
 from landscape.fixes import FIXES
 from landscape.gallery import flyover_captions
 from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
@@ -39,6 +39,7 @@ DOCUMENTS = (
     "docs/voxels.md",
     "docs/flyover.md",
     "docs/environments.md",
+    "docs/documents.md",
 )
 """The documents that are translated, below the root of the project."""
 
@@ -184,9 +185,11 @@ def flyover_gallery() -> Iterator[Message]:
 
 
 def in_document(name: str) -> Iterator[Message]:
-    """Yield the texts of a document in Markdown, a block each."""
+    """Yield the texts of a document in Markdown, a block each; of some, rows cell by cell."""
     for block in blocks((ROOT / name).read_text(encoding="utf-8")):
-        if not block.is_code:
+        if block.is_row and Path(name).stem in BY_CELL:
+            yield from (Message(cell, name) for cell in cells(block.text) if has_words(cell))
+        elif not block.is_code:
             yield Message(block.text, name)
 
 

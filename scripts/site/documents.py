@@ -4,13 +4,13 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from landscape.course.pages import as_markdown, blocks
+from landscape.course.pages import BY_CELL, as_markdown, blocks, by_cell
 from landscape.languages import translator
 
 ROOT = Path(__file__).resolve().parents[2]
 TEACHING = ("lecture", "exercises")  # for who gives the course
 TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
-BUILT = ("performance", "voxels", "flyover", "environments", "assets")  # how the program is built
+BUILT = ("documents", "performance", "voxels", "flyover", "environments", "assets")
 ALL = (*TEACHING, *TOOLS, *BUILT)
 
 
@@ -27,6 +27,7 @@ def pages(language: str) -> dict[str, str]:
     found = {}
     for name in ALL:
         translate = translator(language, f"docs/{name}")
+        translate = by_cell(translate) if name in BY_CELL else translate
         text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
         found[f"documents/{name}"] = _without_outside(as_markdown(blocks(text, translate)))
     lists = {
