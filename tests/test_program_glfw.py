@@ -370,6 +370,66 @@ def test_what_is_no_opengl_program_is_refused(watch: Watcher, tmp_path: Path, na
     assert words in watch(path).error
 
 
+# What a program imports and calls, and the toolkit whose window it opens.
+OPENED = {
+    "GLUT, with pygame's sound": (
+        "import pygame\nfrom OpenGL.GLUT import *\nglutCreateWindow('a')\n",
+        "glut",
+    ),
+    "pygame, with GLUT's shapes": (
+        "import pygame\nfrom OpenGL.GLUT import *\n"
+        "pygame.display.set_mode((9, 9), pygame.OPENGL)\nglutInit()\n",
+        "pygame",
+    ),
+    "GLFW, with GLUT's shapes": (
+        "from OpenGL.GLUT import *\nfrom glfw import create_window as make\nglutInit()\n",
+        "glfw",
+    ),
+    "pygame without the flag": ("import pygame\npygame.display.set_mode((9, 9))\n", "pygame"),
+    "by a name in a text": (
+        "import importlib\np = importlib.import_module('pygame')\nx = __import__('OpenGL.GL')\n",
+        "pygame",
+    ),
+    "Tk, with GLUT's letters": ("import tkinter\nfrom OpenGL.GLUT import *\nglutInit()\n", ""),
+    "pygame, with a dialogue of Tk": (
+        "import tkinter, pygame\npygame.display.set_mode((9, 9), pygame.OPENGL)\n",
+        "pygame",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", OPENED)
+def test_the_toolkit_is_the_one_whose_window_is_opened(tmp_path: Path, name: str) -> None:
+    text, toolkit = OPENED[name]
+    path = tmp_path / "program.py"
+    path.write_text(text)
+    assert read_source(path).toolkit == toolkit
+
+
+def test_a_window_may_be_opened_by_a_file_beside_the_program(tmp_path: Path) -> None:
+    path = tmp_path / "program.py"
+    path.write_text("import pygame\nimport screen\nfrom OpenGL.GLUT import *\n")
+    (tmp_path / "screen.py").write_text("from OpenGL.GLUT import *\nglutCreateWindow(b'a')\n")
+    assert read_source(path).toolkit == "glut"
+
+
+OTHERS = {
+    "import pyglet": "opens its window with pyglet; programs can be looked into that open it with "
+    "GLFW, GLUT or pygame; it may also call OpenGL by pyglet, past PyOpenGL",
+    "from PyQt5.QtWidgets import QOpenGLWidget": "opens its window with Qt; programs can be",
+    "import pyopengltk": "opens its window with Tk; programs can be",
+    "import wx.glcanvas\nfrom OpenGL.GLUT import *": "opens its window with wxPython; programs",
+    "import moderngl_window": "opens its window with moderngl-window; programs",
+}
+
+
+@pytest.mark.parametrize("text", OTHERS)
+def test_another_toolkit_is_named_in_one_line(watch: Watcher, tmp_path: Path, text: str) -> None:
+    path = tmp_path / "program.py"
+    path.write_text(text)
+    assert f"program.py: {OTHERS[text]}" in watch(path).error
+
+
 def test_a_program_of_boundless_size_is_refused_unread(tmp_path: Path) -> None:
     path = tmp_path / "long.py"
     path.write_bytes(b"x = 1\n" * 1_000_000)

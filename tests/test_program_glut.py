@@ -216,6 +216,38 @@ def test_what_freeglut_would_end_the_process_for_is_refused(watch: Watcher, writ
     assert "what this screen cannot do" in watch(write("", begin)).error
 
 
+def test_a_glut_program_may_import_pygame_for_its_sound(watch: Watcher, write: Write) -> None:
+    pytest.importorskip("pygame")
+    path = write(
+        """
+        pygame.init()
+        pygame.mixer.init()
+        print(pygame.time.get_ticks(), pygame.time.wait(40), pygame.time.get_ticks())
+        glutMainLoop()
+        """,
+        "import pygame\n" + BEGIN,
+    )
+    seen = watch(path, 1)
+    assert seen.log[0] == ["opened", "glut", "glx", 64, 48]
+    assert seen.err.splitlines()[0] == "0 40 40", "pygame's clock is held, too"
+
+
+def test_the_display_mode_may_be_chosen_before_glutinit(watch: Watcher, write: Write) -> None:
+    chosen = "glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH)"
+    begin = BEGIN.replace(f"{chosen}\n", "").replace("glutInit(", f"{chosen}\nglutInit(")
+    bits = "print(glGetIntegerv(GL_DEPTH_BITS) > 0, glGetBooleanv(GL_DOUBLEBUFFER))\nglutMainLoop()"
+    assert watch(write(bits, begin), 1).err.splitlines()[0] == "True 1"
+
+
+def test_a_program_that_chooses_no_display_mode_has_a_depth_buffer(
+    watch: Watcher, write: Write
+) -> None:
+    begin = BEGIN.replace("glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH)\n", "")
+    begin = begin.replace("glutSwapBuffers", "glFlush")
+    bits = "print(glGetIntegerv(GL_DEPTH_BITS) > 0, glGetBooleanv(GL_DOUBLEBUFFER))\nglutMainLoop()"
+    assert watch(write(bits, begin), 1).err.splitlines()[0] == "True 0"
+
+
 @pytest.mark.posix_only("there is always a screen")
 def test_glut_without_a_screen_is_refused_in_one_line(tmp_path: Path) -> None:
     need_library("glut")

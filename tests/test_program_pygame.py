@@ -120,6 +120,20 @@ def test_events_are_got_and_asked_for(watch: Watcher, write: Write) -> None:
     assert watch(path, 3, events=events).size == [80, 40]
 
 
+def test_the_depth_buffer_is_as_deep_as_on_a_screen(watch: Watcher, write: Write) -> None:
+    """Without a screen SDL would take the shallowest that holds the 16 bits of its default."""
+    shown = "print(glGetIntegerv(GL_DEPTH_BITS))\npygame.display.flip()"
+    assert watch(write(shown)).err.split() == ["24"]
+    asked = "pygame.display.gl_set_attribute(GL_DEPTH_SIZE, 16)\n"
+    begin = BEGIN.replace("pygame.display.set_mode", asked + "pygame.display.set_mode")
+    assert watch(write(shown, begin)).err.split() == ["24"]
+
+
+def test_a_window_may_be_opened_without_pygame_init(watch: Watcher, write: Write) -> None:
+    begin = BEGIN.replace("pygame.init()\n", "")
+    assert watch(write("pygame.display.flip()", begin)).log[-1] == ["ended", 0]
+
+
 FAILURES = {
     "no OpenGL": ("pygame.display.set_mode((64, 48))\n", "without the flag pygame.OPENGL"),
     "raises": ("glEnable(1)\n", "line 7: the program raised GLError"),

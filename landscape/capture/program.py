@@ -336,6 +336,8 @@ def run(
         stack.callback(prints.end)
         stack.enter_context(contextlib.redirect_stdout(prints))
         stack.enter_context(toolkit(state))
+        if source.toolkit != "pygame" and "pygame" in source.modules:
+            stack.enter_context(_pygame_beside(state))
         if _prepared:
             stack.callback(_runs.remove, state)
             _runs.append(state)
@@ -376,9 +378,25 @@ def _toolkit(source: Source) -> Callable[[Run], Any]:
         from landscape.capture.program_glut import glut_program
 
         return glut_program
-    raise ProgramError(
-        f"{source.path}: imports neither glfw, pygame nor OpenGL.GLUT, so it opens no window that "
-        "could be shown"
+    raise ProgramError(f"{source.path}: {_without_toolkit(source)}")
+
+
+def _pygame_beside(state: Run) -> AbstractContextManager[None]:
+    from landscape.capture.program_pygame import pygame_beside
+
+    return pygame_beside(state)
+
+
+def _without_toolkit(source: Source) -> str:
+    """Return why a program cannot be run to a frame that uses none of our toolkits."""
+    if not source.other:
+        return "imports neither glfw, pygame nor OpenGL.GLUT, so it opens no window that we know"
+    past = ""
+    if source.past:
+        past = f"; it may also call OpenGL by {source.past}, past PyOpenGL"
+    return (
+        f"opens its window with {source.other}; programs can be looked into that open it with "
+        f"GLFW, GLUT or pygame{past}"
     )
 
 

@@ -42,7 +42,7 @@ SPECIAL = {
 }
 BUTTON_CODES = {"left": 0, "middle": 1, "right": 2}
 MODIFIERS = {"shift": 1, "control": 2, "alt": 4}
-DOUBLE, STEREO, MULTISAMPLE = 2, 256, 128  # of glutInitDisplayMode
+DOUBLE, DEPTH, STEREO, MULTISAMPLE = 2, 16, 256, 128  # of glutInitDisplayMode
 WINDOW_WIDTH, WINDOW_HEIGHT, DISPLAY_POSSIBLE, ELAPSED_TIME = 102, 103, 400, 700  # of glutGet
 IDLE = 0.001  # seconds of the held clock that a turn of the loop takes if it draws nothing; chosen
 PATIENCE = 1000  # turns without a frame until the program is asked to redraw; chosen
@@ -94,6 +94,10 @@ class _Glut:
         self._leaving = False
         self._ready = False
         self._quiet = 0  # turns of the loop since the last frame
+        # What an earlier program in this process left. The program may choose before glutInit.
+        self._real.glutInitDisplayMode(DEPTH)  # freeglut's default
+        self._real.glutInitWindowSize(*self._size)
+        self._real.glutInitWindowPosition(-1, -1)
 
     def functions(self) -> dict[str, Any]:
         """Return the functions that take the place of GLUT's, by their names."""
@@ -148,11 +152,7 @@ class _Glut:
     def glutInit(self, *args: Any) -> Any:
         self._run.check()
         self._ready = True
-        result = self._real.glutInit(*args)
-        self._real.glutInitDisplayMode(0)  # what an earlier program in this process left
-        self._real.glutInitWindowSize(*self._size)
-        self._real.glutInitWindowPosition(-1, -1)
-        return result
+        return self._real.glutInit(*args)
 
     def glutInitDisplayMode(self, mode: int) -> None:
         self._double_buffered = bool(mode & DOUBLE)

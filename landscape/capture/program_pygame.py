@@ -5,6 +5,7 @@ that of the hidden window (gl/window_framebuffer.py). The program sees the event
 those it posts itself; SDL's own are never read.
 """
 
+import importlib.util
 import os
 import types
 from collections.abc import Iterator
@@ -38,16 +39,15 @@ KEY_NAMES = {
     **{"KP_EQUAL": "KP_EQUALS"},
 }
 BUTTON_CODES = {"left": 1, "middle": 2, "right": 3}
+# On a screen GLX takes the deepest buffer there is, whatever the program asks; EGL the shallowest.
+DEPTH_BITS = 24
 
 
 @contextmanager
 def pygame_program(run: Run) -> Iterator[None]:
     """Prepare pygame and PyOpenGL for a program; replace pygame's functions inside the block."""
-    os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
-    os.environ["SDL_AUDIODRIVER"] = "dummy"
     need_package("pygame", run.source.path)
-    import pygame
-
+    pygame = _silent()
     stand_in = _Pygame(run, pygame, _choose(run, pygame))
     functions = {id(old): new for old, new in stand_in.functions()}
     with replaced(("pygame",), lambda module, name, value: functions.get(id(value))):
@@ -56,6 +56,48 @@ def pygame_program(run: Run) -> Iterator[None]:
         finally:
             run.closed()
             stand_in.quit()
+
+
+def _silent() -> Any:
+    """Import pygame: it prints nothing, and plays into nothing."""
+    os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
+    os.environ["SDL_AUDIODRIVER"] = "dummy"
+    import pygame
+
+    return pygame
+
+
+@contextmanager
+def pygame_beside(run: Run) -> Iterator[None]:
+    """Hold pygame's clocks in a program whose window another toolkit opens.
+
+    It has pygame for its sound or its pictures. SDL opens no window then.
+    """
+    if importlib.util.find_spec("pygame") is None:
+        yield  # the program's own import will say so
+        return
+    os.environ["SDL_VIDEODRIVER"] = "dummy"
+    pygame = _silent()
+    functions = {id(old): new for old, new in _held_times(run, pygame)}
+    with replaced(("pygame",), lambda module, name, value: functions.get(id(value))):
+        try:
+            yield
+        finally:
+            pygame.quit()
+
+
+def _held_times(run: Run, pygame: Any) -> Iterator[tuple[Any, Any]]:
+    """Yield each function of pygame that reads the clock or waits, and its held form."""
+    clock, times = run.clock, pygame.time
+
+    def wait(duration: int) -> int:
+        clock.move(duration / 1000.0)
+        return int(duration)
+
+    yield times.Clock, lambda: _HeldClock(clock)
+    yield times.get_ticks, lambda: milliseconds(clock)
+    yield times.wait, wait
+    yield times.delay, wait
 
 
 def _choose(run: Run, pygame: Any) -> str:
@@ -109,6 +151,7 @@ class _Pygame:
         self._size = FALLBACK
         self._events: list[Any] = []
         self._timers: list[list[Any]] = []  # due, interval, event, how often still
+        self._depth_bits = DEPTH_BITS  # to ask for
         self._moved = (0.0, 0.0)  # where the mouse was when get_rel was last asked
         self._codes: dict[str, int] = {
             name: int(
@@ -122,8 +165,7 @@ class _Pygame:
 
     def functions(self) -> Iterator[tuple[Any, Any]]:
         """Yield each function of pygame that is replaced, and what takes its place."""
-        clock = self._run.clock
-        yield self._real.time.Clock, lambda: _HeldClock(clock)
+        yield from _held_times(self._run, self._pygame)
         for name in vars(type(self)):
             module, _, function = name.partition("_")
             held = getattr(self._real, module, None)
@@ -144,14 +186,22 @@ class _Pygame:
         if not flags & pygame.OPENGL:
             raise run.refuse("opens its pygame window without the flag pygame.OPENGL")
         self._size = run.sized(*map(int, size[:2])) if size and all(size) else FALLBACK
+        if not self._real.display.get_init():
+            self._real.display.init()  # so does pygame's own set_mode
         flags &= ~(pygame.FULLSCREEN | getattr(pygame, "SCALED", 0) | pygame.SHOWN)
         for attribute in (pygame.GL_MULTISAMPLEBUFFERS, pygame.GL_MULTISAMPLESAMPLES):
             self._real.display.gl_set_attribute(attribute, 0)
+        self._real.display.gl_set_attribute(pygame.GL_DEPTH_SIZE, self._depth_bits)
         surface = self._real.display.set_mode(self._size, flags | pygame.HIDDEN)
         if run.window is None:
             hidden = self._backend == "glfw"
             run.open(Window("pygame", self._backend, lambda: self._size, hidden=hidden))
         return surface
+
+    def display_gl_set_attribute(self, flag: int, value: int) -> None:
+        if flag == self._pygame.GL_DEPTH_SIZE:
+            self._depth_bits = max(value, DEPTH_BITS) if value else 0
+        self._real.display.gl_set_attribute(flag, value)
 
     def display_flip(self) -> None:
         self._run.end_frame()
@@ -168,17 +218,7 @@ class _Pygame:
     def display_get_active(self) -> bool:
         return True
 
-    # Time.
-
-    def time_get_ticks(self) -> int:
-        return milliseconds(self._run.clock)
-
-    def time_wait(self, wait: int) -> int:
-        self._run.clock.move(wait / 1000.0)
-        return int(wait)
-
-    def time_delay(self, wait: int) -> int:
-        return self.time_wait(wait)
+    # Time, as far as it is events.
 
     def time_set_timer(self, event: Any, millis: int, loops: int = 0) -> None:
         kind = getattr(event, "type", event)

@@ -1,6 +1,7 @@
-"""A program's source before it runs: is it Python, and which window library does it use?
+"""A program's source before it runs: is it Python, and which library opens its window?
 
 PyOpenGL is bound to a platform before it is first imported, so the library must be known earlier.
+It is not enough to know what is imported: a GLUT program may import pygame for its sound only.
 """
 
 import ast
@@ -21,6 +22,24 @@ TOOLKITS = {
     "pygame": "pygame.display.set_mode",
     "glut": "glutCreateWindow",
 }
+# The functions that open a window for OpenGL, by their last names.
+OPENINGS = {
+    "create_window": "glfw",
+    "set_mode": "pygame",
+    "glutCreateWindow": "glut",
+    "glutEnterGameMode": "glut",
+}
+FLAG = "OPENGL"  # without it, pygame's window is none for OpenGL
+# Libraries that open windows in which programs cannot be run to a frame; what users call them.
+OTHERS = {
+    **dict.fromkeys(("PyQt4", "PyQt5", "PyQt6", "PySide", "PySide2", "PySide6", "qtpy"), "Qt"),
+    **{"pyglet": "pyglet", "moderngl_window": "moderngl-window", "arcade": "arcade"},
+    **{"wx": "wxPython", "gi": "GTK", "gtk": "GTK", "sdl2": "PySDL2", "kivy": "Kivy"},
+    **{"direct": "Panda3D", "panda3d": "Panda3D", "ursina": "Ursina", "vispy": "VisPy"},
+    **{"pyopengltk": "Tk", "tkinter": "Tk", "Tkinter": "Tk"},
+}
+# Libraries that call OpenGL by themselves, past PyOpenGL.
+PAST_PYOPENGL = {"moderngl": "moderngl", "pyglet": "pyglet", "zengl": "zengl"}
 WORDS = (b"ERROR_CHECKING", b"gluNewNurbsRenderer")
 MOST_BYTES = 4 << 20  # chosen: of a file of a program; Python takes 50 times that to compile it
 
@@ -29,21 +48,35 @@ MOST_BYTES = 4 << 20  # chosen: of a file of a program; Python takes 50 times th
 class Source:
     """A compiled program. ``modules``: what it and the modules beside it import, by full names.
 
-    Among them is "nurbs" where GLU's NURBS are used, which libGLU draws by itself.
+    Among them is "nurbs" where GLU's NURBS are used, which libGLU draws by itself. ``opens`` are
+    the toolkits whose functions that open a window are named in these files.
     """
 
     path: Path
     code: CodeType
     modules: frozenset[str]
     checked: bool  # whether PyOpenGL checks for errors: it does unless told otherwise
+    opens: frozenset[str] = frozenset()
 
     @property
     def toolkit(self) -> str:
-        """The library that opens the window: glfw, pygame or glut; "" if it uses none of them."""
-        for toolkit in TOOLKITS:
-            if toolkit in self.modules:
-                return toolkit
-        return ""
+        """The library that opens the window: glfw, pygame or glut; "" if it is none of them."""
+        imported = [toolkit for toolkit in TOOLKITS if toolkit in self.modules]
+        opening = [toolkit for toolkit in imported if toolkit in self.opens]
+        if not opening and self.other:
+            return ""
+        return next(iter(opening or imported), "")
+
+    @property
+    def other(self) -> str:
+        """What users call another library that opens windows, of those that are imported."""
+        return next((name for module, name in OTHERS.items() if module in self.modules), "")
+
+    @property
+    def past(self) -> str:
+        """What users call an imported library that calls OpenGL past PyOpenGL; "" if none is."""
+        found = (name for module, name in PAST_PYOPENGL.items() if module in self.modules)
+        return next(found, "")
 
     @property
     def opening(self) -> str:
@@ -77,19 +110,31 @@ def read_source(path: Path) -> Source:
     except (ValueError, RecursionError, MemoryError) as error:
         raise ProgramError(f"{path}: is not a Python program ({error})") from None
     modules: set[str] = set()
-    checked = _read(path, text, tree, modules, set())
-    return Source(path, code, frozenset(modules), checked)
+    opens: set[str] = set()
+    checked = _read(path, text, tree, modules, opens, set())
+    return Source(path, code, frozenset(modules), checked, frozenset(opens))
 
 
-def _read(path: Path, data: bytes, tree: ast.Module, modules: set[str], seen: set[Path]) -> bool:
-    """Add what a file imports, and what the files beside it do; return whether errors count."""
+def _read(
+    path: Path,
+    data: bytes,
+    tree: ast.Module,
+    modules: set[str],
+    opens: set[str],
+    seen: set[Path],
+) -> bool:
+    """Add what a file imports and opens, and what the files beside it do.
+
+    Return whether errors count.
+    """
     seen.add(path.resolve())
+    opens |= _opened(data, tree)
     # Without its comments, which takes as long as compiling it, so only where a word is there.
     text = ast.unparse(tree) if any(word in data for word in WORDS) else ""
     checked = "ERROR_CHECKING = False" not in text
     if "gluNewNurbsRenderer" in text:
         modules.add("nurbs")
-    for name in _imported(tree):
+    for name in (*_imported(tree), *_imported_by_name(data, tree)):
         parts = name.split(".")
         if parts[0] in ("glfw", "pygame"):
             modules.add(parts[0])
@@ -101,14 +146,14 @@ def _read(path: Path, data: bytes, tree: ast.Module, modules: set[str], seen: se
             modules.add(parts[0])
             for file in _beside(path.parent, parts):
                 if file.resolve() not in seen:
-                    checked = _read_other(file, modules, seen) and checked
+                    checked = _read_other(file, modules, opens, seen) and checked
     return checked
 
 
-def _read_other(path: Path, modules: set[str], seen: set[Path]) -> bool:
+def _read_other(path: Path, modules: set[str], opens: set[str], seen: set[Path]) -> bool:
     try:
         data = read_bounded(path, MOST_BYTES)
-        return _read(path, data, ast.parse(data), modules, seen)
+        return _read(path, data, ast.parse(data), modules, opens, seen)
     except (OSError, ValueError, SyntaxError, RecursionError):
         return True  # importing it will say so
 
@@ -122,6 +167,31 @@ def _imported(tree: ast.Module) -> Iterator[str]:
             module = node.module or ""
             yield module
             yield from (f"{module}.{alias.name}".lstrip(".") for alias in node.names)
+
+
+def _opened(data: bytes, tree: ast.Module) -> set[str]:
+    """Return the toolkits of which a file names a function that opens a window for OpenGL."""
+    if not any(name.encode() in data for name in OPENINGS):
+        return set()
+    used = {
+        getattr(node, "attr", getattr(node, "id", getattr(node, "name", "")))
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.Attribute, ast.Name, ast.alias))
+    }
+    opened = {toolkit for name, toolkit in OPENINGS.items() if name in used}
+    return opened if FLAG in used else opened - {"pygame"}
+
+
+def _imported_by_name(data: bytes, tree: ast.Module) -> Iterator[str]:
+    """Yield what a file imports by ``importlib.import_module`` or ``__import__``."""
+    if b"import_module" not in data and b"__import__" not in data:
+        return
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and node.args:
+            name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+            given = getattr(node.args[0], "value", None)
+            if name in ("import_module", "__import__") and isinstance(given, str):
+                yield given
 
 
 # What holds further statements: also of `except` and `case`, which are none themselves.

@@ -83,7 +83,11 @@ def _trouble(
     if "ended after" in str(error):
         return {"word": "ended", "frames": witness.ended}
     reason = str(error).partition(": ")[2]
-    for part, word in (("opens two windows", "two_windows"), ("imports neither", "no_toolkit")):
+    for part, word in (
+        ("opens two windows", "two_windows"),
+        ("imports neither", "no_toolkit"),
+        ("opens its window with", "no_toolkit"),
+    ):
         if part in reason:
             return {"word": word}
     return {"word": "refused", "reason": reason}
