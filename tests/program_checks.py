@@ -106,6 +106,51 @@ def a_frame_without_a_clear_is_replayed(tmp_path: Path) -> None:
     on_frame(path, look, 3)
 
 
+SHADERS = """
+import glfw
+from OpenGL.GL import *
+from OpenGL.GL.shaders import compileProgram, compileShader
+
+glfw.init()
+window = glfw.create_window(64, 48, "shaders", None, None)
+glfw.make_context_current(window)
+program = compileProgram(
+    compileShader("void main() { gl_Position = gl_Vertex; }", GL_VERTEX_SHADER),
+    compileShader(
+        "uniform float g; void main() { gl_FragColor = vec4(1., g, 0., 1.); }", GL_FRAGMENT_SHADER
+    ),
+)
+while True:
+    glClear(GL_COLOR_BUFFER_BIT)
+    glColor3f(0, 0, 1)
+    glRectf(-1, -1, 0, 1)
+    glUseProgram(program)
+    glUniform1f(glGetUniformLocation(program, "g"), 0.6)
+    glRectf(-0.5, -0.5, 0.5, 0.5)
+    glUseProgram(0)
+    glRectf(0.8, -1, 1, 1)
+    glfw.swap_buffers(window)
+"""
+
+
+def shaders_draw_again_what_they_drew(tmp_path: Path) -> None:
+    """The frame that builds shaders is replayed; what comes before they are bound is blue."""
+    path = tmp_path / "shaders.py"
+    for text in (SHADERS, SHADERS.replace("    glUseProgram(0)\n", "")):
+        path.write_text(text)
+
+        def look(tape: Tape) -> None:
+            wanted = picture(tape)
+            assert wanted[24, 32].tolist() == [255, 153, 0]
+            assert wanted[2, 2].tolist() == [0, 0, 255]
+            tape.replay()
+            assert np.array_equal(picture(tape), wanted)
+            assert history(tape, 32, 24)[-1].pixel.color[:3] == (255, 153, 0)
+            assert history(tape, 2, 2)[-1].pixel.color[:3] == (0, 0, 255)
+
+        on_frame(path, look, 0)
+
+
 def lists_are_found_from_the_list_base(tmp_path: Path) -> None:
     """The lists of a glCallLists are those from glListBase on: a letter each, made again."""
     assert tmp_path.is_dir()

@@ -58,15 +58,18 @@ def run(tmp_path: Path, rest: str, limits: tuple[str, str] = ("15", "5"), way="s
 
 # What systems call it, and say of it.
 CRASH, KILL = "SIGSEGV", "was killed, as the system does where memory runs"
+GAVE_UP = "was ended (SIGABRT) by a library of C that could not go on"
 LIBRARY = "None"
 if sys.platform == "win32":
     CRASH, KILL = "abort", "ended its own process (status 9)"
+    GAVE_UP = "crashed (abort), as OpenGL does where"
     LIBRARY = "'msvcrt'"
 ENDS = {
     "crashes": (
         "import faulthandler\nfaulthandler._sigsegv()",
         f"crashed ({CRASH}), as OpenGL does where",
     ),
+    "gives up": ("os.abort()", GAVE_UP),
     "is killed": ("os.kill(os.getpid(), 9)", KILL),
     "is held up in C": ("sum(range(10**13))", "was ended within one call that nothing can inter"),
     "leaves by itself": (

@@ -118,6 +118,42 @@ def test_a_frame_of_a_single_buffered_window_ends_with_its_display_callback(
     assert seen.centre == [0, 255, 0]
 
 
+SINGLE = BEGIN.replace("GLUT_DOUBLE", "GLUT_SINGLE").replace("glutSwapBuffers", "glFlush")
+
+
+def test_a_frame_of_a_single_buffered_window_ends_with_any_callback_that_draws(
+    watch: Watcher, write: Write
+) -> None:
+    idle = watch(write("glutIdleFunc(display)\nglutMainLoop()", SINGLE), 2)
+    assert idle.names == {"glClear": 1, "glFlush": 1}
+    timer = "glutTimerFunc(20, lambda _: display(), 0)\nglutIdleFunc(lambda: None)\n"
+    assert watch(write(f"{timer}glutMainLoop()", SINGLE), 1).err.split() == [
+        *("display", "0", "display", "20"),
+    ]
+    key = watch(
+        write("glutKeyboardFunc(lambda *_: display())\nglutMainLoop()", SINGLE),
+        1,
+        events=[{"frame": 1, "key": "A"}],
+    )
+    assert key.names == {"glClear": 1, "glFlush": 1}
+
+
+def test_what_is_drawn_before_the_display_callback_is_of_its_frame(
+    watch: Watcher, write: Write
+) -> None:
+    path = write(
+        """
+        glRectf(0, 0, 1, 1)
+        glutReshapeFunc(lambda w, h: glRectf(0, 0, 1, 1))
+        glutTimerFunc(0, lambda _: None, 0)
+        glutMainLoop()
+        """,
+        SINGLE,
+    )
+    seen = watch(path, 0)
+    assert seen.names == {"glRectf": 2, "glClear": 1, "glFlush": 1}
+
+
 def test_shapes_and_letters_of_glut_are_single_calls(watch: Watcher, write: Write) -> None:
     path = write(
         """

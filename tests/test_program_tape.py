@@ -42,6 +42,49 @@ def test_a_frame_that_begins_without_a_clear_is_replayed_over_what_was_there(
     check("a_frame_without_a_clear_is_replayed", tmp_path)
 
 
+def test_the_frame_in_which_shaders_are_built_is_replayed(tmp_path: Path) -> None:
+    check("shaders_draw_again_what_they_drew", tmp_path)
+
+
+def test_a_structured_array_is_shown_as_its_numbers(tmp_path: Path) -> None:
+    path = tmp_path / "structured.py"
+    path.write_text(
+        """
+import glfw, numpy as np
+from OpenGL.GL import *
+glfw.init()
+window = glfw.create_window(64, 48, "structured", None, None)
+glfw.make_context_current(window)
+data = np.zeros(2, [("position", np.float32, 3), ("shade", np.uint8)])
+data["position"] = (1, 2, 3), (4, 5, 6)
+data["shade"] = 7, 8
+glBindBuffer(GL_ARRAY_BUFFER, glGenBuffers(1))
+glBufferData(GL_ARRAY_BUFFER, data.nbytes, data, GL_STATIC_DRAW)
+glfw.swap_buffers(window)
+"""
+    )
+    assert "26, [1, 2, 3, 7, 4, 5, 6, 8], GL_STATIC_DRAW)" in landscape("trace", path).out
+    (call,) = [c for c in landscape("trace", path, "--json").json() if c["name"] == "glBufferData"]
+    assert call["args"][2]["values"] == [1.0, 2.0, 3.0, 7, 4.0, 5.0, 6.0, 8]
+
+
+def test_a_program_that_calls_opengl_past_pyopengl_is_told_so(tmp_path: Path) -> None:
+    path = tmp_path / "past.py"
+    (tmp_path / "moderngl.py").touch()
+    path.write_text(
+        """
+import glfw, moderngl
+glfw.init()
+window = glfw.create_window(64, 48, "past", None, None)
+glfw.make_context_current(window)
+glfw.swap_buffers(window)
+"""
+    )
+    said = landscape("trace", path).err
+    assert f"{path}: calls of OpenGL by moderngl, past PyOpenGL, are not seen" in said
+    assert f"{path}: has called nothing of OpenGL through PyOpenGL" in said
+
+
 def test_the_lists_of_a_text_are_found_from_the_list_base(tmp_path: Path) -> None:
     check("lists_are_found_from_the_list_base", tmp_path)
 

@@ -198,6 +198,8 @@ def _await(child: _Child, path: str) -> int:
         raise InputError(f"{path}: was killed, as the system does where memory runs out")
     if not crash:
         raise InputError(f"{path}: ended its own process (status {status})")
+    if crash == limits.GAVE_UP:
+        raise InputError(f"{path}: was ended ({crash}) by a library of C that could not go on")
     raise InputError(f"{path}: crashed ({crash}), as OpenGL does {SHORT_ARRAY}")
 
 

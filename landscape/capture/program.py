@@ -23,7 +23,7 @@ from types import ModuleType
 from typing import Any, Protocol
 
 from landscape.arguments import size
-from landscape.capture import guard
+from landscape.capture import guard, spec
 from landscape.capture.program_clock import Clock
 from landscape.capture.program_events import Event, Queue, read_events
 from landscape.capture.program_failure import count, late, raised
@@ -128,6 +128,7 @@ class Run:
         self.clock = Clock(host.seconds if host is not None else None)
         self.events = Queue(events)
         self.frames = 0  # that were completed
+        self.drew = False  # whether anything was drawn since the last frame's end
         self.window: Window | None = None
         self.drawing = False  # whether the window is open
         self.failure: BaseException | None = None  # what ended the program, if not its frame
@@ -185,6 +186,8 @@ class Run:
                 "asks for a core profile, which has no fixed function; its calls are shown, but "
                 "not what shaders do"
             )
+        if self.source.past:
+            self.notice(f"calls of OpenGL by {self.source.past}, past PyOpenGL, are not seen")
         with self._watched():
             self._observer.opened(window)
             self._observer.frame_began(0)
@@ -226,6 +229,7 @@ class Run:
         with self._watched():
             self.result = self._observer.frame_ended(self.frames)
         self.frames += 1
+        self.drew = False
         if self._frame is not None and self.frames > self._frame:
             self.over = True
             raise Unwind
@@ -249,8 +253,12 @@ class Run:
         """Tell the user that shaders are not explained, once."""
         self.notice("uses shaders; its calls are shown, but this tool explains fixed function")
 
+    def draws(self) -> None:
+        """Note that the program draws."""
+        self.drew = True
+
     def flushed(self) -> None:
-        """End a frame of a single-buffered window; one of GLUT ends with its display callback."""
+        """End a frame of a single-buffered window; one of GLUT ends with the callback that drew."""
         window = self.window
         if self.drawing and window and not window.double_buffered and window.toolkit != "glut":
             self.end_frame()
@@ -291,6 +299,8 @@ def _functions(make: Make, running: Callable[[], Run | None]) -> AbstractContext
         new = make(name, function)
         if any(word in name for word in SHADERS):
             return beside(new, before=tell(Run.uses_shaders))
+        if spec.draws(name) or name in ("glCallList", "glCallLists"):
+            return beside(new, before=tell(Run.draws))
         if name in ("glFlush", "glFinish"):
             return beside(new, after=tell(Run.flushed))
         return new

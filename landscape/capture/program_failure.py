@@ -1,5 +1,6 @@
 """How a program has failed, as one line: what it raised, and where; or what it did not reach."""
 
+import os
 import traceback
 from collections.abc import Iterator
 from pathlib import Path
@@ -8,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from landscape.capture import guard
 from landscape.capture.program_source import ProgramError
+from landscape.gl.notes import HERE, PACKAGE
 
 if TYPE_CHECKING:
     from landscape.capture.program import Run
 
+OURS = (HERE, f"{PACKAGE}capture{os.sep}")
 # What OpenGL's errors say of a call, by PyOpenGL's words for them.
 MEANINGS = {
     "invalid enumerant": "a name is not one that it accepts",
@@ -29,7 +32,7 @@ def raised(path: Path, error: BaseException) -> ProgramError:
     guard.stand_by()  # to say what it was needs memory, too
     calls = [at for at in _traceback(error) if at.tb_frame.f_code.co_filename == str(path)]
     shown = error.with_traceback(calls[0] if calls else None)
-    details = "".join(traceback.format_exception(shown))
+    details = "".join(_without_ours(traceback.TracebackException.from_exception(shown)).format())
     if isinstance(error, ModuleNotFoundError) and error.name:
         name = error.name.split(".")[0]
         if name not in ("OpenGL", path.stem):
@@ -48,6 +51,18 @@ def raised(path: Path, error: BaseException) -> ProgramError:
     # The last of the program's own lines, which calls what is not its own.
     line = f", line {calls[-1].tb_lineno}" if calls else ""
     return ProgramError(f"{path}{line}: the program raised {reason}", details)
+
+
+def _without_ours(
+    shown: traceback.TracebackException,
+) -> traceback.TracebackException:
+    """Leave the functions out that stand in for a toolkit's: the program called the toolkit."""
+    kept = [call for call in shown.stack if not call.filename.startswith(OURS)]
+    shown.stack = traceback.StackSummary.from_list(kept)
+    for other in (shown.__cause__, shown.__context__):
+        if other is not None:
+            _without_ours(other)
+    return shown
 
 
 def _traceback(error: BaseException) -> Iterator[TracebackType]:

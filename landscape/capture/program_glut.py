@@ -3,7 +3,8 @@
 freeglut opens the window, which needs a screen, and draws its shapes and letters. It is never given
 the program's callbacks: the main loop here calls them, by the held clock, so that an exception in
 one of them ends the program as it would end any other. A frame ends with glutSwapBuffers, or where
-the display callback returns without it. A program that waits for somebody is asked to redraw.
+the display callback returns without it; in a window without double buffering, where any callback
+returns that has drawn. A program that waits for somebody is asked to redraw.
 """
 
 import os
@@ -31,6 +32,8 @@ WITHOUT_EFFECT = (
     *("HideWindow", "ShowWindow", "PushWindow", "PopWindow", "SetCursor", "IgnoreKeyRepeat"),
     *("SetKeyRepeat", "SetOption"),
 )
+# Callbacks after which the display callback comes anyway: they and it make one frame.
+BEFORE_DISPLAY = ("Reshape", "Visibility", "WindowStatus")
 FUNCTIONS = re.compile(r"glut\w+Func")
 OTHER_FUNCTIONS = {"glutInitErrorFunc", "glutInitWarningFunc"}
 SPECIAL = {
@@ -143,9 +146,19 @@ class _Glut:
     def _call(self, callback: str, *args: Any) -> bool:
         """Call a callback of the program; return whether it has one."""
         function = self._callbacks.get(callback)
-        if function is not None:
+        if function is not None and callback in BEFORE_DISPLAY:
             function(*args)
+        elif function is not None:
+            self._shows(function, *args)
         return function is not None
+
+    def _shows(self, function: Callable[..., Any], *args: Any) -> None:
+        """Call a function; end the frame if it draws in a window that shows it without a swap."""
+        self._run.drew = False
+        function(*args)
+        if self._run.drew and self._run.drawing and not self._double_buffered:
+            self._run.end_frame()
+            self._run.begin_frame()
 
     # Initialisation and the window.
 
@@ -277,7 +290,7 @@ class _Glut:
         due = sorted(timer for timer in self._timers if timer[0] <= self._run.clock.now + 1e-6)
         for timer in due:
             self._timers.remove(timer)
-            timer[2](timer[3])
+            self._shows(timer[2], timer[3])
 
     def _display(self) -> None:
         self._posted = False

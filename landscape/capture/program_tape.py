@@ -29,7 +29,7 @@ def on_frame(
     What is called before the first call that draws is the setup. The elements are named after the
     program's functions. Raises as :func:`landscape.capture.program.run` does.
     """
-    with _Taping(use, frame, edits) as taping:
+    with _Taping(path, use, frame, edits) as taping:
         found: T = run(path, frame, events, backend=backend, limit=limit, observer=taping)
         return found
 
@@ -37,8 +37,11 @@ def on_frame(
 class _Taping(ExitStack):
     """Observes a program: records its calls, and makes a tape of the frame that was asked for."""
 
-    def __init__(self, use: Callable[[Tape], Any], frame: int, edits: Edits | None) -> None:
+    def __init__(
+        self, path: str | Path, use: Callable[[Tape], Any], frame: int, edits: Edits | None
+    ) -> None:
         super().__init__()
+        self._path = path
         self._use, self._frame, self._edits = use, frame, edits
         self._notices: list[str] = []
         self._start: state.State = {}
@@ -73,6 +76,8 @@ class _Taping(ExitStack):
         """Hand the tape on, if this is the frame that was asked for."""
         if number != self._frame:
             return None
+        if not self._recorder.calls:
+            self._notices.append(f"{self._path}: has called nothing of OpenGL through PyOpenGL")
         with unnoted():
             tape = Tape(
                 self._recorder.calls, self._begin, self._start, self._window.size(),

@@ -18,7 +18,7 @@ framebuffers. They are bound by their names, and must exist where a state is res
 - set the fourth component of the raster position, which becomes 1 and has no effect;
 - put names on the name stack, which OpenGL does not tell: it gets as many zeros;
 - continue an occlusion query: one that was in progress begins at zero;
-- bind a program: GL_CURRENT_PROGRAM is only read;
+- bind a program of shaders: GL_CURRENT_PROGRAM is only read (steps.py binds it again);
 - rebuild an attribute stack that was read by its depth only: where pushes are missing, they save
   nothing. OpenGL does not tell what glPushAttrib saved, but whoever knows the masks of the open
   pushes can have it read: see :func:`read`.

@@ -4,7 +4,8 @@ A place says which call is meant: "12" is the frame's call 12, "12.3" the call 3
 that call 12 executes, "12.3.0" the first of a list that that one executes.
 """
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -82,13 +83,32 @@ def _added(call: Call, name: str, *args: Any) -> Step:
     return Step("", made, made)
 
 
+# How the names of functions begin that make, build or delete objects, and how they go on. Those of
+# OpenGL after 1.5, shaders among them, have no entry in the specification.
+BUILDS = re.compile("gl(?:Create|Gen|Delete|Attach|Detach|Link|Compile|Shader)[A-Z]")
+
+
 def repeatable(name: str) -> bool:
     """Whether a replay makes calls of this name again.
 
-    It asks nothing, and objects keep their names and stay alive.
+    It asks nothing, and objects keep their names, stay alive and stay as they were built.
     """
     asking = spec.is_query(name) or name in ("glFinish", "glFlush")
+    if spec.function(name) is None:
+        return not BUILDS.match(name)
     return not (asking or spec.creates(name) or spec.deletes(name))
+
+
+def binds_shaders(name: str) -> bool:
+    """Whether a call says which shaders draw, by the number of their object."""
+    return name.startswith("glUse")
+
+
+def bind_again(calls: Iterable[Call], number: int) -> None:
+    """Let the object ``number`` draw, 0 for fixed function, as one of the program's calls does."""
+    binding = next((call for call in calls if binds_shaders(call.name)), None)
+    if binding is not None:
+        getattr(gl, binding.name)(number)
 
 
 def issue(call: Call) -> None:

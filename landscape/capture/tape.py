@@ -9,7 +9,7 @@ from typing import Any
 
 from landscape.capture.buffers import Buffers
 from landscape.capture.state import restore
-from landscape.capture.steps import Step, issue, steps
+from landscape.capture.steps import Step, bind_again, issue, steps
 from landscape.gl.calls import Call
 
 
@@ -41,6 +41,7 @@ class Tape:
     def rewind(self) -> None:
         """Set the state in which the frame began, and what the framebuffer held."""
         restore(self.start)
+        bind_again(self.frame, self.start.get("GL_CURRENT_PROGRAM", 0))
         if self.before is not None:
             self.before.write()
 

@@ -164,11 +164,23 @@ def plain(value: Any) -> Any:
         return value.item()
     if isinstance(value, (list, tuple, np.ndarray)):
         array = np.asarray(value)
-        first = [v if isinstance(v, NUMBERS) else plain(v) for v in array.flat[:FIRST].tolist()]
+        first = [v if isinstance(v, NUMBERS) else plain(v) for v in _first(array)]
         return {"shape": list(array.shape), "dtype": str(array.dtype), "values": first}
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
     return getattr(value, "value", type(value).__name__)
+
+
+def _first(array: np.ndarray) -> list[Any]:
+    """Return the first values of an array; of a structured one, its numbers field by field."""
+    if array.dtype.names is None:
+        return list(array.flat[:FIRST].tolist())
+    return [
+        number
+        for record in array.flat[:FIRST]
+        for name in array.dtype.names
+        for number in _first(np.asarray(record[name]))
+    ][:FIRST]
 
 
 known_files: dict[str, str] = {}  # source path to name in a trace, or ""

@@ -11,6 +11,7 @@ import threading
 if sys.platform == "win32":
     from landscape.system import limits_windows as system
     from landscape.system.limits_windows import (
+        GAVE_UP,
         KILLED,
         OUT_OF_TIME,
         OWN_GROUP,
@@ -24,6 +25,7 @@ if sys.platform == "win32":
 else:
     from landscape.system import limits_posix as system
     from landscape.system.limits_posix import (
+        GAVE_UP,
         KILLED,
         OUT_OF_TIME,
         OWN_GROUP,
@@ -37,6 +39,7 @@ else:
 
 __all__ = [
     "FORKS",
+    "GAVE_UP",
     "KILLED",
     "OUT_OF_TIME",
     "OWN_GROUP",

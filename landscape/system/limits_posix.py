@@ -17,6 +17,7 @@ assert sys.platform != "win32"
 KEEPS_MEMORY = sys.platform == "linux"
 OUT_OF_TIME = "SIGXCPU"  # what ends a process that has used up its processor time
 KILLED = "SIGKILL"  # what ends a process where the system runs out of memory
+GAVE_UP: str | None = "SIGABRT"  # what ends a process that calls C's abort()
 OWN_GROUP: dict[str, Any] = {
     "start_new_session": True
 }  # for Popen: Ctrl-C does not reach the process

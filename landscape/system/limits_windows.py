@@ -16,6 +16,7 @@ assert sys.platform == "win32"
 KEEPS_MEMORY = False
 OUT_OF_TIME = "out of processor time"  # what ends a process that has used up its processor time
 KILLED = "out of memory"  # what ends a process where the system runs out of memory
+GAVE_UP: str | None = None  # abort() ends a process as some crashes do
 # For Popen: Ctrl-C does not reach the process.
 OWN_GROUP: dict[str, Any] = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
 # Exit statuses of processes that did not end by themselves; most are NTSTATUS values.
