@@ -228,6 +228,9 @@ def _frame(name: str) -> Callable[[argparse.Namespace], int]:
             edits=options.edits,
             frame=options.frame,
             events=options.events,
+            arguments=options.arguments,
+            stdin=_own_input(options),
+            limit=options.limit,
             tell=partial(notify, options),
         )
         work = partial(frame_commands.RUN[name], target, options)
@@ -244,6 +247,11 @@ def _guarded(programs: str, work: Callable[[], int], options: argparse.Namespace
     return guarded(programs, lambda: _reported(work, options.ending))
 
 
+def _own_input(options: argparse.Namespace) -> Any:
+    """Return standard input, for a program that reads it; None if it is somebody else's."""
+    return sys.stdin if options.own_process else None
+
+
 def _inspect(options: argparse.Namespace) -> int:
     from landscape.window.program_inspector import inspect
 
@@ -252,7 +260,8 @@ def _inspect(options: argparse.Namespace) -> int:
         raise InputError(f"{short(options.target)}: expected the path of a .py program; {walk}")
 
     def work() -> int:
-        notify(options, inspect(options.target, options.edits, options.lang))
+        given, stdin = options.arguments, _own_input(options)
+        notify(options, inspect(options.target, options.edits, options.lang, given, stdin))
         return 0
 
     return _guarded(options.target, work, options)

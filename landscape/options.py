@@ -52,10 +52,13 @@ def parse(argv: Sequence[str] | None, commands: Commands) -> argparse.Namespace:
 
     ``commands`` maps each command's name to the function that runs it.
     """
-    language = course_help.language(sys.argv[1:] if argv is None else argv)
+    words = list(sys.argv[1:] if argv is None else argv)
+    language = course_help.language(words)
     with told_in(language):
         parser = build_parser(commands, language)
-        options, rest = parser.parse_known_args(argv)
+        words, given = frame_options.parted(words)
+        options, rest = parser.parse_known_args(words)
+        options.arguments = given
         if rest:
             # argparse itself takes only the views before the first option.
             if "views" not in options or any(word.startswith("-") for word in rest):
@@ -187,7 +190,8 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
     pair, count, size = option_values.pair, option_values.count, option_values.size
-    frame_options.add(command, _of_a_frame, _one_element, pair, count, _language)
+    seconds = option_values.seconds
+    frame_options.add(command, _of_a_frame, _one_element, pair, count, seconds, _language)
     frame_options.add_inspect(command, _language)
     flyover_options.add(command, _language)
     course_options.add(command, group, _language, _backend_option, size, count)

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import subprocess
 import sys
 import textwrap
 from pathlib import Path
@@ -122,6 +123,53 @@ def test_what_a_program_prints_by_any_means_stays_out_of_the_output(
     for words in ("by print", "by the descriptor", "by a command", "by the original"):
         assert words in done.err
     assert 1_000_000 < len(done.err) < 1_100_000 and "(the program prints more)" in done.err
+
+
+ASKING = "n = int(input('how many? '))\nimport sys\nprint(sys.argv[1:], *sys.stdin)\n"
+
+
+@both_ways
+def test_a_program_reads_the_commands_input_and_has_arguments_of_its_own(
+    tmp_path: Path, way: str
+) -> None:
+    path = tmp_path / "program.py"
+    path.write_text(ASKING + BEGIN + "for _ in range(n): glPushMatrix()" + SHOW)
+    done = subprocess.run(
+        [sys.executable, "-c", RUN, "15", "5", way, "trace", path, "--", "--frame", "9"],
+        input="3\nmore\n",
+        capture_output=True,
+        text=True,
+        env=environment(**WAYS[way]),
+    )
+    assert done.stdout.count("glPushMatrix()") == 3
+    assert done.stderr.splitlines()[0] == "how many? ['--frame', '9'] more"
+
+
+def test_a_program_that_asks_in_vain_is_told_how_to_answer(tmp_path: Path) -> None:
+    path = tmp_path / "program.py"
+    path.write_text(ASKING + BEGIN)
+    done = landscape("trace", path)
+    line = next(line for line in done.err.splitlines() if line.startswith("landscape: "))
+    assert "line 1: the program raised EOFError: EOF when reading a line (it asks for" in line
+
+
+WAITING = "import threading\nthreading.Event().wait(3)" + SHOW
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the time that a thread has spent is not known")
+@both_ways
+def test_a_limit_counts_the_processors_time(tmp_path: Path, way: str) -> None:
+    assert run(tmp_path, WAITING, ("2", "0.5"), way).status == 0
+    refused(run(tmp_path, WAITING.replace("3", ""), ("0.3", "0.5"), way), "no frame within 0.3 s")
+
+
+def test_the_command_line_sets_the_limit(tmp_path: Path) -> None:
+    path = tmp_path / "program.py"
+    path.write_text(BEGIN + "while True: pass")
+    refused(landscape("trace", path, "--limit", "0.3"), "completed no frame within 0.3 s: it nev")
+    refused(landscape("trace", path, "--limit", "0"), "'0': expected a number of seconds above 0")
+    refused(landscape("trace", "fig35a", "--limit", "3"), "--limit: it is for programs")
+    refused(landscape("trace", "fig35a", "--", "3"), "--: it is for programs; 'fig35a' is a view")
 
 
 def test_a_program_may_choose_the_encoding_of_what_it_prints(tmp_path: Path) -> None:

@@ -517,7 +517,9 @@ thread.start()
 thread.join()
 """
     done = python(code, str(path), env=environment(PYTHONPATH=PATHS))
-    assert done.out.endswith("opened no window for OpenGL within 0.3 s\n"), done.err
+    assert done.out.endswith(
+        "opened no window for OpenGL within 0.3 s, or needs a longer --limit\n"
+    ), done.err
 
 
 def test_what_glu_tessellates_is_seen(watch: Watcher, write: Write) -> None:

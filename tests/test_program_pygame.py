@@ -149,7 +149,9 @@ def test_a_program_that_fails_ends_in_one_line(watch: Watcher, write: Write, nam
 def test_the_stand_in_for_pygames_functions_is_not_in_the_traceback(
     watch: Watcher, write: Write
 ) -> None:
-    seen = watch(write("pygame.display.set_mode('wide', OPENGL)\n", BEGIN.replace("(64, 48)", "(9, 9)")))
+    seen = watch(
+        write("pygame.display.set_mode('wide', OPENGL)\n", BEGIN.replace("(64, 48)", "(9, 9)"))
+    )
     assert "line 7: the program raised" in seen.error
     files = [line.split('"')[1] for line in seen.details.splitlines() if "File" in line]
     assert {Path(file).name for file in files} == {"program.py"}

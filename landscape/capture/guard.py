@@ -31,10 +31,12 @@ SHORT_ARRAY = "where an array is shorter than it was told"  # how OpenGL crashes
 # Tells a command that it was started as the program's own process: the parent's number, and the
 # file of _shared.
 VARIABLE = "LANDSCAPE_GUARDED"
-# What both processes see: when the program's will be ended, and whether it ended by itself.
-SHARED = struct.Struct("d?")
+# What both processes see: when the program's will be ended if it has spent so many seconds of the
+# processor, and when in any case; and whether it ended by itself.
+SHARED = struct.Struct("ddd?")
 
 _now = time.monotonic  # the true clock, the same in both processes
+_spent = time.thread_time
 _shared: mmap.mmap = mmap.mmap(-1, SHARED.size)
 _alone = False  # whether this process is the program's own
 _reserve = b""  # memory for what is done when the program has none left
@@ -83,15 +85,17 @@ def _work_alone(work: Callable[[], int]) -> NoReturn:
         os._exit(status)
 
 
-def go_on(seconds: float, memory: int = 0) -> None:
+def go_on(seconds: float, memory: int = 0, wait: float = 0.0) -> None:
     """Say that the program goes on, for so many seconds at most.
 
-    It may take so many bytes of memory; 0 is without limit.
+    It may take so many bytes of memory; 0 is without limit. Where it may ``wait`` for longer, the
+    seconds are those of the processor, for its main thread.
     """
     global _given, _most, _reserve
     if not _alone:
         return
-    _share(_now() + seconds + GRACE)
+    first = _now() + seconds + GRACE
+    _share(first, _spent() + seconds + GRACE, max(first, _now() + wait + GRACE))
     if memory:
         _reserve = _reserve or bytes(RESERVE)
         if _most is None:
@@ -114,9 +118,12 @@ def memory() -> str:
     return f" (it may take {_given >> 20} MB)" if _alone else ""
 
 
-def _share(deadline: float, ended: bool = False) -> None:
-    """Tell the other process when the program is to be ended, 0 for never; or that it has."""
-    _shared[:] = SHARED.pack(deadline, ended)
+def _share(deadline: float, spent: float = 0.0, last: float = 0.0, ended: bool = False) -> None:
+    """Tell the other process when the program is to be ended, 0 for never; or that it has.
+
+    From the deadline on it is if its main thread has spent so many seconds, and at ``last``.
+    """
+    _shared[:] = SHARED.pack(deadline, spent, last, ended)
 
 
 def _print_apart() -> None:
@@ -166,6 +173,8 @@ def _join(parent: str) -> None:
 class _Child(Protocol):
     """The program's process, seen by its parent; a Popen is one."""
 
+    pid: int
+
     def poll(self) -> int | None:
         """Return the exit status, or minus the signal that ended it; None while it runs."""
 
@@ -191,7 +200,7 @@ def _await(child: _Child, path: str) -> int:
         signal.signal(signal.SIGINT, before)
     if late:
         raise InputError(f"{path}: was ended within one call that nothing can interrupt")
-    if SHARED.unpack(_shared[:])[1]:
+    if SHARED.unpack(_shared[:])[-1]:
         return status
     crash = limits.crash(status)
     if crash == limits.KILLED:
@@ -214,8 +223,9 @@ def _watch(child: _Child) -> tuple[int, bool]:
         status = child.poll()
         if status is not None:
             return status, late
-        deadline, _ = SHARED.unpack(_shared[:])
-        if deadline and _now() > deadline and not late:
+        deadline, spent, last, _ = SHARED.unpack(_shared[:])
+        due = deadline and _now() > deadline and not late
+        if due and (_now() > last or limits.thread_time(child.pid) > spent):
             late = True
             child.kill()
         time.sleep(PAUSE)

@@ -11,6 +11,7 @@ Time, random numbers and events are the same in each run: see program_clock.py, 
 """
 
 import contextlib
+import io
 import os
 import sys
 import threading
@@ -20,13 +21,14 @@ from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
-from typing import Any, Protocol
+from typing import Any, Protocol, TextIO
 
 from landscape.arguments import size
 from landscape.capture import guard, spec
 from landscape.capture.program_clock import Clock
 from landscape.capture.program_events import Event, Queue, read_events
 from landscape.capture.program_failure import count, late, raised
+from landscape.capture.program_input import Input
 from landscape.capture.program_prints import Prints
 from landscape.capture.program_process import Unwind, as_main, forget
 from landscape.capture.program_source import ProgramError, Source, read_source
@@ -316,6 +318,7 @@ def run(
     backend: str = "auto",
     limit: float | None = None,
     *,
+    stdin: TextIO | None = None,
     observer: Observer,
     live: Live | None = None,
     host: Host | None = None,
@@ -324,7 +327,8 @@ def run(
 
     ``frame``: from 0; None runs the program until it ends. ``events``: a file or a list (see
     program_events.py). ``backend``: as for our own drawing; GLUT needs a screen. ``limit``: seconds
-    that the program itself may take, LIMIT by default. ``live``: who uses the window meanwhile.
+    that the program itself may take, LIMIT by default (see watchdog.py). ``stdin``: what it reads
+    as standard input; there is none by default. ``live``: who uses the window meanwhile.
     ``host``: a window to run it in, where it has none of its own; then its clock is not held.
     Raises NoOpenGLError, and ProgramError, whose ``details`` hold the program's own traceback.
     """
@@ -341,7 +345,9 @@ def run(
     toolkit = _toolkit(source)
     with ExitStack() as stack:
         stack.callback(guard.stand_by)
-        stack.enter_context(as_main(source, [str(path), *arguments]))
+        waiting = lambda: state.watchdog.paused() if state.watchdog else ExitStack()  # noqa: E731
+        given = Input(stdin, waiting) if stdin is not None else io.StringIO()
+        stack.enter_context(as_main(source, [str(path), *arguments], given))
         prints = Prints()
         stack.callback(prints.end)
         stack.enter_context(contextlib.redirect_stdout(prints))

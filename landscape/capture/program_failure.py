@@ -23,6 +23,7 @@ MEANINGS = {
     "stack overflow": "more is pushed than popped",
     "stack underflow": "less was pushed than is popped",
 }
+NO_INPUT = "it asks for input; it gets what the command does, as in `echo 5 | landscape trace ...`"
 # On Windows, ctypes makes an exception of a crash in a function of C.
 CAUGHT = "OSError: exception: "
 
@@ -48,6 +49,8 @@ def raised(path: Path, error: BaseException) -> ProgramError:
         reason += f", as OpenGL does {guard.SHORT_ARRAY}"
     if isinstance(error, MemoryError):
         reason += guard.memory()
+    if isinstance(error, EOFError):
+        reason += f" ({NO_INPUT})"
     # The last of the program's own lines, which calls what is not its own.
     line = f", line {calls[-1].tb_lineno}" if calls else ""
     return ProgramError(f"{path}{line}: the program raised {reason}", details)
@@ -84,11 +87,12 @@ def late(state: "Run", wanted: int | None, limit: float) -> ProgramError:
     """Return the error of a program that did not reach the wanted frame within ``limit`` s."""
     path, frames = state.source.path, state.frames
     if state.window is None:
-        return ProgramError(f"{path}: opened no window for OpenGL within {limit:g} s")
-    if frames == 0:
-        return ProgramError(f"{path}: completed no frame within {limit:g} s: it never shows one")
-    done = f"completed {count(frames)} within {limit:g} s"
-    return ProgramError(f"{path}: {done}; frame {wanted} was not reached")
+        done = f"opened no window for OpenGL within {limit:g} s"
+    elif frames == 0:
+        done = f"completed no frame within {limit:g} s: it never shows one"
+    else:
+        done = f"completed {count(frames)} within {limit:g} s; frame {wanted} was not reached"
+    return ProgramError(f"{path}: {done}, or needs a longer --limit")
 
 
 def count(frames: int) -> str:

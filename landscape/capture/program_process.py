@@ -1,7 +1,6 @@
 """What a process lends to a program that runs in it, and takes back."""
 
 import gc
-import io
 import os
 import sys
 import threading
@@ -18,8 +17,11 @@ class Unwind(BaseException):
 
 
 @contextmanager
-def as_main(source: Source, arguments: list[str]) -> Iterator[None]:
-    """Give the process what a program finds that is started by itself, and put all back."""
+def as_main(source: Source, arguments: list[str], given: Any) -> Iterator[None]:
+    """Give the process what a program finds that is started by itself, and put all back.
+
+    ``given`` is its standard input.
+    """
     before = sys.argv, sys.path, os.getcwd(), dict(os.environ), sys.modules["__main__"]
     modules = set(sys.modules)
     folder = str(source.path.resolve().parent)
@@ -29,7 +31,7 @@ def as_main(source: Source, arguments: list[str]) -> Iterator[None]:
     # What was there before is no garbage of the program: forget() need not look through all of it.
     gc.freeze()
     try:
-        sys.stdin = io.StringIO()  # exit() closes it
+        sys.stdin = given  # exit() closes it
         sys.argv = arguments
         sys.path = [folder, *sys.path]
         os._exit = lambda status: sys.exit(status) if os.getpid() == us else end(status)

@@ -1,9 +1,9 @@
 """A frame of any PyOpenGL program on tape."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TextIO, TypeVar
 
 from landscape.capture import spec, state
 from landscape.capture.buffers import Buffers
@@ -23,6 +23,8 @@ def on_frame(
     edits: Edits | None = None,
     backend: str = "auto",
     limit: float | None = None,
+    arguments: Sequence[str] = (),
+    stdin: TextIO | None = None,
 ) -> T:
     """Run a program to the end of a frame; return what ``use`` makes of its tape, in its context.
 
@@ -30,7 +32,16 @@ def on_frame(
     program's functions. Raises as :func:`landscape.capture.program.run` does.
     """
     with _Taping(path, use, frame, edits) as taping:
-        found: T = run(path, frame, events, backend=backend, limit=limit, observer=taping)
+        found: T = run(
+            path,
+            frame,
+            events,
+            arguments,
+            backend,
+            limit,
+            stdin=stdin,
+            observer=taping,
+        )
         return found
 
 

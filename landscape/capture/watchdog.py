@@ -1,4 +1,9 @@
-"""A limit for the time that someone else's code may take; it ends even a loop that does nothing."""
+"""A limit for the time that someone else's code may take; it ends even a loop that does nothing.
+
+Where the system tells the processor's time of a thread, that is what counts: on a busy machine
+code gets as far as on another. Code that only waits takes none of it, and may wait WAITING times
+as long.
+"""
 
 import signal
 import sys
@@ -13,8 +18,12 @@ from landscape.capture import guard
 from landscape.system import limits
 
 AGAIN = 0.25  # seconds until it raises once more, if the code swallowed what was raised; chosen
+SOON = 0.01  # seconds between two looks at the time, at least; chosen
 UNWATCHED = 1e6  # seconds: with more, the user watches the program
-_now = time.monotonic  # the true clock, whatever the module holds later
+WAITING = 4  # chosen
+# The true clocks, whatever the module holds later.
+_now = time.monotonic
+_spent = time.thread_time
 
 
 class Watchdog:
@@ -25,7 +34,9 @@ class Watchdog:
 
     def __init__(self, seconds: float, late: Callable[[], BaseException]) -> None:
         self._left = seconds
+        self._wait = seconds * WAITING if limits.KNOWS_THREAD_TIME else seconds
         self._late = late
+        self._spent = 0.0
         main = threading.current_thread() is threading.main_thread()
         self._by_signal = main and sys.platform != "win32"
         self._thread = threading.get_ident()
@@ -59,8 +70,9 @@ class Watchdog:
 
     def _start(self) -> None:
         self._since, self._watching = _now(), True
-        left = max(self._left, 0.001)
-        guard.go_on(left, guard.MEMORY if left < UNWATCHED else guard.MEMORY_ON_SCREEN)
+        self._spent = _spent()
+        left, wait = max(self._left, 0.001), max(self._wait, 0.001)
+        guard.go_on(left, guard.MEMORY if left < UNWATCHED else guard.MEMORY_ON_SCREEN, wait)
         if sys.platform != "win32" and self._by_signal:
             signal.setitimer(signal.ITIMER_REAL, left, AGAIN)
         else:
@@ -70,7 +82,10 @@ class Watchdog:
 
     def _stop(self) -> None:
         self._watching = False
-        self._left -= _now() - self._since
+        passed = _now() - self._since
+        self._wait -= passed
+        counted = self._by_signal and limits.KNOWS_THREAD_TIME
+        self._left -= _spent() - self._spent if counted else passed
         guard.stand_by()
         if sys.platform != "win32" and self._by_signal:
             signal.setitimer(signal.ITIMER_REAL, 0)
@@ -79,8 +94,16 @@ class Watchdog:
             self._timer.join()  # a thread that still runs would seem to be one of the program's
 
     def _alarm(self, number: int, frame: FrameType | None) -> None:
-        if self._watching:
-            raise self._late()
+        if not self._watching:
+            return
+        left = min(
+            self._left - (_spent() - self._spent),
+            self._wait - (_now() - self._since),
+        )
+        if limits.KNOWS_THREAD_TIME and left > 0 and sys.platform != "win32":
+            signal.setitimer(signal.ITIMER_REAL, max(left, SOON), AGAIN)
+            return
+        raise self._late()
 
     def _from_outside(self) -> None:
         while self._watching:

@@ -14,20 +14,20 @@ class Copy:
     """A copy of this process, seen by its parent, with some of the methods of Popen."""
 
     def __init__(self, number: int) -> None:
-        self._number = number
+        self.pid = number
 
     def poll(self) -> int | None:
         """Return the exit status, or minus the signal that ended it; None while it runs."""
-        done, status = os.waitpid(self._number, os.WNOHANG)
+        done, status = os.waitpid(self.pid, os.WNOHANG)
         return os.waitstatus_to_exitcode(status) if done else None
 
     def kill(self) -> None:
         """End it at once."""
-        os.kill(self._number, signal.SIGKILL)
+        os.kill(self.pid, signal.SIGKILL)
 
     def terminate(self) -> None:
         """Ask it to end."""
-        os.kill(self._number, signal.SIGTERM)
+        os.kill(self.pid, signal.SIGTERM)
 
 
 def copy() -> Copy | None:

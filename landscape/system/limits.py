@@ -13,6 +13,7 @@ if sys.platform == "win32":
     from landscape.system.limits_windows import (
         GAVE_UP,
         KILLED,
+        KNOWS_THREAD_TIME,
         OUT_OF_TIME,
         OWN_GROUP,
         crash,
@@ -20,6 +21,7 @@ if sys.platform == "win32":
         end_with,
         leave_network,
         limit_work,
+        thread_time,
         used,
     )
 else:
@@ -27,6 +29,7 @@ else:
     from landscape.system.limits_posix import (
         GAVE_UP,
         KILLED,
+        KNOWS_THREAD_TIME,
         OUT_OF_TIME,
         OWN_GROUP,
         crash,
@@ -34,6 +37,7 @@ else:
         end_with,
         leave_network,
         limit_work,
+        thread_time,
         used,
     )
 
@@ -41,6 +45,7 @@ __all__ = [
     "FORKS",
     "GAVE_UP",
     "KILLED",
+    "KNOWS_THREAD_TIME",
     "OUT_OF_TIME",
     "OWN_GROUP",
     "crash",
@@ -50,6 +55,7 @@ __all__ = [
     "leave_network",
     "limit_memory",
     "limit_work",
+    "thread_time",
     "used",
 ]
 

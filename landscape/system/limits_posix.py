@@ -2,6 +2,7 @@
 
 import contextlib
 import ctypes
+import math
 import os
 import resource
 import signal
@@ -17,6 +18,8 @@ assert sys.platform != "win32"
 KEEPS_MEMORY = sys.platform == "linux"
 OUT_OF_TIME = "SIGXCPU"  # what ends a process that has used up its processor time
 KILLED = "SIGKILL"  # what ends a process where the system runs out of memory
+# Whether thread_time() knows the processor's time of another process.
+KNOWS_THREAD_TIME = sys.platform == "linux"
 GAVE_UP: str | None = "SIGABRT"  # what ends a process that calls C's abort()
 OWN_GROUP: dict[str, Any] = {
     "start_new_session": True
@@ -54,6 +57,20 @@ def used() -> int:
         return int(Path("/proc/self/statm").read_text().split()[5]) * resource.getpagesize()
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return most if sys.platform == "darwin" else most << 10
+
+
+def thread_time(process: int) -> float:
+    """Return the seconds of the processor that a process's main thread has spent.
+
+    Without end where the system does not tell, or the process has gone.
+    """
+    try:
+        text = Path(f"/proc/{process}/task/{process}/stat").read_text()
+    except OSError:
+        return math.inf
+    # The name, in parentheses, may hold anything.
+    user, system = text.rpartition(")")[2].split()[11:13]
+    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
 
 
 def end_with(parent: int) -> None:

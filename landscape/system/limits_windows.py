@@ -2,6 +2,7 @@
 
 import contextlib
 import ctypes
+import math
 import os
 import signal
 import subprocess
@@ -16,6 +17,7 @@ assert sys.platform == "win32"
 KEEPS_MEMORY = False
 OUT_OF_TIME = "out of processor time"  # what ends a process that has used up its processor time
 KILLED = "out of memory"  # what ends a process where the system runs out of memory
+KNOWS_THREAD_TIME = False  # whether thread_time() knows more than that
 GAVE_UP: str | None = None  # abort() ends a process as some crashes do
 # For Popen: Ctrl-C does not reach the process.
 OWN_GROUP: dict[str, Any] = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
@@ -128,6 +130,11 @@ def used() -> int:
     process = ctypes.c_void_p(kernel.GetCurrentProcess())
     kernel.K32GetProcessMemoryInfo(process, ctypes.byref(memory), memory.size)
     return int(memory.committed)
+
+
+def thread_time(process: int) -> float:
+    """Return a number without end: how long a process's main thread has worked is not known."""
+    return math.inf
 
 
 def end_with(parent: int) -> None:

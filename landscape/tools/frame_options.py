@@ -6,9 +6,18 @@ from pathlib import Path
 
 from landscape.capture.strip import BUFFERS, GROUPINGS
 
-TARGET = "a view or a fix (see `landscape views`), or the path of a .py program that uses PyOpenGL"
+TARGET = (
+    "a view or a fix (see `landscape views`), or the path of a .py program that uses PyOpenGL; "
+    "what follows `--` are the program's own arguments"
+)
 FRAME = "for a program: the frame to look into, from 0; default: %(default)s"
 EVENTS = "for a program: timed keys and mouse moves (see docs/frame.md)"
+LIMIT = (
+    "for a program: seconds of the processor that it may take to its frame; default: 15 (see "
+    "docs/programs.md)"
+)
+# The commands that run a program: what follows `--` is for it.
+PROGRAMS = ("trace", "pixel", "state", "strip", "inspect")
 EDITS = "change single OpenGL calls as this file says"
 PASS_NAMES = ("setup", "reflection", "main", "overlay")
 PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
@@ -32,11 +41,13 @@ def add(
     one_element: Callable[[argparse.ArgumentParser], None],
     pair: Callable[[str], tuple[str, str]],
     count: Callable[[str], int],
+    seconds: Callable[[str], float],
     language: Callable[[argparse.ArgumentParser], None],
 ) -> None:
     """Add the commands; ``drawing`` adds what all that draw share, ``one_element`` --element.
 
-    ``pair`` reads KEY=VALUE, ``count`` a number from 0; ``language`` adds --lang.
+    ``pair`` reads KEY=VALUE, ``count`` a number from 0, ``seconds`` one above 0; ``language`` adds
+    --lang.
     """
     trace = command("trace", "print the OpenGL calls of a frame", "fig35f --element fog")
     _target(trace)
@@ -81,6 +92,7 @@ def add(
     for sub in (trace, pixel, state, strip):
         sub.add_argument("--frame", type=count, default=0, metavar="N", help=FRAME)
         sub.add_argument("--events", type=Path, metavar="FILE", help=EVENTS)
+        sub.add_argument("--limit", type=seconds, metavar="SECONDS", help=LIMIT)
         drawing(sub)
 
 
@@ -106,6 +118,14 @@ def _strip_options(strip: argparse.ArgumentParser) -> None:
         help="a sheet, an animation, or a page that lists the calls, too; default: "
         "TARGET-strip.png",
     )
+
+
+def parted(words: list[str]) -> tuple[list[str], list[str]]:
+    """Part a command line, in words, from what its program gets: what follows `--`."""
+    if not words or words[0] not in PROGRAMS or "--" not in words:
+        return words, []
+    at = words.index("--")
+    return words[:at], words[at + 1 :]
 
 
 def add_inspect(command: Add, language: Callable[[argparse.ArgumentParser, str], None]) -> None:

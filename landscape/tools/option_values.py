@@ -63,6 +63,13 @@ def number(text: str) -> Any:
     return _checked(arguments.number, text, arguments.real(text), "")
 
 
+def seconds(text: str) -> float:
+    found: float = number(text)
+    if found <= 0:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a number of seconds above 0")
+    return found
+
+
 def pair(text: str) -> tuple[str, str]:
     key, equals, value = text.partition("=")
     if not equals:

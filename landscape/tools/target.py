@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TextIO, TypeVar
 
 from landscape.capture.edit_files import read
 from landscape.capture.edits import Edits
@@ -20,10 +20,10 @@ T = TypeVar("T")
 class Target:
     """A frame to look into: a view's name with what it is drawn with, or the path of a program.
 
-    ``settings`` to ``seed`` are as of :class:`landscape.render.Offscreen`, for views; ``frame``
-    and ``events`` are for programs, as is ``limit``, in seconds: see capture/program.py. ``edits``
-    is a file of edits. ``tell`` is called with lines for the user: settings and edits that changed
-    nothing.
+    ``settings`` to ``seed`` are as of :class:`landscape.render.Offscreen`, for views; ``frame``,
+    ``events``, ``arguments`` and ``stdin`` are for programs, as is ``limit``, in seconds: see
+    capture/program.py. ``edits`` is a file of edits. ``tell`` is called with lines for the user:
+    settings and edits that changed nothing.
     """
 
     name: str
@@ -38,6 +38,8 @@ class Target:
     edits: Path | None = None
     frame: int = 0
     events: Path | None = None
+    arguments: Sequence[str] = ()
+    stdin: TextIO | None = None
     limit: float | None = None
     tell: Callable[[Sequence[str]], object] = lambda lines: None
 
@@ -65,12 +67,25 @@ class Target:
         if self.is_program:
             self._check_program()
             return on_frame(
-                self.name, look, self.frame, self.events, edits, self.backend, self.limit
+                self.name,
+                look,
+                self.frame,
+                self.events,
+                edits,
+                self.backend,
+                self.limit,
+                self.arguments,
+                self.stdin,
             )
         find_view(self.name)
-        if self.frame or self.events:
-            what = "--frame" if self.frame else "--events"
-            raise InputError(f"{what}: it is for programs; {short(self.name)} is a view")
+        for what, value in (
+            ("--frame", self.frame),
+            ("--events", self.events),
+            ("--limit", self.limit),
+            ("--", self.arguments),
+        ):
+            if value:
+                raise InputError(f"{what}: it is for programs; {short(self.name)} is a view")
         options: dict[str, Any] = {
             "preset": self.preset,
             "settings": self.settings,

@@ -8,10 +8,10 @@ picture, in the state of a new context; afterwards the state is what the program
 
 import os
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from landscape.capture import spec, state
 from landscape.capture.edit_files import read
@@ -38,15 +38,31 @@ FOREVER = 1e9  # seconds that the program may take: the user ends it
 PAUSE = 0.02  # chosen: seconds between two pictures of a program that is stopped
 
 
-def inspect(path: str, edits: Path | None = None, language: str = "") -> list[str]:
+def inspect(
+    path: str,
+    edits: Path | None = None,
+    language: str = "",
+    arguments: Sequence[str] = (),
+    stdin: TextIO | None = None,
+) -> list[str]:
     """Run a program until its window is closed; return lines for the user.
 
-    ``edits`` are in force from the start. Raises as :func:`landscape.capture.program.run` does.
+    ``edits`` are in force from the start. ``arguments`` and ``stdin`` are the program's. Raises as
+    :func:`landscape.capture.program.run` does.
     """
     given = read(edits, Path(path).resolve().parent) if edits else []
     inspector = ProgramInspector(given, language or choose(os.environ))
     with inspector:
-        run(path, None, backend="glfw", limit=FOREVER, observer=inspector, live=inspector)
+        run(
+            path,
+            None,
+            arguments=arguments,
+            stdin=stdin,
+            backend="glfw",
+            limit=FOREVER,
+            observer=inspector,
+            live=inspector,
+        )
     return [*inspector.notices, *inspector.inspection.missed()]
 
 
