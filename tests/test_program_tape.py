@@ -1,5 +1,6 @@
 """Frames of programs that know nothing of the seam: replayed, asked for pixels, edited."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -83,6 +84,98 @@ glfw.swap_buffers(window)
     said = landscape("trace", path).err
     assert f"{path}: calls of OpenGL by moderngl, past PyOpenGL, are not seen" in said
     assert f"{path}: has called nothing of OpenGL through PyOpenGL" in said
+
+
+def test_files_are_named_by_the_way_from_the_program(tmp_path: Path) -> None:
+    folder = tmp_path / "project"
+    for name in ("project", "project/a", "project/b", "common"):
+        (tmp_path / name).mkdir()
+    draw = "from OpenGL.GL import *\ndef draw():\n    glColor3f(1, 0, 0)\n"
+    for file in (folder / "a" / "draw.py", folder / "b" / "draw.py", tmp_path / "common/draw.py"):
+        file.write_text(draw)
+    (folder / "program.py").write_text(
+        """
+import glfw, sys
+from a.draw import draw as first
+from b.draw import draw as second
+sys.path.append(sys.path[0] + "/../common")
+from draw import draw as third
+glfw.init()
+window = glfw.create_window(64, 48, "files", None, None)
+glfw.make_context_current(window)
+for draw in (first, second, third):
+    draw()
+glfw.swap_buffers(window)
+"""
+    )
+    names = ["a/draw.py:3", "b/draw.py:3", "../common/draw.py:3"]
+    assert [
+        call["source"] for call in landscape("trace", folder / "program.py", "--json").json()
+    ] == names
+    link = tmp_path / "link"
+    link.symlink_to(folder, target_is_directory=True)
+    assert [
+        call["source"] for call in landscape("trace", link / "program.py", "--json").json()
+    ] == names
+
+
+METHOD = """
+import glfw
+from OpenGL.GL import *
+class Scene:
+    def draw(self):
+        glColor3f(1, 0, 0)
+        glColor3f(0, 1, 0)
+glfw.init()
+window = glfw.create_window(64, 48, "method", None, None)
+glfw.make_context_current(window)
+Scene().draw()
+glfw.swap_buffers(window)
+"""
+BY_HAND = {
+    "only its name": ({"name": "glColor3f"}, [0.5, 0, 0]),
+    "its method": ({"name": "glColor3f", "function": "draw"}, [0.5, 0, 0]),
+    "its whole name": ({"name": "glColor3f", "element": "Scene.draw"}, [0.5, 0, 0]),
+    "its line": ({"name": "glColor3f", "text": "glColor3f(0, 1, 0)"}, [0.5, 1, 0]),
+    "which one": ({"name": "glColor3f", "file": "method.py", "occurrence": 1}, [0.5, 1, 0]),
+    "another function": ({"name": "glColor3f", "function": "paint"}, None),
+}
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+def test_an_edit_written_by_hand_needs_only_what_tells_its_call(tmp_path: Path, name: str) -> None:
+    call, wanted = BY_HAND[name]
+    program, edits = tmp_path / "method.py", tmp_path / "edits.json"
+    program.write_text(METHOD)
+    entry = {"call": call, "argument": 0, "value": 0.5}
+    edits.write_text(json.dumps({"version": 1, "edits": [entry]}))
+    done = landscape("trace", program, "--edits", edits, "--json")
+    changed = [call["args"] for call in done.json() if call["args"][0] == 0.5]
+    assert changed == ([wanted] if wanted else [])
+    told = "no call glColor3f in paint was made; glColor3f is called in Scene.draw (method.py)"
+    assert (told in done.err) == (wanted is None)
+
+
+def test_edits_that_name_a_file_without_its_folder_find_it(tmp_path: Path) -> None:
+    (tmp_path / "scene").mkdir()
+    (tmp_path / "scene" / "draw.py").write_text(
+        "from OpenGL.GL import *\ndef draw():\n    glColor3f(1, 0, 0)\n"
+    )
+    program, edits = tmp_path / "program.py", tmp_path / "edits.json"
+    program.write_text(METHOD.replace("Scene().draw()", "import scene.draw; scene.draw.draw()"))
+    call = {"name": "glColor3f", "element": "draw", "pass": "setup", "file": "draw.py"}
+    call |= {"function": "draw", "text": "glColor3f(1, 0, 0)", "select": [], "occurrence": 0}
+    entry = {"call": call, "argument": 1, "value": 0.5}
+    edits.write_text(json.dumps({"version": 1, "edits": [entry]}))
+    done = landscape("trace", program, "--edits", edits)
+    assert "glColor3f(1, 0.5, 0)" in done.out and not done.err
+
+
+def test_json_has_what_an_edit_says_of_its_call(tmp_path: Path) -> None:
+    path = tmp_path / "method.py"
+    path.write_text(METHOD)
+    (_, call) = landscape("trace", path, "--json").json()
+    assert (call["function"], call["text"]) == ("Scene.draw", "glColor3f(0, 1, 0)")
 
 
 def test_the_lists_of_a_text_are_found_from_the_list_base(tmp_path: Path) -> None:

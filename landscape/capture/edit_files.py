@@ -8,7 +8,8 @@
        "argument": 1, "value": 0.3}]}
 
 Instead of "argument" and "value" an edit may have "skip": true. "component" picks one number of a
-vector or a matrix; "list" in "call" says in which display list the call is.
+vector or a matrix; "list" in "call" says in which display list the call is. An edit written by hand
+needs only "name" and what tells its call from others: {"name": "glColor3f", "function": "draw"}.
 """
 
 import functools
@@ -120,7 +121,7 @@ def _key(call: Mapping[str, Any], where: str) -> Key:
 
 
 def _text(entry: Mapping[str, Any], name: str, where: str) -> str:
-    value = entry.get(name)
+    value = entry.get(name, "")
     if not isinstance(value, str):
         raise InputError(f'{where}: expected "{name}" of the call to be text')
     return value

@@ -3,13 +3,15 @@
 A call is found again by what it is, not by its number: function, element, pass, the text of its
 line of code and the function around it, the arguments that say what it sets (the light, the
 parameter's name), and, where all these agree, by which of them it is. So an edit survives calls
-that come or go elsewhere, and lines that move.
+that come or go elsewhere, and lines that move. An edit written by hand may leave out what it need
+not say.
 """
 
 import functools
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -20,6 +22,7 @@ from landscape.errors import InputError, short
 from landscape.gl.calls import Call, Listing, Site, gl
 from landscape.gl.notes import plain
 
+PLACES = 3  # chosen: places named where a call was made, for an edit that found none
 WHOLE = ("int", "count", "object", "bits", "enum", "mask", "boolean")
 
 # How many first arguments say what a call sets, by the beginning of its name.
@@ -59,10 +62,17 @@ class ListKey:
         site = listing.site
         return cls(listing.element, site.file, site.function, site.text, listing.occurrence)
 
+    def finds(self, other: "ListKey") -> bool:
+        """Whether this is the key of a list with the key ``other``, whose file has its folder."""
+        return other == replace(self, file=other.file) and _same_file(self.file, other.file)
+
 
 @dataclass(frozen=True)
 class Key:
-    """How a call is found again, all but which of several calls that agree in this."""
+    """How a call is found again, all but which of several calls that agree in this.
+
+    That of an edit may have "" for what may be anything, and no ``select`` if it has such a "".
+    """
 
     name: str
     element: str
@@ -85,6 +95,37 @@ class Key:
             self.select,
             self.list,
         )
+
+    def finds(self, other: "Key") -> bool:
+        """Whether this, the key of an edit, is one of a call with the key ``other``."""
+        if self in (other, other.loose()):
+            return True
+        open_ = "" in (self.element, self.pass_, self.file, self.function)
+        return (
+            self.name == other.name
+            and self.element in ("", other.element, _last(other.element))
+            and self.pass_ in ("", other.pass_)
+            and _same_file(self.file, other.file)
+            and self.function in ("", other.function, _last(other.function))
+            and self.text in ("", other.text)
+            and (self.select == other.select or (open_ and not self.select))
+            and self._same_list(other.list, open_)
+        )
+
+    def _same_list(self, other: ListKey | None, open_: bool) -> bool:
+        if self.list is None or other is None:
+            return self.list is other or (self.list is None and open_)
+        return self.list.finds(other)
+
+
+def _last(function: str) -> str:
+    """Return the name of a function without the class or function that it is in."""
+    return function.rpartition(".")[2]
+
+
+def _same_file(given: str, file: str) -> bool:
+    """Whether a file of an edit is the one that a call comes from; it may lack its folders."""
+    return given in ("", file) or file.endswith(f"/{given}")
 
 
 def key_of(
@@ -189,7 +230,8 @@ class Edits:
     found: set[int] = field(default_factory=set)  # indices of edits that have found their call
 
     def __post_init__(self) -> None:
-        self._counts: Counter[Key] = Counter()
+        self._counts: Counter[Key] = Counter()  # of calls that each edit's key has found
+        self._finding: dict[Key, list[Key]] = {}  # a call's key: those of the edits that find it
         self._outer: list[tuple[Counter[Key], ListKey | None]] = []
         self._list: ListKey | None = None
         self.set(self.edits)
@@ -201,6 +243,7 @@ class Edits:
         for index, edit in enumerate(self.edits):
             keys = self._by_name.setdefault(edit.key.name, {})
             keys.setdefault(edit.key, []).append(index)
+        self._finding.clear()
 
     def begin(self) -> None:
         """A frame begins, or the setup: calls are counted from 0 again."""
@@ -224,14 +267,15 @@ class Edits:
         if keys is None:
             return args
         key = key_of(name, args, elements[0], pass_, site, self._list)
-        if key not in keys:
-            key = key.loose()
-            if key not in keys:
-                return args
-        occurrence = self._counts[key]
-        self._counts[key] += 1
-        mine = [index for index in keys[key] if self.edits[index].occurrence == occurrence]
-        return self._apply(mine, args)
+        finding = self._finding.get(key)
+        if finding is None:
+            finding = self._finding[key] = [each for each in keys if each.finds(key)]
+        mine: list[int] = []
+        for each in finding:
+            occurrence = self._counts[each]
+            self._counts[each] += 1
+            mine += [index for index in keys[each] if self.edits[index].occurrence == occurrence]
+        return self._apply(sorted(mine), args)
 
     def _apply(self, indices: Sequence[int], args: tuple[Any, ...]) -> tuple[Any, ...] | None:
         changed = list(args)
@@ -253,11 +297,27 @@ class Edits:
     def missed(self) -> list[str]:
         """Return a line for each edit that has found no call."""
         return [
-            f"{edit.origin}: no call {edit.shown or edit.key.name} of {edit.key.element} in "
-            f"{edit.key.function} ({edit.key.file}) was made"
+            f"{edit.origin}: no call {_described(edit)} was made{self._instead(edit.key.name)}"
             for index, edit in enumerate(self.edits)
             if index not in self.found
         ]
+
+    def _instead(self, name: str) -> str:
+        """Return where calls of a name were made, for an edit that has found none."""
+        places = dict.fromkeys(
+            f"{key.function} ({key.file})" for key in self._finding if key.name == name
+        )
+        some = ", ".join(islice(places, PLACES))
+        return f"; {name} is called in {some}" if some else ""
+
+
+def _described(edit: Edit) -> str:
+    """Return in words which call an edit is of, as far as it says so."""
+    key = edit.key
+    element = f" of {key.element}" if key.element else ""
+    function = f" in {key.function}" if key.function else ""
+    file = f" ({key.file})" if key.file else ""
+    return f"{edit.shown or key.name}{element}{function}{file}"
 
 
 @dataclass(frozen=True)

@@ -39,6 +39,7 @@ from landscape.gl.contexts.glfw import no_context
 from landscape.gl.contexts.software import check_renderer
 from landscape.gl.extensions import profile_mask
 from landscape.gl.foreign import Make, beside, patched
+from landscape.gl.notes import files_beside
 from landscape.gl.window_framebuffer import WindowFramebuffer
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
@@ -347,6 +348,7 @@ def run(
         stack.callback(guard.stand_by)
         waiting = lambda: state.watchdog.paused() if state.watchdog else ExitStack()  # noqa: E731
         given = Input(stdin, waiting) if stdin is not None else io.StringIO()
+        stack.enter_context(files_beside(source.path))
         stack.enter_context(as_main(source, [str(path), *arguments], given))
         prints = Prints()
         stack.callback(prints.end)

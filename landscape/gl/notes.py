@@ -2,8 +2,10 @@
 
 import linecache
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any, Protocol
 
@@ -21,6 +23,7 @@ BITS = (
     *("VIEWPORT", "TRANSFORM", "ENABLE", "COLOR_BUFFER", "HINT", "LIST", "TEXTURE"),
 )
 NUMBERS = (bool, int, float)
+FARTHEST = 2  # chosen: folders up from a program's own, for files named by the way to them
 FIRST = 64  # chosen: values of an array that a trace shows
 
 
@@ -107,6 +110,8 @@ class Call:
             "args": self.shown,
             "element": self.element,
             "source": self.source,
+            "function": self.site.function,
+            "text": self.site.text,
             "pass": self.pass_,
         }
         if inside:
@@ -184,7 +189,24 @@ def _first(array: np.ndarray) -> list[Any]:
 
 
 known_files: dict[str, str] = {}  # source path to name in a trace, or ""
-_sites: dict[tuple[CodeType, int], Site] = {}
+# By code, file and line: the same lines in two files are the same code to Python.
+_sites: dict[tuple[CodeType, str, int], Site] = {}
+_folders: tuple[str, ...] = ()  # of a program: its own, as it was named and as it is
+
+
+@contextmanager
+def files_beside(program: Path) -> Iterator[None]:
+    """Inside the block, name files by their way from the folder of a program."""
+    global _folders
+    before, _folders = _folders, (str(program.absolute().parent), str(program.resolve().parent))
+    known_files.clear()
+    _sites.clear()
+    try:
+        yield
+    finally:
+        _folders = before
+        known_files.clear()
+        _sites.clear()
 
 
 def caller(frame: FrameType) -> Site:
@@ -203,9 +225,10 @@ def caller(frame: FrameType) -> Site:
 
 def _site(file: str, frame: FrameType) -> Site:
     code, line = frame.f_code, frame.f_lineno
-    site = _sites.get((code, line))
+    place = (code, code.co_filename, line)
+    site = _sites.get(place)
     if site is None:
-        site = _sites[code, line] = Site(file, line, qualified(code), code.co_filename)
+        site = _sites[place] = Site(file, line, qualified(code), code.co_filename)
     return site
 
 
@@ -221,13 +244,31 @@ def line_of(code: CodeType, instruction: int) -> int:
 
 
 def traced_file(path: str) -> str:
-    """Return a source file's name in a trace: its path from the package on, or its last part.
+    """Return a source file's name in a trace: its path from the package on, or from the program on.
 
-    "" for the modules of ``landscape/gl`` and for libraries, whose callers are shown instead.
+    It is the last part alone of a file far away from the program. "" for the modules of
+    ``landscape/gl`` and for libraries, whose callers are shown instead.
     """
     if path.startswith(PACKAGE) and not path.startswith(HERE):
         return "landscape/" + path[len(PACKAGE) :].replace(os.sep, "/")
     installed = any(f"{os.sep}{name}{os.sep}" in path for name in INSTALLED)
     if installed or path.startswith((HERE, LIBRARIES, "<frozen")):
         return ""
-    return os.path.basename(path)
+    return _from_program(path)
+
+
+def _from_program(path: str) -> str:
+    """Return the way to a file from the program's folder, with slashes on every system."""
+    name = os.path.basename(path)
+    # The program itself may have been named without its folder.
+    ways = [way for folder in _folders if os.path.isabs(path) and (way := _way(path, folder))]
+    return min(ways, key=len, default=name)
+
+
+def _way(path: str, folder: str) -> str:
+    """Return the way to a file from a folder; "" if it leads up more than FARTHEST folders."""
+    try:
+        way = os.path.relpath(path, folder).replace(os.sep, "/")
+    except ValueError:  # on another drive
+        return ""
+    return "" if way.startswith("../" * (FARTHEST + 1)) else way
