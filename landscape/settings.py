@@ -120,7 +120,7 @@ class Walk:
     )
     swim: bool = setting(
         False,
-        "section 2.1.3",
+        "section 2.1.2",
         "the walker wades and swims; otherwise he walks on the water's surface, as in 2006",
         needs=WALKING,
     )

@@ -353,3 +353,18 @@ def test_the_source_that_a_file_names_is_read_within_bounds(
     entries["edits"][0]["call"]["file"] = "/dev/zero"
     path.write_text(json.dumps(entries))
     assert [edit.key.file for edit in read(path)] == ["/dev/zero"]
+
+
+def test_an_enumerant_given_as_a_number_has_its_name_in_the_code_of_a_call() -> None:
+    site = calls.Site("here.py", 1, "draw", "here.py")
+
+    def code(name: str, *args: Any) -> str:
+        return as_code(calls.Call(name, args, ("frame",), "main", site))
+
+    radial = np.array([0x855B], np.float32)
+    assert code("glFogfv", 0x855A, radial) == (
+        "glFogfv(GL_FOG_DISTANCE_MODE_NV, [GL_EYE_RADIAL_NV])"
+    )
+    assert code("glBegin", 7) == "glBegin(GL_QUADS)"
+    assert code("glFogf", 0x0B62, 0.12) == "glFogf(GL_FOG_DENSITY, 0.12)"
+    assert code("glBindTexture", 0x0DE1, 5) == "glBindTexture(GL_TEXTURE_2D, 5)"

@@ -24,6 +24,15 @@ def plane(a: float, b: float, n: int = 9, level: float = -100.0) -> HeightField:
     return HeightField(heights.astype(np.float32), 40.0, level)
 
 
+def test_the_normal_of_a_plane_is_at_right_angles_to_it_everywhere() -> None:
+    # Section 2.1.2: Ground::get_normal.
+    x, z = np.array([3.3, 20.0, 31.7]), np.array([8.1, 20.0, 2.9])
+    normals = plane(0.3, -0.4).normal(x, z)
+    assert normals == pytest.approx(np.array([[-0.3, 1.0, 0.4]] * 3) / np.sqrt(1.25), abs=1e-6)
+    assert plane(0.3, -0.4).normal(5.0, 5.0).shape == (3,)
+    assert plane(0.0, 0.0).normal(5.0, 5.0).tolist() == [0.0, 1.0, 0.0]
+
+
 def test_vertex_k_of_n_samples_the_image_at_k_over_n() -> None:
     row, column = np.mgrid[0:8, 0:8]
     image = (3 * column + 20 * row).astype(np.float32)

@@ -143,3 +143,17 @@ def test_the_table_lists_every_key_with_value_and_default() -> None:
     assert row["default"] == 0.12 and row["value"] == settings.BEST["fog.density"]
     assert row["unit"] == "per unit" and row["source"] == "section 10.2"
     assert (row["low"], row["high"], row["choices"]) == (0, 1000, ())
+
+
+# The document's sections that have no part with a number of its own below them.
+SECTIONS = {
+    *("1", "2.1.1", "2.1.2", "2.2.1", "2.2.2", "3.1", "3.2", "4.1", "4.2", "5.1.1", "5.1.2"),
+    *("5.2.1", "5.2.2", "5.3.1", "5.3.2", "6.1", "7.1", "7.2", "8.1", "8.2", "9.1", "9.2"),
+    *("10.1", "10.2", "11.1", "11.2.1", "11.2.2", "11.2.3", "11.2.4", "11.2.5", "11.2.6", "12"),
+}
+
+
+@pytest.mark.parametrize("key", KEYS)
+def test_a_setting_names_a_section_that_the_document_has(key: str) -> None:
+    for cited in re.findall(r"section ([\d.]+)", KEYS[key].metadata["source"]):
+        assert any(each == cited or each.startswith(cited + ".") for each in SECTIONS), key

@@ -54,7 +54,10 @@ def test_a_function_has_as_many_parameters_as_pyopengl_accepts() -> None:
 
 def test_every_enumerant_of_the_table_is_in_pyopengl_and_has_its_value() -> None:
     glu = importlib.import_module("OpenGL.GLU")
-    extensions = ("EXT.texture_compression_s3tc", "EXT.texture_filter_anisotropic")
+    extensions = (
+        *("EXT.texture_compression_s3tc", "EXT.texture_filter_anisotropic"),
+        "NV.fog_distance",
+    )
     beside = [glu, *(importlib.import_module(f"OpenGL.GL.{name}") for name in extensions)]
     for group in (*spec_enumerants.GROUPS, *spec_enumerants.BY_PNAME):
         for name in spec_table.names(group):

@@ -368,7 +368,21 @@ def located_at(calls: Sequence[Call], begin: int, place: str) -> Located:
 
 def as_code(call: Call) -> str:
     """Return a call as one writes it: glFogf(GL_FOG_DENSITY, 0.12)."""
-    return f"{call.name}({', '.join(map(brief, call.shown))})"
+    arguments = (_argument(call, index, value) for index, value in enumerate(call.shown))
+    return f"{call.name}({', '.join(arguments)})"
+
+
+def _argument(call: Call, index: int, value: Any) -> str:
+    """Return an argument in a few characters; ``value`` is the argument as JSON.
+
+    An enumerant that the program gave as a plain number, or as an array of one, has its name.
+    """
+    is_array = isinstance(value, dict) and value.get("shape") == [1]
+    if is_array or (isinstance(value, (int, float)) and not isinstance(value, bool)):
+        name = spec.enumerant(call.name, index, call.args)
+        if name:
+            return f"[{name}]" if is_array else name
+    return brief(value)
 
 
 def brief(value: Any) -> str:

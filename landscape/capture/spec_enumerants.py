@@ -57,6 +57,7 @@ GROUPS = {
     "color_control": "SINGLE_COLOR SEPARATE_SPECULAR_COLOR",
     "fog_mode": "EXP EXP2 LINEAR",
     "fog_source": "FRAGMENT_DEPTH FOG_COORD",
+    "fog_distance": "EYE_RADIAL_NV EYE_PLANE EYE_PLANE_ABSOLUTE_NV",
     # Textures.
     "unit": "TEXTURE0..7",
     "coord": "S T R Q",
@@ -300,6 +301,7 @@ BY_PNAME = {
         "FOG_COLOR": "vector*4=color[0..1]",
         "FOG_INDEX": "float",
         "FOG_COORD_SRC": "enum=fog_source",
+        "FOG_DISTANCE_MODE_NV": "enum=fog_distance",
     },
     "point_parameter": {
         "POINT_SIZE_MIN": "float[>=0]",
@@ -414,7 +416,10 @@ GROUPS |= {
 }
 
 BESIDE = {
-    # name: value of what OpenGL.GL lacks: two extensions, and GLU 1.3, a library of its own (glu.h)
+    # name: value of what OpenGL.GL lacks: three extensions, and GLU 1.3, a library of its own
+    "GL_FOG_DISTANCE_MODE_NV": 0x855A,
+    "GL_EYE_RADIAL_NV": 0x855B,
+    "GL_EYE_PLANE_ABSOLUTE_NV": 0x855C,
     "GL_TEXTURE_MAX_ANISOTROPY_EXT": 0x84FE,
     "GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT": 0x84FF,
     "GL_COMPRESSED_RGB_S3TC_DXT1_EXT": 0x83F0,

@@ -911,6 +911,7 @@ ENUMERANTS: Texts = {
     "GL_FOG_COLOR": "Colour of the fog",
     "GL_FOG_INDEX": "Palette index of the fog",
     "GL_FOG_COORD_SRC": "Whether fog depends on the depth or on glFogCoord",
+    "GL_FOG_DISTANCE_MODE_NV": "Whether fog goes by the distance from the eye, or by the depth",
     "GL_EXP": "What is seen falls as exp(-density * distance)",
     "GL_EXP2": "What is seen falls as exp(-(density * distance)^2)",
     "fog_mode.GL_LINEAR": "What is seen falls evenly from start to end",

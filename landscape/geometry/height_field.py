@@ -48,7 +48,7 @@ def mirrored_height(y: Height, level: float) -> Height:
 class HeightField:
     """Heights, float32 (n, n), row along z and column along x, over ``size`` x ``size`` units.
 
-    Between the vertices the height is bilinear, as in section 2.1.3. What is drawn are two flat
+    Between the vertices the height is bilinear, as in section 2.1.2. What is drawn are two flat
     triangles per cell, so the walker stands a little above or below them. With ``exact`` heights
     follow the triangles of :func:`grid_triangles`, the surface that is drawn (R15).
     """
@@ -87,10 +87,25 @@ class HeightField:
 
     def slope(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
         """Return the steepness, rise over run, by central differences over half a cell."""
-        d = self.size / (len(self.heights) - 1) / 2
+        return np.hypot(*self._rises(x, z)) / self._cell
+
+    def normal(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
+        """Return the ground's unit normals (..., 3) at x, z in units (get_normal in 2006)."""
+        dx, dz = self._rises(x, z)
+        across = np.stack([-dx, np.full_like(dx, self._cell), -dz], axis=-1)
+        return np.asarray(across / np.linalg.norm(across, axis=-1, keepdims=True))
+
+    @property
+    def _cell(self) -> float:
+        """The distance of two vertices, in units."""
+        return self.size / (len(self.heights) - 1)
+
+    def _rises(self, x: np.ndarray | float, z: np.ndarray | float) -> tuple[np.ndarray, np.ndarray]:
+        """Return how far the ground rises over a cell around x, z, along x and along z."""
+        d = self._cell / 2
         dx = self.terrain_height(np.add(x, d), z) - self.terrain_height(np.subtract(x, d), z)
         dz = self.terrain_height(x, np.add(z, d)) - self.terrain_height(x, np.subtract(z, d))
-        return np.hypot(dx, dz) / (2 * d)
+        return dx, dz
 
 
 def height_field(image: np.ndarray, settings: GroundSettings, water_level: float) -> HeightField:
