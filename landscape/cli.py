@@ -353,6 +353,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "exercise list": _of("course.exercise_commands", "list_"),
     "exercise start": _of("course.exercise_commands", "start_"),
     "exercise check": _of("course.exercise_commands", "check"),
+    "places": _of("tools.places_command"),
     "bench": _of("tools.bench_command"),
     "film": _of("film.command"),
     "settings": _settings,

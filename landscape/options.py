@@ -29,6 +29,7 @@ KT = "animation time; default: the view's own"
 SCENE = "the scene that --pose is in; default: the island"
 JSON = "print JSON"
 OWN_FILES = "a folder of your own images and meshes, used first; default: only the shipped ones"
+PLACES = "the file to write, which the setting transparent.places reads"
 QUIET = "print neither progress, notices nor file names"
 
 BY_VIEW = (
@@ -233,6 +234,12 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
         "--out", type=Path, default=Path("stanford"), metavar="DIR", help="default: %(default)s"
     )
     fetch.add_argument("-q", "--quiet", action="store_true", help=QUIET)
+
+    places = command(
+        "places", "save where trees, deer and plants stand to a file", "mine.csv --preset 2006"
+    )
+    places.add_argument("file", type=Path, metavar="FILE.csv", help=PLACES)
+    _common(places, samples=0, preset="best or 2006; default: best")
 
     bench = command("bench", "measure frames, grass and startup", "fig35a --json out.json")
     bench.add_argument(

@@ -638,12 +638,37 @@ class Transparent:
         True, "section 5.1.2", "draw from far to near", needs=("transparent.textured",)
     )
     textured: bool = setting(True, "figure 16", "texture the quads")
+    places: str = setting(
+        "random",
+        "section 5.1.2",
+        "where they stand: random, or as a file says that `landscape places` wrote",
+        unit="random, or CSV file",
+    )
+    surround: str = setting(
+        "alpha",
+        "section 5.1.1",
+        "what is around their pictures: transparency, as their alpha says; white; or white "
+        "that was replaced by transparency",
+        choices=("alpha", "white", "keyed"),
+        needs=("transparent.textured",),
+    )
+    faces: str = setting(
+        "plane",
+        "section 11.2.1",
+        "billboards are parallel to the picture's plane and turn with the camera, or they face the "
+        "eye's place",
+        choices=("plane", "place"),
+    )
     upright: bool = setting(False, "R4, section 11.2.1", "billboards turn about the y axis only")
+    follow_slope: bool = setting(
+        False, "section 11.2.6", "trees and plants, too, stand perpendicular to the slope"
+    )
     split: bool = setting(
         False,
-        "R3, section 5.1.2",
-        "sort each half of a crossed quad separately",
-        needs=("plants", "transparent.sorted", "transparent.textured"),
+        "R3, section 5.1.1",
+        "cut sprites where they cross, and sort the parts separately: halves of crossed quads, and "
+        "parts of trees and deer",
+        needs=("transparent.sorted", "transparent.textured"),
     )
     fade: float = setting(
         0.0,
@@ -727,6 +752,14 @@ class Deer:
     NEEDS: ClassVar[tuple[str, ...]] = ("deer", "deer.count")
 
     count: int = setting(70, "chosen", "how many deer there are", 0, 200_000, unit="deer")
+    species: int = setting(
+        1,
+        "figure 15",
+        "how many pictures there are: the stag's, or the doe's as well",
+        1,
+        2,
+        unit="kinds",
+    )
     size_min: float = setting(0.10, "chosen", "least width and height", 0.001, 100, unit=UNITS)
     size_max: float = setting(0.14, "chosen", "greatest width and height", 0.001, 100, unit=UNITS)
     follow_slope: bool = setting(
@@ -734,6 +767,12 @@ class Deer:
     )
     variety: bool = setting(
         False, "chosen", "stags and does of several poses, on grass rather than rock"
+    )
+    back: bool = setting(
+        False,
+        "section 11.2.1",
+        "a horizontal picture of the back, visible from above",
+        needs=("deer.variety or plants.species>1",),
     )
 
 
@@ -748,6 +787,9 @@ class Plants:
     size_max: float = setting(0.14, "chosen", "greatest width and height", 0.001, 100, unit=UNITS)
     sway: float = setting(
         1.0, "section 5.2.2", "how far the wind moves them", 0, 100, unit="times the report's sway"
+    )
+    sway_by_size: bool = setting(
+        False, "chosen", "a small plant sways less; off, all sway as far, as in 2006"
     )
     species: int = setting(
         1,
@@ -1232,6 +1274,7 @@ BEST: dict[str, Value] = {
     "sky.follow_y": True,
     "sky.background": True,
     "sky.unfogged": True,
+    "transparent.faces": "place",
     "transparent.upright": True,
     "transparent.split": True,
     "transparent.fade": 0.15,
@@ -1249,7 +1292,9 @@ BEST: dict[str, Value] = {
     "trees.crown": True,
     "trees.variety": True,
     "deer.follow_slope": True,
+    "deer.species": 2,
     "deer.variety": True,
+    "deer.back": True,
     "plants.quads": 3,
     "plants.fade_edge_on": True,
     "plants.rosette": True,
@@ -1262,6 +1307,7 @@ BEST: dict[str, Value] = {
     "castle.glow": 0.8,
     "castle.weathered": True,
     "plants.sway": 0.35,
+    "plants.sway_by_size": True,
     "plants.species": 5,
     "plants.shaded": True,
     "plants.count": 7000,

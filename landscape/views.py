@@ -48,6 +48,12 @@ PLANT_BEFORE = Pose(19.933, 1.128, 25.415, 20.0, -16.0)
 LONE_BLADE = {"grass.count": 2000, "grass.scale": (4.0, 3.5)}
 BLADE_BEFORE = Pose(19.948, 1.063, 26.011, 40.0, -9.0)
 LAWN_BEFORE = walking(21.25, 23.75, 340.0, -7.0)
+GROVE_AND_SKY = ("ground", "trees", "deer", "plants", "sky", "fog")
+AVENUE = {"transparent.places": "avenue.csv"}
+CROSSING = {"transparent.places": "crossing.csv", "transparent.faces": "place"}
+FACING = AVENUE | {"transparent.textured": False, "camera.fov": 100.0}
+AVENUE_BEFORE = walking(21.3, 25.2, 338.0, -6.0)
+CROSSING_BEFORE = walking(20.95, 23.3, 0.0, 8.0)
 CLEARER = {"fog.density": 0.05}  # chosen: less than half of 2006, for views of something far away
 
 VIEWS = _table(
@@ -190,5 +196,31 @@ VIEWS = _table(
         View("mist_bay", "mist over the bay, the serpent's head above it",
              Pose(9.0, 1.12, 32.6, 24.0, 0.0), 40, shown=OUTDOORS,
              settings={"mist.enabled": True}),
+    )
+} | {
+    # Pairs of what the report says without a figure of its own, in its own preset.
+    view.name: replace(view, preset="2006")
+    for view in (
+        View("avenue", "trees, ferns and a stag where a file says that they stand",
+             walking(21.5, 26.1, 338.0, -3.0), 20, shown=GROVE_AND_SKY, settings=AVENUE),
+        View("faces_plane", "flaw: quads close by are parallel to the picture, and turn with it",
+             AVENUE_BEFORE, shown=GROVE_AND_SKY, settings=FACING),
+        View("faces_place", "quads that face the place of the eye, and stay while it turns",
+             AVENUE_BEFORE, shown=GROVE_AND_SKY,
+             settings=FACING | {"transparent.faces": "place"}),
+        View("cross_whole", "flaw: of two trees that cross one is drawn over all of the other",
+             CROSSING_BEFORE, shown=GROVE_AND_SKY, settings=CROSSING),
+        View("cross_cut", "the same trees, cut where they cross: each is in front on its side",
+             CROSSING_BEFORE, shown=GROVE_AND_SKY, settings=CROSSING | {"transparent.split": True}),
+        View("white_boards", "pictures of trees before their white was made transparent",
+             CROSSING_BEFORE, shown=GROVE_AND_SKY,
+             settings=CROSSING | {"transparent.surround": "white"}),
+        View("white_keyed", "the same pictures, their white replaced by transparency",
+             CROSSING_BEFORE, shown=GROVE_AND_SKY,
+             settings=CROSSING | {"transparent.surround": "keyed"}),
+        View("on_slope", "trees and ferns perpendicular to a steep slope",
+             Pose(30.4, 1.42, 20.13, 0.0, 0.0), shown=OUTDOORS,
+             settings={"transparent.follow_slope": True, "trees.count": 1500,
+                       "plants.count": 6000}),
     )
 }  # fmt: skip

@@ -36,6 +36,7 @@ MOMENTS = (
     Moment(Pose(20.2, 1.4, 24.5, 40.0, -15.0), SIZE, 40.0),  # rabbit
 )
 FILES = {
+    "transparent.places": "avenue.csv",
     "ground.height_image": "height16.png",
     "ground.large_texture": "ground_sand.png",
     "ground.detail_texture": "ground_rock.png",

@@ -47,7 +47,8 @@ def test_the_shipped_assets_pass_every_check() -> None:
 
 
 def test_every_asset_of_the_studio_is_checked(studio: Any) -> None:
-    assert set(studio.table()) == {*checks.SIZES, *checks.MESHES, *checks.ENVIRONMENTS}
+    kinds = checks.SIZES, checks.MESHES, checks.ENVIRONMENTS, checks.PLACES_FILES
+    assert set(studio.table()) == {name for kind in kinds for name in kind}
 
 
 # ---- every measure finds its fault ------------------------------------------------------------
@@ -235,6 +236,12 @@ def test_a_map_whose_path_is_short_is_found(tmp_path: Path) -> None:
     (tmp_path / "flyover_alps.svg").write_text(short, encoding="utf-8")
     found = failures(tmp_path, checks.check_environments)
     assert found == {("flyover_alps.svg", "flight")}
+
+
+def test_a_sprite_in_the_sea_is_found(tmp_path: Path) -> None:
+    text = (shipped() / "avenue.csv").read_text(encoding="utf-8")
+    (tmp_path / "avenue.csv").write_text(text + "birch,1,1,0.5,0.5,0\n", encoding="utf-8")
+    assert failures(tmp_path, checks.check_places) == {("avenue.csv", "places")}
 
 
 def test_a_detail_that_darkens_is_found(tmp_path: Path) -> None:

@@ -150,6 +150,12 @@ SHOTS = {
     "sky.background": of_fix("R9"),
     "transparent.split": of_fix("R3"),
     "transparent.upright": of_fix("R4", only=("trees",)),
+    "transparent.places": replace(GROUPS["transparent"], value="avenue.csv"),
+    "deer.back": replace(
+        of_fix("R4", only=("deer",)), pose=Pose(20.27, 1.8, 28.9, 0.0, -84.0),
+        settings={"deer.count": 70, "plants.species": 5, "transparent.upright": True},
+    ),
+    "deer.species": replace(GROUPS["deer"], value=2),
     "transparent.fade": replace(GROUPS["transparent"], value=0.6),
     "transparent.clear_near": replace(GROUPS["trees"], settings=HUGE),
     "transparent.sunward": replace(GROUPS["trees"], value=0.8),

@@ -68,7 +68,8 @@ def test_trees_of_a_group_have_many_heights() -> None:
 
 
 def test_deer_of_several_poses_stand_on_gentle_grass_their_hooves_in_it() -> None:
-    deer = refine({"deer"}, deer__count=200, deer__variety=True, trees__grouped=True)
+    kinds = {"deer__species": 2, "deer__variety": True, "trees__grouped": True}
+    deer = refine({"deer"}, deer__count=200, **kinds)
     x, y, z = deer.positions.T
     assert (greenness(green_in_the_west(x, z)) > 0.6).all()
     assert (hill().slope(x, z) < 0.56).all()

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from landscape.files.images import mip_chain, read_image
+from landscape.files.images import has_alpha, mip_chain, read_image
 
 CELL = 512  # chosen: texels per side of a cell
 CELLS = (
@@ -28,6 +28,7 @@ COLUMNS, ROWS = 4, 2  # the sides of a texture are powers of two
 # Chosen: transparent texels above each picture. At mip level 5 they are still one texel, so the
 # foot of the tree in the row above does not show over a plant's top.
 GUTTER = 32
+NEARLY_WHITE = 96  # chosen: levels of the darkest channel below white from which all is opaque
 LEVELS = 6  # chosen: at the last mip level a cell is 16 texels wide
 
 
@@ -39,9 +40,41 @@ def padded(image: np.ndarray) -> np.ndarray:
     return cell
 
 
-def read_cells(paths: Sequence[Path]) -> list[np.ndarray]:
-    """Read pictures, one per cell."""
-    return [padded(read_image(path)) for path in paths]
+def on_white(image: np.ndarray) -> np.ndarray:
+    """Return a picture (h, w, 4) with its transparent surround painted white, opaque."""
+    alpha = image[..., 3:] / 255.0
+    colours = image[..., :3] * alpha + 255.0 * (1.0 - alpha)
+    return np.concatenate([np.rint(colours), np.full_like(alpha, 255)], axis=2).astype(np.uint8)
+
+
+def white_to_alpha(image: np.ndarray) -> np.ndarray:
+    """Return an opaque picture (h, w, 4) with its white replaced by transparency (section 5.1.1).
+
+    A texel that is nearly white, as along an outline, is the picture's colour mixed with white: it
+    keeps the colour, and as much alpha as there is of it.
+    """
+    colours = image[..., :3].astype(np.float64)
+    alpha = np.clip((255.0 - colours.min(axis=2, keepdims=True)) / NEARLY_WHITE, 0.0, 1.0)
+    unmixed = (colours - 255.0 * (1.0 - alpha)) / np.maximum(alpha, 1e-6)
+    keyed = np.concatenate([np.where(alpha > 0.0, unmixed, 255.0), 255.0 * alpha], axis=2)
+    return np.rint(keyed.clip(0.0, 255.0)).astype(np.uint8)
+
+
+def read_picture(path: Path, surround: str) -> np.ndarray:
+    """Read a picture (h, w, 4) with what is around it: its alpha, "white", or white "keyed" out.
+
+    A file without an alpha channel is keyed as well, as the report's were.
+    """
+    image = read_image(path)
+    if surround == "alpha":
+        return image if has_alpha(path) else white_to_alpha(image)
+    white = on_white(image)
+    return white_to_alpha(white) if surround == "keyed" else white
+
+
+def read_cells(paths: Sequence[Path], surround: str = "alpha") -> list[np.ndarray]:
+    """Read pictures, one per cell; ``surround`` is that of :func:`read_picture`."""
+    return [padded(read_picture(path, surround)) for path in paths]
 
 
 def laid_out(cells: Sequence[np.ndarray]) -> np.ndarray:

@@ -24,7 +24,7 @@ COURT = 2.2  # chosen: radius in units around the castle's centre kept free of t
 BATCHES = 200  # chosen: most rounds of random places tried to place the sprites
 HOPELESS = 10_000  # chosen: a batch of more places, none of them suitable, ends the search
 # Chosen: x, z of the first deer. One is by the bay's plants, one on the meadow, one on an
-# islet, one near the castle. (The program of 2006 could read places from a file as well.)
+# islet, one near the castle. Places from a file are read by places_file.py.
 DEER_POSTS = ((20.26, 28.98), (21.95, 21.25), (34.55, 20.38), (25.9, 15.2), (19.98, 29.3))
 
 Chance = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -91,7 +91,7 @@ def random_sprites(
     """Return one kind of sprite, at random places of random sizes, half of them mirrored."""
     groups: dict[str, tuple[Trees | Deer | Plants, int, int]] = {
         "trees": (settings.trees, 0, settings.trees.species),
-        "deer": (settings.deer, DEER, 2),
+        "deer": (settings.deer, DEER, settings.deer.species),
         "plants": (settings.plants, PLANT, 1),
     }
     group, first, species = groups[kind]
@@ -103,7 +103,9 @@ def random_sprites(
         on_land = np.insert(posts, 1, heights, axis=1)[heights > field.water_level][:n]
         positions[: len(on_land)] = on_land
     sizes = rng.uniform(group.size_min, max(group.size_min, group.size_max), (n, 2))
-    return Sprites(positions, sizes, first + rng.integers(species, size=n), rng.random(n) < 0.5)
+    # Of one kind of deer or of two: the other random numbers are the same.
+    drawn = rng.integers(max(species, 2) if kind == "deer" else species, size=n)
+    return Sprites(positions, sizes, first + drawn % species, rng.random(n) < 0.5)
 
 
 def plant(settings: Settings, field: HeightField, seed: int, kinds: set[str]) -> Sprites:

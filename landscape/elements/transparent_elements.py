@@ -21,6 +21,7 @@ import numpy as np
 from landscape.elements.atlas import CELLS, cell_coordinates, mip_levels, read_cells
 from landscape.elements.best.sprites import wanted
 from landscape.elements.ground import Ground
+from landscape.elements.places_file import RANDOM, read_places
 from landscape.elements.planting import PLANT, Sprites, plant, site
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
@@ -92,7 +93,9 @@ def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the sprites' places, sizes and kinds depend on."""
     groups = settings.trees, settings.deer, settings.plants
     sizes = [(group.count, group.size_min, group.size_max) for group in groups]
-    return (*sizes, settings.trees.species, *site(settings))
+    species = settings.trees.species, settings.deer.species
+    shared = settings.transparent
+    return (*sizes, *species, shared.places, shared.surround, *site(settings))
 
 
 class TransparentElements:
@@ -103,9 +106,19 @@ class TransparentElements:
     ) -> None:
         """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
         self._settings, self._built_from = settings, built_from(settings)
-        self.stand(plant(settings, ground.field, seed, kinds))
+        shared = settings.transparent
+        if shared.places == RANDOM:
+            self.stand(plant(settings, ground.field, seed, kinds))
+        else:
+            path = assets.path(shared.places, "transparent.places")
+            found, *_ = read_places(path, ground.field, kinds)
+            # Here all plants are of one kind.
+            self.stand(replace(found, cells=np.minimum(found.cells, PLANT)))
         paths = [assets.path(name) for name in CELLS]
-        levels = recall(["atlas", *map(content, paths)], lambda: mip_levels(read_cells(paths)))
+        levels = recall(
+            ["atlas", shared.surround, *map(content, paths)],
+            lambda: mip_levels(read_cells(paths, shared.surround)),
+        )
         self._texture = Texture(list(levels), repeat=False)
 
     def stand(self, sprites: Sprites) -> None:
@@ -134,8 +147,9 @@ class TransparentElements:
 
         seen = visible(frame, self._plants.positions, shared.radius)
         places, sizes = self._plants.positions[seen], self._plants.sizes[seen]
-        # A small plant sways less.
-        winds = sway(frame.kt, places, plants.sway) * (sizes[:, 1:] / plants.size_max)
+        winds = sway(frame.kt, places, plants.sway)
+        if plants.sway_by_size:
+            winds *= sizes[:, 1:] / plants.size_max
         crosses = crossed_quads(places, sizes, winds)
         first = np.arange(4 * len(boards), 4 * len(boards) + 12 * len(seen), 12, dtype=np.uint32)
         plant_indices = (first[:, None, None] + CROSS).reshape(-1, 6)

@@ -36,6 +36,16 @@ def _decoded(path: Path, mode: str, largest: int) -> np.ndarray:
     return np.ascontiguousarray(image.convert(mode))
 
 
+def has_alpha(path: Path) -> bool:
+    """Return whether an image file says what is transparent; InputError as :func:`read_image`."""
+    found = recall((content(path), "alpha"), lambda: (np.array(_says_alpha(open_image(path))),))
+    return bool(found[0])
+
+
+def _says_alpha(image: Image.Image) -> bool:
+    return "A" in image.getbands() or "transparency" in image.info
+
+
 def open_image(path: Path) -> Image.Image:
     """Open and decode an image; InputError where that fails."""
     try:

@@ -92,13 +92,13 @@ REPORT_FIXES: tuple[Fix, ...] = (
         {"deer.follow_slope": True},
         "Billboards such as the deer of fig35d are upright, whatever the ground does. On a steep "
         "slope one end of them hangs in the air and the other is inside the hill.",
-        "Look at the feet. Before, the doe stands level and her hind legs hang in the air; after, "
+        "Look at the feet. Before, the stag stands level and his hind legs hang in the air; after, "
         "all four feet are on the slope.",
         "The billboard is spanned by the ground's normal and by the camera's right vector, tilted "
         "into the slope.",
         (
-            "a doe standing level on a steep slope, her hind feet in the air",
-            "the same doe tilted, with all her feet on the slope",
+            "a stag standing level on a steep slope, his hind feet in the air",
+            "the same stag tilted, with all his feet on the slope",
         ),
     ),
     Fix(

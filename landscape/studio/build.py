@@ -28,7 +28,7 @@ MODULES = (
     "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
     "caustics", "mosaic", "masonry", "ashlar", "gate", "trees", "individuals", "deer", "plants",
     "herbs", "sward", "rabbit", "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles",
-    "voxel_plants", "voxel_ripples", "environments", "stones",
+    "voxel_plants", "voxel_ripples", "environments", "stones", "places",
 )  # fmt: skip
 
 INDIVIDUALS = (

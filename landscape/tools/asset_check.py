@@ -15,14 +15,17 @@ import numpy as np
 from landscape.elements.best.sprites.individuals import FIRST, MORE_FILES
 from landscape.elements.best.sprites.refined_atlas import CELLS, HERBS
 from landscape.elements.best.stones.shapes import read_shapes
+from landscape.elements.places_file import read_places
+from landscape.elements.planting import KINDS
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image
 from landscape.files.meshes import read_ply
 from landscape.files.smooth import read_smooth
 from landscape.flyover.environment import open_environment
+from landscape.geometry.height_field import height_field
 from landscape.geometry.mesh import vertex_normals
-from landscape.settings import TIMES, preset
+from landscape.settings import TIMES, Settings, preset
 from landscape.tools.asset_measures import (
     MIP,
     SKY_FACES,
@@ -117,6 +120,7 @@ CODED_MOST = 24.0  # levels, chosen: of a single texel, at the edge of a cloud
 SHEETS = {"fire.png": 4}  # sprite sheets: frames per side
 # Of the software fly-over: maps of 512 x 512 with a path that is 700 to 1500 pixels long.
 ENVIRONMENTS = ("flyover_alps.svg", "flyover_canyon.svg")
+PLACES_FILES = ("avenue.csv", "crossing.csv")  # of trees, deer and plants, all on land
 MAX_BYTES = 20_000_000  # of all assets together
 
 # Chosen: x, z and the limits of y of the places that the named views rely on.
@@ -157,10 +161,10 @@ class Finding:
 def check_files(assets: Assets) -> Iterator[Finding]:
     """Check that every asset exists with its size and mode, and the size of all together."""
     total = 0
-    for name in (*SIZES, *MESHES, *ENVIRONMENTS):
+    for name in (*SIZES, *MESHES, *ENVIRONMENTS, *PLACES_FILES):
         path = assets.path(name)
         total += path.stat().st_size
-        if name in MESHES or name in ENVIRONMENTS:
+        if name not in SIZES:
             continue
         image = open_image(path)
         mode = "RGB" if image.mode == "P" and SIZES[name][2] == "RGB" else image.mode
@@ -329,9 +333,21 @@ def check_environments(assets: Assets) -> Iterator[Finding]:
         yield Finding(name, "flight", ok, text, {"length": length, "range": range_})
 
 
+def check_places(assets: Assets) -> Iterator[Finding]:
+    """Check that the sprites of each file of places stand on the island's land."""
+    settings = Settings()
+    heights = read_heights(assets.path(settings.ground.height_image))
+    land = height_field(heights, settings.ground, settings.water.level)
+    for name in PLACES_FILES:
+        found, *_ = read_places(assets.path(name), land, set(KINDS))
+        above = float(found.positions[:, 1].min()) - settings.water.level
+        text = f"{len(found.cells)} sprites, the lowest {above:.2f} units above the water"
+        yield Finding(name, "places", above > 0.05, text, {"sprites": len(found.cells)})
+
+
 CHECKS: tuple[Callable[[Assets], Iterator[Finding]], ...] = (
     check_files, check_tiles, check_sky, check_sprites, check_heights, check_meshes,
-    check_environments,
+    check_environments, check_places,
 )  # fmt: skip
 
 

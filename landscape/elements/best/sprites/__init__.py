@@ -11,6 +11,7 @@ def wanted(settings: Settings) -> bool:
     shared, trees, plants = settings.transparent, settings.trees, settings.plants
     return bool(
         (shared.sunward or shared.contact)
+        or (shared.faces != "plane" or shared.follow_slope)
         or (shared.upright or shared.split or shared.fade or shared.clear_near or shared.rooted)
         or (shared.trimmed or shared.min_pixels or not shared.trilinear)
         or (trees.grouped or trees.crown or trees.variety or settings.ground.shadows)

@@ -12,9 +12,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from landscape.elements.atlas import cell_coordinates
+from landscape.elements.best.sprites.crossings import neighbours
 from landscape.elements.best.sprites.refined_atlas import FLOWERING
 from landscape.elements.best.sprites.refined_planting import TintedSprites
-from landscape.elements.best.sprites.refined_quads import half_places, still_quads, turned
+from landscape.elements.best.sprites.refined_quads import (
+    half_places,
+    on_slope,
+    still_quads,
+    turned,
+)
 from landscape.elements.best.sprites.rules import has_top, is_deer, radii
 from landscape.elements.best.sprites.slope_billboards import leaning
 from landscape.elements.planting import PLANT
@@ -80,6 +86,8 @@ class LaidOut:
         self.pictures = sprites.pictures
         self.st = cell_coordinates(sprites.pictures, sprites.flipped, QUAD_S, QUAD_T, rows)
         self.outlines, self.outline_st, self.rows = outlines, outline_st, rows
+        boards = np.flatnonzero(sprites.cells < PLANT)
+        self.neighbours = boards[neighbours(sprites.positions[boards], sprites.sizes[boards, 0])]
 
 
 @dataclass(frozen=True)
@@ -105,7 +113,8 @@ class Choice:
     species and of its picture, and radius; which are deer, and which have a picture from above; for
     their billboards, the texture coordinates ``st`` (n, 4, 2), the tint's opacity (n,) in 0..255,
     colours (n, 4, 4), whose alpha each frame writes, and triangles (n, 6); and the boxes of what is
-    opaque in their pictures (n, 8, 2), on the quad and in the atlas.
+    opaque in their pictures (n, 8, 2), on the quad and in the atlas. ``neighbours`` (m, 2) are the
+    pairs of trees and deer, by their number in the choice, that may cross.
     """
 
     which: np.ndarray
@@ -122,6 +131,7 @@ class Choice:
     colours: np.ndarray
     triangles: np.ndarray
     boxes: tuple[np.ndarray, np.ndarray]
+    neighbours: np.ndarray
     crossed: Crossed
 
 
@@ -155,8 +165,20 @@ def choose(
         colours=np.repeat(laid_out.tints[which][:, None], 4, axis=1),
         triangles=4 * np.arange(len(which), dtype=np.uint32)[:, None] + QUAD,
         boxes=(laid_out.outlines[flipped, pictures], laid_out.outline_st[flipped, pictures]),
+        neighbours=among(laid_out.neighbours, which, len(laid_out.cells)),
         crossed=crossed_plants(laid_out, frame, settings, which, margin),
     )
+
+
+def among(pairs: np.ndarray, which: np.ndarray, count: int) -> np.ndarray:
+    """Return those pairs (m, 2) of ``count`` sprites of which both are in ``which`` (n,).
+
+    They are given by their numbers there.
+    """
+    number = np.full(count, -1)
+    number[which] = np.arange(len(which))
+    found = number[pairs]
+    return np.asarray(found[(found >= 0).all(axis=1)])
 
 
 def in_window(
@@ -197,6 +219,8 @@ def crossed_plants(
     count, own = settings.plants.quads, which[near]
     turns = turned(points[near], count)
     still = still_quads(points[near], laid_out.sizes[own], turns)
+    if settings.transparent.follow_slope:
+        still = on_slope(still, points[near], laid_out.leaning[own])
     s, t = np.tile(CROSS_S, count), np.tile(CROSS_T, count)
     st = cell_coordinates(laid_out.cells[own], laid_out.flipped[own], s, t, laid_out.rows)
     return Crossed(near, turns, still, half_places(still), st)

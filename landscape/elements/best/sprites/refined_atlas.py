@@ -18,6 +18,8 @@ from landscape.elements.atlas import (
     cell_coordinates,
     laid_out,
 )
+from landscape.elements.best.sprites.backs import back_from_above
+from landscape.elements.planting import DEER
 from landscape.files.images import bled, mip_chain
 
 HERBS = ("fern.png", "oxeye.png", "willowherb.png", "marram.png", "heather.png")
@@ -41,8 +43,9 @@ TOPS = (
     (11, (0.50, 1.00), (0.95, 0.95), 0.0, 45.0, 6),
     (12, (0.50, 0.44), (0.46, 0.40), 0.0, 88.0, 2),
 )
-# Which picture from above each cell has, four to each of TOPS_CELLS; deer have none.
-TOP_OF_CELL = np.array([0, 1, 2, 0, 0, 0, 3, 0, 4, 5, 6, 7, 8])
+BACKS = (DEER, DEER + 1)  # cells whose pictures from above are not fans, see backs.py
+# Which picture from above each cell has, four to each of TOPS_CELLS.
+TOP_OF_CELL = np.array([0, 1, 2, 0, 9, 10, 3, 0, 4, 5, 6, 7, 8])
 
 
 def with_herbs(cells: list[np.ndarray]) -> list[np.ndarray]:
@@ -83,10 +86,15 @@ def from_above(
 def tops_cell(cells: list[np.ndarray], number: int = 0) -> np.ndarray:
     """Return the cell TOPS_CELLS[number]: four pictures from above, their surround transparent."""
     sheet = np.zeros((CELL, CELL, 4), np.uint8)
-    for k, (cell, centre, radius, middle, half, fans) in enumerate(
-        TOPS[4 * number : 4 * number + 4]
-    ):
-        top = from_above(cells[cell][GUTTER:], centre, radius, middle, half, fans, TOP_SIDE)
+    for k in range(4):
+        which = 4 * number + k
+        if which < len(TOPS):
+            cell, centre, radius, middle, half, fans = TOPS[which]
+            top = from_above(cells[cell][GUTTER:], centre, radius, middle, half, fans, TOP_SIDE)
+        elif which < len(TOPS) + len(BACKS):
+            top = back_from_above(cells[BACKS[which - len(TOPS)]][GUTTER:], TOP_SIDE)
+        else:
+            break
         row, column = (QUARTER * q + GUTTER for q in divmod(k, 2))
         sheet[row : row + TOP_SIDE, column : column + TOP_SIDE] = top
     return sheet

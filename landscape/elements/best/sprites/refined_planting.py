@@ -8,12 +8,15 @@ here.
 """
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
+from landscape.elements.atlas import CELLS
 from landscape.elements.best.sprites import individuals
 from landscape.elements.best.sprites.herbs import herb_chances, herbs_by_place
-from landscape.elements.best.sprites.refined_atlas import HERB
+from landscape.elements.best.sprites.refined_atlas import HERB, HERBS
+from landscape.elements.best.sprites.rules import is_deer
 from landscape.elements.best.sprites.woods import (
     SHRUB,
     off_glades,
@@ -22,10 +25,12 @@ from landscape.elements.best.sprites.woods import (
     woodland,
 )
 from landscape.elements.ground import Ground
+from landscape.elements.places_file import read_places
 from landscape.elements.planting import (
     CASTLE,
     COURT,
     KINDS,
+    PLANT,
     Chance,
     Sprites,
     clear_land,
@@ -57,10 +62,33 @@ def planted_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the sprites' places, sizes, kinds and tints depend on."""
     groups = settings.trees, settings.deer, settings.plants
     sizes = [(group.count, group.size_min, group.size_max) for group in groups]
-    species = settings.trees.species, settings.trees.grouped, settings.plants.species
-    variety = settings.trees.variety, settings.deer.variety
+    species = settings.trees.species, settings.plants.species, settings.deer.species
+    variety = settings.trees.grouped, settings.trees.variety, settings.deer.variety
     colours = settings.ground.large_texture, settings.ground.texture_size
     return (*sizes, *species, *variety, *colours, *site(settings))
+
+
+def planted_by_file(
+    settings: Settings, path: Path, field: HeightField, kinds: set[str]
+) -> TintedSprites:
+    """Return the sprites of a file that are of some ``kinds``, with what these settings can show.
+
+    A picture that the atlas of these settings does not have is the species' first.
+    """
+    found, pictures, tints = read_places(path, field, kinds)
+    cells = found.cells if settings.plants.species > 1 else np.minimum(found.cells, PLANT)
+    pictures = np.where(pictures < individuals.MORE, cells, pictures)
+    if len(individuals.files(settings)) <= len(CELLS) + len(HERBS):
+        pictures = cells
+    positions, n = found.positions, len(cells)
+    if settings.deer.variety:
+        deer = is_deer(cells)
+        positions[deer, 1] -= SUNK * found.sizes[deer, 1]
+    slopes = slopes_under(field, positions, found.sizes[:, 0])
+    opaque = np.concatenate([tints, np.full((n, 1), 255.0)], axis=1)
+    return TintedSprites(
+        positions, found.sizes, cells, found.flipped, opaque, slopes, np.asarray(pictures)
+    )
 
 
 def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]) -> TintedSprites:

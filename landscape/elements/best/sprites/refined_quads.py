@@ -123,6 +123,20 @@ def half_places(crossed: np.ndarray) -> np.ndarray:
     return np.asarray(0.5 * middles.reshape(n, 2 * count, 3))
 
 
+def on_slope(quads: np.ndarray, positions: np.ndarray, slopes: np.ndarray) -> np.ndarray:
+    """Return quads (n, k, 3) tilted about their feet at positions (n, 3), as the ground is.
+
+    ``slopes`` (n, 2) = dy/dx, dy/dz. What was along x and z lies in the slope, and what was upright
+    is perpendicular to it.
+    """
+    axes = np.zeros((len(quads), 3, 3), quads.dtype)
+    axes[:, 0, 0] = axes[:, 1, 1] = axes[:, 2, 2] = 1.0
+    axes[:, 0, 1], axes[:, 2, 1] = slopes.T
+    axes[:, 1, 0], axes[:, 1, 2] = -slopes.T
+    axes /= np.linalg.norm(axes, axis=2, keepdims=True)
+    return np.asarray((quads - positions[:, None]) @ axes + positions[:, None])
+
+
 def lying(
     positions: np.ndarray, widths: np.ndarray, slopes: np.ndarray, turns: np.ndarray
 ) -> np.ndarray:

@@ -4,8 +4,11 @@ Techniques, all by vertices and vertex alpha, still in one sort and one glDrawEl
 
 - ``transparent.upright`` (R4): billboards turn about the y axis only; ``trees.crown`` fades in a
   horizontal picture of the crown when seen from above.
-- ``transparent.split`` (R3): each half of a crossed quad has its own place in the sort.
-- ``deer.follow_slope`` (R5): a deer's billboard is perpendicular to the slope.
+- ``transparent.faces``: billboards face the eye's place, and stay while the camera turns.
+- ``transparent.split`` (R3): each half of a crossed quad has its own place in the sort, and trees
+  and deer are cut where they cross (:mod:`crossings`).
+- ``deer.follow_slope`` (R5): a deer's billboard is perpendicular to the slope; with
+  ``transparent.follow_slope`` so are trees and plants. ``deer.back``: from above it shows its back.
 - ``plants.quads``, ``plants.fade_edge_on``, ``plants.rosette`` (R6): three quads, which fade when
   seen edge-on, and a horizontal picture when seen from above.
 - ``transparent.fade``, ``clear_near``, ``min_pixels``: alpha towards the radius, near the eye, and
@@ -37,8 +40,10 @@ from landscape.elements.best.sprites.refined_atlas import (
 from landscape.elements.best.sprites.refined_planting import (
     TintedSprites,
     plant_refined,
+    planted_by_file,
     planted_from,
 )
+from landscape.elements.best.sprites.rules import backs_fit
 from landscape.elements.best.sprites.sprites_in_view import SpritesInView
 from landscape.elements.best.terrain.cloud_shade import cloud_light, clouds_shade
 from landscape.elements.best.terrain.shadows import (
@@ -48,6 +53,7 @@ from landscape.elements.best.terrain.shadows import (
     cast_sprites,
 )
 from landscape.elements.ground import Ground
+from landscape.elements.places_file import RANDOM
 from landscape.elements.planting import DEER, PLANT
 from landscape.elements.sun import direction
 from landscape.elements.transparent_elements import CLEAR
@@ -67,7 +73,8 @@ SUNWARD = 0.8  # chosen: times a plant's height, how far towards the sun its lig
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return all settings that a :class:`RefinedSprites` reads when it is built."""
     shadows = cast_from(settings) if settings.plants.shaded else ()
-    return (*planted_from(settings), settings.transparent.trilinear, shadows)
+    shared = settings.transparent
+    return (*planted_from(settings), shared.trilinear, shared.places, shared.surround, shadows)
 
 
 class RefinedSprites:
@@ -80,21 +87,23 @@ class RefinedSprites:
         self._settings, self._built_from = settings, built_from(settings)
         self._paths = [assets.path(name) for name in individuals.files(settings)]
         self._contents = [content(path) for path in self._paths]
+        self._surround = settings.transparent.surround
         self._outlines, self._outline_st, *levels = recall(
-            ["refined atlas", *self._contents], self._make_atlas
+            ["refined atlas", self._surround, *self._contents], self._make_atlas
         )
         self._rows = len(levels[0]) // CELL
         self._unshaded: Ground | None = ground if settings.plants.shaded else None
         large = content(assets.path(settings.ground.large_texture))
         what = repr((planted_from(settings), seed, sorted(kinds)))
-        self.stand(
-            TintedSprites(
-                *recall(
-                    (what, ground.field.heights.tobytes(), large),
-                    lambda: tuple(vars(plant_refined(settings, ground, seed, kinds)).values()),
-                )
+        if settings.transparent.places == RANDOM:
+            found = recall(
+                (what, ground.field.heights.tobytes(), large),
+                lambda: tuple(vars(plant_refined(settings, ground, seed, kinds)).values()),
             )
-        )
+            self.stand(TintedSprites(*found))
+        else:
+            path = assets.path(settings.transparent.places, "transparent.places")
+            self.stand(planted_by_file(settings, path, ground.field, kinds))
         self._texture = Texture(levels, repeat=False, trilinear=settings.transparent.trilinear)
         self._topped = False
 
@@ -111,7 +120,7 @@ class RefinedSprites:
 
     def _cells(self) -> list[np.ndarray]:
         """Return the atlas's cells; the one before the herbs is for the pictures from above."""
-        pictures = read_cells(self._paths)
+        pictures = read_cells(self._paths, self._surround)
         every = len(pictures) > len(CELLS) + len(HERBS)
         return individuals.cells_of(pictures) if every else with_herbs(pictures)
 
@@ -177,7 +186,8 @@ class RefinedSprites:
                 gl.glAlphaFunc(gl.GL_GREATER, CLEAR)
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
-                if (settings.trees.crown or settings.plants.rosette) and not self._topped:
+                tops = settings.trees.crown, settings.plants.rosette, backs_fit(settings)
+                if any(tops) and not self._topped:
                     self._fill_tops()
             with client_arrays(vertices, None, tints, [coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)

@@ -79,5 +79,10 @@ def crossing(settings: Settings, away: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 def has_top(settings: Settings, cells: np.ndarray) -> np.ndarray:
     """Return which sprites (n,) have a picture from above, by their atlas cells."""
-    plants, trees = settings.plants.rosette, settings.trees.crown
-    return np.asarray(np.where(cells >= PLANT, plants, (cells < DEER) & trees))
+    plants, trees, deer = settings.plants.rosette, settings.trees.crown, backs_fit(settings)
+    return np.asarray(np.select([cells >= PLANT, cells >= DEER], [plants, deer], trees))
+
+
+def backs_fit(settings: Settings) -> bool:
+    """Return whether deer have pictures from above: only a large atlas has room for them."""
+    return settings.deer.back and (settings.deer.variety or settings.plants.species > 1)

@@ -1,11 +1,15 @@
-"""The axes of billboards that stand upright (R4), or perpendicular to a slope, as deer do (R5).
+"""The axes of billboards that face the eye's place, stand upright (R4), or follow a slope (R5).
 
 The lesson's billboards are spanned by the camera's right and up (section 5.1.1), so they lean back
-when the camera looks down. No OpenGL here.
+when the camera looks down, and those close by turn with the camera when it turns on the spot
+(section 11.2.1). No OpenGL here.
 """
 
 import numpy as np
 
+from landscape.frame import Frame
+
+OVERHEAD = 1e-6  # units: nearer than this to the vertical through the eye
 STEEPEST = 0.7  # chosen: rise over run; a deer leans no farther
 
 
@@ -13,6 +17,27 @@ def upright_axes(right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return right and up of billboards that turn about the y axis only."""
     level = np.array([right[0], 0.0, right[2]])
     return level / max(float(np.linalg.norm(level)), 1e-9), np.array([0.0, 1.0, 0.0])
+
+
+def place_axes(frame: Frame, points: np.ndarray, upright: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Return right and up, (n, 3) each, of billboards at ``points`` (n, 3) that face the eye.
+
+    They are perpendicular to the line from the eye to them, so they stay as they are while the
+    camera turns on the spot. ``upright`` ones turn about the y axis only, and their up is one for
+    all, (3,).
+    """
+    line = points - frame.eye.astype(points.dtype)
+    right = np.zeros_like(line)
+    far = np.hypot(line[:, 0], line[:, 2])
+    # Straight above or below the eye no direction is the one to the side: take the camera's.
+    overhead = far < OVERHEAD
+    right[:, 0], right[:, 2] = -line[:, 2], line[:, 0]
+    right /= np.maximum(far, OVERHEAD)[:, None]
+    right[overhead] = upright_axes(frame.right)[0]
+    if upright:
+        return right, np.array([0.0, 1.0, 0.0], points.dtype)
+    up = np.cross(right, line)
+    return right, up / np.maximum(np.linalg.norm(up, axis=1), OVERHEAD)[:, None]
 
 
 def leaning(slopes: np.ndarray) -> np.ndarray:
@@ -24,12 +49,13 @@ def leaning(slopes: np.ndarray) -> np.ndarray:
 def slope_axes(right: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return right and up, (n, 3) each, of billboards that are perpendicular to a slope.
 
-    ``slopes`` (n, 2) = dy/dx, dy/dz. Right is the camera's, tilted into the slope; up is the
-    slope's normal.
+    ``slopes`` (n, 2) = dy/dx, dy/dz. Right is the billboards' own (n, 3), or the camera's (3,),
+    tilted into the slope; up is the slope's normal.
     """
-    level, _ = upright_axes(right)
+    level = right if right.ndim == 2 else upright_axes(right)[0][None]
     across, up = np.empty((2, len(slopes), 3), slopes.dtype)
-    across[:], across[:, 1] = level, slopes @ level[[0, 2]].astype(slopes.dtype)
+    across[:] = level
+    across[:, 1] = (slopes * across[:, ::2]).sum(axis=1)
     up[:, 0], up[:, 1], up[:, 2] = -slopes[:, 0], 1.0, -slopes[:, 1]
     for axes in (across, up):
         axes /= np.sqrt((axes * axes).sum(axis=1))[:, None]

@@ -10,8 +10,13 @@ import numpy as np
 
 from landscape.elements.best.sprites.choice import Choice, LaidOut, choose
 from landscape.elements.best.sprites.contact import contact_quads
+from landscape.elements.best.sprites.crossings import cut, cuts
 from landscape.elements.best.sprites.individuals import ROWS
-from landscape.elements.best.sprites.refined_atlas import FLOWERING, top_coordinates
+from landscape.elements.best.sprites.refined_atlas import (
+    FLOWERING,
+    box_corners,
+    top_coordinates,
+)
 from landscape.elements.best.sprites.refined_quads import (
     Quads,
     edge_on,
@@ -21,8 +26,12 @@ from landscape.elements.best.sprites.refined_quads import (
     smoothstep,
 )
 from landscape.elements.best.sprites.relighting import changes, corner_light, light_at, lit
-from landscape.elements.best.sprites.rules import clearness, crossing
-from landscape.elements.best.sprites.slope_billboards import slope_axes, upright_axes
+from landscape.elements.best.sprites.rules import clearness, crossing, is_deer
+from landscape.elements.best.sprites.slope_billboards import (
+    place_axes,
+    slope_axes,
+    upright_axes,
+)
 from landscape.elements.planting import PLANT
 from landscape.elements.sun import direction, painted
 from landscape.elements.transparent_elements import HALVES, QUAD, billboards
@@ -37,6 +46,7 @@ COMES, GOES = (0.35, 0.70), (0.80, 0.97)
 # Chosen: the picture's width, times that of a plant, of a herb that flowers, and of a tree.
 ROSETTE_WIDTH, BLOOM_WIDTH, CROWN_WIDTH = 1.25, 0.90, 0.95
 TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay off
+CUT_WITHIN = 8.0  # chosen: units; of farther ones one does not see which is in front
 
 TWO_BOXES = np.concatenate([QUAD, QUAD + 4])  # what is opaque in a picture, see atlas.outlines
 
@@ -47,7 +57,7 @@ class Seen:
 
     ``away`` is the horizontal distance in units, ``below`` the sine of the angle at which the eye
     looks down on its picture from above: negative for an eye below that, as a walker's is under a
-    tree. ``depth`` is the eye-space z, ``alpha`` 0..1.
+    tree. ``depth`` is its place in the sort, see :func:`order_of`, ``alpha`` 0..1.
     """
 
     away: np.ndarray
@@ -131,7 +141,7 @@ class SpritesInView:
         to_top = y + choice.tops
         below = -to_top / np.sqrt(np.maximum(flat + to_top * to_top, 1e-12))
         alpha = clearness(settings, choice.cells, choice.radius, choice.sizes[:, 0], away)
-        return Seen(away, below, frame.depth(choice.positions), alpha)
+        return Seen(away, below, order_of(frame, settings, choice.positions), alpha)
 
     def _boards(
         self,
@@ -147,22 +157,19 @@ class SpritesInView:
         ``light`` (4, 3) is the light at their corners, None the one that is painted in. Corners and
         colours are computed for all sprites, which costs less than selecting some.
         """
-        right, up = (
-            upright_axes(frame.right) if settings.transparent.upright else (frame.right, frame.up)
-        )
-        quads = billboards(
-            choice.positions, choice.sizes, right.astype(np.float32), up.astype(np.float32)
-        )
-        deer = choice.deer
-        if settings.deer.follow_slope and len(deer):
-            axes = slope_axes(frame.right, self._all.leaning[choice.which[deer]])
-            quads[deer] = billboards(choice.positions[deer], choice.sizes[deer], *axes)
+        quads = self._quads(frame, settings, choice)
         board = alpha > 0.0
         above = np.flatnonzero(choice.topped & (seen.below > GOES[0]))
         if len(above):
             alpha[above] *= 1.0 - smoothstep(*GOES, seen.below[above])
         colours = choice.colours
         colours[..., 3] = (choice.opacity * alpha)[:, None]
+        pieces = None
+        if settings.transparent.split:
+            cuttable = board & (seen.away < CUT_WITHIN)
+            pairs = choice.neighbours[cuttable[choice.neighbours].all(axis=1)]
+            pieces = cut(*cuts(quads, pairs))
+            board[pieces.owner] = False
         close = board & (seen.away < (TRIM_WITHIN if settings.transparent.trimmed else 0.0))
         far, near = np.flatnonzero(board & ~close), np.flatnonzero(close)
         parts = [
@@ -177,14 +184,59 @@ class SpritesInView:
         if len(near):
             corners, st = (box[near] for box in choice.boxes)
             boxes = points_of(quads[near], corners)
-            own = colours[near, 0]
-            if light is not None:
-                there = light_at(light, corners)
-                if not changes(settings.sun):
-                    there[choice.cells[near] >= PLANT] = 1.0
-                own = lit(own[:, None], there)
+            own = self._own(settings, choice, near, light, corners)
             parts.append(Quads.of(boxes, st, own, TWO_BOXES, seen.depth[near]))
+        if pieces is not None and len(pieces.owner):
+            which, corners = pieces.owner, box_corners(pieces.boxes)
+            boxes, st = points_of(quads[which], corners), points_of(choice.st[which], corners)
+            own = self._own(settings, choice, which, light, corners)
+            middles = boxes.mean(axis=1)
+            # Whole billboards are sorted by their feet, and so are parts of them.
+            middles[:, 1] = choice.positions[which, 1]
+            depth = order_of(frame, settings, middles)
+            parts.append(
+                Quads.of(boxes.astype(np.float32), st.astype(np.float32), own, QUAD, depth)
+            )
         return parts
+
+    def _quads(self, frame: Frame, settings: Settings, choice: Choice) -> np.ndarray:
+        """Return the rectangles (n, 4, 3) of all sprites of a choice as billboards."""
+        shared, positions, sizes = settings.transparent, choice.positions, choice.sizes
+        if shared.faces == "place":
+            middles = positions.copy()
+            middles[:, 1] += 0.5 * sizes[:, 1]
+            right, up = place_axes(frame, middles, shared.upright)
+        elif shared.upright:
+            right, up = (axis.astype(np.float32) for axis in upright_axes(frame.right))
+        else:
+            right, up = frame.right.astype(np.float32), frame.up.astype(np.float32)
+        quads = billboards(positions, sizes, right, up)
+        tilted = np.flatnonzero(choice.cells < PLANT) if shared.follow_slope else choice.deer
+        if (shared.follow_slope or settings.deer.follow_slope) and len(tilted):
+            own = right[tilted] if right.ndim == 2 else frame.right
+            axes = slope_axes(own, self._all.leaning[choice.which[tilted]])
+            quads[tilted] = billboards(positions[tilted], sizes[tilted], *axes)
+        return quads
+
+    def _own(
+        self,
+        settings: Settings,
+        choice: Choice,
+        which: np.ndarray,
+        light: np.ndarray | None,
+        corners: np.ndarray,
+    ) -> np.ndarray:
+        """Return the colours of parts of billboards ``which`` (m,): (m, 4), or of each corner.
+
+        ``corners`` (m, k, 2) are the parts' corners s, t, ``light`` is that of :meth:`_boards`.
+        """
+        own = choice.colours[which, 0]
+        if light is None:
+            return own
+        there = light_at(light, corners)
+        if not changes(settings.sun):
+            there[choice.cells[which] >= PLANT] = 1.0
+        return lit(own[:, None], there)
 
     def _lit(self, settings: Settings, choice: Choice, light: np.ndarray) -> np.ndarray:
         """Return the colours of billboards in a light (4, 3); by day herbs keep the painted one."""
@@ -208,7 +260,8 @@ class SpritesInView:
         which, turns, quads = crossed.which[near], crossed.turns[near], crossed.still[near]
         positions, sizes = choice.positions[which], choice.sizes[which]
         winds = sway(frame.kt, positions, settings.plants.sway)
-        winds *= sizes[:, 1:] / settings.plants.size_max
+        if settings.plants.sway_by_size:
+            winds *= sizes[:, 1:] / settings.plants.size_max
         quads[:, 4::6, ::2] += winds[:, None]
         if settings.plants.rosette:
             alpha = alpha * (1.0 - smoothstep(*GOES, seen.below[which]))
@@ -217,7 +270,8 @@ class SpritesInView:
             alpha = alpha[:, None] * np.repeat(edge_on(line, turns), 6, axis=1)
         depth = seen.depth[which]
         if settings.transparent.split:
-            depth = frame.depth(crossed.feet[near])
+            feet = crossed.feet[near]
+            depth = order_of(frame, settings, feet.reshape(-1, 3)).reshape(feet.shape[:2])
         bases = 6 * np.arange(count, dtype=np.uint32)[:, None, None]
         pattern = (HALVES + bases).reshape(-1, 6)
         colours = tinted(self._all.tints[choice.which[which]], alpha)
@@ -229,9 +283,13 @@ class SpritesInView:
         """Return the crowns and rosettes of what is seen from above, ``top`` of a choice."""
         which = choice.which[top]
         quads, st, middles = (a[which] for a in self._lying(settings.transparent.rooted))
-        alpha = seen.alpha[top] * smoothstep(*COMES, seen.below[top])
+        # A deer's picture from above is not round as a crown is: both pictures are seldom seen at
+        # once, so that it does not look like two.
+        below, deer = seen.below[top], is_deer(choice.cells[top])
+        shown = np.where(deer, smoothstep(*GOES, below), smoothstep(*COMES, below))
+        alpha = seen.alpha[top] * shown
         colours = tinted(self._all.tints[which], alpha)
-        return Quads.of(quads, st, colours, QUAD, frame.depth(middles))
+        return Quads.of(quads, st, colours, QUAD, order_of(frame, settings, middles))
 
     def _lying(self, rooted: bool) -> tuple[np.ndarray, ...]:
         """Return quads (n, 4, 3), coordinates and middles (n, 3) of all sprites' tops.
@@ -245,10 +303,23 @@ class SpritesInView:
             looks = [plant & np.isin(cells, FLOWERING), plant]
             middles[:, 1] += every.tops
             widths = sizes[:, 0] * np.select(looks, [BLOOM_WIDTH, ROSETTE_WIDTH], CROWN_WIDTH)
-            quads = lying(middles, widths, every.slopes * plant[:, None], own_turn(middles))
+            tilted = plant | is_deer(cells)
+            quads = lying(middles, widths, every.slopes * tilted[:, None], own_turn(middles))
             st = top_coordinates(cells, every.rows)
             self._tops[rooted] = quads.astype(np.float32), st, middles
         return self._tops[rooted]
+
+
+def order_of(frame: Frame, settings: Settings, points: np.ndarray) -> np.ndarray:
+    """Return the places in the sort (n,) of points (n, 3): the greater, the later drawn.
+
+    It is the eye-space z of section 5.1.1. Billboards that face the eye's place are not parallel to
+    the screen: of two that overlap, the one at the smaller distance from the eye is in front.
+    """
+    if settings.transparent.faces == "plane":
+        return frame.depth(points)
+    line = points - frame.eye.astype(points.dtype)
+    return np.asarray(-np.sqrt((line * line).sum(axis=1)))
 
 
 def tinted(tints: np.ndarray, alpha: np.ndarray) -> np.ndarray:
