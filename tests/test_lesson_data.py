@@ -10,6 +10,7 @@ from PIL import Image
 from landscape.errors import InputError
 from landscape.studio.lesson_data import DATA, FONT, MAKERS, main, sky
 from landscape.studio.planet import planet
+from landscape.studio.teapot import patches
 
 
 def test_every_file_has_a_maker_and_all_are_small() -> None:
@@ -28,7 +29,7 @@ def test_a_file_is_made_again_as_it_is(name: str) -> None:
     if name == "rabbit.ply":
         pytest.importorskip("fast_simplification", reason="the extra `studio` is not installed")
     made, kept = MAKERS[name](), (DATA / name).read_bytes()
-    if name.endswith(".ply"):
+    if name.endswith((".ply", ".txt")):
         assert made == kept
         return
     ours, theirs = (_texels(each) for each in (made, kept))
@@ -77,3 +78,19 @@ def test_files_are_written_where_they_are_wanted(
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="--out"):
         main(["water.png", "--out", str(tmp_path / "file" / "x")])
+
+
+def test_the_teapot_is_symmetric_and_the_normals_of_its_patches_point_outwards() -> None:
+    points = patches()
+    assert points.shape == (32, 4, 4, 3)
+    mirrored = {tuple(point) for point in (points.reshape(-1, 3) * (1, 1, -1)).round(4) + 0.0}
+    assert mirrored == {tuple(point) for point in points.reshape(-1, 3).round(4) + 0.0}
+    weights, slopes = np.array((1, 3, 3, 1)) / 8, np.array((-3, -3, 3, 3)) / 4  # at the middle
+    middles = np.einsum("i,j,pijk->pk", weights, weights, points)
+    along_u = np.einsum("i,j,pijk->pk", slopes, weights, points)
+    along_v = np.einsum("i,j,pijk->pk", weights, slopes, points)
+    normals = np.cross(along_u, along_v)
+    body = slice(4, 12)  # the sides, away from the axis
+    assert (np.sum(normals[body] * middles[body] * (1, 0, 1), 1) > 0).all()
+    assert (normals[16:20, 1] > 0).all() and (normals[20:24, 1] < 0).all(), "lid and bottom"
+    assert (normals[24:, 2] * middles[24:, 2] > 0).all(), "both sides of handle and spout"

@@ -69,9 +69,10 @@ def test_a_lesson_is_tagged_and_builds_on_those_before_it(name: str) -> None:
     earlier = NAMES[: NAMES.index(name)]
     assert set(found.needs) <= set(earlier), "it needs a lesson that comes later"
     imported = set(re.findall(r"^(?:import|from) (\w+)", source, re.MULTILINE))
-    allowed = {"glfw", "OpenGL", "math", "pathlib", "random", "numpy", "PIL", "time"}
+    allowed = {"glfw", "OpenGL", "math", "pathlib", "random", "numpy", "PIL", "time", "ctypes"}
     assert imported <= allowed | {HELPER}, "it imports more than a student has"
-    assert "from OpenGL.GL import *" in source and "GLU" not in source
+    assert "from OpenGL.GL import *" in source
+    assert not re.search("OpenGL.GLUT", source), "no lesson needs GLUT, or a screen"
     assert not re.search(r"glCreateShader|glUseProgram", source)
 
 
@@ -213,6 +214,34 @@ def test_a_drag_of_the_mouse_changes_the_lesson_mouse(watcher: Watcher) -> None:
     file = lesson("mouse").file
     assert watcher(file, 2, events=drag).picture != watcher(file, 2).picture
     assert watcher(file, 2, events=drag[::2]).picture == watcher(file, 2).picture, "no button"
+
+
+def test_the_right_button_opens_the_popup_menu_and_the_left_one_chooses(watcher: Watcher) -> None:
+    file = lesson("popup_menu").file
+
+    def seen(*events: dict[str, object]) -> str:
+        drawn = watcher(file, 6, events=list(events))
+        assert drawn.error == "", drawn.details
+        return drawn.picture
+
+    def at(frame: int, x: int, y: int) -> dict[str, object]:
+        return {"frame": frame, "move": [x, y]}
+
+    def click(frame: int, button: str) -> list[dict[str, object]]:
+        return [{"frame": frame, "button": button, "action": a} for a in ("press", "release")]
+
+    plain = seen()
+    opened = (at(1, 100, 100), *click(2, "right"))
+    # The first line, colour, and beside it the second line, amber.
+    to_amber = (*opened, at(3, 120, 110), at(4, 280, 140))
+    assert len({plain, seen(*opened), seen(*to_amber)}) == 3
+    chosen = seen(*to_amber, *click(5, "left"))
+    assert chosen != plain, "the square is amber"
+    assert seen(*opened, at(3, 500, 400), *click(4, "left")) == plain, "a click beside closes it"
+    assert seen(*click(1, "left")) == plain, "there is no menu"
+    drag = (at(1, 400, 220), {"frame": 2, "button": "middle", "action": "press"}, at(3, 300, 300))
+    up = {"frame": 4, "button": "middle", "action": "release"}
+    assert seen(*drag, up) not in (plain, chosen)
 
 
 @pytest.fixture

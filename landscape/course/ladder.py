@@ -25,17 +25,23 @@ LESSONS = Path(__file__).resolve().parents[1] / "lessons"
 SECTIONS: Phrases = ("What you see", "Why", "Change first", "Ask the class")  # of each page
 
 LADDER: dict[str, tuple[str, ...]] = {
-    "window": ("window", "keys", "mouse", "animation", "menu"),
-    "shapes": ("triangle", "primitives", "orientation"),
-    "transforms": ("viewport", "transform_order"),
+    "window": ("window", "keys", "mouse", "animation", "main_loop", "menu", "popup_menu"),
+    "shapes": ("triangle", "primitives", "lines", "orientation", "z_buffer"),
+    "transforms": ("viewport", "homogeneous", "matrices", "transform_order"),
     "meshes": ("polygon_modes", "tetrahedron"),
-    "cameras": ("frames", "pinhole", "perspective", "look_at", "matrix_stack"),
-    "light": (
-        *("depth_buffer", "light_model", "attenuation", "spot", "normals", "scale", "gouraud"),
-        *("camera_light", "world_light"),
+    "cameras": (
+        *("frames", "three_turns", "pinhole", "similar_triangles", "perspective", "look_at"),
+        *("teapot", "chain", "matrix_stack"),
     ),
-    "arrays": ("vertex_arrays", "display_list"),
-    "textures": ("generated_texture", "textured_sphere", "blending", "text"),
+    "light": (
+        *("depth_buffer", "light_vectors", "light_model", "attenuation", "spot", "normals"),
+        *("scale", "gouraud", "camera_light", "world_light", "two_lights"),
+    ),
+    "arrays": ("vertex_arrays", "interleaved", "mixed_faces", "display_list"),
+    "textures": (
+        *("generated_texture", "texture_objects", "texture_map", "textured_sphere", "quadrics"),
+        *("blending", "text"),
+    ),
     "landscape": (
         *("height_field", "texture_units", "clip_plane", "mirror", "water", "sky_box"),
         *("billboard", "sorting", "crossed_quads", "grass", "light_map", "sprite_sheet"),

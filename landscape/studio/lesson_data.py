@@ -21,6 +21,7 @@ from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.files.meshes import read_mesh
 from landscape.files.output import write_whole
+from landscape.studio import teapot
 
 DATA = Path(__file__).resolve().parents[1] / "lessons" / "data"
 ISLAND = (20, 16, 480)  # chosen: left, top and side of the island, in texels of height16.png
@@ -280,6 +281,7 @@ MAKERS: dict[str, Callable[[], bytes]] = {
     "rabbit.ply": rabbit,
     "sky.jpg": sky,
     "sword.png": sword,
+    "teapot.txt": teapot.text,
     "tree.png": tree,
     "water.png": water,
 }
