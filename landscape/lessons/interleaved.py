@@ -101,7 +101,7 @@ def draw(width, height):
     name = POSITION_TYPES[position][1]
     write(16, 64, "glVertexPointer(3, {name}, {stride}, first)", BLUE, name=name, stride=stride)
     name, offset = COLOR_TYPES[color][1], array.dtype.fields["color"][1]
-    write(16, 40, "glColorPointer(3, {name}, {stride}, ", CORAL, name=name, stride=stride)
+    write(16, 40, "glColorPointer(3, {t}, {n}, ", CORAL, t=name, n=stride)
     place = 16 + 10 * len(f"glColorPointer(3, {name}, {stride}, ")
     write(place, 40, "first + {offset})", CORAL, offset=offset)
     write(16, 16, "{count} bytes a vertex", GREY, count=array.itemsize)
