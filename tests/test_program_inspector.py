@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import SECONDS, TESTS, landscape, refused
+from commands import SECONDS, TESTS, landscape, need_library, refused
 from test_window import _wait_for, screen, xdotool
 
 from landscape.capture.edit_files import read
@@ -19,41 +19,110 @@ from landscape.capture.edit_files import read
 __all__ = ["screen"]  # the fixture
 pytestmark = pytest.mark.window
 LANTERN = TESTS / "programs" / "lantern.py"
-# A program that tells what is in its window's middle, and every key that it gets.
-TELLING = """
+# Programs that tell what is in their windows' middle, and every key that they get. In each the
+# rectangle is drawn right after its colour.
+DRAWING = """
 import sys
-import time
-import glfw
 from OpenGL.GL import *
 
-glfw.init()
-window = glfw.create_window(320, 240, "Telling", None, None)
-glfw.make_context_current(window)
 log = open(sys.path[0] + "/log.txt", "a")
-def on_key(_, key, scancode, action, mods):
-    print("key", key, action, file=log, flush=True)
-
-glfw.set_key_callback(window, on_key)
-glClearColor(0.0, 0.0, 1.0, 1.0)
 frame = 0
-while not glfw.window_should_close(window):
+def draw():
+    global frame
     glClear(GL_COLOR_BUFFER_BIT)
     glColor3f(1.0, 0.0, 0.0)
     glRectf(-0.9, -0.9, 0.9, 0.9)
     pixel = glReadPixels(160, 120, 1, 1, GL_RGB, GL_UNSIGNED_BYTE)
     print("frame", frame, *bytes(pixel), file=log, flush=True)
     frame += 1
+
+def pressed(letter):
+    print("key", letter.lower(), file=log, flush=True)
+
+"""
+GLFW = """
+import glfw
+
+glfw.init()
+window = glfw.create_window(320, 240, "Telling", None, None)
+glfw.make_context_current(window)
+glfw.set_key_callback(window, lambda _, key, scan, action, mods: action and pressed(chr(key)))
+glClearColor(0.0, 0.0, 1.0, 1.0)
+while not glfw.window_should_close(window):
+    draw()
     glfw.swap_buffers(window)
     glfw.poll_events()
-print("end", file=log, flush=True)
 """
+GLUT = """
+from OpenGL.GLUT import *
+
+def display():
+    draw()
+    glutSwapBuffers()
+
+glutInit(sys.argv)
+glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB)
+glutInitWindowSize(320, 240)
+glutCreateWindow(b"Telling")
+glutCreateMenu(lambda entry: 0)
+glutAttachMenu(GLUT_RIGHT_BUTTON)
+glutKeyboardFunc(lambda key, x, y: pressed(key.decode()))
+glutIdleFunc(glutPostRedisplay)
+glutDisplayFunc(display)
+glClearColor(0.0, 0.0, 1.0, 1.0)
+glutMainLoop()
+"""
+PYGAME = """
+import pygame
+
+pygame.init()
+pygame.display.set_mode((320, 240), pygame.OPENGL | pygame.DOUBLEBUF)
+pygame.display.set_caption("Telling")
+glClearColor(0.0, 0.0, 1.0, 1.0)
+clock = pygame.time.Clock()
+while True:
+    for event in pygame.event.get():
+        if event.type == pygame.KEYDOWN:
+            pressed(event.unicode)
+        if event.type == pygame.QUIT:
+            raise SystemExit
+    draw()
+    pygame.display.flip()
+    clock.tick(60)
+"""
+SHADERS = """
+from OpenGL.GL.shaders import compileProgram, compileShader
+
+program = compileProgram(
+    compileShader(
+        "void main() { gl_Position = gl_Vertex; gl_FrontColor = gl_Color; }", GL_VERTEX_SHADER
+    ),
+    compileShader("void main() { gl_FragColor = gl_Color; }", GL_FRAGMENT_SHADER),
+)
+glUseProgram(program)
+"""
+OPENED = "glfw.make_context_current(window)\n"
+# With the function that draws its rectangle.
+TELLING = {
+    "GLFW": DRAWING + GLFW,
+    "GLFW, with shaders": DRAWING + GLFW.replace(OPENED, OPENED + SHADERS),
+    "GLUT": DRAWING + GLUT,
+    "GLUT, single-buffered": DRAWING
+    + GLUT.replace("GLUT_DOUBLE", "GLUT_SINGLE").replace("glutSwapBuffers", "glFlush"),
+    "pygame": DRAWING + PYGAME,
+}
 
 
+@pytest.mark.parametrize("name", TELLING)
 def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
-    screen: dict[str, str], tmp_path: Path
+    screen: dict[str, str], tmp_path: Path, name: str
 ) -> None:
+    if "GLUT" in name:
+        need_library("glut")
+    if "pygame" in name:
+        pytest.importorskip("pygame")
     program, log = tmp_path / "telling.py", tmp_path / "log.txt"
-    program.write_text(TELLING)
+    program.write_text(TELLING[name])
     words = [sys.executable, "-m", "landscape", "inspect", str(program)]
     process = subprocess.Popen(words, env=screen, cwd=tmp_path)
 
@@ -73,7 +142,7 @@ def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
         xdotool(screen, "key", "F12")
         _wait_for(lambda: len(told()) > 3, process, "the frames after it")
         xdotool(screen, "key", "a", "Escape")
-        _wait_for(lambda: any(line == "key 65 1" for line in told()), process, "its own key")
+        _wait_for(lambda: any(line == "key a" for line in told()), process, "its own key")
         subprocess.run(
             ["xdotool", "windowclose", window], env=screen, check=False, capture_output=True
         )
@@ -82,14 +151,73 @@ def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
         process.kill()
         process.wait()
     (edit,) = read(saved, tmp_path)
-    assert (edit.key.name, edit.key.function, edit.argument) == ("glColor3f", "<module>", 1)
+    assert (edit.key.name, edit.key.function, edit.argument) == ("glColor3f", "draw", 1)
     green = [line for line in told() if line.startswith("frame") and line.split()[3] != "0"]
     assert green, "the edit changes what the program draws"
     shown = [int(word) for word in green[0].split()[2:]]
     assert np.isclose(shown[1], 255 * edit.value, atol=1)
-    done = landscape("trace", program, "--edits", saved, "--json")
+    done = landscape("trace", program, "--edits", saved, "--json", env=screen)
     colours = [call["args"] for call in json.loads(done.out) if call["name"] == "glColor3f"]
     assert colours == [[1.0, edit.value, 0.0]]
+
+
+WAITING = """
+import sys
+from OpenGL.GL import *
+from OpenGL.GLUT import *
+
+log = open(sys.path[0] + "/log.txt", "a")
+def display():
+    glRectf(-0.1, -0.1, 0.1, 0.1)
+    glFlush()
+    pixel = glReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_BYTE)
+    print("display", *bytes(pixel), file=log, flush=True)
+
+def ticks(count):
+    print("tick", count, file=log, flush=True)
+    if count < 3:
+        glutTimerFunc(150, ticks, count + 1)
+
+glutInit(sys.argv)
+glutInitDisplayMode(GLUT_SINGLE)
+glutInitWindowSize(320, 240)
+glutCreateWindow("Waiting")
+glutDisplayFunc(display)
+glutTimerFunc(150, ticks, 1)
+glClearColor(0.0, 0.0, 1.0, 1.0)
+glClear(GL_COLOR_BUFFER_BIT)
+glutMainLoop()
+"""
+
+
+def test_a_glut_program_waits_for_its_user_and_keeps_what_it_has_drawn(
+    screen: dict[str, str], tmp_path: Path
+) -> None:
+    need_library("glut")
+    program, log = tmp_path / "waiting.py", tmp_path / "log.txt"
+    program.write_text(WAITING)
+    words = [sys.executable, "-m", "landscape", "inspect", str(program)]
+    process = subprocess.Popen(words, env=screen, cwd=tmp_path)
+
+    def told() -> list[str]:
+        return log.read_text().splitlines() if log.exists() else []
+
+    try:
+        window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^Waiting")
+        xdotool(screen, "windowfocus", "--sync", window)
+        _wait_for(lambda: bool(told()), process, "the first frame")
+        xdotool(screen, "key", "F12")
+        _wait_for(lambda: "tick 3" in told(), process, "its timers")
+        assert _stands(told), "nothing asks for a second picture"
+        xdotool(screen, "key", "F12")
+        _wait_for(lambda: len(told()) == 5, process, "a picture for the inspector to look into")
+        xdotool(screen, "key", "F12")
+        assert _stands(told)
+    finally:
+        process.kill()
+        process.wait()
+    pictures = [line for line in told() if line.startswith("display")]
+    assert pictures == ["display 0 0 255", "display 0 0 255"], "the panel has left nothing behind"
 
 
 CLEARING = """
@@ -148,10 +276,28 @@ def _stands(told: Callable[[], list[str]]) -> bool:
 
 def test_a_view_and_a_program_of_another_toolkit_are_refused_in_one_line(tmp_path: Path) -> None:
     refused(landscape("inspect", "fig35e"), "fig35e", "expected the path of a .py program")
-    path = tmp_path / "glut.py"
-    path.write_text("from OpenGL.GLUT import *\n")
-    refused(landscape("inspect", path), "glut.py", "the inspector show GLFW programs")
+    path = tmp_path / "other.py"
+    path.write_text("import pyglet\n")
+    refused(landscape("inspect", path), "other.py", "opens its window with pyglet")
     refused(landscape("inspect", tmp_path / "none.py"), "none.py")
+
+
+CORE = """
+import glfw
+glfw.init()
+glfw.window_hint(glfw.CONTEXT_VERSION_MAJOR, 3)
+glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 3)
+glfw.window_hint(glfw.OPENGL_PROFILE, glfw.OPENGL_CORE_PROFILE)
+window = glfw.create_window(64, 48, "core", None, None)
+glfw.make_context_current(window)
+glfw.swap_buffers(window)
+"""
+
+
+def test_a_core_profile_is_refused_in_one_line(screen: dict[str, str], tmp_path: Path) -> None:
+    path = tmp_path / "core.py"
+    path.write_text(CORE)
+    refused(landscape("inspect", path, env=screen), "which a core profile lacks; trace and state")
 
 
 HOSTILE = """

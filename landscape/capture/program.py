@@ -85,13 +85,16 @@ class Observer(Protocol):
 
 
 class Live(Protocol):
-    """A user at the program's window, which then is visible: only GLFW programs have one."""
+    """A user at the program's window, which then is visible, and a window of GLFW."""
 
     def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
         """Take GLFW as it is, the window, and the names of keys in events, by GLFW's numbers."""
 
     def events(self, wait: bool = False) -> list[Event]:
-        """Return what the user does with the program; ``wait`` until there is something."""
+        """Return what the user does with the program; ``wait`` until there is something.
+
+        Nothing, where the program is to draw its picture again.
+        """
 
 
 class Host(Protocol):
@@ -338,10 +341,9 @@ def run(
     limit = LIMIT if limit is None else limit
     source = read_source(Path(path))
     state = Run(source, frame, read_events(events), backend, observer, live, host)
-    if live is not None and source.toolkit != "glfw":
+    if host is not None and source.toolkit in ("glut", "pygame"):
         raise ProgramError(
-            f"{source.path}: a lecture and the inspector show GLFW programs; trace, pixel, state "
-            "and strip look into this one"
+            f"{source.path}: a lecture shows GLFW programs; `landscape inspect` shows this one"
         )
     toolkit = _toolkit(source)
     with ExitStack() as stack:

@@ -35,6 +35,7 @@ class Clock:
         self._began = true() if true is not None else 0.0
         self.now = 0.0
         self.held = False
+        self.waits: Callable[[float], None] | None = None  # lets a wait take its time, if anything
         self._readings = 0
         self._thread = threading.get_ident()
 
@@ -56,6 +57,8 @@ class Clock:
     def move(self, seconds: float) -> None:
         """Move the clock on, as sleeping does; one that is not held moves by itself."""
         self.now += max(0.0, seconds)
+        if self.waits is not None:
+            self.waits(max(0.0, seconds))
 
     @contextmanager
     def released(self) -> Iterator[None]:

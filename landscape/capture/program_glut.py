@@ -18,6 +18,7 @@ from typing import Any
 from landscape.capture.program import Run, Window
 from landscape.capture.program_clock import milliseconds
 from landscape.capture.program_events import CONTROL, Event
+from landscape.capture.program_live import LiveWindow
 from landscape.capture.program_source import ProgramError
 from landscape.errors import NoOpenGLError
 from landscape.gl import advice, display
@@ -34,6 +35,21 @@ WITHOUT_EFFECT = (
 )
 # Callbacks after which the display callback comes anyway: they and it make one frame.
 BEFORE_DISPLAY = ("Reshape", "Visibility", "WindowStatus")
+# What needs a window of freeglut's own, and what it answers where another one is shown.
+OF_OWN_WINDOW = {
+    **dict.fromkeys(("SetWindow", "SetWindowTitle", "SetIconTitle", "UseLayer", "SetMenu"), None),
+    **dict.fromkeys(("AddMenuEntry", "AddSubMenu", "ChangeToMenuEntry", "DestroyMenu"), None),
+    **dict.fromkeys(("ChangeToSubMenu", "RemoveMenuItem", "AttachMenu", "DetachMenu"), None),
+    **{"GetWindow": 1, "CreateMenu": 1, "GetMenu": 0, "LayerGet": 0},
+}
+DOUBLE, DEPTH, STEREO, MULTISAMPLE = 2, 16, 256, 128  # of glutInitDisplayMode
+# The buffers of a window in glutInitDisplayMode and in glutInitDisplayString, as GLFW names them.
+BUFFERS = {
+    "DEPTH_BITS": (DEPTH, "depth", 24),
+    "STENCIL_BITS": (32, "stencil", 8),
+    "ALPHA_BITS": (8, "alpha", 8),
+    **{f"ACCUM_{each}_BITS": (4, "acc", 16) for each in ("RED", "GREEN", "BLUE", "ALPHA")},
+}
 FUNCTIONS = re.compile(r"glut\w+Func")
 OTHER_FUNCTIONS = {"glutInitErrorFunc", "glutInitWarningFunc"}
 SPECIAL = {
@@ -45,9 +61,9 @@ SPECIAL = {
 }
 BUTTON_CODES = {"left": 0, "middle": 1, "right": 2}
 MODIFIERS = {"shift": 1, "control": 2, "alt": 4}
-DOUBLE, DEPTH, STEREO, MULTISAMPLE = 2, 16, 256, 128  # of glutInitDisplayMode
 WINDOW_WIDTH, WINDOW_HEIGHT, DISPLAY_POSSIBLE, ELAPSED_TIME = 102, 103, 400, 700  # of glutGet
 IDLE = 0.001  # seconds of the held clock that a turn of the loop takes if it draws nothing; chosen
+TURN = 0.02  # seconds that a turn of the loop waits for a timer at most, with a user; chosen
 PATIENCE = 1000  # turns without a frame until the program is asked to redraw; chosen
 
 
@@ -89,6 +105,10 @@ class _Glut:
         self._timers: list[tuple[float, int, Callable[..., Any], Any]] = []
         self._ordered = 0  # timers so far: those due at once go in their order
         self._window = 0
+        self._live: LiveWindow | None = None  # in the place of freeglut's window
+        self._bits = {
+            name: bits if name == "DEPTH_BITS" else 0 for name, (_, _, bits) in BUFFERS.items()
+        }
         self._size = (300, 300)  # GLUT's default
         self._double_buffered = False
         self._posted = True  # whether a redraw is due
@@ -111,11 +131,18 @@ class _Glut:
             if FUNCTIONS.fullmatch(name) and name not in OTHER_FUNCTIONS
         }
         own |= {f"glut{name}": (lambda *args: None) for name in WITHOUT_EFFECT}
+        if self._run.live is not None:
+            own |= {f"glut{name}": _answering(value) for name, value in OF_OWN_WINDOW.items()}
+            own["glutSetWindowTitle"] = self._entitle
         own |= {name: getattr(self, name) for name in vars(type(self)) if name[0] != "_"}
         return {name: new for name, new in own.items() if name in known}
 
     def close(self) -> None:
         """Destroy the window."""
+        if self._live is not None:
+            self._run.closed()
+            self._live.close()
+            self._live, self._window = None, 0
         if self._window:
             self._run.drawing = False
             self._turn()  # a redraw that still waits would find no callback
@@ -157,8 +184,17 @@ class _Glut:
         self._run.drew = False
         function(*args)
         if self._run.drew and self._run.drawing and not self._double_buffered:
-            self._run.end_frame()
-            self._run.begin_frame()
+            self._end_frame()
+
+    def _end_frame(self, swaps: bool = False) -> None:
+        """End a frame and begin the next; ``swaps``: its picture is behind the one that is seen."""
+        if self._live is not None:
+            self._live.end_frame(swaps or not self._double_buffered)
+            return
+        self._run.end_frame()
+        if swaps:
+            self._real.glutSwapBuffers()
+        self._run.begin_frame()
 
     # Initialisation and the window.
 
@@ -169,12 +205,17 @@ class _Glut:
 
     def glutInitDisplayMode(self, mode: int) -> None:
         self._double_buffered = bool(mode & DOUBLE)
+        self._bits = {name: bits if mode & bit else 0 for name, (bit, _, bits) in BUFFERS.items()}
         self._real.glutInitDisplayMode(mode & ~MULTISAMPLE)
 
     def glutInitDisplayString(self, words: Any) -> None:
         text = words.decode() if isinstance(words, bytes) else str(words)
         kept = [word for word in text.split() if not word.startswith("samples")]
         self._double_buffered = "double" in kept
+        self._bits = {
+            name: bits if any(each.startswith(word) for each in kept) else 0
+            for name, (_, word, bits) in BUFFERS.items()
+        }
         self._real.glutInitDisplayString(" ".join(kept).encode())
 
     def glutInitWindowSize(self, width: int, height: int) -> None:
@@ -189,6 +230,8 @@ class _Glut:
             raise run.refuse("calls glutCreateWindow before glutInit")
         if run.window is not None:
             raise run.second_window()
+        if run.live is not None:
+            return self._open_live(title)
         if not real.glutGet(DISPLAY_POSSIBLE):
             raise run.refuse("asks glutInitDisplayMode for what this screen cannot do")
         self._window = real.glutCreateWindow(title)
@@ -197,6 +240,18 @@ class _Glut:
         size = lambda: self._size  # noqa: E731
         run.open(Window("glut", "glx", size, self._double_buffered))
         return self._window
+
+    def _open_live(self, title: Any) -> int:
+        self._live = LiveWindow(
+            self._run, self._size, _text(title), self._bits, self._double_buffered
+        )
+        self._window = 1
+        self._run.open(self._live.described("glut"))
+        return self._window
+
+    def _entitle(self, title: Any) -> None:
+        if self._live is not None:
+            self._live.entitle(_text(title))
 
     def glutCreateSubWindow(self, *args: Any) -> int:
         raise self._run.second_window()
@@ -210,14 +265,15 @@ class _Glut:
 
     def glutReshapeWindow(self, width: int, height: int) -> None:
         self._size = self._run.sized(width, height)
-        self._real.glutReshapeWindow(width, height)
-        self._turn()  # freeglut only changes the size here
+        if self._live is not None:
+            self._live.resize(self._size)
+        else:
+            self._real.glutReshapeWindow(width, height)
+            self._turn()  # freeglut only changes the size here
         self._posted = self._reshaped = True
 
     def glutSwapBuffers(self) -> None:
-        self._run.end_frame()
-        self._real.glutSwapBuffers()
-        self._run.begin_frame()
+        self._end_frame(swaps=True)
 
     def glutPostRedisplay(self) -> None:
         self._posted = True
@@ -261,7 +317,7 @@ class _Glut:
         run.check()
         frames = run.frames
         self._tell_size()
-        for event in run.events.due(frames):
+        for event in run.live.events() if run.live else run.events.due(frames):
             self._deliver(event)
         self._call_timers()
         if self._posted and not self._leaving:
@@ -273,7 +329,7 @@ class _Glut:
         self._quiet = 0 if run.frames > frames else self._quiet + 1
         if self._quiet:
             run.clock.move(IDLE)
-        if self._quiet > PATIENCE:
+        if self._quiet > PATIENCE and run.live is None:
             self._posted = True
 
     def _tell_size(self) -> None:
@@ -298,12 +354,19 @@ class _Glut:
         if not self._call("Display"):
             raise self._run.refuse("has no display callback: it never calls glutDisplayFunc")
         if self._run.frames == frames:
-            self._run.end_frame()
-            self._run.begin_frame()
+            self._end_frame()
 
     def _wait(self) -> None:
         """Pass the time until a timer is due, or ask for a redraw."""
-        if self._timers:
+        run = self._run
+        if run.live is not None and self._timers:
+            run.clock.move(min(TURN, max(0.0, min(self._timers)[0] - run.clock.now)))
+        elif run.live is not None:
+            events = run.live.events(wait=True)
+            for event in events:
+                self._deliver(event)
+            self._posted |= not events
+        elif self._timers:
             self._run.clock.now = max(self._run.clock.now, min(self._timers)[0])
         else:
             self._posted = True
@@ -343,13 +406,25 @@ class _Glut:
                 self._call("Mouse", 3 if up > 0 else 4, state, *self._place())
 
     def _resize(self, event: Event) -> None:
-        self.glutReshapeWindow(int(event.value[0]), int(event.value[1]))
+        if self._live is not None:  # the user has done it
+            self._size = self._live.pixels()
+            self._posted = self._reshaped = True
+        else:
+            self.glutReshapeWindow(int(event.value[0]), int(event.value[1]))
         self._tell_size()
 
     def _close(self, event: Event) -> None:
         if not self._call("Close"):
             self._call("WMClose")
         self.glutDestroyWindow(self._window)
+
+
+def _answering(value: Any) -> Callable[..., Any]:
+    return lambda *args: value
+
+
+def _text(title: Any) -> str:
+    return title.decode(errors="replace") if isinstance(title, bytes) else str(title)
 
 
 def _nothing(*args: Any) -> None:

@@ -14,8 +14,9 @@ from typing import Any
 
 from landscape.capture.program import Run, Window
 from landscape.capture.program_clock import Clock, milliseconds
-from landscape.capture.program_context import screen
+from landscape.capture.program_context import prepare, screen
 from landscape.capture.program_events import CONTROL, KEYS, Event
+from landscape.capture.program_live import LiveWindow
 from landscape.capture.program_source import need_package
 from landscape.errors import NoOpenGLError
 from landscape.gl.binding import use_platform
@@ -102,6 +103,10 @@ def _held_times(run: Run, pygame: Any) -> Iterator[tuple[Any, Any]]:
 
 def _choose(run: Run, pygame: Any) -> str:
     """Choose SDL's driver and bind PyOpenGL to the same; return the backend's name."""
+    if run.live is not None:
+        os.environ["SDL_VIDEODRIVER"] = "dummy"  # the window that is seen is one of GLFW
+        prepare("glfw", run.source.checked)
+        return "glfw"
     refused = {"osmesa": "OSMesa", "cgl": "CGL"}
     if run.backend in refused:
         reason = f"pygame draws by EGL or on a screen, not by {refused[run.backend]}"
@@ -152,6 +157,9 @@ class _Pygame:
         self._events: list[Any] = []
         self._timers: list[list[Any]] = []  # due, interval, event, how often still
         self._depth_bits = DEPTH_BITS  # to ask for
+        self._asked: dict[int, int] = {}  # all that gl_set_attribute asked for
+        self._live: LiveWindow | None = None  # the window that the user sees, if there is a user
+        self._repeats = False  # whether a key held down is pressed again and again
         self._moved = (0.0, 0.0)  # where the mouse was when get_rel was last asked
         self._codes: dict[str, int] = {
             name: int(
@@ -174,6 +182,9 @@ class _Pygame:
 
     def quit(self) -> None:
         """Close the window and end pygame."""
+        if self._live is not None:
+            self._live.close()
+            self._live = None
         self._real.quit()
 
     # The window.
@@ -189,6 +200,8 @@ class _Pygame:
         if not self._real.display.get_init():
             self._real.display.init()  # so does pygame's own set_mode
         flags &= ~(pygame.FULLSCREEN | getattr(pygame, "SCALED", 0) | pygame.SHOWN)
+        if run.live is not None:
+            return self._set_live_mode(flags)
         for attribute in (pygame.GL_MULTISAMPLEBUFFERS, pygame.GL_MULTISAMPLESAMPLES):
             self._real.display.gl_set_attribute(attribute, 0)
         self._real.display.gl_set_attribute(pygame.GL_DEPTH_SIZE, self._depth_bits)
@@ -198,12 +211,47 @@ class _Pygame:
             run.open(Window("pygame", self._backend, lambda: self._size, hidden=hidden))
         return surface
 
+    def _set_live_mode(self, flags: int) -> Any:
+        """Open GLFW's window, or change its size; return a surface of SDL's, which is not seen."""
+        pygame, run = self._pygame, self._run
+        surface = self._real.display.set_mode(
+            self._size, flags & ~(pygame.OPENGL | pygame.DOUBLEBUF)
+        )
+        if self._live is not None:
+            if self._live.pixels() != self._size:
+                self._live.resize(self._size)
+            return surface
+        bits = {"DEPTH_BITS": self._depth_bits}
+        for name in ("STENCIL", "ALPHA", "ACCUM_RED", "ACCUM_GREEN", "ACCUM_BLUE", "ACCUM_ALPHA"):
+            bits[f"{name}_BITS"] = self._asked.get(getattr(pygame, f"GL_{name}_SIZE"), 0)
+        hints = {
+            name: self._asked[flag]
+            for name, flag in (
+                ("CONTEXT_VERSION_MAJOR", pygame.GL_CONTEXT_MAJOR_VERSION),
+                ("CONTEXT_VERSION_MINOR", pygame.GL_CONTEXT_MINOR_VERSION),
+            )
+            if flag in self._asked
+        }
+        title = self._real.display.get_caption() or ("pygame",)
+        self._live = LiveWindow(run, self._size, str(title[0]), bits, hints=hints)
+        run.open(self._live.described("pygame"))
+        return surface
+
+    def display_set_caption(self, title: Any, icontitle: Any = None) -> None:
+        self._real.display.set_caption(title)
+        if self._live is not None:
+            self._live.entitle(str(title))
+
     def display_gl_set_attribute(self, flag: int, value: int) -> None:
+        self._asked[flag] = value
         if flag == self._pygame.GL_DEPTH_SIZE:
             self._depth_bits = max(value, DEPTH_BITS) if value else 0
         self._real.display.gl_set_attribute(flag, value)
 
     def display_flip(self) -> None:
+        if self._live is not None:
+            self._live.end_frame()
+            return
         self._run.end_frame()
         if self._run.framebuffer is None:
             self._real.display.flip()
@@ -232,7 +280,8 @@ class _Pygame:
 
     def event_pump(self) -> None:
         self._run.check()
-        for event in self._run.events.due(self._run.frames):
+        live = self._run.live
+        for event in live.events() if live else self._run.events.due(self._run.frames):
             self._deliver(event)
         for timer in self._timers:
             while timer[3] and timer[0] <= self._run.clock.now:
@@ -257,7 +306,8 @@ class _Pygame:
             self._run.clock.move(timeout / 1000.0)
             return self.event_poll()
         if not self._events:
-            for event in self._run.events.awaited(self._run.frames):
+            live, queue = self._run.live, self._run.events
+            for event in live.events(wait=True) if live else queue.awaited(self._run.frames):
                 self._deliver(event)
         # A program that waits for somebody is asked to redraw.
         return self._events.pop(0) if self._events else self._event("VIDEOEXPOSE")
@@ -283,6 +333,9 @@ class _Pygame:
 
     def key_get_mods(self) -> int:
         return sum(self._mods[mod] for mod in self._run.events.mods)
+
+    def key_set_repeat(self, *times: int) -> None:
+        self._repeats = bool(times and times[0])
 
     def key_get_focused(self) -> bool:
         return True
@@ -321,6 +374,8 @@ class _Pygame:
         self._events += getattr(self, f"_{event.kind}")(event, before)
 
     def _key(self, event: Event, before: Any) -> list[Any]:
+        if event.action == "repeat" and not self._repeats:
+            return []
         written = event.text or CONTROL.get(event.name, "")
         values = {"key": self._codes[event.name], "mod": self.key_get_mods(), "unicode": written}
         found = [self._event("KEYDOWN" if event.pressed else "KEYUP", **values, scancode=0)]
@@ -347,9 +402,12 @@ class _Pygame:
         return found
 
     def _resize(self, event: Event, before: Any) -> list[Any]:
+        width, height = map(int, event.value)
+        if self._live is not None:  # the user has done it
+            width, height = self._size = self._live.pixels()
+            return [self._event("VIDEORESIZE", size=self._size, w=width, h=height)]
         from pygame._sdl2.video import Window as SDLWindow
 
-        width, height = map(int, event.value)
         SDLWindow.from_display_module().size = self._size = (width, height)
         if self._run.framebuffer is not None:
             self._run.framebuffer.resize(self._size)

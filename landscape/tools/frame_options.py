@@ -130,10 +130,13 @@ def parted(words: list[str]) -> tuple[list[str], list[str]]:
 
 def add_inspect(command: Add, language: Callable[[argparse.ArgumentParser, str], None]) -> None:
     """Add the command that opens the inspector over a program; ``language`` adds --lang."""
-    inspect = command(
-        "inspect", "open the inspector over a program with a GLFW window (F12)", "program.py"
+    inspect = command("inspect", "open the inspector over a program's window (F12)", "program.py")
+    inspect.add_argument(
+        "target",
+        metavar="FILE.py",
+        help="a program that uses PyOpenGL with GLFW, GLUT or pygame; what follows `--` are its "
+        "own arguments",
     )
-    inspect.add_argument("target", metavar="FILE.py", help="a program that uses PyOpenGL and GLFW")
     edits_option(inspect)
     language(inspect, "language of the inspector")
     inspect.add_argument("-q", "--quiet", action="store_true", help="print no notices")

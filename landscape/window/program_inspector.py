@@ -1,6 +1,7 @@
-"""The inspector over a GLFW program: `landscape inspect FILE.py`.
+"""The inspector over a program: `landscape inspect FILE.py`.
 
-The program runs unchanged, in its own window. F12 opens the inspector, open at first. While
+The program runs unchanged, in its own window, or, if it is one of GLUT or pygame, in one of GLFW
+(capture/program_live.py). F12 opens the inspector, open at first. While
 it stops the program, the frame is drawn again and again from its tape, with the edits; while the
 program goes on, the edits change its calls as it makes them. The panel is drawn over the finished
 picture, in the state of a new context; afterwards the state is what the program left.
@@ -14,12 +15,15 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from landscape.capture import spec, state
+from landscape.capture.buffers import Buffers
 from landscape.capture.edit_files import read
 from landscape.capture.program import Window, run
 from landscape.capture.program_events import BUTTONS, Event
-from landscape.capture.steps import repeatable
+from landscape.capture.steps import bind_again, binds_shaders, repeatable
 from landscape.capture.tape import Tape
+from landscape.errors import InputError
 from landscape.gl.calls import (
+    Call,
     begin_pass,
     frame_begins,
     gl,
@@ -51,7 +55,7 @@ def inspect(
     :func:`landscape.capture.program.run` does.
     """
     given = read(edits, Path(path).resolve().parent) if edits else []
-    inspector = ProgramInspector(given, language or choose(os.environ))
+    inspector = ProgramInspector(given, language or choose(os.environ), path)
     with inspector:
         run(
             path,
@@ -69,9 +73,10 @@ def inspect(
 class ProgramInspector(ExitStack):
     """Watches a program (capture/program.py), and stands between its window and its user."""
 
-    def __init__(self, given: Any, language: str) -> None:
-        """Begin open."""
+    def __init__(self, given: Any, language: str, path: str = "") -> None:
+        """Begin open; ``path`` is the program's, for errors."""
         super().__init__()
+        self._path = path
         self.inspection = Inspection(given, language, rewinds=False)
         self.notices: list[str] = []
         self._language = language
@@ -85,6 +90,9 @@ class ProgramInspector(ExitStack):
         self._setup = Tape((), 0, {}, (0, 0))  # what the program made before its first draw
         self._built: state.State = {}  # the state that this left behind
         self._start: state.State = {}  # that in which the frame began
+        self._before: Buffers | None = None  # what the window showed then, if that stays
+        self._keeps = False  # whether what is drawn stays from frame to frame
+        self._binding: list[Call] = []  # a call of the program that binds shaders
 
     # As capture/program.py sees it.
 
@@ -94,12 +102,20 @@ class ProgramInspector(ExitStack):
 
     def opened(self, window: Window) -> None:
         """Begin with the inspector open."""
+        if window.core_profile:
+            raise InputError(
+                f"{self._path}: the inspector draws its panel with fixed function, which a core "
+                "profile lacks; trace and state look into this program"
+            )
         self._new, self._pixels = state.read(), window.size
+        self._keeps = not window.double_buffered
         self._toggle()
 
     def frame_began(self, number: int) -> None:
         """Begin to record a frame, with the edits."""
         self._start = state.read()
+        with unnoted():
+            self._before = Buffers.read(self._pixels()) if number and self._keeps else None
         self._recorder = self.enter_context(recording(complete=True))
         self.enter_context(self.inspection.building())
         self._begin(number)
@@ -118,7 +134,9 @@ class ProgramInspector(ExitStack):
     def _taped(self, number: int) -> Tape:
         """Return the frame that was recorded."""
         self.close()
-        tape = Tape(self._recorder.calls, 0, self._start, self._pixels())
+        tape = Tape(self._recorder.calls, 0, self._start, self._pixels(), before=self._before)
+        if not self._binding:
+            self._binding = [call for call in tape.calls if binds_shaders(call.name)][:1]
         if not number:
             setup = [call for call in tape.calls if call.pass_ == "setup"]
             self._setup = Tape(setup, 0, self._start, tape.size)
@@ -132,9 +150,7 @@ class ProgramInspector(ExitStack):
         panel = Panel("", (), self._dpi())
         while self._listen() and self.inspection.open:
             end = self._build(tape, end)
-            with unnoted():
-                tape.rewind()
-            self.inspection.draw(lambda: self._draw(tape, number), number, tape.size)
+            self._redraw(tape, number)
             with unnoted():
                 self._cover(panel, tape.size)
             covered = True
@@ -143,12 +159,26 @@ class ProgramInspector(ExitStack):
             self._glfw.swap_buffers(self._window)
             time.sleep(PAUSE)
         if covered and not self.inspection.open:
-            with unnoted():
-                tape.rewind()
-            self.inspection.draw(lambda: self._draw(tape, number), number, tape.size)
+            self._redraw(tape, number)
         with unnoted():
             panel.release()
-        state.restore(self._build(tape, end))
+        self._restore(self._build(tape, end))
+
+    def _redraw(self, tape: Tape, number: int) -> None:
+        """Draw a frame again from its beginning, with the edits, as the inspector lists it."""
+        with unnoted():
+            tape.rewind()
+            self._bind_shaders(tape.start)
+        self.inspection.draw(lambda: self._draw(tape, number), number, tape.size)
+
+    def _restore(self, left: state.State) -> None:
+        """Set a state, that of shaders included."""
+        state.restore(left)
+        with unnoted():
+            self._bind_shaders(left)
+
+    def _bind_shaders(self, wanted: Mapping[str, Any]) -> None:
+        bind_again(self._binding, wanted.get("GL_CURRENT_PROGRAM", 0))
 
     def notice(self, text: str) -> None:
         """Keep a sentence for the user."""
@@ -191,7 +221,7 @@ class ProgramInspector(ExitStack):
 
     def _cover(self, panel: Panel, size: tuple[int, int]) -> None:
         """Draw the panel over the picture, whatever the program's state is."""
-        state.restore(self._new)
+        self._restore(self._new)
         gl.glViewport(0, 0, *size)
         panel.draw(size, left=self.inspection.image(panel.dpi), cross=self.inspection.cross())
 
@@ -212,7 +242,7 @@ class ProgramInspector(ExitStack):
     def events(self, wait: bool = False) -> list[Event]:
         """Return what the user did with the program; with ``wait``, once there is something."""
         self._listen()
-        while wait and not self._coming:
+        while wait and not self._coming and not self.inspection.open:
             self._glfw.wait_events_timeout(PAUSE)
             self._listen()
         coming, self._coming = self._coming, []
