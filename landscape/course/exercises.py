@@ -28,9 +28,16 @@ FOLDER = Path(__file__).resolve().parents[1] / "exercises"
 # From one line to a page.
 NAMES: tuple[str, ...] = (
     "missing_enable",
+    "window",
+    "first_drawing",
+    "primitives",
     "winding",
+    "mesh_tables",
+    "homogeneous",
     "perspective",
+    "look_at",
     "transform_order",
+    "frames",
     "matrix_stack",
     "normals",
     "light_position",
