@@ -41,6 +41,7 @@ NAMES: tuple[str, ...] = (
     "matrix_stack",
     "normals",
     "light_position",
+    "materials",
     "texture_coordinates",
     "fog",
     "blending_order",
