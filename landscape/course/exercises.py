@@ -43,6 +43,7 @@ NAMES: tuple[str, ...] = (
     "light_position",
     "materials",
     "texture_coordinates",
+    "texture_filters",
     "fog",
     "blending_order",
     "clip_plane",
