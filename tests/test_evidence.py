@@ -88,3 +88,21 @@ def test_calls_are_found_by_name_and_arguments_in_the_setup_and_in_frames(work: 
     assert [call.line for call in work.find("glColor")] == [15, *[21, 21, 9] * frames]
     assert [call.line for call in work.find("glVertex", 1)] == [22, 10, 26] * frames
     assert len(work.find("glEnd")) == 3 * frames and work.find("glVertex2f", 7) == []
+
+
+def test_the_texture_matrix_of_a_draw_is_the_one_that_it_is_drawn_with(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
+    scaled = """    glClear(GL_COLOR_BUFFER_BIT)
+    glMatrixMode(GL_TEXTURE)
+    glScalef(3, 2, 1)
+    glBegin(GL_TRIANGLES)
+"""
+    path = tmp_path_factory.mktemp("scaled") / "mine.py"
+    path.write_text(PROGRAM.replace("    glBegin(GL_TRIANGLES)\n", scaled, 1))
+    with Grader(100) as grader:
+        found = grader.check(path).work
+    assert found is not None
+    state = found.frame(0).draws[0].state
+    matrix = np.reshape(state["GL_TEXTURE0.GL_TEXTURE_MATRIX"], (4, 4))
+    assert matrix.diagonal().tolist() == [3, 2, 1, 1]

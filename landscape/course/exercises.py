@@ -44,6 +44,7 @@ NAMES: tuple[str, ...] = (
     "materials",
     "texture_coordinates",
     "texture_filters",
+    "textured_sphere",
     "fog",
     "blending_order",
     "clip_plane",

@@ -30,7 +30,11 @@ MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
 LONGEST_CALL = 80  # chosen: characters of a call's arguments in a message
 # What changes between two draw calls without changing the rest of the state.
 UNREAD = ("vertex", "begin_end", "matrix")
-MATRICES = ("GL_MODELVIEW_MATRIX", "GL_PROJECTION_MATRIX", "GL_TEXTURE_MATRIX")
+MATRICES = {  # by the names of the state
+    "GL_MODELVIEW_MATRIX": "GL_MODELVIEW_MATRIX",
+    "GL_PROJECTION_MATRIX": "GL_PROJECTION_MATRIX",
+    "GL_TEXTURE{unit}.GL_TEXTURE_MATRIX": "GL_TEXTURE_MATRIX",
+}
 
 
 def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
@@ -243,8 +247,11 @@ class Witness(ExitStack):
                 self._states.append(state.read())
         elif self._moved:
             with unnoted():
-                matrices = {n: gl.glGetFloatv(getattr(gl, n)).ravel().tolist() for n in MATRICES}
-            now = {name: value for name, value in matrices.items() if name in self._states[-1]}
+                unit = int(gl.glGetIntegerv(gl.GL_ACTIVE_TEXTURE)) - gl.GL_TEXTURE0
+                now = {
+                    name.format(unit=unit): gl.glGetFloatv(getattr(gl, matrix)).ravel().tolist()
+                    for name, matrix in MATRICES.items()
+                }
             self._states.append({**self._states[-1], **now})
         self._changed = self._moved = False
         return len(self._states) - 1
