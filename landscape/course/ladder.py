@@ -8,6 +8,9 @@ comments after it are tags:
     # picture: frame 45 after SPACE          how it is pictured; keys are pressed before frame 1
     # loop: 120 frames                       it is animated, and begins again after so many
     # keys: LEFT RIGHT SPACE                 each key that changes the picture, by GLFW's name
+    # programs: grey_keys                    plain programs of its subject, in the folder programs
+
+A plain program is there twice: NAME.py is written with GLFW, NAME_glut.py with GLUT.
 """
 
 import ast
@@ -22,6 +25,7 @@ from landscape.errors import InputError, short
 from landscape.languages import Phrases, Texts
 
 LESSONS = Path(__file__).resolve().parents[1] / "lessons"
+PROGRAMS = LESSONS / "programs"
 SECTIONS: Phrases = ("What you see", "Why", "Change first", "Ask the class")  # of each page
 
 LADDER: dict[str, tuple[str, ...]] = {
@@ -83,7 +87,7 @@ class Lesson:
 
     ``about``: the paragraphs of its docstring after the title, a line each. ``pressed``: the keys
     pressed for its picture, which shows frame ``frame``. ``loop``: frames until its animation
-    begins again, 0 without one.
+    begins again, 0 without one. ``programs``: the plain programs that belong to it.
     """
 
     name: str
@@ -97,6 +101,7 @@ class Lesson:
     pressed: tuple[str, ...]
     loop: int
     keys: tuple[str, ...]
+    programs: tuple[str, ...]
 
     @property
     def page(self) -> Path:
@@ -134,7 +139,9 @@ def read(file: Path) -> Lesson:
     """Read what a lesson's file says of it; ValueError where a tag is missing or wrong."""
     source = file.read_text(encoding="utf-8")
     title, *about = paragraphs(ast.get_docstring(ast.parse(source)) or "")
-    tags = dict(re.findall(r"^# (topic|needs|picture|loop|keys): (.+)$", source, re.MULTILINE))
+    tags = dict(
+        re.findall(r"^# (topic|needs|picture|loop|keys|programs): (.+)$", source, re.MULTILINE)
+    )
     missing = {"topic", "needs", "picture", "keys"} - set(tags)
     if missing:
         raise ValueError(f"{file}: lacks the tags {', '.join(sorted(missing))}")
@@ -154,7 +161,13 @@ def read(file: Path) -> Lesson:
         pressed=tuple((picture[2] or "").split()),
         loop=int(loop[1]),
         keys=tuple(tags["keys"].replace("none", "").split()),
+        programs=tuple(tags.get("programs", "").split()),
     )
+
+
+def program_files(name: str) -> tuple[Path, Path]:
+    """Return the two files of a plain program, with GLFW and with GLUT."""
+    return PROGRAMS / f"{name}.py", PROGRAMS / f"{name}_glut.py"
 
 
 def paragraphs(text: str) -> list[str]:

@@ -11,7 +11,16 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from landscape.course import program_texts
-from landscape.course.ladder import LESSONS, TOPICS, Lesson, lesson, lessons, presses
+from landscape.course.ladder import (
+    LESSONS,
+    PROGRAMS,
+    TOPICS,
+    Lesson,
+    lesson,
+    lessons,
+    presses,
+    program_files,
+)
 from landscape.course.language import told_in, translated
 from landscape.course.pages import wrapped
 from landscape.course.picture import pictures
@@ -111,7 +120,7 @@ def picture(chosen: Lesson, out: Path, backend: str = "auto") -> None:
 
 
 def copy(chosen: Lesson, folder: Path) -> list[Path]:
-    """Copy a lesson and what it reads into a folder, which is made; return the copies.
+    """Copy a lesson, what it reads and its programs into a folder, which is made; return the copies.
 
     InputError, and nothing is copied, if one of the files is there already with another content.
     What the lesson imports may be there in another language.
@@ -133,8 +142,11 @@ def copy(chosen: Lesson, folder: Path) -> list[Path]:
 
 def _in_language(file: Path, language: str) -> bytes:
     """Return the content of a lesson's file; a program's texts are in a language."""
-    content = file.read_bytes()
-    return described(lesson(file.stem), language).encode() if file.suffix == ".py" else content
+    if file.suffix != ".py":
+        return file.read_bytes()
+    if file.parent == PROGRAMS:
+        return program_described(file, language).encode()
+    return described(lesson(file.stem), language).encode()
 
 
 def described(chosen: Lesson, language: str) -> str:
@@ -148,9 +160,19 @@ def described(chosen: Lesson, language: str) -> str:
     return '"""' + "\n\n".join(about) + '\n"""' + program_texts.translated(program, own)
 
 
+def program_described(file: Path, language: str) -> str:
+    """Return a plain program with all of its texts in a language."""
+    source = file.read_text(encoding="utf-8")
+    if language == "en":
+        return source
+    own = translator(language, "programs")
+    _before, docstring, program = source.split('"""', 2)
+    return f'"""{wrapped("", own(docstring), WIDTH)}"""' + program_texts.translated(program, own)
+
+
 def needed(chosen: Lesson) -> list[Path]:
-    """Return the files of a lesson: itself, the module that it imports, and their data."""
-    programs = [chosen.file]
+    """Return the files of a lesson: itself, what it imports, its plain programs, and their data."""
+    programs = [chosen.file, *(file for name in chosen.programs for file in program_files(name))]
     if re.search("^from text import", chosen.file.read_text(encoding="utf-8"), re.MULTILINE):
         programs.append(LESSONS / "text.py")
     texts = "".join(program.read_text(encoding="utf-8") for program in programs)

@@ -12,7 +12,9 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 COLUMNS = 100  # of a line, as everywhere in the project
-_TAG = re.compile(r"# (topic|needs|picture|loop|keys|exercise|lessons|fmt): |# Your code goes here")
+_TAG = re.compile(
+    r"# (topic|needs|picture|loop|keys|programs|exercise|lessons|fmt): |# Your code goes here"
+)
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ Keys: Space makes the computer slow: each frame takes a tenth of a second longer
 # picture: frame 12 after SPACE
 # loop: 240 frames
 # keys: SPACE
+# programs: idle_color
 
 import math
 import time

@@ -11,6 +11,7 @@ Keys: 1 nearest, 2 linear, 3 mipmaps; Space repeats the texture or clamps it to 
 # needs: vertex_arrays
 # picture: frame 0
 # keys: 1 2 SPACE
+# programs: made_texture
 
 import glfw
 from OpenGL.GL import *

@@ -10,6 +10,7 @@ Keys: Left and Right darken and lighten; Space leaves out the limit.
 # needs: window
 # picture: frame 0
 # keys: LEFT RIGHT SPACE
+# programs: grey_keys
 
 import glfw
 from OpenGL.GL import *

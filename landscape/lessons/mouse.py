@@ -10,6 +10,7 @@ Keys: Space leaves out the test of the button.
 # needs: keys
 # picture: frame 0
 # keys: SPACE
+# programs: drag_colors
 
 import glfw
 from OpenGL.GL import *

@@ -13,6 +13,7 @@ Left and Right change the number of pieces.
 # needs: textured_sphere, tetrahedron
 # picture: frame 0
 # keys: 2 3 1 N SPACE LEFT RIGHT
+# programs: file_texture
 
 from pathlib import Path
 

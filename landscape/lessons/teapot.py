@@ -12,6 +12,7 @@ angle; Space scales the shape by 1.4, 0.6, 1.
 # needs: perspective, look_at
 # picture: frame 0
 # keys: 1 2 LEFT RIGHT UP DOWN F C SPACE
+# programs: wire_teapot
 
 import math
 from pathlib import Path

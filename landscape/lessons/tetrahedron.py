@@ -11,6 +11,7 @@ Keys: Left and Right turn the body; Up and Down choose a face; Space reverses it
 # needs: orientation, polygon_modes
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE
+# programs: mesh
 
 import glfw
 from OpenGL.GL import *

@@ -12,6 +12,7 @@ Keys: the arrows lead the camera around; Space gives the position before or afte
 # needs: camera_light, world_light, teapot
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE
+# programs: light_of_camera light_of_world
 
 import math
 from pathlib import Path

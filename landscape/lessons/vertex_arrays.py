@@ -12,6 +12,7 @@ Keys: 1 immediate mode, 2 glDrawArrays, 3 glDrawElements; Left and Right change 
 # picture: frame 0
 # loop: 360 frames
 # keys: 1 2 LEFT RIGHT
+# programs: tetrahedron_calls tetrahedron_arrays
 
 import glfw
 import numpy as np

@@ -10,6 +10,7 @@ Keys: Escape ends the program.
 # needs: none
 # picture: frame 0
 # keys: none
+# programs: minimal_window red_window
 
 import glfw
 from OpenGL.GL import *

@@ -45,7 +45,7 @@ SPOUT = (
         ((2.8, 0, 2.4), (2.8, 0.15, 2.4), (3.2, 0.15, 2.4), (3.2, 0, 2.4)),
     ),
 )
-MIDDLE, SIZE = 1.5, 2  # as GLUT draws it: this height is 0, and the size is halved
+MIDDLE, SIZE = 1.575, 2  # as GLUT draws it: this height is 0, and the size is halved
 
 
 def patches() -> np.ndarray:

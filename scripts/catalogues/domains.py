@@ -13,7 +13,7 @@ from catalogue import Message
 
 from landscape.course import lecture, program_texts
 from landscape.course.exercises import NAMES, exercise
-from landscape.course.ladder import SECTIONS, Lesson, lessons
+from landscape.course.ladder import PROGRAMS, SECTIONS, Lesson, lessons, paragraphs
 from landscape.course.pages import BY_CELL, blocks, cells, has_words, page
 from landscape.fixes import FIXES
 from landscape.gallery import flyover_captions
@@ -32,6 +32,8 @@ DOCUMENTS = (
     "docs/frame.md",
     "docs/programs.md",
     "docs/lecture.md",
+    "docs/glut.md",
+    "docs/sheet.md",
     "docs/films.md",
     "docs/exercises.md",
     "docs/assets.md",
@@ -88,6 +90,15 @@ def in_lesson(lesson: Lesson) -> Iterator[Message]:
     for block in page(lesson):
         if not block.is_code and block.text not in SECTIONS:
             yield Message(block.text, lesson.page.relative_to(ROOT).as_posix())
+
+
+def in_programs() -> Iterator[Message]:
+    """Yield the texts of the lessons' plain programs: docstrings, comments, titles of windows."""
+    for path in sorted(PROGRAMS.glob("*.py")):
+        source = path.read_text(encoding="utf-8")
+        about = paragraphs(ast.get_docstring(ast.parse(source)) or "")
+        for text in (*about, *program_texts.texts(source)):
+            yield Message(text, path.relative_to(ROOT).as_posix())
 
 
 def in_exercise(name: str) -> Iterator[Message]:
@@ -202,6 +213,7 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "window": lambda: in_code("landscape/window/*.py"),
     "film": lambda: in_code("landscape/film/*.py"),
     "course": lambda: (*in_code("landscape/course/*.py"), *in_lectures()),
+    "programs": in_programs,
     "site": lambda: in_code("scripts/site/*.py"),
     "gallery": gallery,
     **{f"exercises/{name}": partial(in_exercise, name) for name in NAMES},

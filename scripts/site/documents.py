@@ -8,7 +8,7 @@ from landscape.course.pages import BY_CELL, as_markdown, blocks, by_cell
 from landscape.languages import translator
 
 ROOT = Path(__file__).resolve().parents[2]
-TEACHING = ("lecture", "exercises")  # for who gives the course
+TEACHING = ("lecture", "exercises", "glut", "sheet")  # for who gives the course
 TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
 BUILT = ("documents", "performance", "voxels", "flyover", "environments", "assets")
 ALL = (*TEACHING, *TOOLS, *BUILT)

@@ -1,0 +1,47 @@
+"""A tetrahedron in lines from a table of vertices and one of faces, with GLUT."""
+
+import sys
+
+from OpenGL.GL import *
+from OpenGL.GLUT import *
+
+VERTICES = ((400, 400, -10), (700, 700, -10), (0, 500, -10), (500, 0, -500))
+FACES = ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3))
+
+
+def set_projection():
+    """See 700 by 700 units, one a pixel, and depths from 1 to 600 in front of the eye."""
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(0, 700, 0, 700, 1, 600)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
+def display():
+    glClearColor(1, 1, 1, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+    glColor3f(0, 0, 0)
+    glLineWidth(2)
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
+    glBegin(GL_TRIANGLES)
+    for face in FACES:
+        for vertex in face:
+            glVertex3fv(VERTICES[vertex])
+    glEnd()
+    glutSwapBuffers()
+
+
+def main():
+    glutInit(sys.argv)
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE)
+    glutInitWindowPosition(100, 100)
+    glutInitWindowSize(700, 700)
+    glutCreateWindow("A tetrahedron")
+    glutDisplayFunc(display)
+    set_projection()
+    glutMainLoop()
+
+
+if __name__ == "__main__":
+    main()

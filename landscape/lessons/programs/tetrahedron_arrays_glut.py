@@ -1,0 +1,64 @@
+"""The same tetrahedron by vertex arrays and one call, with GLUT."""
+
+import sys
+
+import numpy as np
+from OpenGL.GL import *
+from OpenGL.GLU import gluPerspective
+from OpenGL.GLUT import *
+
+VERTICES = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
+COLORS = np.array([[0, 0, 0], [0.7, 0.5, 0.2], [0.5, 0.7, 0.9], [0.6, 1, 0.6]], np.float32)
+FACES = np.array([0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3], np.uint32)
+
+
+def set_arrays():
+    """Tell OpenGL where colours and vertices are: 3 floats each, one after the other."""
+    glEnableClientState(GL_COLOR_ARRAY)
+    glEnableClientState(GL_VERTEX_ARRAY)
+    glColorPointer(3, GL_FLOAT, 0, COLORS)
+    glVertexPointer(3, GL_FLOAT, 0, VERTICES)
+
+
+def draw_tetrahedron():
+    """Draw 12 corners, all in one call."""
+    glDrawElements(GL_TRIANGLES, 12, GL_UNSIGNED_INT, FACES)
+
+
+def display():
+    glClearColor(1, 1, 1, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glPushMatrix()
+    glTranslatef(-0.2, -0.2, -4)
+    glRotatef(-30, 1, 0, 0)
+    glRotatef(120, 0, 1, 0)
+    draw_tetrahedron()
+    glPopMatrix()
+    glutSwapBuffers()
+
+
+def reshape(width, height):
+    """Called for a new size: the viewport, and the projection with its aspect."""
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(20, width / max(height, 1), 0.01, 10000)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
+def main():
+    glutInit(sys.argv)
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH)
+    glutInitWindowPosition(100, 100)
+    glutInitWindowSize(500, 500)
+    glutCreateWindow("A tetrahedron")
+    glEnable(GL_DEPTH_TEST)
+    set_arrays()
+    glutDisplayFunc(display)
+    glutReshapeFunc(reshape)
+    glutMainLoop()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,59 @@
+"""A tetrahedron of mixed colours by a call for each corner, with GLFW."""
+
+import glfw
+from OpenGL.GL import *
+from OpenGL.GLU import gluPerspective
+
+VERTICES = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+COLORS = [[0, 0, 0], [0.7, 0.5, 0.2], [0.5, 0.7, 0.9], [0.6, 1, 0.6]]
+FACES = [0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3]
+
+
+def draw_tetrahedron():
+    """Name each corner of each face: 2 calls for each of 12 corners."""
+    glBegin(GL_TRIANGLES)
+    for vertex in FACES:
+        glColor3fv(COLORS[vertex])
+        glVertex3fv(VERTICES[vertex])
+    glEnd()
+
+
+def display(window):
+    glClearColor(1, 1, 1, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glPushMatrix()
+    glTranslatef(-0.2, -0.2, -4)
+    glRotatef(-30, 1, 0, 0)
+    glRotatef(120, 0, 1, 0)
+    draw_tetrahedron()
+    glPopMatrix()
+    glfw.swap_buffers(window)
+
+
+def reshape(window, width, height):
+    """Called for a new size: the viewport, and the projection with its aspect."""
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(20, width / max(height, 1), 0.01, 10000)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(500, 500, "A tetrahedron", None, None)
+    glfw.set_window_pos(window, 100, 100)
+    glfw.make_context_current(window)
+    glEnable(GL_DEPTH_TEST)
+    glfw.set_framebuffer_size_callback(window, reshape)
+    glfw.set_window_refresh_callback(window, display)
+    reshape(window, *glfw.get_framebuffer_size(window))  # GLFW does not call it for the first size
+    while not glfw.window_should_close(window):
+        display(window)
+        glfw.wait_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
