@@ -120,7 +120,7 @@ def picture(chosen: Lesson, out: Path, backend: str = "auto") -> None:
 
 
 def copy(chosen: Lesson, folder: Path) -> list[Path]:
-    """Copy a lesson, what it reads and its programs into a folder, which is made; return the copies.
+    """Copy a lesson, its data and its programs into a folder, which is made; return the copies.
 
     InputError, and nothing is copied, if one of the files is there already with another content.
     What the lesson imports may be there in another language.
