@@ -56,7 +56,9 @@ NAMES: tuple[str, ...] = (
     "stencil_mirror",
     "hidden_faces",
     "shadow_map",
+    "projection",
     "bresenham",
+    "line_clipping",
     "floating_horizon",
 )
 HOLE = _("# Your code goes here.")

@@ -1,0 +1,115 @@
+"""Line clipping: only what is in the frame
+
+A bundle of lines, and a frame in the middle of the picture. The lines are drawn from one end to the
+other, in amber at the first end and in blue at the second, also outside of the frame.
+
+Let clip return only the part of a line that lies in the frame: its two ends x0, y0, x1, y1, in the
+same order as before, or None if no part of the line lies there. The frame reaches from LEFT to
+RIGHT and from TOP to BOTTOM, borders included; rows are counted downwards, so TOP is less than
+BOTTOM. The numbers have fractions, and need not be rounded. A line may be horizontal or vertical,
+it may begin and end outside of the frame and cross it nevertheless, and it may pass it by.
+
+Where a line is cut at a border, it keeps its direction: the cut divides it in a certain ratio,
+which is the same for x and for y.
+
+OpenGL only shows the picture. Change only clip.
+
+Keys: Left and Right turn the lines.
+"""
+# exercise: line_clipping
+# lessons: line_clipping, bresenham
+
+import glfw
+import numpy as np
+from OpenGL.GL import *
+
+WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
+SIDE = 128  # of the texture: a power of two
+LEFT, TOP, RIGHT, BOTTOM = 22, 16, 58, 44
+OUTSIDE, INSIDE = (26, 32, 42), (54, 66, 82)
+COLORS = ((242, 150, 60), (225, 170, 120), (200, 200, 200), (120, 170, 215), (50, 140, 230))
+LINES = (  # from the middle of the frame, before they are turned
+    ((-15, -6), (12, 8)),
+    ((-30, 3), (-4, 10)),
+    ((2, -10), (33, -4)),
+    ((-32, -12), (31, 11)),
+    ((-12, 26), (-9, -25)),
+    ((0, 0), (0, 27)),
+    ((-36, 0), (25, 0)),
+    ((6, -24), (6, 24)),
+    ((-36, 8), (-14, 26)),
+    ((36, -4), (10, -26)),
+    ((-38, -26), (-28, -14)),
+    ((22, 24), (34, 20)),
+    ((14, 10), (34, 24)),
+    ((-25, -18), (-8, -2)),
+)
+turned = 0
+
+
+def clip(x0, y0, x1, y1):
+    """Return the part of a line that lies in the frame, x0, y0, x1, y1, or None."""
+    # Your code goes here.
+    return x0, y0, x1, y1
+
+
+def draw_line(picture, x0, y0, x1, y1):
+    """Draw a line, in amber where it begins and in blue where it ends."""
+    count = int(max(abs(x1 - x0), abs(y1 - y0))) + 1
+    for step in range(count + 1):
+        column = int(np.floor(x0 + (x1 - x0) * step / count + 0.5))
+        row = int(np.floor(y0 + (y1 - y0) * step / count + 0.5))
+        if 0 <= column < WIDTH and 0 <= row < HEIGHT:
+            picture[row, column] = COLORS[5 * step // (count + 1)]
+
+
+def make_picture():
+    picture = np.full((HEIGHT, WIDTH, 3), OUTSIDE, np.uint8)
+    picture[TOP : BOTTOM + 1, LEFT : RIGHT + 1] = INSIDE
+    cos, sin = np.cos(np.radians(turned)), np.sin(np.radians(turned))
+    for line in LINES:
+        ends = [(40 + cos * x - sin * y, 30 + sin * x + cos * y) for x, y in line]
+        clipped = clip(*ends[0], *ends[1])
+        if clipped is not None:
+            draw_line(picture, *clipped)
+    return picture
+
+
+def draw(picture):
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, WIDTH, HEIGHT, GL_RGB, GL_UNSIGNED_BYTE, picture)
+    glBegin(GL_QUADS)
+    for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        glTexCoord2f(x * WIDTH / SIDE, y * HEIGHT / SIDE)
+        glVertex2f(2 * x - 1, 1 - 2 * y)  # the picture's first row is at the top
+    glEnd()
+
+
+def on_key(window, key, scancode, action, mods):
+    global turned
+    if action != glfw.RELEASE:
+        turned += 20 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(320, 240, "Lines in a frame", None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glEnable(GL_TEXTURE_2D)
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glClear(GL_COLOR_BUFFER_BIT)
+        draw(make_picture())
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,125 @@
+"""Projection: an island of dots
+
+An island consists of points in space. x leads to the east, y to the north, z upwards. A camera
+stands at `eye`; it looks to the east if it is not turned, and level if it is not tilted. As yet all
+points come to the middle of the picture.
+
+into_camera(x, y, z) takes a point into the frame of the camera and returns how far it lies ahead of
+the camera, how far to its right, and how far above it. First the eye is subtracted. Then the
+camera's turn is taken back: it is turned to the left, counter-clockwise as seen from above, by
+`turned` degrees. At last its tilt is taken back: it is tilted upwards, away from the ground, by
+`tilted` degrees.
+
+to_pixel(ahead, right, up) returns the column and the row of the pixel in which the point is seen,
+whole numbers. In the middle of the picture, WIDTH / 2 columns from the left and HEIGHT / 2 rows
+from the top, one sees what lies straight ahead. A point is FOCAL * right / ahead columns to the
+right of it, and FOCAL * up / ahead rows above it; fractions are cut off. If ahead is less than
+NEAR, the point is not seen, and None is returned.
+
+OpenGL only shows the picture. Change into_camera and to_pixel.
+
+Keys: Left and Right turn the camera, Up and Down tilt it, Space lifts it.
+"""
+# exercise: projection
+
+import glfw
+import numpy as np
+from OpenGL.GL import *
+
+WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
+SIDE = 128  # of the texture: a power of two
+BACKGROUND = 33, 41, 53
+COLORS = ((80, 140, 190), (235, 215, 160), (110, 160, 90), (70, 115, 70), (240, 240, 245))
+FOCAL, NEAR = 50, 1
+eye = [1.3, 0.37, 4.2]
+turned, tilted = 9, -11  # degrees
+
+
+def turn_by(degrees):
+    """Return the number that turns another one, if it is multiplied with it."""
+    return np.exp(1j * np.radians(degrees))
+
+
+def into_camera(x, y, z):
+    """Return how far a point is ahead, to the right and above, in the frame of the camera."""
+    around = complex(x - eye[0], y - eye[1]) * turn_by(-turned)
+    upward = complex(around.real, z - eye[2]) * turn_by(-tilted)
+    return upward.real, -around.imag, upward.imag
+
+
+def to_pixel(ahead, right, up):
+    """Return the column and the row of a point of the camera's frame, or None."""
+    # Seen from behind, or from beside, there is nothing to divide by.
+    if ahead < NEAR:
+        return None
+    return np.floor((WIDTH / 2 + FOCAL * right / ahead, HEIGHT / 2 - FOCAL * up / ahead)).astype(
+        int
+    )
+
+
+def make_points():
+    """Return the points of the island, the farthest rows first: x, y, z and a colour each."""
+    points = []
+    for x in range(30, -12, -1):
+        for y in range(-14, 15):
+            z = 5 * np.exp(-((x - 16) ** 2 + (y - 3) ** 2) / 40) + 0.6 * np.sin(x + 2 * y) - 0.5
+            level = int(np.searchsorted((0, 0.5, 2, 4), z))
+            points.append((x, y, max(z, 0), COLORS[level]))
+    points += [(9, -6, z / 4, COLORS[4]) for z in range(16)]  # a tower
+    return points
+
+
+POINTS = make_points()
+
+
+def make_picture():
+    picture = np.full((HEIGHT, WIDTH, 3), BACKGROUND, np.uint8)
+    for x, y, z, color in POINTS:
+        pixel = to_pixel(*into_camera(x, y, z))
+        if pixel is not None:
+            column, row = pixel
+            if 0 <= column < WIDTH and 0 <= row < HEIGHT:
+                picture[row, column] = color
+    return picture
+
+
+def draw(picture):
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, WIDTH, HEIGHT, GL_RGB, GL_UNSIGNED_BYTE, picture)
+    glBegin(GL_QUADS)
+    for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        glTexCoord2f(x * WIDTH / SIDE, y * HEIGHT / SIDE)
+        glVertex2f(2 * x - 1, 1 - 2 * y)  # the picture's first row is at the top
+    glEnd()
+
+
+def on_key(window, key, scancode, action, mods):
+    global turned, tilted
+    if action != glfw.RELEASE:
+        turned += 15 * ((key == glfw.KEY_LEFT) - (key == glfw.KEY_RIGHT))
+        tilted += 7 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
+        eye[2] += 1.5 * (key == glfw.KEY_SPACE)
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(320, 240, "An island of dots", None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glEnable(GL_TEXTURE_2D)
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glClear(GL_COLOR_BUFFER_BIT)
+        draw(make_picture())
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
