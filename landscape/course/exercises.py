@@ -59,6 +59,10 @@ NAMES: tuple[str, ...] = (
     "projection",
     "bresenham",
     "line_clipping",
+    "back_faces",
+    "bezier_path",
+    "quad_tree",
+    "level_of_detail",
     "floating_horizon",
 )
 HOLE = _("# Your code goes here.")

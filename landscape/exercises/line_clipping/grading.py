@@ -31,6 +31,8 @@ LINES = (
     ((22, 24), (34, 20)),
     ((14, 10), (34, 24)),
     ((-25, -18), (-8, -2)),
+    ((30, -14), (30, 12)),
+    ((-14, 22), (10, 22)),
 )
 FEWEST = 6  # chosen: pixels that may differ, as quotients may be rounded in other ways
 INF = 10000

@@ -42,6 +42,8 @@ LINES = (  # from the middle of the frame, before they are turned
     ((22, 24), (34, 20)),
     ((14, 10), (34, 24)),
     ((-25, -18), (-8, -2)),
+    ((30, -14), (30, 12)),
+    ((-14, 22), (10, 22)),
 )
 turned = 0
 

@@ -1,0 +1,120 @@
+"""A quad-tree: tiles of a map that a camera sees
+
+A map of 64 x 64, and on it the wedge that a camera sees. What is to be drawn are tiles, squares
+that the wedge meets; as yet it is the whole map.
+
+visible(x, y, size) returns the tiles that are to be drawn of the square at x, y: a list of triples
+x, y, size. Let it ask first where the square lies, by look(x, y, size). If that returns OUTSIDE,
+nothing is to be drawn. If it returns INSIDE, the square itself is the tile. If it returns ACROSS,
+the border of the wedge may cross it: then the square is divided into four of half the size, and
+each of them is treated in the same way; but squares of the size SMALLEST are not divided, they are
+tiles.
+
+look is expensive: it is called once for each square that is treated, and for no other one. Under
+the map a dot is lit for each call.
+
+OpenGL only shows the picture. Change only visible.
+
+Keys: Left and Right turn the camera.
+"""
+# exercise: quad_tree
+# lessons: quad_tree, box_frustum
+
+import glfw
+import numpy as np
+from OpenGL.GL import *
+
+WIDTH, HEIGHT = 64, 72  # of the picture; each of its pixels covers several of the window's
+SIDE = 128  # of the texture: a power of two
+BACKGROUND, DOT = (26, 32, 42), (242, 240, 230)
+MAP, SMALLEST = 64, 4
+COLORS = {  # of the tiles, by their size
+    64: (120, 110, 190),
+    32: (80, 130, 200),
+    16: (70, 160, 150),
+    8: (150, 180, 90),
+    4: (225, 160, 70),
+}
+OUTSIDE, INSIDE, ACROSS = "outside", "inside", "across"
+turned = 10
+calls = 0
+
+
+def look(x, y, size):
+    """Return whether a square lies OUTSIDE of what the camera sees, INSIDE, or ACROSS its "
+    "border."""
+    global calls
+    calls += 1
+    corners = [(x + i * size, y + j * size, 1) for i in (0, 1) for j in (0, 1)]
+    angles = np.radians((turned - 28, turned + 28, turned))
+    cos, sin = np.cos(angles), np.sin(angles)
+    # Two sides through the camera at (5, 30), and the end of the view: positive within.
+    borders = np.array(
+        (
+            (-sin[0], cos[0], 5 * sin[0] - 30 * cos[0]),
+            (sin[1], -cos[1], 30 * cos[1] - 5 * sin[1]),
+            (-cos[2], -sin[2], 5 * cos[2] + 30 * sin[2] + 52),
+        )
+    )
+    within = np.array(corners) @ borders.T >= 0
+    if not within.any(axis=0).all():
+        return OUTSIDE
+    return INSIDE if within.all() else ACROSS
+
+
+def visible(x, y, size):
+    """Return the tiles that are to be drawn of a square, each as x, y, size."""
+    # Your code goes here.
+    return [(x, y, size)]
+
+
+def make_picture():
+    global calls
+    picture = np.full((HEIGHT, WIDTH, 3), BACKGROUND, np.uint8)
+    calls = 0
+    for x, y, size in visible(0, 0, MAP):
+        picture[y : y + size, x : x + size] = np.array(COLORS.get(size, DOT)) // 2
+        picture[y : y + size - 1, x : x + size - 1] = COLORS.get(size, DOT)
+    dots = picture[MAP + 2 :].reshape(-1, 3)
+    dots[:calls] = DOT
+    return picture
+
+
+def draw(picture):
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, WIDTH, HEIGHT, GL_RGB, GL_UNSIGNED_BYTE, picture)
+    glBegin(GL_QUADS)
+    for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        glTexCoord2f(x * WIDTH / SIDE, y * HEIGHT / SIDE)
+        glVertex2f(2 * x - 1, 1 - 2 * y)  # the picture's first row is at the top
+    glEnd()
+
+
+def on_key(window, key, scancode, action, mods):
+    global turned
+    if action != glfw.RELEASE:
+        turned += 20 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
+    if key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
+
+
+def main():
+    glfw.init()
+    window = glfw.create_window(320, 360, "Tiles of a map", None, None)
+    glfw.make_context_current(window)
+    glfw.set_key_callback(window, on_key)
+    glEnable(GL_TEXTURE_2D)
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+    while not glfw.window_should_close(window):
+        width, height = glfw.get_framebuffer_size(window)
+        glViewport(0, 0, width, height)
+        glClear(GL_COLOR_BUFFER_BIT)
+        draw(make_picture())
+        glfw.swap_buffers(window)
+        glfw.poll_events()
+    glfw.terminate()
+
+
+if __name__ == "__main__":
+    main()
