@@ -26,7 +26,7 @@ from OpenGL.GL import *
 WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
 SIDE = 128  # of the texture: a power of two
 BACKGROUND = 33, 41, 53
-FOCAL = 33
+FOCAL = 28
 SIDES = 6
 CENTERS = ((-1.7, -1, -2.7), (1.8, 1.1, -2.8))
 COLORS = [(100 + 25 * face, 60 + 9 * face, 220 - 30 * face) for face in range(6)]

@@ -42,8 +42,7 @@ def bezier(a, b, c, d, t):
 
 
 def photographs(points):
-    """Return the numbers of COUNT points of a path that lie equally far from each other along "
-    "it."""
+    """Return the numbers of COUNT points that lie equally far from each other along a path."""
     lengths = [0]
     for one, other in zip(points, points[1:]):
         lengths.append(lengths[-1] + np.hypot(*(other - one)))

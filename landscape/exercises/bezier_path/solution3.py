@@ -42,8 +42,7 @@ def bezier(a, b, c, d, t):
 
 
 def photographs(points):
-    """Return the numbers of COUNT points of a path that lie equally far from each other along "
-    "it."""
+    """Return the numbers of COUNT points that lie equally far from each other along a path."""
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     along = np.concatenate(([0], np.cumsum(steps)))
     places = along[-1] * np.arange(COUNT) / (COUNT - 1)

@@ -43,8 +43,7 @@ def bezier(a, b, c, d, t):
 
 
 def photographs(points):
-    """Return the numbers of COUNT points of a path that lie equally far from each other along "
-    "it."""
+    """Return the numbers of COUNT points that lie equally far from each other along a path."""
     x, y = np.transpose(points)
     along = np.insert(np.sqrt(np.diff(x) ** 2 + np.diff(y) ** 2).cumsum(), 0, 0)
     numbers = np.interp(np.linspace(0, along[-1], COUNT), along, range(len(points)))

@@ -40,8 +40,7 @@ calls = 0
 
 
 def look(x, y, size):
-    """Return whether a square lies OUTSIDE of what the camera sees, INSIDE, or ACROSS its "
-    "border."""
+    """Return whether a square is OUTSIDE of what the camera sees, INSIDE, or ACROSS its border."""
     global calls
     calls += 1
     corners = [(x + i * size, y + j * size, 1) for i in (0, 1) for j in (0, 1)]
