@@ -44,7 +44,7 @@ LADDER: dict[str, tuple[str, ...]] = {
     "arrays": ("vertex_arrays", "interleaved", "mixed_faces", "display_list"),
     "textures": (
         *("generated_texture", "texture_objects", "texture_map", "textured_sphere", "quadrics"),
-        *("blending", "text"),
+        *("blending", "text", "stroke_text"),
     ),
     "landscape": (
         *("height_field", "texture_units", "clip_plane", "mirror", "water", "sky_box"),

@@ -3,12 +3,12 @@
 A chair has a frame of its own. One matrix takes its points to the world's frame, another to the
 camera's; the modelview matrix is their product. Without the first, it stands at the world's origin.
 
-Keys: Left and Right turn the chair; Space leaves out its matrix.
+Keys: Left and Right turn the chair; Space leaves out its matrix; F shows it.
 """
 # topic: cameras
 # needs: transform_order
 # picture: frame 0
-# keys: LEFT RIGHT SPACE
+# keys: LEFT RIGHT SPACE F
 
 import glfw
 from OpenGL.GL import *
@@ -19,6 +19,7 @@ CHAIR = [(0, 0.9, 0, 1, 0.1, 1), (0, 1, -0.45, 1, 1, 0.1), *LEGS]
 CAMERA = [(0, -0.2, 0, 0.35, 0.4, 0.6), (0, -0.1, -0.4, 0.2, 0.2, 0.2)]
 CORNER = (0.5, 2, -0.5)  # of the chair's back, in the chair's frame
 turned, placed = 30, True  # degrees
+shown = False  # the matrix that takes the chair to the world
 
 
 def chair_to_world():
@@ -53,6 +54,16 @@ def corner(*changes):
     return "({:.1f}, {:.1f}, {:.1f})".format(*((*CORNER, 1) @ glGetFloatv(GL_MODELVIEW_MATRIX)))
 
 
+def write_matrix(height):
+    """Write the chair's matrix: in its columns the axes and the origin, in the world's frame."""
+    set_frame(chair_to_world)
+    top = height / (height // 480 or height / 480)  # as write counts
+    for line, row in enumerate(glGetFloatv(GL_MODELVIEW_MATRIX).T.round(2) + 0):
+        a, b, c, d = row
+        y = top - 30 - 24 * line
+        write(16, y, "{a:6.2f} {b:6.2f} {c:6.2f} {d:6.2f}", (0.95, 0.75, 0.5), a=a, b=b, c=c, d=d)
+
+
 def draw_part(boxes, color):
     glBegin(GL_QUADS)
     for x, y, z, width, height, depth in boxes:  # x, y, z: the middle of the lower side
@@ -73,11 +84,13 @@ def draw_part(boxes, color):
 
 
 def on_key(window, key, scancode, action, mods):
-    global placed, turned
+    global placed, shown, turned
     if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT) and action != glfw.RELEASE:
         turned += 15 if key == glfw.KEY_RIGHT else -15
     if key == glfw.KEY_SPACE and action == glfw.PRESS:
         placed = not placed
+    if key == glfw.KEY_F and action == glfw.PRESS:
+        shown = not shown
     if key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
@@ -110,6 +123,8 @@ def main():
         write(16, 64, "corner in the chair's frame {p}", p=corner())
         write(16, 40, "in the world's frame        {p}", p=corner(chair_to_world))
         write(16, 16, "in the camera's frame       {p}", p=corner(world_to_camera, chair_to_world))
+        if shown:
+            write_matrix(height)
         glfw.swap_buffers(window)
         glfw.poll_events()
     glfw.terminate()

@@ -6,12 +6,13 @@ A plane stretches the texture where the surface turns away from it; cylinder and
 where their axis leaves the rabbit. At their seam the angle jumps from pi to -pi: its absolute value
 hides that, and without it the whole texture runs backwards through one strip.
 
-Keys: 1 plane, 2 cylinder, 3 sphere; Space leaves out the absolute value; Left and Right turn.
+Keys: 1 plane, 2 cylinder, 3 sphere; Space leaves out the absolute value; Left and Right turn;
+F draws the triangles over it.
 """
 # topic: landscape
 # needs: normals, vertex_arrays, textured_sphere
 # picture: frame 0
-# keys: 1 3 SPACE LEFT RIGHT
+# keys: 1 3 SPACE LEFT RIGHT F
 
 from pathlib import Path
 
@@ -23,6 +24,7 @@ from text import _, write
 
 LABELS = "plane: s = x, t = y", "cylinder: s = {angle}, t = y", "sphere: s = {angle}, t = latitude"
 mapping, absolute, turn = 1, True, 50
+meshed = False  # the triangles are drawn as lines, too
 
 
 def read_ply(path):
@@ -64,14 +66,29 @@ def make_texture():
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, *image.size, 0, *data)
 
 
+def draw_lines(faces):
+    """Draw the triangles as lines, slightly nearer than the faces, in one colour."""
+    glPushAttrib(GL_ENABLE_BIT | GL_POLYGON_BIT)
+    glDisable(GL_LIGHTING)
+    glDisable(GL_TEXTURE_2D)
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
+    glEnable(GL_POLYGON_OFFSET_LINE)
+    glPolygonOffset(-1, -1)
+    glColor3f(0.1, 0.3, 0.4)
+    glDrawElements(GL_TRIANGLES, faces.size, GL_UNSIGNED_INT, faces)
+    glPopAttrib()
+
+
 def on_key(window, key, scancode, action, mods):
-    global mapping, absolute, turn
+    global mapping, absolute, meshed, turn
     if action == glfw.RELEASE:
         return
     if key - glfw.KEY_1 in range(3):
         mapping = key - glfw.KEY_1
     if key == glfw.KEY_SPACE:
         absolute = not absolute
+    if key == glfw.KEY_F:
+        meshed = not meshed
     turn += 15 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
     if key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
@@ -107,6 +124,8 @@ def main():
         glNormalPointer(GL_FLOAT, 0, normals)
         glTexCoordPointer(2, GL_FLOAT, 0, map_texture(vertices))
         glDrawElements(GL_TRIANGLES, faces.size, GL_UNSIGNED_INT, faces)
+        if meshed:
+            draw_lines(faces)
         write(16, 40, "faces: {count}", count=len(faces))
         write(16, 16, LABELS[mapping], angle="|angle|" if absolute else "angle")
         glfw.swap_buffers(window)
