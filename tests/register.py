@@ -77,7 +77,8 @@ def quick(words: list[str], island: bool, folder: Path) -> list[str]:
     ``island``: it draws the island, of which few objects are enough here.
     """
     name, *rest = words
-    size = [] if "--size" in rest else ["--size", SIZE]
+    program = any(word.endswith(".py") for word in rest)  # it has the size of its window
+    size = [] if "--size" in rest or program else ["--size", SIZE]
     few = SMALL if "2006" in rest else SMALL_BEST
     fewer = [f"--set={key}={value}" for key, value in few.items()] if island else []
     match name:
