@@ -106,3 +106,44 @@ def test_the_texture_matrix_of_a_draw_is_the_one_that_it_is_drawn_with(
     state = found.frame(0).draws[0].state
     matrix = np.reshape(state["GL_TEXTURE0.GL_TEXTURE_MATRIX"], (4, 4))
     assert matrix.diagonal().tolist() == [3, 2, 1, 1]
+
+
+CONVENIENT = """# exercise: winding
+import glfw
+import numpy as np
+from OpenGL.GL import *
+glfw.init()
+window = glfw.create_window(64, 48, '', None, None)
+glfw.make_context_current(window)
+glEnableClientState(GL_VERTEX_ARRAY)
+glVertexPointerf([(0, 0), (1, 0), (1, 1), (0, 1)])
+while not glfw.window_should_close(window):
+    glDrawElementsui(GL_TRIANGLES, [0, 1, 2, 0, 2, 3])
+    glEnableClientState(GL_COLOR_ARRAY)
+    glColorPointerub(np.array([(255, 0, 51)] * 4, np.uint8))
+    glDrawArrays(GL_QUADS, 0, 4)
+    glDisableClientState(GL_COLOR_ARRAY)
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+"""
+
+
+def test_the_vertices_of_pyopengls_conveniences_are_known(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
+    path = tmp_path_factory.mktemp("convenient") / "mine.py"
+    path.write_text(CONVENIENT)
+    with Grader(100) as grader:
+        found = grader.check(path).work
+    assert found is not None
+    for frame in found.frames.values():
+        triangles, quad = frame.draws
+        assert triangles.vertices[:, :2].tolist() == [
+            [0, 0],
+            [1, 0],
+            [1, 1],
+            [0, 0],
+            [1, 1],
+            [0, 1],
+        ]
+        assert quad.vertices.shape == (4, 4) and np.allclose(quad.colors, [1, 0, 0.2, 1])

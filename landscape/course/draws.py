@@ -14,7 +14,7 @@ from landscape.course.calls import NONE, Call, Item, Numbers, whole
 
 @dataclass(frozen=True, eq=False)
 class Draw:
-    """What one glBegin, glDrawArrays or glDrawElements draws, n vertices.
+    """What one glBegin, glDrawArrays or glDrawElements (also glDrawElementsui) draws, n vertices.
 
     ``vertices``: object coordinates (n, 4); ``normals`` (n, 3), ``colors`` (n, 4) and ``texture``
     coordinates (n, 4) of each vertex. ``modelview`` and ``projection`` are (4, 4).
@@ -90,6 +90,10 @@ def state_matrix(state: Mapping[str, Any], name: str) -> np.ndarray:
     return np.array(state[name], float).reshape(4, 4).T
 
 
+FROM_ARRAYS = (
+    *("glDrawArrays", "glDrawElements"),
+    *("glDrawElementsub", "glDrawElementsus", "glDrawElementsui"),  # PyOpenGL's
+)
 CURRENT = {
     "normal": "GL_CURRENT_NORMAL",
     "color": "GL_CURRENT_COLOR",
@@ -186,7 +190,7 @@ def _drawn(calls: Sequence[Item], numbers: Numbers, now: _Current, listed: bool)
             now.color = _vector(call, 4)
         elif base == "glTexCoord":
             now.texture = _vector(call, 4)
-        elif call.name in ("glDrawArrays", "glDrawElements"):
+        elif call.name in FROM_ARRAYS:
             yield _draw(call, str(call.args[0]), _stacked(_from_arrays(call, now)), now)
         elif call.inside:
             yield from _drawn(call.inside, numbers, now, listed=True)
@@ -252,27 +256,36 @@ def _from_arrays(call: Call, now: _Current) -> list[list[list[float]]]:
     """Return the rows of a draw call that reads vertex arrays; none where they are not known."""
     arrays: dict[str, list[list[float]]] = {}
     for name, args in call.arrays:
-        if not name.endswith("Pointer") or not isinstance(args[-1], list):
+        kind, pointer, suffix = name.partition("Pointer")
+        if not pointer or not isinstance(args[-1], list):
             continue
-        size = 3 if name == "glNormalPointer" else int(args[0])
-        if args[-2] not in (0, None):
-            return []
-        flat = np.array(args[-1], float).ravel()
+        values = np.array(args[-1], float)
+        if suffix:  # glVertexPointerf and its like, PyOpenGL's: the size is that of the array
+            if values.ndim < 2:
+                return []
+            size = values.shape[-1]
+        else:
+            size = 3 if name == "glNormalPointer" else int(args[0])
+            if args[-2] not in (0, None):
+                return []
+        flat = values.ravel()
         rows = flat[: len(flat) // size * size].reshape(-1, size).tolist()
-        if name == "glColorPointer" and args[1] == "GL_UNSIGNED_BYTE":
+        if kind == "glColor" and (suffix == "ub" or args[1:2] == ["GL_UNSIGNED_BYTE"]):
             rows = [[value / 255 for value in row] for row in rows]
-        arrays[name] = [(row + [0.0, 0.0, 0.0, 1.0][len(row) :]) for row in rows]
-    points = arrays.get("glVertexPointer", [])
+        arrays[kind] = [(row + [0.0, 0.0, 0.0, 1.0][len(row) :]) for row in rows]
+    points = arrays.get("glVertex", [])
     if call.name == "glDrawArrays":
         indices = list(range(int(call.args[1]), int(call.args[1]) + int(call.args[2])))
     elif isinstance(call.args[-1], list):
-        indices = np.array(call.args[-1]).ravel()[: int(call.args[1])].tolist()
+        indices = np.array(call.args[-1]).ravel().tolist()
+        if call.name == "glDrawElements":
+            indices = indices[: int(call.args[1])]
     else:
         return []
     others = (
-        [row[:3] for row in arrays.get("glNormalPointer", [])],
-        arrays.get("glColorPointer", []),
-        arrays.get("glTexCoordPointer", []),
+        [row[:3] for row in arrays.get("glNormal", [])],
+        arrays.get("glColor", []),
+        arrays.get("glTexCoord", []),
     )
     current = (now.normal, now.color, now.texture)
     found = []

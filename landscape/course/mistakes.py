@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from landscape.course.evidence import Evidence, Frame
-from landscape.course.grading import Hint, Test, Text, _, hint, test
+from landscape.course.grading import Hint, Test, Text, _, compare, hint, test
 
 STACKS = ("GL_MODELVIEW_STACK_DEPTH", "GL_PROJECTION_STACK_DEPTH", "GL_ATTRIB_STACK_DEPTH")
+NO_SHAPES = ("glDrawBuffer", "glDrawPixels")
 Mistake = tuple[Callable[[int], Any], Text | Hint]
 """What is drawn in a frame if the mistake is made, and the hint."""
 
@@ -84,9 +85,36 @@ def colors(frame: Frame, width: int, height: int, table: Sequence[Any]) -> np.nd
     return np.where(apart.min(axis=-1) < 8, apart.argmin(axis=-1), -1)
 
 
-def _first_state(frame: Frame) -> Mapping[str, Any]:
-    """Return OpenGL's state before the first call that draws; it is also known inside a list."""
-    return next((call.state for call in frame.calls if call.state), {})
+def silent(work: Evidence, solution: Evidence) -> bool:
+    """Return whether a test that looks at vertices must say nothing.
+
+    That is where the pictures are right, or where not all vertices are known.
+    """
+    return compare(work, solution) is None or not followed(work)
+
+
+def followed(work: Evidence) -> bool:
+    """Return whether the vertices of all that is drawn are known.
+
+    They are not where they come from buffer objects, or by glInterleavedArrays or
+    glMultiDrawElements.
+    """
+    return all(map(_followed, work.frames.values()))
+
+
+def _followed(frame: Frame) -> bool:
+    drawn = {id(draw.call) for draw in frame.draws if len(draw.vertices)}
+    return all(
+        id(call) in drawn
+        for call in frame.calls
+        if call.name.startswith(("glDraw", "glMultiDraw")) and call.base not in NO_SHAPES
+    )
+
+
+def _depths(frame: Frame) -> Mapping[str, int]:
+    """Return how deep the stacks are where they are least deep in a frame."""
+    states = [call.state for call in frame.calls if call.state]
+    return {stack: min((int(state[stack]) for state in states), default=0) for stack in STACKS}
 
 
 def balanced(needs: Test) -> Test:
@@ -99,10 +127,9 @@ def balanced(needs: Test) -> Test:
     )
     def stacks(work: Evidence, solution: Evidence) -> Hint | None:
         ends = min(work.frames), max(work.frames)
-        first, last = (_first_state(work.frame(number)) for number in ends)
+        first, last = (_depths(work.frame(number)) for number in ends)
         for stack in STACKS:
-            more = int(last.get(stack, 0)) - int(first.get(stack, 0))
-            if more > 0:
+            if last[stack] > first[stack]:
                 return hint(
                     _(
                         "The picture is right, but {stack} grows from frame to frame: something "

@@ -3,7 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, between, compare, hint, test
-from landscape.course.mistakes import balanced
+from landscape.course.mistakes import balanced, followed
 
 FRAMES = (0, 1)
 HULL = np.array(((-0.6, -0.3), (0.6, -0.3), (0.4, -0.6), (-0.4, -0.6)))
@@ -21,7 +21,8 @@ NEAR = 0.01  # chosen: by which a corner may be elsewhere
 
 
 def right(work, solution, part):
-    return compare(work, solution, box=BOXES[part], most=0.01) is None
+    part_right = compare(work, solution, box=BOXES[part], most=0.01) is None
+    return part_right or not followed(work)
 
 
 def places(draw):
@@ -48,6 +49,12 @@ def lacking(work, corners):
         if not any(near(places(draw), corner) for draw in work.frame(0).draws):
             return corner
     return None
+
+
+def around(draw):
+    """Return whether the first vertices of a draw go around the hull."""
+    apart = np.abs(places(draw)[:4, None] - HULL).max(axis=-1).argmin(axis=1)
+    return all(step % 4 in (1, 3) for step in np.diff(apart))
 
 
 def elsewhere(work):
@@ -123,14 +130,6 @@ def hull(work, solution):
             ),
             line=draw.line,
         )
-    if draw.mode == "GL_TRIANGLE_STRIP":
-        return hint(
-            _(
-                "The hull has a notch. A GL_TRIANGLE_STRIP, as in line {line}, goes in zigzag from "
-                "side to side; these corners go around."
-            ),
-            line=draw.line,
-        )
     color = draw.colors[0, :3]
     if color.max() > 2:
         return hint(
@@ -157,7 +156,15 @@ def hull(work, solution):
             green=color[1],
             blue=color[2],
         )
-    if draw.mode in ("GL_QUADS", "GL_POLYGON"):
+    if draw.mode == "GL_TRIANGLE_STRIP" and around(draw):
+        return hint(
+            _(
+                "The hull has a notch. A GL_TRIANGLE_STRIP, as in line {line}, goes in zigzag from "
+                "side to side; these corners go around."
+            ),
+            line=draw.line,
+        )
+    if draw.mode in ("GL_QUADS", "GL_POLYGON") and not around(draw):
         return hint(
             _(
                 "The sides of the hull cross each other. Its corners are right, but they must come "

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from landscape.course.grading import _, compare, test
-from landscape.course.mistakes import balanced, close, known
+from landscape.course.grading import _, compare, hint, test
+from landscape.course.mistakes import balanced, close, known, silent
 
 FRAMES = (0, 1, 2, 3)
 EVENTS = [
@@ -257,18 +257,26 @@ PEOPLE = (
 )
 
 
-def right(work, solution):
-    return compare(work, solution) is None
-
-
 @test(
     _("The wheel turns around its hub"),
     _("It is turned in its own frame, and that is moved to HUB."),
 )
 def rim(work, solution):
-    if right(work, solution):
+    if silent(work, solution):
         return None
-    return known(RIMS, placed(work, "GL_LINE_LOOP"), FRAMES, SAME)
+    if told := known(RIMS, placed(work, "GL_LINE_LOOP"), FRAMES, SAME):
+        return told
+    for number in FRAMES:
+        found = placed(work, "GL_LINE_LOOP")(number)
+        if len(found) == 1 and not SAME(found[0, :2, 2], HUB):
+            x, y = found[0, :2, 2]
+            return hint(
+                _("In frame {frame} the hub is at ({x:.2f}, {y:.2f}), and not at HUB."),
+                frame=number,
+                x=x,
+                y=y,
+            )
+    return None
 
 
 @test(
@@ -277,9 +285,25 @@ def rim(work, solution):
     needs=rim,
 )
 def on_rim(work, solution):
-    if right(work, solution):
+    if silent(work, solution):
         return None
-    return known(PLACES, places(work), FRAMES, SAME)
+    if told := known(PLACES, places(work), FRAMES, SAME):
+        return told
+    for number in FRAMES:
+        for each, place in enumerate(places(work)(number)):
+            distance = float(np.linalg.norm(place - HUB))
+            if abs(distance - RADIUS) > 0.05:
+                return hint(
+                    _(
+                        "In frame {frame} cabin number {number}, counted from 0, is {distance:.2f} "
+                        "away from HUB, and should be at the rim, {radius} away."
+                    ),
+                    frame=number,
+                    number=each,
+                    distance=distance,
+                    radius=RADIUS,
+                )
+    return None
 
 
 @test(
@@ -288,7 +312,7 @@ def on_rim(work, solution):
     needs=on_rim,
 )
 def upright(work, solution):
-    if right(work, solution):
+    if silent(work, solution):
         return None
     return known(UPRIGHT, cabins(work), FRAMES, SAME)
 
@@ -299,7 +323,7 @@ def upright(work, solution):
     needs=upright,
 )
 def people(work, solution):
-    if right(work, solution):
+    if silent(work, solution):
         return None
     return known(PEOPLE, inside(work), FRAMES, SAME)
 

@@ -5,7 +5,7 @@ from itertools import product
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
-from landscape.course.mistakes import balanced
+from landscape.course.mistakes import balanced, silent
 from landscape.course.triangles import triangles
 
 FRAMES = (0, 1, 2, 3, 4)
@@ -47,7 +47,7 @@ def named(face):
     _("A face joins an end of the axis above or below with two corners in between."),
 )
 def corners(work, solution):
-    if compare(work, solution) is None:
+    if silent(work, solution):
         return None
     draws, found = work.frame(0).draws, faces(work)
     if draws and all(draw.mode in MODES for draw in draws):
@@ -124,7 +124,7 @@ def corners(work, solution):
     needs=corners,
 )
 def all_faces(work, solution):
-    if compare(work, solution) is None:
+    if silent(work, solution):
         return None
     found = [frozenset(face) for face in faces(work)]
     missing = sorted(sorted(face) for face in RIGHT - set(found))
@@ -166,7 +166,7 @@ def all_faces(work, solution):
     needs=all_faces,
 )
 def order(work, solution):
-    if compare(work, solution) is None:
+    if silent(work, solution):
         return None
     found = faces(work)
     wrong = [face for face in found if not outward(face)]
@@ -204,8 +204,8 @@ def order(work, solution):
     needs=order,
 )
 def picture(work, solution):
-    if compare(work, solution) is None:
-        return None
+    if silent(work, solution):
+        return compare(work, solution)
     wanted = {}
     for draw in solution.frame(0).draws:
         for each in triangles(draw):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
-from landscape.course.mistakes import balanced
+from landscape.course.mistakes import balanced, followed
 
 FRAMES = (0, 1, 2)
 EVENTS = [{"frame": 2, "resize": [300, 360]}]
@@ -34,7 +34,8 @@ def box(part):
 
 
 def right(work, solution, part):
-    return compare(work, solution, box=box(part), most=0.004) is None
+    part_right = compare(work, solution, box=box(part), most=0.004) is None
+    return part_right or not followed(work)
 
 
 def places(draw):
@@ -93,6 +94,9 @@ def trees(work, solution):
             "GL_TRIANGLE_FAN": _(
                 "All triangles of the trees begin in the same corner, that of the first tree: line "
                 "{line} draws a fan."
+            ),
+            "GL_QUADS": _(
+                "Line {line} takes four vertices for each face, and so two trees are joined."
             ),
             "GL_LINE_LOOP": _(
                 "The trees are not filled: line {line} draws one line through all of their corners."

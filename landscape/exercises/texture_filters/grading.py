@@ -24,6 +24,7 @@ FILTERS = {
     0x2703: "GL_LINEAR_MIPMAP_LINEAR",
 }
 MIN, MAG, GENERATE = "GL_TEXTURE_MIN_FILTER", "GL_TEXTURE_MAG_FILTER", "GL_GENERATE_MIPMAP"
+BOUND = "GL_TEXTURE0.GL_TEXTURE_BINDING_2D"
 THINGS = ("floor", "sign", "window")
 MOST = 0.004  # chosen: the fraction of a thing's pixels that may differ
 
@@ -90,11 +91,12 @@ def things(work, number=0):
 
 
 def texture_of(work, thing):
-    """Return the texture of a thing; None where it is not known."""
+    """Return the texture of a thing; None where it is not known, or where two things share one."""
     draw = things(work).get(thing)
-    if draw is None or not draw.call.way:
+    names = [each.state[BOUND] for each in things(work).values()]
+    if draw is None or not draw.call.way or len(set(names)) < len(THINGS):
         return None
-    return textures(work).get(draw.state["GL_TEXTURE0.GL_TEXTURE_BINDING_2D"], Texture())
+    return textures(work).get(draw.state[BOUND], Texture())
 
 
 def place(solution, thing, number):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from landscape.course.grading import _, compare, hint, test
-from landscape.course.mistakes import balanced
+from landscape.course.mistakes import balanced, silent
 
 FRAMES = (0, 1, 2, 3, 4)
 EVENTS = [
@@ -27,10 +27,6 @@ def vertices(work):
         places.append((draw.vertices @ turned.T)[:, :3])
         coordinates.append((draw.texture @ matrix.T)[:, :2])
     return np.concatenate(places), np.concatenate(coordinates)
-
-
-def right(work, solution):
-    return compare(work, solution) is None
 
 
 def along(places):
@@ -68,7 +64,7 @@ def after_vertex(work):
     _("t is the part of the way from the north pole to the south pole, as an angle."),
 )
 def north(work, solution):
-    if right(work, solution):
+    if silent(work, solution):
         return None
     places, coordinates = vertices(work)
     wanted_s, wanted = along(places)
@@ -149,7 +145,7 @@ def north(work, solution):
     needs=north,
 )
 def east(work, solution):
-    if right(work, solution):
+    if silent(work, solution):
         return None
     places, coordinates = vertices(work)
     kept = off_poles(places)
@@ -196,7 +192,7 @@ def east(work, solution):
     needs=east,
 )
 def closed(work, solution):
-    if right(work, solution):
+    if silent(work, solution):
         return None
     places, coordinates = vertices(work)
     kept = off_poles(places)

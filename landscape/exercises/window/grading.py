@@ -11,6 +11,7 @@ PRESSED = {  # before these frames, and how often each key is repeated
     2: (("UP", 0),),
     4: (("UP", 6), ("DOWN", 0)),
     6: (("DOWN", 15), ("UP", 0)),
+    8: (("UP", 4),),
 }
 EVENTS = [
     {"frame": frame, "key": key, "action": action}
@@ -19,7 +20,8 @@ EVENTS = [
     for action in ("press", *["repeat"] * repeats, "release")
 ] + [{"frame": 8, "resize": [240, 320]}]
 SKY = np.array((0.9, 0.5, 0.35))
-FREE, LOW = (4, -5), (140, -5)  # pixels of the sky, which nothing ever hides
+FREE = (4, -5)  # a pixel of the sky, which nothing ever hides
+LOW = (0.58, -5)  # another one; its row is a part of the height
 
 
 def up(light):
@@ -120,12 +122,15 @@ def filled(work, solution):
                 "trail, and the keys will not change the sky."
             )
         )
-    above, below = work.frame(0).picture[[FREE[0], LOW[0]], FREE[1]].astype(int)
-    if np.abs(above - below).max() > 8:
+    for number in FRAMES:
+        picture = work.frame(number).picture.astype(int)
+        above, below = picture[FREE], picture[int(LOW[0] * len(picture)), LOW[1]]
+        if np.abs(above - below).max() <= 8:
+            continue
         return hint(
             _(
                 "The sky does not have one colour: only a part of the window is filled. In its "
-                "own coordinates the window reaches from -1 to 1, both ways."
+                "own coordinates the window reaches from -1 to 1, both ways, whatever its size."
             )
         )
     return None
