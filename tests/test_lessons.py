@@ -76,6 +76,30 @@ def test_a_lesson_is_tagged_and_builds_on_those_before_it(name: str) -> None:
     assert not re.search(r"glCreateShader|glUseProgram", source)
 
 
+TAUGHT = {
+    **{"glRectf": "animation", "glBegin": "triangle", "glOrtho": "viewport"},
+    **{"glLineStipple": "lines", "glCullFace": "orientation", "GL_DEPTH_TEST": "z_buffer"},
+    **{"glMatrixMode": "matrices", "glTranslatef": "matrices", "glRotatef": "matrices"},
+    **{"glFrustum": "perspective", "glMultMatrixf": "look_at", "gluLookAt": "teapot"},
+    **{"gluPerspective": "teapot", "glPushMatrix": "matrix_stack", "glLightfv": "light_model"},
+    **{"glMaterialfv": "light_model", "GL_NORMALIZE": "scale", "glShadeModel": "gouraud"},
+    **{"glVertexPointer": "vertex_arrays", "glNewList": "display_list"},
+    **{"glTexImage2D": "generated_texture", "glGenTextures": "texture_objects"},
+}
+"""The first lesson that may use a call or a capability: what its page is about."""
+
+
+@each_lesson
+def test_a_lesson_uses_nothing_that_a_later_one_teaches(name: str) -> None:
+    if name == HELPER:
+        return
+    tree = ast.parse(lesson(name).file.read_text(encoding="utf-8"))
+    used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    place = NAMES.index(name)
+    early = {call: TAUGHT[call] for call in used & TAUGHT.keys()}
+    assert [call for call, where in early.items() if NAMES.index(where) > place] == []
+
+
 @each_lesson
 def test_a_lesson_names_only_keys_that_qwerty_and_azerty_have_in_one_place(name: str) -> None:
     used = set(re.findall(r"glfw\.KEY_(\w+)", lesson(name).file.read_text(encoding="utf-8")))

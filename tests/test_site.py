@@ -11,8 +11,8 @@ from PIL import Image
 
 from landscape.capture import spec
 from landscape.course.exercises import NAMES, exercise
-from landscape.course.ladder import lessons
-from landscape.course.lesson_command import described
+from landscape.course.ladder import lessons, program_files
+from landscape.course.lesson_command import described, program_described
 from landscape.course.pages import as_markdown, blocks
 from landscape.gallery.scene_captions import INTRODUCTIONS, STEPS, VIEW_TEXTS
 from landscape.languages import LANGUAGES, translator
@@ -102,6 +102,8 @@ def test_the_page_of_a_lesson_holds_its_whole_program(
         assert described(lesson, language) in page
         assert f"landscape strip {lesson.name}.py --frame {lesson.frame}\n" in page
         assert f"../pictures/{lesson.name}-strip.webp" in page
+        files = [file for name in lesson.programs for file in program_files(name)]
+        assert all(program_described(file, language) in page for file in files)
 
 
 def test_the_theme_s_words_and_labels_are_translated(site: Any, tmp_path: Path) -> None:

@@ -30,8 +30,8 @@ SECTIONS: Phrases = ("What you see", "Why", "Change first", "Ask the class")  # 
 
 LADDER: dict[str, tuple[str, ...]] = {
     "window": ("window", "keys", "mouse", "animation", "main_loop", "menu", "popup_menu"),
-    "shapes": ("triangle", "primitives", "lines", "orientation", "z_buffer"),
-    "transforms": ("viewport", "homogeneous", "matrices", "transform_order"),
+    "shapes": ("triangle", "viewport", "primitives", "lines", "orientation", "z_buffer"),
+    "transforms": ("homogeneous", "matrices", "transform_order"),
     "meshes": ("polygon_modes", "tetrahedron"),
     "cameras": (
         *("frames", "three_turns", "pinhole", "similar_triangles", "perspective", "look_at"),
@@ -43,8 +43,8 @@ LADDER: dict[str, tuple[str, ...]] = {
     ),
     "arrays": ("vertex_arrays", "interleaved", "mixed_faces", "display_list"),
     "textures": (
-        *("generated_texture", "texture_objects", "texture_map", "textured_sphere", "quadrics"),
-        *("blending", "text", "stroke_text"),
+        *("blending", "generated_texture", "texture_objects", "texture_map", "textured_sphere"),
+        *("quadrics", "text", "stroke_text"),
     ),
     "landscape": (
         *("height_field", "texture_units", "clip_plane", "mirror", "water", "sky_box"),

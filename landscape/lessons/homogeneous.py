@@ -9,7 +9,7 @@ direction.
 Keys: Left and Right change x, Up and Down change W; Space makes W 0, a direction.
 """
 # topic: transforms
-# needs: viewport
+# needs: viewport, primitives
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE
 

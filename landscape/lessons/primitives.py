@@ -8,7 +8,7 @@ shapes cross themselves. What is left over, as a single vertex of a line, is not
 Keys: Left and Right change the number of vertices; Space changes their order.
 """
 # topic: shapes
-# needs: triangle
+# needs: triangle, viewport
 # picture: frame 1 after RIGHT
 # keys: LEFT RIGHT SPACE
 

@@ -9,7 +9,7 @@ Keys: 1 cube, 2 sphere, 3 teapot; the arrows lead the camera around; F and C cha
 angle; Space scales the shape by 1.4, 0.6, 1.
 """
 # topic: cameras
-# needs: perspective, look_at
+# needs: main_loop, perspective, look_at
 # picture: frame 0
 # keys: 1 2 LEFT RIGHT UP DOWN F C SPACE
 # programs: wire_teapot

@@ -9,7 +9,7 @@ colour.
 Keys: 1 to 6 delete a texture, and make it again; Space leaves out glBindTexture when drawing.
 """
 # topic: textures
-# needs: generated_texture
+# needs: generated_texture, blending
 # picture: frame 0
 # keys: 1 2 3 SPACE
 

@@ -7,7 +7,7 @@ moved. With the two swapped, it is moved first, and swings around the world's or
 Keys: Left and Right change the angle; Space swaps the two calls.
 """
 # topic: transforms
-# needs: viewport
+# needs: matrices, z_buffer
 # picture: frame 0
 # keys: LEFT RIGHT SPACE
 

@@ -7,7 +7,7 @@ the viewport is wider than high. Without this aspect ratio the circle is an elli
 
 Keys: the arrows change the width and the height of the viewport; Space ignores its aspect ratio.
 """
-# topic: transforms
+# topic: shapes
 # needs: triangle
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE
@@ -27,7 +27,7 @@ def draw_wheel():
     """Draw a circle of sectors around the origin, with the radius 0.85."""
     for sector in range(16):
         glColor3f(*((0.85, 0.35, 0.2) if sector % 2 else (0.95, 0.62, 0.35)))
-        glBegin(GL_TRIANGLE_FAN)
+        glBegin(GL_POLYGON)
         glVertex2f(0, 0)
         for step in range(5):
             angle = (sector + step / 4) * math.pi / 8

@@ -3,8 +3,8 @@
 from drawn import Drawn
 from exercise_pages import of_lesson
 
-from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons
-from landscape.course.lesson_command import described
+from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons, program_files
+from landscape.course.lesson_command import described, program_described
 from landscape.course.pages import Block, as_markdown, page
 from landscape.languages import translator
 
@@ -62,6 +62,7 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
         f"## {_('The program')}",
         f"`landscape lesson {each.name}`",
         f"```{{code-block}} python\n:linenos:\n\n{described(each, language)}```",
+        *_plain_programs(each, language),
         f"## {_('The frame, step by step')}",
         _(
             "The picture grows with each function of the program that draws; its calls and draws "
@@ -74,6 +75,28 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
         f":target: ../_images/{each.name}-strip.webp\n```",
     ]
     return "\n\n".join(parts) + "\n"
+
+
+def _plain_programs(each: Lesson, language: str) -> list[str]:
+    """Return the plain programs of a lesson, with GLFW and with GLUT side by side."""
+    if not each.programs:
+        return []
+    _ = translator(language, "site")
+    parts = [
+        f"## {_('Plain programs')}",
+        _(
+            "Programs of this subject without texts, each with GLFW and with GLUT; `--copy` brings "
+            "them along. [From GLUT to GLFW](../documents/glut.md) compares the two."
+        ),
+    ]
+    for name in each.programs:
+        forms = "".join(
+            f":::{{tab-item}} {toolkit}\n`{file.name}`\n\n"
+            f"```python\n{program_described(file, language)}```\n:::\n"
+            for toolkit, file in zip(("GLFW", "GLUT"), program_files(name), strict=True)
+        )
+        parts.append(f"::::{{tab-set}}\n{forms}::::")
+    return parts
 
 
 def _folded(block: Block, language: str) -> Block:
