@@ -10,7 +10,7 @@ from landscape.effects.hall import Hall
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.geometry.quaternion import from_angles
+from landscape.geometry.quaternion import from_angles, product
 from landscape.keys import with_settings
 from landscape.scene import Moment, scene
 from landscape.window.place import Place
@@ -45,7 +45,7 @@ def test_it_passes_its_keys_and_comes_back_to_the_first() -> None:
 
 def test_euler_angles_whirl_where_the_camera_passes_over_the_statue() -> None:
     """Gimbal lock: from nose down to beyond, a turn of 50 degrees becomes a full one."""
-    by_slerp, by_euler = turns(flight()), turns(flight(interpolation="euler"))
+    by_slerp, by_euler = (turns(flight(interpolation=each)) for each in ("slerp", "euler"))
     worst = int((by_euler - by_slerp).argmax())
     assert by_slerp.max() < 130
     assert by_euler[worst] > 300 and by_slerp[worst] < 60
@@ -53,8 +53,31 @@ def test_euler_angles_whirl_where_the_camera_passes_over_the_statue() -> None:
 
 
 def test_without_the_short_arc_slerp_turns_the_long_way() -> None:
-    short, any_ = turns(flight()), turns(flight(short=False))
+    short, any_ = (turns(flight(interpolation="slerp", short=each)) for each in (True, False))
     assert (any_ > short + 90).any() and (any_ > short - 1e-3).all()
+
+
+def jerks(interpolation: str) -> np.ndarray:
+    """Return by how many degrees a key the angular velocity changes at each key at once."""
+    camera, tiny = flight(interpolation=interpolation), 1e-4
+
+    def velocity(key: float) -> np.ndarray:
+        p, q = (camera.camera((key + each) * SPAN)[1] for each in (-tiny, tiny))
+        turn = product(q if p @ q > 0 else -q, p * (1, -1, -1, -1))
+        return np.degrees(turn[1:] / tiny)
+
+    changes = [velocity(key + 4 * tiny) - velocity(key - 4 * tiny) for key in range(KEYS)]
+    return np.linalg.norm(changes, axis=1)
+
+
+def test_angular_velocity_is_continuous_at_the_keys_by_squad_and_not_by_slerp() -> None:
+    assert jerks("squad").max() < 1.0
+    assert jerks("slerp").min() > 4.0 and jerks("slerp").max() > 100.0
+
+
+def test_squad_turns_hardly_farther_than_slerp() -> None:
+    squad, slerp = turns(flight()), turns(flight(interpolation="slerp"))
+    assert (squad > slerp - 1e-6).all() and squad.sum() < 1.2 * slerp.sum()
 
 
 def test_its_pose_has_its_orientation() -> None:

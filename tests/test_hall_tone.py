@@ -9,6 +9,8 @@ from stage import Stage
 
 from landscape.effects.tone import doublings
 from landscape.frame import Pose
+from landscape.gl import extensions
+from landscape.render import Offscreen
 
 SHOWN = ("room", "floor", "statue", "tone")
 Draw = Callable[..., np.ndarray]
@@ -69,6 +71,20 @@ def test_a_part_of_the_picture_is_the_statue_or_all_else(
         changed = np.abs(found - expected(plain, 0.0, 0.4)).max(axis=2) <= 1
         kept = (found == plain).all(axis=2)
         assert changed[part].all() and kept[~part].mean() > 0.98
+
+
+def test_where_pixels_have_several_samples_they_are_blended_and_a_line_says_so(
+    capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(extensions, "_told", set())
+    changes = {"tone": {"method": "pixels", "contrast": 1.5}}
+    for samples in (4, 0):
+        with Offscreen(size=(64, 48), samples=samples, settings=changes, only=("tone",)) as view:
+            view.look("hall_mirror")
+            view.draw()
+    told = capfd.readouterr().err.splitlines()
+    assert len(told) == 1 and told[0].startswith("landscape: tone.method=pixels: blended, ")
+    assert "--samples 0" in told[0]
 
 
 def test_doublings_multiply_to_the_contrast_and_none_is_above_2() -> None:

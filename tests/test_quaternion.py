@@ -1,15 +1,20 @@
 """Quaternions: products and angles against matrices, and SLERP's arc, speed and special cases."""
 
+from typing import ClassVar
+
 import numpy as np
 import pytest
 
 from landscape.geometry.quaternion import (
     about,
+    exponential,
     from_angles,
     from_axes,
+    logarithm,
     looking,
     product,
     slerp,
+    squad,
     to_angles,
     turned,
 )
@@ -105,3 +110,67 @@ def test_slerp_between_nearly_equal_and_opposite_rotations_is_finite() -> None:
     assert slerp(p, -p, 0.4) == pytest.approx(p)
     half = slerp(p, -p, 0.5, short=False)
     assert angle(p, half) == pytest.approx(np.pi) and slerp(p, -p, 1.0, False) == pytest.approx(-p)
+
+
+class Counted(float):
+    """A number that counts what is done with numbers of its kind."""
+
+    done: ClassVar[dict[str, int]] = {"*": 0, "+": 0}
+
+    def __mul__(self, other: object) -> "Counted":
+        Counted.done["*"] += 1
+        return Counted(float(self) * float(other))  # type: ignore[arg-type]
+
+    def __add__(self, other: object) -> "Counted":
+        Counted.done["+"] += 1
+        return Counted(float(self) + float(other))  # type: ignore[arg-type]
+
+    def __sub__(self, other: object) -> "Counted":
+        Counted.done["+"] += 1
+        return Counted(float(self) - float(other))  # type: ignore[arg-type]
+
+
+def test_a_product_takes_fewer_operations_of_quaternions_than_of_matrices() -> None:
+    """As the module's docstring, the lesson's page and docs/effects.md say."""
+
+    def operations(p: list[list[float]], q: list[list[float]]) -> dict[str, int]:
+        Counted.done.update({"*": 0, "+": 0})
+        np.dot(np.array(p, object), np.array(q, object))
+        return dict(Counted.done)
+
+    three = [[Counted(1.0)] * 3] * 3
+    assert operations(three, three) == {"*": 27, "+": 18}
+    assert operations(three, [[Counted(1.0)]] * 3) == {"*": 9, "+": 6}
+    Counted.done.update({"*": 0, "+": 0})
+    (a, b, c, d), (e, f, g, h) = [Counted(1.0)] * 4, [Counted(1.0)] * 4
+    found = (a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g)
+    found += (a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e)
+    assert Counted.done == {"*": 16, "+": 12}
+    np.testing.assert_allclose(product(np.ones(4), np.ones(4)), [float(each) for each in found])
+
+
+def test_i_j_and_k_multiply_as_the_rules_say() -> None:
+    one, i, j, k = np.eye(4)
+    for p, q, r in ((i, j, k), (j, k, i), (k, i, j)):
+        np.testing.assert_array_equal(product(p, q), r)
+        np.testing.assert_array_equal(product(q, p), -r)
+        np.testing.assert_array_equal(product(p, p), -one)
+
+
+def test_exponential_and_logarithm_undo_each_other() -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        q = unit(rng)
+        np.testing.assert_allclose(exponential(logarithm(q)), q, atol=1e-12)
+    np.testing.assert_array_equal(logarithm(np.array([1.0, 0, 0, 0])), 0)
+    np.testing.assert_array_equal(exponential(np.zeros(3)), [1, 0, 0, 0])
+
+
+def test_squad_passes_its_middle_keys_and_is_slerp_where_the_turn_is_even() -> None:
+    rng = np.random.default_rng(6)
+    keys = [unit(rng) for _ in range(4)]
+    for t, key in ((0.0, keys[1]), (1.0, keys[2])):
+        assert abs(squad(keys, t) @ key) == pytest.approx(1.0)
+    even = [about((0.0, 1.0, 0.0), 0.4 * n) for n in range(4)]
+    for t in (0.2, 0.5, 0.9):
+        np.testing.assert_allclose(squad(even, t), about((0.0, 1.0, 0.0), 0.4 * (1 + t)))

@@ -8,17 +8,20 @@ On the bed the net multiplies what is there. ``caustics.passes`` chooses how. ``
 drawn again, blended. The document's glBlendFunc(GL_ZERO, GL_SRC_COLOR) can only darken, as no
 colour exceeds 1; GL_DST_COLOR, GL_ONE adds the product to what is there, a factor of 1 to 2;
 GL_DST_COLOR, GL_SRC_COLOR adds it twice, a factor of 0 to 2, which keeps the mean: that is used.
-``one``: two further texture units do it while the bed is drawn. The first mixes two frames, into
-alpha, and the second multiplies the colour by that alpha and by GL_RGB_SCALE 2.
+``one``: two further texture units do it while the bed is drawn: the first takes the net into alpha,
+and the second multiplies the colour by that alpha and by GL_RGB_SCALE 2.
+Only the sun's light is focused. The light map holds as alpha how much of a texel's light is the
+sun's, and GL_INTERPOLATE moves the net towards what changes nothing, the less of it that is.
 What the water throws on pillars, walls and vault is new light, so there stone times net is added
-(GL_ONE, GL_ONE). It fades with distance and angle by vertex colours (reflected_light.py). It covers
-much of the picture, so there Python mixes the two frames, and one unit less is sampled per pixel.
+(GL_ONE, GL_ONE). It fades with distance and angle by vertex colours (reflected_light.py). Python
+mixes the film's two frames: that takes one texture unit less.
 What is wrong without its safeguards: ``caustics.doubled`` off, as printed, the pool only darkens;
 ``caustics.planes=eye_before_camera`` gives the planes under the identity matrix, so that the net
 sticks to the eye; ``caustics.own_t`` off gives both coordinates the same plane, as printed, and the
-net becomes stripes; ``caustics.pattern=sines`` shows dots; without ``caustics.smooth`` it jumps.
-State used: up to four texture units with GL_COMBINE (OpenGL 1.3) and crossbar (1.4), generated
-texture coordinates, GL_BLEND, depth test, polygon offset.
+net becomes stripes; ``caustics.pattern=sines`` shows dots; without ``caustics.smooth`` it jumps;
+without ``caustics.sunlit`` the net is as strong in shade as in sun.
+State used: up to four texture units with GL_COMBINE (OpenGL 1.3), generated texture coordinates,
+GL_BLEND, depth test, polygon offset.
 """
 
 from collections.abc import Iterator
@@ -31,7 +34,7 @@ from landscape.effects.levels import levels_of
 from landscape.effects.reflected_light import LIT, lit_meshes
 from landscape.effects.room import Room
 from landscape.effects.settings import Settings
-from landscape.elements.caustic_film import CausticFilm, MixedFilm, shipped, sines
+from landscape.elements.caustic_film import MixedFilm, shipped, sines
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -90,7 +93,7 @@ class Caustics:
         self._settings, self._room = settings, room
         self._possible = possible("caustics")
         frames = sines(FRAMES) if settings.caustics.pattern == "sines" else shipped(assets)
-        self._film, self._mixed = CausticFilm(frames), MixedFilm(frames)
+        self._film = MixedFilm(frames)
         # By material, bay and level of detail.
         self._lists: dict[tuple[str, int, int], DisplayList] = {}
 
@@ -111,24 +114,27 @@ class Caustics:
         return True
 
     @property
-    def _in_two_passes(self) -> bool:
-        """Whether the net is laid over the basin in a pass of its own."""
-        return self._settings.caustics.passes == "two" or not possible("caustics in one pass")
+    def in_one_pass(self) -> bool:
+        """Whether the net is laid over the basin while that is drawn."""
+        values = self._settings.caustics
+        wanted = values.enabled and values.passes == "one"
+        return wanted and self._possible and possible("caustics in one pass")
 
     @contextmanager
     def while_drawn(self, frame: Frame) -> Iterator[None]:
-        """Let the block draw the basin with the net on it, if that takes no second pass."""
-        values = self._settings.caustics
-        if self._in_two_passes or not (self._possible and values.enabled):
-            yield
-            return
+        """Let the block draw the basin with the net on it.
+
+        With ``caustics.sunlit`` its alpha must be the sun's share of the light.
+        """
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
-            mix, after = FIRST_FREE, FIRST_FREE + 1
-            self._units(frame, mix, planes(self._settings))
+            for unit in (FIRST_FREE + 1, FIRST_FREE):
+                gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+                self._lay_net(frame, planes(self._settings))
             combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
-            combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{after}"})
-            combine({"SRC1_ALPHA": "TEXTURE", "SRC2_ALPHA": "CONSTANT"})
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{after}"))
+            combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE"})
+            combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
+            self._set_neutral()
+            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{FIRST_FREE + 1}"))
             combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
             combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
             if self._settings.caustics.doubled:
@@ -148,7 +154,7 @@ class Caustics:
             gl.glDepthFunc(gl.GL_LEQUAL)
             gl.glDepthMask(gl.GL_FALSE)
             gl.glDisable(gl.GL_FOG)  # what is there is fogged already
-            if self._in_two_passes and not frame.mirrored:
+            if not self.in_one_pass and not frame.mirrored:
                 self._second_pass(frame)
             # Twice the fill, and hardly seen in the floor: the mirror image does without.
             if values.reflected > 0 and not frame.mirrored:
@@ -159,12 +165,16 @@ class Caustics:
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
             doubled = self._settings.caustics.doubled
             gl.glBlendFunc(gl.GL_DST_COLOR if doubled else gl.GL_ZERO, gl.GL_SRC_COLOR)
-            self._units(frame, 0, planes(self._settings))
+            self._lay_net(frame, planes(self._settings))
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
-            gl.glActiveTexture(gl.GL_TEXTURE1)
-            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
-            combine({"SRC2_RGB": "CONSTANT"})
-            gl.glActiveTexture(gl.GL_TEXTURE0)
+            if self._settings.caustics.sunlit:
+                gl.glActiveTexture(gl.GL_TEXTURE1)
+                gl.glEnable(gl.GL_TEXTURE_2D)
+                self._room.bind_light()
+                combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PREVIOUS"})
+                combine({"SRC1_RGB": "CONSTANT", "SRC2_RGB": "TEXTURE", "OPERAND2_RGB": "SRC_ALPHA"})
+                self._set_neutral()
+                gl.glActiveTexture(gl.GL_TEXTURE0)
             self._room.send("pool")
 
     def _reflected(self, frame: Frame) -> None:
@@ -177,9 +187,7 @@ class Caustics:
             gl.glDisable(gl.GL_LIGHTING)
             # Unit 0: the stone times the vertex's light; unit 1: times the net.
             gl.glActiveTexture(gl.GL_TEXTURE1)
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            self._mixed.bind(frame.kt / values.period, values.smooth)
-            generate(planes(self._settings, UPRIGHT) / np.float32(LARGER), values.planes)
+            self._lay_net(frame, planes(self._settings, UPRIGHT) / np.float32(LARGER))
             combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 4.0)
             gl.glActiveTexture(gl.GL_TEXTURE0)
@@ -191,23 +199,20 @@ class Caustics:
                         self._room.texture(material).bind()
                         compiled.call()
 
-    def _units(self, frame: Frame, unit: int, both: np.ndarray) -> None:
-        """Bind the two frames of the moment to ``unit`` and the next, laid by planes (2, 4).
-
-        ``unit`` is active then, and its environment's alpha is the share of the second frame.
-        """
+    def _lay_net(self, frame: Frame, both: np.ndarray) -> None:
+        """Let the active unit sample the net of the moment, laid by planes (2, 4)."""
         values = self._settings.caustics
-        mix = self._film.bind(frame.kt / values.period, values.smooth, unit)
-        colour = np.array([0.0, 0.0, 0.0, mix], np.float32)
-        for number in (unit + 1, unit):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{number}"))
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
-            generate(both, values.planes)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        self._film.bind(frame.kt / values.period, values.smooth)
+        generate(both, values.planes)
+
+    def _set_neutral(self) -> None:
+        """Set the active unit's constant to the net that changes nothing."""
+        neutral = 0.5 if self._settings.caustics.doubled else 1.0
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.full(4, neutral, np.float32))
 
     def release(self) -> None:
         """Delete the film and the lists; may be called twice."""
         self._film.release()
-        self._mixed.release()
         for compiled in self._lists.values():
             compiled.release()

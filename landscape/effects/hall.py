@@ -187,8 +187,12 @@ class Hall(Ground):
         if "room" not in self.shown:
             return
         shine = self.caustics if "caustics" in self.shown else None
-        with drawing("room"), shine.while_drawn(frame) if shine else nullcontext():
-            self.room.draw_pool()
+        with drawing("room"):
+            if shine and shine.in_one_pass:
+                with shine.while_drawn(frame):
+                    self.room.draw_pool(self.settings.caustics.sunlit)
+            else:
+                self.room.draw_pool()
 
     def _draw_surroundings(self, frame: Frame) -> None:
         """Draw what the gilded statue mirrors."""

@@ -33,6 +33,7 @@ BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for
 # Chosen: colour and strength of the lights that are kept apart.
 SUN_COLOUR = (6.4, 5.5, 4.2)
 TORCH_COLOUR = (0.022, 0.0098, 0.0032)
+SHADE = 0.3  # chosen: linear light, the most that others than the sun throw into the pool
 # Chosen: how much brighter the torch shines at the statue than all around, as its bowl is polished.
 GLARE = {"north": 22.0, "floor": 14.0}
 
@@ -110,9 +111,24 @@ def glare(sheet: str) -> np.ndarray:
     return np.asarray(1.0 + (GLARE[sheet] - 1.0) * beam, np.float32)[..., None]
 
 
+def with_sun_as_alpha(coded_light: np.ndarray) -> np.ndarray:
+    """Return a light map (h, w, 3) with how much of its light is the sun's as alpha, (h, w, 4).
+
+    In the pool no other light is as strong as SHADE: what exceeds it is the sun's.
+    """
+    light = (SCALE * coded_light.astype(np.float32).mean(axis=2) / 255.0) ** GAMMA
+    share = np.clip(1.0 - SHADE / np.maximum(light, SHADE), 0.0, 1.0)
+    # The mean of 3 x 3 texels, without the grain of the traced rays.
+    for axis in (0, 1):
+        share = (np.roll(share, 1, axis) + share + np.roll(share, -1, axis)) / 3.0
+    alpha = np.rint(255.0 * share)[..., None].astype(np.uint8)
+    return np.ascontiguousarray(np.concatenate([coded_light, alpha], axis=2))
+
+
 def light_map(picture: np.ndarray, sheet: str, sun: float = 1.0, torch: float = 1.0) -> np.ndarray:
     """Return the light map of a sheet, uint8 (h, w, 3), from the picture in FILE.
 
+    That of ``hall`` has a fourth channel: :func:`with_sun_as_alpha`.
     On ``floor`` and ``north``, ``sun`` and ``torch`` (the one beside the pool) multiply
     the direct light of these two, so that 0 gives what a shadow leaves.
     """
@@ -123,7 +139,7 @@ def light_map(picture: np.ndarray, sheet: str, sun: float = 1.0, torch: float = 
         return picture[y : y + height, x : x + width]
 
     if sheet == "hall":
-        return np.ascontiguousarray(part(HALL))
+        return with_sun_as_alpha(part(HALL))
     light = unpacked(part(BASES[sheet]), BASE_MOST)
     apart = part(PARTS[sheet])
     light += sun * unpacked(apart[..., :1], SUN_MOST) * np.array(SUN_COLOUR, np.float32)

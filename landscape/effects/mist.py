@@ -1,19 +1,20 @@
 """Mist over the floor: transparent layers, one above the other (glSkel, transparent textures).
 
 Technique: transparent sheets (elements/best/air/mist_sheets.py), blended from far to near. Their
-alpha falls to zero at the walls, so that no sheet ends in a line there.
+alpha falls to zero at the walls, so that no sheet ends in a line there; around pillars, plinth and
+the torch beside the pool a mask does the same (``mist.clear``), the distance from them as a texture.
 State used: as mist_sheets.py.
 What is wrong without its safeguards: without ``mist.sorted`` the low, dark sheets are blended over
 the high, light ones. Without ``mist.mask`` each sheet writes its depth, and one that is drawn too
-early hides those behind it, and what is transparent besides. Where a sheet meets a pillar it ends
-in a line; many thin sheets make that line faint.
+early hides those behind it, and what is transparent besides. Without ``mist.clear`` each sheet cuts
+through the pillars in a line, and near its own height is streaks like stretched cloth.
 """
 
 import numpy as np
 
 from landscape.effects import plan
 from landscape.effects.settings import Settings
-from landscape.elements.best.air.mist_sheets import UNLIT, MistSheets
+from landscape.elements.best.air.mist_sheets import UNLIT, Mask, MistSheets
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -25,6 +26,10 @@ REPEAT = 1.1  # chosen: textures per unit
 DRIFT = 0.0009  # chosen: textures per kt
 FADE = 0.12  # chosen: units from the walls within which the mist thins out
 DRY, DAMP = 0.5, 0.3  # chosen: opacity far from the pool; units from it where that is reached
+AROUND = 0.075  # chosen: units from pillars and plinth within which the mist thins out
+THIN = 0.03  # chosen: units above and below a sheet within which an eye sees it fade
+BASES = 0.016, 0.022  # chosen: how much wider pillars are at their feet; radius of the torch's
+TEXELS = 160.0  # chosen: of the mask, per unit
 COARSE, BASE, GAIN = 16, 0.16, 1.5  # chosen: see :func:`softened`
 
 
@@ -47,6 +52,30 @@ def sheet() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     damp = 1.0 - np.clip(aside / DAMP, 0.0, 1.0)
     opacity = np.clip(inwards / FADE, 0.0, 1.0) * (DRY + (1.0 - DRY) * damp)
     return vertices, opacity, grid_triangles(len(along_x), len(along_z))
+
+
+def clearance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return the distance in units of places from the nearest thing that stands in the mist."""
+    wider, torch = BASES
+    round_things = [(row, along, plan.PILLAR + wider) for row in plan.ROWS for along in plan.BAYS[1:-1]]
+    round_things.append((plan.TORCH[0], plan.TORCH[2], torch))
+    found = [np.hypot(x - east, z - south) - radius for east, south, radius in round_things]
+    half = plan.PLINTH[0]
+    beside = [np.maximum(np.abs(at - middle) - half, 0.0)
+              for at, middle in zip((x, z), plan.STATUE, strict=True)]  # fmt: skip
+    found.append(np.hypot(*beside))
+    return np.maximum(np.minimum.reduce(found), 0.0)
+
+
+def around_things() -> Mask:
+    """Return the mask that thins the mist out around what stands in it."""
+    area = plan.INSIDE
+    columns, rows = (round(TEXELS * side) for side in (area.east - area.west, area.south - area.north))
+    x = area.west + (np.arange(columns) + 0.5) / columns * (area.east - area.west)
+    z = area.north + (np.arange(rows) + 0.5) / rows * (area.south - area.north)
+    t = np.clip(clearance(x[None, :], z[:, None]) / AROUND, 0.0, 1.0)
+    picture = np.rint(255.0 * t * t * (3.0 - 2.0 * t)).astype(np.uint8)
+    return Mask(picture, (area.west, area.north, area.east, area.south))
 
 
 def softened(clouds: np.ndarray) -> np.ndarray:
@@ -82,7 +111,8 @@ class Mist:
         sheets = [coloured(share) for share in shares.tolist()]
         picture = softened(read_image(assets.path("clouds.png")))
         # Between two mip levels of so soft a picture no edge shows.
-        self._sheets = MistSheets(picture, heights(mist.sheets), sheets, REPEAT, trilinear=False)
+        levels = heights(mist.sheets)
+        self._sheets = MistSheets(picture, levels, sheets, REPEAT, False, around_things(), THIN)
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the sheets would differ."""
@@ -96,7 +126,7 @@ class Mist:
         """Blend the sheets over what has been drawn."""
         mist = self._settings.mist
         if mist.enabled:
-            self._sheets.draw(frame, DRIFT * frame.kt, mist.sorted, mist.mask)
+            self._sheets.draw(frame, DRIFT * frame.kt, mist.sorted, mist.mask, mist.clear)
 
     def release(self) -> None:
         """Delete the sheets and the texture; may be called twice."""

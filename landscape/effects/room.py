@@ -208,9 +208,13 @@ class Room:
         with attrib(gl.GL_ENABLE_BIT), front_faces():
             self._send(FLOOR)
 
-    def draw_pool(self) -> None:
-        """Draw the pool's bed and sides."""
-        self._draw(BASIN)
+    def draw_pool(self, sun_in_alpha: bool = False) -> None:
+        """Draw the pool's bed and sides; ``sun_in_alpha`` hands the sun's share to later units."""
+        self._draw(BASIN, alpha="TEXTURE" if sun_in_alpha else "PREVIOUS")
+
+    def bind_light(self) -> None:
+        """Bind the light map of all but floor and north wall, which has the sun's share as alpha."""
+        self._light["hall", ()].bind()
 
     def send(self, material: str) -> None:
         """Send what is of a material, whatever the state."""
@@ -240,10 +244,11 @@ class Room:
                     self._lists[sheet, name].call()
 
     @contextmanager
-    def _textured(self) -> Iterator[None]:
+    def _textured(self, alpha: str = "PREVIOUS") -> Iterator[None]:
         """Let unit 1 multiply what unit 0 samples by a light map; unit 0 is active then.
 
-        With a single texture unit the stone has no light on it.
+        With a single texture unit the stone has no light on it. ``alpha`` is where unit 1 takes its
+        alpha from, "PREVIOUS" or "TEXTURE".
         """
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT), front_faces():
             gl.glDisable(gl.GL_LIGHTING)
@@ -254,7 +259,7 @@ class Room:
                 multiply(SCALE)
                 if possible("doubled textures"):
                     combine({"SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
-                    combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+                    combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": alpha})
                 use_unit(0)
             yield
 
@@ -270,8 +275,9 @@ class Room:
         materials: Iterable[str],
         without: tuple[str, ...] = (),
         sheets: Sequence[str] = tuple(SIZES),
+        alpha: str = "PREVIOUS",
     ) -> None:
-        with self._textured():
+        with self._textured(alpha):
             for name in materials:
                 self.texture(name).bind()
                 if name not in FLOOR:

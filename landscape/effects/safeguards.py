@@ -9,6 +9,7 @@ from landscape.frame import Pose
 
 BRONZE = {"environment": "none"}
 LOW_SUN = {"azimuth": 4.0, "elevation": 7.0}  # degrees: beyond the north wall
+EVERYWHERE = {"caustics.sunlit": False}
 BEFORE_WALL = {"flame": (1.6, 0.22, 0.85), "method": "darken"}  # between the wall and the statue
 
 SAFEGUARDS: tuple[Safeguard, ...] = (
@@ -160,7 +161,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "A net of light that brightens as well",
         "hall_caustics",
         20.0,
-        **pair("caustics.doubled"),
+        **pair("caustics.doubled", caustics={"sunlit": False}),
         flaw="The notes on glSkel multiply the bed by the net with glBlendFunc(GL_ZERO, "
         "GL_SRC_COLOR). No colour of a texture exceeds 1, so the net can only darken the pool.",
         look="Compare the pool with the stone around it.",
@@ -173,8 +174,8 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "A net of light that lies still on the bed",
         "hall_caustics",
         20.0,
-        {"caustics.planes": "eye_before_camera"},
-        {"caustics.planes": "eye"},
+        EVERYWHERE | {"caustics.planes": "eye_before_camera"},
+        EVERYWHERE | {"caustics.planes": "eye"},
         flaw="An eye plane is multiplied by the inverse of the modelview matrix that is current "
         "when it is given. Given before the viewing transform, it stays in the eye's coordinates, "
         "and the net moves with whoever looks.",
@@ -188,7 +189,7 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         "A net of light and not stripes",
         "hall_caustics",
         20.0,
-        **pair("caustics.own_t"),
+        **pair("caustics.own_t", caustics={"sunlit": False}),
         flaw="The notes on glSkel give the plane of s to t as well. Both coordinates are then "
         "equal, and only the diagonal of the texture is seen.",
         look="Compare the bed: stripes, or a net.",
@@ -196,12 +197,28 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         seen=("stripes of light along the pool's bed", "a net of light on the pool's bed"),
     ),
     Safeguard(
+        "caustics_sunlit",
+        "A net of light where the sun shines",
+        "hall_caustics",
+        20.0,
+        **pair("caustics.sunlit"),
+        flaw="Water focuses the sun's light and not that of torches or of the sky. Multiplied by "
+        "the net everywhere, the bed in shade has bright lines around dark cells: cobbles.",
+        look="Compare the near end of the pool, in shade, with the patch of sun.",
+        how="The light map's alpha says how much of the light is the sun's; GL_INTERPOLATE moves "
+        "the net towards 1/2, which changes nothing, where that is little.",
+        seen=(
+            "a pool whose whole bed looks like dark cobbles",
+            "a pool of tiles with a net of light in a patch of sun",
+        ),
+    ),
+    Safeguard(
         "caustics_pattern",
         "Light that waves focus, and not dots",
         "hall_caustics",
         20.0,
-        {"caustics.pattern": "sines"},
-        {"caustics.pattern": "net"},
+        EVERYWHERE | {"caustics.pattern": "sines"},
+        EVERYWHERE | {"caustics.pattern": "net"},
         flaw="A product of sines is periodic and moves, but has no lines: it shows rows of dots.",
         look="Compare the bed: dots, or lines that join.",
         how="A film of 32 textures: rays refracted by a sum of waves whose wave numbers and "
@@ -231,11 +248,11 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         flaw="Where the camera looks straight down, yaw and roll turn about the same axis: gimbal "
         "lock. Where the flight passes that direction, yaw and roll change by about half a turn, "
         "and the camera whirls.",
-        look="Follow the red axis, the camera's right, over the statue.",
+        look="Follow the ribbon, the camera's path as wide as its wings, over the statue.",
         how="Orientations are unit quaternions, interpolated by SLERP: 51 degrees instead of 347.",
         seen=(
-            "axes along a path over the statue, which spin about it",
-            "axes along a path over the statue, which turn evenly",
+            "a ribbon in the air over the statue that twists once about itself",
+            "a ribbon in the air over the statue without a twist",
         ),
     ),
     Safeguard(

@@ -49,6 +49,11 @@ class Caustics:
     doubled: bool = setting(
         True, "chosen", "multiply by twice the net; off, as printed, it can only darken"
     )
+    sunlit: bool = setting(
+        True,
+        "chosen",
+        "the net is the stronger the more sunlight there is; off, as printed, it is in shade, too",
+    )
     planes: str = setting(
         "object",
         "glSkel, caustics",
@@ -235,6 +240,9 @@ class Mist:
     mask: bool = setting(
         True, "glSkel, transparent textures", "the sheets do not write their depth"
     )
+    clear: bool = setting(
+        True, "chosen", "the sheets thin out around pillars and plinth, and before the eye"
+    )
 
 
 @dataclass(frozen=True)
@@ -291,10 +299,11 @@ class Flight:
 
     enabled: bool = setting(False, "glSkel, quaternions", "the camera flies along its keyframes")
     interpolation: str = setting(
-        "slerp",
+        "squad",
         "glSkel, quaternions",
-        "how it turns from key to key: quaternions by SLERP, or each Euler angle on its own",
-        choices=("slerp", "euler"),
+        "how it turns from key to key: quaternions by SQUAD, which is smooth at the keys, or by "
+        "SLERP, or each Euler angle on its own",
+        choices=("squad", "slerp", "euler"),
         needs=("flight.enabled or flight.path",),
     )
     short: bool = setting(

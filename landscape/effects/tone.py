@@ -6,7 +6,8 @@ bias. Two ways, by ``tone.method``:
   (GL_ONE, GL_SRC_ALPHA) the colour's alpha is the scale and its RGB the bias, both in 0..1. A
   negative bias needs GL_FUNC_REVERSE_SUBTRACT (OpenGL 1.4); a scale above 1 needs further passes
   of (GL_DST_COLOR, GL_ONE), which multiply by 1 + colour, at most by 2: doubling.
-- pixels: glCopyPixels of the window onto itself, with scale and bias by glPixelTransfer.
+- pixels: glCopyPixels of the window onto itself, with scale and bias by glPixelTransfer. That is
+  impossible where pixels have several samples; then it is blended, and a line says so.
 A part of the picture (``tone.area``) is marked in the stencil buffer while the statue is drawn.
 What is wrong with blending: the frame buffer holds 0..1 in 8 bits and clamps after each pass, so
 the bias comes before a scale above 1, and its rounding is then enlarged. Without ``tone.doubling``
@@ -21,7 +22,7 @@ from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.gl.calls import gl
-from landscape.gl.extensions import antialiased
+from landscape.gl.extensions import antialiased, tell
 from landscape.gl.features import possible
 from landscape.gl.state import attrib, flat_projection
 
@@ -87,8 +88,7 @@ class Tone:
             gl.glDisable(gl.GL_DEPTH_TEST)
             gl.glDepthMask(gl.GL_FALSE)
             with flat_projection():
-                # With antialiasing there is no single pixel to copy: it is an error of OpenGL.
-                if tone.method == "pixels" and not antialiased():
+                if tone.method == "pixels" and copies():
                     self._copy(frame)
                 else:
                     self._blend()
@@ -134,6 +134,18 @@ class Tone:
 
     def release(self) -> None:
         """Nothing was made in OpenGL."""
+
+
+def copies() -> bool:
+    """Return whether pixels can be copied; if not, say once that they are blended instead.
+
+    Where each pixel has several samples, glCopyPixels is an error of OpenGL.
+    """
+    if not antialiased():
+        return True
+    tell("landscape: tone.method=pixels: blended, for each pixel has several samples; "
+         "--samples 0 copies pixels")  # fmt: skip
+    return False
 
 
 def cover(*color: float) -> None:

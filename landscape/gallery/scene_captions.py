@@ -28,9 +28,10 @@ INTRODUCTIONS: dict[str, tuple[str, ...]] = {
     "hall": (
         "The great hall",
         "The castle's door leads into a hall for the classic effects of fixed-function OpenGL: "
-        "those of Mark Kilgard's examples and of the SIGGRAPH courses of 1996 and 1997, as the "
+        "those of Mark Kilgard's examples and of the SIGGRAPH courses of 1995 to 1997, as the "
         "notes on glSkel describe them. `landscape walk hall` begins here; the digit keys turn "
-        "each effect on and off.",
+        "each effect on and off. [docs/errata.md](../../docs/errata.md) shows what those notes "
+        "print wrongly.",
         "Each effect needs safeguards. The second part of this page takes away one at a time, and "
         "shows what it prevents. Each is a setting, and its name is also that of a view: after "
         "`landscape walk mirror_stencil`, V turns it off and on.",
@@ -86,8 +87,8 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
         ),
         "hall_mist": (
             "mist over the pool and the floor of the hall",
-            "Seven transparent sheets drift in different directions; they are blended from far to "
-            "near, and densest over the water.",
+            "Five transparent sheets drift in different directions; they are blended from far to "
+            "near, and densest over the water. Around pillars they thin out.",
         ),
         "hall_exhibits": (
             "a wall with a row of lit alcoves, in the first of them a torch and a bronze knot",

@@ -1,9 +1,14 @@
-"""Unit quaternions for rotations: products, vectors, angles, and SLERP. No OpenGL.
+"""Unit quaternions for rotations: products, vectors, angles, SLERP and SQUAD. No OpenGL.
 
 A quaternion is an array (..., 4) of w, x, y, z. The unit quaternion cos(a) + v sin(a) turns by 2a
 about the unit vector v, and so does its opposite (glSkel, quaternions). Angles are in radians
 unless their names end in ``_deg``.
+
+A product of two rotations takes 16 multiplications and 12 additions as quaternions, 27 and 18 as
+matrices of 3 x 3. To turn many vectors by one rotation a matrix is better: 9 and 6 for each.
 """
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -98,3 +103,46 @@ def slerp(p: np.ndarray, q: np.ndarray, t: float, short: bool = True) -> np.ndar
         across = np.array([-p[1], p[0], -p[3], p[2]])
         return np.asarray(np.cos(np.pi * t) * p + np.sin(np.pi * t) * across)
     return np.asarray((p * np.sin((1 - t) * angle) + q * np.sin(t * angle)) / np.sin(angle))
+
+
+def logarithm(q: np.ndarray) -> np.ndarray:
+    """Return the logarithm of a unit quaternion (4,): the vector (3,) v a of cos(a) + v sin(a)."""
+    sine = float(np.linalg.norm(q[1:]))
+    if sine < NEARLY_EQUAL**2:
+        return np.zeros(3)
+    return np.asarray(np.arctan2(sine, q[0]) / sine * q[1:])
+
+
+def exponential(vector: np.ndarray) -> np.ndarray:
+    """Return the unit quaternion (4,) whose logarithm is a vector (3,)."""
+    angle = float(np.linalg.norm(vector))
+    if angle < NEARLY_EQUAL**2:
+        return np.array([1.0, 0.0, 0.0, 0.0])
+    return np.array([np.cos(angle), *(np.sin(angle) / angle * vector)])
+
+
+def control(before: np.ndarray, here: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Return the control point (4,) of SQUAD at the key ``here``, between two others (Shoemake 1987).
+
+    s = q exp(-(log(q* after) + log(q* before)) / 4), where q* is the inverse of q.
+    """
+    inverse = here * (1, -1, -1, -1)
+    bend = logarithm(product(inverse, after)) + logarithm(product(inverse, before))
+    return product(here, exponential(-bend / 4))
+
+
+def squad(keys: Sequence[np.ndarray], t: float) -> np.ndarray:
+    """Return the rotation at t in 0..1 between the middle two of four keys (4,), smooth at them.
+
+    The spherical cubic between p and q with control points a and b is the SLERP, at 2 t (1 - t), of
+    SLERP(p, q, t) and SLERP(a, b, t). Where keys follow each other at equal times, angular velocity
+    is continuous at each: SLERP alone changes it there at once. Each key may be given as q or -q:
+    the one nearer to the key before is taken.
+    """
+    near = [keys[0]]
+    for key in keys[1:]:
+        near.append(key if near[-1] @ key >= 0.0 else -key)
+    before, p, q, after = near
+    outer = slerp(p, q, t, short=False)
+    inner = slerp(control(before, p, q), control(p, q, after), t, short=False)
+    return slerp(outer, inner, 2 * t * (1 - t), short=False)
