@@ -157,7 +157,8 @@ class Scene:
     elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without OpenGL.
     ``overlay`` names elements that a walk shows even if it begins in a view without them.
     ``digits`` says what the keys 1 to 9 do in a walk, ``letters`` what letters do that the scene
-    has for itself. ``title`` is for people, in English.
+    has for itself. ``carried`` returns what a drag with the right button changes: of settings, and
+    pixels right and down. ``title`` is for people, in English.
     ``blocks`` says that a walker digs and builds in it (geometry/digging.py).
     ``baked`` names settings that an open scene takes only roughly, which is enough for a walk.
     """
@@ -176,6 +177,7 @@ class Scene:
     overlay: tuple[str, ...] = ()
     digits: Mapping[str, Toggle] = field(default_factory=dict)
     letters: Mapping[str, Toggle] = field(default_factory=dict)
+    carried: Callable[[Any, float, float], Mapping[str, Value]] | None = None
     title: str = ""
     blocks: bool = False
     baked: tuple[str, ...] = ()

@@ -71,6 +71,7 @@ def test_every_safeguard_of_mirror_and_shadow_has_a_pair() -> None:
         "mirror.fresnel",
         "mirror.fades",
         "shadow.enabled",
+        "shadow.sunlit",
     }
 
 

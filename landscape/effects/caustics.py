@@ -172,14 +172,15 @@ class Caustics:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._room.bind_light()
                 combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "PREVIOUS"})
-                combine({"SRC1_RGB": "CONSTANT", "SRC2_RGB": "TEXTURE", "OPERAND2_RGB": "SRC_ALPHA"})
+                combine(
+                    {"SRC1_RGB": "CONSTANT", "SRC2_RGB": "TEXTURE", "OPERAND2_RGB": "SRC_ALPHA"}
+                )
                 self._set_neutral()
                 gl.glActiveTexture(gl.GL_TEXTURE0)
             self._room.send("pool")
 
     def _reflected(self, frame: Frame) -> None:
         """Add stone times net times the light that reaches it from the pool."""
-        values = self._settings.caustics
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
@@ -194,6 +195,8 @@ class Caustics:
             gl.glEnable(gl.GL_TEXTURE_2D)
             for bay, level in self._room.levels(frame).items():
                 for material in LIT:
+                    if material == "vault" and not self._settings.room.vault:
+                        continue
                     own = min(level, levels_of(material)[-1])
                     if compiled := self._lists.get((material, bay, own)):
                         self._room.texture(material).bind()

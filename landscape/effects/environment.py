@@ -13,6 +13,8 @@ What is wrong with a sphere map: without ``statue.fresh`` there is one picture, 
 a view to the north, and what the statue mirrors turns with whoever walks around it. All that is
 behind the ball lies on the picture's rim, in few texels; and both maps show the hall from one
 point, so that no part of the statue mirrors another.
+Without ``statue.generated`` no coordinates are generated, as by a program with the printed
+glEnable(GL_GEN_S): every vertex looks up the same texel.
 State used: GL_TEXTURE_CUBE_MAP or GL_TEXTURE_2D with generated coordinates, the texture matrix,
 GL_COMBINE; while the maps are made, framebuffer objects.
 """
@@ -137,16 +139,22 @@ class Environment:
     """The maps of what is around a place, and their use."""
 
     def __init__(
-        self, settings: Settings, place: tuple[float, float, float], draw: Callable[[Frame], None]
+        self,
+        settings: Settings,
+        place: tuple[float, float, float],
+        draw: Callable[[Frame], None],
+        face: int = FACE,
+        ball: int = BALL,
     ) -> None:
         """Draw the surroundings of ``place`` into the cube map; ``draw`` draws all but the statue.
 
+        ``face`` and ``ball`` are the sides of a face and of the sphere map, in texels.
         "pool.mirrors" must be possible.
         """
         self._settings = settings
         self._drawn_for: np.ndarray = np.zeros(0)
-        self.cube = cube_around(place, FACE, draw)
-        self._ball = TextureTarget((BALL, BALL))
+        self.cube = cube_around(place, face, draw)
+        self._ball = TextureTarget((ball, ball))
         places, self._triangles = disc()
         self._points = np.zeros((len(places), 3), np.float32)
         self._points[:, :2] = places
@@ -200,7 +208,8 @@ class Environment:
             kind = gl.GL_TEXTURE_CUBE_MAP if cube else gl.GL_TEXTURE_2D
             (self.cube if cube else self._ball).bind()
             gl.glEnable(kind)
-            generate(*("REFLECTION_MAP", "STR") if cube else ("SPHERE_MAP", "ST"))
+            if self._settings.statue.generated:
+                generate(*("REFLECTION_MAP", "STR") if cube else ("SPHERE_MAP", "ST"))
             combine({"COMBINE_RGB": "MODULATE", "SOURCE0_RGB": "TEXTURE",
                      "SOURCE1_RGB": "PRIMARY_COLOR"})  # fmt: skip
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)

@@ -5,11 +5,12 @@ from dataclasses import replace
 from typing import Any
 
 from landscape.effects import plan
+from landscape.effects.casters import Casters
 from landscape.effects.caustics import Caustics
 from landscape.effects.entrance import Entrance, door
 from landscape.effects.exhibits.cabinet import Cabinet
 from landscape.effects.flight import Flight
-from landscape.effects.keys import KEYS
+from landscape.effects.keys import KEYS, carried
 from landscape.effects.mirror import Mirror
 from landscape.effects.mist import Mist
 from landscape.effects.moving_sky import MovingSky
@@ -60,6 +61,7 @@ class Hall(Ground):
         self.settings, self.shown = settings, set(only)
         self._owned: list[Any] = []
         self.shadow: PlanarShadow | None = None
+        self.casters: Casters | None = None
         try:
             begin_pass("setup")
             self.room = self._built(("room", "floor", "caustics"), Room, settings, assets)
@@ -74,6 +76,7 @@ class Hall(Ground):
             if self.statue and stencil:
                 shadowing = settings, self._cast, self.statue.box
                 self.shadow = self._built(("shadow",), PlanarShadow, *shadowing)
+                self.casters = Casters()
             self.sky = self._built(("sky",), MovingSky, settings, assets)
             self.exhibits = self._built(("exhibits",), Cabinet, settings, assets, stencil)
             self.torches = self._built(("torches",), Torches, settings, assets)
@@ -238,10 +241,16 @@ class Hall(Ground):
 
     def _lay_floor(self, frame: Frame, *without: str) -> None:
         """Draw the floor without the light of "sun", "torch" or both."""
+        without = self._unlit(*without)
         if self._polished and self.mirror.shows(frame):
             self.mirror.draw_floor(frame, lambda: self.room.draw_floor(*without))
         else:
             self.room.draw_floor(*without)
+
+    def _unlit(self, *without: str) -> tuple[str, ...]:
+        """Return the lights that are left out, with the sun if it is not to shine on the floor."""
+        missing = {*without, *(() if self.settings.shadow.sunlit else ("sun",))}
+        return tuple(name for name in ("sun", "torch") if name in missing)
 
     def _shade_wall(self, frame: Frame) -> None:
         """Draw the statue's shadows on the north wall; in the floor's image only from nearby."""
@@ -252,7 +261,7 @@ class Hall(Ground):
             for without in shadow.parts(frame, on_north(self.room.send_north)):
                 if without:
                     with drawing("shadow"):
-                        self.room.draw_north(*without)
+                        self.room.draw_north(*self._unlit(*without))
         elif shadow:
             shadow.darken(frame, on_north(self.room.send_north))
 
@@ -261,10 +270,12 @@ class Hall(Ground):
         shown = {"shadow", "statue", where} <= self.shown and self.settings.shadow.enabled
         return self.shadow if shown else None
 
-    def _cast(self, frame: Frame) -> None:
-        """Send what casts shadows: the statue and, as it stands on it, the plinth."""
+    def _cast(self, frame: Frame, light: str) -> None:
+        """Send what casts a light's shadows: statue and plinth, perhaps pillars and torches."""
         self.statue.send_shadowing(frame)
         self.room.send_plinth()
+        if self.casters and light == "torch" and self.settings.shadow.casters == "all":
+            self.casters.send()
 
     @property
     def _polished(self) -> bool:
@@ -279,6 +290,8 @@ class Hall(Ground):
 
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""
+        if self.casters:
+            self.casters.release()
         while self._owned:
             self._owned.pop().release()
 
@@ -325,6 +338,7 @@ SCENE = Scene(
     terrain=lambda settings, assets: Ground(),
     fixes=SAFEGUARDS,
     digits=KEYS,
+    carried=carried,
     overlay=HELD,
     title="the great hall",
     # Statue and pool mirror the hall as it was drawn when it was opened.

@@ -4,7 +4,11 @@ A key stands for a setting that is on or off, or has choices, or takes the value
 turn; its name is shown in the help and when it changes.
 """
 
-from landscape.keys import Toggle
+import math
+from typing import Any
+
+from landscape.effects import plan
+from landscape.keys import Toggle, Value
 
 KEYS: dict[str, Toggle] = {
     "1": Toggle("mirror.enabled", "mirror image in the floor"),
@@ -17,3 +21,27 @@ KEYS: dict[str, Toggle] = {
     "8": Toggle("tone.area", "where the contrast changes"),
     "9": Toggle("flight.enabled", "flight around the statue"),
 }
+
+# Chosen: what a drag of 100 pixels does to the light that it carries: degrees around the statue,
+# and units up; the lamp's distance from the statue's middle, its lowest and its highest place.
+TURN, LIFT = 40.0, 0.12
+AWAY, LOW, HIGH = 0.48, 0.16, 0.56
+
+
+def carried(settings: Any, right: float, down: float) -> dict[str, Value]:
+    """Return the settings after a drag carried the torch's light, by pixels right and down.
+
+    It goes around the statue, up and down. Its shadows then are those that darken, as the light map
+    knows only the torch's own place, and all that stands casts one.
+    """
+    x, y, z = settings.shadow.flame
+    east, south = plan.STATUE
+    angle = math.atan2(z - south, x - east) - math.radians(TURN * right / 100.0)
+    height = min(max(y - LIFT * down / 100.0, LOW), HIGH)
+    flame = east + AWAY * math.cos(angle), height, south + AWAY * math.sin(angle)
+    return {
+        "shadow.flame": flame,
+        "shadow.method": "darken",
+        "shadow.casters": "all",
+        "shadow.shine": 1.0,
+    }

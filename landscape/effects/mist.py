@@ -1,8 +1,8 @@
 """Mist over the floor: transparent layers, one above the other (glSkel, transparent textures).
 
 Technique: transparent sheets (elements/best/air/mist_sheets.py), blended from far to near. Their
-alpha falls to zero at the walls, so that no sheet ends in a line there; around pillars, plinth and
-the torch beside the pool a mask does the same (``mist.clear``), the distance from them as a texture.
+alpha falls to zero at the walls, so that no sheet ends in a line there. Around pillars, plinth and
+the torch beside the pool a mask does the same (``mist.clear``): the distance from them, a texture.
 State used: as mist_sheets.py.
 What is wrong without its safeguards: without ``mist.sorted`` the low, dark sheets are blended over
 the high, light ones. Without ``mist.mask`` each sheet writes its depth, and one that is drawn too
@@ -57,7 +57,9 @@ def sheet() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def clearance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return the distance in units of places from the nearest thing that stands in the mist."""
     wider, torch = BASES
-    round_things = [(row, along, plan.PILLAR + wider) for row in plan.ROWS for along in plan.BAYS[1:-1]]
+    round_things = [
+        (row, along, plan.PILLAR + wider) for row in plan.ROWS for along in plan.BAYS[1:-1]
+    ]
     round_things.append((plan.TORCH[0], plan.TORCH[2], torch))
     found = [np.hypot(x - east, z - south) - radius for east, south, radius in round_things]
     half = plan.PLINTH[0]
@@ -70,7 +72,9 @@ def clearance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
 def around_things() -> Mask:
     """Return the mask that thins the mist out around what stands in it."""
     area = plan.INSIDE
-    columns, rows = (round(TEXELS * side) for side in (area.east - area.west, area.south - area.north))
+    columns, rows = (
+        round(TEXELS * side) for side in (area.east - area.west, area.south - area.north)
+    )
     x = area.west + (np.arange(columns) + 0.5) / columns * (area.east - area.west)
     z = area.north + (np.arange(rows) + 0.5) / rows * (area.south - area.north)
     t = np.clip(clearance(x[None, :], z[:, None]) / AROUND, 0.0, 1.0)

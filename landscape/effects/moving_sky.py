@@ -87,11 +87,13 @@ def send_sea() -> None:
     gl.glEnd()
 
 
-def openings_in_view(frame: Frame) -> tuple[int, int, int, int] | None:
+def openings_in_view(frame: Frame, vault: bool = True) -> tuple[int, int, int, int] | None:
     """Return what of the picture holds all openings: x, y, width, height; None if there is none.
 
-    From outside of the hall the sky is everywhere.
+    From outside of the hall, and without a ``vault``, the sky is everywhere.
     """
+    if not vault:
+        return 0, 0, *frame.viewport
     x, y, z = frame.eye.tolist()
     within = INSIDE.west < x < INSIDE.east and INSIDE.north < z < INSIDE.south
     if not (within and 0.0 < y < plan.CROWN):
@@ -132,7 +134,7 @@ class MovingSky:
 
     def draw(self, frame: Frame) -> None:
         """Draw the sky around the viewer, where nothing else is."""
-        if (part := openings_in_view(frame)) is None:
+        if (part := openings_in_view(frame, self._settings.room.vault)) is None:
             return
         sky = self._settings.sky
         layers = [HIGH, LOW] if sky.sorted else [LOW, HIGH]

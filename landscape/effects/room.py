@@ -25,6 +25,7 @@ from landscape.effects.materials import MATERIALS
 from landscape.effects.mirror import fading
 from landscape.effects.settings import Settings
 from landscape.effects.surfaces import coarser, mesh
+from landscape.effects.toned_texture import Change, TonedTexture
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.files.images import read_image
@@ -68,6 +69,12 @@ UNLIT = 0.45  # chosen: the light on stone without a light map
 Part = tuple[Texture, tuple[float, float, float], Mesh]
 
 
+def toned_by(settings: Settings) -> tuple[str, Change]:
+    """Return the material whose texture is changed, and how."""
+    tone = settings.tone
+    return tone.texture, Change(tone.texture_contrast, tone.texture_brightness)
+
+
 def box_around(meshes: Iterable[Mesh]) -> np.ndarray:
     """Return the middle and the half sides (2, 3) of a box around meshes."""
     points = np.concatenate([each.vertices for each in meshes]).astype(np.float64)
@@ -102,6 +109,7 @@ class Room:
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the textures and compile a display list for each material and sheet."""
         self._settings = settings
+        self._toned: tuple[str, TonedTexture] | None = None
         self._lit = possible("the hall's light maps")
         self._textures = {
             name: Texture(read_image(assets.path(name), "RGB"), trilinear=False)
@@ -141,13 +149,15 @@ class Room:
         boxes = np.stack([box_around(bay.values()) for bay in bays])
         below = boxes * np.array([(1.0, -1.0, 1.0), (1.0, 1.0, 1.0)])
         self._boxes = {False: boxes, True: below}
+        self._tone(settings)
 
     def _in_level(self, bay: Mapping[tuple[str, str, str], Mesh], level: int) -> list[Part]:
         """Return the texture, the tint and the mesh of each material in a level of a bay."""
         return [
             (self.texture(material), self._tint(material), part)
             for (material, _, own), part in bay.items()
-            if int(own) == min(level, levels_of(material)[-1])
+            if (material != "vault" or self._settings.room.vault)
+            and int(own) == min(level, levels_of(material)[-1])
         ]
 
     def _tint(self, material: str) -> tuple[float, float, float]:
@@ -157,9 +167,26 @@ class Room:
         return red * light, green * light, blue * light
 
     def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing built depends on them."""
-        self._settings = settings
+        """Apply new settings; return False, changing nothing, if the lists would differ."""
+        if settings.room != self._settings.room:
+            return False
+        former, self._settings = self._settings, settings
+        if toned_by(settings) != toned_by(former):
+            self._tone(settings)
         return True
+
+    def _tone(self, settings: Settings) -> None:
+        """Give the texture that ``tone.texture`` names its contrast and brightness."""
+        name, change = toned_by(settings)
+        if self._toned and self._toned[0] != name:
+            self._toned[1].change(Change())
+            self._toned[1].release()
+            self._toned = None
+        if name == "none" or not possible("tone.texture"):
+            return
+        if self._toned is None:
+            self._toned = name, TonedTexture(self.texture(name))
+        self._toned[1].change(change)
 
     def draw(self, frame: Frame) -> None:
         """Draw all but the floor and the pool's basin."""
@@ -213,7 +240,7 @@ class Room:
         self._draw(BASIN, alpha="TEXTURE" if sun_in_alpha else "PREVIOUS")
 
     def bind_light(self) -> None:
-        """Bind the light map of all but floor and north wall, which has the sun's share as alpha."""
+        """Bind the light map of all but floor and north wall, with the sun as alpha."""
         self._light["hall", ()].bind()
 
     def send(self, material: str) -> None:
@@ -290,6 +317,8 @@ class Room:
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
+        if self._toned:
+            self._toned[1].release()
         for each in (
             *self._lists.values(),
             *(level for bay in (*self._bays, *self._faded) for level in bay),

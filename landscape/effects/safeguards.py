@@ -5,9 +5,11 @@ Their names are views (`landscape render mirror_stencil`), and keys switch them 
 
 from landscape.effects.exhibits.safeguards import EXHIBITS
 from landscape.effects.safeguard import Safeguard, pair
+from landscape.effects.views import ONE_LAMP
 from landscape.frame import Pose
 
 BRONZE = {"environment": "none"}
+OPEN = {"vault": False}
 LOW_SUN = {"azimuth": 4.0, "elevation": 7.0}  # degrees: beyond the north wall
 EVERYWHERE = {"caustics.sunlit": False}
 BEFORE_WALL = {"flame": (1.6, 0.22, 0.85), "method": "darken"}  # between the wall and the statue
@@ -127,6 +129,39 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         seen=("a shadow torn into stripes and specks", "an unbroken shadow"),
     ),
     Safeguard(
+        "shadow_matrix",
+        "A plus in the shadow's matrix",
+        "hall_shadow",
+        20.0,
+        {"shadow.misprint": "matrix", "camera.fov": 36.0},
+        {"shadow.misprint": "none", "camera.fov": 36.0},
+        flaw="The notes on glSkel print the matrix's last cell as a lx + b ly * c lz. For the "
+        "wall, where only c is not 0, that is 0: every w is negative, and OpenGL clips the whole "
+        "shadow.",
+        look="Look for the dragon's shadow on the wall.",
+        how="The last cell is a lx + b ly + c lz: M = (p . l) I - l p^T.",
+        seen=(
+            "a golden dragon before a wall without its shadow",
+            "a golden dragon, and its large shadow on the wall behind it",
+        ),
+    ),
+    Safeguard(
+        "shadow_plane",
+        "The plane that the shadow falls on",
+        "hall_one_floor",
+        20.0,
+        {**ONE_LAMP, "shadow.misprint": "plane"},
+        {**ONE_LAMP, "shadow.misprint": "none"},
+        flaw="The notes on glSkel print the plane's equation as b x + b y + c z + d = 0. Taken at "
+        "its word, the floor y = 0 becomes x + y = 0: a slope far below the floor, which hides it.",
+        look="Look for the shadows of dragon and pillars on the floor.",
+        how="The equation is a x + b y + c z + d = 0; for the floor a, b, c, d are 0, 1, 0, 0.",
+        seen=(
+            "a floor that mirrors a dragon and has no shadows",
+            "a floor that mirrors a dragon, with shadows of dragon and pillars on it",
+        ),
+    ),
+    Safeguard(
         "shadow_behind",
         "What is behind the light casts no shadow",
         Pose(1.80, 0.12, 1.02, 322.0, 8.0),
@@ -226,6 +261,61 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         seen=("rows of round spots of light in a dark pool", "a net of light on the pool's bed"),
     ),
     Safeguard(
+        "tone_texture",
+        "The contrast of one texture",
+        "hall_texture",
+        20.0,
+        {
+            "tone.contrast": 1.8,
+            "tone.texture": "wall",
+            "tone.texture_contrast": 1.0,
+            "tone.texture_brightness": 0.0,
+        },
+        {
+            "tone.contrast": 1.0,
+            "tone.texture": "wall",
+            "tone.texture_contrast": 2.4,
+            "tone.texture_brightness": -0.75,
+        },
+        flaw="A contrast of the whole picture changes all that is in it: here gold, flames and "
+        "light lose their shades.",
+        look="Compare the joints of the walls, then the dragon.",
+        how="The wall's texture, once drawn into a framebuffer object, is copied back through "
+        "glPixelTransfer, which scales and biases it. It is not loaded again.",
+        seen=(
+            "a hall in glaring light with a dragon of one yellow",
+            "a hall whose walls have deep joints, and a golden dragon",
+        ),
+    ),
+    Safeguard(
+        "sky_layers",
+        "Two layers of cloud at two speeds",
+        "hall_sky",
+        540.0,
+        {"room.vault": False, "sky.layers": 1},
+        {"room.vault": False, "sky.layers": 2},
+        flaw="A single layer of cloud moves like a painted ceiling.",
+        look="Compare the clouds; in a walk, see how they pass each other.",
+        how="The second texture unit lays low clouds over the high ones, by their alpha; its "
+        "texture matrix moves them five times as fast.",
+        seen=(
+            "thin white clouds behind open ribs of stone",
+            "thin white clouds, and grey ones before them, behind open ribs of stone",
+        ),
+    ),
+    Safeguard(
+        "sky_sorted",
+        "Low clouds before high ones",
+        "hall_sky",
+        540.0,
+        **pair("sky.sorted", room=OPEN),
+        flaw="Blending is not commutative: with the layers in the other order, the high, white "
+        "clouds cover the low, grey ones.",
+        look="Compare where two clouds overlap.",
+        how="Unit 0 lays the high layer over the sky's gradient, unit 1 the low one over both.",
+        seen=("white clouds before grey ones", "grey clouds before white ones"),
+    ),
+    Safeguard(
         "tone_doubling",
         "A contrast above 1 by doubling",
         Pose(1.78, 0.12, 1.62, 337.0, 6.0),
@@ -268,6 +358,33 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
         seen=(
             "a golden dragon with windows in the wrong places",
             "a golden dragon with windows in their places",
+        ),
+    ),
+    Safeguard(
+        "statue_generated",
+        "Coordinates that OpenGL generates",
+        Pose(1.815, 0.20, 1.53, 326.0, 4.0),
+        20.0,
+        **pair("statue.generated"),
+        flaw="The notes on glSkel enable GL_GEN_S and GL_GEN_T, names that OpenGL does not have. "
+        "Without generated coordinates all vertices look up the same texel.",
+        look="Compare the gilding.",
+        how="glEnable(GL_TEXTURE_GEN_S) and glEnable(GL_TEXTURE_GEN_T).",
+        seen=("a dragon of one dull colour", "a dragon of gold that mirrors windows and walls"),
+    ),
+    Safeguard(
+        "mist_clear",
+        "Mist without lines on the pillars",
+        "hall_mist",
+        20.0,
+        **pair("mist.clear", mist={"enabled": True}),
+        flaw="Each sheet of mist ends where it meets a pillar, in a line.",
+        look="Look at the feet of the pillars and at the plinth.",
+        how="A second texture unit multiplies the sheets' alpha by the distance from what stands "
+        "in them, up to 0.075 units.",
+        seen=(
+            "a hall with mist that ends in lines on its pillars",
+            "a hall with mist that thins out around its pillars",
         ),
     ),
     Safeguard(

@@ -13,6 +13,17 @@ from landscape.settings import UNITS, Camera, Clock, Fog, Sun, Walk
 
 
 @dataclass(frozen=True)
+class Room:
+    """The room (room.py)."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ("room",)
+
+    vault: bool = setting(
+        True, "chosen", "webs of stone close the vault; off, only its ribs are there, under the sky"
+    )
+
+
+@dataclass(frozen=True)
 class Pool:
     """The pool's water (pool.py)."""
 
@@ -134,8 +145,20 @@ class Shadow:
     NEEDS: ClassVar[tuple[str, ...]] = ("shadow", "statue", "floor or room", "shadow.enabled")
 
     enabled: bool = setting(True, GLSKEL_SHADOW, "the statue casts shadows")
+    casters: str = setting(
+        "statue",
+        GLSKEL_SHADOW,
+        "what the torch throws shadows of: the statue, or pillars and torches as well",
+        choices=("statue", "all"),
+        needs=("shadow.light!=sun",),
+    )
     light: str = setting(
         "both", "chosen", "what casts them: torch, sun or both", choices=("torch", "sun", "both")
+    )
+    sunlit: bool = setting(
+        True,
+        "chosen",
+        "the sun shines on the floor; off, torches alone light it, and its shadows show",
     )
     method: str = setting(
         "relight",
@@ -151,6 +174,14 @@ class Shadow:
         0,
         1,
         needs=("shadow.method=darken or not shadow.stencil",),
+    )
+    shine: float = setting(
+        0.0,
+        "chosen",
+        "how much light the torch adds to the floor where no shadow lies, as it may be moved",
+        0,
+        1,
+        needs=("shadow.method=darken", "shadow.stencil", "shadow.light!=sun"),
     )
     flicker: float = setting(
         0.004,
@@ -170,6 +201,12 @@ class Shadow:
         unit="units",
         needs=("shadow.light!=sun",),
     )
+    misprint: str = setting(
+        "none",
+        GLSKEL_SHADOW,
+        "draw by the last cell of the matrix, or by the equation of the plane, as printed",
+        choices=("none", "matrix", "plane"),
+    )
     stencil: bool = setting(
         True, GLSKEL_SHADOW, "only the surface is darkened, and no pixel twice by one light"
     )
@@ -187,11 +224,23 @@ class Statue:
 
     NEEDS: ClassVar[tuple[str, ...]] = ("statue",)
 
+    figure: str = setting(
+        "dragon",
+        "chosen",
+        "what stands on the plinth: the dragon, or a ball, which mirrors the hall in one piece",
+        choices=("dragon", "ball"),
+    )
     environment: str = setting(
         "sphere",
         "glSkel, environment mapping",
         "how the statue mirrors the hall: by a sphere map, a cube map, or not at all",
         choices=("sphere", "cube", "none"),
+    )
+    generated: bool = setting(
+        True,
+        "glSkel, environment mapping",
+        "coordinates are generated for what it mirrors; off, as GL_GEN_S would leave them",
+        needs=("statue.environment!=none",),
     )
     fresh: bool = setting(
         True,
@@ -274,6 +323,32 @@ class Tone:
         needs=("tone.method=blend", "tone.contrast>1"),
     )
 
+    texture: str = setting(
+        "none",
+        "glSkel, scale and bias",
+        "the stone whose texture is changed, without being loaded again",
+        choices=("none", "wall", "floor", "vault", "pool"),
+        needs=("room",),
+    )
+    texture_contrast: float = setting(
+        1.0,
+        "glSkel, scale and bias",
+        "what each colour of that texture is multiplied by",
+        0,
+        8,
+        unit="times",
+        needs=("tone.texture!=none",),
+    )
+    texture_brightness: float = setting(
+        0.0,
+        "glSkel, scale and bias",
+        "what is then added to it",
+        -4,
+        4,
+        unit="of white",
+        needs=("tone.texture!=none",),
+    )
+
 
 @dataclass(frozen=True)
 class Torches:
@@ -336,6 +411,7 @@ class Settings:
     # Chosen: in the south-east, so that the windows' light falls across the nave.
     sun: Sun = Sun(azimuth=103.0, elevation=30.0, diffuse=(1.0, 0.92, 0.78), ambient=(0.3,) * 3)
     fog: Fog = Fog(enabled=False)
+    room: Room = Room()
     statue: Statue = Statue()
     sky: Sky = Sky()
     mist: Mist = Mist()

@@ -1,5 +1,6 @@
-"""The statue: the sea dragon, in bronze, on its plinth.
+"""The statue: the sea dragon, in bronze, on its plinth, or a ball of metal (``statue.figure``).
 
+A ball mirrors the hall as one piece, so that one recognises it: the dragon's scales break it up.
 Technique: a lit mesh in a display list, or from afar a simpler one (vertex clustering). It is also
 the mask for a change of tone. It is gilded: environment.py draws what it mirrors. Its mirror image
 is a coarser mesh of side 2, which glScalef brings to its size: that scales the normals, too, and
@@ -29,7 +30,7 @@ from landscape.files.cache import recall
 from landscape.frame import Frame
 from landscape.geometry.clustering import clustered
 from landscape.geometry.culling import ball_in_view
-from landscape.geometry.mesh import Mesh, gathered, scaled
+from landscape.geometry.mesh import Mesh, gathered, grid_triangles, scaled
 from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
@@ -44,6 +45,10 @@ GLINT, SHININESS = (0.5, 0.42, 0.26, 1.0), 60.0  # chosen
 # shadows, from afar and from nearby.
 COARSE, COARSEST, COARSER = 0.025, 0.045, 0.03
 FROM_AFAR = 0.0125, 0.02  # chosen: the same for the statue itself from afar
+BALL, BALL_GRID = 0.62, (64, 128)  # chosen: the ball's radius, in a mesh of 2; its rows and columns
+SHARP = (
+    512  # chosen: texels of what a ball mirrors: a side of a face of the cube map, and of the map
+)
 PIXELS = 2.0  # chosen: how many pixels such a cube may be wide
 
 
@@ -57,6 +62,17 @@ def standing(unit: Mesh) -> tuple[np.ndarray, np.ndarray, float]:
     turned = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
     low = float(unit.vertices[:, 1].min()) + plan.STATUE_SUNK / plan.STATUE_SCALE
     return unit.vertices @ turned.T, unit.normals @ turned.T, low
+
+
+def ball() -> Mesh:
+    """Return a ball of radius BALL around the origin, of as many triangles as its image needs."""
+    rows, columns = BALL_GRID
+    down, around = np.linspace(0.0, np.pi, rows + 1), np.linspace(0.0, 2 * np.pi, columns + 1)
+    theta, phi = (grid.ravel() for grid in np.meshgrid(down, around, indexing="ij"))
+    level = np.sin(theta)
+    normals = np.stack([level * np.cos(phi), np.cos(theta), -level * np.sin(phi)], axis=1)
+    unit = np.ascontiguousarray(normals, np.float32)
+    return Mesh(BALL * unit, unit, grid_triangles(columns + 1, rows + 1))
 
 
 def cast_in(mesh: Mesh, metal: tuple[float, ...], shaded: bool) -> Mesh:
@@ -73,13 +89,16 @@ class Statue:
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the mesh and compile its display list."""
         self._settings = settings
-        unit = read_animal(assets, "dragon.ply", "dragon.mesh")
+        self._figure = settings.statue.figure
+        round_ = self._figure == "ball"
+        unit = ball() if round_ else read_animal(assets, "dragon.ply", "dragon.mesh")
 
         def soft() -> tuple[np.ndarray, ...]:
             light = np.clip(soft_light(*standing(unit)), 0.0, 1.0)
             return (np.rint(255 * light[:, None]).astype(np.uint8),)
 
-        light = recall(["the statue's soft light", *assets.contents("dragon.ply")], soft)[0]
+        files = assets.contents("dragon.ply")
+        light = recall(["the statue's soft light", str(self._figure), *files], soft)[0]
         unit = replace(unit, colors=light)
         mesh = scaled(gathered(unit), plan.STATUE_SCALE)
         sides = COARSE, COARSER, COARSEST
@@ -93,7 +112,9 @@ class Statue:
         height = foot + float(mesh.vertices[:, 1].max())
         self.box = np.array([[x - reach, 0.0, z - reach], [x + reach, height, z + reach]])
         self._environment: Environment | None = None
-        simpler = [scaled(gathered(clustered(unit, c)), plan.STATUE_SCALE) for c in FROM_AFAR]
+        # A mirror ball of fewer vertices would distort what it mirrors.
+        afar = [unit if round_ else clustered(unit, cell) for cell in FROM_AFAR]
+        simpler = [scaled(gathered(each), plan.STATUE_SCALE) for each in afar]
         # Their colours are the soft light; the last is the image's.
         self._meshes = mesh, *simpler, coarse
         self._metal: tuple[float, ...] = ()
@@ -119,7 +140,9 @@ class Statue:
         self._list = self._lists[0]
 
     def apply(self, settings: Settings) -> bool:
-        """Apply new settings."""
+        """Apply new settings; return False, changing nothing, for another figure."""
+        if settings.statue.figure != self._figure:
+            return False
         self._settings = settings
         if self._environment is not None:
             self._environment.apply(settings)
@@ -129,7 +152,8 @@ class Statue:
     def gild(self, draw: Callable[[Frame], None]) -> None:
         """Let the statue mirror what ``draw`` draws around it, where this OpenGL can."""
         if possible("statue.environment"):
-            self._environment = Environment(self._settings, self.middle, draw)
+            sides = (SHARP,) * 2 if self._figure == "ball" else ()
+            self._environment = Environment(self._settings, self.middle, draw, *sides)
             self._compile()
 
     def draw(self, frame: Frame) -> None:

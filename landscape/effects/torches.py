@@ -5,7 +5,9 @@ torch turns about y to face the eye and shows one of them, each torch another. A
 second quad, parallel to the screen, whose radial gradient is added to the picture: the halo that
 bright things have in air and eye. It swells and shrinks a little, as the flame does. Both are
 blended and write no depth. The light on the stone around is in the light map, which does not move.
-State used: GL_TEXTURE_2D, GL_BLEND, the depth mask.
+Where the flame of the torch beside the pool has been taken from its stand (``shadow.flame``), it
+burns in a bowl that hangs from the vault: a mesh and a line in plain colours.
+State used: GL_TEXTURE_2D, GL_BLEND, the depth mask, the line width.
 What is wrong without it: with ``torches.faces`` off the quads keep to one plane, and a flame
 vanishes when it is seen from the side; with ``torches.glow`` 0 the flames look painted.
 """
@@ -15,13 +17,18 @@ import math
 import numpy as np
 
 from landscape.effects import plan
+from landscape.effects.ornaments import torch
 from landscape.effects.settings import Settings, Shadow
+from landscape.effects.surfaces import mesh
 from landscape.elements.castle_fire import flame_frame
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
+from landscape.geometry.mesh import Mesh, merged
 from landscape.gl.calls import gl
-from landscape.gl.state import attrib
+from landscape.gl.display_list import DisplayList
+from landscape.gl.draw import draw_mesh
+from landscape.gl.state import attrib, line_width, matrix
 from landscape.gl.texture import Texture
 
 WIDTH, HEIGHT, SUNK = 0.026, 0.062, 0.008  # chosen: of a flame; it begins within the bowl
@@ -29,6 +36,21 @@ HALO = 0.12  # chosen: radius of the glow, in units
 COLOUR = (1.0, 0.56, 0.22)  # chosen
 FLICKER = 0.12  # chosen: the glow's change, as a fraction
 SIDE = 64  # of the glow's texture
+IRON = (0.30, 0.22, 0.17)  # chosen: RGB of a bowl that hangs, in the light of its flame
+
+
+def hanging(shadow: Shadow) -> bool:
+    """Return whether the first torch's flame is elsewhere than on its stand."""
+    x, y, z = plan.TORCH
+    return math.dist(shadow.flame, (x, y + plan.TORCH_FLAME, z)) > 1e-3
+
+
+def bowl() -> Mesh:
+    """Return an iron bowl whose flame begins at height 0, darker where it faces downwards."""
+    whole = merged([mesh(each, 1.0, each.on_material) for each in torch(0.0, 0.0, 0.0)])
+    shade = 0.55 + 0.45 * whole.normals[:, 1:2]
+    colors = np.rint(255.0 * shade * np.array(IRON)).astype(np.uint8)
+    return Mesh(whole.vertices, whole.normals, whole.triangles, (), np.ascontiguousarray(colors))
 
 
 def halo_image() -> np.ndarray:
@@ -87,6 +109,8 @@ class Torches:
         self._settings = settings
         self._fire = Texture(read_image(assets.path("fire.png")), repeat=False)
         self._halo = Texture(halo_image(), repeat=False)
+        lamp = bowl()
+        self._bowl = DisplayList(lambda: draw_mesh(lamp))
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; nothing is built from them."""
@@ -94,8 +118,10 @@ class Torches:
         return True
 
     def draw(self, frame: Frame) -> None:
-        """Blend the flames, then add their glow."""
+        """Blend the flames, then add their glow; before them, the bowl that hangs, if one does."""
         values, places = self._settings.torches, torches(self._settings.shadow)
+        if hanging(self._settings.shadow):
+            self._draw_bowl(frame, *places[0].tolist())
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
@@ -110,8 +136,23 @@ class Torches:
                 gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
                 send(gl.GL_T2F_C3F_V3F, halos(places, frame.right, frame.up, frame.kt, values.glow))
 
+    def _draw_bowl(self, frame: Frame, x: float, y: float, z: float) -> None:
+        """Draw the bowl at a place, and its chain up into the vault."""
+        with attrib(gl.GL_CURRENT_BIT | gl.GL_LINE_BIT):
+            with matrix():
+                gl.glTranslatef(x, y, z)
+                self._bowl.call()
+            gl.glColor3f(*IRON)
+            line_width(frame.size[1] / 400)
+            gl.glBegin(gl.GL_LINES)
+            gl.glVertex3f(x, y + 0.002, z)
+            gl.glVertex3f(x, plan.CROWN, z)
+            gl.glEnd()
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
     def release(self) -> None:
-        """Delete the textures; may be called twice."""
+        """Delete the list and the textures; may be called twice."""
+        self._bowl.release()
         self._fire.release()
         self._halo.release()
 

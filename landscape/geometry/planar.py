@@ -33,6 +33,21 @@ def shadow_matrix(plane: np.ndarray, light: np.ndarray) -> np.ndarray:
     return np.asarray((p @ l) * np.eye(4) - np.outer(l, p))
 
 
+def misprinted_matrix(plane: np.ndarray, light: np.ndarray, misprint: str) -> np.ndarray:
+    """Return M (4, 4) with an error of the notes on glSkel: "matrix" or "plane"; "none" has none.
+
+    Their last cell is a lx + b ly * c lz for a lx + b ly + c lz ("matrix"). Their equation of the
+    plane is b x + b y + c z + d = 0 for a x + b y + c z + d = 0 ("plane").
+    """
+    p, l = np.asarray(plane, np.float64), np.asarray(light, np.float64)  # noqa: E741 (as above)
+    if misprint == "plane":
+        return shadow_matrix(np.array([p[1], p[1], p[2], p[3]]), l)
+    printed = shadow_matrix(p, l)
+    if misprint == "matrix":
+        printed[3, 3] = p[0] * l[0] + (p[1] * l[1]) * (p[2] * l[2])
+    return printed
+
+
 def shadows_of(points: np.ndarray, plane: np.ndarray, light: np.ndarray) -> np.ndarray:
     """Return the shadows (n, 3) of points (n, 3); NaN for a point that casts none on the plane."""
     homogeneous = np.column_stack([points, np.ones(len(points))])

@@ -122,7 +122,7 @@ def exponential(vector: np.ndarray) -> np.ndarray:
 
 
 def control(before: np.ndarray, here: np.ndarray, after: np.ndarray) -> np.ndarray:
-    """Return the control point (4,) of SQUAD at the key ``here``, between two others (Shoemake 1987).
+    """Return the control point (4,) of SQUAD at a key between two others (Shoemake 1987).
 
     s = q exp(-(log(q* after) + log(q* before)) / 4), where q* is the inverse of q.
     """

@@ -101,6 +101,7 @@ FEATURES = {
     "mist.clear": Feature((), 2),
     "pool.mirrors": Feature((CUBE_MAP, COMBINE, *PICTURE)),
     "statue.environment": Feature((CUBE_MAP, COMBINE, *PICTURE)),
+    "tone.texture": Feature(PICTURE),
     "tone.brightness below 0": Feature((EQUATIONS, SUBTRACT)),
     # The island in voxels.
     "sky": Feature((CUBE_MAP,)),

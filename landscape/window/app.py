@@ -175,6 +175,9 @@ class Walk:
         changes = chooser.follow(picks, settings)
         switches, toggled, said = pressed(kind, settings, switches, self._language)
         note, self._note, changes = self._note or said, "", changes | toggled
+        drag = self.hands.carried()
+        if kind.carried is not None and any(drag):
+            changes = {**changes, **kind.carried(keys.with_settings(settings, changes), *drag)}
         return Tick(seconds, intent, switches, size, note, chooser.row, changes)
 
     def follow(self, tick: Tick) -> Tick | None:

@@ -31,6 +31,8 @@ def help_rows(kind: Scene, settings: Any, language: str, name: Namer) -> list[tu
     ]
     for row in BUILDING if kind.blocks else ():
         rows.append((words.text(language, f"key.{row}"), words.text(language, f"help.{row}")))
+    if kind.carried is not None:
+        rows.append((words.text(language, "key.carry"), words.text(language, "help.carry")))
     for letter, toggle in kind.letters.items():
         rows.append((label(letter, name, kind.letters), named(toggle, language)))
     return rows + [(digit, named(toggle, language)) for digit, toggle in kind.digits.items()]

@@ -85,6 +85,8 @@ class Hands:
         self._pressed: tuple[float, float] | None = None  # where a click or a drag began
         self._dragging = False
         self._last: tuple[float, float] | None = None
+        self.carrying = False  # whether the right button is down, in a scene where that means it
+        self._carried = [0.0, 0.0]  # how far the mouse moved meanwhile, in pixels right and down
         self._at = 0.0, 0.0  # where the mouse was at the last report
         self.fineness = 1.0  # see fineness()
         self._wheel = Wheel()
@@ -164,6 +166,8 @@ class Hands:
         if self.building:
             if button in TOOLS:
                 self._use(TOOLS[button], action == glfw.PRESS)
+        elif button == glfw.MOUSE_BUTTON_RIGHT:
+            self.carrying, self._last = action == glfw.PRESS, None
         elif button == glfw.MOUSE_BUTTON_LEFT and action == glfw.PRESS:
             if self.captured:
                 self._switches.append("strike")
@@ -207,11 +211,12 @@ class Hands:
         if self._pressed is not None and not self._dragging:
             self._dragging = math.dist(self._pressed, (x, y)) > DRAG * self.fineness
             self._last = None
-        if not self.captured and not self._dragging:
+        if not self.captured and not self._dragging and not self.carrying:
             return
         if self._last is not None:
+            moved = self._carried if self.carrying else self._look
             for axis, way in enumerate((x - self._last[0], y - self._last[1])):
-                self._look[axis] += max(-JUMP, min(way / self.fineness, JUMP))
+                moved[axis] += max(-JUMP, min(way / self.fineness, JUMP))
         self._last = x, y
 
     def capture(self, captured: bool) -> None:
@@ -228,9 +233,16 @@ class Hands:
             self._tapped.clear()
             self._look = [0.0, 0.0]
             self._clicked, self._using = set(), set()
-            self._pressed, self._dragging = None, False
+            self._pressed, self._dragging, self.carrying = None, False, False
+            self._carried = [0.0, 0.0]
             if self.captured:
                 self.orders.append("release")
+
+    def carried(self) -> tuple[float, float]:
+        """Return how far the mouse moved with the right button down, since the last call."""
+        right, down = self._carried
+        self._carried = [0.0, 0.0]
+        return right, down
 
     def take(self) -> tuple[Intent, tuple[str, ...]]:
         """Return the intent since the last call, and the names of the switches pressed."""

@@ -124,7 +124,10 @@ class MistSheets:
         mask.bind()
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         x0, z0, x1, z1 = self._edges
-        planes = (1 / (x1 - x0), 0.0, 0.0, -x0 / (x1 - x0)), (0.0, 0.0, 1 / (z1 - z0), -z0 / (z1 - z0))
+        planes = (
+            (1 / (x1 - x0), 0.0, 0.0, -x0 / (x1 - x0)),
+            (0.0, 0.0, 1 / (z1 - z0), -z0 / (z1 - z0)),
+        )
         for name, plane in zip("ST", planes, strict=True):
             coordinate = getattr(gl, f"GL_{name}")
             gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_OBJECT_LINEAR)
