@@ -33,7 +33,7 @@ TOGETHER = {
     ),
     "voxel": (("debug", "water"), ("shadow", "voxel"), ("fog", "camera")),
 }
-BAKED = {"hall": {"torches", "statue", "sun"}, "voxel": {"sun"}}  # groups that are not applied
+BAKED = {"hall": {"room", "sky", "torches", "statue", "sun"}, "voxel": {"sun"}}  # groups that are not applied
 
 
 def changes(kind: Scene) -> Iterator[tuple[View, dict[str, Any]]]:

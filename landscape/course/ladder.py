@@ -52,8 +52,8 @@ LADDER: dict[str, tuple[str, ...]] = {
         *("ply_mesh", "overlay", "second_viewport", "fog"),
     ),
     "effects": (
-        *("stencil_mirror", "planar_shadow", "caustics", "brightness_contrast", "mist", "slerp"),
-        *("sphere_map", "shadow_volume", "accumulation"),
+        *("stencil_mirror", "planar_shadow", "one_floor", "caustics", "brightness_contrast"),
+        *("mist", "quake_sky", "slerp", "squad", "sphere_map", "shadow_volume", "accumulation"),
     ),
     "voxels": (
         *("height_columns", "hidden_faces", "box_frustum", "fog_coordinate", "cube_map"),

@@ -342,5 +342,8 @@ SCENE = Scene(
     overlay=HELD,
     title="the great hall",
     # Statue and pool mirror the hall as it was drawn when it was opened.
-    baked=("sun", "fog", "sky", "statue", "torches", "shadow.flame"),
+    baked=(
+        *("room", "sun", "fog", "sky", "statue", "torches", "shadow.flame", "tone.texture"),
+        *("tone.texture_contrast", "tone.texture_brightness"),
+    ),
 )

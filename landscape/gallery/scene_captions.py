@@ -75,6 +75,28 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
             "position, multiplies the pool's bed and brightens the stone around it. What the water "
             "mirrors is a cube map of the hall.",
         ),
+        "hall_one_floor": (
+            "a golden dragon on its plinth, its image and its jagged shadow on the floor before it",
+            "One lamp, which hangs behind the dragon, throws the shadows of dragon, pillars and "
+            "torches onto the floor that mirrors them. In a walk, drag with the right mouse "
+            "button: the lamp goes around the dragon, up and down. Here no sun shines on the "
+            "floor.",
+        ),
+        "hall_ball": (
+            "a ball of silver that mirrors a vaulted hall with windows, pillars and a door",
+            "The same sphere map as on the dragon, larger. A ball mirrors the hall in one piece, "
+            "so that one finds everything in it that is behind the viewer.",
+        ),
+        "hall_sky": (
+            "a blue sky with white and grey clouds, seen through the open ribs of a vault",
+            "Quake's sky: two layers of cloud on a dome, laid by two texture units in one pass. "
+            "The low one moves five times as fast.",
+        ),
+        "hall_texture": (
+            "walls of stone with deep, dark joints beside smooth pillars and a golden dragon",
+            "The texture of the walls has 2.4 times its contrast. Copied back from a framebuffer "
+            "object through glPixelTransfer, it was not loaded again; all else is as before.",
+        ),
         "hall_contrast": (
             "a bright golden dragon in a dim hall",
             "One quad over the whole picture changes each pixel by blending; the stencil buffer "

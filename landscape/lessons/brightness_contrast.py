@@ -3,7 +3,9 @@
 Each colour c becomes contrast * c + brightness, by quads blended over the picture. What they can
 multiply by stops at 1: a contrast above 1 takes a pass for each doubling, which adds the picture to
 itself. Between passes, the frame buffer keeps 0 to 1 only: with the contrast first, the lights are
-lost. glCopyPixels with glPixelTransfer does both at once, and loses nothing in between.
+lost. With a contrast of at most 1 and a brightness of at least 0 one pass does both: the quad's
+colour is the brightness, its alpha the contrast (GL_ONE, GL_SRC_ALPHA). glCopyPixels with
+glPixelTransfer does both at once for all values, and loses nothing in between.
 
 Keys: Up, Down contrast; Left, Right brightness; D doubling; O order; C copied pixels; S tree only.
 """
@@ -41,14 +43,23 @@ def draw_quad(texture, x, y, s, t, grey=(1, 1)):  # of each the first and the la
     glEnd()
 
 
-def cover(level):
-    glColor3f(level, level, level)
+def cover(level, alpha=1):
+    glColor4f(level, level, level, alpha)
     glRectf(-9, -1, 9, 1)
 
 
 def change_blended(doubling, brightness_first):
+    if contrast <= 1 and brightness >= 0:
+        glBlendFunc(GL_ONE, GL_SRC_ALPHA)  # brightness * 1 + contrast * c
+        cover(brightness, contrast)
+        return
+    if contrast < 1:
+        brightness_first = False  # nothing leaves 0 to 1 before the brightness is added
     for step in "+*" if brightness_first else "*+":
-        if step == "*":
+        if step == "*" and contrast < 1:
+            glBlendFunc(GL_ZERO, GL_SRC_ALPHA)
+            cover(0, contrast)
+        elif step == "*":
             glBlendFunc(GL_DST_COLOR, GL_ONE)  # c * level + c
             for n in range(9 if doubling else 0):
                 cover(max(1, min(contrast / 2**n, 2)) - 1)
@@ -62,8 +73,9 @@ def change_blended(doubling, brightness_first):
 def on_key(window, key, scancode, action, mods):
     global contrast, brightness
     if action == glfw.PRESS:
-        contrast = max(1, contrast + ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)) / 2)
-        brightness += 0.1 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
+        contrast = max(0, contrast + ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)) / 2)
+        change = ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT)) / 10
+        brightness = round(brightness + change, 1) + 0.0  # + 0.0 makes 0 of -0
         on[:] = [on[n] ^ (key == KEYS[n]) for n in range(len(KEYS))]
         glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
 
