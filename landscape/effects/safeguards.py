@@ -10,6 +10,7 @@ from landscape.frame import Pose
 
 BRONZE = {"environment": "none"}
 OPEN = {"vault": False}
+UPWARDS = Pose(1.6, 0.1, 1.6, 270.0, 55.0)
 LOW_SUN = {"azimuth": 4.0, "elevation": 7.0}  # degrees: beyond the north wall
 EVERYWHERE = {"caustics.sunlit": False}
 BEFORE_WALL = {"flame": (1.6, 0.22, 0.85), "method": "darken"}  # between the wall and the statue
@@ -290,10 +291,10 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
     Safeguard(
         "sky_layers",
         "Two layers of cloud at two speeds",
-        "hall_sky",
-        540.0,
-        {"room.vault": False, "sky.layers": 1},
-        {"room.vault": False, "sky.layers": 2},
+        UPWARDS,
+        200.0,
+        {"room.vault": False, "camera.fov": 50.0, "sky.layers": 1},
+        {"room.vault": False, "camera.fov": 50.0, "sky.layers": 2},
         flaw="A single layer of cloud moves like a painted ceiling.",
         look="Compare the clouds; in a walk, see how they pass each other.",
         how="The second texture unit lays low clouds over the high ones, by their alpha; its "
@@ -306,9 +307,9 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
     Safeguard(
         "sky_sorted",
         "Low clouds before high ones",
-        "hall_sky",
-        540.0,
-        **pair("sky.sorted", room=OPEN),
+        UPWARDS,
+        200.0,
+        **pair("sky.sorted", room=OPEN, camera={"fov": 50.0}),
         flaw="Blending is not commutative: with the layers in the other order, the high, white "
         "clouds cover the low, grey ones.",
         look="Compare where two clouds overlap.",
