@@ -33,7 +33,10 @@ TOGETHER = {
     ),
     "voxel": (("debug", "water"), ("shadow", "voxel"), ("fog", "camera")),
 }
-BAKED = {"hall": {"room", "sky", "torches", "statue", "sun"}, "voxel": {"sun"}}  # groups that are not applied
+BAKED = {
+    "hall": {"room", "sky", "torches", "statue", "sun"},
+    "voxel": {"sun"},
+}  # groups that are not applied
 
 
 def changes(kind: Scene) -> Iterator[tuple[View, dict[str, Any]]]:

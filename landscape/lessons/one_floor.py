@@ -30,7 +30,9 @@ PARTS += [((x, 0.65, z), (0.28, 0.66, 0.24), LEGS) for x in (-0.7, 0.75) for z i
 for n in range(9):  # a neck that rises to the right, and a tail that sinks to the left
     t = n / 8
     PARTS.append(((1.1 + 1.1 * t, 2.2 + 1.9 * t, 0), (0.42 - 0.2 * t, 0.5 - 0.2 * t, 0.3), SKIN))
-    PARTS.append(((-1.1 - 2.4 * t, 1.9 - 1.1 * t * t, 0), (0.55 - 0.4 * t, 0.44 - 0.38 * t, 0.3), SKIN))
+    PARTS.append(
+        ((-1.1 - 2.4 * t, 1.9 - 1.1 * t * t, 0), (0.55 - 0.4 * t, 0.44 - 0.38 * t, 0.3), SKIN)
+    )
 PARTS += [((2.5, 4.25, 0), (0.48, 0.27, 0.25), SKIN), ((2.86, 4.15, 0), (0.25, 0.16, 0.19), BELLY)]
 PARTS += [((2.5, 4.42, z), (0.07, 0.07, 0.05), (0.05, 0.05, 0.05)) for z in (-0.2, 0.2)]
 

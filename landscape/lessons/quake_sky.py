@@ -136,7 +136,9 @@ def main():
         glEnable(GL_DEPTH_TEST)
         draw_ruins()
         write(16, 88, "two layers" if both else "one layer")
-        write(16, 64, "the near one over the far one" if in_order else "the far one over the near one")
+        write(
+            16, 64, "the near one over the far one" if in_order else "the far one over the near one"
+        )
         write(16, 40, "two speeds" if two_speeds else "one speed")
         write(16, 16, "a flat ceiling" if flat else "plain angles")
         glfw.swap_buffers(window)

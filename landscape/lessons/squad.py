@@ -18,8 +18,7 @@ import numpy as np
 from OpenGL.GL import *
 from text import _, write
 
-I, J, K = np.eye(4)[1:]
-KEYS = {glfw.KEY_I: I, glfw.KEY_J: J, glfw.KEY_K: K}
+KEYS = dict(zip((glfw.KEY_I, glfw.KEY_J, glfw.KEY_K), np.eye(4)[1:], strict=True))  # i, j and k
 CORAL, AMBER, CREAM = (0.85, 0.35, 0.2), (0.95, 0.7, 0.35), (0.95, 0.9, 0.8)
 SECONDS, STEPS = 2, 60  # from attitude to attitude; steps of graph and trail between two
 squad_on, extra = True, np.array((1.0, 0, 0, 0))
