@@ -38,6 +38,7 @@ DOCUMENTS = (
     "docs/exercises.md",
     "docs/assets.md",
     "docs/performance.md",
+    "docs/errata.md",
     "docs/voxels.md",
     "docs/flyover.md",
     "docs/environments.md",

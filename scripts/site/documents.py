@@ -10,7 +10,7 @@ from landscape.languages import translator
 ROOT = Path(__file__).resolve().parents[2]
 TEACHING = ("lecture", "exercises", "glut", "sheet")  # for who gives the course
 TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
-BUILT = ("documents", "performance", "voxels", "flyover", "environments", "assets")
+BUILT = ("documents", "errata", "performance", "voxels", "flyover", "environments", "assets")
 ALL = (*TEACHING, *TOOLS, *BUILT)
 
 
