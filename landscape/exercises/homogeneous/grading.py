@@ -112,7 +112,10 @@ MOVES = (
     ),
     (
         lambda place: shift((*place[:2], 0)),
-        _("translation moves nothing along z: all houses stand right in front of the camera."),
+        _(
+            "translation moves nothing along z: the houses stand beside the camera, out of the "
+            "picture."
+        ),
     ),
     (
         lambda place: shift(place[::-1]),
@@ -183,8 +186,8 @@ DIVIDES = (
     (
         over(lambda x, y, z, w: (x, y)),
         _(
-            "What is far away is as large as what is near: x, y, z and w stand for the point that "
-            "one gets if one divides by w."
+            "Nothing becomes smaller with the distance, and so the houses lie beside the picture: "
+            "x, y, z and w stand for the point that one gets if one divides by w."
         ),
     ),
     (
@@ -196,7 +199,10 @@ DIVIDES = (
     ),
     (
         over(lambda x, y, z, w: (x * w, y * w)),
-        _("What is far away is larger than what is near: w multiplies here, and should divide."),
+        _(
+            "Everything grows with the distance, and so the houses lie far beside the picture: w "
+            "multiplies here, and should divide."
+        ),
     ),
     (
         over(lambda x, y, z, w: (x / w, y)),

@@ -130,6 +130,13 @@ def limited(**values):
 
 OUTSIDE = (
     (
+        made(from_other),
+        _(
+            "The part that is left is counted from the second end of the line, and should be "
+            "counted from the first: so lines end at the wrong place."
+        ),
+    ),
+    (
         made(lambda line: line),
         _("All lines are still drawn as a whole, also what lies outside of the frame."),
     ),
@@ -260,13 +267,6 @@ STRAIGHT = (
         _(
             "The lines have changed their direction: amber, which belongs to the first end, is at "
             "the second one."
-        ),
-    ),
-    (
-        made(from_other),
-        _(
-            "The part that is left is counted from the second end of the line, and should be "
-            "counted from the first: so lines end at the wrong place."
         ),
     ),
 )

@@ -111,7 +111,7 @@ MUTANTS = {
     ),
     "from_other": Mutant(
         "counts the part from the other end",
-        "straight",
+        "outside",
         [
             (
                 ENDS,

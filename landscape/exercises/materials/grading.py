@@ -109,19 +109,24 @@ def body(work, solution):
     if plain and same(values(work, "GL_DIFFUSE", "GL_BACK"), wanted):
         return hint(
             _(
-                "All balls are grey: the material of their back faces is set, and their front "
-                "faces are seen."
+                "The balls have no colours of their own: the material of their back faces is set, "
+                "and their front faces are seen."
             )
         )
     if plain and work.last.find("glColor"):
         return hint(
             _(
-                "All balls are grey: with GL_LIGHTING on, the current colour has no effect. What "
-                "reflects light is the material."
+                "The balls have no colours of their own: with GL_LIGHTING on, the current colour "
+                "has no effect. What reflects light is the material."
             )
         )
     if plain:
-        return hint(_("All balls are grey: their material is the one that OpenGL begins with."))
+        return hint(
+            _(
+                "The balls have no colours of their own: their material is the one that OpenGL "
+                "begins with."
+            )
+        )
     if same(diffuse, shade) and same(ambient, wanted):
         return hint(
             _(
@@ -132,15 +137,15 @@ def body(work, solution):
     if same(diffuse, wanted) and same(ambient, DEFAULT["GL_AMBIENT"]):
         return hint(
             _(
-                "In the shade all balls are of the same grey: their ambient reflection is still "
-                "the one that OpenGL begins with."
+                "In the shade the balls have no colours of their own: their ambient reflection is "
+                "still the one that OpenGL begins with."
             )
         )
     if same(ambient, shade) and same(diffuse, DEFAULT["GL_DIFFUSE"]):
         return hint(
             _(
-                "In the light all balls are of the same grey: their diffuse reflection is still "
-                "the one that OpenGL begins with."
+                "In the light the balls have no colours of their own: their diffuse reflection is "
+                "still the one that OpenGL begins with."
             )
         )
     if same(diffuse, wanted) and same(ambient, wanted):

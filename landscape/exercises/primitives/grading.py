@@ -211,7 +211,7 @@ def hill(work, solution):
                 "triangle, and none of them twice. Here each triangle shares a side with the next."
             ),
             "GL_QUADS": _(
-                "The hill consists of hourglasses: line {line} goes around four vertices, and "
+                "The hill has gaps and notches: line {line} goes around four vertices, and "
                 "these follow each other in zigzag."
             ),
             "GL_TRIANGLE_FAN": _(
@@ -260,7 +260,8 @@ def sun(work, solution):
         {
             "GL_POINTS": _("Of the sun there are only points."),
             "GL_TRIANGLE_STRIP": _(
-                "The sun is a crescent of sharp triangles: in a strip, line {line}, a vertex makes "
+                "Of the sun there is little more than slivers at its rim: in a strip, line "
+                "{line}, a vertex makes "
                 "a triangle with the two before it, and not with the middle."
             ),
             "GL_TRIANGLES": _(

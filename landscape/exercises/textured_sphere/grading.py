@@ -109,8 +109,8 @@ def north(work, solution):
     if near(t, wanted * np.pi):
         return hint(
             _(
-                "Only the north of the map is seen, and below it its last row: t goes up to "
-                "{t:.2f}, as it is the angle itself."
+                "The whole map is squeezed around the north pole, and all the rest is its last "
+                "row: t goes up to {t:.2f}, as it is the angle itself."
             ),
             t=t.max(),
         )
