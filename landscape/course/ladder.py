@@ -119,6 +119,7 @@ class Lesson:
             "lines": self.lines,
             "frame": self.frame,
             "pressed": list(self.pressed),
+            "programs": list(self.programs),
         }
 
 

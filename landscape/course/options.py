@@ -15,7 +15,9 @@ def _(text: str) -> str:
 
 LESSON = _("a lesson; without one, the lessons are listed")
 LECTURE = _("a text file, see docs/lecture.md; default: the whole course")
-COPY = _("copy it, with what it reads, into a folder to be changed there; default: the current one")
+COPY = _(
+    "copy it, with what it reads and its plain programs, into a folder; default: the current one"
+)
 
 
 def add(

@@ -70,12 +70,12 @@ def follow(viewport):
     return VERTEX, eye, clip, device, pixel
 
 
-def draw_chain(points, height):
+def draw_chain(points, width, height):
     """Draw the steps from top to bottom, each with its numbers in a box."""
     scale = height // 480 or height / 480  # of the pixels that write counts in
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
-    glOrtho(0, 330 * height / 480 / scale, 0, height / scale, -1, 1)
+    glOrtho(0, width / scale, 0, height / scale, -1, 1)
     glMatrixMode(GL_MODELVIEW)
     glLoadIdentity()
     top = height / scale - 12
@@ -119,7 +119,7 @@ def draw(width, height):
     x, y = points[-1][:2]
     write(-80, 10, "{x:.0f}, {y:.0f}", AMBER, at=tuple(VERTEX[:3]), x=x, y=y)
     glViewport(0, 0, left, height)
-    draw_chain(points, height)
+    draw_chain(points, left, height)
 
 
 def on_key(window, key, scancode, action, mods):

@@ -74,8 +74,8 @@ def draw(width, height):
     write(
         16, 88, "d = {w}/2 / tan({angle}°/2) = {d:.2f}", (0.4, 0.8, 0.8), w=WIDTH, angle=angle, d=d
     )
-    write(16, 64, "X = x d/z = {x:.1f} × {d:.2f} / {z:.1f} = {X:.2f}", x=x, d=d, z=z, X=image)
-    write(16, 40, "(x, y, z, z/d) = ({x:.1f}, 0, {z:.1f}, {w:.2f})", AMBER, x=x, z=z, w=z / d)
+    write(16, 64, "X = x d/z = {x:.2f} × {d:.2f} / {z:.1f} = {X:.2f}", x=x, d=d, z=z, X=image)
+    write(16, 40, "(x, y, z, z/d) = ({x:.2f}, 0, {z:.1f}, {w:.2f})", AMBER, x=x, z=z, w=z / d)
     write(16, 16, "divided by z/d   ({X:.2f}, 0, {d:.2f}, 1)", AMBER, X=image, d=d)
 
 
