@@ -342,6 +342,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "pixel": _frame("pixel"),
     "state": _frame("state"),
     "strip": _frame("strip"),
+    "why": _frame("why"),
     "inspect": _inspect,
     "lesson": _of("course.lesson_command"),
     "lecture": _of("course.lecture_command"),

@@ -20,6 +20,7 @@ FLOORS = (
     ("flyover",),
     ("gl",),
     ("capture",),
+    ("why",),
     ("elements",),
     ("scene",),
     ("views",),

@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import ModuleType
+from types import FrameType, ModuleType
 from typing import Any, Protocol, TextIO
 
 from landscape.arguments import size
@@ -43,7 +43,24 @@ from landscape.gl.notes import files_beside
 from landscape.gl.window_framebuffer import WindowFramebuffer
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
+POLLS = (
+    2  # turns of a loop that draws without a swap until it counts as one that never swaps; chosen
+)
 LIMIT = 15.0  # seconds that a program may take to its frame, chosen
+
+
+Chain = tuple[tuple[str, int], ...]
+"""The lines of a program that led to a call, (function, line), the outermost first."""
+
+
+def chain(frame: FrameType | None, path: str) -> Chain:
+    """Return the program's lines that led to a call, the outermost first."""
+    lines: list[tuple[str, int]] = []
+    while frame is not None:
+        if frame.f_code.co_filename == path:
+            lines.append((frame.f_code.co_name, frame.f_lineno))
+        frame = frame.f_back
+    return tuple(reversed(lines))
 
 
 @dataclass
@@ -60,6 +77,28 @@ class Window:
     hidden: bool = False  # on a screen, and not shown; or without a framebuffer of its own
     core_profile: bool = field(default=False, init=False)  # without fixed function
     early: tuple[str, int] | None = field(default=None, init=False)
+    early_calls: list[tuple[str, tuple[Any, ...], Any, Site]] = field(
+        default_factory=list, init=False
+    )
+    early_line: int = field(default=0, init=False)  # that comes too early, beside the opening one
+    showing: "Showing" = field(default_factory=lambda: Showing(), init=False)
+
+
+@dataclass
+class Showing:
+    """How the program shows its frames, which is what a window on a screen goes by.
+
+    ``way`` says what ended the frame: "swap"; "flush", of a single-buffered window; "callback", a
+    display callback of GLUT that returned without a swap; "never", a loop that draws, asks for
+    events and swaps nothing. ``line`` is the program's line that did so, 0 if none.
+    """
+
+    way: str = ""
+    line: int = 0
+    forced: bool = False  # nobody asked for this redraw: a window would not show it
+    stirred: bool = False  # timers, the idle callback or events have come before it
+    again: bool = False  # the display callback, or the loop, has shown a frame before this one
+    flushed: bool = False  # glFlush or glFinish since the frame began
 
 
 class Observer(Protocol):
@@ -148,6 +187,10 @@ class Run:
         self._observer = observer
         self._noticed: set[str] = set()
         self._early: tuple[str, int] | None = None
+        self._early_chain: Chain = ()
+        self.early_calls: list[tuple[str, tuple[Any, ...], Any, Site]] = []  # without a context
+        self.showing = Showing()
+        self._polls = 0  # since the last frame
         self._process = os.getpid()
 
     def refuse(self, reason: str) -> Unwind:
@@ -178,7 +221,13 @@ class Run:
         self.window = window
         self.drawing = True
         unrecorded.clear()
-        window.early = self._early
+        window.early, window.early_calls = self._early, self.early_calls
+        window.showing = self.showing
+        opened_by = chain(sys._getframe(1), str(self.source.path))
+        for early, here in zip(self._early_chain, opened_by, strict=False):
+            if early != here:
+                window.early_line = early[1]
+                break
         use_lists({})
         if gl.glGetString(gl.GL_VERSION) is None:
             raise self.refuse(f"its context has no OpenGL, or {no_context()}")
@@ -207,10 +256,14 @@ class Run:
         self.drawing = False
         WindowFramebuffer.leave()
 
-    def called_early(self, name: str, site: Site) -> None:
+    def called_early(self, name: str, args: tuple[Any, ...], result: Any, site: Site) -> None:
         """Note that the program calls OpenGL before it has a context."""
-        if self._early is None and site.path == str(self.source.path):
+        if site.path != str(self.source.path):
+            return
+        self.early_calls.append((name, args, result, site))
+        if self._early is None:
             self._early = name, site.line
+            self._early_chain = chain(sys._getframe(1), str(self.source.path))
 
     def sized(self, width: Any, height: Any) -> tuple[int, int]:
         """Return the size of the window that the program asks for; end it if it is too large."""
@@ -223,8 +276,30 @@ class Run:
         """Return what to raise in a program that opens another window."""
         return self.refuse("opens two windows; only programs with one can be run to a frame")
 
-    def end_frame(self) -> None:
-        """End a frame, in the program's call that shows it and before it does so."""
+    def polled(self) -> None:
+        """Note that the program asks for events; a loop that draws and never swaps ends a frame."""
+        self._polls += 1
+        self.showing.again = False
+        alone = self.live is None and self.host is None
+        if self._polls > POLLS and self.drawing and self.frames == 0 and self.drew and alone:
+            self.end_frame("never")
+            self.begin_frame()
+
+    def _line(self) -> int:
+        """Return the program's own line that is being executed, 0 if none."""
+        at: FrameType | None = sys._getframe(1)
+        path = str(self.source.path)
+        while at is not None:
+            if at.f_code.co_filename == path:
+                return at.f_lineno
+            at = at.f_back
+        return 0
+
+    def end_frame(self, way: str = "swap") -> None:
+        """End a frame, in the program's call that shows it and before it does so.
+
+        ``way`` is that of :class:`Showing`.
+        """
         if os.getpid() != self._process:
             os._exit(0)  # a copy of the program, which it has made itself
         self.check()
@@ -232,6 +307,7 @@ class Run:
             raise self.refuse(f"shows a frame before {self.source.opening}")
         if not self.drawing:
             raise self.refuse("shows a frame of a window that it has closed")
+        self.showing.way, self.showing.line = way, self._line()
         with self._watched():
             self.result = self._observer.frame_ended(self.frames)
         self.frames += 1
@@ -242,6 +318,10 @@ class Run:
 
     def begin_frame(self) -> None:
         """Begin the next frame, after the last one was shown."""
+        self.showing = Showing(again=True)
+        if self.window is not None:
+            self.window.showing = self.showing
+        self._polls = 0
         self.clock.begin_frame(self.frames)
         with self._watched():
             self._observer.frame_began(self.frames)
@@ -266,9 +346,23 @@ class Run:
     def flushed(self) -> None:
         """End a frame of a single-buffered window; one of GLUT ends with the callback that drew."""
         window = self.window
+        self.showing.flushed = True
         if self.drawing and window and not window.double_buffered and window.toolkit != "glut":
-            self.end_frame()
+            self.end_frame("flush")
             self.begin_frame()
+
+    def failed(self, error: BaseException) -> bool:
+        """Let the observer look at what the program had done when it raised an error.
+
+        Return whether it has: then the program counts as run.
+        """
+        look = getattr(self._observer, "failed", None)
+        if look is None or not self.drawing or self.over:
+            return False
+        with self._watched():
+            self.result = look(error)
+        self.over = self.result is not None
+        return self.over
 
 
 _prepared = False
@@ -433,6 +527,7 @@ def _execute(state: Run, module: ModuleType) -> None:
     except (KeyboardInterrupt, NoOpenGLError) as error:
         state.stop(error)
     except BaseException as error:
-        state.stop(raised(state.source.path, error))
+        if not state.failed(error):
+            state.stop(raised(state.source.path, error))
         # The frames hold the program's objects, which must go while its context is there.
         traceback.clear_frames(error.__traceback__)

@@ -302,11 +302,13 @@ class _Glfw:
 
     def poll_events(self) -> None:
         self._run.check()
+        self._run.polled()
         live = self._run.live
         self._deliver(live.events() if live else self._run.events.due(self._run.frames))
 
     def wait_events(self) -> None:
         self._run.check()
+        self._run.polled()
         live = self._run.live
         events = live.events(wait=True) if live else self._run.events.awaited(self._run.frames)
         if events:

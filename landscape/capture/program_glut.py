@@ -121,6 +121,8 @@ class _Glut:
         self._real.glutInitDisplayMode(DEPTH)  # freeglut's default
         self._real.glutInitWindowSize(*self._size)
         self._real.glutInitWindowPosition(-1, -1)
+        self._forced = False  # whether the redraw that is due was asked for by nobody
+        self._stirred = False  # whether a callback that may change something was called
 
     def functions(self) -> dict[str, Any]:
         """Return the functions that take the place of GLUT's, by their names."""
@@ -191,7 +193,7 @@ class _Glut:
         if self._live is not None:
             self._live.end_frame(swaps or not self._double_buffered)
             return
-        self._run.end_frame()
+        self._run.end_frame("swap" if swaps else "callback")
         if swaps:
             self._real.glutSwapBuffers()
         self._run.begin_frame()
@@ -276,10 +278,10 @@ class _Glut:
         self._end_frame(swaps=True)
 
     def glutPostRedisplay(self) -> None:
-        self._posted = True
+        self._posted, self._forced = True, False
 
     def glutPostWindowRedisplay(self, window: int) -> None:
-        self._posted = True
+        self.glutPostRedisplay()
 
     def glutGet(self, what: int) -> int:
         if what == ELAPSED_TIME:
@@ -322,15 +324,22 @@ class _Glut:
         self._call_timers()
         if self._posted and not self._leaving:
             self._display()
-        if self._leaving or self._call("Idle"):
+        if self._leaving:
             pass
+        elif self._call("Idle"):
+            self._stirred = True
         elif not self._posted:
             self._wait()
         self._quiet = 0 if run.frames > frames else self._quiet + 1
         if self._quiet:
             run.clock.move(IDLE)
         if self._quiet > PATIENCE and run.live is None:
-            self._posted = True
+            self._force()
+
+    def _force(self) -> None:
+        """Have the window redrawn, though the program has not asked for it."""
+        self._forced = self._forced or not self._posted
+        self._posted = True
 
     def _tell_size(self) -> None:
         if self._reshaped:
@@ -346,15 +355,21 @@ class _Glut:
         due = sorted(timer for timer in self._timers if timer[0] <= self._run.clock.now + 1e-6)
         for timer in due:
             self._timers.remove(timer)
+            self._stirred = True
             self._shows(timer[2], timer[3])
 
     def _display(self) -> None:
+        run = self._run
         self._posted = False
-        frames = self._run.frames
+        frames = run.frames
+        showing = run.showing
+        showing.forced, showing.stirred, showing.again = self._forced, self._stirred, False
+        self._forced = False
         if not self._call("Display"):
-            raise self._run.refuse("has no display callback: it never calls glutDisplayFunc")
-        if self._run.frames == frames:
+            raise run.refuse("has no display callback: it never calls glutDisplayFunc")
+        if run.frames == frames:
             self._end_frame()
+        run.showing.again = False
 
     def _wait(self) -> None:
         """Pass the time until a timer is due, or ask for a redraw."""
@@ -369,11 +384,12 @@ class _Glut:
         elif self._timers:
             self._run.clock.now = max(self._run.clock.now, min(self._timers)[0])
         else:
-            self._posted = True
+            self._force()
 
     # Events.
 
     def _deliver(self, event: Event) -> None:
+        self._stirred = True
         self._run.events.note(event)
         getattr(self, f"_{event.kind}")(event)
 

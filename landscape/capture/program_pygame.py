@@ -280,6 +280,7 @@ class _Pygame:
 
     def event_pump(self) -> None:
         self._run.check()
+        self._run.polled()
         live = self._run.live
         for event in live.events() if live else self._run.events.due(self._run.frames):
             self._deliver(event)

@@ -8,9 +8,20 @@ from typing import Any, TextIO, TypeVar
 from landscape.capture import spec, state
 from landscape.capture.buffers import Buffers
 from landscape.capture.edits import Edits
+from landscape.capture.image_rows import Origins, noted
+from landscape.capture.past import Past, Setters, chains_of
 from landscape.capture.program import Window, run
+from landscape.capture.shown import shown_otherwise
 from landscape.capture.tape import Tape
-from landscape.gl.calls import begin_pass, edited, frame_begins, outermost, recording, unnoted
+from landscape.gl.calls import (
+    Call,
+    begin_pass,
+    edited,
+    frame_begins,
+    outermost,
+    recording,
+    unnoted,
+)
 
 T = TypeVar("T")
 
@@ -25,13 +36,17 @@ def on_frame(
     limit: float | None = None,
     arguments: Sequence[str] = (),
     stdin: TextIO | None = None,
+    past: bool = False,
 ) -> T:
     """Run a program to the end of a frame; return what ``use`` makes of its tape, in its context.
 
     What is called before the first call that draws is the setup. The elements are named after the
-    program's functions. Raises as :func:`landscape.capture.program.run` does.
+    program's functions. ``past`` asks for what came before the frame, too, and for a tape of the
+    frame in which the program raises an error. Raises as :func:`landscape.capture.program.run`
+    does.
     """
-    with _Taping(path, use, frame, edits) as taping:
+    kind = _Following if past else _Taping
+    with kind(use, str(Path(path)), frame, edits) as taping:
         found: T = run(
             path,
             frame,
@@ -49,11 +64,10 @@ class _Taping(ExitStack):
     """Observes a program: records its calls, and makes a tape of the frame that was asked for."""
 
     def __init__(
-        self, path: str | Path, use: Callable[[Tape], Any], frame: int, edits: Edits | None
+        self, use: Callable[[Tape], Any], path: str, frame: int, edits: Edits | None
     ) -> None:
         super().__init__()
-        self._path = path
-        self._use, self._frame, self._edits = use, frame, edits
+        self._use, self._path, self._frame, self._edits = use, path, frame, edits
         self._notices: list[str] = []
         self._start: state.State = {}
         self._before: Buffers | None = None
@@ -73,27 +87,44 @@ class _Taping(ExitStack):
     def frame_began(self, number: int) -> None:
         """Forget the frames before this one, but for the setup."""
         if number:
-            self._recorder.calls[:] = [c for c in self._recorder.calls if c.pass_ == "setup"]
-            for index, call in enumerate(self._recorder.calls):
+            recorder = self._recorder
+            recorder.calls[:] = [c for c in recorder.calls if c.pass_ == "setup"]
+            recorder.glu[:] = [note for note in recorder.glu if note.pass_ == "setup"]
+            for index, call in enumerate(recorder.calls):
                 call.number = index
             frame_begins()
         if number == self._frame:
-            self._begin = len(self._recorder.calls)
-            with unnoted():
-                self._start = self._state()
-                self._before = Buffers.read(self._window.size()) if number else None
+            self._begin_tape(number)
+
+    def _begin_tape(self, number: int) -> None:
+        self._begin = len(self._recorder.calls)
+        with unnoted():
+            self._start = self._state()
+            self._before = Buffers.read(self._window.size()) if number else None
 
     def frame_ended(self, number: int) -> Any:
         """Hand the tape on, if this is the frame that was asked for."""
         if number != self._frame:
             return None
-        if not self._recorder.calls:
+        return self._used(None)
+
+    def _used(self, past: Past | None) -> Any:
+        calls = self._recorder.calls
+        if not calls:
             self._notices.append(f"{self._path}: has called nothing of OpenGL through PyOpenGL")
+        self._notices += [
+            f"{self._path}: {text}" for text in shown_otherwise(self._window, calls, self._begin)
+        ]
         with unnoted():
             tape = Tape(
-                self._recorder.calls, self._begin, self._start, self._window.size(),
-                self._notices, self._before,
-            )  # fmt: skip
+                calls,
+                self._begin,
+                self._start,
+                self._window.size(),
+                self._notices,
+                self._before,
+                past,
+            )
             return self._use(tape)
 
     def notice(self, text: str) -> None:
@@ -105,3 +136,87 @@ class _Taping(ExitStack):
             return state.read()
         except state.StateError:
             return {}  # without fixed function there is none to be read
+
+
+class _Following(_Taping):
+    """Notes besides what came before the frame (see past.py)."""
+
+    def __init__(
+        self, use: Callable[[Tape], Any], path: str, frame: int, edits: Edits | None
+    ) -> None:
+        super().__init__(use, path, frame, edits)
+        self._setters = Setters()
+        self._first: state.State = {}  # in which the first frame began to draw
+        self._now: state.State = {}  # in which this frame began to draw
+        self._previous: list[Call] = []
+        self._number = self._began = 0
+        self._images: Origins | None = None
+
+    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return what notes the calls of an OpenGL function."""
+        if self._images is None:  # the toolkit is imported by now, and the program not begun
+            self._images = self.enter_context(noted())
+        return super().make(name, function)
+
+    def opened(self, window: Window) -> None:
+        """Begin to record."""
+        super().opened(window)
+        self._chains, chained = chains_of(self._path, spec.draws)
+
+        def before(call: Call) -> None:
+            chained(call)
+            if not self._now and spec.draws(call.name):
+                with unnoted():
+                    self._now = self._state()
+                self._first = self._first or self._now
+
+        self._recorder.before = before
+
+    def frame_began(self, number: int) -> None:
+        """Forget the frames before this one, but for which calls set what."""
+        self._number = number
+        if number:
+            calls = self._recorder.calls
+            former = calls[self._began :] if number > 1 else list(calls)
+            for call in former:
+                self._setters.follow(call)
+            self._setters.forget(MOST_CHAINED)
+            self._previous = former
+            self._chains.clear()
+            self._now = {}
+        super().frame_began(number)
+        self._began = len(self._recorder.calls)
+
+    def frame_ended(self, number: int) -> Any:
+        """Hand the tape on, if this is the frame that was asked for."""
+        return None if number != self._frame else self._used(self._past(None))
+
+    def failed(self, error: BaseException) -> Any:
+        """Hand the tape on as far as it goes: OpenGL has refused a call, which ends the program."""
+        if not hasattr(error, "baseOperation"):
+            return None  # an error of another kind, which says itself what it is
+        if self._number != self._frame:
+            self._begin_tape(self._number)  # an earlier frame: only its calls are of use
+            self._begin = self._began if self._number else 0
+        return self._used(self._past(error))
+
+    def _past(self, error: BaseException | None) -> Past:
+        window = self._window
+        return Past(
+            window,
+            window.showing,
+            self._number,
+            self._path,
+            self._setters,
+            self._first,
+            self._now or self._start,
+            self._chains,
+            list(self._recorder.glu),
+            window.early_calls,
+            self._images or {},
+            self._previous,
+            error,
+        )
+
+
+MOST_CHAINED = 400  # calls of a matrix that are kept from frame to frame; chosen

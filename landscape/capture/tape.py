@@ -5,12 +5,15 @@ It can be drawn again in its context, whole or in part, and in a new one from th
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from landscape.capture.buffers import Buffers
 from landscape.capture.state import restore
 from landscape.capture.steps import Step, bind_again, issue, steps
 from landscape.gl.calls import Call
+
+if TYPE_CHECKING:
+    from landscape.capture.past import Past
 
 
 @dataclass
@@ -19,7 +22,7 @@ class Tape:
 
     ``start`` is the state in which it began (capture/state.py), ``size`` the picture's in pixels.
     ``notices`` are lines for the user; ``before`` is what the framebuffer held, where that may
-    matter.
+    matter; ``past`` says what came before, where somebody has asked for it.
     """
 
     calls: Sequence[Call]
@@ -28,6 +31,7 @@ class Tape:
     size: tuple[int, int]
     notices: list[str] = field(default_factory=list)
     before: Buffers | None = None
+    past: "Past | None" = None
 
     @property
     def frame(self) -> Sequence[Call]:

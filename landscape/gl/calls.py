@@ -22,11 +22,12 @@ import numpy as np
 
 from landscape.gl.client import ClientArrays, concerns_arrays, frozen, list_base
 from landscape.gl.drawing import drawing, drawn_now
-from landscape.gl.notes import Brief, Call, Edits, Site, caller, known_files, shown
+from landscape.gl.notes import Brief, Call, Edits, GluCall, Site, caller, known_files, shown
 
 __all__ = [
-    "Call", "Edits", "Listing", "Lists", "Recorder", "Site", "begin_pass", "briefly",
-    "drawing", "drawn_now", "edited", "frame_begins", "gl", "lists_now", "make_again", "noting",
+    "Call", "Edits", "GluCall", "Listing", "Lists", "Recorder", "Site", "begin_pass", "briefly",
+    "drawing", "drawn_now", "edited", "frame_begins", "gl", "glu_noted", "lists_now", "make_again",
+    "noting",
     "outermost", "recording", "replacing", "unnoted", "unrecorded", "use_lists",
 ]  # fmt: skip
 
@@ -110,6 +111,7 @@ class Recorder:
         self.brief: list[Brief] | None = None
         self.complete = complete
         self.client = ClientArrays()
+        self.glu: list[GluCall] = []
         self.before: Callable[[Call], None] | None = None
         self.after: Callable[[Call], None] | None = None
 
@@ -142,7 +144,8 @@ _lists: Lists = {}
 _open: Listing | None = None  # the display list that is being compiled
 _again: tuple[tuple[str, ...], str, Site] | None = None  # what made the call that is made again
 _inside = False  # whether a call of a program that does not know the seam is being made
-unrecorded: list[Callable[[str, Site], None]] = []  # told of such calls while there is no recording
+# Told of such calls while there is no recording: name, arguments, result and line.
+unrecorded: list[Callable[[str, tuple[Any, ...], Any, Site], None]] = []
 _begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
 current_pass = "setup"
 
@@ -326,9 +329,13 @@ def outermost(name: str, function: Callable[..., Any], draws: bool) -> Callable[
     def called(*args: Any, **named: Any) -> Any:
         global _inside
         if _inside or _recorder is None:
-            for told in unrecorded:
-                told(name, caller(sys._getframe(1)))
-            return function(*args, **named)
+            result = None
+            try:
+                result = function(*args, **named)
+            finally:
+                for told in unrecorded:
+                    told(name, (*args, *named.values()), result, caller(sys._getframe(1)))
+            return result
         if draws and current_pass == "setup" and _open is None:
             begin_pass("main")
         _inside = True
@@ -361,6 +368,28 @@ def briefly(
         brief.append((len(_recorder.calls), name, frame.f_code, frame.f_lasti, args))
         return result
 
+    return called
+
+
+def glu_noted(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function of GLU with a note of each call, beside those that it makes of OpenGL.
+
+    A call that has no effect is seen by that: gluPerspective with an aspect of 0, for instance.
+    """
+
+    def called(*args: Any, **named: Any) -> Any:
+        if _recorder is None or _open is not None:
+            return function(*args, **named)
+        calls = _recorder.calls
+        site = caller(sys._getframe(1))
+        note = GluCall(name, (*args, *named.values()), site, current_pass, len(calls), len(calls))
+        _recorder.glu.append(note)
+        try:
+            return function(*args, **named)
+        finally:
+            note.end = len(calls)
+
+    called.__name__, called.__doc__ = name, function.__doc__
     return called
 
 

@@ -12,7 +12,6 @@ by calls of their own, are passed to ``make`` by their own names, as if OpenGL h
 """
 
 import ctypes
-import functools
 import importlib
 import sys
 from collections.abc import Callable, Iterator
@@ -87,6 +86,7 @@ def patched(make: Make) -> Iterator[None]:
     import OpenGL.GL
     from OpenGL.arrays import vbo
 
+    from landscape.gl.calls import glu_noted
     from landscape.gl.executed_lists import taken_apart
     from landscape.gl.glu import FUNCTIONS
 
@@ -96,9 +96,7 @@ def patched(make: Make) -> Iterator[None]:
     def choose(module: str, name: str, value: Any) -> Any:
         if name in FUNCTIONS and module.startswith("OpenGL.GLU"):
             # One for each function replaced, so that each can be put back.
-            new: Any = functools.partial(FUNCTIONS[name])
-            new.__name__, new.__doc__ = name, FUNCTIONS[name].__doc__
-            return new
+            return glu_noted(name, FUNCTIONS[name])
         if not (_is_function(name, value) or name in OPAQUE) or hasattr(value, "__wrapped__"):
             return None
         name = _own_name(name, value)

@@ -125,6 +125,26 @@ class Call:
         return entry
 
 
+@dataclass(slots=True)
+class GluCall:
+    """A call of GLU, and which calls of OpenGL it made: those from ``begin`` up to ``end``.
+
+    They count the calls of the recording. Calls made for a display list are not noted.
+    """
+
+    name: str
+    args: tuple[Any, ...]
+    site: Site
+    pass_: str
+    begin: int
+    end: int
+
+    @property
+    def source(self) -> str:
+        """The line of code that made the call, as "file:line"."""
+        return f"{self.site.file}:{self.site.line}"
+
+
 Brief = tuple[int, str, CodeType, int, tuple[Any, ...]]
 """A short note of a call: how many calls the recorder had, the name, the code and the instruction
 that calls, and the arguments."""

@@ -68,6 +68,14 @@ def strip(target: Target, options: argparse.Namespace) -> int:
     return 0
 
 
+def why(target: Target, options: argparse.Namespace) -> int:
+    """Print why a frame shows what it shows, and what would mend it."""
+    from landscape.tools import why as reasons
+
+    found = reasons.find(target, options.pixel, language=options.lang, quiet=options.quiet)
+    return _print(options, found.as_json(options.lang), reasons.as_text(found, options.lang))
+
+
 def _print(options: argparse.Namespace, found: Any, lines: Iterable[str]) -> int:
     print(json.dumps(found, indent=1) if options.json else "\n".join(lines))
     return 0
@@ -78,4 +86,5 @@ RUN: dict[str, Callable[[Target, argparse.Namespace], int]] = {
     "pixel": pixel,
     "state": state,
     "strip": strip,
+    "why": why,
 }

@@ -1,4 +1,4 @@
-"""The options of the commands that look into a frame: trace, pixel, state, strip."""
+"""The options of the commands that look into a frame: trace, pixel, state, strip, why."""
 
 import argparse
 from collections.abc import Callable
@@ -17,7 +17,7 @@ LIMIT = (
     "docs/programs.md)"
 )
 # The commands that run a program: what follows `--` is for it.
-PROGRAMS = ("trace", "pixel", "state", "strip", "inspect")
+PROGRAMS = ("trace", "pixel", "state", "strip", "why", "inspect")
 EDITS = "change single OpenGL calls as this file says"
 PASS_NAMES = ("setup", "reflection", "main", "overlay")
 PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
@@ -29,6 +29,9 @@ AT = (
 DIFF = (
     "print what differs from --at (default: from the frame's beginning) to this call; an element "
     "without --at: what it leaves changed; initial: what --at differs in from a new context"
+)
+WRONG = (
+    "a pixel that should look otherwise, from the picture's top left; default: the whole picture"
 )
 
 Add = Callable[[str, str, str], argparse.ArgumentParser]
@@ -87,9 +90,15 @@ def add(
     _target(strip)
     _strip_options(strip)
     language(strip)
-    for sub in (trace, pixel, state):
+    why = command(
+        "why", "find out why a picture is black, or wrong, and name the cause", "program.py 400,300"
+    )
+    _target(why)
+    why.add_argument("pixel", nargs="?", type=_pixel, metavar="X,Y", help=WRONG)
+    language(why)
+    for sub in (trace, pixel, state, why):
         sub.add_argument("--json", action="store_true", help="print JSON")
-    for sub in (trace, pixel, state, strip):
+    for sub in (trace, pixel, state, strip, why):
         sub.add_argument("--frame", type=count, default=0, metavar="N", help=FRAME)
         sub.add_argument("--events", type=Path, metavar="FILE", help=EVENTS)
         sub.add_argument("--limit", type=seconds, metavar="SECONDS", help=LIMIT)

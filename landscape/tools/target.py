@@ -48,9 +48,11 @@ class Target:
         """Whether the name is the path of a program."""
         return self.name.endswith(".py")
 
-    def look(self, use: Callable[[Tape], T]) -> T:
+    def look(self, use: Callable[[Tape], T], past: bool = False) -> T:
         """Draw the frame and return what ``use`` makes of its tape, in its context.
 
+        ``past``: a program's tape says what came before the frame, too, and the frame may be one in
+        which it raises an error.
         InputError and NoOpenGLError as when a view is rendered.
         """
         edits = None
@@ -76,6 +78,7 @@ class Target:
                 self.limit,
                 self.arguments,
                 self.stdin,
+                past,
             )
         find_view(self.name)
         for what, value in (

@@ -211,6 +211,7 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "scenes": scenes,
     "settings": settings,
     "strip": lambda: in_code("landscape/tools/*.py"),
+    "why": lambda: in_code("landscape/why/*.py"),
     "window": lambda: in_code("landscape/window/*.py"),
     "film": lambda: in_code("landscape/film/*.py"),
     "course": lambda: (*in_code("landscape/course/*.py"), *in_lectures()),

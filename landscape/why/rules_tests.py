@@ -1,0 +1,688 @@
+"""Rules about fragments: what keeps those of a draw from the picture.
+
+For draws that show nothing each test is lifted alone: culling, the alpha, stencil, scissor and
+depth tests, the masks, blending, fog, clip planes. Then come tests that are missing, or that let
+the wrong fragments pass.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from landscape.gl.calls import Call, gl
+from landscape.why.geometry import against_neighbours
+from landscape.why.survey import Drawn, Survey
+from landscape.why.suspects import (
+    Suspect,
+    cap,
+    load,
+    matrix_of,
+    near_far,
+    off,
+    on,
+    perspective,
+    with_matrix,
+    with_planes,
+    with_state,
+)
+from landscape.why.trial import Action, Around, Change
+
+INVERT = [
+    ("glDisable", (0x0BE2,)),  # GL_BLEND
+    ("glEnable", (0x0BF2,)),  # GL_COLOR_LOGIC_OP
+    ("glLogicOp", (0x150A,)),  # GL_INVERT
+]
+
+
+def groups(survey: Survey) -> list[list[Drawn]]:
+    """Return the draws that show nothing, by function or line, and have fragments to show."""
+    return [
+        found for group in survey.hidden() if (found := [draw for draw in group if draw.covered])
+    ]
+
+
+def _of(draws: Sequence[Drawn], name: str, value: Any = True) -> list[Drawn]:
+    return [draw for draw in draws if draw.state.get(name) == value]
+
+
+def _setter(draws: Sequence[Drawn], name: str) -> Any:
+    return draws[0].setter(name)
+
+
+def lifted(survey: Survey) -> Iterator[Suspect]:
+    """Draws that show nothing, and the test that stops them."""
+    for group in groups(survey):
+        yield from _culled(survey, group)
+        yield from _tested(group)
+        yield from _depth(survey, group)
+        yield from _blended(group)
+        yield from _fogged(survey, group)
+
+
+def _tested(group: list[Drawn]) -> Iterator[Suspect]:
+    masked = [draw for draw in group if not any(draw.state["GL_COLOR_WRITEMASK"])]
+    group = [draw for draw in group if not draw.passed]
+    if mine := _of(group, "GL_ALPHA_TEST"):
+        ref = mine[0].state["GL_ALPHA_TEST_REF"]
+        yield Suspect(
+            "alpha-test",
+            _setter(mine, "GL_ALPHA_TEST"),
+            off("GL_ALPHA_TEST", mine),
+            84,
+            "GL_ALPHA_TEST",
+            True,
+            {"function": mine[0].state["GL_ALPHA_TEST_FUNC"], "reference": ref},
+            draws=mine,
+        )
+    if mine := [d for d in _of(group, "GL_STENCIL_TEST") if not _marks(d)]:
+        state = mine[0].state
+        yield Suspect(
+            "stencil-test",
+            _setter(mine, "GL_STENCIL_TEST"),
+            off("GL_STENCIL_TEST", mine),
+            84,
+            "GL_STENCIL_TEST",
+            True,
+            {"function": state["GL_STENCIL_FUNC"], "reference": state["GL_STENCIL_REF"]},
+            draws=mine,
+        )
+    if mine := _of(group, "GL_SCISSOR_TEST"):
+        yield Suspect(
+            "scissor-test",
+            _setter(mine, "GL_SCISSOR_TEST"),
+            off("GL_SCISSOR_TEST", mine),
+            86,
+            "GL_SCISSOR_TEST",
+            True,
+            {"box": mine[0].state["GL_SCISSOR_BOX"]},
+            draws=mine,
+        )
+    for plane in range(6):
+        if mine := _of(group, f"GL_CLIP_PLANE{plane}"):
+            yield Suspect(
+                "clip-plane",
+                _setter(mine, f"GL_CLIP_PLANE{plane}"),
+                off(f"GL_CLIP_PLANE{plane}", mine),
+                78,
+                f"GL_CLIP_PLANE{plane}",
+                True,
+                {"plane": plane},
+                draws=mine,
+            )
+    if masked and not any(draw.state["GL_STENCIL_TEST"] for draw in masked):
+        yield Suspect(
+            "color-mask",
+            _setter(masked, "GL_COLOR_WRITEMASK"),
+            with_state(["COLOR_BUFFER"], [("glColorMask", (True,) * 4)], masked),
+            74,
+            "GL_COLOR_WRITEMASK",
+            [False] * 4,
+            draws=masked,
+        )
+    if mine := _of(group, "GL_POLYGON_STIPPLE"):
+        yield Suspect(
+            "stipple",
+            _setter(mine, "GL_POLYGON_STIPPLE"),
+            off("GL_POLYGON_STIPPLE", mine),
+            70,
+            "GL_POLYGON_STIPPLE",
+            True,
+            draws=mine,
+        )
+
+
+def _marks(draw: Drawn) -> bool:
+    """Return whether a draw is there to mark pixels in the stencil buffer."""
+    return draw.state["GL_STENCIL_FUNC"] == "GL_NEVER" or draw.state["GL_STENCIL_FAIL"] != "GL_KEEP"
+
+
+def _culled(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
+    mine = [d for d in _of(group, "GL_CULL_FACE") if not d.passed]
+    mine = [d for d in mine if any(d.state["GL_COLOR_WRITEMASK"])]
+    if mine:
+        yield from _culling(survey, mine, 80)
+
+
+def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Suspect]:
+    """Yield why draws are culled: the camera inside, a mirrored matrix, or the winding."""
+    state = mine[0].state
+    lifted_ = off("GL_CULL_FACE", mine)
+    if state["GL_CULL_FACE_MODE"] != "GL_BACK":
+        yield Suspect(
+            "cull-front",
+            _setter(mine, "GL_CULL_FACE_MODE"),
+            with_state(["POLYGON"], [("glCullFace", (gl.GL_BACK,))], mine),
+            strength + 6,
+            "GL_CULL_FACE_MODE",
+            state["GL_CULL_FACE_MODE"],
+            draws=mine,
+        )
+    if state["GL_FRONT_FACE"] != "GL_CCW":
+        yield Suspect(
+            "front-face",
+            _setter(mine, "GL_FRONT_FACE"),
+            with_state(["POLYGON"], [("glFrontFace", (gl.GL_CCW,))], mine),
+            strength + 5,
+            "GL_FRONT_FACE",
+            state["GL_FRONT_FACE"],
+            draws=mine,
+        )
+    matrix = matrix_of(mine[0], "GL_MODELVIEW")
+    affine = np.allclose(matrix[:, 3], (0.0, 0.0, 0.0, 1.0))
+    if affine and np.linalg.det(matrix[:3, :3]) < 0:
+        scale = _negative_scale(mine[0])
+        yield Suspect(
+            "mirrored",
+            scale or mine[0].call,
+            lifted_,
+            strength + 7,
+            "GL_FRONT_FACE",
+            state["GL_FRONT_FACE"],
+            draws=mine,
+        )
+        return
+    if _inside(mine):
+        at = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
+        moves = [call for call in at if call.name.startswith("glTranslate")]
+        yield Suspect(
+            "inside",
+            moves[-1] if moves else mine[0].call,
+            lifted_,
+            strength + 4,
+            "GL_CULL_FACE",
+            True,
+            {"cull": _line(_setter(mine, "GL_CULL_FACE"))},
+            draws=mine,
+        )
+        return
+    yield Suspect(
+        "culled",
+        _setter(mine, "GL_CULL_FACE"),
+        lifted_,
+        strength,
+        "GL_CULL_FACE",
+        True,
+        {"winding": state["GL_FRONT_FACE"], "drawn": mine[0].call.site.line},
+        draws=mine,
+    )
+
+
+def _line(call: Any) -> int:
+    return call.site.line if call is not None else 0
+
+
+def _negative_scale(draw: Drawn) -> Any:
+    for call in reversed(draw.setters.chained.get("GL_MODELVIEW_MATRIX", [])):
+        if call.name.startswith("glScale") and np.prod([float(a) for a in call.args[:3]]) < 0:
+            return call
+    return None
+
+
+def _inside(draws: Sequence[Drawn]) -> bool:
+    """Return whether the eye is among a draw's vertices, on all sides of it."""
+    points = [draw.placed.eye[:, :3] for draw in draws if draw.placed is not None]
+    if not points:
+        return False
+    eye = np.concatenate(points)
+    low, high = eye.min(axis=0), eye.max(axis=0)
+    return bool(len(eye) > 7 and (low < 0).all() and (high > 0).all())
+
+
+def holes(survey: Survey) -> Iterator[Suspect]:
+    """Faces of a closed shape that are culled though nothing is in front of them."""
+    for draw in survey.shapes:
+        if not draw.state["GL_CULL_FACE"] or draw.vertices is None or not draw.covered:
+            continue
+        bad = against_neighbours(draw.vertices)
+        if bad and draw.vertices.places:
+            face = draw.vertices.faces[bad[0]]
+            first = draw.vertices.places[face[0]]
+            call = next(step.call for step in draw.steps if step.place == first)
+            yield Suspect(
+                "winding",
+                call,
+                off("GL_CULL_FACE", [draw]),
+                92,
+                "GL_CULL_FACE",
+                True,
+                {"faces": len(bad), "face": bad[0] + 1},
+                draws=[draw],
+            )
+        elif closed(draw) and draw.state["GL_DEPTH_TEST"] and not _inside([draw]):
+            # Lifting culling adds nothing to a closed shape that is wound the right way.
+            for suspect in _culling(survey, [draw], 76):
+                if suspect.cause == "culled":
+                    suspect.cause = "inside-out"
+                suspect.least = draw.covered // 8
+                yield suspect
+
+
+def closed(draw: Drawn) -> bool:
+    """Return whether a draw is a closed shape: a solid of GLUT, or one whose edges all meet."""
+    if draw.call.name.startswith("glutSolid"):
+        return True
+    found = draw.vertices
+    if found is None or found.mode not in ("GL_QUADS", "GL_TRIANGLES") or len(found.faces) < 4:
+        return False
+    keys = [tuple(np.round(p, 4).tolist()) for p in found.positions[:20_000]]
+    edges: dict[Any, int] = {}
+    for face in found.faces:
+        if max(face) >= len(keys):
+            return False
+        for a, b in zip(face, face[1:] + face[:1], strict=True):
+            if keys[a] != keys[b]:
+                pair = frozenset((keys[a], keys[b]))
+                edges[pair] = edges.get(pair, 0) + 1
+    return bool(edges) and all(count == 2 for count in edges.values())
+
+
+ODD = ("GL_NEVER", "GL_GREATER", "GL_GEQUAL", "GL_EQUAL", "GL_NOTEQUAL")
+
+
+def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
+    mine = _of(group, "GL_DEPTH_TEST")
+    if not mine:
+        return
+    state = mine[0].state
+    if state["GL_DEPTH_FUNC"] in ODD:
+        yield Suspect(
+            "depth-func",
+            _setter(mine, "GL_DEPTH_FUNC"),
+            with_state(["DEPTH_BUFFER"], [("glDepthFunc", (gl.GL_LEQUAL,))], mine),
+            88,
+            "GL_DEPTH_FUNC",
+            state["GL_DEPTH_FUNC"],
+            {"clear": state["GL_DEPTH_CLEAR_VALUE"]},
+            draws=mine,
+        )
+    cleared = [d for d in survey.draws if d.call.name == "glClear"]
+    if any(d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999 for d in cleared):
+        clear = next(d for d in cleared if d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999)
+        yield Suspect(
+            "clear-depth",
+            clear.setter("GL_DEPTH_CLEAR_VALUE"),
+            with_state(["DEPTH_BUFFER"], [("glClearDepth", (1.0,))], cleared),
+            90,
+            "GL_DEPTH_CLEAR_VALUE",
+            clear.state["GL_DEPTH_CLEAR_VALUE"],
+            draws=mine,
+        )
+    if list(state["GL_DEPTH_RANGE"]) != [0.0, 1.0]:
+        yield Suspect(
+            "depth-range",
+            _setter(mine, "GL_DEPTH_RANGE"),
+            with_state(["VIEWPORT"], [("glDepthRange", (0.0, 1.0))], mine),
+            75,
+            "GL_DEPTH_RANGE",
+            list(state["GL_DEPTH_RANGE"]),
+            draws=mine,
+        )
+    if survey.empty:
+        yield Suspect(
+            "depth-test",
+            _setter(mine, "GL_DEPTH_TEST"),
+            off("GL_DEPTH_TEST", mine),
+            60,
+            "GL_DEPTH_TEST",
+            True,
+            {"function": state["GL_DEPTH_FUNC"]},
+            draws=mine,
+        )
+
+
+def near_zero(survey: Survey) -> Iterator[Suspect]:
+    """A near plane at 0: all depths are the same, and the depth test lets nothing pass."""
+    mine = []
+    for draw in survey.shapes:
+        projection = draw.state["GL_PROJECTION_MATRIX"]
+        if perspective(projection) and draw.state["GL_DEPTH_TEST"]:
+            near, far = near_far(projection)
+            if not np.isfinite(near) or near <= 0 or near < abs(far) * 1e-6:
+                mine.append(draw)
+    if mine:
+        near, far = near_far(mine[0].state["GL_PROJECTION_MATRIX"])
+        far = far if np.isfinite(far) and far > 0 else 1000.0
+        yield Suspect(
+            "near-zero",
+            mine[0].setter("GL_PROJECTION_MATRIX"),
+            with_matrix(
+                "GL_PROJECTION",
+                lambda d: with_planes(d.state["GL_PROJECTION_MATRIX"], far / 1000, far),
+                mine,
+            ),
+            95,
+            "GL_PROJECTION_MATRIX",
+            near,
+            {"near": near if np.isfinite(near) else 0.0},
+            draws=mine,
+            everywhere=True,
+        )
+
+
+def _blended(group: list[Drawn]) -> Iterator[Suspect]:
+    group = [d for d in group if not d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
+    mine = [d for d in _of(group, "GL_BLEND") if d.passed and not d.changed]
+    if mine:
+        alpha = mine[0].state["GL_CURRENT_COLOR"][3]
+        clear = alpha < 0.02
+        yield Suspect(
+            "alpha-zero" if clear else "blend",
+            _setter(mine, "GL_CURRENT_COLOR" if clear else "GL_BLEND_SRC_RGB")
+            or _setter(mine, "GL_BLEND"),
+            off("GL_BLEND", mine),
+            80,
+            "GL_CURRENT_COLOR" if clear else "GL_BLEND_SRC_RGB",
+            alpha if clear else mine[0].state["GL_BLEND_SRC_RGB"],
+            {
+                "source": mine[0].state["GL_BLEND_SRC_RGB"],
+                "destination": mine[0].state["GL_BLEND_DST_RGB"],
+            },
+            draws=mine,
+        )
+    plain = [
+        d
+        for d in group
+        if d.passed
+        and not d.changed
+        and not d.state["GL_BLEND"]
+        and any(d.state["GL_COLOR_WRITEMASK"])
+    ]
+    if plain:
+        change = with_state(["COLOR_BUFFER", "ENABLE"], INVERT, plain)
+        color = [float(f"{c:.3g}") for c in plain[0].state["GL_CURRENT_COLOR"][:3]]
+        vertices = plain[0].vertices
+        given = vertices.color_calls if vertices is not None else []
+        yield Suspect(
+            "same-color",
+            given[0][1] if given else _setter(plain, "GL_CURRENT_COLOR"),
+            change,
+            62,
+            "GL_CURRENT_COLOR",
+            color,
+            {"n": sum(d.passed for d in plain)},
+            draws=plain,
+            source="" if given or _setter(plain, "GL_CURRENT_COLOR") else plain[0].call.source,
+        )
+
+
+def _fogged(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
+    mine = [d for d in _of(group, "GL_FOG") if d.passed]
+    if mine:
+        state = mine[0].state
+        linear = state["GL_FOG_MODE"] == "GL_LINEAR"
+        name = "GL_FOG_END" if linear else "GL_FOG_DENSITY"
+        span = mine[0].placed.distances if mine[0].placed is not None else (0.0, 0.0)
+        yield Suspect(
+            "fog",
+            _setter(mine, name) or _setter(mine, "GL_FOG"),
+            off("GL_FOG", mine),
+            82,
+            name,
+            state[name],
+            {"nearest": span[0], "farthest": span[1]},
+            draws=mine,
+        )
+
+
+def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
+    """No depth test in a frame with depth: what is drawn later lies on top."""
+    shapes = survey.shapes
+    if not shapes or any(draw.state["GL_DEPTH_TEST"] for draw in shapes):
+        return
+    solid = [draw for draw in shapes if perspective(draw.state["GL_PROJECTION_MATRIX"])]
+    solid = solid or [d for d in shapes if d.placed is not None and np.ptp(d.placed.clip[:, 2]) > 0]
+    if not solid:
+        return
+    bit = int(gl.GL_DEPTH_BUFFER_BIT)
+    clears = [d for d in survey.draws if d.call.name == "glClear" and int(d.call.args[0]) & bit]
+    actions: list[Action] = [
+        ("glEnable", (gl.GL_DEPTH_TEST,)),
+        ("glDepthFunc", (gl.GL_LEQUAL,)),
+        ("glDepthMask", (True,)),
+    ]
+    change = with_state(["ENABLE", "DEPTH_BUFFER"], actions, solid)
+    if not clears:
+        color = int(gl.GL_COLOR_BUFFER_BIT)
+        cleared = [d for d in survey.draws if d.call.name == "glClear"]
+        after = cleared[-1].place if cleared and int(cleared[-1].call.args[0]) & color else ""
+        clear = [("glClear", (gl.GL_DEPTH_BUFFER_BIT,))]
+        change |= Change(after={after: clear}) if after else Change(first=clear)
+    area = survey.base.shape[0] * survey.base.shape[1]
+    yield Suspect(
+        "no-depth-test",
+        None,
+        change,
+        87 if clears else 66,
+        "GL_DEPTH_TEST",
+        False,
+        draws=solid,
+        source=_opening(survey),
+        least=0 if clears else area // 50,
+    )
+
+
+def _opening(survey: Survey) -> str:
+    """Return the line where something could be switched on: that of the setup's first call."""
+    calls = survey.tape.calls
+    return calls[0].source if calls else ""
+
+
+def translucent_first(survey: Survey) -> Iterator[Suspect]:
+    """A translucent shape that writes depth, and hides what is drawn behind it later."""
+    glasses = [
+        d
+        for d in survey.shapes
+        if d.state["GL_BLEND"]
+        and d.state["GL_DEPTH_TEST"]
+        and d.state["GL_DEPTH_WRITEMASK"]
+        and 0.0 < _alpha(d) < 0.99
+        and d.passed
+        and d.state["GL_BLEND_DST_RGB"] not in ("GL_ZERO",)
+    ]
+    for glass in glasses[:20]:
+        later = [d for d in survey.shapes if d.index > glass.index and d.state["GL_DEPTH_TEST"]]
+        opaque = [d for d in later if _alpha(d) >= 0.99 or not d.state["GL_BLEND"]]
+        if not opaque:
+            continue
+        yield Suspect(
+            "translucent-first",
+            glass.call,
+            with_state(["DEPTH_BUFFER"], [("glDepthMask", (False,))], [glass]),
+            86,
+            "GL_DEPTH_WRITEMASK",
+            True,
+            {"alpha": round(_alpha(glass), 3), "later": opaque[0].call.site.line},
+            draws=[glass],
+            least=sum(d.passed for d in glasses if d.chain == glass.chain) // 7,
+        )
+
+
+def _alpha(draw: Drawn) -> float:
+    if draw.vertices is not None and draw.vertices.colors:
+        given = [color[3] if len(color) > 3 else 1.0 for color in draw.vertices.colors]
+        return float(np.mean(given))
+    return float(draw.state["GL_CURRENT_COLOR"][3])
+
+
+def blend_missing(survey: Survey) -> Iterator[Suspect]:
+    """A translucent colour without blending."""
+    mine = [
+        d
+        for d in survey.shapes
+        if not d.state["GL_BLEND"]
+        and 0.0 <= _alpha(d) < 0.99
+        and d.passed
+        and not d.state["GL_LIGHTING"]
+        and not d.state["GL_ALPHA_TEST"]
+    ]
+    if not mine or any(d.state["GL_BLEND"] for d in survey.shapes):
+        return
+    setter = mine[0].setter("GL_BLEND_SRC_RGB") or mine[0].setter("GL_BLEND_DST_RGB")
+    actions: list[Action] = [("glEnable", (gl.GL_BLEND,))]
+    if setter is None:
+        actions.append(("glBlendFunc", (gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)))
+    yield Suspect(
+        "no-blend",
+        setter or mine[0].setter("GL_CURRENT_COLOR") or mine[0].call,
+        with_state(["ENABLE", "COLOR_BUFFER"], actions, mine),
+        88 if setter else 58,
+        "GL_BLEND",
+        False,
+        {"alpha": round(_alpha(mine[0]), 3)},
+        draws=mine,
+    )
+
+
+def overdrawn(survey: Survey) -> Iterator[Suspect]:
+    """A draw that covers all that was drawn before it."""
+    area = survey.base.shape[0] * survey.base.shape[1]
+    shapes = survey.shapes
+    for last in shapes[1:][-3:]:
+        if last.passed < 0.9 * area or last.state["GL_BLEND"]:
+            continue
+        before = [d for d in shapes if d.index < last.index and d.passed and d.changed != 0]
+        clears = [d for d in survey.draws if d.index < last.index and d.call.name == "glClear"]
+        if not before or not clears:
+            continue
+        moved = Change(
+            after={clears[-1].place: [_again(last)]},
+            instead={step.place: () for step in last.steps if step.place},
+        )
+        yield Suspect(
+            "overdrawn",
+            last.call,
+            moved,
+            64,
+            values={"draws": len(before)},
+            draws=before,
+        )
+
+
+def _again(draw: Drawn) -> Any:
+    def act() -> None:
+        modelview, projection = (
+            np.array(gl.glGetDoublev(cap(f"GL_{mode}_MATRIX"))) for mode in MODES
+        )
+        gl.glPushAttrib(gl.GL_ALL_ATTRIB_BITS)
+        for mode in MODES:
+            load(f"GL_{mode}", draw.state[f"GL_{mode}_MATRIX"])()
+        gl.glColor4f(*draw.state["GL_CURRENT_COLOR"])
+        for name in ("GL_DEPTH_TEST", "GL_LIGHTING", "GL_BLEND"):
+            (gl.glEnable if draw.state[name] else gl.glDisable)(cap(name))
+        gl.glDepthMask(False)
+        draw.draw.issue()
+        gl.glPopAttrib()
+        load("GL_MODELVIEW", modelview)()
+        load("GL_PROJECTION", projection)()
+
+    return act
+
+
+MODES = ("MODELVIEW", "PROJECTION")
+
+
+def viewports(survey: Survey) -> Iterator[Suspect]:
+    """A viewport without area, or beside the window."""
+    width, height = survey.tape.size
+    mine = []
+    for draw in survey.shapes:
+        x, y, w, h = draw.state["GL_VIEWPORT"]
+        if w <= 0 or h <= 0 or x >= width or y >= height or x + w <= 0 or y + h <= 0:
+            mine.append(draw)
+    if mine:
+        box = [int(v) for v in mine[0].state["GL_VIEWPORT"]]
+        yield Suspect(
+            "viewport",
+            mine[0].setter("GL_VIEWPORT"),
+            with_state(["VIEWPORT"], [("glViewport", (0, 0, width, height))], mine),
+            96,
+            "GL_VIEWPORT",
+            box,
+            {"box": box, "width": width, "height": height},
+            draws=mine,
+            everywhere=True,
+        )
+
+
+def other_target(survey: Survey) -> Iterator[Suspect]:
+    """Draws into a framebuffer that no one shows, or in a mode that draws nothing."""
+    mine = [d for d in survey.shapes if d.state.get("GL_RENDER_MODE") not in (None, "GL_RENDER")]
+    if mine:
+        yield Suspect(
+            "render-mode",
+            mine[0].setter("GL_RENDER_MODE"),
+            Change(before={mine[0].place: [("glRenderMode", (gl.GL_RENDER,))]}),
+            90,
+            "GL_RENDER_MODE",
+            mine[0].state["GL_RENDER_MODE"],
+            draws=mine,
+        )
+    start = survey.tape.start.get("GL_DRAW_FRAMEBUFFER_BINDING", 0)
+    name = "GL_DRAW_FRAMEBUFFER_BINDING"
+    aside = [d for d in survey.draws if d.state.get(name) != start]
+    if aside and aside[-1] is survey.draws[-1]:
+        yield Suspect(
+            "framebuffer",
+            aside[-1].setter(name),
+            Change(
+                around=(
+                    Around(
+                        0,
+                        [("glBindFramebuffer", (gl.GL_FRAMEBUFFER, int(start)))],
+                        frozenset(d.place for d in aside),
+                        [("glBindFramebuffer", (gl.GL_FRAMEBUFFER, aside[-1].state[name]))],
+                    ),
+                )
+            ),
+            72,
+            name,
+            aside[-1].state[name],
+            draws=aside,
+            everywhere=True,
+        )
+
+
+def wireframe(survey: Survey) -> Iterator[Suspect]:
+    """Lines or points instead of faces: the polygon mode of something else, left on."""
+    shapes = survey.shapes
+    modes = [tuple(d.state["GL_POLYGON_MODE"]) for d in shapes]
+    filled = ("GL_FILL", "GL_FILL")
+    if not shapes or modes[0] != filled or set(modes) == {filled}:
+        return
+    setters: dict[int, tuple[Call, list[Drawn]]] = {}
+    for draw, mode in zip(shapes, modes, strict=True):
+        setter = draw.setter("GL_POLYGON_MODE")
+        if mode != filled and setter is not None:
+            setters.setdefault(id(setter), (setter, []))[1].append(draw)
+    for setter, draws in setters.values():
+        own = [d for d in draws if d.call.site.function == setter.site.function]
+        others = [d for d in draws if d.call.site.function != setter.site.function]
+        if own and others and others[0].index > own[0].index:
+            yield Suspect(
+                "wireframe",
+                setter,
+                with_state(
+                    ["POLYGON"], [("glPolygonMode", (gl.GL_FRONT_AND_BACK, gl.GL_FILL))], others
+                ),
+                76,
+                "GL_POLYGON_MODE",
+                list(others[0].state["GL_POLYGON_MODE"]),
+                {"function": setter.site.function, "later": others[0].call.site.line},
+                draws=others,
+            )
+
+
+RULES = (
+    lifted,
+    holes,
+    near_zero,
+    missing_depth_test,
+    translucent_first,
+    blend_missing,
+    overdrawn,
+    viewports,
+    other_target,
+    wireframe,
+)
+__all__ = ["RULES", "on"]

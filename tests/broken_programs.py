@@ -1,0 +1,404 @@
+"""Small programs with one mistake each, and the same programs without it.
+
+A case is a body of code in a frame of a toolkit. ``BROKEN`` gives for each the causes that
+`landscape why` may name first, and what mends it: a text of the body and what takes its place.
+"""
+
+from dataclasses import dataclass
+
+GLFW = """\
+import ctypes
+import glfw
+import numpy as np
+from OpenGL.GL import *
+from OpenGL.GLU import *
+
+glfw.init()
+window = glfw.create_window(240, 180, "case", None, None)
+glfw.make_context_current(window)
+{setup}
+while not glfw.window_should_close(window):
+{draw}
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+glfw.terminate()
+"""
+CAMERA = """\
+glEnable(GL_DEPTH_TEST)
+glMatrixMode(GL_PROJECTION)
+gluPerspective(45, 240 / 180, 0.5, 50)
+glMatrixMode(GL_MODELVIEW)
+"""
+BEGIN = """\
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+glLoadIdentity()
+glTranslatef(0, 0, -5)
+"""
+QUAD = """\
+glBegin(GL_QUADS)
+for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+    glVertex3f(x, y, 0)
+glEnd()
+"""
+BEHIND = """\
+glColor3f(0.2, 0.3, 0.4)
+glRectf(-3, -2, 3, -1.5)
+"""
+TEXTURED = """\
+glBegin(GL_QUADS)
+for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)):
+    glTexCoord2f(s, t)
+    glVertex3f(2 * s - 1, 2 * t - 1, 0)
+glEnd()
+"""
+IMAGE = """\
+image = np.zeros((32, 32, 3), np.uint8)
+image[::4] = 255
+image[:16, :16] = (200, 100, 50)
+glBindTexture(GL_TEXTURE_2D, glGenTextures(1))
+glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR)
+glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 32, 32, 0, GL_RGB, GL_UNSIGNED_BYTE, image)
+"""
+BALL = """\
+ball = gluNewQuadric()
+"""
+FLAT = "gluOrtho2D(0, 240, 0, 180)\n"
+CLEAR = "glClear(GL_COLOR_BUFFER_BIT)\n"
+CUBE = """\
+corners = ((-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1),
+           (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))
+faces = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (0, 4, 7, 3), (1, 2, 6, 5)]
+normals = [(0, 0, -1), (0, 0, 1), (0, -1, 0), (0, 1, 0), (-1, 0, 0), (1, 0, 0)]
+
+
+def cube():
+    glBegin(GL_QUADS)
+    for k in range(6):
+        glColor3f(0.2 + 0.1 * k, 0.9 - 0.1 * k, 0.5)
+        glNormal3fv(normals[k])
+        for corner in faces[k]:
+            glVertex3fv(corners[corner])
+    glEnd()
+
+
+"""
+TURNED = "glRotatef(30, 1, 1, 0)\ncube()\n"
+LIGHT = "glEnable(GL_LIGHTING)\nglEnable(GL_LIGHT0)\n"
+
+
+@dataclass(frozen=True)
+class Case:
+    """A program: what is set up, what each frame draws, and how the mistake is mended."""
+
+    causes: tuple[str, ...]
+    setup: str
+    draw: str
+    mend: tuple[str, str]
+    frame: int = 0
+    pixel: tuple[int, int] | None = None
+
+    def source(self, mended: bool = False) -> str:
+        """Return the program."""
+        text = GLFW.format(
+            setup=self.setup,
+            draw="".join(f"    {line}\n" for line in self.draw.splitlines()),
+        )
+        if mended:
+            assert text.count(self.mend[0]) >= 1, self.mend[0]
+            text = text.replace(*self.mend)
+        return text
+
+
+BROKEN = {
+    "behind": Case(
+        ("behind",), CAMERA, BEGIN.replace("-5", "5") + QUAD, ("(0, 0, 5)", "(0, 0, -5)")
+    ),
+    "near": Case(
+        ("beyond-near",), CAMERA.replace("0.5, 50", "8, 50"), BEGIN + QUAD, ("8, 50", "1, 50")
+    ),
+    "far": Case(
+        ("beyond-far",), CAMERA.replace("0.5, 50", "0.5, 3"), BEGIN + QUAD, ("0.5, 3)", "0.5, 30)")
+    ),
+    "near zero": Case(
+        ("near-zero",), CAMERA.replace("0.5, 50", "0, 50"), BEGIN + QUAD, ("0, 50)", "0.1, 50)")
+    ),
+    "radians": Case(
+        ("fovy-radians",), CAMERA.replace("(45", "(0.785"), BEGIN + QUAD, ("0.785", "45")
+    ),
+    "no projection": Case(
+        ("no-projection",),
+        "",
+        CLEAR + "glRectf(60, 40, 200, 150)\n",
+        ("(60, 40, 200, 150)", "(-0.5, -0.5, 0.5, 0.5)"),
+    ),
+    "wiped": Case(
+        ("projection-wiped", "behind", "no-projection"),
+        CAMERA.replace("glMatrixMode(GL_MODELVIEW)\n", ""),
+        BEGIN + QUAD,
+        ("50)\n", "50)\nglMatrixMode(GL_MODELVIEW)\n"),
+    ),
+    "multiplied": Case(
+        ("accumulated",),
+        "glMatrixMode(GL_PROJECTION)\n",
+        "glMatrixMode(GL_PROJECTION)\ngluPerspective(45, 4 / 3, 1, 50)\n"
+        "glMatrixMode(GL_MODELVIEW)\n" + BEGIN + QUAD,
+        ("gluPerspective", "glLoadIdentity()\n    gluPerspective"),
+        frame=5,
+    ),
+    "up": Case(
+        ("look-at-up",),
+        CAMERA,
+        "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)\nglLoadIdentity()\n"
+        "gluLookAt(0, 6, 0, 0, 0, 0, 0, 1, 0)\nglRotatef(90, 1, 0, 0)\n" + QUAD,
+        ("0, 1, 0)\n    glRot", "0, 0, -1)\n    glRot"),
+    ),
+    "rows": Case(
+        ("transposed",),
+        CAMERA + "move = np.eye(4, dtype=np.float32)\nmove[:3, 3] = 0, 0, -5\n",
+        "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)\nglLoadMatrixf(move)\n" + QUAD,
+        ("glLoadMatrixf(move)", "glLoadMatrixf(move.T.copy())"),
+    ),
+    "flattened": Case(
+        ("zero-scale",), CAMERA, BEGIN + "glScalef(1, 0, 1)\n" + QUAD, ("(1, 0, 1)", "(1, 1, 1)")
+    ),
+    "texture mode": Case(
+        ("matrix-mode",),
+        CAMERA,
+        BEGIN
+        + BEHIND
+        + "glMatrixMode(GL_TEXTURE)\nglTranslatef(0, 0, -2)\nglColor3f(1, 1, 0)\n"
+        + QUAD
+        + "glMatrixMode(GL_MODELVIEW)\n",
+        ("GL_TEXTURE)", "GL_MODELVIEW)"),
+    ),
+    "viewport": Case(
+        ("viewport",),
+        FLAT + "glViewport(0, 0, 0, 0)\n",
+        CLEAR + "glRectf(60, 40, 200, 150)\n",
+        ("(0, 0, 0, 0)", "(0, 0, 240, 180)"),
+    ),
+    "not a number": Case(
+        ("nan",),
+        CAMERA,
+        BEGIN + BEHIND + QUAD.replace("0)", "float('nan'))"),
+        ("float('nan')", "0.0"),
+    ),
+    "three corners": Case(
+        ("too-few-vertices",),
+        FLAT,
+        CLEAR
+        + BEHIND.replace("-3, -2, 3, -1.5", "0, 0, 240, 20")
+        + "glBegin(GL_QUADS)\nfor p in ((60, 40), (200, 40), (130, 150)):\n    glVertex2f(*p)\n"
+        + "glEnd()\n",
+        ("GL_QUADS", "GL_TRIANGLES"),
+    ),
+    "outside begin": Case(
+        ("outside-begin",),
+        FLAT,
+        CLEAR + "for p in ((60, 40), (200, 40), (130, 150)):\n    glVertex2f(*p)\n",
+        (
+            "for p in",
+            "glRectf(60, 40, 200, 150)\n    for p in ():\n        pass\n    for p in () and",
+        ),
+    ),
+    "enable inside": Case(
+        ("inside-begin",),
+        FLAT,
+        CLEAR + "glBegin(GL_TRIANGLES)\nglEnable(GL_BLEND)\n"
+        "for p in ((60, 40), (200, 40), (130, 150)):\n    glVertex2f(*p)\nglEnd()\n",
+        ("    glEnable(GL_BLEND)\n", ""),
+    ),
+    "depth to 0": Case(
+        ("clear-depth",), CAMERA + "glClearDepth(0.0)\n", BEGIN + QUAD, ("(0.0)", "(1.0)")
+    ),
+    "depth equal": Case(
+        ("depth-func",),
+        CAMERA + "glDepthFunc(GL_GEQUAL)\n",
+        BEGIN + BEHIND,
+        ("GL_GEQUAL", "GL_LEQUAL"),
+    ),
+    "depth stays": Case(
+        ("no-depth-clear", "accumulated"),
+        CAMERA + "x = 0\n",
+        BEGIN.replace(" | GL_DEPTH_BUFFER_BIT", "").replace("0, 0, -5", "0.2 * x, 0, -5 - x")
+        + QUAD
+        + "x += 1\n",
+        ("glClear(GL_COLOR_BUFFER_BIT)", "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)"),
+        frame=3,
+    ),
+    "culled side": Case(
+        ("cull-front",),
+        CAMERA + CUBE + "glEnable(GL_CULL_FACE)\nglCullFace(GL_FRONT)\n",
+        BEGIN + TURNED,
+        ("GL_FRONT)", "GL_BACK)"),
+    ),
+    "clockwise": Case(
+        ("front-face", "culled"),
+        CAMERA + "glEnable(GL_CULL_FACE)\nglFrontFace(GL_CW)\n",
+        BEGIN + BEHIND + QUAD,
+        ("GL_CW", "GL_CCW"),
+    ),
+    "alpha": Case(
+        ("alpha-test",),
+        FLAT + "glEnable(GL_ALPHA_TEST)\nglAlphaFunc(GL_GREATER, 0.5)\n",
+        CLEAR + "glColor4f(1, 1, 1, 1)\nglRectf(0, 0, 240, 20)\nglColor4f(1, 0, 0, 0.3)\n"
+        "glRectf(60, 40, 200, 150)\n",
+        ("0.3)", "0.9)"),
+    ),
+    "masked": Case(
+        ("color-mask", "leak"),
+        FLAT,
+        CLEAR + "glRectf(0, 0, 240, 20)\nglColorMask(False, False, False, False)\n"
+        "glRectf(60, 40, 200, 150)\nglColorMask(True, True, True, True)\n",
+        ("False, False, False, False", "True, True, True, False"),
+    ),
+    "transparent": Case(
+        ("alpha-zero",),
+        FLAT + "glEnable(GL_BLEND)\nglBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)\n",
+        CLEAR + "glColor4f(1, 1, 1, 1)\nglRectf(0, 0, 240, 20)\nglColor4f(1, 0, 0, 0)\n"
+        "glRectf(60, 40, 200, 150)\n",
+        ("(1, 0, 0, 0)", "(1, 0, 0, 0.5)"),
+    ),
+    "black on black": Case(
+        ("same-color",),
+        FLAT,
+        CLEAR + "glColor3f(0, 0, 0)\nglRectf(60, 40, 200, 150)\n",
+        ("(0, 0, 0)", "(1, 0, 0)"),
+    ),
+    "fog": Case(
+        ("fog",),
+        CAMERA + "glEnable(GL_FOG)\nglFogi(GL_FOG_MODE, GL_LINEAR)\nglFogf(GL_FOG_START, 1)\n"
+        "glFogf(GL_FOG_END, 3)\n",
+        BEGIN + QUAD,
+        ("END, 3)", "END, 30)"),
+    ),
+    "covered": Case(
+        ("overdrawn",),
+        FLAT,
+        CLEAR + "glColor3f(1, 0, 0)\nglRectf(60, 40, 200, 150)\nglColor3f(0, 0, 1)\n"
+        "glRectf(0, 0, 240, 180)\n",
+        ("(0, 0, 240, 180)", "(0, 0, 240, 30)"),
+    ),
+    "dark room": Case(
+        ("light-off",),
+        CAMERA + CUBE + "glEnable(GL_LIGHTING)\nglEnable(GL_COLOR_MATERIAL)\n",
+        BEGIN + TURNED,
+        ("glEnable(GL_LIGHTING)", "glEnable(GL_LIGHTING)\nglEnable(GL_LIGHT0)"),
+    ),
+    "second light": Case(
+        ("light-black",),
+        CAMERA + CUBE + "glEnable(GL_LIGHTING)\nglEnable(GL_LIGHT1)\nglEnable(GL_COLOR_MATERIAL)\n",
+        BEGIN + TURNED,
+        ("GL_LIGHT1", "GL_LIGHT0"),
+    ),
+    "no normals": Case(
+        ("no-normals",),
+        CAMERA
+        + CUBE.replace("        glNormal3fv(normals[k])\n", "")
+        + LIGHT
+        + "glEnable(GL_COLOR_MATERIAL)\n",
+        BEGIN + TURNED,
+        ("    for k in range(6):\n", "    for k in range(6):\n        glNormal3fv(normals[k])\n"),
+    ),
+    "long normals": Case(
+        ("normals-length",),
+        CAMERA + CUBE + LIGHT + "glEnable(GL_COLOR_MATERIAL)\n",
+        BEGIN + "glScalef(0.2, 0.2, 0.2)\n" + TURNED,
+        ("glEnable(GL_LIGHT0)", "glEnable(GL_LIGHT0)\nglEnable(GL_NORMALIZE)"),
+    ),
+    "light behind": Case(
+        ("light-far-side",),
+        CAMERA
+        + CUBE
+        + LIGHT
+        + "glEnable(GL_COLOR_MATERIAL)\nglLightfv(GL_LIGHT0, GL_POSITION, (0, 0, -1, 0))\n",
+        BEGIN + "cube()\n",
+        ("(0, 0, -1, 0)", "(0, 0, 1, 0)"),
+    ),
+    "incomplete": Case(
+        ("texture-incomplete",),
+        CAMERA
+        + IMAGE.replace("glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR)\n", "")
+        + "glEnable(GL_TEXTURE_2D)\n",
+        BEGIN + TEXTURED,
+        (
+            "glTexImage2D",
+            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR)\nglTexImage2D",
+        ),
+    ),
+    "not bound": Case(
+        ("texture-not-bound", "texture-incomplete"),
+        CAMERA
+        + IMAGE
+        + "glEnable(GL_TEXTURE_2D)\nglBindTexture(GL_TEXTURE_2D, glGenTextures(1))\n",
+        BEGIN + TEXTURED,
+        (
+            "glEnable(GL_TEXTURE_2D)\nglBindTexture(GL_TEXTURE_2D, glGenTextures(1))",
+            "glEnable(GL_TEXTURE_2D)",
+        ),
+    ),
+    "texture left on": Case(
+        ("texture-left",),
+        CAMERA + IMAGE,
+        BEGIN
+        + "glEnable(GL_TEXTURE_2D)\nglColor3f(1, 1, 1)\n"
+        + TEXTURED
+        + "glColor3f(0, 1, 0)\nglTranslatef(1.5, 0, 0)\n"
+        + QUAD,
+        ("glTranslatef(1.5", "glDisable(GL_TEXTURE_2D)\n    glTranslatef(1.5"),
+        pixel=(180, 90),
+    ),
+    "black times": Case(
+        ("texture-times-black",),
+        CAMERA + IMAGE + "glEnable(GL_TEXTURE_2D)\n",
+        BEGIN + "glColor3f(0, 0, 0)\n" + TEXTURED,
+        ("(0, 0, 0)\n    glBegin", "(1, 1, 1)\n    glBegin"),
+    ),
+    "stride": Case(
+        ("stride",),
+        FLAT
+        + "data = np.array([[60, 40, 1, 0, 0], [200, 40, 0, 1, 0], [130, 150, 0, 0, 1]])\n"
+        + "data = data.astype(np.float32)\n"
+        "glBindBuffer(GL_ARRAY_BUFFER, glGenBuffers(1))\n"
+        "glBufferData(GL_ARRAY_BUFFER, data.nbytes, data, GL_STATIC_DRAW)\n"
+        "glEnableClientState(GL_VERTEX_ARRAY)\nglVertexPointer(2, GL_FLOAT, 8, None)\n",
+        CLEAR + "glDrawArrays(GL_TRIANGLES, 0, 3)\n",
+        ("GL_FLOAT, 8,", "GL_FLOAT, 20,"),
+    ),
+    "wide indices": Case(
+        ("index-type",),
+        FLAT + "data = np.array([[60, 40], [200, 40], [200, 150], [60, 150]], np.float32)\n"
+        "order = np.array([0, 1, 2, 0, 2, 3])\n"
+        "glBindBuffer(GL_ARRAY_BUFFER, glGenBuffers(1))\n"
+        "glBufferData(GL_ARRAY_BUFFER, data.nbytes, data, GL_STATIC_DRAW)\n"
+        "glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, glGenBuffers(1))\n"
+        "glBufferData(GL_ELEMENT_ARRAY_BUFFER, order.nbytes, order, GL_STATIC_DRAW)\n"
+        "glEnableClientState(GL_VERTEX_ARRAY)\nglVertexPointer(2, GL_FLOAT, 0, None)\n",
+        CLEAR + "glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, None)\n",
+        ("[0, 1, 2, 0, 2, 3]", "[0, 1, 2, 0, 2, 3], np.uint32"),
+    ),
+    "empty list": Case(
+        ("list-unknown",),
+        FLAT
+        + "shape = glGenLists(2)\nglNewList(shape + 1, GL_COMPILE)\nglRectf(60, 40, 200, 150)\n"
+        + "glEndList()\n",
+        CLEAR + "glCallList(shape)\n",
+        ("glCallList(shape)", "glCallList(shape + 1)"),
+    ),
+    "bytes": Case(
+        ("color-range-bytes",),
+        FLAT,
+        CLEAR + "glColor3ub(1, 1, 0)\nglRectf(60, 40, 200, 150)\n",
+        ("glColor3ub", "glColor3f"),
+    ),
+    "push": Case(
+        ("push-without-pop", "not-undone"),
+        CAMERA,
+        BEGIN
+        + "glPushMatrix()\nglTranslatef(0, 0, 2)\n"
+        + QUAD
+        + "glTranslatef(0, 0, -1)\n"
+        + BEHIND,
+        ("glTranslatef(0, 0, -1)", "glPopMatrix()"),
+    ),
+}

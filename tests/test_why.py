@@ -1,0 +1,58 @@
+"""`landscape why`: small programs with one mistake each, and the same programs without it."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from broken_programs import BROKEN
+
+from landscape.languages import LANGUAGES
+from landscape.why.findings import CAUSES, IDS, WORDS
+
+ROOT = Path(__file__).resolve().parents[1]
+CHILD = """
+import json, sys
+from landscape.tools.target import Target
+from landscape.tools.why import find
+path, frame, pixel = json.loads(sys.argv[1])
+found = find(Target(path, frame=frame), tuple(pixel) if pixel else None, limit=60.0)
+print(json.dumps(found.as_json("en"), default=str))
+"""
+
+
+def why(path: Path, frame: int = 0, pixel: tuple[int, int] | None = None) -> dict:
+    """Return what `landscape why --json` prints, by a process of its own."""
+    asked = json.dumps([str(path), frame, pixel])
+    done = subprocess.run(
+        [sys.executable, "-c", CHILD, asked],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+@pytest.mark.sweep(4)
+@pytest.mark.parametrize("name", BROKEN)
+def test_the_mistake_is_named_and_its_absence_too(name, tmp_path):
+    case = BROKEN[name]
+    (tmp_path / "broken.py").write_text(case.source())
+    (tmp_path / "mended.py").write_text(case.source(mended=True))
+    found = why(tmp_path / "broken.py", case.frame, case.pixel)
+    assert found["causes"] and found["causes"][0]["cause"] in case.causes, found
+    first = found["causes"][0]
+    assert first["pixels"] > 0 and first["source"].startswith("broken.py:")
+    assert why(tmp_path / "mended.py", case.frame, case.pixel)["causes"] == []
+
+
+def test_every_cause_has_its_texts_and_stands_in_the_documentation():
+    written = (ROOT / "docs" / "why.md").read_text(encoding="utf-8")
+    for cause in IDS:
+        assert f"{cause}.mend" in CAUSES
+        assert f"| `{cause}` |" in written, cause
+    assert "fr" in LANGUAGES and "visible" in WORDS
