@@ -391,6 +391,10 @@ OPENED = {
         "pygame",
     ),
     "Tk, with GLUT's letters": ("import tkinter\nfrom OpenGL.GLUT import *\nglutInit()\n", ""),
+    "Qt, with GLUT's letters": (
+        "from PyQt6.QtOpenGLWidgets import QOpenGLWidget\nfrom OpenGL.GLUT import *\nglutInit()\n",
+        "qt",
+    ),
     "pygame, with a dialogue of Tk": (
         "import tkinter, pygame\npygame.display.set_mode((9, 9), pygame.OPENGL)\n",
         "pygame",
@@ -415,8 +419,8 @@ def test_a_window_may_be_opened_by_a_file_beside_the_program(tmp_path: Path) -> 
 
 OTHERS = {
     "import pyglet": "opens its window with pyglet; programs can be looked into that open it with "
-    "GLFW, GLUT or pygame; it may also call OpenGL by pyglet, past PyOpenGL",
-    "from PyQt5.QtWidgets import QOpenGLWidget": "opens its window with Qt; programs can be",
+    "GLFW, GLUT or pygame, or draw in a QOpenGLWidget; it may also call OpenGL by pyglet, past",
+    "from PyQt5.QtOpenGL import QGLWidget": "opens its window with Qt; programs can be",
     "import pyopengltk": "opens its window with Tk; programs can be",
     "import wx.glcanvas\nfrom OpenGL.GLUT import *": "opens its window with wxPython; programs",
     "import moderngl_window": "opens its window with moderngl-window; programs",

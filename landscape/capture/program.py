@@ -70,7 +70,7 @@ class Window:
     ``early``: the first function that was called without a context, in vain, and the line.
     """
 
-    toolkit: str  # glfw, glut or pygame
+    toolkit: str  # glfw, glut, pygame or qt
     backend: str  # osmesa, egl or cgl: without a screen; glfw: on one
     size: Callable[[], tuple[int, int]]
     double_buffered: bool = True
@@ -435,10 +435,8 @@ def run(
     limit = LIMIT if limit is None else limit
     source = read_source(Path(path))
     state = Run(source, frame, read_events(events), backend, observer, live, host)
-    if host is not None and source.toolkit in ("glut", "pygame"):
-        raise ProgramError(
-            f"{source.path}: a lecture shows GLFW programs; `landscape inspect` shows this one"
-        )
+    if host is not None and source.toolkit in ("glut", "pygame", "qt"):
+        raise ProgramError(f"{source.path}: a lecture shows GLFW programs only")
     toolkit = _toolkit(source)
     with ExitStack() as stack:
         stack.callback(guard.stand_by)
@@ -492,6 +490,10 @@ def _toolkit(source: Source) -> Callable[[Run], Any]:
         from landscape.capture.program_glut import glut_program
 
         return glut_program
+    if source.toolkit == "qt":
+        from landscape.capture.program_qt import qt_program
+
+        return qt_program
     raise ProgramError(f"{source.path}: {_without_toolkit(source)}")
 
 
@@ -510,7 +512,7 @@ def _without_toolkit(source: Source) -> str:
         past = f"; it may also call OpenGL by {source.past}, past PyOpenGL"
     return (
         f"opens its window with {source.other}; programs can be looked into that open it with "
-        f"GLFW, GLUT or pygame{past}"
+        f"GLFW, GLUT or pygame, or draw in a QOpenGLWidget{past}"
     )
 
 

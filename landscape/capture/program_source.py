@@ -21,18 +21,21 @@ TOOLKITS = {
     "glfw": "glfw.make_context_current",
     "pygame": "pygame.display.set_mode",
     "glut": "glutCreateWindow",
+    "qt": "initializeGL",
 }
-# The functions that open a window for OpenGL, by their last names.
+QT = ("PySide6", "PyQt6", "PyQt5", "PySide2")  # packages of Python for Qt
+# The functions that open a window for OpenGL, by their last names; for Qt, its widget.
 OPENINGS = {
     "create_window": "glfw",
     "set_mode": "pygame",
     "glutCreateWindow": "glut",
     "glutEnterGameMode": "glut",
+    "QOpenGLWidget": "qt",
 }
 FLAG = "OPENGL"  # without it, pygame's window is none for OpenGL
 # Libraries that open windows in which programs cannot be run to a frame; what users call them.
 OTHERS = {
-    **dict.fromkeys(("PyQt4", "PyQt5", "PyQt6", "PySide", "PySide2", "PySide6", "qtpy"), "Qt"),
+    **dict.fromkeys((*QT, "PyQt4", "PySide", "qtpy"), "Qt"),
     **{"pyglet": "pyglet", "moderngl_window": "moderngl-window", "arcade": "arcade"},
     **{"wx": "wxPython", "gi": "GTK", "gtk": "GTK", "sdl2": "PySDL2", "kivy": "Kivy"},
     **{"direct": "Panda3D", "panda3d": "Panda3D", "ursina": "Ursina", "vispy": "VisPy"},
@@ -60,7 +63,7 @@ class Source:
 
     @property
     def toolkit(self) -> str:
-        """The library that opens the window: glfw, pygame or glut; "" if it is none of them."""
+        """The library that opens the window, of TOOLKITS; "" if it is none of them."""
         imported = [toolkit for toolkit in TOOLKITS if toolkit in self.modules]
         opening = [toolkit for toolkit in imported if toolkit in self.opens]
         if not opening and self.other:
@@ -144,6 +147,8 @@ def _read(
                 modules.add("glut")
         else:
             modules.add(parts[0])
+            if parts[0] in QT:
+                modules.add("qt")
             for file in _beside(path.parent, parts):
                 if file.resolve() not in seen:
                     checked = _read_other(file, modules, opens, seen) and checked
