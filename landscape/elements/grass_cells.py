@@ -15,7 +15,7 @@ from landscape.geometry.height_field import HeightField
 from landscape.settings import Castle
 
 CELL = 0.5  # chosen: units per side of a cell; small against the radius, large against a blade
-HALF_DIAGONAL = CELL * 0.7072
+HALF_DIAGONAL = 0.7072  # of a square, times its side
 PROBES = 4  # chosen: places per side of a cell where it is tested whether grass grows
 SHORE = 0.004  # chosen: units above the water where grass begins
 CASTLE = 0.75  # chosen: radius in units around the castle's centre where no grass grows
@@ -111,14 +111,20 @@ def cell_centres(cells: np.ndarray, field: HeightField) -> np.ndarray:
 
 
 def visible_cells(
-    frame: Frame, centres: np.ndarray, radius: float, margin: float = 0.0, angle: float = 0.0
+    frame: Frame,
+    centres: np.ndarray,
+    radius: float,
+    margin: float = 0.0,
+    angle: float = 0.0,
+    side: float = CELL,
 ) -> np.ndarray:
-    """Return a mask (n,) of the cells with centres (n, 3) that may show a blade of grass.
+    """Return a mask (n,) of the squares with centres (n, 3) that may show a blade of grass.
 
     In front of the camera, between the left and right sides of its view, and within ``radius``.
     With ``margin`` units and ``angle`` radians, also after the eye has moved and turned that far.
+    ``side`` is that of the squares, in units.
     """
-    size = HALF_DIAGONAL + 0.1 + margin
+    size = HALF_DIAGONAL * side + 0.1 + margin
     away = centres - frame.eye
     near = away[:, 0] ** 2 + away[:, 2] ** 2 < (radius + size) ** 2
     width, height = frame.size

@@ -2,11 +2,15 @@
 
 A cell's blades are random, from the cell's own generators: they are the same whichever way the
 walker came. With ``grass.fade`` they come in layers, each as large as all before it, and a far cell
-has only the first ones. No OpenGL here.
+has only the first ones. A blade of the layers beyond FAR_LAYERS is seen from close by only, so
+these do not grow in a whole cell at once but in the PARTS by PARTS squares of it that are near.
+
+A layer is *sown* first, which is quick: where its tufts stand, and all its random numbers. What is
+sown then takes *shape*: vertices, tints and kinds. No OpenGL here.
 """
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -14,50 +18,61 @@ from landscape.elements.best.meadow import sward
 from landscape.elements.best.meadow.refined_blades import (
     LUSH,
     NEAR,
+    NOTHING,
     THINNING,
     WIDENING,
-    Dice,
     Patch,
     arched,
     blade_tints,
+    count_at,
     hues,
     joined,
     lushness,
     nearness,
     thinned_ranges,
 )
+from landscape.elements.best.meadow.sowing import OF_TUFTS, Sown, between, lots_of, together
 from landscape.elements.grass import blade_corners, blade_vertices
 from landscape.elements.grass_cells import (
     CELL,
+    HALF_DIAGONAL,
     bears_grass,
     cover,
     places_in_cells,
     shared_out,
+    visible_cells,
 )
 from landscape.elements.ground import Ground
+from landscape.frame import Frame
 from landscape.geometry.height_field import greenness
 from landscape.settings import Settings
 
 LAYER = 64  # chosen: blades in the first layer of a cell
+FAR_LAYERS = 1024  # chosen: blades of a cell that grow in all of it; the ends of a layer
+PARTS = 4  # chosen: squares along a cell's side; in each the further blades grow by themselves
+PART = CELL / PARTS
 TUFT_RADIUS = 0.017  # chosen: units, how far apart the roots of a tuft's blades are
 KEPT = 12  # chosen: blades kept in memory, times those in view, for when the walker turns around
 LEAST = 40_000  # chosen: the number of blades that are kept in any case, 4 MB
 
 
-class Rooted(NamedTuple):
-    """Where blades stand: ``positions`` (n, 3), ``angles`` (n,) and ``ranges`` (n,).
+@dataclass
+class Cell:
+    """What has grown in a cell: its first blades, and parts of its further layers.
 
-    ``roots`` (t, 2) are the tufts' places on the map, ``tuft`` (n,) is each blade's; ``tufts`` and
-    ``blades`` count those of each layer.
+    ``layers`` are by their first blade: what is sown, and in which square (t,) each tuft stands.
+    ``parts`` are by layer and square. ``blades`` are those that it keeps in memory.
     """
 
-    positions: np.ndarray
-    angles: np.ndarray
-    ranges: np.ndarray
-    roots: np.ndarray
-    tuft: np.ndarray
-    tufts: list[int]
-    blades: list[int]
+    patch: Patch = NOTHING
+    layers: dict[int, tuple[Sown, np.ndarray]] = field(default_factory=dict)
+    parts: dict[tuple[int, int], Patch] = field(default_factory=dict)
+    blades: int = 0
+
+    def sown_in(self, first: int, part: int) -> Sown:
+        """Return what is sown of a layer in a square."""
+        sown, squares = self.layers[first]
+        return sown.only(squares == part)
 
 
 class Growth:
@@ -85,7 +100,7 @@ class Growth:
             self.tuft_radius, self.thinning = sward.TUFT, sward.THINNING
         self.counts = shared_out(count, share, seed)
         self.shared = self.counts.copy()
-        self._patches: dict[int, Patch] = {}  # by cell, the most recently used last
+        self._cells: dict[int, Cell] = {}  # the most recently used last
         self.grown = 0
 
     def suits(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -119,31 +134,93 @@ class Growth:
         The layers that are missing are all made together, which takes much less time.
         """
         missing = []
-        for cell, least in zip(cells, wanted, strict=True):
-            total, have = int(self.counts[cell]), 0
-            if cell in self._patches:
-                have = len(self._patches[cell].positions)
-            while have < min(least, total) or (have == 0 and cell not in self._patches):
+        for number, least in zip(cells, wanted, strict=True):
+            total, have = int(self.counts[number]), 0
+            if number in self._cells:
+                have = len(self._cells[number].patch.positions)
+            while have < min(least, total) or (have == 0 and number not in self._cells):
                 end = self._layer(total, have)
-                missing.append((cell, have, end))
+                missing.append((number, have, end))
                 have = end
                 if total == 0:
                     break
-        made = self._grow(missing) if missing else []
-        for (cell, first, end), more in zip(missing, made, strict=True):
-            patch = self._patches.get(cell)
-            if patch is not None and len(patch.positions) < first:
+        made = self._shape(self._sow(missing)) if missing else []
+        for (number, first, end), more in zip(missing, made, strict=True):
+            cell = self._cells.setdefault(number, Cell())
+            if len(cell.patch.positions) < first:
                 continue
-            self._patches[cell] = more if patch is None else joined([patch, more])
-            self.grown += len(more.positions)
+            cell.patch = joined([cell.patch, more]) if first else more
+            self._count(cell, len(more.positions))
             if len(more.positions) < end - first:
                 # Few places here are suitable: the cell keeps the blades that have one.
-                self.counts[cell] = first + len(more.positions)
+                self.counts[number] = first + len(more.positions)
         found = []
-        for cell in cells:
-            found.append(self._patches.pop(cell))
-            self._patches[cell] = found[-1]
+        for number in cells:
+            # Put back last, as the most recently used.
+            cell = self._cells[number] = self._cells.pop(number)
+            found.append(cell.patch)
         return found
+
+    def parts(
+        self, frame: Frame, numbers: np.ndarray, radius: float, margin: float, angle: float
+    ) -> list[Patch]:
+        """Return the blades beyond FAR_LAYERS of some cells, of their squares that may be seen.
+
+        Their numbers (n,) are those of cells of which the first blades have grown. The eye may
+        still move ``margin`` units and turn ``angle`` radians.
+        """
+        wanted = self._wanted(frame, numbers, radius, margin, angle)
+        chosen, shapeless = [], []
+        first = FAR_LAYERS
+        while (wanted > first).any():
+            for row in np.flatnonzero((wanted > first).any(axis=1)).tolist():
+                number = int(numbers[row])
+                cell, total = self._cells[number], int(self.counts[number])
+                if total <= first:
+                    continue
+                if first not in cell.layers:
+                    self._sow_layer(number, cell, first, total)
+                for part in np.flatnonzero(wanted[row] > first).tolist():
+                    chosen.append((cell, first, part))
+                    if (first, part) not in cell.parts:
+                        shapeless.append((cell, first, part))
+            first *= 2
+        if shapeless:
+            made = self._shape([cell.sown_in(first, part) for cell, first, part in shapeless])
+            for (cell, first, part), patch in zip(shapeless, made, strict=True):
+                cell.parts[first, part] = patch
+        return [cell.parts[first, part] for cell, first, part in chosen]
+
+    def _wanted(
+        self, frame: Frame, numbers: np.ndarray, radius: float, margin: float, angle: float
+    ) -> np.ndarray:
+        """Return how many blades of each cell would be seen in its squares, int (n, squares)."""
+        rows, columns = np.divmod(np.arange(PARTS * PARTS), PARTS)
+        x = ((numbers % self.across)[:, None] + (columns + 0.5) / PARTS).ravel() * CELL
+        z = ((numbers // self.across)[:, None] + (rows + 0.5) / PARTS).ravel() * CELL
+        centres = np.stack([x, self._ground.field.terrain_height(x, z), z], axis=1)
+        near = np.hypot(x - frame.pose.x, z - frame.pose.z)
+        near -= PART * HALF_DIAGONAL + self.tuft_radius + margin
+        shared = np.repeat(self.shared[numbers], PARTS * PARTS)
+        wanted = count_at(shared, self.near, near, frame.detail.grass, self.thinning)
+        wanted *= visible_cells(frame, centres, radius, margin, angle, PART)
+        return np.asarray(wanted.reshape(len(numbers), PARTS * PARTS))
+
+    def _sow_layer(self, number: int, cell: "Cell", first: int, total: int) -> None:
+        """Sow the layer of a cell that begins at a blade."""
+        end = self._layer(total, first)
+        sown = self._sow([(number, first, end)])[0]
+        corner = np.array(divmod(number, self.across)[::-1]) * CELL
+        column, row = np.clip(((sown.roots - corner) / PART).astype(int), 0, PARTS - 1).T
+        cell.layers[first] = sown, row * PARTS + column
+        self._count(cell, len(sown.tuft))
+        if len(sown.tuft) < end - first:
+            self.counts[number] = first + len(sown.tuft)
+
+    def _count(self, cell: "Cell", blades: int) -> None:
+        """Take note of blades that a cell keeps."""
+        cell.blades += blades
+        self.grown += blades
 
     def forget(self, in_view: int) -> None:
         """Drop the least recently used cells while too many blades are kept.
@@ -153,9 +230,9 @@ class Growth:
         """
         most = max(KEPT * in_view, LEAST)
         while self.grown > most:
-            cell = next(iter(self._patches))
-            self.grown -= len(self._patches.pop(cell).positions)
-            self.counts[cell] = self.shared[cell]
+            number = next(iter(self._cells))
+            self.grown -= self._cells.pop(number).blades
+            self.counts[number] = self.shared[number]
 
     def _layer(self, total: int, have: int) -> int:
         """Return the end of the layer that begins at blade ``have``; each doubles the blades."""
@@ -165,14 +242,14 @@ class Growth:
         """Return how far away the blades ``first`` to ``last`` of a cell would be drawn."""
         return thinned_ranges(int(self.shared[cell]), self.near, first, last, self.thinning)
 
-    def _grow(self, layers: Sequence[tuple[int, int, int]]) -> list[Patch]:
-        """Return the blades of several layers, each given by cell, first blade and last."""
+    def _sow(self, layers: Sequence[tuple[int, int, int]]) -> list[Sown]:
+        """Return what is sown in several layers, each given by cell, first blade and last."""
         grass, seed = self._settings.grass, self._seed
         rngs = [
             np.random.default_rng([seed, 7, cell, *([first] if first else [])])
             for cell, first, _ in layers
         ]
-        dice, each = Dice(rngs), max(grass.tufts, 1)
+        each, names = max(grass.tufts, 1), lots_of(grass)
         found = places_in_cells(
             [cell for cell, _, _ in layers],
             self.across,
@@ -180,111 +257,114 @@ class Growth:
             rngs,
             self.suits,
         )
-        tufts = [len(roots) for roots in found]
-        blades = [
-            min(each * count, last - first)
-            for count, (_, first, last) in zip(tufts, layers, strict=True)
-        ]
-        roots = np.concatenate(found)
-        # The blades of a tuft follow each other; the last tuft of a layer may have fewer.
-        starts = np.cumsum([0, *tufts[:-1]])
-        tuft = np.concatenate(
-            [start + np.arange(n) // each for start, n in zip(starts, blades, strict=True)]
-        )
-        angles = dice.uniform(0.0, 1.0, blades) * 2 * np.pi
-        xz = roots[tuft]
+        sown = []
+        for roots, (cell, first, last), rng in zip(found, layers, rngs, strict=True):
+            # The blades of a tuft follow each other; the last tuft of a layer may have fewer.
+            count = min(each * len(roots), last - first)
+            lots = {name: rng.random(len(roots) if name in OF_TUFTS else count) for name in names}
+            ranges = np.full(count, grass.radius)
+            if grass.fade:
+                ranges = self._ranges(cell, first, first + count)
+            sown.append(Sown(roots, np.arange(count) // each, ranges, lots))
+        return sown
+
+    def _shape(self, layers: Sequence[Sown]) -> list[Patch]:
+        """Return the blades of what is sown in several layers."""
+        grass, whole = self._settings.grass, together(layers)
+        tuft, lots = whole.tuft, whole.lots
+        angles = lots["angle"] * 2 * np.pi
+        xz = whole.roots[tuft]
         if grass.tufts:
             # Outwards, the way a blade leans: its tip bends to (sin, cos) of its angle.
-            away = self.tuft_radius * np.sqrt(dice.uniform(0.0, 1.0, blades))
+            away = self.tuft_radius * np.sqrt(lots["outwards"])
             xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
         positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
-        ranges = np.full(len(xz), grass.radius)
-        if grass.fade:
-            ranges = np.concatenate(
-                [
-                    self._ranges(cell, first, first + count)
-                    for (cell, first, _), count in zip(layers, blades, strict=True)
-                ]
-            )
         grow = self._cards if grass.sward else self._blades
-        shapes = grow(Rooted(positions, angles, ranges, roots, tuft, tufts, blades), dice)
-        vertices, tints, kinds = shapes
-        whole = Patch(
-            positions.astype(np.float32), vertices, tints, ranges.astype(np.float32), kinds
-        )
-        ends = np.cumsum(blades)
+        vertices, tints, kinds = grow(positions, angles, whole)
+        ranges = whole.ranges.astype(np.float32)
+        patch = Patch(positions.astype(np.float32), vertices, tints, ranges, kinds)
+        ends = np.cumsum([len(layer.tuft) for layer in layers]).tolist()
+        # Copies: a part of an array would keep all of it in memory.
         return [
-            whole.only(np.arange(end - count, end)) for end, count in zip(ends, blades, strict=True)
+            patch.only(np.arange(end - len(layer.tuft), end))
+            for end, layer in zip(ends, layers, strict=True)
         ]
 
-    def _blades(self, rooted: Rooted, dice: Dice) -> tuple[np.ndarray, ...]:
+    def _blades(
+        self, positions: np.ndarray, angles: np.ndarray, sown: Sown
+    ) -> tuple[np.ndarray, ...]:
         """Return vertices, tints and kinds of blades, all of them of the report's shape."""
-        grass, (positions, angles, ranges, roots, tuft, tufts, blades) = (
-            self._settings.grass,
-            rooted,
-        )
+        grass, roots, tuft, lots = self._settings.grass, sown.roots, sown.tuft, sown.lots
         vertices = blade_vertices(positions, arched(blade_corners(angles), grass.arch), grass.scale)
         if grass.fade:
             grown = np.empty((len(positions), 1, 3))
-            drawn = np.minimum(ranges, grass.radius)
+            drawn = np.minimum(sown.ranges, grass.radius)
             wider = np.maximum(drawn / self.near, 1.0) ** WIDENING
             grown[..., 0] = grown[..., 2] = wider[:, None]
-            grown[..., 1] = dice.uniform(0.6, 1.25, blades)[:, None]
-            grown[:, 0, 1] *= 1.0 + grass.variety * tallness(roots, tufts, dice)[tuft]
+            grown[..., 1] = between(0.6, 1.25, lots["height"])[:, None]
+            grown[:, 0, 1] *= 1.0 + grass.variety * tallness(roots, lots["size"])[tuft]
             feet = positions[:, None]
             vertices = ((vertices - feet) * grown + feet).astype(np.float32)
         tints = np.full((len(positions), 5, 4), 255, np.uint8)
         if grass.tinted:
             colour = self._ground.drawn_colour(roots[:, 0], roots[:, 1])
-            colour *= 1.0 + grass.variety * (hues(tufts, dice) - 1.0)
+            hue = hues(lots["green"], lots["straw"], lots["pale"])
+            colour *= 1.0 + grass.variety * (hue - 1.0)
             colour *= 1.0 + grass.variety * lushness(roots[:, 0], roots[:, 1])[:, None] * LUSH
             colour *= self._ground.light(roots[:, 0], roots[:, 1])
-            brightness = dice.uniform(0.92, 1.28, blades)
+            brightness = between(0.92, 1.28, lots["brightness"])
             tints[..., :3] = blade_tints(colour[tuft], brightness, *self._ends)
         return vertices, tints, np.zeros(len(positions), np.uint8)
 
-    def _cards(self, rooted: Rooted, dice: Dice) -> tuple[np.ndarray, ...]:
+    def _cards(
+        self, positions: np.ndarray, angles: np.ndarray, sown: Sown
+    ) -> tuple[np.ndarray, ...]:
         """Return vertices, tints and kinds of the sward's cards."""
-        grass, (positions, angles, ranges, roots, tuft, tufts, blades) = (
-            self._settings.grass,
-            rooted,
-        )
-        x, z = roots.T
-        bold = np.minimum(ranges / self.near, 40.0) ** sward.BOLD
-        draw = dice.uniform(0.0, 1.0, blades)
-        kinds = sward.kinds_at(x, z, tuft, draw, bold, grass.flowers)
-        lean = grass.arch * dice.uniform(-2.2, 2.2, blades)
-        corners = sward.card_corners(angles, kinds, lean)
-        size = 0.80 + 0.85 * dice.uniform(0.0, 1.0, tufts) ** 3  # most are small, a few tall
+        grass, tuft, lots = self._settings.grass, sown.tuft, sown.lots
+        x, z = sown.roots.T
+        bold = np.minimum(sown.ranges / self.near, 40.0) ** sward.BOLD
+        kinds = sward.kinds_at(x, z, tuft, lots["kind"], bold, grass.flowers)
+        corners = sward.card_corners(angles, kinds, grass.arch * between(-2.2, 2.2, lots["lean"]))
+        size = 0.80 + 0.85 * lots["size"] ** 3  # most are small, a few tall
         tall = 1.0 + grass.variety * (sward.tallness(x, z) * size - 1.0)
-        corners *= (tall[tuft] * dice.uniform(0.6, 1.25, blades))[:, None, None]
+        corners *= (tall[tuft] * between(0.6, 1.25, lots["height"]))[:, None, None]
         vertices = blade_vertices(positions, corners, grass.scale)
         tints = np.full((len(positions), 5, 4), 255, np.uint8)
         if grass.tinted:
-            colour, light = self._ground.drawn_colour(x, z), self._ground.light(x, z)
-            tone = dice.uniform(0.84, 1.16, tufts) * (1.0 + 0.10 * sward.waves(x, z, 1.3, 28))
-            colour, tone = colour[tuft], tone[tuft]
-            # Half of a tuft's cards have its hue, the others their own.
-            own_hue = dice.uniform(0.0, 1.0, blades)
-            drawn = np.where(own_hue < 0.5, dice.uniform(0.0, 1.0, tufts)[tuft], 2 * own_hue - 1)
-            hue = sward.hues(drawn, tone, colour)
-            bare = colour * tone[:, None]
-            colour = colour + grass.variety * (hue - colour)
-            brightness = dice.uniform(0.88, 1.38, blades)[:, None]
-            own = (kinds >= sward.GREEN_KINDS)[:, None]
-            low = (kinds == sward.FLOOR)[:, None]
-            colour = np.where(low, 0.6 * bare + 0.4 * colour, colour)
-            shade = np.where(own, 0.5, colour / (2.0 * self._ends[0][kinds]))
-            shade *= light[tuft] * np.where(own, 0.45 + 0.5 * brightness, brightness)
-            tints[..., :3] = (np.clip(shade, 0, 1) * 255).astype(np.uint8)[:, None]
-            # In the thick of the sward roots are dark; where a card stands alone, it has light.
-            alone = np.clip(np.log(ranges / self.near) / 2.0, 0.0, 1.0)[:, None]
-            foot = np.where(own, shade, (1.0 + sward.ROOTS * alone) * shade)
-            tints[:, :2, :3] = (np.clip(foot, 0, 1) * 255).astype(np.uint8)[:, None]
+            feet, tops = self._card_colours(sown, kinds)
+            tints[:, :2, :3] = feet[:, None]
+            tints[:, 2:, :3] = tops[:, None]
         return vertices, tints, kinds
 
+    def _card_colours(self, sown: Sown, kinds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the tints, uint8 (n, 3), of cards at their feet, and above."""
+        grass, tuft, lots = self._settings.grass, sown.tuft, sown.lots
+        x, z = sown.roots.T
+        colour, light = self._ground.drawn_colour(x, z), self._ground.light(x, z)
+        tone = between(0.84, 1.16, lots["tone"]) * (1.0 + 0.10 * sward.waves(x, z, 1.3, 28))
+        colour, tone = colour[tuft], tone[tuft]
+        # Half of a tuft's cards have its hue, the others their own.
+        own_hue = lots["own_hue"]
+        hue = sward.hues(np.where(own_hue < 0.5, lots["hue"][tuft], 2 * own_hue - 1), tone, colour)
+        bare = colour * tone[:, None]
+        colour = colour + grass.variety * (hue - colour)
+        brightness = between(0.88, 1.38, lots["brightness"])[:, None]
+        own = (kinds >= sward.GREEN_KINDS)[:, None]
+        low = (kinds == sward.FLOOR)[:, None]
+        colour = np.where(low, 0.6 * bare + 0.4 * colour, colour)
+        shade = np.where(own, 0.5, colour / (2.0 * self._ends[0][kinds]))
+        shade *= light[tuft] * np.where(own, 0.45 + 0.5 * brightness, brightness)
+        # In the thick of the sward roots are dark; where a card stands alone, it has light.
+        alone = np.clip(np.log(sown.ranges / self.near) / 2.0, 0.0, 1.0)[:, None]
+        foot = np.where(own, shade, (1.0 + sward.ROOTS * alone) * shade)
+        feet, tops = (np.clip(colours, 0, 1) * 255 for colours in (foot, shade))
+        return feet.astype(np.uint8), tops.astype(np.uint8)
 
-def tallness(roots: np.ndarray, tufts: Sequence[int], dice: Dice) -> np.ndarray:
-    """Return how much taller than the mean tufts at roots (n, 2) are: fractions above -1."""
-    own = dice.uniform(-0.35, 0.45, tufts)
+
+def tallness(roots: np.ndarray, lots: np.ndarray) -> np.ndarray:
+    """Return how much taller than the mean tufts at roots (n, 2) are: fractions above -1.
+
+    ``lots`` (n,) are random numbers in 0..1.
+    """
+    own = between(-0.35, 0.45, lots)
     return np.asarray(own + 0.45 * lushness(roots[:, 0], roots[:, 1]))

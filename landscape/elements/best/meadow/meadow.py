@@ -23,7 +23,7 @@ from contextlib import contextmanager, nullcontext
 import numpy as np
 
 from landscape.elements.best.meadow.facing import facing
-from landscape.elements.best.meadow.growth import Growth
+from landscape.elements.best.meadow.growth import FAR_LAYERS, Growth
 from landscape.elements.best.meadow.gusts import gusts
 from landscape.elements.best.meadow.refined_blades import (
     NOTHING,
@@ -47,6 +47,7 @@ from landscape.elements.best.terrain.shadows import cast_from
 from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, WIND, blade_wind
 from landscape.elements.grass import built_from as grass_built_from
 from landscape.elements.grass_cells import (
+    CELL,
     HALF_DIAGONAL,
     cell_centres,
     cells_around,
@@ -152,15 +153,20 @@ class Meadow:
         numbers = cells[:, 1] * growth.across + cells[:, 0]
         seen = visible_cells(frame, centres, radius, margin, angle) & (growth.counts[numbers] > 0)
         nearest = np.hypot(centres[:, 0] - frame.pose.x, centres[:, 2] - frame.pose.z)
-        nearest -= HALF_DIAGONAL + growth.tuft_radius + margin
+        nearest -= CELL * HALF_DIAGONAL + growth.tuft_radius + margin
         numbers, nearest = numbers[seen], nearest[seen]
         counts = growth.counts[numbers]
         if grass.fade:
             counts = count_at(
                 growth.shared[numbers], growth.near, nearest, frame.detail.grass, growth.thinning
             )
-        wanted = counts.tolist()
+        # With fade, what is beyond the first layers grows only where it is near.
+        wanted = (np.minimum(counts, FAR_LAYERS) if grass.fade else counts).tolist()
         patches = growth.patches(numbers.tolist(), wanted)
+        if grass.fade:
+            parts = growth.parts(frame, numbers[counts > FAR_LAYERS], radius, margin, angle)
+            patches += parts
+            wanted += [len(part.positions) for part in parts]
         whole = joined(patches, wanted) if patches else NOTHING
         if grass.fade:
             kept = in_range(

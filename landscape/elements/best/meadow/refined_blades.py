@@ -104,29 +104,14 @@ def lushness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     )
 
 
-class Dice:
-    """Random numbers for several layers of blades at once, each layer's from its own generator.
-
-    So a layer's numbers do not depend on which others are made with it.
-    """
-
-    def __init__(self, rngs: Sequence[np.random.Generator]) -> None:
-        self._rngs = rngs
-
-    def uniform(self, low: float, high: float, counts: Sequence[int]) -> np.ndarray:
-        """Return numbers from ``low`` to ``high``: counts[0] for the first layer, and so on."""
-        drawn = [rng.uniform(low, high, n) for rng, n in zip(self._rngs, counts, strict=True)]
-        return np.concatenate(drawn)
-
-
-def hues(counts: Sequence[int], dice: Dice) -> np.ndarray:
+def hues(green: np.ndarray, straw: np.ndarray, pale: np.ndarray) -> np.ndarray:
     """Return factors on the ground's colour (n, 3): most tufts greener, one in eight straw.
 
-    ``counts`` are the tufts of each layer, n is their sum.
+    By random numbers (n,) in 0..1: how light each would be as either, and which it is.
     """
-    green = np.array([0.90, 1.03, 0.84]) * dice.uniform(0.78, 1.12, counts)[:, None]
-    straw = np.array([1.22, 1.10, 1.00]) * dice.uniform(0.80, 1.10, counts)[:, None]
-    return np.where(dice.uniform(0.0, 1.0, counts)[:, None] < 1 / 8, straw, green)
+    greens = np.array([0.90, 1.03, 0.84]) * (0.78 + (1.12 - 0.78) * green)[:, None]
+    straws = np.array([1.22, 1.10, 1.00]) * (0.80 + (1.10 - 0.80) * straw)[:, None]
+    return np.where(pale[:, None] < 1 / 8, straws, greens)
 
 
 def blade_tints(
