@@ -17,6 +17,7 @@ State used: GL_TEXTURE_2D; tinted, the combiner of unit 0 with GL_RGB_SCALE (Ope
 sward, GL_ALPHA_TEST, and GL_SAMPLE_ALPHA_TO_COVERAGE (1.3) where a pixel has several samples.
 """
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 
@@ -32,9 +33,11 @@ from landscape.elements.best.meadow.refined_blades import (
     in_range,
     joined,
     shortened,
+    showing,
     widened,
 )
 from landscape.elements.best.meadow.sward import (
+    CARD_HEIGHT,
     CARD_SIDES,
     WIDE_FROM,
     WIDENED,
@@ -44,7 +47,8 @@ from landscape.elements.best.meadow.sward import (
     texture_coordinates,
 )
 from landscape.elements.best.terrain.shadows import cast_from
-from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, WIND, blade_wind
+from landscape.elements.fog import visibility
+from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, TALLEST, WIND, blade_wind
 from landscape.elements.grass import built_from as grass_built_from
 from landscape.elements.grass_cells import (
     CELL,
@@ -67,6 +71,8 @@ from landscape.settings import Settings
 
 DITHER_CONTROL = Need(None, ("GL_NV_alpha_to_coverage_dither_control",))
 RARELY = 1.5  # chosen: times the margin that is kept where blades are left out
+CLEAR = 0.98  # chosen: of a blade's colour, what fog must leave in order to be left out
+LEAST_PIXELS = 5.0  # chosen: blades of a coarser frame are drawn as far as they are as tall
 
 
 def blade_ends(image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -125,19 +131,30 @@ class Meadow:
             path = assets.path("sward.png")
             levels = list(recall(("sward", content(path)), lambda: tuple(sward_levels(path))))
             ends, trilinear = (mean_colours(levels[0]),) * 2, False
-            self._corners = texture_coordinates()
+            self._corners, self._height = texture_coordinates(), CARD_HEIGHT
         else:
             levels = [read_image(assets.path("blade.png"), "RGB")]
             ends, trilinear = blade_ends(levels[0]), True
-            self._corners = COORDINATES[None]
+            self._corners, self._height = COORDINATES[None], TALLEST
         self._growth = Growth(settings, ground, seed, ends)
         self._texture = Texture(levels, repeat=False, trilinear=trilinear)
         self._in_view = 0
         self._chosen: Patch | None = None
         self._chosen_for: Frame | None = None
         self._indices = np.empty(0, np.uint32)
-        self._placed: Patch | None = None
-        self._coordinates = np.empty((0, 2), np.float32)
+
+    def reach(self, frame: Frame) -> float:
+        """Return how many units away blades are drawn: the radius, or less in a coarser frame.
+
+        There, a blade that covers hardly a pixel is not worth its vertices; the ground has its
+        colour. They sink towards the end of the reach as at the end of the radius.
+        """
+        grass, coarser = self._settings.grass, frame.detail.coarser
+        if coarser <= 1.0 or not grass.fade:
+            return grass.radius
+        pixels = frame.size[1] / 2.0 / math.tan(math.radians(frame.fov / 2.0))
+        tall = self._height * grass.scale[1] * pixels
+        return min(grass.radius, tall / (LEAST_PIXELS * coarser))
 
     def select(self, frame: Frame, margin: float = 0.0, angle: float = 0.0) -> Patch:
         """Return what to draw: the visible cells' blades, the far cells' thinned out.
@@ -147,7 +164,7 @@ class Meadow:
         """
         growth, grass = self._growth, self._settings.grass
         growth.forget(self._in_view)
-        radius = grass.radius
+        radius = self.reach(frame)
         cells = cells_around(frame.pose.x, frame.pose.z, radius + margin, growth.across)
         centres = cell_centres(cells, self._field)
         numbers = cells[:, 1] * growth.across + cells[:, 0]
@@ -187,7 +204,7 @@ class Meadow:
         """
         fade = self._settings.grass.fade
         margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if fade else (0.0, 0.0)
-        if frame.detail.grass < 1.0:
+        if frame.detail.grass < 1.0 or frame.detail.coarser > 1.0:
             # Blades too many cost less than choosing again, the more so in other frames than
             # those in which the sprites are chosen.
             margin, angle = RARELY * margin, RARELY * angle
@@ -198,15 +215,32 @@ class Meadow:
     def _still_serves(self, frame: Frame, margin: float, angle: float) -> bool:
         """Return whether the last choice was made for an eye near this one."""
         assert self._chosen_for is not None
-        same = self._chosen_for.detail.grass == frame.detail.grass
+        then, now = self._chosen_for.detail, frame.detail
+        same = then.grass == now.grass and then.coarser == now.coarser
         return same and is_near(self._chosen_for, frame, margin, angle)
+
+    def seen(self, frame: Frame, patch: Patch) -> Patch:
+        """Return the blades of a choice that show in a frame, in their order.
+
+        The choice has a margin for frames to come: half of it has sunk or is beside the picture.
+        """
+        if not self._settings.grass.fade:
+            return patch
+        kept = showing(frame, patch.places, self._ranges(frame, patch))
+        return patch.only(kept) if len(kept) < len(patch.positions) else patch
+
+    def _ranges(self, frame: Frame, patch: Patch) -> np.ndarray:
+        """Return how far away blades are drawn in a frame, float32 (n,) in units."""
+        fraction, thinning = frame.detail.grass, self._growth.thinning
+        return shortened(patch.ranges, self.reach(frame), fraction, thinning)
 
     def bend(self, frame: Frame, patch: Patch) -> np.ndarray:
         """Return a patch's vertices, float32 (n, 5, 3), in the wind, turned, and sunk far away.
 
         Without facing and fade they are those of the plain :func:`grass.bent`.
         """
-        grass, places, columns = self._settings.grass, patch.places, patch.columns.copy()
+        grass, places = self._settings.grass, patch.places
+        columns = np.array(patch.columns)
         wind = blade_wind(frame.kt, places.T, grass.scale[0]).T
         if grass.gusts:
             wind = wind + gusts(frame.kt, places[0], places[2], grass.gusts)
@@ -220,10 +254,7 @@ class Meadow:
         elif grass.facing > 0:
             facing(columns, away, grass.facing)
         if grass.fade:
-            ranges = shortened(
-                patch.ranges, grass.radius, frame.detail.grass, self._growth.thinning
-            )
-            left = np.clip(4.0 * (1.0 - far / ranges), 0.0, 1.0)
+            left = np.clip(4.0 * (1.0 - far / self._ranges(frame, patch)), 0.0, 1.0)
             columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left
             gone = np.flatnonzero(left <= 0.0)
             columns[..., gone] = places[:, gone]
@@ -238,29 +269,35 @@ class Meadow:
         times = np.maximum(far / near, 1.0) ** np.float32(WIDENING)
         return 1.0 + (times - 1.0) * WIDENED[patch.kinds]
 
+    def _clear_of_fog(self, frame: Frame) -> bool:
+        """Return whether fog would change nothing that one sees of the blades."""
+        fog = self._settings.fog
+        return fog.mode == "exp2" and visibility(self.reach(frame), fog.density) > CLEAR
+
     def draw(self, frame: Frame) -> None:
         """Choose, bend and send the visible blades."""
-        patch = self.choice(frame)
+        patch = self.seen(frame, self.choice(frame))
         count = len(patch.positions)
         if not count:
             return
         vertices = self.bend(frame, patch).reshape(-1, 3)
+        coordinates = self._corners[patch.kinds].reshape(-1, 2)
         if len(self._indices) < 9 * count:
             first = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
             self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
-        if self._placed is not patch:
-            self._placed, self._coordinates = patch, self._corners[patch.kinds].reshape(-1, 2)
         tinted = patch.tints.reshape(-1, 4) if self._settings.grass.tinted else None
         cut = cut_out() if self._settings.grass.sward else nullcontext()
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), cut:
             gl.glEnable(gl.GL_TEXTURE_2D)
+            if frame.detail.coarser > 1.0 and self._clear_of_fog(frame):
+                gl.glDisable(gl.GL_FOG)
             self._texture.bind()
             if tinted is None:
                 gl.glColor3f(*self._settings.sun.tint)
             else:
                 # Twice texture times tint: a tint can make a blade lighter than its texture.
                 multiply(2.0)
-            with client_arrays(vertices, None, tinted, [self._coordinates]):
+            with client_arrays(vertices, None, tinted, [coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)
             if tinted is not None:
                 multiply()

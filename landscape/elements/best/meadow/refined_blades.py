@@ -168,6 +168,37 @@ NOTHING = Patch(
 )  # fmt: skip
 
 
+def showing(
+    frame: Frame, places: np.ndarray, ranges: np.ndarray, margin: float = 0.0, angle: float = 0.0
+) -> np.ndarray:
+    """Return the numbers (k,) of blades in range whose feet are at ``places`` (3, n) and in view.
+
+    ``ranges`` (n,) is how far away each is drawn. ``margin`` units is how far the eye may still
+    move, and ``angle`` radians how far it may turn.
+    """
+    x, y, z = places - frame.eye.astype(np.float32)[:, None]
+    near = x * x + z * z
+    reach = ranges + np.float32(margin)
+    found = np.flatnonzero(near < reach * reach)
+    x, y, z, near = x[found], y[found], z[found], near[found]
+
+    def along(axis: np.ndarray) -> np.ndarray:
+        a, b, c = axis.astype(np.float32)
+        return np.asarray(a * x + b * y + c * z)
+
+    top = math.tan(math.radians(frame.fov / 2))
+    depth = -along(frame.back)
+    # A card that is far away is widened, see the sward.
+    reach = np.float32(REACH + margin) + np.float32(WIDEST) * np.sqrt(near)
+    seen = depth > -reach
+    for axis, side in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
+        side = math.tan(min(math.atan(side) + angle, 1.5))  # less than a right angle
+        seen &= np.abs(along(axis)) <= depth * np.float32(side) + reach * np.float32(
+            math.hypot(1.0, side)
+        )
+    return np.asarray(found[seen])
+
+
 def in_range(
     frame: Frame,
     positions: np.ndarray,
@@ -184,22 +215,10 @@ def in_range(
     the eye may still move, and ``angle`` radians how far it may turn. What is near comes first, as
     it hides much of what is far.
     """
-    away = positions - frame.eye.astype(np.float32)
-    near = away[:, 0] ** 2 + away[:, 2] ** 2
-    reach = shortened(ranges, radius, frame.detail.grass, thinning) + np.float32(margin)
-    found = np.flatnonzero(near < reach * reach)
-    away, near = away[found], near[found]
-    top = math.tan(math.radians(frame.fov / 2))
-    depth = -(away @ frame.back.astype(np.float32))
-    # A card that is far away is widened, see the sward.
-    reach = np.float32(REACH + margin) + np.float32(WIDEST) * np.sqrt(near)
-    seen = depth > -reach
-    for axis, side in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
-        side = math.tan(min(math.atan(side) + angle, 1.5))  # less than a right angle
-        across = np.abs(away @ axis.astype(np.float32))
-        seen &= across <= depth * np.float32(side) + reach * np.float32(math.hypot(1.0, side))
-    found, near = found[seen], near[seen]
-    return np.asarray(found[np.argsort(near)])
+    shorter = shortened(ranges, radius, frame.detail.grass, thinning)
+    found = showing(frame, np.ascontiguousarray(positions.T), shorter, margin, angle)
+    away = positions[found][:, ::2] - np.array([frame.pose.x, frame.pose.z], np.float32)
+    return np.asarray(found[np.argsort((away * away).sum(axis=1))])
 
 
 def joined(patches: Sequence[Patch], counts: Sequence[int] | None = None) -> Patch:

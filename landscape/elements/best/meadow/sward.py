@@ -35,6 +35,7 @@ LOOKS = np.array(
 # Chosen: how large the drifts of a kind of flower are, as a wave number, and how common it is.
 DRIFTS = ((1.7, 0.8), (1.7, 0.8), (1.3, 1.0), (2.1, 0.8), (2.9, 0.45), (2.3, 0.5), (2.6, 0.4),
           (1.5, 0.6))  # fmt: skip
+CARD_HEIGHT = float(LOOKS[:GREEN_KINDS, 1].max())  # of the sheaves, in the same units
 HUES = np.array([(0.97, 1.02, 0.90), (1.09, 1.05, 0.74), (0.91, 1.00, 0.98), (0.93, 1.06, 0.76)])
 DRY, BARE = 0.6, 0.35  # chosen: exponent on how green the ground is, and where it looks bare
 BOLD = 0.35  # chosen: exponent; the fewer cards are drawn, the more of them are flowers
