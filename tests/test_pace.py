@@ -65,7 +65,7 @@ def test_a_slow_start_alone_loses_no_detail() -> None:
     assert set(walked(pace, 5, lambda _: next(frames))) == {0}
 
 
-@pytest.mark.parametrize("full", [0.04, 0.055, 0.07])
+@pytest.mark.parametrize("full", [0.04, 0.05, 0.06])
 @pytest.mark.parametrize("fixed", [0.1, FIXED])
 def test_a_slow_one_soon_keeps_the_rate_and_then_stays_where_it_is(
     full: float, fixed: float
@@ -92,8 +92,22 @@ def test_a_new_rung_is_found_within_half_a_second() -> None:
     assert pace.level > 3
     walked(pace, 1.0, lambda _: 0.02)
     assert pace.level == 0
-    walked(pace, 0.5, lambda _: 0.07)
-    assert 0.07 * cost(WALKING[pace.level]) < BUDGET
+    walked(pace, 0.5, lambda _: 0.06)
+    assert 0.06 * cost(WALKING[pace.level]) < BUDGET
+
+
+def test_a_meadow_loses_its_blades_only_where_a_walk_would_become_a_slide_show() -> None:
+    """Frames of half again their time keep all blades; those of twice their time do not."""
+    good = max(n for n, level in enumerate(WALKING) if not level.resort)
+    least = cost(WALKING[good])
+    pace = Pace(30)
+    walked(pace, 5, lambda _: 1.5 * BUDGET / least)
+    assert pace.level == good and pace.detail.grass == 1.0
+    walked(pace, 5, lambda _: 2.2 * BUDGET / least)
+    assert pace.level > good and pace.detail.grass < 1.0
+    walked(pace, 5, lambda _: 1.1 * BUDGET / least)
+    assert pace.level == good
+    assert all(level.detail.grass == 1.0 for level in WALKING[: good + 1])
 
 
 def test_detail_comes_back_where_there_is_less_to_draw() -> None:

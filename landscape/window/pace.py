@@ -8,9 +8,10 @@ to be a mistake. So the picture neither pumps nor flickers, and a fast OpenGL st
 What a level costs is not the same everywhere: a part of each frame takes the same time however few
 pixels and blades are drawn. How large that part is here, each change of the level tells.
 
-First the pixels become fewer, as a picture that is stretched a little differs least from a still.
-Blades are left out last. Each frame of a walk has a mirror image of its own: to use one for several
-saved a millisecond or two, and in views of the sea one pixel in thirty was wrong.
+The pixels become fewer, as a picture that is stretched a little differs least from a still. Blades
+are left out only as a last resort, where frames would take more than half again their time. Each
+frame of a walk has a mirror image of its own: to use one for several saved a millisecond or two,
+and in views of the sea one pixel in thirty was wrong.
 
 To one who stands still every pixel is shown, four frames to a picture (see stretch.py), with less
 grass if need be.
@@ -29,27 +30,36 @@ FPS = 30.0  # chosen: frames per second that a walk keeps
 
 @dataclass(frozen=True)
 class Level:
-    """A rung of the ladder: the detail, and how much of what is not fixed it costs, 0..1."""
+    """A rung of the ladder: the detail, and how much of what is not fixed it costs, 0..1.
+
+    What is a last ``resort`` spoils the picture: it is for where a walk would become a slide show.
+    """
 
     detail: Detail
     load: float
+    resort: bool = False
 
 
-def _level(load: float, scale: float, grass: float, mirror: float) -> Level:
-    return Level(Detail(scale=scale, coarser=1.0 / scale, grass=grass, mirror=mirror), load)
+def _level(
+    load: float, scale: float, mirror: float, grass: float = 1.0, resort: bool = False
+) -> Level:
+    detail = Detail(scale=scale, coarser=1.0 / scale, grass=grass, mirror=mirror)
+    return Level(detail, load, resort)
 
 
 # Loads: from frames of figure 35 at 1280x720 on two cores (docs/performance.md).
 WALKING = (
     Level(FULL, 1.0),
-    _level(0.72, 0.85, 1.00, 0.50),
-    _level(0.56, 0.75, 1.00, 0.45),
-    _level(0.43, 0.66, 1.00, 0.40),
-    _level(0.35, 0.60, 1.00, 0.36),
-    _level(0.26, 0.52, 1.00, 0.33),
-    _level(0.20, 0.46, 1.00, 0.30),
-    _level(0.13, 0.42, 0.70, 0.27),
-    _level(0.06, 0.38, 0.40, 0.24),
+    _level(0.72, 0.85, 0.50),
+    _level(0.56, 0.75, 0.45),
+    _level(0.43, 0.66, 0.40),
+    _level(0.35, 0.60, 0.36),
+    _level(0.26, 0.52, 0.33),
+    _level(0.20, 0.46, 0.30),
+    _level(0.16, 0.42, 0.27),
+    _level(0.13, 0.38, 0.24),
+    _level(0.06, 0.34, 0.22, grass=0.50, resort=True),
+    _level(0.03, 0.28, 0.20, grass=0.20, resort=True),
 )
 
 
@@ -60,13 +70,15 @@ def _interlaced(load: float, scale: float, grass: float, mirror_frames: int) -> 
 # All pixels count here, as frames add up to a picture that has all of them.
 STANDING = (
     Level(FULL, 1.0),
-    _interlaced(0.50, 1 / 2, 0.80, 1),
-    _interlaced(0.37, 1 / 2, 0.50, 2),
-    _interlaced(0.27, 1 / 2, 0.30, 3),
-    _interlaced(0.20, 1 / 2, 0.16, 4),
-    _interlaced(0.16, 1 / 4, 0.30, 4),
-    _interlaced(0.12, 1 / 4, 0.16, 4),
-    _interlaced(0.08, 1 / 4, 0.10, 4),
+    _interlaced(0.50, 1 / 2, 1.00, 1),
+    _interlaced(0.40, 1 / 2, 0.80, 2),
+    _interlaced(0.30, 1 / 2, 0.60, 2),
+    _interlaced(0.24, 1 / 4, 0.80, 4),
+    _interlaced(0.20, 1 / 4, 0.60, 4),
+    _interlaced(0.16, 1 / 4, 0.40, 4),
+    _interlaced(0.12, 1 / 4, 0.25, 4),
+    _interlaced(0.08, 1 / 4, 0.12, 4),
+    _interlaced(0.06, 1 / 4, 0.08, 6),
     _interlaced(0.04, 1 / 4, 0.06, 6),
 )
 
@@ -79,6 +91,7 @@ RUSH = 1.4  # chosen
 LIMIT = 0.90  # chosen: of the time per frame; if the usual frame takes more, draw less
 AIM = 0.80  # chosen: of the time per frame, what a coarser level should take
 ROOM = 0.75  # chosen: of the time per frame, what a finer level may be expected to take
+RESORT = 1.6  # chosen: times the time per frame, which the other levels must take for a last resort
 WAIT = 0.4  # chosen: seconds at a level before a finer one is tried
 LONGEST_WAIT = 16.0  # chosen: seconds, after a rise that was taken back several times
 REST = 0.25  # chosen: seconds without a motion after which a walker stands still
@@ -150,25 +163,50 @@ class Ladder:
     def _wanted(self, usual: float) -> int:
         """Return the level for the next frame, where frames take ``usual`` seconds."""
         full = usual / self.cost(self.level)
+        if self.level > self._last_good and self._bearable(full, ROOM):
+            return self._last_good
         if usual > LIMIT * self._budget:
             if self._risen and self._since < 2 * self._wait:
                 self._wait = min(2 * self._wait, LONGEST_WAIT)
-            return self._first(range(self.level + 1, len(self._levels)), full, AIM)
+            return self._coarser(full)
         if self._risen and self._since >= 2 * self._wait:
             self._wait, self._risen = WAIT, False
         if self._since < self._wait:
             return self.level
-        return self._first(range(self.level + 1), full, ROOM, self.level)
+        finer = self._fitting(range(self.level), full, ROOM)
+        return self.level if finer is None else finer
 
-    def _first(self, levels: range, full: float, part: float, otherwise: int = -1) -> int:
+    def _coarser(self, full: float) -> int:
+        """Return the next level that is fast enough, where a full frame takes ``full`` seconds.
+
+        Where none is, it is the last one that is no last resort, unless that takes far too long.
+        """
+        found = self._fitting(range(self.level + 1, len(self._levels)), full, AIM)
+        if found is not None and not self._levels[found].resort:
+            return found
+        if self.level <= self._last_good and self._bearable(full, 1.0):
+            return self._last_good
+        return len(self._levels) - 1 if found is None else found
+
+    @property
+    def _last_good(self) -> int:
+        """The last level that is no last resort."""
+        return max(n for n, level in enumerate(self._levels) if not level.resort)
+
+    def _bearable(self, full: float, part: float) -> bool:
+        """Return whether the last good level is fast enough to do without a last resort.
+
+        Its frames may take ``part`` of RESORT times the budget; a full one takes ``full`` seconds.
+        """
+        return full * self.cost(self._last_good) <= part * RESORT * self._budget
+
+    def _fitting(self, levels: range, full: float, part: float) -> int | None:
         """Return the first of some levels whose frames would take that part of the time at most.
 
-        ``full`` is what a full frame takes, in seconds; without ``otherwise`` the last level is
-        returned where none fits.
+        ``full`` is what a full frame takes, in seconds.
         """
         most = part * self._budget
-        fitting = (level for level in levels if full * self.cost(level) <= most)
-        return next(fitting, len(self._levels) - 1 if otherwise < 0 else otherwise)
+        return next((n for n in levels if full * self.cost(n) <= most), None)
 
 
 class Pace:

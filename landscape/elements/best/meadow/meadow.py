@@ -72,7 +72,7 @@ from landscape.settings import Settings
 DITHER_CONTROL = Need(None, ("GL_NV_alpha_to_coverage_dither_control",))
 RARELY = 1.5  # chosen: times the margin that is kept where blades are left out
 CLEAR = 0.98  # chosen: of a blade's colour, what fog must leave in order to be left out
-LEAST_PIXELS = 5.0  # chosen: blades of a coarser frame are drawn as far as they are as tall
+LEAST_PIXELS = 4.0  # chosen: blades of a coarser frame are drawn as far as they are as tall
 
 
 def blade_ends(image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -271,8 +271,8 @@ class Meadow:
 
     def _clear_of_fog(self, frame: Frame) -> bool:
         """Return whether fog would change nothing that one sees of the blades."""
-        fog = self._settings.fog
-        return fog.mode == "exp2" and visibility(self.reach(frame), fog.density) > CLEAR
+        fog, reach = self._settings.fog, np.array(self.reach(frame))
+        return fog.mode == "exp2" and bool(visibility(reach, fog.density) > CLEAR)
 
     def draw(self, frame: Frame) -> None:
         """Choose, bend and send the visible blades."""

@@ -4,6 +4,7 @@ A frame computes them once and draws them twice, mirrored and not. :mod:`choice`
 that may be visible; here a frame adds what depends on the eye: the quads' corners, alpha and order.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,6 +48,9 @@ COMES, GOES = (0.35, 0.70), (0.80, 0.97)
 ROSETTE_WIDTH, BLOOM_WIDTH, CROWN_WIDTH = 1.25, 0.90, 0.95
 TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay off
 CUT_WITHIN = 8.0  # chosen: units; of farther ones one does not see which is in front
+# Chosen: units that the eye may move, radians that it may turn, and the time, in kt, that may pass
+# while a coarser frame shows the quads of the one before.
+SERVES, SERVES_KT = (0.04, math.radians(1.5)), 2.0
 
 TWO_BOXES = np.concatenate([QUAD, QUAD + 4])  # what is opaque in a picture, see atlas.outlines
 
@@ -74,10 +78,27 @@ class SpritesInView:
         self._all = laid_out
         self._choice: Choice | None = None
         self._chosen_for: tuple[Frame, Settings] | None = None
+        self._last: tuple[Frame, Settings, tuple[np.ndarray, ...]] | None = None
         self._tops: dict[bool, tuple[np.ndarray, ...]] = {}
 
     def arrays(self, frame: Frame, settings: Settings) -> tuple[np.ndarray, ...]:
-        """Return vertices, colours, texture coordinates and indices, sorted or not."""
+        """Return vertices, colours, texture coordinates and indices, sorted or not.
+
+        In the coarser frames of a walk those of the frame before serve once more where the eye has
+        hardly moved. All stand where they stand; what lags behind is how far they turn and sway.
+        """
+        if self._last is not None:
+            then, chosen_settings, arrays = self._last
+            soon = 0.0 <= frame.kt - then.kt <= SERVES_KT
+            coarser = then.detail.coarser == frame.detail.coarser > 1.0
+            if soon and coarser and chosen_settings is settings and is_near(then, frame, *SERVES):
+                return arrays
+        arrays = self._computed(frame, settings)
+        self._last = frame, settings, arrays
+        return arrays
+
+    def _computed(self, frame: Frame, settings: Settings) -> tuple[np.ndarray, ...]:
+        """Return what :meth:`arrays` does, for this very frame."""
         choice = self.choice(frame, settings)
         seen = self._seen(frame, settings, choice)
         plants = choice.crossed.which

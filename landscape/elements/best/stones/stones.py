@@ -174,7 +174,9 @@ class Stones:
             # A frame may turn by REUSE_ANGLE until the next choice.
             drawn &= in_view(frame, middles, 1.2 * found.radii + margin + REUSE_ANGLE * away)
         numbers = np.flatnonzero(drawn)
-        shapes, fine = found.shapes[numbers], (pixels[numbers] / EDGE_PIXELS) ** 2
+        # Coarser frames of a walk have the same shapes: a slab that becomes round is seen at once.
+        whole = pixels[numbers] * np.float32(frame.detail.coarser)
+        shapes, fine = found.shapes[numbers], (whole / EDGE_PIXELS) ** 2
         corners = [np.empty(0, np.int64)]
         for k, levels in enumerate(self._shapes):
             rest, detail = numbers[shapes == k], fine[shapes == k]
