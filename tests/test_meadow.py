@@ -1,5 +1,6 @@
 """The meadow: blades turned to the viewer, in tufts and layers, tinted, thinned out far away."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -32,7 +33,8 @@ from landscape.elements.grass import (
 from landscape.elements.grass_cells import CELL
 from landscape.elements.ground import Ground
 from landscape.files.assets import Assets
-from landscape.frame import Pose
+from landscape.frame import Detail, Pose
+from landscape.gl.calls import gl
 
 NORTH = Pose(20.0, 3.1, 20.0)
 LUSH: dict[str, Any] = {"fade": True, "tufts": 7, "variety": 1.0, "count": 200_000}
@@ -328,6 +330,93 @@ def test_what_is_drawn_does_not_depend_on_what_has_grown_before(
     meadow = sow(fade=True, count=500_000)
     first, again = (meadow.select(looking(NORTH)) for _ in range(2))
     assert np.array_equal(first.positions, again.positions)
+
+
+DENSE_MEADOW: dict[str, Any] = {"fade": True, "tufts": 6, "sward": True, "count": 24_000_000}
+
+
+def test_close_up_layers_grow_only_in_the_squares_that_are_near(
+    sow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They show the same blades as if they had grown in their whole cells."""
+    in_squares, whole = (sow(**DENSE_MEADOW) for _ in range(2))
+    poses = [Pose(20.0, 3.1, 20.0), Pose(20.15, 3.1, 20.02, 40.0), Pose(20.3, 3.1, 20.2, 130.0)]
+    drawn = [in_squares.select(looking(pose), 0.09, 0.1) for pose in poses]
+    monkeypatch.setattr("landscape.elements.best.meadow.meadow.FAR_LAYERS", 10**9)
+    for pose, patch in zip(poses, drawn, strict=True):
+        other = whole.select(looking(pose), 0.09, 0.1)
+        assert len(patch.positions) > 5_000
+        assert sorted(map(bytes, patch.vertices)) == sorted(map(bytes, other.vertices))
+        assert sorted(map(bytes, patch.tints)) == sorted(map(bytes, other.tints))
+    # What has taken shape: cells have up to 3,750 blades, 1,024 of them everywhere.
+    shaped = [
+        sum(len(patch.positions) for patch in cell.parts.values())
+        for cell in in_squares._growth._cells.values()
+    ]
+    grown_whole = sum(len(cell.patch.positions) for cell in whole._growth._cells.values())
+    assert 0 < sum(shaped) < grown_whole / 4
+
+
+def test_dropped_squares_grow_again_as_they_were(sow, monkeypatch: pytest.MonkeyPatch) -> None:
+    meadow, frame = sow(**DENSE_MEADOW), looking(NORTH)
+    first = meadow.select(frame)
+    monkeypatch.setattr(growth_module, "LEAST", 0)
+    monkeypatch.setattr(growth_module, "KEPT", 0)
+    meadow._growth.forget(in_view=0)
+    assert meadow._growth.grown == 0
+    assert (meadow.select(frame).vertices == first.vertices).all()
+
+
+def test_what_is_not_sent_does_not_show(sow) -> None:
+    """Of a choice with a margin, what has sunk or is beside the picture is left out."""
+    meadow, frame = sow(**DENSE_MEADOW), looking(NORTH)
+    chosen = meadow.select(frame, 0.09, 0.1)
+    sent = meadow.seen(frame, chosen)
+    assert 1_000 < len(sent.positions) < 0.8 * len(chosen.positions)
+    others = shown(meadow, frame, chosen) - shown(meadow, frame, sent)
+    corners = np.array([np.frombuffer(blade, np.float32).reshape(5, 3) for blade in others])
+    away = corners - frame.eye
+    depth = -(away @ frame.back)
+    top = np.tan(np.radians(frame.fov / 2))
+    side = top * frame.size[0] / frame.size[1]
+    beside = [(sign * (away @ frame.right) > depth * side).all(axis=1) for sign in (1, -1)]
+    beside += [(sign * (away @ frame.up) > depth * top).all(axis=1) for sign in (1, -1)]
+    assert (np.any(beside, axis=0) | (depth < 0).all(axis=1)).all()
+
+
+def test_a_coarser_frame_has_all_near_blades_and_no_farther_ones_than_one_sees(sow) -> None:
+    meadow = sow(fade=True, count=2_000_000, scale=(1.0, 1.0), radius=6.0)
+    whole, walked = looking(NORTH, size=(640, 360)), looking(NORTH, size=(640, 360))
+    coarser = replace(walked, detail=Detail(scale=0.5, coarser=2.0))
+    assert meadow.reach(whole) == 6.0
+    # A blade of 0.02 units is 4 pixels high there, each of which is two of the window.
+    pixels = 180 / np.tan(np.radians(whole.fov / 2)) * 0.02 / meadow.reach(coarser)
+    assert pixels == pytest.approx(8.0)
+    near, all_of = meadow.seen(coarser, meadow.select(coarser)), meadow.select(whole)
+    away = np.hypot(near.positions[:, 0] - 20, near.positions[:, 2] - 20)
+    every = np.hypot(all_of.positions[:, 0] - 20, all_of.positions[:, 2] - 20)
+    reach = meadow.reach(coarser)
+    assert away.max() <= reach < every.max()
+    assert (away < reach / 2).sum() == (every < reach / 2).sum()
+
+
+def test_a_coarser_frame_chooses_the_mip_levels_of_a_whole_one_and_leaves_nothing(
+    sow, stage: Stage
+) -> None:
+    meadow, settings = sow(**DENSE_MEADOW), grass_settings(**DENSE_MEADOW)
+    biases: list[float] = []
+
+    def noted(target: int, name: int, value: float) -> None:
+        if target == gl.GL_TEXTURE_FILTER_CONTROL:
+            biases.append(value)
+
+    with stage.frame(settings, NORTH, kt=9.0) as frame:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(gl, "glTexEnvf", noted)
+            meadow.draw(frame)
+            assert biases == []
+            meadow.draw(replace(frame, detail=Detail(scale=0.5, coarser=2.0)))
+        assert biases == [-1.0, 0.0]
 
 
 def test_new_settings_or_a_new_window_size_cause_a_new_selection(sow) -> None:

@@ -29,6 +29,7 @@ from landscape.elements.best.meadow.refined_blades import (
     joined,
     lushness,
     nearness,
+    sizes_of,
     thinned_ranges,
 )
 from landscape.elements.best.meadow.sowing import OF_TUFTS, Sown, between, lots_of, together
@@ -281,8 +282,8 @@ class Growth:
         positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
         grow = self._cards if grass.sward else self._blades
         vertices, tints, kinds = grow(positions, angles, whole)
-        ranges = whole.ranges.astype(np.float32)
-        patch = Patch(positions.astype(np.float32), vertices, tints, ranges, kinds)
+        places, ranges = positions.astype(np.float32), whole.ranges.astype(np.float32)
+        patch = Patch(places, vertices, tints, ranges, kinds, sizes_of(places, vertices))
         ends = np.cumsum([len(layer.tuft) for layer in layers]).tolist()
         # Copies: a part of an array would keep all of it in memory.
         return [

@@ -43,6 +43,7 @@ from landscape.elements.best.meadow.sward import (
     WIDENED,
     WIDENING,
     mean_colours,
+    most_widened,
     sward_levels,
     texture_coordinates,
 )
@@ -65,6 +66,7 @@ from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
 from landscape.gl.calls import gl
 from landscape.gl.extensions import Need, antialiased, has
+from landscape.gl.features import possible
 from landscape.gl.state import attrib, client_arrays, multiply
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
@@ -108,6 +110,26 @@ def cut_out() -> Iterator[None]:
             gl.glAlphaToCoverageDitherControlNV(gl.GL_ALPHA_TO_COVERAGE_DITHER_DEFAULT_NV)
 
 
+@contextmanager
+def sharper(coarser: float) -> Iterator[None]:
+    """Choose the mip levels of a frame whose pixels are not ``coarser`` times as large.
+
+    In those of the larger pixels the blades of a card have grown together: it would be a blob.
+    """
+    if coarser <= 1.0 or not possible("sharper textures"):
+        yield
+        return
+
+    def bias(value: float) -> None:
+        gl.glTexEnvf(gl.GL_TEXTURE_FILTER_CONTROL, gl.GL_TEXTURE_LOD_BIAS, value)
+
+    bias(-math.log2(coarser))
+    try:
+        yield
+    finally:
+        bias(0.0)
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the blades' number, places, shapes and tints depend on."""
     grass, ground = settings.grass, settings.ground
@@ -137,6 +159,9 @@ class Meadow:
             ends, trilinear = blade_ends(levels[0]), True
             self._corners, self._height = COORDINATES[None], TALLEST
         self._growth = Growth(settings, ground, seed, ends)
+        self._widening = 1.0, 0.0
+        if settings.grass.sward and settings.grass.fade:
+            self._widening = most_widened(self._growth.near * WIDE_FROM)
         self._texture = Texture(levels, repeat=False, trilinear=trilinear)
         self._in_view = 0
         self._chosen: Patch | None = None
@@ -186,9 +211,7 @@ class Meadow:
             wanted += [len(part.positions) for part in parts]
         whole = joined(patches, wanted) if patches else NOTHING
         if grass.fade:
-            kept = in_range(
-                frame, whole.positions, whole.ranges, radius, margin, angle, growth.thinning
-            )
+            kept = in_range(frame, whole, radius, self._widening, margin, angle, growth.thinning)
             whole = whole.only(kept)
             if frame.detail.grass < 1.0:
                 whole = widened(whole, frame.detail.grass)
@@ -226,7 +249,8 @@ class Meadow:
         """
         if not self._settings.grass.fade:
             return patch
-        kept = showing(frame, patch.places, self._ranges(frame, patch))
+        ranges = self._ranges(frame, patch)
+        kept = showing(frame, patch.places, ranges, patch.sizes, self._widening)
         return patch.only(kept) if len(kept) < len(patch.positions) else patch
 
     def _ranges(self, frame: Frame, patch: Patch) -> np.ndarray:
@@ -287,7 +311,8 @@ class Meadow:
             self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
         tinted = patch.tints.reshape(-1, 4) if self._settings.grass.tinted else None
         cut = cut_out() if self._settings.grass.sward else nullcontext()
-        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), cut:
+        sharp = sharper(frame.detail.coarser)
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), cut, sharp:
             gl.glEnable(gl.GL_TEXTURE_2D)
             if frame.detail.coarser > 1.0 and self._clear_of_fog(frame):
                 gl.glDisable(gl.GL_FOG)

@@ -6,7 +6,7 @@ No OpenGL here.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 import numpy as np
@@ -21,8 +21,7 @@ WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDEN
 THICKER = (
     0.25  # chosen: if only a fraction of the blades is drawn, they are fraction**-THICKER wide
 )
-REACH = 0.07  # chosen: units; no part of a blade is farther from its foot, close by,
-WIDEST = 0.018  # chosen: or this much more for each unit that it is away
+SWAYING = 0.02  # chosen: units that wind and its lean may take a blade's tip aside
 FOOT = 0.75  # chosen: brightness of a tinted blade at its foot, times the ground's
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: change of the ground's colour for tall grass
 
@@ -93,7 +92,8 @@ def widened(patch: "Patch", fraction: float) -> "Patch":
     """Return blades wide enough to cover more of the ground for those that are left out."""
     grown = np.array([fraction**-THICKER, 1.0, fraction**-THICKER], np.float32)
     feet = patch.positions[:, None]
-    return replace(patch, vertices=(patch.vertices - feet) * grown + feet)
+    vertices = (patch.vertices - feet) * grown + feet
+    return replace(patch, vertices=vertices, sizes=patch.sizes * grown[0])
 
 
 def lushness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -102,6 +102,12 @@ def lushness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     return np.asarray(
         0.6 * np.sin(2.3 * x + warp) * np.sin(1.9 * z - warp) + 0.4 * np.sin(5 * x - 4 * z)
     )
+
+
+def sizes_of(positions: np.ndarray, vertices: np.ndarray) -> np.ndarray:
+    """Return how far the farthest of vertices (n, 5, 3) is from positions (n, 3), float32 (n,)."""
+    apart = vertices - positions[:, None]
+    return np.sqrt((apart * apart).sum(axis=2).max(axis=1)).astype(np.float32)
 
 
 def hues(green: np.ndarray, straw: np.ndarray, pale: np.ndarray) -> np.ndarray:
@@ -137,7 +143,8 @@ class Patch:
     """Blades: places (n, 3), vertices without wind (n, 5, 3), tints (n, 5, 4), ranges (n,).
 
     A blade is drawn up to its range in units, or the radius if that is less; those of the longest
-    range come first. ``kinds`` (n,) are those of the sward, see :mod:`sward`.
+    range come first. ``kinds`` (n,) are those of the sward, see :mod:`sward`. ``sizes`` (n,) is how
+    many units from its place a blade's farthest vertex is.
     """
 
     positions: np.ndarray
@@ -145,6 +152,7 @@ class Patch:
     tints: np.ndarray
     ranges: np.ndarray
     kinds: np.ndarray
+    sizes: np.ndarray
 
     @cached_property
     def columns(self) -> np.ndarray:
@@ -158,23 +166,31 @@ class Patch:
 
     def only(self, which: np.ndarray | slice) -> "Patch":
         """Return some of the blades."""
-        arrays = self.positions, self.vertices, self.tints, self.ranges, self.kinds
-        return Patch(*(array[which] for array in arrays))
+        return Patch(*(getattr(self, name)[which] for name in ARRAYS))
 
 
+ARRAYS = tuple(array.name for array in fields(Patch))
 NOTHING = Patch(
     np.empty((0, 3), np.float32), np.empty((0, 5, 3), np.float32), np.empty((0, 5, 4), np.uint8),
-    np.empty(0, np.float32), np.empty(0, np.uint8),
+    np.empty(0, np.float32), np.empty(0, np.uint8), np.empty(0, np.float32),
 )  # fmt: skip
 
 
 def showing(
-    frame: Frame, places: np.ndarray, ranges: np.ndarray, margin: float = 0.0, angle: float = 0.0
+    frame: Frame,
+    places: np.ndarray,
+    ranges: np.ndarray,
+    sizes: np.ndarray,
+    widening: tuple[float, float] = (1.0, 0.0),
+    margin: float = 0.0,
+    angle: float = 0.0,
 ) -> np.ndarray:
-    """Return the numbers (k,) of blades in range whose feet are at ``places`` (3, n) and in view.
+    """Return the numbers (k,) of blades in range and in view; their feet are at ``places`` (3, n).
 
-    ``ranges`` (n,) is how far away each is drawn. ``margin`` units is how far the eye may still
-    move, and ``angle`` radians how far it may turn.
+    ``ranges`` (n,) is how far away each is drawn, and ``sizes`` (n,) how far its corners are from
+    its foot, close by and in still air; d units away at most ``widening`` = (a, b): a + b d times
+    as far. ``margin`` units is how far the eye may still move, and ``angle`` radians how far it may
+    turn.
     """
     x, y, z = places - frame.eye.astype(np.float32)[:, None]
     near = x * x + z * z
@@ -189,7 +205,8 @@ def showing(
     top = math.tan(math.radians(frame.fov / 2))
     depth = -along(frame.back)
     # A card that is far away is widened, see the sward.
-    reach = np.float32(REACH + margin) + np.float32(WIDEST) * np.sqrt(near)
+    close, more = map(np.float32, widening)
+    reach = sizes[found] * (close + more * np.sqrt(near)) + np.float32(SWAYING + margin)
     seen = depth > -reach
     for axis, side in ((frame.right, top * frame.size[0] / frame.size[1]), (frame.up, top)):
         side = math.tan(min(math.atan(side) + angle, 1.5))  # less than a right angle
@@ -201,23 +218,22 @@ def showing(
 
 def in_range(
     frame: Frame,
-    positions: np.ndarray,
-    ranges: np.ndarray,
+    patch: "Patch",
     radius: float,
+    widening: tuple[float, float] = (1.0, 0.0),
     margin: float = 0.0,
     angle: float = 0.0,
     thinning: float = THINNING,
 ) -> np.ndarray:
-    """Return the numbers (k,) of blades that may be seen, the nearest first.
+    """Return the numbers (k,) of a patch's blades that may be seen, the nearest first.
 
-    ``positions`` (n, 3) are their feet and ``ranges`` (n,) how far away each would be drawn; their
-    cells were thinned out only by the distance of the nearest point. ``margin`` units is how far
-    the eye may still move, and ``angle`` radians how far it may turn. What is near comes first, as
-    it hides much of what is far.
+    Their cells were thinned out only by the distance of the nearest point. ``widening`` is that of
+    :func:`showing`. ``margin`` units is how far the eye may still move, and ``angle`` radians how
+    far it may turn. What is near comes first, as it hides much of what is far.
     """
-    shorter = shortened(ranges, radius, frame.detail.grass, thinning)
-    found = showing(frame, np.ascontiguousarray(positions.T), shorter, margin, angle)
-    away = positions[found][:, ::2] - np.array([frame.pose.x, frame.pose.z], np.float32)
+    shorter = shortened(patch.ranges, radius, frame.detail.grass, thinning)
+    found = showing(frame, patch.places, shorter, patch.sizes, widening, margin, angle)
+    away = patch.positions[found][:, ::2] - np.array([frame.pose.x, frame.pose.z], np.float32)
     return np.asarray(found[np.argsort((away * away).sum(axis=1))])
 
 
@@ -229,4 +245,4 @@ def joined(patches: Sequence[Patch], counts: Sequence[int] | None = None) -> Pat
         parts = [getattr(patch, name)[:end] for patch, end in zip(patches, ends, strict=True)]
         return np.concatenate(parts)
 
-    return Patch(*map(all_of, ("positions", "vertices", "tints", "ranges", "kinds")))
+    return Patch(*map(all_of, ARRAYS))

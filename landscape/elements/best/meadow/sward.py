@@ -51,6 +51,17 @@ ROOTS = 0.30  # chosen: how much lighter than its picture the foot is of cards s
 CARD_SIDES = np.array([-1.0, 1.0, -SPREAD, SPREAD], np.float32)  # of feet and shoulders
 
 
+def most_widened(near: float) -> tuple[float, float]:
+    """Return a, b: cards d units away are drawn at most a + b d times as wide as close by.
+
+    Beyond ``near`` units they are widened by a power of the distance; this is its tangent 1 unit
+    away, which is nowhere below it.
+    """
+    there = max(1.0 / near, 1.0) ** WIDENING
+    slope = WIDENING * there
+    return max(there - slope, 1.0), slope
+
+
 def texture_coordinates() -> np.ndarray:
     """Return the texture coordinates of each kind, float32 (kinds, 5, 2).
 
