@@ -13,7 +13,7 @@ from landscape.elements.best.sprites import sprites_in_view
 from landscape.elements.best.sprites.choice import LaidOut, choose
 from landscape.elements.best.sprites.refined_planting import TintedSprites
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
-from landscape.frame import Pose
+from landscape.frame import FULL, Detail, Pose
 from landscape.keys import with_settings
 from landscape.settings import Settings
 
@@ -77,6 +77,27 @@ def test_a_selection_reused_for_several_frames_shows_what_a_new_one_would(
     before = len(made)
     shown(fresh=False)
     assert len(made) == before + len(poses)
+
+
+def test_coarser_frames_show_the_quads_of_the_one_before_where_the_eye_hardly_moves(
+    sprites: RefinedSprites,
+) -> None:
+    assert sprites.apply(small({**WIDE, **{k.replace("__", "."): v for k, v in SCATTERED.items()}}))
+    scattered(sprites)
+    coarser = Detail(scale=0.5, coarser=2.0)
+
+    def quads(kt: float = 0.0, detail: Detail = coarser, **pose: float) -> tuple[np.ndarray, ...]:
+        return sprites.prepare(replace(looking(replace(NORTH, **pose), kt), detail=detail))
+
+    first = quads()
+    assert quads(kt=1.0, x=20.03) is first
+    assert quads(kt=2.0, yaw=1.0) is first
+    for change in ({"x": 20.05}, {"yaw": 2.0}, {"kt": 3.0}, {"detail": FULL}):
+        first = quads()
+        assert quads(**change) is not first, change
+        assert quads() is not first, "a later choice has taken its place"
+    # Frames with all detail depend on their own moment alone.
+    assert quads(detail=FULL) is not quads(detail=FULL)
 
 
 def test_a_selection_with_a_margin_contains_that_of_every_pose_within_the_margin() -> None:
