@@ -19,10 +19,15 @@ DEGREES, UNITS, PER_SECOND = "degrees", "units", "units per second"
 REPEATS = "repeats over the map"
 # What reads the colours of the ground's large texture, apart from the ground itself.
 COLOURS_READ = "grass.tinted or trees.grouped or plants.species>1"
+# The ground of 2006, which Terrain does not replace.
+PLAIN_GROUND = (
+    *("ground", "not ground.materials", "not ground.low_stretch", "not ground.shadows"),
+    "ground.tiles=1",
+)
 # What depends on where the sun is.
 SUNLIT = (
-    "water or castle or rabbit or dragon or ground.shadows or ground.height_image!=height.png"
-    " or sun.relit",
+    "water or castle or rabbit or dragon or ground.lit or ground.shadows"
+    " or ground.height_image!=height.png or sun.relit",
 )
 
 
@@ -155,7 +160,7 @@ class Sun:
         0,
         10,
         unit="RGB",
-        needs=("water or castle or rabbit or dragon",),
+        needs=("water or castle or rabbit or dragon or ground.lit",),
     )
     ambient: tuple[float, ...] = setting(
         (0.50, 0.53, 0.60),
@@ -164,7 +169,7 @@ class Sun:
         0,
         10,
         unit="RGB",
-        needs=("water or castle or rabbit or dragon",),
+        needs=("water or castle or rabbit or dragon or ground.lit",),
     )
     fill: float = setting(
         0.0,
@@ -173,7 +178,7 @@ class Sun:
         0,
         10,
         unit="times the ambient colour",
-        needs=("water or castle or rabbit or dragon",),
+        needs=("water or castle or rabbit or dragon or ground.lit",),
     )
     tint: tuple[float, ...] = setting(
         (1.0, 1.0, 1.0),
@@ -203,7 +208,7 @@ class Sun:
 class Shading:
     """How OpenGL shades what the sun lights: to show what lighting does, and what it is made of."""
 
-    NEEDS: ClassVar[tuple[str, ...]] = ("water or castle or rabbit or dragon",)
+    NEEDS: ClassVar[tuple[str, ...]] = ("water or castle or rabbit or dragon or ground.lit",)
 
     lighting: bool = setting(
         True, "chosen", "light water, castle, rabbit and dragon; off, they have their plain colour"
@@ -225,6 +230,22 @@ class Ground:
     )
     size: float = setting(40.0, "section 9.2", "side of the map", 1, 200, unit=UNITS)
     scale_y: float = setting(6.0, "chosen", "height where red is 256", 0.001, 1000, unit=UNITS)
+    scale_x: float = setting(
+        1.0,
+        "section 2.1.2",
+        "how much of the map the images cover from west to east; the rest is sea",
+        0.05,
+        1,
+        unit="of ground.size",
+    )
+    scale_z: float = setting(
+        1.0,
+        "section 2.1.2",
+        "how much of the map the images cover from north to south; the rest is sea",
+        0.05,
+        1,
+        unit="of ground.size",
+    )
     clip: bool = setting(
         True,
         "section 2.1.2",
@@ -260,6 +281,19 @@ class Ground:
     )
     units: str = setting(
         "both", "figure 4", "texture units in use", choices=("both", "large", "detail", "none")
+    )
+    passes: str = setting(
+        "one",
+        "section 2.2.2",
+        "both textures in one pass by two texture units, or a second pass blended over the first",
+        choices=("one", "two"),
+        needs=(*PLAIN_GROUND, "ground.units=both"),
+    )
+    lit: bool = setting(
+        False,
+        "section 2.2.2",
+        "light the ground by its normals, too; its colours have their light painted in",
+        needs=PLAIN_GROUND,
     )
     mid_repeat: float = setting(
         0.0,

@@ -201,6 +201,15 @@ VIEWS = _table(
     # Pairs of what the report says without a figure of its own, in its own preset.
     view.name: replace(view, preset="2006")
     for view in (
+        View("two_passes", "terrain whose detail is a second pass, blended over the first",
+             BAY_SIDE, shown=LAND,
+             settings=NO_FOG | {"ground.detail_repeat": 40.0, "ground.passes": "two"}),
+        View("lit_ground", "terrain without textures, lit by its normals", BAY_SIDE, shown=LAND,
+             settings=NO_FOG | {"ground.units": "none", "ground.lit": True,
+                                "sun.ambient": (0.12, 0.13, 0.18), "sun.elevation": 25.0,
+                                "sun.diffuse": (0.85, 0.78, 0.65)}),
+        View("squeezed", "the island half as long as wide", Pose(9.0, 8.0, 29.0, 28.0, -26.0),
+             shown=("ground", "water"), settings=NO_FOG | {"ground.scale_z": 0.5}),
         View("avenue", "trees, ferns and a stag where a file says that they stand",
              walking(21.5, 26.1, 338.0, -3.0), 20, shown=GROVE_AND_SKY, settings=AVENUE),
         View("faces_plane", "flaw: quads close by are parallel to the picture, and turn with it",

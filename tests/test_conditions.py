@@ -45,7 +45,7 @@ def test_each_of_the_reasons_is_named() -> None:
     assert why("walk.speed") == "ignored outside a walk"
     assert why("walk.speed", shown=(WALK,)) == ""
     assert why("grass.arch", shown=("ground",)) == "ignored while grass is not shown"
-    lit = "water, castle, rabbit and dragon"
+    lit = "ground.lit is off and water, castle, rabbit and dragon"
     assert why("sun.diffuse", shown=("ground",)) == f"ignored while {lit} are not shown"
     assert why("ground.clip", shown=("ground",)) == ""
     assert why("grass.method").count(" is ") == 8 and why("grass.method", "2006") == ""

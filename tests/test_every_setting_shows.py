@@ -114,6 +114,8 @@ SHOTS = {
     "ground.clip": replace(GROUPS["ground"], pose=SEA),
     "ground.texture_size": replace(GROUPS["ground"], value=16),
     "ground.mid_repeat": replace(GROUPS["ground"], settings=MATERIALS, value=13.0),
+    "ground.passes": replace(GROUPS["ground"], settings={
+        "ground.detail_repeat": 40.0, "fog.density": 0.3}, only=("ground", "fog")),
     "ground.subdivide": of_fix("R14", settings=of_fix("R14").settings | {
         "ground.smooth": "catmull_rom"}, value=1),
     "ground.exact_height": of_fix("R15"),

@@ -7,8 +7,11 @@ from stage import Stage, close, pixel, project, small
 
 from landscape.elements.best.terrain.terrain import ground_class
 from landscape.elements.ground import Ground, clipped
+from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.gl.calls import gl, recording
+from landscape.gl.draw import level_square
 from landscape.keys import with_settings
 
 SUN = np.array([0.0, 1.0, 0.0], np.float32)
@@ -37,6 +40,84 @@ def test_two_texture_units_give_large_times_detail_times_two(
         picture = stage.read()
     ground.release()
     assert close(picture[20:100:20, 20:140:20], wanted)
+
+
+@pytest.mark.parametrize("fogged", [False, True])
+def test_a_second_pass_blended_over_gives_the_same_product(
+    stage: Stage, plain: Assets, fogged: bool
+) -> None:
+    # Section 2.2.2: the alternative to multitexturing sends the geometry twice.
+    pictures, sent = [], []
+    for passes in ("one", "two"):
+        settings = small({"ground.passes": passes, "fog.enabled": fogged, "fog.density": 0.05})
+        ground = Ground(settings, plain, SUN)
+        with stage.frame(settings, DOWN, fog=fogged) as frame:
+            with recording() as recorder:
+                ground.draw(frame)
+            pictures.append(stage.read())
+        (call,) = (each for each in recorder.calls if each.name == "glCallList")
+        sent.append(sum(each.args[1] for each in call.listed if each.name == "glDrawElements"))
+        ground.release()
+    assert sent[1] == 2 * sent[0] > 0
+    one, two = pictures
+    if not fogged:
+        assert np.abs(one - two).max() <= 2
+        assert close(two[20:100:20, 20:140:20], LARGE * DETAIL * 2 / 255)
+    else:
+        # Each pass has its fog: the first f C + (1 - f) F, the second 2 (f D + (1 - f) / 2).
+        middle = two[60, 80] / 255
+        f = np.exp(-((0.05 * (9.0 - float(ground.height(20.0, 20.0)))) ** 2))
+        first = f * LARGE / 255 + (1 - f) * np.array(settings.fog.color)
+        assert np.abs(middle - first * 2 * (f * DETAIL / 255 + (1 - f) / 2)).max() < 0.02
+
+
+def test_a_pass_leaves_what_is_in_front_of_the_ground(stage: Stage, plain: Assets) -> None:
+    settings = small({"ground.passes": "two"})
+    ground = Ground(settings, plain, SUN)
+    with stage.frame(settings, DOWN) as frame:
+        gl.glColor3f(1.0, 0.0, 0.0)
+        level_square(10.0, 30.0, 8.0)
+        gl.glColor3f(1.0, 1.0, 1.0)
+        ground.draw(frame)
+        assert close(stage.read()[60, 80], (255, 0, 0))
+    ground.release()
+
+
+def test_the_lit_ground_has_the_light_of_its_normals(stage: Stage, plain_folder) -> None:
+    ramp = np.repeat(np.arange(256, dtype=np.uint8)[None, :], 256, axis=0)
+    Image.fromarray(ramp).save(plain_folder / "height.png")
+    light = {"sun.azimuth": 270.0, "sun.elevation": 45.0, "sun.diffuse": (0.8, 0.8, 0.8)}
+    settings = small(
+        {"ground.lit": True, "ground.units": "none", "sun.ambient": (0.1, 0.1, 0.1), **light}
+    )
+    ground = Ground(settings, Assets(plain_folder), SUN)
+    with stage.frame(settings, DOWN) as frame:
+        ground.draw(frame)
+        picture = stage.read()
+    facing = float(ground.field.normal(20.0, 20.0) @ direction(settings.sun))
+    assert close(picture[60, 80], np.full(3, 255 * (0.1 + 0.8 * facing)), 3)
+    ground.release()
+
+
+@pytest.mark.parametrize("kind", [{}, {"ground.materials": True}])
+def test_the_images_cover_the_part_of_the_map_that_is_asked_for(
+    stage: Stage, plain_folder, kind: dict[str, object]
+) -> None:
+    # Section 2.1.2: set_scale takes x and z apart.
+    high = np.full((64, 64), 200, np.uint8)
+    Image.fromarray(high).save(plain_folder / "height.png")
+    Image.fromarray(np.full((64, 64, 3), 90, np.uint8)).save(plain_folder / "ground_large.png")
+    changes = {"ground.scale_x": 0.75, "ground.scale_z": 0.5, "ground.resolution": 81, **kind}
+    settings = small(changes)
+    ground = ground_class(settings)(settings, Assets(plain_folder), SUN)
+    x, z = np.array([2.0, 28.0, 32.0, 2.0]), np.array([2.0, 18.0, 2.0, 22.0])
+    heights = ground.terrain_height(x, z)
+    assert heights[:2] == pytest.approx(200 / 256 * settings.ground.scale_y)
+    assert heights[2:] == pytest.approx(0.0)
+    assert ground.large.shape == (64, 64, 3)
+    assert ground.colour(x, z)[:2] == pytest.approx(90 / 255)
+    assert not ground.apply(small({**changes, "ground.scale_z": 1.0}))
+    ground.release()
 
 
 def test_the_ground_is_drawn_where_its_heights_say(stage: Stage, plain_folder) -> None:

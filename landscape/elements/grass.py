@@ -140,6 +140,7 @@ def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the blades' number, places and shapes depend on."""
     ground, grass, castle = settings.ground, settings.grass, settings.castle
     return (
+        *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
         *(ground.subdivide, ground.exact_height, settings.water.level, castle.x, castle.z),
         *(grass.count, grass.scale),

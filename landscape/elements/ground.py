@@ -4,7 +4,10 @@ Techniques: the image is resampled to a grid of vertices; vertex arrays are draw
 glDrawElements, compiled once into a display list; two textures by multitexturing, unit 0 the
 large-scale colour, unit 1 a detail repeated many times; a clip plane cuts the ground at the water
 level. Height queries are bilinear over the same grid (geometry/height_field.py).
-State used: texture units 0 and 1, GL_COMBINE in unit 1 (OpenGL 1.3), GL_CLIP_PLANE0.
+``ground.passes`` shows the alternative of section 2.2.2: a second pass blended over the first one,
+which sends the geometry twice. ``ground.lit`` shows what the normals are for.
+State used: texture units 0 and 1, GL_COMBINE in unit 1 (OpenGL 1.3), GL_CLIP_PLANE0; with the
+switches GL_BLEND, the depth test, the fog's colour, GL_LIGHTING.
 What is wrong with it: edges between coarse triangles (switch ``ground.smooth``, R14); the walker
 stands a little above or below them (``ground.exact_height``, R15); one detail texture on grass,
 sand and rock (``ground.materials``). The ground of the preset ``best`` is best/terrain/terrain.py.
@@ -12,15 +15,25 @@ sand and rock (``ground.materials``). The ground of the preset ``best`` is best/
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from PIL import Image
 
+from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights, read_image
 from landscape.frame import Frame
 from landscape.geometry.height_colours import colour_by_height
-from landscape.geometry.height_field import HeightField, ground_mesh, height_field, lookup
+from landscape.geometry.height_field import (
+    HeightField,
+    ground_mesh,
+    height_field,
+    laid_over,
+    lookup,
+)
+from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
@@ -30,10 +43,13 @@ from landscape.gl.texture import Texture
 from landscape.settings import Ground as GroundSettings
 from landscape.settings import Settings
 
-HEIGHTS = ("height_image", "resolution", "size", "scale_y", "smooth", "subdivide", "exact_height")
+HEIGHTS = (
+    *("height_image", "resolution", "size", "scale_x", "scale_y", "scale_z"),
+    *("smooth", "subdivide", "exact_height"),
+)
 Layer = tuple[Texture, float]
 """A texture, and how often it is repeated over the map."""
-TEXTURES = ("large_texture", "detail_texture", "detail_repeat", "units", "texture_size")
+TEXTURES = ("large_texture", "detail_texture", "detail_repeat", "units", "texture_size", "passes")
 OTHER_CLASS = ("materials", "tiles", "low_stretch", "shadows")  # these need best/terrain/terrain.py
 
 
@@ -67,7 +83,10 @@ def large_texture(
     if has_no_colours(settings.ground):
         return colour_by_height(field, sun)
     path = assets.path(settings.ground.large_texture, "ground.large_texture")
-    image = read_image(path, "RGB", settings.ground.texture_size)
+    whole = read_image(path, "RGB", settings.ground.texture_size)
+    image = laid_over(whole, settings.ground)
+    if image is not whole:
+        image = np.array(Image.fromarray(image).resize(whole.shape[1::-1], Image.Resampling.BOX))
     # It is stretched over the whole map, which is square, as the maps made from it are.
     height, width = image.shape[:2]
     if height == width:
@@ -76,12 +95,13 @@ def large_texture(
     return np.array(Image.fromarray(image).resize(side, Image.Resampling.BILINEAR))
 
 
-def chosen(both: list[Layer], units: str) -> list[Layer]:
+def chosen(both: list[Layer], units: str, passes: str = "one") -> list[Layer]:
     """Return those of the large and the detail texture that ``ground.units`` asks for.
 
-    With a single texture unit, or without GL_COMBINE, the detail is left out.
+    With a single texture unit, or without GL_COMBINE, the detail is left out, unless it has a pass
+    of its own.
     """
-    if units == "both" and not possible("ground.detail_texture"):
+    if units == "both" and passes == "one" and not possible("ground.detail_texture"):
         units = "large"
     return {"both": both, "large": both[:1], "detail": both[1:], "none": []}[units]
 
@@ -112,6 +132,26 @@ def leave_units(layers: list[Texture]) -> None:
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
         gl.glDisable(gl.GL_TEXTURE_2D)
+
+
+@contextmanager
+def blended_over() -> Iterator[None]:
+    """Multiply what is drawn inside, a second time, by twice the colours of the first time.
+
+    GL_DST_COLOR, GL_SRC_COLOR adds source times destination and destination times source: the same
+    product as that of :func:`lay_units`. Only where the depth is equal: what is in front of the
+    ground stays as it is. Fog leaves mid grey, which changes nothing.
+    """
+    groups = gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_ENABLE_BIT
+    with attrib(groups | gl.GL_FOG_BIT | gl.GL_CURRENT_BIT):
+        gl.glEnable(gl.GL_BLEND)
+        gl.glBlendFunc(gl.GL_DST_COLOR, gl.GL_SRC_COLOR)
+        gl.glDepthFunc(gl.GL_EQUAL)
+        gl.glDepthMask(gl.GL_FALSE)
+        gl.glDisable(gl.GL_LIGHTING)
+        gl.glFogfv(gl.GL_FOG_COLOR, np.array([0.5, 0.5, 0.5, 1.0], np.float32))
+        gl.glColor3f(1.0, 1.0, 1.0)
+        yield
 
 
 class Ground:
@@ -147,16 +187,23 @@ class Ground:
         """Compile the mesh and its two texture units."""
         both = [(self._texture(self.large, repeat=False), 1.0)]
         both.append((self._detail(assets, "detail_texture"), ground.detail_repeat))
-        layers = chosen(both, ground.units)
+        layers = chosen(both, ground.units, ground.passes)
         mesh = ground_mesh(self.field, tuple(repeat for _, repeat in layers))
         textures = [texture for texture, _ in layers]
 
-        def send() -> None:
+        def send(textures: list[Texture], mesh: Mesh) -> None:
             lay_units(textures)
             draw_mesh(mesh)
             leave_units(textures)
 
-        self._lists.append(DisplayList(send))
+        def send_twice() -> None:
+            large, detail = (replace(mesh, coordinates=(each,)) for each in mesh.coordinates)
+            send(textures[:1], large)
+            with blended_over():
+                send(textures[1:], detail)
+
+        two = ground.passes == "two" and len(layers) == 2
+        self._lists.append(DisplayList(send_twice if two else partial(send, textures, mesh)))
 
     def _texture(self, image: np.ndarray, repeat: bool = True) -> Texture:
         """Make a texture that is released with the ground."""
@@ -170,9 +217,12 @@ class Ground:
         return self._texture(read_image(path, largest=ground.texture_size))
 
     def draw(self, frame: Frame) -> None:
-        """Call the list, in the colour of the light."""
-        with attrib(gl.GL_CURRENT_BIT):
-            gl.glColor3f(*self._settings.sun.tint)
+        """Call the list, in the colour of the light, or lit by it."""
+        settings = self._settings
+        with attrib(gl.GL_CURRENT_BIT | gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT):
+            gl.glColor3f(*settings.sun.tint)
+            if settings.ground.lit:
+                lit(settings.shading)
             self._lists[0].call()
 
     @property

@@ -31,12 +31,14 @@ def place_on_map(x: float, z: float, size: float) -> tuple[float, float]:
 def map_picture(settings: Settings, assets: Assets, field: HeightField) -> np.ndarray:
     """Return the map's picture, uint8 (h, w, 3 or 4): map.png, or a chart of another island.
 
-    The shipped map.png shows the shipped heights; with other heights the map is drawn from them,
+    The shipped map.png shows the shipped heights; with others, or squeezed, the map is drawn from
+    them,
     unless the user's own folder has a map.png.
     """
     path = assets.path("map.png")
     heights = assets.path(settings.ground.height_image, "ground.height_image")
     ours = heights.parent == shipped() and heights.name in SHIPPED_HEIGHTS
+    ours = ours and settings.ground.scale_x == settings.ground.scale_z == 1.0
     if ours or path.parent != shipped():
         return read_image(path)
     return chart(field, direction(settings.sun))

@@ -125,6 +125,7 @@ def site(settings: Settings) -> tuple[object, ...]:
     """Return the settings that determine where there is land and what else stands on it."""
     ground, castle, rabbit = settings.ground, settings.castle, settings.rabbit
     return (
+        *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y),
         *(ground.smooth, ground.subdivide, ground.exact_height, settings.water.level),
         *(castle.x, castle.z, rabbit.x, rabbit.z, rabbit.scale),

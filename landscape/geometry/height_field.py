@@ -108,13 +108,29 @@ class HeightField:
         return dx, dz
 
 
+def laid_over(image: np.ndarray, settings: GroundSettings) -> np.ndarray:
+    """Return an image (h, w[, c]) that covers only a part of the map, from its north-west corner.
+
+    ``ground.scale_x`` and ``ground.scale_z`` say how much of each side. What is beyond is black:
+    the floor of the sea.
+    """
+    height, width = image.shape[:2]
+    more = [(0, round(height / settings.scale_z) - height)]
+    more.append((0, round(width / settings.scale_x) - width))
+    if more == [(0, 0), (0, 0)]:
+        return image
+    return np.pad(image, more + [(0, 0)] * (image.ndim - 2))
+
+
 def height_field(image: np.ndarray, settings: GroundSettings, water_level: float) -> HeightField:
     """Resample an image (h, w) of values 0..255 to the vertices' heights.
 
     Vertex k of N samples the image at k/N although it is at k/(N-1), as in the report. With
     ``ground.smooth`` these vertices are the knots of bicubic patches, and the field keeps the finer
-    vertices of the patches, for drawing and for height queries.
+    vertices of the patches, for drawing and for height queries. ``ground.scale_x`` and ``scale_z``
+    squeeze the image.
     """
+    image = laid_over(image, settings)
     n = settings.resolution
     at = np.arange(n) / n
     heights = lookup(image, at[None, :], at[:, None]) / 256.0 * settings.scale_y

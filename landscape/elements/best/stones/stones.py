@@ -52,6 +52,7 @@ def built_from(settings: Settings, seed: int) -> tuple[object, ...]:
     """Return the settings that the stones and their light depend on."""
     ground, castle, rabbit = settings.ground, settings.castle, settings.rabbit
     return (
+        *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
         *(ground.subdivide, ground.exact_height, ground.large_texture, ground.texture_size),
         *(ground.stones, ground.rock_texture, settings.water.level, settings.sun, seed),

@@ -49,7 +49,7 @@ from landscape.files.cache import content, recall
 from landscape.files.images import read_heights, read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import boxes_in_view
-from landscape.geometry.height_field import ground_mesh, lookup
+from landscape.geometry.height_field import ground_mesh, laid_over, lookup
 from landscape.geometry.low_stretch import low_stretch_uv
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
@@ -137,10 +137,12 @@ class Terrain(Ground):
         if has_no_colours(ground):
             return self.large  # made from the heights as they are drawn
         field, files = self.field, (ground.large_texture, ground.height_image)
-        places = repr((ground.resolution, ground.scale_y, field.water_level, self.large.shape))
+        scales = ground.scale_x, ground.scale_y, ground.scale_z
+        places = repr((ground.resolution, scales, field.water_level, self.large.shape))
 
         def make() -> tuple[np.ndarray, np.ndarray]:
-            painted = read_heights(assets.path(ground.height_image)) / 256.0 * ground.scale_y
+            image = laid_over(read_heights(assets.path(ground.height_image)), ground)
+            painted = image / 256.0 * ground.scale_y
             return moved_shore(self.large, painted, field, ground.resolution)
 
         what: list[bytes | str] = ["shore", places, field.heights.tobytes()]
