@@ -634,6 +634,12 @@ class Sky:
     refined: bool = setting(
         False, "chosen", "pictures with wide, flat clouds and fibrous cirrus; off, the former ones"
     )
+    unfolded: str = setting(
+        "none",
+        "figure 12",
+        "one picture of all five faces, the box unfolded, instead of the five files of the set",
+        unit="none, or image file",
+    )
     half_width: float = setting(
         8.0, "chosen", "distance of the walls from the centre, D", 0.5, 10000, unit=UNITS
     )
@@ -961,6 +967,21 @@ class Castle:
         100,
         unit="textures per wall",
         needs=("castle",),
+    )
+    sides: int = setting(
+        8,
+        "section 6",
+        "how many sides a tower has: few, so that it looks angular",
+        3,
+        64,
+        unit="sides",
+        needs=("castle", "not castle.ornate"),
+    )
+    battlements: bool = setting(
+        False,
+        "chosen",
+        "merlons on the walls, and parapets around the towers' tops",
+        needs=("castle", "not castle.ornate"),
     )
     flame_faces: bool = setting(
         False, "R2, section 6.1", "flames turn about y to face the viewer", needs=("castle",)
@@ -1333,6 +1354,8 @@ BEST: dict[str, Value] = {
     "plants.fade_edge_on": True,
     "plants.rosette": True,
     "plants.crossed_within": 7.0,
+    "castle.sides": 24,
+    "castle.battlements": True,
     "castle.flame_faces": True,
     "castle.multitexture": True,
     "castle.ornate": True,

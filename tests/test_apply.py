@@ -37,6 +37,7 @@ MOMENTS = (
 )
 FILES = {
     "transparent.places": "avenue.csv",
+    "sky.unfolded": "sky_unfolded.jpg",
     "ground.height_image": "height16.png",
     "ground.large_texture": "ground_sand.png",
     "ground.detail_texture": "ground_rock.png",

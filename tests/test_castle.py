@@ -33,6 +33,7 @@ from landscape.geometry.masonry import (
 from landscape.geometry.mesh import Mesh
 from landscape.gl.calls import gl
 from landscape.keys import with_settings
+from landscape.settings import preset
 
 LIGHT = np.array(PLAIN["castle_light.png"]) / 255
 
@@ -318,3 +319,18 @@ def test_the_obstacles_are_the_walls_and_towers(
     wall = middle[0] + 0.49 * math.cos(yaw), middle[1] - 0.49 * math.sin(yaw)
     assert min(each.gap(*middle)[0] for each in found) == pytest.approx(0.5 - WALL)
     assert min(each.gap(*wall)[0] for each in found) < 0.0
+
+
+def test_the_report_s_towers_have_few_sides_and_a_flat_top_and_its_walls_no_merlons() -> None:
+    # Section 6: four rectangular walls, four cylinders with few details.
+    tower = tower_mesh(4.0, 8, battlements=False)
+    rim = tower.vertices[np.abs(tower.vertices[:, 1] - TOWER_TOP) < 1e-6]
+    around = rim[np.hypot(rim[:, 0], rim[:, 2]) > 0.5 * TOWER_RADIUS]
+    angles = np.round(np.degrees(np.arctan2(around[:, 2], around[:, 0]))) % 360
+    assert len(np.unique(angles)) == 8
+    assert np.hypot(around[:, 0], around[:, 2]).max() == pytest.approx(TOWER_RADIUS)
+    assert tower.vertices[:, 1].max() == pytest.approx(TOWER_TOP)
+    walls = walls_mesh(4.0, battlements=False)
+    assert walls.vertices[:, 1].max() == 1.0 and len(walls.vertices) == 4 * 5 * 4
+    assert walls_mesh(4.0).vertices[:, 1].max() > 1.0
+    assert preset("2006").castle.sides == 8 and not preset("2006").castle.battlements

@@ -45,6 +45,7 @@ CHOSEN: dict[str, Any] = {
     **{"water.level": 0.6, "water.repeat": 4.0, "water.time_step": 0.02},
     **{"sky.half_width": 8.0, "sky.height": 5.0, "transparent.radius": 9.0},
     **{"trees.count": 800, "trees.species": 2, "trees.size_min": 0.325, "trees.size_max": 0.65},
+    **{"castle.sides": 24, "castle.battlements": True},
     **{"deer.species": 2, "plants.sway_by_size": True},
     **{"deer.count": 60, "deer.size_min": 0.1, "deer.size_max": 0.14},
     **{"plants.count": 1500, "plants.size_min": 0.06, "plants.size_max": 0.14},

@@ -12,6 +12,7 @@ from stage import Stage, close, pixel, project, quad, small, write_plain
 from landscape.elements.best.sky.seamless import seamless_levels
 from landscape.elements.fog import visibility
 from landscape.elements.sky_box import FACES, SkyBox, face_coordinates, face_corners, set_files
+from landscape.elements.unfolded_sky import folded, unfolded
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.calls import gl
@@ -29,6 +30,35 @@ COLOURS = {
 }
 INFINITE = {"follow_y": True, "background": True, "unfogged": True}
 YAWS = {"north": 0.0, "east": 90.0, "south": 180.0, "west": 270.0}
+
+
+def test_a_picture_of_the_unfolded_box_is_cut_into_the_faces_again() -> None:
+    rng = np.random.default_rng(4)
+    coarse = [rng.integers(0, 255, (5, 16, 3), np.uint8) for _ in range(4)]
+    coarse.append(rng.integers(0, 255, (16, 16, 3), np.uint8))
+    faces = dict(zip(("north", "east", "south", "west", "top"), coarse, strict=True))
+    sheet = unfolded(list(faces.values()), 16, 5)[..., :3]
+    again = folded(np.ascontiguousarray(sheet), H / (2 * D))
+    assert all((again[name] == faces[name]).all() for name in FACES)
+
+
+def test_one_unfolded_picture_gives_the_sky_of_five_files(stage: Stage, tmp_path: Path) -> None:
+    write_plain(tmp_path)
+    colours = [COLOURS[name] for name in ("north", "east", "south", "west", "top")]
+    plain = [np.full((40, 128, 3), each, np.uint8) for each in colours[:4]]
+    plain.append(np.full((128, 128, 3), colours[4], np.uint8))
+    Image.fromarray(unfolded(plain, 128, 40)).convert("RGB").save(tmp_path / "sheet.png")
+    changes = {**BOX, "sky.unfolded": "sheet.png"}
+    sky = SkyBox(small(changes), Assets(tmp_path))
+    assert not sky.apply(small(BOX))
+    for name, yaw in YAWS.items():
+        with stage.frame(small(changes), Pose(20.0, 2.0, 20.0, yaw, 0.0)) as frame:
+            sky.draw(frame)
+            assert close(stage.read()[60, 80], COLOURS[name], 2)
+    with stage.frame(small(changes), Pose(20.0, 2.0, 20.0, 0.0, 89.0)) as frame:
+        sky.draw(frame)
+        assert close(stage.read()[60, 80], COLOURS["top"], 2)
+    sky.release()
 
 
 def test_the_walls_and_the_top_close_edge_to_edge() -> None:

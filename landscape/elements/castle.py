@@ -80,7 +80,7 @@ class Castle:
         """Return the settings that are compiled into the list."""
         castle = settings.castle
         place = castle.x, castle.z, castle.yaw, castle.brick_repeat
-        return *place, castle.multitexture, castle.ornate
+        return *place, castle.multitexture, castle.ornate, castle.sides, castle.battlements
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, if the castle must be rebuilt."""
@@ -110,12 +110,13 @@ class Castle:
         gl.glDisable(gl.GL_TEXTURE_2D)
 
     def _walls(self) -> Mesh:
-        return walls_mesh(self._repeat)
+        return walls_mesh(self._repeat, self._settings.castle.battlements)
 
     def _send_bricks(self) -> None:
         """Send the walls, and one tower four times."""
         draw_mesh(self._walls())
-        tower = tower_mesh(self._repeat)
+        castle = self._settings.castle
+        tower = tower_mesh(self._repeat, castle.sides, castle.battlements)
         for x, z in CORNERS:
             with matrix():
                 gl.glTranslatef(x, 0.0, z)

@@ -100,18 +100,23 @@ def bent(blades: Blades, kt: float, scale_x: float) -> np.ndarray:
     return vertices
 
 
-def send_one_by_one(vertices: np.ndarray) -> None:
+def send_one_by_one(positions: np.ndarray, vertices: np.ndarray, scale: tuple[float, ...]) -> None:
     """Send blades (n, 5, 3) in a loop, a strip each, vertex by vertex, as in section 5.3.2.
 
-    Twelve calls per blade. In 2006 there were sixteen, as a matrix also moved and scaled each
-    blade.
+    Sixteen calls per blade: a matrix moves each to its position (n, 3), and scales it.
     """
-    for corners in vertices.tolist():
+    stretch = np.array([scale[0], scale[1], scale[0]])
+    unscaled = (vertices - positions[:, None, :]) / stretch
+    for place, corners in zip(positions.tolist(), unscaled.tolist(), strict=True):
+        gl.glPushMatrix()
+        gl.glTranslatef(*place)
+        gl.glScalef(*stretch.tolist())
         gl.glBegin(gl.GL_TRIANGLE_STRIP)
         for corner, (s, t) in zip(corners, COORDINATES.tolist(), strict=True):
             gl.glTexCoord2f(s, t)
             gl.glVertex3f(*corner)
         gl.glEnd()
+        gl.glPopMatrix()
 
 
 def in_groups(cells: list[int], counts: np.ndarray) -> list[list[int]]:
@@ -223,10 +228,11 @@ class Grass:
             # blades than fit into memory together are selected again in each frame.
             blades = self._blades(group) if self._selected is None else self._selected
             self._selected = blades if len(self._cells) == 1 else None
-            self._send(bent(blades, frame.kt, self._settings.grass.scale[0]))
+            scale = self._settings.grass.scale
+            self._send(blades.positions, bent(blades, frame.kt, scale[0]))
 
-    def _send(self, vertices: np.ndarray) -> None:
-        """Send blades (n, 5, 3)."""
+    def _send(self, positions: np.ndarray, vertices: np.ndarray) -> None:
+        """Send blades (n, 5, 3) that stand at positions (n, 3)."""
         count = len(vertices)
         if not count:
             return
@@ -239,7 +245,7 @@ class Grass:
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
             if self._settings.grass.method == "loop":
-                send_one_by_one(vertices)
+                send_one_by_one(positions, vertices, self._settings.grass.scale)
             else:
                 with client_arrays(vertices.reshape(-1, 3), coordinates=[self._coordinates]):
                     gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)

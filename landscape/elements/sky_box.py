@@ -17,7 +17,9 @@ import numpy as np
 
 from landscape.elements.best.sky.clouds import Clouds
 from landscape.elements.best.sky.seamless import seamless_levels
+from landscape.elements.unfolded_sky import folded
 from landscape.files.assets import Assets
+from landscape.files.images import read_image
 from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
 from landscape.geometry.height_field import mirrored_height
@@ -27,6 +29,7 @@ from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture
 from landscape.settings import Settings
 
+NONE = "none"  # the value of sky.unfolded that names no picture
 FACES = ("west", "north", "east", "south", "top")
 # The files of each set of pictures by ``sky.set``: those of 2006, and those of ``sky.refined``.
 PLAIN = {"day": "sky_{}.png", "sunset": "sky_sunset_{}.png"}
@@ -81,10 +84,23 @@ def face_files(settings: Settings, assets: Assets) -> list[Path]:
     return set_files(settings.sky.set, settings.sky.refined, assets)
 
 
+def face_images(settings: Settings, assets: Assets) -> list[np.ndarray]:
+    """Return the pictures of the faces, uint8 (h, w, 3) each, from five files or from one.
+
+    InputError if a file is missing or is no picture.
+    """
+    sky = settings.sky
+    if sky.unfolded == NONE:
+        return [read_smooth(path) for path in face_files(settings, assets)]
+    sheet = read_image(assets.path(sky.unfolded, "sky.unfolded"), "RGB")
+    faces = folded(sheet, sky.height / (2.0 * sky.half_width))
+    return [faces[name] for name in FACES]
+
+
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the values that the constructor uses."""
     sky = settings.sky
-    pictures = sky.set, sky.refined, sky.half_width, sky.height
+    pictures = sky.set, sky.refined, sky.unfolded, sky.half_width, sky.height
     return *pictures, sky.moving, settings.sun if sky.moving else None
 
 
@@ -95,7 +111,7 @@ class SkyBox:
         """Read the five faces and compile the display list."""
         self._settings = settings
         sky = settings.sky
-        images = [read_smooth(path) for path in face_files(settings, assets)]
+        images = face_images(settings, assets)
         levels = [seamless_levels(each) if sky.refined else [each] for each in images]
         # A sky is so smooth that the change from one mip level to the next does not show.
         self._textures = [Texture(each, repeat=False, trilinear=False) for each in levels]

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from landscape.elements.unfolded_sky import unfolded
 from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
@@ -145,7 +146,7 @@ def asset_panel(name: str, files: tuple[str, ...], title: str, seen: str, look: 
 
     def draw(renderer: PanelRenderer) -> np.ndarray:
         images = [read_image(renderer.assets.path(file)) for file in files]
-        return on_grey(unfolded(images) if len(images) == 5 else images[0])
+        return on_grey(unfolded(images, 256, 80) if len(images) == 5 else images[0])
 
     return FigurePanel(name, title, seen, look, "landscape assets build " + " ".join(files), draw)
 
@@ -198,24 +199,3 @@ def on_grey(rgba: np.ndarray) -> np.ndarray:
     corner = ((SIZE[0] - image.width) // 2, (SIZE[1] - image.height) // 2)
     sheet.alpha_composite(image, corner)
     return np.asarray(sheet.convert("RGB"))
-
-
-def unfolded(faces: list[np.ndarray]) -> np.ndarray:
-    """Lay out north, east, south, west and top as an unfolded box seen from inside, (h, w, 4).
-
-    The top is in the middle, each wall next to its edge of the top, with its foot outwards. Seen
-    from below with north up, the top has east on its left.
-    """
-    side, deep = 256, 80
-    north, east, south, west = (Image.fromarray(f).resize((side, deep)) for f in faces[:4])
-    sheet = Image.new("RGBA", (side + 2 * deep, side + 2 * deep), (0, 0, 0, 0))
-    top = Image.fromarray(faces[4]).transpose(Image.Transpose.FLIP_LEFT_RIGHT)
-    sheet.paste(top.resize((side, side)), (deep, deep))
-    for wall, turn, corner in (
-        (north, 180, (deep, 0)),
-        (south, 0, (deep, deep + side)),
-        (east, 270, (0, deep)),
-        (west, 90, (deep + side, deep)),
-    ):
-        sheet.paste(wall.rotate(turn, expand=True), corner)
-    return np.asarray(sheet)

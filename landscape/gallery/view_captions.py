@@ -123,14 +123,14 @@ VIEW_PANELS: dict[str, tuple[str, str]] = {
         "blending nor sorting.",
     ),
     "fig22a": (
-        "a meadow with short grass, trees behind",
-        "1,500,000 short blades on the map make a lawn, but a thin one: close up, the ground shows "
-        "between the blades, and its green texture does much of the work.",
+        "a lawn with ferns, trees and a deer on it",
+        "1,500,000 short blades on the map make a lawn. Trees, deer and ferns are the other two "
+        "techniques: billboards and crossed quads.",
     ),
     "fig22b": (
         "the same meadow with grass nearly as high as the walker's eyes",
-        "From the same place: 400,000 blades, about a quarter as many but five times as high, look "
-        "like tall grass.",
+        "From the same place, but at eye height: 400,000 blades, about a quarter as many but four "
+        "times as high, look like tall grass.",
     ),
     "fig25a": (
         "a grey castle with four towers on a hill, seen from the air",

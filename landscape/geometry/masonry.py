@@ -12,6 +12,7 @@ from landscape.geometry.mesh import Mesh, revolve, vertex_normals
 FOOT = 0.35  # chosen: units the walls reach into the ground, so that no slope shows under them
 TOWER_RADIUS = 0.13  # chosen
 TOWER_TOP = 1.22  # chosen
+ROUND = 24  # chosen: sides of a tower that looks round
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 MERLON = 0.07  # chosen: height of the battlements
 WALL = 0.045  # chosen: thickness of the walls
@@ -58,8 +59,8 @@ def wall_boxes() -> list[tuple[float, float, float, float, float, float]]:
     return boxes
 
 
-def walls_mesh(repeat: float) -> Mesh:
-    """Return the four walls with their battlements; the first quad is the gate wall's outer face.
+def walls_mesh(repeat: float, battlements: bool = True) -> Mesh:
+    """Return the four walls, with battlements or bare; the first quad is the gate's outer face.
 
     Bricks repeat ``repeat`` times per unit.
     """
@@ -69,17 +70,23 @@ def walls_mesh(repeat: float) -> Mesh:
         (0.0, -FOOT, WALL, WALL, 1.0, 1.0 - WALL),
         (1.0 - WALL, -FOOT, WALL, 1.0, 1.0, 1.0 - WALL),
     ]
-    return quads_mesh(np.concatenate([box_quads(*box) for box in walls + wall_boxes()]), repeat)
+    boxes = walls + (wall_boxes() if battlements else [])
+    return quads_mesh(np.concatenate([box_quads(*box) for box in boxes]), repeat)
 
 
-def tower_mesh(repeat: float) -> Mesh:
-    """Return a tower around the y axis: a cylinder that widens to a parapet with a sunken floor."""
+def tower_mesh(repeat: float, sides: int = ROUND, battlements: bool = True) -> Mesh:
+    """Return a tower around the y axis: a cylinder of ``sides`` sides with a flat top.
+
+    With ``battlements`` it widens to a parapet with a sunken floor.
+    """
     r, top = TOWER_RADIUS, TOWER_TOP
-    profile = [(r, -FOOT), (r, top - 0.16), (r + 0.025, top - 0.11), (r + 0.025, top)]
-    profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
+    profile = [(r, -FOOT), (r, top), (0.0, top)]
+    if battlements:
+        profile = [(r, -FOOT), (r, top - 0.16), (r + 0.025, top - 0.11), (r + 0.025, top)]
+        profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
     height = sum(np.hypot(*np.subtract(b, a)) for a, b in zip(profile, profile[1:], strict=False))
     round_ = max(1, round(2 * np.pi * r * repeat))
-    return revolve(profile, 24, (round_, float(height) * repeat))
+    return revolve(profile, sides, (round_, float(height) * repeat))
 
 
 def on_edges(corners: Iterable[tuple[float, float]], spacing: float) -> np.ndarray:

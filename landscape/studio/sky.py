@@ -13,6 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from landscape.elements.unfolded_sky import unfolded
 from landscape.studio.air import DAY, DUSK, FAIR, SUNSET, Scene, clear_sky
 from landscape.studio.clouds import DOMES, TOWERS, Look, add_cirrus, add_cumulus
 from landscape.studio.images import smoothstep, to_linear, to_srgb, to_uint8
@@ -90,8 +91,17 @@ SETS = (
     ("sky_fair_", "jpg", FAIR, DOMES),
     ("sky_dusk_", "jpg", DUSK, DOMES),
 )
+UNFOLDED = (630, 197)  # chosen: texels of the top's side and of a wall's height; 1024 together
+
+
+def unfolded_day() -> np.ndarray:
+    """Return the five faces of the day's first set in one picture, (1024, 1024, 3)."""
+    _, _, scene, look = SETS[0]
+    return unfolded([paint(scene, look, face) for face in FACES], *UNFOLDED)[..., :3]
+
+
 ASSETS: dict[str, Callable[[], np.ndarray]] = {
     f"{prefix}{face}.{suffix}": functools.partial(paint, scene, look, face)
     for prefix, suffix, scene, look in SETS
     for face in FACES
-}
+} | {"sky_unfolded.jpg": unfolded_day}

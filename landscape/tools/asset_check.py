@@ -67,6 +67,7 @@ SIZES = {
         for face in SKY_FACES[:4]
     },
     **{f"sky_{name}_top.jpg": (1024, 1024, "RGB") for name in ("fair", "dusk")},
+    "sky_unfolded.jpg": (1024, 1024, "RGB"),
     "clouds.png": (512, 512, "RGBA"),
     "water.png": (512, 512, "RGB"),
     "fire.png": (512, 512, "RGBA"),

@@ -67,7 +67,9 @@ class CastleInOnePass(Castle):
         return halo(image)
 
     def _walls(self) -> Mesh:
-        return without_gate(walls_mesh(self._repeat), self._repeat)
+        return without_gate(
+            walls_mesh(self._repeat, self._settings.castle.battlements), self._repeat
+        )
 
     def _units(self) -> list[Unit]:
         """Return what the texture units of the gate hold and do, from unit 0 on."""

@@ -29,6 +29,7 @@ from landscape.elements.places_file import read_places
 from landscape.elements.planting import (
     CASTLE,
     COURT,
+    DEER_POSTS,
     KINDS,
     PLANT,
     Chance,
@@ -44,6 +45,8 @@ from landscape.settings import Settings
 # Chosen: how green the ground is and how steep at most where deer stand, and how far in units one
 # of the fixed places is moved to such ground.
 GREEN, GENTLE, MOVES = 0.6, 0.55, 1.6
+# Chosen: which of the fixed places is the islet's, and x, z of the edge of the water there.
+ISLET, BRINK = 2, (34.17, 20.32)
 SUNK = 0.025  # chosen, times a deer's height: its hooves are down in the grass
 PLAIN = 0.3  # chosen: variation of the tints of herbs except the fern, as a fraction of leaves'
 
@@ -116,7 +119,7 @@ def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]
         found = random_sprites(kind, settings, field, rng, suits)
         positions, sizes, cells = found.positions, found.sizes, found.cells
         if grazes:
-            positions = moved_to(positions, suits, field, rng)
+            positions = at_the_water(positions, moved_to(positions, suits, field, rng), field)
         n, pictures = len(positions), cells
         if grazes:
             pictures = individuals.poses(cells, rng)
@@ -189,6 +192,19 @@ def on_grass(clear: Chance, ground: Ground) -> Chance:
         return np.asarray(clear(x, z) * green * gentle)
 
     return suits
+
+
+def at_the_water(was: np.ndarray, moved: np.ndarray, field: HeightField) -> np.ndarray:
+    """Return ``moved`` positions (n, 3) with the islet's deer at the edge of the water instead.
+
+    ``was`` (n, 3) says which one that is. It came to drink, and is mirrored from head to foot
+    (fig35h); in the grass of the islet's top it would be too far from the water for that.
+    """
+    out, height = moved.copy(), float(field.terrain_height(*BRINK))
+    if height > field.water_level:
+        islet = (was[:, [0, 2]] == DEER_POSTS[ISLET]).all(axis=1)
+        out[islet] = BRINK[0], height, BRINK[1]
+    return out
 
 
 def moved_to(
