@@ -31,7 +31,8 @@ def test_r11_one_pass_mixes_the_door_in_by_its_alpha_and_lights_it(
     light[:, 6:10] = 150  # half again as bright before the gate's middle
     changed = {"castle_door.png": (90, 60, 30, 102), "castle_light.png": light}
     assets = Assets(write_plain(plain_folder, changed))
-    picture = drawn(stage, assets, GATE, castle__multitexture=True)
+    merlons = {"castle__battlements": True}
+    picture = drawn(stage, assets, GATE, castle__multitexture=True, **merlons)
     mixed = 0.4 * DOOR + 0.6 * BRICK
     got = pixel(picture, project(GATE, at(0.5, 0.8)))
     assert close(got, np.minimum(mixed * 1.5, 255), 3)

@@ -167,9 +167,11 @@ def test_a_walk_begins_in_a_technique_s_view_as_it_is_drawn() -> None:
 
 def test_a_walk_begins_in_a_place_with_all_elements_and_the_place_s_settings() -> None:
     island = scene("island")
-    begin = island.as_walked(island.views["fig25b"], None)
+    begin = island.as_walked(island.views["fig25c"], None)
     assert (begin.shown, island.preset_of(begin)) == ((), "best")
-    assert begin.settings == {"deer.count": 600}
+    assert begin.settings == {}
+    haze = island.as_walked(island.views["fig35e"], None)
+    assert haze.settings == {"fog.density": 0.12}
 
 
 def test_a_walk_with_another_preset_takes_the_place_and_the_fix() -> None:
