@@ -28,10 +28,15 @@ from landscape.options import build_parser, parse
 from landscape.scene import SCENES, listed_views, scene
 from landscape.views import VIEWS
 
-# A key that several scenes share is listed once.
-EVERY_KEY = list(
-    dict.fromkeys(key for name in SCENES for key in keys.fields(type(scene(name).settings)))
-)
+# A key that means the same in several scenes is listed once.
+EVERY_KEY = [
+    key
+    for key, _does in dict.fromkeys(
+        (key, item.metadata["does"])
+        for name in SCENES
+        for key, item in keys.fields(type(scene(name).settings)).items()
+    )
+]
 NINE = [f"fig35{panel}" for panel in "abcdefghi"]
 SMALL = (
     *("--preset", "2006", "--size", "48x36", "--samples", "0", "--only", "ground,water,sky,fog"),
@@ -272,6 +277,26 @@ def test_settings_takes_a_group_part_of_a_key_or_a_word(
     word: str, wanted: list[str], shell: Shell
 ) -> None:
     assert [row["key"] for row in shell("settings", word, "--json").json()] == wanted
+
+
+def test_a_setting_that_means_something_else_in_another_scene_is_listed_for_each(
+    shell: Shell,
+) -> None:
+    rows = shell("settings", "shadow.enabled", "--json").json()
+    assert [(row["scene"], row["does"]) for row in rows] == [
+        ("hall", "the statue casts shadows"),
+        ("voxel", "the land is in shadow where the sun does not see it"),
+    ]
+    horizons = shell("settings", "water.horizon", "--json").json()
+    assert {row["scene"] for row in horizons if row["key"] == "water.horizon"} == {"island", "voxel"}
+    assert "shadow of voxel: The sun's shadows." in shell("settings", "shadow").out
+
+
+@pytest.mark.parametrize("name", ["shadow", "reflection", "refraction", "water"])
+def test_trace_shows_each_pass_of_the_voxel_island(name: str, shell: Shell) -> None:
+    few = ("--set=voxel.regions=4", "--size", "64x48")
+    calls = shell("trace", "voxel_water", "--pass", name, "--json", *few).json()
+    assert calls and {call["pass"] for call in calls} == {name}
 
 
 def test_settings_of_the_software_flyover_are_listed_by_their_groups(shell: Shell) -> None:

@@ -4,8 +4,12 @@ from landscape.languages import Texts, translator
 
 NAMES: Texts = {
     "pass.setup": "setup",
+    "pass.shadow": "shadows",
     "pass.reflection": "reflection",
+    "pass.refraction": "refraction",
     "pass.main": "main pass",
+    "pass.picture": "picture",
+    "pass.water": "water",
     "pass.overlay": "overlay",
     "element.ground": "ground",
     "element.water": "water",

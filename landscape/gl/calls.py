@@ -220,7 +220,7 @@ def replacing(name: str, function: Callable[..., Any]) -> Iterator[Callable[...,
 
 
 def begin_pass(name: str) -> None:
-    """Say which pass of the frame begins: reflection, main or overlay; setup while building."""
+    """Say which pass of the frame begins, as in tools/frame_options.py; setup while building."""
     global current_pass
     current_pass = name
     if name == "setup":

@@ -19,8 +19,13 @@ LIMIT = (
 # The commands that run a program: what follows `--` is for it.
 PROGRAMS = ("trace", "pixel", "state", "strip", "why", "inspect")
 EDITS = "change single OpenGL calls as this file says"
-PASS_NAMES = ("setup", "reflection", "main", "overlay")
-PASSES = "only the calls of one pass: setup, reflection, main or overlay; default: all"
+PASS_NAMES = (
+    "setup", "shadow", "reflection", "refraction", "main", "picture", "water", "overlay",
+)  # fmt: skip
+PASSES = (
+    "only the calls of one pass: setup, reflection, main or overlay; of the voxel island also "
+    "shadow, refraction or water, of the great hall picture; default: all"
+)
 AT = (
     "the state in which this call is made: its number in the trace, such as 812, or 812.3 for a "
     "call of a display list; or +12, counted from the frame's beginning; or the name of an element "

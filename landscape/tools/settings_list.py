@@ -36,8 +36,8 @@ FLYOVER = Flyover()
 def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list[Row]:
     """Return the settings of every scene; a change goes to the scenes that have its key.
 
-    A key that several scenes have is listed once, with the first; ``scenes`` are the values of the
-    others.
+    A key that means the same in several scenes is listed once, with the first; ``scenes`` are the
+    values of the others. Where a scene means something else by it, it has a row of its own.
     ``word`` is a group, part of a key, or a word of what a setting does; "" means all. The groups
     of the software fly-over, which no view has, are listed when they are asked for by name. Raises
     InputError if it is none of these, and for a change that no scene accepts.
@@ -46,10 +46,10 @@ def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list
         FLYOVER.values(preset, changes)  # which raises for a key that it does not have
         return [row for row in _rows_of(FLYOVER, preset, changes) if _group(row) == word]
     check_options(preset, changes, None)
-    listed: dict[str, Row] = {}
+    listed: dict[tuple[str, str], Row] = {}
     for name in SCENES:
         for row in _rows_of(scene(name), preset, changes):
-            first = listed.setdefault(row["key"], row)
+            first = listed.setdefault((row["key"], row["does"]), row)
             if first is not row:
                 first["scenes"][name] = row["value"]
     found = list(listed.values())
@@ -97,15 +97,19 @@ def _named(name: str) -> Scene | Flyover:
 def as_text(found: Sequence[Row]) -> Iterator[str]:
     """Yield the lines that print these settings, group by group, at most WIDTH columns each."""
     group = ""
+    scenes: dict[str, set[str]] = {}
+    for row in found:
+        scenes.setdefault(_group(row), set()).add(row["scene"])
     for row in found:
         kind = type(_named(row["scene"]).settings)
-        name = row["key"].split(".")[0]
+        name = _group(row)
         if f"{row['scene']}.{name}" != group:
             yield from ([""] if group else [])
             group = f"{row['scene']}.{name}"
             if row["key"] not in keys.words(kind):
                 about = kind.__dataclass_fields__[name].default.__doc__ or ""
-                yield from textwrap.wrap(f"{name}: {about.splitlines()[0]}", WIDTH)
+                where = f" of {row['scene']}" if len(scenes[name]) > 1 else ""
+                yield from textwrap.wrap(f"{name}{where}: {about.splitlines()[0]}", WIDTH)
         yield from _lines(row, kind)
 
 

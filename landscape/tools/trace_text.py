@@ -15,11 +15,16 @@ def chosen(calls: Sequence[Call], element: str | None, pass_: str | None) -> lis
     ]
 
 
-def as_text(calls: Sequence[Call], inside: str = "", indent: str = "") -> Iterator[str]:
-    """Yield a line per call: its number, pass, element, source, and the call as code."""
+def as_text(
+    calls: Sequence[Call], inside: str = "", indent: str = "", pass_: str = ""
+) -> Iterator[str]:
+    """Yield a line per call: its number, pass, element, source, and the call as code.
+
+    ``pass_`` is the one in which a display list is called; it may have been compiled in another.
+    """
     for index, call in enumerate(calls):
         place = f"{inside}.{index}" if inside else str(call.number)
-        where = f"{place:>9} {call.pass_:10} {call.element:10} {call.source:44}"
+        where = f"{place:>9} {pass_ or call.pass_:10} {call.element:10} {call.source:44}"
         left_out = "  (left out)" if call.skipped else ""
         yield f"{where} {indent}{as_code(call)}{left_out}"
-        yield from as_text(call.listed, place, indent + "  ")
+        yield from as_text(call.listed, place, indent + "  ", pass_ or call.pass_)
