@@ -288,7 +288,10 @@ def test_a_setting_that_means_something_else_in_another_scene_is_listed_for_each
         ("voxel", "the land is in shadow where the sun does not see it"),
     ]
     horizons = shell("settings", "water.horizon", "--json").json()
-    assert {row["scene"] for row in horizons if row["key"] == "water.horizon"} == {"island", "voxel"}
+    assert {row["scene"] for row in horizons if row["key"] == "water.horizon"} == {
+        "island",
+        "voxel",
+    }
     assert "shadow of voxel: The sun's shadows." in shell("settings", "shadow").out
 
 

@@ -405,6 +405,23 @@ def test_the_ground_is_sorted_by_height_and_then_by_slope() -> None:
     assert BLOCKS[top_materials(steep, 10, np.random.default_rng(0))[40, 100]].name == "rock"
 
 
+def test_materials_are_in_the_same_places_on_a_larger_and_on_a_higher_land() -> None:
+    """Of a hill with a beach, meadows, cliffs and snow, whatever its columns and levels."""
+    at = np.linspace(-1.0, 1.0, 256)
+    away = np.hypot(at[:, None], at[None, :])
+    image = 256.0 * (0.85 * np.clip(1.5 - away / 0.2, 0, 1) + 0.2 * np.clip(1.3 - away, 0, 1))
+    shares = []
+    for columns, levels in ((500, 96), (200, 96), (1000, 96), (200, 38), (1000, 192)):
+        sea = round(10 * levels / 96)
+        land = heights(image, columns, levels)
+        kinds = top_materials(land, sea, np.random.default_rng(1))
+        number = np.bincount(kinds[land.field > sea], minlength=len(BLOCKS))
+        shares.append(number / number.sum())
+    assert all(shares[0][block(name)] > 0.05 for name in ("grass", "rock", "deep snow"))
+    for other in shares[1:]:
+        assert np.abs(other - shares[0]).max() < 0.05
+
+
 def test_large_regions_are_looked_through_in_slabs_that_miss_nothing(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -22,6 +22,7 @@ from landscape.voxel.build import source
 from landscape.voxel.mesh import Look, RegionMesh, region_mesh
 from landscape.voxel.packed_mesh import packed, unpacked
 from landscape.voxel.region_buffer import Light, RegionBuffer
+from landscape.voxel.region_buffers import RegionBuffers
 from landscape.voxel.voxel import SCENE, Voxel
 
 SMALL = {"voxel.regions": 4, "voxel.region_size": 30, "shadow.size": 256}
@@ -51,16 +52,17 @@ def picture(stage: Stage, pose: Pose = POSE, **given: Any) -> np.ndarray:
         scene.release()
 
 
+@pytest.mark.parametrize("kind", [RegionBuffer, RegionBuffers])
 @pytest.mark.parametrize("kept", [True, False])
 def test_shares_of_the_buffer_hold_their_meshes_wherever_the_vertices_are(
-    stage: Stage, kept: bool, monkeypatch: pytest.MonkeyPatch
+    stage: Stage, kept: bool, kind: type[RegionBuffer], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if kept:
         hide(monkeypatch, "GL_ARB_vertex_buffer_object")
     blocks = np.pad(np.full((6, 6, 4), 1, np.uint8), 1)
     colours = Look(np.ones((6, 4)), np.zeros((60, 60), np.float32))
     meshes = [region_mesh(blocks[: 4 + k], (0, 0, 0), colours, "none") for k in range(4)]
-    buffer = RegionBuffer(list(meshes[:3]))
+    buffer = kind(list(meshes[:3]))
     try:
         assert buffer.replace(1, meshes[3]) and buffer.replace(2, meshes[0])
         for share, mesh in enumerate((meshes[0], meshes[3], meshes[0])):
@@ -70,9 +72,10 @@ def test_shares_of_the_buffer_hold_their_meshes_wherever_the_vertices_are(
         buffer.release()
 
 
+@pytest.mark.parametrize("kind", [RegionBuffer, RegionBuffers])
 @pytest.mark.parametrize("kept", [True, False])
 def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
-    stage: Stage, kept: bool, monkeypatch: pytest.MonkeyPatch
+    stage: Stage, kept: bool, kind: type[RegionBuffer], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if kept:
         hide(monkeypatch, "GL_ARB_vertex_buffer_object")
@@ -80,7 +83,7 @@ def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
     blocks = np.pad(rng.choice([0, 1, block("fern")], (9, 6, 6)).astype(np.uint8), 1)
     white = Look(np.ones((6, 4)), np.zeros((60, 60), np.float32))
     meshes = [region_mesh(blocks[: 5 + k], (0, 0, 0), white) for k in range(5)]
-    buffer = RegionBuffer(list(meshes[:4]))
+    buffer = kind(list(meshes[:4]))
     times = rng.uniform(0.3, 1.4, (7, 3)).astype(np.float32)
     try:
         for light in (Light(times / 2, np.arange(7, dtype=np.uint8)),

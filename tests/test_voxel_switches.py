@@ -91,6 +91,28 @@ def test_a_picture_that_is_not_drawn_is_not_shown() -> None:
         assert len(np.unique(view.draw().reshape(-1, 3), axis=0)) == 1
 
 
+@pytest.mark.parametrize("objects", [False, True])
+@pytest.mark.parametrize("buffers", ["one", "regions"])
+def test_the_picture_is_the_same_from_one_buffer_or_from_one_a_region(
+    buffers: str, objects: bool
+) -> None:
+    names: dict[str, int] = {}
+    with opened(SEA_POSE) as view:
+        whole = view.draw()
+    with opened(SEA_POSE, voxel__buffers=buffers, voxel__vertex_arrays=objects) as view:
+        view.draw()  # makes the vertex array objects
+        with view._current(), recording() as recorder:
+            drawn = view.draw()
+            for call in recorder.calls:
+                names[call.name] = names.get(call.name, 0) + 1
+        regions = len(view.scene.land.low)
+    assert (drawn == whole).all()
+    assert ("glInterleavedArrays" in names) == (not objects)
+    assert ("glBindVertexArray" in names) == objects
+    sent = names["glMultiDrawArrays"]
+    assert (sent <= 6) if buffers == "one" else (6 < sent <= 6 * regions)
+
+
 def test_edges_are_drawn_in_black_and_merging_leaves_fewer_of_them() -> None:
     black, plain = {}, {"voxel__occlusion": False, "voxel__trees": False}
     for merge in ("none", "rectangles"):

@@ -15,9 +15,13 @@ from landscape.voxel.horizon import CLEAR
 from landscape.voxel.land import DISTANT, Choice, Land
 from landscape.voxel.mesh import PLANTS
 from landscape.voxel.visibility import (
+    TESTS,
     distances,
     facing,
+    frustum_box,
     frustum_planes,
+    meets_frustum_box,
+    visible_both_ways,
     visible_in_world,
     visible_projected,
 )
@@ -69,6 +73,30 @@ def test_a_box_with_a_point_in_the_frustum_is_visible() -> None:
         assert visible_in_world(low, high, clip)[within].all()
 
 
+def test_each_direction_of_the_two_way_test_finds_hidden_boxes_that_the_other_misses() -> None:
+    rng = np.random.default_rng(4)
+    only_projected = only_boxes = 0
+    for _ in range(200):
+        clip, _ = perspective(rng)
+        low, high = boxes(rng)
+        high += rng.uniform(0, 30, (len(low), 1))
+        projected, meets = visible_projected(low, high, clip), meets_frustum_box(low, high, clip)
+        assert (visible_both_ways(low, high, clip) == projected & meets).all()
+        only_projected += int((meets & ~projected).sum())
+        only_boxes += int((projected & ~meets).sum())
+    assert only_projected > only_boxes > 20
+
+
+def test_the_box_around_a_frustum_holds_it_and_no_smaller_one_does() -> None:
+    rng = np.random.default_rng(5)
+    clip, _ = perspective(rng)
+    least, greatest = frustum_box(clip)
+    ends = np.array([(x, y, z, 1.0) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    corners = ends @ np.linalg.inv(clip).T
+    corners = corners[:, :3] / corners[:, 3:]
+    assert np.allclose(corners.min(axis=0), least) and np.allclose(corners.max(axis=0), greatest)
+
+
 def test_points_of_the_frustum_are_on_the_inner_side_of_its_planes() -> None:
     clip, _ = perspective(np.random.default_rng(3))
     corner = np.linalg.inv(clip) @ (0.3, -0.2, 0.5, 1.0)
@@ -100,8 +128,8 @@ def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
         for _ in range(40)
     ]  # fmt: skip
     shown = []
-    for culled in (True, False):
-        given = {**small}
+    for culled, visibility in ((False, "planes"), *((True, each) for each in TESTS)):
+        given = {**small, "voxel.visibility": visibility}
         given |= dict.fromkeys(("voxel.cull", "voxel.facing", "voxel.horizon"), culled)
         with Offscreen(SIZE, samples=0, place="voxel", settings=given, only=("land",)) as view:
             pictures = []
@@ -109,8 +137,9 @@ def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
                 view.look(pose)
                 pictures.append(view.draw())
             shown.append(pictures)
-    for k, (one, other) in enumerate(zip(*shown, strict=True)):
-        assert (one == other).all(), poses[k]
+    for k, (whole, *culled_ones) in enumerate(zip(*shown, strict=True)):
+        for picture in culled_ones:
+            assert (picture == whole).all(), poses[k]
     assert len({picture.tobytes() for picture in shown[0]}) > 30
 
 

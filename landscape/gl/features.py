@@ -38,6 +38,7 @@ ANY_SIZE = Need((2, 0), ("GL_ARB_texture_non_power_of_two",))
 # GL_EXT_framebuffer_object alone has functions of other names, and no buffer of depth and stencil.
 FRAMEBUFFERS = Need((3, 0), ("GL_ARB_framebuffer_object",))
 FLOAT_TEXTURES = Need((3, 0), ("GL_ARB_texture_float",))
+VERTEX_ARRAYS = Need((3, 0), ("GL_ARB_vertex_array_object",))
 FOG_DISTANCE = Need(None, ("GL_NV_fog_distance",))
 
 PICTURE = (FRAMEBUFFERS, ANY_SIZE)  # to draw into a texture
@@ -106,6 +107,7 @@ FEATURES = {
     # The island in voxels.
     "sky": Feature((CUBE_MAP,)),
     "shadow": Feature((*DEPTHS, COMBINE, CROSSBAR), 3),
+    "voxel.vertex_arrays": Feature((VERTEX_ARRAYS,)),
     "debug.textures": Feature((*DEPTHS, COMBINE), 2),
     "water.reflection, water.refraction": Feature((*PICTURE, COMBINE), 2),
     "water.clear": Feature((FOG_COORDINATES,)),

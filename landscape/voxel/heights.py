@@ -12,13 +12,21 @@ import numpy as np
 from landscape.geometry.height_field import lookup
 
 Number: TypeAlias = np.ndarray | float
+COLUMNS, LEVELS = 500, 96  # of the land for which materials and relief were chosen
 
 
 @dataclass(frozen=True)
 class Heights:
-    """Heights in blocks, float32 (n, n), [x, z], at the centres of the columns."""
+    """Heights in blocks, float32 (n, n), [x, z], at the centres of the columns.
+
+    ``tall`` is how many times as high the land is, and ``grade`` how many times as steep, as the
+    same land of COLUMNS columns and LEVELS levels. Multiplied by them, a height or a rise over run
+    chosen there means the same place here: the materials do not depend on the land's size.
+    """
 
     field: np.ndarray
+    tall: float = 1.0
+    grade: float = 1.0
 
     def height(self, x: Number, z: Number) -> np.ndarray:
         """Return the height at x, z, bilinear between the centres, clamped beyond the border."""
@@ -67,4 +75,8 @@ def heights(image: np.ndarray, columns: int, levels: int) -> Heights:
     h, w = image.shape
     # The centre of a texel is half a texel from its border.
     found = lookup(image, at[None, :] - 0.5 / w, at[:, None] - 0.5 / h) * (levels / 256.0)
-    return Heights(np.ascontiguousarray(found.T, np.float32))
+    return Heights(
+        np.ascontiguousarray(found.T, np.float32),
+        tall=levels / LEVELS,
+        grade=levels * COLUMNS / (LEVELS * columns),
+    )

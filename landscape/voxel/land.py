@@ -9,7 +9,7 @@ What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge`
 ``voxel.holes``.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -25,12 +25,14 @@ from landscape.voxel.distant import distant_mesh
 from landscape.voxel.horizon import CLEAR, Horizon, solid_heights
 from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import BAND, BANDS, SETS, UP, RegionMesh
+from landscape.voxel.packed_mesh import PackedMesh
 from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.region_buffer import ABOVE, ALL, UNDER, Light, Part, RegionBuffer
+from landscape.voxel.region_buffers import RegionBuffers
 from landscape.voxel.settings import Settings
 from landscape.voxel.tile_column import column
 from landscape.voxel.tiles import SIDE, plants, tiles
-from landscape.voxel.visibility import distances, facing, visible_in_world
+from landscape.voxel.visibility import TESTS, distances, facing, visible_in_world
 from landscape.voxel.world import Cell
 
 FAR, DISTANT = 1, 2  # which of a region's meshes, after that for near
@@ -77,7 +79,7 @@ class Land:
         self._due: list[tuple[list[int], list[int]]] = []
         self.world, self.colours, found = built(settings, assets, seed)
         boxes = np.array([mesh.box for mesh in found]) * self.world.block
-        self.buffer = RegionBuffer(found)
+        self.buffer = self._buffer(found)
         del found  # those of a large world take much memory
         give_back()
         boxes = boxes.reshape(LEVELS, -1, 2, 3)
@@ -97,6 +99,11 @@ class Land:
 
         # A list, since each pass of a frame needs all of it.
         self._state = DisplayList(self._set_state)
+
+    def _buffer(self, meshes: Sequence[RegionMesh | PackedMesh]) -> RegionBuffer:
+        """Return one vertex buffer with these meshes, or one for each of them."""
+        kind = RegionBuffers if self.settings.voxel.buffers == "regions" else RegionBuffer
+        return kind(meshes, self.settings.voxel.vertex_arrays)
 
     def _set_state(self) -> None:
         """Scale blocks to units, and draw faces of one side with the tiles."""
@@ -137,7 +144,7 @@ class Land:
         """
         values, regions = self.settings.voxel, around.order
         if values.cull:
-            seen = visible_in_world(self.low, self.high, clip)
+            seen = TESTS[values.visibility](self.low, self.high, clip)
             seen &= around.away < values.distance
             if part == ABOVE:
                 seen &= self.high[:, 1] > self.world.water * self.scale
@@ -297,7 +304,7 @@ class Land:
             every = self.buffer.meshes()
             every[share] = mesh
             self.buffer.release()
-            self.buffer = RegionBuffer(every)
+            self.buffer = self._buffer(every)
             if (self.colours.light != face_light(self.settings.sun, self.settings.shadow)).any():
                 self.buffer.relight(self._light())
 
@@ -307,7 +314,7 @@ class Land:
         Another light needs no other meshes, only other colours.
         """
         now, then = self.settings, settings
-        names = (*BUILT, "mipmaps", "crisp")
+        names = (*BUILT, "mipmaps", "crisp", "buffers", "vertex_arrays")
         changed = [name for name in names if getattr(now.voxel, name) != getattr(then.voxel, name)]
         if changed or now.shadow.enabled != then.shadow.enabled:
             return False

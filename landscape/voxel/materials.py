@@ -10,10 +10,11 @@ import numpy as np
 from landscape.voxel.blocks import block
 from landscape.voxel.heights import Heights
 
-# All chosen. Heights in blocks above the sea, as fractions of the relief where they are marked.
+# All chosen, for the land that Heights compares with: a larger one has its materials in the same
+# places. Heights are in blocks above the sea.
 BEACH = 2.2  # sand up to here
 SHALLOWS = -2.5  # and down to here; deeper lies gravel
-SNOW = 0.58  # of the highest land
+SNOW = 0.58  # a fraction of the highest land
 EARTHY, ROCKY = 1.02, 1.3  # rise over run from which there is earth, or bare rock
 SNOWY = 2.2  # how much steeper than ROCKY snow may lie on the highest land
 SOIL = 3  # blocks of earth under grass, or of sand under sand
@@ -47,7 +48,8 @@ def variation(side: int, size: float, rng: np.random.Generator) -> np.ndarray:
 
 def top_materials(source: Heights, sea: int, rng: np.random.Generator) -> np.ndarray:
     """Return the topmost block of each column, uint8 (n, n)."""
-    above, steep = source.field - sea, source.steepness
+    above = (source.field - sea) / np.float32(source.tall)
+    steep = source.steepness / np.float32(source.grade)
     wander = variation(len(above), 24.0, rng)
     highest = max(float(above.max()), 1.0)
     found = np.full(above.shape, block("grass"), np.uint8)

@@ -3,7 +3,10 @@
 The document weighs one buffer for the whole scene against one a region, and takes the first: what
 costs is the number of OpenGL calls, not of vertices. Here, too, a region is a share of the one
 buffer, in which the vertices of a direction follow each other, and one glMultiDrawArrays
-(OpenGL 1.4) sends those of all visible regions.
+(OpenGL 1.4) sends those of all visible regions. The other choice is in region_buffers.py.
+The document keeps the places of the vertices' parts in a vertex array object. That is no shader
+(GL_ARB_vertex_array_object), and ``voxel.vertex_arrays`` asks for it: one call then takes the place
+of the pointers.
 Without buffers the vertices stay in the program's memory (vertex arrays, OpenGL 1.1), and without
 glMultiDrawArrays there is a call for each region and direction; neither changes the picture.
 State used: GL_ARRAY_BUFFER (OpenGL 1.5), the vertex arrays.
@@ -63,8 +66,14 @@ class RegionBuffer:
     where those of the last set end.
     """
 
-    def __init__(self, meshes: Sequence[RegionMesh | PackedMesh]) -> None:
-        """Upload meshes, each of which has a share of its own; :meth:`mesh` gives them back."""
+    def __init__(
+        self, meshes: Sequence[RegionMesh | PackedMesh], vertex_arrays: bool = False
+    ) -> None:
+        """Upload meshes, each of which has a share of its own; :meth:`mesh` gives them back.
+
+        ``vertex_arrays``: keep where a vertex's parts lie in vertex array objects, if OpenGL has
+        them.
+        """
         sizes = np.array([mesh.size for mesh in meshes])
         self._large = bool(sizes.sum() >= LARGE)
         margin, spare = (1.0, LITTLE_SPARE) if self._large else (MARGIN, SPARE)
@@ -74,22 +83,26 @@ class RegionBuffer:
         self._free = int(self.room.sum())
         self._end = self._free + RESERVE
         self._multi_draw = possible("glMultiDrawArrays")
-        self.name = int(gl.glGenBuffers(1)) if possible("vertex buffers") else 0
-        # The vertices, where OpenGL does not keep them.
-        self._kept = None if self.name else np.zeros(self._end, VERTEX)
         # Their colours in the light that they were made in, once they are shown in another.
         self._made: np.ndarray | None = None
         self._light: Light | None = None
-        if self.name:
-            size = self._end * VERTEX.itemsize
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
-            gl.glBufferData(gl.GL_ARRAY_BUFFER, size, None, gl.GL_STATIC_DRAW)
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+        self._arrays: dict[tuple[int, bool], int] | None = None  # names of vertex array objects
+        # The vertices, where OpenGL does not keep them.
+        self._kept = None if possible("vertex buffers") else np.zeros(self._end, VERTEX)
+        if self._kept is None and vertex_arrays and possible("voxel.vertex_arrays"):
+            self._arrays = {}
+        self.name = 0
+        self._make_buffers()
         for share, mesh in enumerate(meshes):
             self.replace(share, unpacked(mesh))
             if self._large and share % FINISHED == 0:
                 gl.glFinish()  # Mesa keeps copies of what is still to be uploaded
                 give_back()
+
+    def _make_buffers(self) -> None:
+        """Make the buffer, as large as all shares and the reserve."""
+        if self._kept is None:
+            self.name = new_buffer(self._end)
 
     def _enter(self, share: int, mesh: RegionMesh) -> None:
         """Note where the vertices of a share lie."""
@@ -124,6 +137,7 @@ class RegionBuffer:
                 return False
             self.start[share], self.room[share] = self._free, room
             self._free += room
+            self._moved(share)
         begin, vertices = int(self.start[share]), mesh.vertices
         if self._made is not None and self._light:
             self._made[begin:][:size] = vertices["colour"]
@@ -133,6 +147,9 @@ class RegionBuffer:
         self._write(begin, vertices)
         self._enter(share, mesh)
         return True
+
+    def _moved(self, share: int) -> None:
+        """Do what is to be done when a share has another place, and more room: nothing."""
 
     def relight(self, light: Light) -> None:
         """Show all meshes in another light than they were made in, those that come later as well.
@@ -186,22 +203,52 @@ class RegionBuffer:
     @contextmanager
     def bound(self, fog_by_height: bool = False) -> Iterator[None]:
         """Let the block draw from the buffer; fog coordinates are heights in blocks if asked."""
-        whole = 0 if self._kept is None else self._kept.ctypes.data
+        with self._arrays_restored():
+            self._take(self.name, fog_by_height)
+            yield
+
+    @contextmanager
+    def _arrays_restored(self) -> Iterator[None]:
+        """Put the vertex arrays back after the block."""
+        if self._arrays is not None:
+            try:
+                yield
+            finally:
+                gl.glBindVertexArray(0)
+            return
         gl.glPushClientAttrib(gl.GL_CLIENT_VERTEX_ARRAY_BIT)
-        if self.name:
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self.name)
+        try:
+            yield
+        finally:
+            if self._kept is None:
+                gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+            gl.glPopClientAttrib()
+
+    def _take(self, name: int, fog_by_height: bool) -> None:
+        """Let OpenGL take vertices from a buffer, by its vertex array object if there are such."""
+        if self._arrays is None:
+            self._point(name, fog_by_height)
+            return
+        key = name, fog_by_height
+        if key in self._arrays:
+            gl.glBindVertexArray(self._arrays[key])
+            return
+        self._arrays[key] = int(np.ravel(gl.glGenVertexArrays(1))[0])
+        gl.glBindVertexArray(self._arrays[key])
+        self._point(name, fog_by_height)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+
+    def _point(self, name: int, fog_by_height: bool) -> None:
+        """Say where the parts of a vertex lie in a buffer."""
+        whole = 0 if self._kept is None else self._kept.ctypes.data
+        if name:
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, name)
         gl.glInterleavedArrays(gl.GL_T2F_C4UB_V3F, 0, ctypes.c_void_p(whole))
         if fog_by_height:
             # The same vertices once more: a vertex's y as its fog coordinate.
             gl.glEnableClientState(gl.GL_FOG_COORD_ARRAY)
             place = ctypes.c_void_p(whole + Y_OFFSET)
             gl.glFogCoordPointer(gl.GL_FLOAT, VERTEX.itemsize, place)
-        try:
-            yield
-        finally:
-            if self.name:
-                gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
-            gl.glPopClientAttrib()
 
     def draw(
         self,
@@ -269,9 +316,27 @@ class RegionBuffer:
 
     def release(self) -> None:
         """Delete the buffer; may be called twice."""
+        self._forget_arrays()
         if self.name:
             gl.glDeleteBuffers(1, np.array([self.name], np.uint32))
             self.name = 0
+
+    def _forget_arrays(self) -> None:
+        """Delete the vertex array objects, if there are any."""
+        if self._arrays:
+            gl.glDeleteVertexArrays(
+                len(self._arrays), np.array([*self._arrays.values()], np.uint32)
+            )
+            self._arrays = {}
+
+
+def new_buffer(size: int) -> int:
+    """Return the name of a new buffer for so many vertices."""
+    name = int(gl.glGenBuffers(1))
+    gl.glBindBuffer(gl.GL_ARRAY_BUFFER, name)
+    gl.glBufferData(gl.GL_ARRAY_BUFFER, size * VERTEX.itemsize, None, gl.GL_STATIC_DRAW)
+    gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
+    return name
 
 
 def as_bytes(vertices: np.ndarray) -> np.ndarray:

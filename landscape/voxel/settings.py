@@ -64,6 +64,25 @@ class Voxel:
     cull: bool = setting(
         True, "Peurière, Terrain/Region", "regions outside the view frustum are not sent"
     )
+    visibility: str = setting(
+        "planes",
+        "Peurière, Terrain/Region",
+        "what a region's box is compared with: the frustum's planes, the frustum in projected "
+        "space, the box around the frustum, or the last two",
+        choices=("planes", "projected", "boxes", "two-way"),
+        needs=("voxel.cull",),
+    )
+    buffers: str = setting(
+        "one",
+        "Peurière, Implémentation",
+        "one vertex buffer for all regions, or one for each region",
+        choices=("one", "regions"),
+    )
+    vertex_arrays: bool = setting(
+        False,
+        "Peurière, Implémentation",
+        "vertex array objects keep where the parts of a vertex lie",
+    )
     horizon: bool = setting(True, "chosen", "faces that lie behind hills are not sent")
     distance: float = setting(
         28.0, "chosen", "how far regions are drawn", 0.1, 1e4, unit=UNITS, needs=("voxel.cull",)

@@ -1,10 +1,16 @@
-"""Which regions can be seen: their boxes against the view frustum, in two ways (TP2, part 2).
+"""Which regions can be seen: their boxes against the view frustum (TP2, part 2).
 
-In world space a box is hidden if it lies wholly behind one plane of the frustum. In projected space
-its eight corners are transformed to clip coordinates, and it is hidden if all of them lie beyond
-the same side of the cube -w..w. Both ask the same question, and a test shows that they agree. The
-second also works for any other projection, such as that of the shadow map.
+The document asks in two directions. In projected space a region's eight corners are transformed to
+clip coordinates, and it is hidden if all of them lie beyond the same side of the cube -w..w. In
+world space the box around the frustum's eight corners is compared with the region's: if the two do
+not meet, the region is hidden. Each finds some that the other misses: a region beyond an edge of
+the frustum is beyond no single side of it, but may be beside its box.
+The six planes of the frustum in world space ask what the corners ask in projected space, with the
+same answers (a test compares them) and less work, so that they are the default.
+Switch: ``voxel.visibility``.
 """
+
+from collections.abc import Callable
 
 import numpy as np
 
@@ -41,6 +47,34 @@ def visible_projected(low: np.ndarray, high: np.ndarray, matrix: np.ndarray) -> 
     x, y, z, w = np.moveaxis(corners @ matrix[:, :3].T + matrix[:, 3], -1, 0)
     outside = np.stack([x < -w, x > w, y < -w, y > w, z < -w, z > w])
     return ~np.asarray(outside.all(axis=2).any(axis=0))
+
+
+def frustum_box(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the least and the greatest corner (3,) of the box around a frustum."""
+    corners = np.c_[2.0 * CORNERS - 1.0, np.ones(8)] @ np.linalg.inv(matrix).T
+    places = corners[:, :3] / corners[:, 3:]
+    return places.min(axis=0), places.max(axis=0)
+
+
+def meets_frustum_box(low: np.ndarray, high: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    """Return which boxes from ``low`` to ``high`` (n, 3) meet the box around a frustum."""
+    least, greatest = frustum_box(matrix)
+    return np.asarray(((low <= greatest) & (high >= least)).all(axis=1))
+
+
+def visible_both_ways(low: np.ndarray, high: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    """Return which boxes neither of the document's two directions finds to be hidden."""
+    return visible_projected(low, high, matrix) & meets_frustum_box(low, high, matrix)
+
+
+Test = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+TESTS: dict[str, Test] = {
+    "planes": visible_in_world,
+    "projected": visible_projected,
+    "boxes": meets_frustum_box,
+    "two-way": visible_both_ways,
+}
+"""What ``voxel.visibility`` chooses from."""
 
 
 def distances(low: np.ndarray, high: np.ndarray, eye: np.ndarray) -> np.ndarray:
