@@ -8,15 +8,17 @@ import pytest
 
 from landscape.gl.calls import recording
 from landscape.render import Offscreen
+from landscape.settings import Sun
 from landscape.voxel.blocks import block
-from landscape.voxel.build import look, meshed
+from landscape.voxel.build import look, meshed, slope_light
+from landscape.voxel.heights import Heights
 from landscape.voxel.landmarks import Site, lay_paths
 from landscape.voxel.models import castle as castles
 from landscape.voxel.models.castle_keep import HALL, KEEP
 from landscape.voxel.models.paths import UNEVEN, WIDE, ways, worn
 from landscape.voxel.sky import sky_colours
 from landscape.voxel.voxel import SCENE
-from landscape.voxel.water import finer
+from landscape.voxel.water import finer, glint_colour
 from landscape.voxel.water_images import MIRRORED_BELOW
 from landscape.voxel.world import World
 
@@ -91,6 +93,44 @@ def test_the_map_of_ripples_gains_shorter_waves() -> None:
     assert set(np.argsort(power)[-3:]) == {5, 8, 24}  # long ones, and turned ones, twice
 
 
+def test_a_slope_that_faces_the_sun_is_lighter_and_one_turned_away_darker() -> None:
+    east = Sun(azimuth=90.0, elevation=45.0)
+    x = np.arange(30, dtype=np.float32)[:, None] + np.zeros(30, np.float32)
+    level, facing, away = (
+        slope_light(Heights(rise * x), east, 1.0)[5:25, 5:25] for rise in (0.0, -1.0, 1.0)
+    )
+    assert level == pytest.approx(1.0) and facing.min() > 1.05 and away.max() < 0.7
+    # Turned away by 90 degrees it has the light of the sky alone.
+    steep = slope_light(Heights(3.0 * x), east, 1.0)[5:25, 5:25]
+    assert steep == pytest.approx(away, abs=1e-5)
+    half = slope_light(Heights(x), east, 0.5)[5:25, 5:25]
+    assert half == pytest.approx((1.0 + away) / 2, abs=1e-6)
+    assert slope_light(Heights(x), east, 0.0) == pytest.approx(1.0)
+
+
+def test_glints_have_the_colour_of_the_sun_as_bright_as_can_be() -> None:
+    assert glint_colour((1.0, 0.72, 0.42)) == pytest.approx((1.0, 0.72, 0.42))
+    assert glint_colour((0.5, 0.25, 0.0)) == pytest.approx((1.0, 0.5, 0.0))
+    assert glint_colour((0.0, 0.0, 0.0)) == (0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("diffuse", [(1.0, 0.6, 0.2), (0.3, 0.5, 1.0)])
+def test_the_water_glitters_in_the_colour_of_the_sun(diffuse: tuple[float, ...]) -> None:
+    given = {"voxel.regions": 6, "voxel.region_size": 20, "shadow.enabled": False}
+    given |= {"sun.azimuth": 315.0, "sun.elevation": 20.0, "fog.enabled": False}
+    pictures = []
+    for sparkle in (0.0, 4.0):
+        settings = given | {"sun.diffuse": diffuse, "water.sparkle": sparkle}
+        with Offscreen((160, 120), samples=0, place="voxel", settings=settings) as view:
+            view.look((9.0, 1.4, 9.0, 315.0, -8.0))
+            pictures.append(view.draw().astype(float))
+    changed = np.abs(pictures[1] - pictures[0]).max(axis=-1) > 60
+    assert changed.sum() > 10
+    brightest = pictures[1][changed]
+    brightest = brightest[brightest.sum(axis=1).argsort()[-5:]].mean(axis=0) / 255
+    assert brightest == pytest.approx(glint_colour(diffuse), abs=0.2)
+
+
 def towers() -> World:
     blocks = np.zeros((40, 40, 30), np.uint8)
     blocks[..., :8] = block("rock")
@@ -101,7 +141,7 @@ def towers() -> World:
 
 def test_a_region_with_a_building_is_not_drawn_in_larger_blocks() -> None:
     settings = replace(SCENE.settings, voxel=replace(SCENE.settings.voxel, regions=2))
-    place, colours = towers(), look(settings, 1)
+    place, colours = towers(), look(settings, Heights(np.full((40, 40), 8.0)), 1)
     found = [meshed(place, region, colours, settings.voxel) for region in (0, 2)]
     (_, (castle,), (from_afar,)), (_, (wood,), (larger,)) = found
     assert np.array_equal(castle.vertices, from_afar.vertices)

@@ -21,7 +21,7 @@ from landscape.errors import InputError
 from landscape.geometry.bodies import Body, Wish
 from landscape.render import Offscreen
 from landscape.voxel.blocks import AIR, SOLID, block
-from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, Place, moved
+from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, RISE, UPWARDS, Place, moved
 from landscape.voxel.mesh import (
     BAND,
     BANDS,
@@ -34,8 +34,9 @@ from landscape.voxel.mesh import (
     region_mesh,
 )
 from landscape.voxel.patch import patched, regions_around
-from landscape.voxel.picking import picked
+from landscape.voxel.picking import picked, picked_through_water
 from landscape.voxel.tile_column import PLACES, ROWS
+from landscape.voxel.water_images import FLATTER
 from landscape.voxel.world import World
 from landscape.voxel.world_file import decoded, encoded
 
@@ -51,8 +52,8 @@ def flat(side: int = 24, height: int = 20, ground: int = 4) -> np.ndarray:
     return blocks
 
 
-def wish(east=0.0, south=0.0, up=0.0, jump=False, flying=False) -> Wish:
-    return Wish(east, up, south, jump, flying, EYE)
+def wish(east=0.0, south=0.0, up=0.0, jump=False, flying=False, dive=False) -> Wish:
+    return Wish(east, up, south, jump, flying, EYE, dive)
 
 
 def go(place: Place, body: Body, way: Wish, seconds: float, frames: int) -> list[Body]:
@@ -175,6 +176,27 @@ def test_a_body_floats_in_deep_water_wades_in_shallow_and_climbs_the_bank() -> N
     assert go(Place(blocks, floor=7.88), Body(2.0, 9.0, 12.0), wish(), 1 / 30, 60)[-1].y == 7.88
 
 
+def test_a_swimmer_dives_down_to_the_bed_and_comes_up_again_not_too_fast() -> None:
+    place = Place(flat(), water=14.0)
+    floats = 14.0 - AFLOAT * EYE
+    start = go(place, Body(2.0, 14.0, 12.0), wish(), 1 / 30, 60)[-1]
+    assert start.y == pytest.approx(floats, abs=0.01)
+    down = go(place, start, wish(dive=True), 1 / 30, 90)
+    assert down[-1].y == pytest.approx(4.0, abs=2 * GAP) and down[-1].swimming
+    for given, fastest in (({}, RISE), ({"jump": True}, UPWARDS)):
+        up = go(place, down[-1], wish(**given), 1 / 30, 150)
+        steps = np.diff([body.y for body in up])
+        assert steps.max() == pytest.approx(fastest / 30, rel=0.01)
+        assert up[-1].y == pytest.approx(floats, abs=0.01)
+
+
+def test_diving_on_land_does_nothing() -> None:
+    place = Place(flat(), water=2.0)
+    start = moved(place, Body(12.0, 4.0, 12.0), wish(), 0.1)
+    still, diving = (go(place, start, wish(dive=dive), 1 / 30, 10)[-1] for dive in (False, True))
+    assert still == diving
+
+
 def test_the_path_hardly_depends_on_the_frame_rate() -> None:
     blocks = flat()
     blocks[10:, :, :5] = ROCK
@@ -187,6 +209,47 @@ def test_the_path_hardly_depends_on_the_frame_rate() -> None:
 
 
 # Which block is under the cross-hair.
+
+
+def test_through_water_the_block_is_picked_that_is_seen_there() -> None:
+    """A point of the bed, drawn flatter as the refraction is, is picked where it is drawn."""
+    rng = np.random.default_rng(3)
+    blocks = flat()
+    blocks[:, :, :8] = np.where(rng.random((24, 24, 8)) < 0.5, ROCK, AIR)
+    blocks[:, :, 0] = ROCK
+    level, picks = 9.86, 0
+    for _ in range(300):
+        target = np.array([*rng.uniform(2, 22, 2), rng.uniform(1, 8)])
+        eye = np.array([*rng.uniform(2, 22, 2), rng.uniform(10.5, 14)])
+        seen = target.copy()
+        seen[2] = level + FLATTER * (target[2] - level)
+        reach = float(np.linalg.norm(seen - eye))
+        way = (seen - eye) / reach
+        hit = picked_through_water(blocks, eye, way, reach, level, FLATTER)
+        cell = tuple(np.floor(target).astype(int).tolist())
+        if hit is None:
+            assert blocks[cell] == AIR
+            continue
+        # What is picked lies on the bent line, not beyond the point that was looked at.
+        met = eye + (level - eye[2]) / way[2] * way
+        points = met + np.linspace(0, 1, 2001)[:, None] * (target - met)
+        passed = {tuple(each) for each in np.floor(points).astype(int).tolist()}
+        assert hit.block in passed
+        picks += 1
+    assert picks > 200
+
+
+def test_from_under_water_a_block_above_is_picked_lower_than_it_is_seen() -> None:
+    blocks = flat()
+    blocks[12, :, 13] = ROCK
+    level, eye = 10.0, np.array([8.0, 12.5, 7.0])
+    target = np.array([12.1, 12.5, 13.5])
+    seen = target.copy()
+    seen[2] = level + (target[2] - level) / FLATTER
+    way = (seen - eye) / np.linalg.norm(seen - eye)
+    hit = picked_through_water(blocks, eye, way, 20.0, level, FLATTER)
+    assert hit is not None and hit.block == (12, 12, 13)
+    assert picked(blocks, eye, way, 20.0) is None
 
 
 def first_by_small_steps(blocks: np.ndarray, eye: np.ndarray, way: np.ndarray, reach: float):

@@ -19,7 +19,7 @@ from landscape.scene import Moment
 from landscape.voxel import build, region_buffer
 from landscape.voxel.blocks import AIR, block
 from landscape.voxel.build import source
-from landscape.voxel.mesh import Look, RegionMesh, region_mesh
+from landscape.voxel.mesh import PLANTS, UP, Look, RegionMesh, region_mesh
 from landscape.voxel.packed_mesh import packed, unpacked
 from landscape.voxel.region_buffer import Light, RegionBuffer
 from landscape.voxel.region_buffers import RegionBuffers
@@ -86,8 +86,9 @@ def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
     buffer = kind(list(meshes[:4]))
     times = rng.uniform(0.3, 1.4, (7, 3)).astype(np.float32)
     try:
-        for light in (Light(times / 2, np.arange(7, dtype=np.uint8)),
-                      Light(times, np.arange(9, 16, dtype=np.uint8))):  # fmt: skip
+        slope = rng.uniform(0.5, 1.0, (12, 12)).astype(np.float32)
+        for light in (Light(times / 2, np.arange(7, dtype=np.uint8), slope / 2),
+                      Light(times, np.arange(9, 16, dtype=np.uint8), slope)):  # fmt: skip
             buffer.relight(light)
         assert buffer.replace(1, meshes[4])  # in the light it was made in
         for share, mesh in enumerate((meshes[0], meshes[4], meshes[2], meshes[3])):
@@ -95,7 +96,10 @@ def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
             made = mesh.vertices["colour"]
             begin = int(buffer.start[share])
             shown = buffer._read(begin, len(made))["colour"]
-            expected = np.minimum(np.floor(made[:, :3] * times[turns] + 0.5), 255)
+            x, _, z = np.clip(np.rint(mesh.vertices["position"]).astype(int), 0, 11).T
+            sloping = np.isin(turns, [UP, PLANTS])
+            lighter = times[turns] * np.where(sloping, slope[x, z], 1.0)[:, None]
+            expected = np.minimum(np.floor(made[:, :3] * lighter + 0.5), 255)
             assert len(made) and np.abs(shown[:, :3] - expected).max() <= 1
             assert (shown[:, 3] == 9 + turns).all()
             assert (buffer.mesh(share).vertices == mesh.vertices).all()

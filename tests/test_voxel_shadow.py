@@ -127,19 +127,41 @@ def test_without_the_offset_faces_shade_themselves() -> None:
     assert share[False] > share[True] + 0.08
 
 
-def test_shadows_are_drawn_again_only_when_the_eye_has_left_or_a_block_has_changed() -> None:
-    with opened() as view:
+@pytest.mark.parametrize("far", [False, True])
+def test_shadows_are_drawn_again_only_when_the_eye_has_left_or_a_block_has_changed(
+    far: bool,
+) -> None:
+    with opened(shadow__far=far) as view:
         shadow, land, sent = view.scene.shadow, view.scene.land, []
         draw_shapes = land.draw_shapes
         land.draw_shapes = lambda choice: (sent.append(1), draw_shapes(choice))
         view.draw()
-        assert sent == [1]
+        assert sent == [1] * (1 + far)
         view.look((ABOVE[0] + 0.02, *ABOVE[1:]))
         view.draw()
-        assert sent == [1] and shadow.settings.shadow.snapped
+        assert sent == [1] * (1 + far) and shadow.settings.shadow.snapped
         land.rebuild(0)
         view.draw()
-        assert sent == [1, 1]
+        assert sent == [1] * 2 * (1 + far)
+
+
+def test_far_from_the_eye_land_is_shaded_by_the_coarser_picture_near_it_by_the_fine_one() -> None:
+    near_only = {"shadow__distance": 5.0, "shadow__size": 1024, "shadow__color": (0.0, 0.0, 0.0)}
+    with opened(**near_only, shadow__far=False) as view:
+        without = view.draw().astype(int)
+        low, high = view.scene.land.low, view.scene.land.high
+        covered = view.scene.shadow.covers(low, high)
+        assert 0 < covered.sum() < len(low)
+        corners = np.stack([low, high])[[[0, 0, 0], [1, 1, 1]], :, [0, 1, 2]]
+        ends = np.einsum("ij,kjn->kin", view.scene.shadow.matrix[:2, :3], corners)
+        ends += view.scene.shadow.matrix[:2, 3][:, None]
+        assert (np.abs(ends[:, :, covered]) <= 1.0).all()
+    with opened(**near_only) as view:
+        found = view.draw().astype(int)
+    with opened(shadow__distance=9.0, shadow__size=4096, shadow__color=(0.0, 0.0, 0.0)) as view:
+        fine = view.draw().astype(int)
+    dark = [picture.max(axis=-1) < 30 for picture in (without, found, fine)]
+    assert (dark[0] ^ dark[2]).sum() > 3 * (dark[1] ^ dark[2]).sum() > 0
 
 
 COARSE = {"shadow__size": 512, "shadow__distance": 6.0}  # the square moves by 1.5 units

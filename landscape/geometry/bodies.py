@@ -35,7 +35,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Wish:
-    """Where a body wants to go: its velocity east, up and south per second; to jump; to fly.
+    """Where a body wants to go: its velocity east, up and south per second; to jump, dive or fly.
 
     ``eye`` is the height of its eye above its feet, which says how large it is.
     """
@@ -46,6 +46,7 @@ class Wish:
     jump: bool
     flying: bool
     eye: float
+    dive: bool = False
 
     def scaled(self, by: float) -> "Wish":
         """Return the wish in other units of length."""

@@ -24,6 +24,8 @@ JUMP = 8.4  # blocks per second: 1.26 blocks high
 FASTEST = 60.0  # blocks per second of a fall
 DIP = 0.35  # blocks, how far one who falls into deep water goes down more than he swims
 BUOYANCY = 7.0  # per second: how fast a swimmer comes up to his place
+RISE = 2.5  # blocks per second, at most: how fast one who has dived comes up
+UPWARDS, DOWNWARDS = 5.0, 4.0  # blocks per second: of one who swims up, or dives
 WADE = 0.5  # times the speed, in deep water
 SHALLOW = 0.05  # blocks above the level at which one swims: he counts as swimming up to there
 DUCK = 0.7  # of the eye's height: the lowest that it comes to in climbing
@@ -165,7 +167,7 @@ def walked(place: Place, body: Body, wish: Wish, seconds: float) -> Body:
         lag -= stepped_down(blocks, box, place.floor)
 
     if afloat and rising <= 0.0:
-        slide(blocks, box, 2, (floating - box.low[2]) * -math.expm1(-BUOYANCY * seconds))
+        slide(blocks, box, 2, swum(floating - box.low[2], wish, seconds))
         rising, grounded = 0.0, False
     else:
         fall = max(rising - GRAVITY * seconds, -FASTEST)
@@ -179,6 +181,14 @@ def walked(place: Place, body: Body, wish: Wish, seconds: float) -> Body:
     return settled(
         place, box, Body(0.0, box.low[2], 0.0, rising, lag, grounded, swimming), wish.eye
     )
+
+
+def swum(up: float, wish: Wish, seconds: float) -> float:
+    """Return how far a swimmer goes up in some seconds, whose place at the surface is ``up`` up."""
+    if wish.dive:
+        return -DOWNWARDS * seconds
+    most = (UPWARDS if wish.jump else RISE) * seconds
+    return min(up * -math.expm1(-BUOYANCY * seconds), most)
 
 
 def settled(place: Place, box: Box, body: Body, eye: float) -> Body:

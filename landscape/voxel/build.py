@@ -80,8 +80,8 @@ def unchanged(mesh: RegionMesh) -> RegionMesh:
     return mesh
 
 
-def source(values: Voxel, assets: Assets) -> Heights:
-    """Return the heights of the land in blocks; InputError for what cannot be a world."""
+def image_heights(values: Voxel, assets: Assets) -> Heights:
+    """Return the heights of the image in blocks; InputError for what cannot be a world."""
     columns = values.regions * values.region_size
     tall = values.levels + ROOM
     most = min(math.isqrt(MOST_BLOCKS // tall), MOST_COLUMNS)
@@ -92,7 +92,12 @@ def source(values: Voxel, assets: Assets) -> Heights:
             f"not {columns} x {columns}, which do not fit in memory"
         )
     image = read_heights(assets.path(values.height_image, "voxel.height_image"))
-    return roughened(heights(image, columns, values.levels))
+    return heights(image, columns, values.levels)
+
+
+def source(values: Voxel, assets: Assets) -> Heights:
+    """Return the heights of the land in blocks; InputError for what cannot be a world."""
+    return roughened(image_heights(values, assets))
 
 
 def world(values: Voxel, assets: Assets, seed: int) -> World:
@@ -118,6 +123,32 @@ def world(values: Voxel, assets: Assets, seed: int) -> World:
     return World(blocks, tops, values.region_size, values.sea, values.block)
 
 
+def day_light(light: Sun, faced: float | np.ndarray, sky: float) -> np.ndarray:
+    """Return the light (..., 3) of ``sky`` and sun where the cosine to the sun is ``faced`` (...).
+
+    ``sky`` is the part of the sky's light that arrives there.
+    """
+    air = BLUE_SKY * (1.0 - WARMER * (1.0 - np.array(light.diffuse)))
+    sunny = np.sqrt(np.maximum(faced, 0.0))[..., None]
+    return np.asarray(sky * air + SUNLIGHT * sunny * np.array(light.diffuse))
+
+
+def slope_light(land: Heights, light: Sun, strength: float) -> np.ndarray:
+    """Return how much lighter level faces are for the land's slope, float32 (n + 1, n + 1) [x, z].
+
+    The cubes' upper faces all look the same way, but the land that they stand for does not: its
+    normal at each corner of a column says how much it faces the sun. 1 is level land, or all of it
+    at a ``strength`` of 0.
+    """
+    towards = sun.direction(light).astype(np.float64)
+    at = np.arange(len(land.field) + 1)
+    cosine = land.normal(at[:, None], at[None, :]) @ towards
+    here, level = (
+        day_light(light, faced, SKYLIGHT["up"]).mean(axis=-1) for faced in (cosine, towards[1])
+    )
+    return (1.0 + strength * (here / level - 1.0)).astype(np.float32)
+
+
 def face_light(light: Sun, shadow: Shadow) -> np.ndarray:
     """Return the light (6, 4) on faces in each of DIRECTIONS.
 
@@ -127,27 +158,26 @@ def face_light(light: Sun, shadow: Shadow) -> np.ndarray:
     """
     towards = sun.direction(light)
     found = np.ones((len(DIRECTIONS), 4))
-    air = BLUE_SKY * (1.0 - WARMER * (1.0 - np.array(light.diffuse)))
     left = max(math.fsum(shadow.color) / 3.0, LEAST_LEFT)
     for k, direction in enumerate(DIRECTIONS):
         axis = {0: 0, 1: 2, 2: 1}[direction.axis]  # of [x, z, y] in x, y, z
         faced = max(direction.sign * float(towards[axis]), 0.0)
-        sky = SKYLIGHT.get(direction.name, SIDELIGHT) * air
-        found[k, :3] = sky + SUNLIGHT * faced**0.5 * np.array(light.diffuse)
+        found[k, :3] = day_light(light, faced, SKYLIGHT.get(direction.name, SIDELIGHT))
         if shadow.enabled and not faced:
             found[k, :3] /= left
             found[k, 3] = left
     return np.clip(found, 0.0, 1.0)
 
 
-def look(settings: Settings, seed: int) -> Look:
-    """Return what the vertices depend on besides the blocks."""
+def look(settings: Settings, land: Heights, seed: int) -> Look:
+    """Return what the vertices depend on besides the blocks; ``land`` is the image's."""
     values = settings.voxel
     side = values.regions * values.region_size
     tint = variation(side + 1, TINT_SIZE, np.random.default_rng(seed + 1)).astype(np.float32)
     # The water is between these, and so is all that is drawn of what lies under it.
     shore = values.sea - 1, values.sea + 1
-    return Look(face_light(settings.sun, settings.shadow), tint, shore=shore)
+    slope = slope_light(land, settings.sun, values.slope)
+    return Look(face_light(settings.sun, settings.shadow), tint, slope=slope, shore=shore)
 
 
 def meshes(
@@ -221,12 +251,13 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
     """Return the world, its colours and its meshes, from the cache if they were built before."""
     values = settings.voxel
     side = values.regions * values.region_size
-    colours = look(settings, seed)
+    colours = look(settings, image_heights(values, assets), seed)
     parts = (
         "voxel world",
         content(assets.path(values.height_image, "voxel.height_image")),
         repr(([getattr(values, name) for name in BUILT], seed)),
         colours.light.tobytes(),
+        colours.slope.tobytes(),
     )
 
     if side > MOST_KEPT:

@@ -4,6 +4,7 @@ Technique: Fresnel's term depends on the angle between the line of sight and the
 and so on the direction from the eye to the point alone. A cube map looked up with that direction,
 vertex minus eye, which may be interpolated without error over any polygon, gives it per pixel
 (GL_ARB_texture_cube_map, OpenGL 1.3). The document did this in a shader.
+Lines of sight that lead upwards meet the surface from beneath: half of the same cube map is theirs.
 """
 
 import numpy as np
@@ -12,7 +13,8 @@ from landscape.gl.cube_map import face_directions
 
 SIDE = 128  # texels, chosen: side of a face
 EVEN = 0.172  # chosen: the cosine at which water mirrors 40 % of the light
-STRAIGHT = 0.02  # of water, refractive index 1.33, looked at from straight above
+INDEX = 1.33  # the refractive index of water
+STRAIGHT = 0.02  # of water, looked at from straight above
 
 
 def reflectance(cosine: np.ndarray) -> np.ndarray:
@@ -20,12 +22,22 @@ def reflectance(cosine: np.ndarray) -> np.ndarray:
     return STRAIGHT + (1.0 - STRAIGHT) * (1.0 - np.clip(cosine, 0.0, 1.0)) ** 5
 
 
+def reflectance_beneath(cosine: np.ndarray) -> np.ndarray:
+    """Return the same for light in the water: all of it beyond the critical angle.
+
+    The cosine that counts is that of the ray in the air (Snell's law).
+    """
+    sine = INDEX * np.sqrt(1.0 - np.clip(cosine, 0.0, 1.0) ** 2)
+    return reflectance(np.sqrt(np.maximum(1.0 - sine**2, 0.0)))
+
+
 def fresnel_faces(strength: float, by_angle: bool = True) -> np.ndarray:
-    """Return the faces, uint8 (6, n, n, 1), for lines of sight (x, y, z) onto a level surface.
+    """Return the faces, uint8 (6, n, n, 1), for lines of sight (x, y, z) that meet level water.
 
     Without ``by_angle`` it mirrors as much in all directions, which is what a constant would do.
     """
-    downwards = -face_directions(SIDE)[..., 1:2]
+    upwards = face_directions(SIDE)[..., 1:2]
+    mirrored = np.where(upwards > 0, reflectance_beneath(upwards), reflectance(-upwards))
     if not by_angle:
-        downwards = np.full_like(downwards, EVEN)
-    return (255.0 * np.clip(strength * reflectance(downwards), 0.0, 1.0) + 0.5).astype(np.uint8)
+        mirrored = np.full_like(mirrored, reflectance(np.array(EVEN)))
+    return (255.0 * np.clip(strength * mirrored, 0.0, 1.0) + 0.5).astype(np.uint8)

@@ -9,6 +9,7 @@ What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge`
 ``voxel.holes``.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -20,7 +21,16 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
-from landscape.voxel.build import BUILT, built, face_light, meshed, seen_from_afar, shows_buildings
+from landscape.voxel.build import (
+    BUILT,
+    built,
+    face_light,
+    image_heights,
+    meshed,
+    seen_from_afar,
+    shows_buildings,
+    slope_light,
+)
 from landscape.voxel.distant import distant_mesh
 from landscape.voxel.horizon import CLEAR, Horizon, solid_heights
 from landscape.voxel.memory import give_back
@@ -54,6 +64,13 @@ class Choice(NamedTuple):
     part: Part = ALL
     last: np.ndarray | None = None
 
+    def only(self, wanted: np.ndarray) -> "Choice":
+        """Return the same of some of the regions, those ``wanted`` (n,)."""
+        last = None if self.last is None else self.last[wanted]
+        return Choice(
+            self.regions[wanted], self.shares[wanted], self.facing[wanted], self.part, last
+        )
+
 
 class Around(NamedTuple):
     """How far all regions are from the eye in units (n,), and in which order, nearest first."""
@@ -78,6 +95,7 @@ class Land:
         self._late: list[tuple[list[int], list[int]]] = []
         self._due: list[tuple[list[int], list[int]]] = []
         self.world, self.colours, found = built(settings, assets, seed)
+        self._source = image_heights(settings.voxel, assets)
         boxes = np.array([mesh.box for mesh in found]) * self.world.block
         self.buffer = self._buffer(found)
         del found  # those of a large world take much memory
@@ -135,17 +153,18 @@ class Land:
         near: float,
         far: float,
         part: Part = ALL,
+        reach: float = math.inf,
     ) -> Choice:
         """Return what to draw: with ``clip`` (4, 4), projection times modelview, from ``eye``.
 
         ``around`` is what :meth:`around` returns. Regions within ``near`` units are drawn with the
         meshes for near, beyond ``far`` units with those for where they are distant. ``part`` of the
-        land will be visible.
+        land will be visible, and nothing beyond ``reach`` units.
         """
         values, regions = self.settings.voxel, around.order
         if values.cull:
             seen = TESTS[values.visibility](self.low, self.high, clip)
-            seen &= around.away < values.distance
+            seen &= around.away < min(values.distance, reach)
             if part == ABOVE:
                 seen &= self.high[:, 1] > self.world.water * self.scale
             elif part == UNDER:
@@ -305,7 +324,7 @@ class Land:
             every[share] = mesh
             self.buffer.release()
             self.buffer = self._buffer(every)
-            if (self.colours.light != face_light(self.settings.sun, self.settings.shadow)).any():
+            if self._lit_otherwise():
                 self.buffer.relight(self._light())
 
     def apply(self, settings: Settings) -> bool:
@@ -319,10 +338,21 @@ class Land:
         if changed or now.shadow.enabled != then.shadow.enabled:
             return False
         self.settings = settings
-        light, other = (face_light(each.sun, each.shadow) for each in (now, then))
-        if (light != other).any():
+        before, after = ((each.sun, each.shadow.color, each.voxel.slope) for each in (now, then))
+        if before != after:
             self.buffer.relight(self._light())
         return True
+
+    def _lit_otherwise(self) -> bool:
+        """Return whether the light is not that in which the meshes are made."""
+        light = face_light(self.settings.sun, self.settings.shadow)
+        return bool(
+            (self.colours.light != light).any() or (self._slope() != self.colours.slope).any()
+        )
+
+    def _slope(self) -> np.ndarray:
+        """Return how much lighter level faces are for the land's slope, now."""
+        return slope_light(self._source, self.settings.sun, self.settings.voxel.slope)
 
     def _light(self) -> Light:
         """Return how the light differs from that in which the meshes are made."""
@@ -333,6 +363,7 @@ class Land:
         return Light(
             np.concatenate([times, times[UP : UP + 1]]).astype(np.float32),
             np.append(alpha, 255).astype(np.uint8),
+            self._slope() / self.colours.slope,
         )
 
     def release(self) -> None:

@@ -7,7 +7,7 @@ is the block's tint, times the light of the direction, times the darkness of the
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -95,10 +95,13 @@ class Look:
 
     ``light`` (6, 4) is the colour of the light on faces in each of DIRECTIONS, with the alpha that
     shadows need, and ``tint`` (n + 1, n + 1), float32, a noise of -1..1 over the corners of the
-    columns, [x, z]. Quads overlap their neighbours by ``overlap`` blocks, so that no background
-    shows through where a corner of one meets the side of another (a T-junction). OpenGL rounds
-    corners to fractions of a pixel, and of level ground that is seen at a grazing angle so small an
-    overlap is less than that. So the faces that look up overlap by ``firm`` blocks at their firm
+    columns, [x, z]; ``slope``, of the same shape or a single 1, is how much lighter faces that look
+    up are for the slope of the land.
+
+    Quads overlap their neighbours by ``overlap`` blocks, so that no background shows through where
+    a corner of one meets the side of another (a T-junction). OpenGL rounds corners to fractions of
+    a pixel, and of level ground that is seen at a grazing angle so small an overlap is less than
+    that. So the faces that look up overlap by ``firm`` blocks at their firm
     sides, where it makes no ledge: it lies in a wall, or on ground that is as high. ``shore`` are
     two heights: faces are WET up to the first, and dry from the second on. ``band`` is the height
     of a band of dry faces.
@@ -106,6 +109,7 @@ class Look:
 
     light: np.ndarray
     tint: np.ndarray
+    slope: np.ndarray = field(default_factory=lambda: np.ones((1, 1), np.float32))
     overlap: float = OVERLAP
     firm: float = FIRM
     shore: tuple[float, float] = (-np.inf, np.inf)
@@ -188,12 +192,20 @@ def colours(
     noise = look.tint[np.minimum(x, last_x), np.minimum(z, last_z)]
     steps = STEPS[faces.block]
     dark = SHADES[shade.T]
+    if k == UP:
+        dark = dark * at_corner(look.slope, x, z)
     found = np.empty((len(faces), 4, 4), np.uint8)
     for channel in range(3):
         value = tint[:, channel] * dark * (1 + steps[:, channel] * noise)
         found[..., channel] = np.minimum(value + np.float32(0.5), 255).T
     found[..., 3] = round(255 * look.light[k, 3])
     return found
+
+
+def at_corner(values: np.ndarray, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return the values (n + 1, n + 1) of corners of columns x, z; beyond the border as there."""
+    last = len(values) - 1
+    return np.asarray(values[np.clip(x, 0, last), np.clip(z, 0, last)])
 
 
 def brighter_diagonal(vertices: np.ndarray, shade: np.ndarray) -> np.ndarray:
@@ -240,7 +252,8 @@ def plant_quads(
     column = PLANT_COLUMN[kinds]
     last = len(look.tint) - 1
     noise = look.tint[tuple(np.minimum(place[:, :2], last).T)][:, None]
-    tint = TINTS[kinds] * look.light[UP, :3] * (1.0 + STEPS[kinds] * noise)
+    slope = at_corner(look.slope, place[:, 0], place[:, 1])[:, None]
+    tint = TINTS[kinds] * look.light[UP, :3] * slope * (1.0 + STEPS[kinds] * noise)
     for quad, (dx, dz) in enumerate(((0.36, 0.36), (0.36, -0.36))):
         for corner, (side, top) in enumerate(((-1, 0), (1, 0), (1, 1), (-1, 1))):
             vertex = found[:, quad, corner]

@@ -25,12 +25,38 @@ class Hit(NamedTuple):
     before: Cell
 
 
+def picked_through_water(
+    blocks: np.ndarray,
+    eye: Sequence[float],
+    way: Sequence[float],
+    reach: float,
+    level: float,
+    flatter: float,
+) -> Hit | None:
+    """Return the same as :func:`picked` for a line of sight that the water at ``level`` bends.
+
+    What lies under it is seen at ``flatter`` times its depth, and from under it what lies above at
+    so much more than its height. So beyond the surface the line is steeper, or less steep.
+    """
+    under = eye[2] < level
+    gone = (level - eye[2]) / way[2] if way[2] else math.inf
+    if not 0.0 < gone < reach:
+        return picked(blocks, eye, way, reach)
+    if (hit := picked(blocks, eye, way, gone)) is not None:
+        return hit
+    met = [at + gone * each for at, each in zip(eye, way, strict=True)]
+    met[2] = level
+    bent = way[0], way[1], way[2] * (flatter if under else 1.0 / flatter)
+    return picked(blocks, met, bent, reach - gone)
+
+
 def picked(
     blocks: np.ndarray, eye: Sequence[float], way: Sequence[float], reach: float
 ) -> Hit | None:
     """Return the first block that is not air on a ray from ``eye``, at most ``reach`` blocks away.
 
-    ``blocks`` is [x, z, y], and so are ``eye``, in blocks, and the unit vector ``way``.
+    ``blocks`` is [x, z, y], and so are ``eye``, in blocks, and the vector ``way``: ``reach`` counts
+    how often it is gone.
     """
     cell = [math.floor(each) for each in eye]
     step = [1 if each > 0 else -1 for each in way]

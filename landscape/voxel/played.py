@@ -18,8 +18,9 @@ from landscape.voxel.bar import Icons, bar_image
 from landscape.voxel.blocks import AIR, BLOCKS, SOLID, block
 from landscape.voxel.highlight import draw_crosshair, draw_highlight
 from landscape.voxel.land import Land
-from landscape.voxel.picking import Hit, picked
+from landscape.voxel.picking import Hit, picked, picked_through_water
 from landscape.voxel.settings import Settings
+from landscape.voxel.water_images import FLATTER
 from landscape.voxel.world import Cell
 from landscape.voxel.world_file import decoded, encoded
 
@@ -71,7 +72,16 @@ class Played:
         block = self.land.scale
         eye = pose.x / block, pose.z / block, pose.y / block
         east, up, south = pose.forward
-        return picked(self.land.world.blocks, eye, (east, south, up), REACH)
+        way = east, south, up
+        blocks = self.land.world.blocks
+        if not self.refracts:
+            return picked(blocks, eye, way, REACH)
+        return picked_through_water(blocks, eye, way, REACH, self.land.world.water, FLATTER)
+
+    @property
+    def refracts(self) -> bool:
+        """Whether one sees through the water what lies under it, and flatter than it is."""
+        return False
 
     def choose(self, slot: int) -> None:
         """Choose the kind of block in a slot; after the last comes the first."""
@@ -168,11 +178,25 @@ class Played:
 
     def draw_aim(self, frame: Frame) -> None:
         """Draw the edges of the block under the cross-hair, and the cross-hair."""
-        hit = self.aimed_at(frame.pose) if "highlight" in self.shown else None
-        if hit is not None:
-            plant = BLOCKS[self.land.world.blocks[hit.block]].plant
-            with drawing("highlight"):
-                draw_highlight(frame, hit.block, self.land.scale, plant)
+        self.draw_aimed_at(frame)
         if "crosshair" in self.shown:
             with drawing("crosshair"):
                 draw_crosshair(frame)
+
+    def draw_aimed_at(self, frame: Frame, beyond_water: bool = False) -> None:
+        """Draw the edges of the block under the cross-hair, on the eye's side of the surface.
+
+        Those ``beyond_water`` belong into the picture of what is seen through the surface, whose
+        matrices are then current.
+        """
+        hit = self.aimed_at(frame.pose) if "highlight" in self.shown else None
+        if hit is None or (beyond_water and not self.refracts):
+            return
+        level = self.land.world.water
+        under = hit.block[2] + 1 <= level
+        eye_under = frame.eye_y / self.land.scale < level
+        if self.refracts and beyond_water != (under != eye_under):
+            return
+        plant = BLOCKS[self.land.world.blocks[hit.block]].plant
+        with drawing("highlight"):
+            draw_highlight(frame, hit.block, self.land.scale, plant)

@@ -23,7 +23,7 @@ import numpy as np
 from landscape.gl.calls import gl
 from landscape.gl.features import possible
 from landscape.voxel.memory import give_back
-from landscape.voxel.mesh import PLANTS, SETS, SHORE, TURNS, VERTEX, WET, RegionMesh
+from landscape.voxel.mesh import PLANTS, SETS, SHORE, TURNS, UP, VERTEX, WET, RegionMesh, at_corner
 from landscape.voxel.packed_mesh import PackedMesh, packed, unpacked
 
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
@@ -46,15 +46,25 @@ class Light(NamedTuple):
     """Another light than that in which meshes are made: of each direction, and of plants.
 
     Colours are multiplied by ``times`` (7, 3); ``alpha`` (7,), uint8, takes the place of theirs.
+    Those of plants, and of faces that look up, are also multiplied by ``slope``, float32
+    (n + 1, n + 1), at the corner of a column where they are.
     """
 
     times: np.ndarray
     alpha: np.ndarray
+    slope: np.ndarray
 
-    def on(self, colours: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return colours (n, 4), uint8, in this light; ``turns`` (n,) are as in TURNS."""
+    def on(self, colours: np.ndarray, turns: np.ndarray, position: np.ndarray) -> np.ndarray:
+        """Return colours (n, 4), uint8, in this light; ``turns`` (n,) are as in TURNS.
+
+        ``position`` (n, 3) is where they are, in blocks.
+        """
         found = np.empty_like(colours)
-        found[:, :3] = np.minimum(colours[:, :3] * self.times[turns] + np.float32(0.5), 255)
+        times = self.times[turns]
+        level = np.flatnonzero((turns == UP) | (turns == PLANTS))
+        x, z = np.rint(position[level][:, [0, 2]]).astype(np.intp).T
+        times[level] *= at_corner(self.slope, x, z)[:, None]
+        found[:, :3] = np.minimum(colours[:, :3] * times + np.float32(0.5), 255)
         found[:, 3] = self.alpha[turns]
         return found
 
@@ -143,7 +153,7 @@ class RegionBuffer:
             self._made[begin:][:size] = vertices["colour"]
             turns = np.repeat(np.arange(len(TURNS)), mesh.counts.sum(axis=1))
             vertices = vertices.copy()
-            vertices["colour"] = self._light.on(vertices["colour"], turns)
+            vertices["colour"] = self._light.on(vertices["colour"], turns, vertices["position"])
         self._write(begin, vertices)
         self._enter(share, mesh)
         return True
@@ -175,7 +185,7 @@ class RegionBuffer:
             made = self._made[begin:end]
             if first:
                 made[:] = vertices["colour"]
-            vertices["colour"] = light.on(made, turns)
+            vertices["colour"] = light.on(made, turns, vertices["position"])
             self._write(begin, vertices)
 
     def _read(self, begin: int, size: int) -> np.ndarray:

@@ -51,6 +51,9 @@ class Voxel:
         choices=("rectangles", "runs", "none"),
     )
     occlusion: bool = setting(True, "chosen", "corners between blocks are darker")
+    slope: float = setting(
+        1.0, "Peurière, Shaders", "how much the light on the ground follows the land's slope", 0, 1
+    )
     mipmaps: bool = setting(True, "chosen", "tiles have mip levels; off, far land is noisy")
     crisp: bool = setting(
         True, "Minecraft", "texels of tiles show one by one from nearby; off, they are smoothed"
@@ -104,6 +107,12 @@ class Voxel:
         1e4,
         unit=UNITS,
     )
+    sea_haze: bool = setting(
+        True,
+        "chosen",
+        "from high above, far land fades into the sea's haze, not into the sky's",
+        needs=("fog.enabled",),
+    )
     trees: bool = setting(True, "chosen", "trees and flowers stand on the land")
     buildings: bool = setting(True, "chosen", "castle, creatures and other things to find")
 
@@ -128,7 +137,10 @@ class Shadow:
         2048, "chosen", "side of the picture that the sun sees", 16, 8192, unit="texels"
     )
     distance: float = setting(
-        14.0, "chosen", "how far around the eye there are shadows", 0.5, 1000, unit=UNITS
+        14.0, "chosen", "how far around the eye shadows are fine", 0.5, 1000, unit=UNITS
+    )
+    far: bool = setting(
+        True, "chosen", "land farther away is in shadow, too, by a coarser picture of all of it"
     )
     color: tuple[float, ...] = setting(
         (0.55, 0.61, 0.74), "chosen", "light that remains in shadow", 0, 1, unit="RGB"
@@ -179,6 +191,18 @@ class Water:
         0,
         1,
         unit="RGB",
+    )
+    below: bool = setting(
+        True, "chosen", "from under water one sees the bed, and the surface from beneath"
+    )
+    sight: float = setting(
+        45.0,
+        "chosen",
+        "how far one sees under water",
+        1,
+        1000,
+        unit=BLOCKS,
+        needs=("water.below",),
     )
     clear: float = setting(
         9.0, "chosen", "depth from which nothing is seen any more", 0.1, 1000, unit=BLOCKS

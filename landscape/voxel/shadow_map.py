@@ -14,7 +14,7 @@ walk that would take too long for one frame: a second picture is drawn, some reg
 and replaces the first, which still holds all but a strip, when it is done.
 State used: a framebuffer object, GL_POLYGON_OFFSET_FILL, texture units 0 to 2, GL_COMBINE.
 What is wrong without: ``shadow.offset`` (faces shade themselves in stripes), ``shadow.snapped``
-(edges crawl). Beyond the square there are no shadows, only faces turned away from the sun.
+(edges crawl). Beyond the square there are only the shadows of far_shadows.py.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -87,6 +87,13 @@ class ShadowMap:
             self._forget_state()
             with self._drawing(self.target, matrix):
                 draw(matrix, WHOLE)
+
+    def covers(self, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+        """Return which boxes from ``low`` to ``high`` (n, 3) lie wholly in the picture's square."""
+        across = self.matrix[:2, :3]
+        middle = (low + high) / 2 @ across.T + self.matrix[:2, 3]
+        half = (high - low) / 2 @ np.abs(across).T
+        return np.asarray((np.abs(middle) + half <= 1.0).all(axis=1))
 
     def _around(self, eye: np.ndarray) -> np.ndarray:
         """Return the sun's matrix (4, 4) for the square around an eye."""

@@ -1,5 +1,7 @@
 """The island in voxels: its passes, and the order in which a frame draws them."""
 
+import math
+from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from functools import partial
@@ -10,17 +12,19 @@ import numpy as np
 from landscape.elements import sun
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
-from landscape.frame import Frame
+from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
 from landscape.gl.calls import begin_pass, drawing, gl
 from landscape.gl.state import attrib
 from landscape.keys import Toggle
 from landscape.scene import SEED, Moment, Scene, View, begin_frame
+from landscape.settings import Fog
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
+from landscape.voxel.far_shadows import FarShadowMap
 from landscape.voxel.heights import Heights
-from landscape.voxel.land import Land
+from landscape.voxel.land import Choice, Land
 from landscape.voxel.map import Map
 from landscape.voxel.memory import give_back
 from landscape.voxel.outside_view import OutsideView
@@ -33,6 +37,7 @@ from landscape.voxel.shadow_map import ShadowMap
 from landscape.voxel.sky import Sky
 from landscape.voxel.support import supported
 from landscape.voxel.textures_view import TexturesView
+from landscape.voxel.under_water import murk, sight
 from landscape.voxel.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
 from landscape.voxel.water import Water
 from landscape.voxel.water_images import clipped
@@ -40,6 +45,11 @@ from landscape.voxel.water_images import clipped
 # Chosen: pixels of a unit, one unit away, from which on more of them show no finer land, and fewer
 # no coarser: those of windows 900 and 600 pixels high, with a field of view of 66 degrees.
 MOST_PIXELS, LEAST_PIXELS = 693.0, 462.0
+
+
+# Units above the water, chosen: up to the first, far land is seen in front of the sky, and from the
+# second on in front of the sea.
+SKY_BEHIND, SEA_BEHIND = 4.0, 10.0
 
 
 class Ground:
@@ -78,6 +88,7 @@ class Voxel(Played, Ground):
         Ground.__init__(self, settings, assets)
         Played.__init__(self, assets, seed)
         self.shown = set(only)
+        self._under = False  # whether the eye is under water
         self._owned: list[Any] = []
         self.textures, self.outside = TexturesView(), OutsideView(assets)
         try:
@@ -90,6 +101,8 @@ class Voxel(Played, Ground):
                 self._owned.append(self.land)
             shadowed = ("land",) if settings.shadow.enabled else ()
             self.shadow = self._built(shadowed, ShadowMap, settings)
+            shadowed = shadowed if settings.shadow.far else ()
+            self.far_shadow = self._built(shadowed, FarShadowMap, settings, self.land.world.size)
             self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
             self.map = self._built(("map",), Map, settings, assets, self.land)
@@ -138,7 +151,9 @@ class Voxel(Played, Ground):
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
         values = self.settings
-        frame = begin_frame(moment, values.camera, values.sun, values.fog)
+        self._under = self._is_under(moment.pose)
+        haze = murk(values) if self._under else self._haze(moment.pose)
+        frame = begin_frame(moment, values.camera, values.sun, haze)
         clip = clip_matrix()
         self.land.catch_up()
         self._around = self.land.around(frame.eye)
@@ -147,22 +162,58 @@ class Voxel(Played, Ground):
         shore = self._shore(frame)
         # Without pictures the ground under water is seen through it.
         opaque = shore is not None and self.water.images is not None
-        above = clipped(shore.level, above=True) if shore and opaque else nullcontext()
-        with above, attrib(gl.GL_POLYGON_BIT):
+        part = UNDER if self._under else ABOVE if opaque else ALL
+        with self._side_of_eye(part), attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
-            part = ABOVE if opaque else ALL
-            self._draw_land(frame, clip, part, behind_hills=moment.wireframe)
-        self._draw("sky", self.sky, frame)
+            self._draw_land(frame, clip, part, behind_hills=moment.wireframe or self._under)
+        if not self._under:  # or the surface is in front of all of it
+            self._draw("sky", self.sky, frame)
         if shore and self._visible(frame):
             self._draw_images(frame, clip, shore.level)
             begin_pass("water")
             with drawing("water"):
-                self.water.draw(frame, clip, shore.points, self.depth(shore))
+                depth = self.depth(shore)
+                fades_into = haze.color if self._under else ()
+                self.water.draw(frame, clip, shore.points, depth, fades_into)
         begin_pass("overlay")
         self.draw_aim(frame)
         self._draw_debug(frame, clip)
         self._draw("sword", self.sword, frame)
         self._draw("map", self.map, frame)
+
+    @property
+    def refracts(self) -> bool:
+        """Whether one sees through the water what lies under it, and flatter than it is."""
+        if self.water is None or self.water.images is None or "water" not in self.shown:
+            return False
+        return self.settings.water.refraction
+
+    def _is_under(self, pose: Pose) -> bool:
+        """Return whether the eye is under water, and sees the surface from beneath."""
+        if self.water is None or "water" not in self.shown or not self.settings.water.below:
+            return False
+        assert pose.y is not None
+        return self.water.images is not None and pose.y < self.water.level
+
+    def _side_of_eye(self, part: Part) -> AbstractContextManager[None]:
+        """Return the clip plane that leaves of the land what is on the eye's side of the water."""
+        if part == ALL:
+            return nullcontext()
+        return clipped(self.water.level, above=part == ABOVE)
+
+    def _haze(self, pose: Pose) -> Fog:
+        """Return the fog of the land: from high above it has the colour of the sea's haze.
+
+        Otherwise far land would be paler than the sea before and behind it.
+        """
+        values = self.settings
+        if not values.voxel.sea_haze:
+            return values.fog
+        assert pose.y is not None
+        height = pose.y - values.voxel.sea * values.voxel.block
+        above = min(max((height - SKY_BEHIND) / (SEA_BEHIND - SKY_BEHIND), 0.0), 1.0)
+        pairs = zip(values.fog.color, values.water.horizon, strict=True)
+        return replace(values.fog, color=tuple(sky + above * (sea - sky) for sky, sea in pairs))
 
     def depth(self, shore: Shore) -> np.ndarray:
         """Return how deep the water is at its points, float32 (n,), in units; negative on land."""
@@ -190,11 +241,13 @@ class Voxel(Played, Ground):
             near, far = self._detail(frame)
             if frame.mirrored:
                 eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
-            choice = self.land.choose(clip, eye, self._around, near, far, part)
+            reach = sight(self.settings) if part == UNDER and self._under else math.inf
+            choice = self.land.choose(clip, eye, self._around, near, far, part, reach)
             if not behind_hills:
                 choice = self.land.without_hidden(choice, eye)
-            with self._lit():
-                self.land.draw(choice, fog_by_height=below)
+            for shadow, some in self._by_shadow(choice):
+                with shadow.applied() if shadow else nullcontext():
+                    self.land.draw(some, fog_by_height=below)
 
     def _detail(self, frame: Frame) -> tuple[float, float]:
         """Return how far land is drawn with the meshes for near, and then for far, in units.
@@ -206,9 +259,19 @@ class Voxel(Played, Ground):
             return 0.0, finer * self.settings.water.far
         return finer * self.settings.voxel.near, finer * self.settings.voxel.far
 
-    def _lit(self) -> AbstractContextManager[None]:
-        """Return the state in which the land is drawn, with shadows or without."""
-        return self.shadow.applied() if self.settings.shadow.enabled else nullcontext()
+    def _by_shadow(self, choice: Choice) -> Iterator[tuple[ShadowMap | None, Choice]]:
+        """Yield the regions that each of the sun's pictures shades; None where there is none."""
+        if not self.settings.shadow.enabled:
+            yield None, choice
+            return
+        low, high = (ends[choice.regions] for ends in (self.land.low, self.land.high))
+        near = self.shadow.covers(low, high)
+        if self.far_shadow is None or near.all():
+            yield self.shadow, choice
+            return
+        if near.any():
+            yield self.shadow, choice.only(near)
+        yield self.far_shadow, choice.only(~near)
 
     def _draw_debug(self, frame: Frame, clip: np.ndarray) -> None:
         """Draw what one may look at besides the picture: regions and textures."""
@@ -243,15 +306,16 @@ class Voxel(Played, Ground):
         towards = sun.direction(self.settings.sun)
         begin_pass("shadow")
         with drawing("land"):
-            self.shadow.update(
-                frame.eye,
-                self.land.version,
-                self.land.touched,
-                lambda clip, share: self.land.draw_shapes(
-                    self.land.seen_by_sun(clip, towards, share)
-                ),
-                walking,
-            )
+            for shadow in filter(None, (self.shadow, self.far_shadow)):
+                shadow.update(
+                    frame.eye,
+                    self.land.version,
+                    self.land.touched,
+                    lambda clip, share: self.land.draw_shapes(
+                        self.land.seen_by_sun(clip, towards, share)
+                    ),
+                    walking,
+                )
         self.land.touched.clear()
 
     def _shore(self, frame: Frame) -> Shore | None:
@@ -264,7 +328,7 @@ class Voxel(Played, Ground):
     def _visible(self, frame: Frame) -> bool:
         """Return whether any water shows beside the land, which has been drawn."""
         query = self.water.query
-        if query is None:
+        if query is None or self._under:
             return True
         with drawing("water"):
             query.expected(frame)
@@ -286,9 +350,19 @@ class Voxel(Played, Ground):
                 level,
                 block,
                 lambda mirror: self._draw_mirrored(frame, clip @ mirror),
+                not self._under,
             )
         begin_pass("refraction")
         with drawing("water"):
+            if self._under:
+                images.draw_window(
+                    frame.viewport,
+                    level,
+                    block,
+                    self.settings.fog,
+                    lambda high: self._draw_overhead(frame, clip @ high),
+                )
+                return
             images.draw_refraction(
                 frame.viewport, level, block, lambda flat: self._draw_under(frame, clip @ flat)
             )
@@ -297,7 +371,9 @@ class Voxel(Played, Ground):
         """Draw what is mirrored: the land, unless that is off, and the sky behind it."""
         frame = replace(frame, mirrored=True)
         if self.settings.water.reflection:
-            self._draw_land(frame, clip, ABOVE)
+            self._draw_land(frame, clip, UNDER if self._under else ABOVE)
+        if self._under:
+            return
         # The box of the sky is drawn around the eye: here around the camera under the water.
         below = replace(frame.pose, y=mirrored_height(frame.eye_y, self.water.level))
         self._draw("sky", self.sky, replace(frame, pose=below))
@@ -306,6 +382,14 @@ class Voxel(Played, Ground):
         """Draw what lies under the water, unless that is off: then its colour is all one sees."""
         if self.settings.water.refraction:
             self._draw_land(frame, clip, UNDER, below=self.water.images.darkens)
+            self.draw_aimed_at(frame, beyond_water=True)
+
+    def _draw_overhead(self, frame: Frame, clip: np.ndarray) -> None:
+        """Draw what is above the water, for an eye under it, unless that is off: then only sky."""
+        if self.settings.water.refraction:
+            self._draw_land(frame, clip, ABOVE)
+            self.draw_aimed_at(frame, beyond_water=True)
+        self._draw("sky", self.sky, frame)
 
     def _draw(self, name: str, element: Any, frame: Frame) -> None:
         """Draw an element if it was built and is shown now."""
@@ -358,5 +442,5 @@ SCENE = Scene(
     title="the island in voxels",
     blocks=True,
     # The light of each face is in its colours, which are rounded.
-    baked=("sun", "shadow.color"),
+    baked=("sun", "shadow.color", "voxel.slope"),
 )

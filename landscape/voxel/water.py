@@ -7,7 +7,7 @@ Technique, in one pass with four texture units (the document did it in a shader)
   matrix is the camera's projection. The same for unit 2, the picture of what is mirrored;
 - unit 3, the alpha cube map of Fresnel's term, addressed by vertex minus eye. Unit 2 mixes the two
   pictures by it (GL_INTERPOLATE; GL_ARB_texture_env_crossbar lets it read unit 3's texture);
-- units 1 and 2 leave of alpha only the glints, and unit 3 adds them.
+- units 1 and 2 leave of alpha only the glints, and unit 3 mixes in the sun's colour by them.
 Both pictures are disturbed by moving their coordinates at the vertices of a grid.
 With fewer units, or an older OpenGL, there are no glints, and then Fresnel's term is a constant.
 With a single unit, or without framebuffer objects, the water is a plain blended plane.
@@ -86,10 +86,18 @@ class Water:
         """Return the points of the water in view (n, 3), None if there are none."""
         return water_grid(frame, self.level, self.settings.camera.far * 0.9)
 
-    def draw(self, frame: Frame, clip: np.ndarray, points: np.ndarray, depth: np.ndarray) -> None:
+    def draw(
+        self,
+        frame: Frame,
+        clip: np.ndarray,
+        points: np.ndarray,
+        depth: np.ndarray,
+        haze: tuple[float, ...] = (),
+    ) -> None:
         """Draw the water at ``points`` (n, 3), which is ``depth`` (n,) units deep there.
 
-        ``clip`` is the camera's projection times modelview.
+        ``clip`` is the camera's projection times modelview, ``haze`` the colour into which it fades
+        far away: that of the sea at the horizon, unless it is another.
         """
         values = self.settings.water
         if self.images is None:
@@ -100,6 +108,8 @@ class Water:
         moved = disturbed(points, away, depth, frame.kt, values.ripples)
         half = half_vectors(ways, away, sun.direction(self.settings.sun))
         half = calmed(half, away, depth)
+        if frame.eye_y < self.level:
+            half[:] = 0.0  # glints are seen from above
         coordinates = [moved, moved]
         if self._normals:
             drift = np.array([0.8, 0.6]) * DRIFT * frame.kt % 1.0
@@ -109,7 +119,7 @@ class Water:
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT | gl.GL_FOG_BIT
         with attrib(groups), self._projected(clip), arrays(points, half, coordinates):
             self._combined()
-            gl.glFogfv(gl.GL_FOG_COLOR, np.array([*values.horizon, 1.0], np.float32))
+            gl.glFogfv(gl.GL_FOG_COLOR, np.array([*(haze or values.horizon), 1.0], np.float32))
             gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
@@ -153,7 +163,8 @@ class Water:
         """Bind the textures and set the units' equations, which are compiled once."""
         images, values = self.images, self.settings.water
         assert images and images.reflection and images.refraction
-        made_of = images.reflection.name, images.refraction.name, values.fresnel, values.sparkle
+        made_of: tuple[float, ...] = images.reflection.name, images.refraction.name
+        made_of += values.fresnel, values.sparkle, *glint_colour(self.settings.sun.diffuse)
         if self._state is None or self._made_of != made_of:
             self._forget_state()
             self._state, self._made_of = DisplayList(self._combine), made_of
@@ -208,7 +219,10 @@ class Water:
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
         if self._normals:
-            combine({"COMBINE_RGB": "ADD", "SRC1_RGB": "PREVIOUS", "OPERAND1_RGB": "SRC_ALPHA"})
+            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "CONSTANT", "SRC1_RGB": "PREVIOUS"})
+            combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
+            colour = np.array([*glint_colour(self.settings.sun.diffuse), 1.0], np.float32)
+            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False if the textures must be made again."""
@@ -226,6 +240,12 @@ class Water:
         for owned in (self.images, self.query, self._normals, self._fresnel):
             if owned is not None:
                 owned.release()
+
+
+def glint_colour(sunlight: tuple[float, ...]) -> tuple[float, ...]:
+    """Return the colour of glints in the light of a sun: its own, as bright as can be."""
+    brightest = max(*sunlight, 1e-3)
+    return tuple(part / brightest for part in sunlight)
 
 
 def finer(normals: np.ndarray) -> np.ndarray:

@@ -17,10 +17,12 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from landscape.elements import fog
 from landscape.gl.calls import gl
 from landscape.gl.features import possible
 from landscape.gl.state import attrib, matrix
 from landscape.gl.texture_target import TextureTarget
+from landscape.settings import Fog
 from landscape.voxel.settings import Water
 
 # Blocks, chosen: so far below the water's level the mirrored land goes on. Ripples at the shore
@@ -75,18 +77,45 @@ class WaterImages:
         level: float,
         block: float,
         draw: Callable[[np.ndarray], None],
+        above: bool = True,
     ) -> None:
         """Draw what the water mirrors: ``draw`` is called under the mirror matrix, and with it.
 
-        ``block`` is a cube's side in units.
+        ``block`` is a cube's side in units. From beneath the surface mirrors what is not ``above``.
         """
+        more = MIRRORED_BELOW * block
         self.reflection = self._target(self.reflection, viewport)
         with self.reflection.drawing(), matrix(), attrib(gl.GL_POLYGON_BIT):
             mirror = about(level, -1.0)
             gl.glMultMatrixf(np.ascontiguousarray(mirror.T, np.float32))
             gl.glFrontFace(gl.GL_CW)
-            with clipped(level - MIRRORED_BELOW * block, above=True):
+            with clipped(level - more if above else level + more, above):
                 draw(mirror)
+
+    def draw_window(
+        self,
+        viewport: tuple[int, int],
+        level: float,
+        block: float,
+        sky: Fog,
+        draw: Callable[[np.ndarray], None],
+    ) -> None:
+        """Draw what is above the water, as it is seen from beneath, in the place of the refraction.
+
+        ``sky`` is the fog of the air.
+        """
+        self.refraction = self._target(self.refraction, viewport)
+        with attrib(gl.GL_FOG_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
+            gl.glClearColor(*sky.color, 1.0)
+            with self.refraction.drawing(), matrix():
+                higher = about(level, 1.0 / FLATTER)
+                gl.glMultMatrixf(np.ascontiguousarray(higher.T, np.float32))
+                if sky.enabled:
+                    fog.enable(sky)
+                else:
+                    gl.glDisable(gl.GL_FOG)
+                with clipped(level - block, above=True):
+                    draw(higher)
 
     def draw_refraction(
         self,

@@ -287,6 +287,7 @@ def _move_body(
         jump=intent.up > 0.0,
         flying=walker.flying,
         eye=walk.eye,
+        dive=intent.up < 0.0,
     )
     after = ground.moved(body, wish, seconds)
     walked = math.hypot(after.x - walker.x, after.z - walker.z)
