@@ -13,7 +13,15 @@ from landscape.gl.calls import gl
 from landscape.render import Offscreen
 from landscape.voxel.fresnel import fresnel_faces, reflectance
 from landscape.voxel.water import steepened
-from landscape.voxel.water_grid import COLUMNS, ROWS, calmed, disturbed, half_vectors, water_grid
+from landscape.voxel.water_grid import (
+    COLUMNS,
+    ROWS,
+    calmed,
+    disturbed,
+    half_vectors,
+    refracted,
+    water_grid,
+)
 
 SIZE = (128, 96)
 SMALL = {"voxel.regions": 6, "voxel.region_size": 20, "shadow.enabled": False}
@@ -130,6 +138,33 @@ def test_the_ground_darkens_with_its_depth_as_the_linear_fog_says() -> None:
     nearest = np.abs(ratio[:, None] - np.array([*expected, 1.0])).min(axis=1)
     assert (nearest < 0.02).mean() > 0.6
     assert ratio.min() < 0.5 < 0.9 < ratio.max()
+
+
+def test_walters_model_bends_lines_of_sight_by_snells_law() -> None:
+    rng = np.random.default_rng(2)
+    count = ROWS * COLUMNS
+    points = np.zeros((count, 3), np.float32)
+    ways = rng.uniform(-1, 1, (count, 3)).astype(np.float32)
+    ways[:, 1] = -np.abs(ways[:, 1]) - 0.3
+    away = np.linalg.norm(ways, axis=1)
+    depth = np.full(count, 0.5, np.float32)
+    met = refracted(points, ways, away, depth, 0.0, strength=0.0)
+    assert met[:, 1] == pytest.approx(-0.5, abs=1e-5)
+    sine_above = np.hypot(ways[:, 0], ways[:, 2]) / away
+    sine_below = np.hypot(met[:, 0], met[:, 2]) / np.linalg.norm(met, axis=1)
+    assert sine_above == pytest.approx(1.33 * sine_below, abs=1e-5)
+    rippled = refracted(points, ways, away, depth, 0.0, strength=3.0)
+    assert np.abs(rippled - met).max() > 0.01
+    assert (refracted(points, ways, away, -depth, 0.0, 1.0) == points).all()  # on land
+
+
+def test_from_straight_above_both_refractions_show_the_same() -> None:
+    pictures = []
+    for bending in ("flat", "walter"):
+        with opened(water__bending=bending, water__fresnel=0.0) as view:
+            view.look((4.8, 2.2, 9.0, 0.0, -88.0))
+            pictures.append(view.draw()[36:60, 48:80].astype(float))
+    assert np.abs(pictures[0] - pictures[1]).mean() < 12.0
 
 
 def some_frame(pose: Pose) -> Frame:

@@ -107,8 +107,9 @@ FEATURES = {
     # The island in voxels.
     "sky": Feature((CUBE_MAP,)),
     "shadow": Feature((*DEPTHS, COMBINE, CROSSBAR), 3),
+    "voxel.highlights": Feature((CUBE_MAP, COMBINE), 3),
     "voxel.vertex_arrays": Feature((VERTEX_ARRAYS,)),
-    "debug.textures": Feature((*DEPTHS, COMBINE), 2),
+    "debug.textures": Feature((*DEPTHS, COMBINE), 3),
     "water.reflection, water.refraction": Feature((*PICTURE, COMBINE), 2),
     "water.clear": Feature((FOG_COORDINATES,)),
     "water.fresnel": Feature((CUBE_MAP, CROSSBAR), 3),

@@ -10,10 +10,10 @@ Lines of sight that lead upwards meet the surface from beneath: half of the same
 import numpy as np
 
 from landscape.gl.cube_map import face_directions
+from landscape.voxel.water_grid import INDEX
 
 SIDE = 128  # texels, chosen: side of a face
 EVEN = 0.172  # chosen: the cosine at which water mirrors 40 % of the light
-INDEX = 1.33  # the refractive index of water
 STRAIGHT = 0.02  # of water, looked at from straight above
 
 

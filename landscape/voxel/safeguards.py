@@ -11,6 +11,8 @@ GLADE = Pose(18.0, None, 18.0, 88.0, 4.0)
 BEACH = Pose(8.0, 1.0, 30.0, 20.0, -14.0)
 COILS = Pose(13.0, 0.92, 30.2, 330.0, -5.0)
 FROM_ABOVE = Pose(21.0, 4.5, 29.0, 10.0, -12.0)
+OVER_HILLS = Pose(6.0, 6.0, 20.0, 90.0, -20.0)
+FROM_HIGH = Pose(20.0, 8.0, 36.0, 0.0, -20.0)
 
 LAND: tuple[Safeguard, ...] = (
     Safeguard(
@@ -45,6 +47,37 @@ LAND: tuple[Safeguard, ...] = (
             "steps of grass without any shading in their corners",
             "steps of grass with soft dark edges at their feet",
         ),
+    ),
+    Safeguard(
+        "voxel_slope",
+        "The light follows the land's slope",
+        OVER_HILLS,
+        20.0,
+        {"voxel.slope": 0.0},
+        {"voxel.slope": 1.0},
+        flaw="The upper faces of all cubes look straight up and have the same light, so that hills "
+        "look as flat as meadows.",
+        look="Look at the hillsides that are turned away from the sun.",
+        how="The height image knows the land's normal everywhere. How much it faces the sun is "
+        "multiplied into the vertex colours when the meshes are made.",
+        seen=(
+            "green hills in even light",
+            "green hills with a lighter side and a darker one",
+        ),
+    ),
+    Safeguard(
+        "voxel_highlights",
+        "Highlights of the sun, by material",
+        Pose(14.3, 1.3, 30.5, 128.0, -42.0),
+        20.0,
+        {"voxel.highlights": 0.0},
+        {"voxel.highlights": 1.0},
+        flaw="The blocks have diffuse light alone, as if all of them were chalk.",
+        look="Look at the sand where the sun is mirrored.",
+        how="The land nearby is drawn once more and added, one direction at a time: "
+        "GL_REFLECTION_MAP looks a blurred sun up in a cube map, and a second column of tiles says "
+        "how glossy each material is.",
+        seen=("a beach in even light", "a beach that shines where the sun is mirrored"),
     ),
     Safeguard(
         "voxel_near",
@@ -129,6 +162,35 @@ SHADOWS: tuple[Safeguard, ...] = (
         seen=("castle and meadow covered with dark stripes", "castle and meadow in the sun"),
     ),
     Safeguard(
+        "voxel_shadow_far",
+        "Shadows far from the eye",
+        FROM_HIGH,
+        20.0,
+        {"shadow.far": False, "time": "sunset"},
+        {"shadow.far": True, "time": "sunset"},
+        flaw="The sun's picture covers a square around the eye; beyond it nothing is in shadow, "
+        "not even the back of a mountain.",
+        look="Look at the mountain, and at the meadows before it.",
+        how="Regions that do not lie wholly in the square are drawn with a second, coarser "
+        "picture, which covers all of the land and is drawn once.",
+        seen=(
+            "an island at sunset whose far half is without shadows",
+            "an island at sunset with long shadows everywhere",
+        ),
+    ),
+    Safeguard(
+        "voxel_sea_haze",
+        "From high above, far land fades into the sea",
+        FROM_HIGH,
+        20.0,
+        **pair("voxel.sea_haze"),
+        flaw="Land fades into the colour of the sky at the horizon. Seen from high above it lies "
+        "in front of the sea, and looks like a ghost.",
+        look="Look at the mountain and the castle.",
+        how="The colour of GL_FOG goes from the sky's to the sea's as the eye rises.",
+        seen=("a pale island in a blue sea", "an island that fades into the sea behind it"),
+    ),
+    Safeguard(
         "voxel_shadow_sky",
         "The light of the sky in shadow",
         GLADE,
@@ -208,6 +270,40 @@ WATER: tuple[Safeguard, ...] = (
         how="The coordinates by which both textures are looked up are moved at the vertices of a "
         "grid that is even on the screen.",
         seen=("a bay as smooth as glass", "a bay whose mirror images waver"),
+    ),
+    Safeguard(
+        "voxel_bending",
+        "Refraction within the picture",
+        Pose(8.0, 1.0, 30.0, 20.0, -14.0),
+        20.0,
+        {"water.bending": "walter"},
+        {"water.bending": "flat"},
+        flaw="Walter's model bends each line of sight by Snell's law. Near the eye it then leads "
+        "to a bed that lies below the picture's edge and was never drawn.",
+        look="Look at the lower edge, where the last row of the picture is smeared.",
+        how="All that lies under water is drawn at 3/4 of its depth, as it looks from straight "
+        "above, and looked up where it is seen.",
+        seen=(
+            "a clear bay whose bed ends in vertical stripes",
+            "a clear bay whose bed goes on to the lower edge",
+        ),
+    ),
+    Safeguard(
+        "voxel_below",
+        "The surface from beneath",
+        Pose(13.0, 0.6, 34.0, 345.0, 15.0),
+        20.0,
+        **pair("water.below"),
+        flaw="An eye under water sees the surface as from above, and no bed.",
+        look="Look at the bed, at its mirror image, and at the round window through which the sky "
+        "is seen.",
+        how="The two pictures change places: the surface mirrors the bed, and through it one sees "
+        "what is above. Fresnel's cube map is 1 beyond the critical angle. Linear fog bounds the "
+        "sight.",
+        seen=(
+            "an evenly blue picture with a dark disc",
+            "steps of the sea bed, mirrored by the surface, and the sky in a round window",
+        ),
     ),
     Safeguard(
         "voxel_sparkle",

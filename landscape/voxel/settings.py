@@ -54,6 +54,9 @@ class Voxel:
     slope: float = setting(
         1.0, "Peurière, Shaders", "how much the light on the ground follows the land's slope", 0, 1
     )
+    highlights: float = setting(
+        0.0, "Peurière, Shaders", "the sun's highlights nearby, by material; they cost a pass", 0, 4
+    )
     mipmaps: bool = setting(True, "chosen", "tiles have mip levels; off, far land is noisy")
     crisp: bool = setting(
         True, "Minecraft", "texels of tiles show one by one from nearby; off, they are smoothed"
@@ -161,6 +164,14 @@ class Water:
 
     reflection: bool = setting(True, PASSES, "the water mirrors the land; off, only the sky")
     refraction: bool = setting(True, PASSES, "one sees what lies under the water")
+    bending: str = setting(
+        "flat",
+        "Peurière, NB",
+        "how water refracts: all below is drawn flatter, or lines of sight are bent at the "
+        "vertices of its grid by Walter's model",
+        choices=("flat", "walter"),
+        needs=("water.refraction",),
+    )
     resolution: float = setting(
         0.5, "chosen", "size of the two pictures", 0.05, 1, unit="times the window's"
     )

@@ -155,9 +155,11 @@ class ShadowMap:
                 gl.glPolygonOffset(2.0, 4.0)
             yield
 
-    def _set_state(self) -> None:
-        """Bind the picture, generate its coordinates, and set the equations of the three units."""
-        gl.glActiveTexture(gl.GL_TEXTURE1)
+    def look_up(self) -> None:
+        """Bind the picture to the active unit, and generate its coordinates.
+
+        The modelview matrix must be the camera's, mirrored or not.
+        """
         gl.glEnable(gl.GL_TEXTURE_2D)
         self.target.bind()
         planes = np.ascontiguousarray(BIAS @ self.matrix, np.float32)
@@ -166,6 +168,11 @@ class ShadowMap:
             gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
             gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, plane)
             gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+
+    def _set_state(self) -> None:
+        """Bind the picture, generate its coordinates, and set the equations of the three units."""
+        gl.glActiveTexture(gl.GL_TEXTURE1)
+        self.look_up()
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE0"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
         gl.glActiveTexture(gl.GL_TEXTURE2)

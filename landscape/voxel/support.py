@@ -20,7 +20,10 @@ def supported(settings: Settings) -> Settings:
         most = largest_texture()
         tell(f"landscape: shadow.size: {most} instead of {shadow.size}, this OpenGL's largest")
         shadow = replace(shadow, size=most)
+    voxel = settings.voxel
+    if voxel.highlights and not possible("voxel.highlights"):
+        voxel = replace(voxel, highlights=0.0)
     wanted = debug.textures or debug.picture != "none"
     if wanted and not possible("debug.textures"):
         debug = replace(debug, textures=False, picture="none")
-    return replace(settings, shadow=shadow, debug=debug)
+    return replace(settings, voxel=voxel, shadow=shadow, debug=debug)

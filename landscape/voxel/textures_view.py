@@ -3,8 +3,9 @@
 From the left: what the water mirrors, what lies under it, the depths that the sun sees, and the
 depths that the eye sees. A depth texture is shown as grey, near is dark; while it is, it must not
 compare (GL_TEXTURE_COMPARE_MODE). Nearly all that the eye sees has depths close to 1, so those are
-stretched, twice by a GL_SUBTRACT that is scaled by 4. ``debug.picture`` shows one of them alone.
-State used: GL_TEXTURE_2D on units 0 and 1, GL_COMBINE, the matrices, the texture's compare mode.
+stretched, three times by a GL_SUBTRACT that is scaled by 4. ``debug.picture`` shows one of them
+alone.
+State used: GL_TEXTURE_2D on units 0 to 2, GL_COMBINE, the matrices, the texture's compare mode.
 """
 
 from collections.abc import Callable, Mapping
@@ -66,10 +67,11 @@ class TexturesView:
                 up = min(aspect, 2 * side) / 2
                 self._show(shown[whole], *ends, aspect / 2 - up, aspect / 2 + up)
                 return
+            high = (step - MARGIN) * aspect
             for k, name in enumerate(PICTURES):
                 left = MARGIN + k * step
-                high = ABOVE + (step - MARGIN) * aspect
-                self._show(shown[name], left, left + step - MARGIN, ABOVE, high)
+                wide = min(high, step - MARGIN) if name == "shadow" else step - MARGIN
+                self._show(shown[name], left, left + wide, ABOVE, ABOVE + high)
 
     def _show(
         self,
@@ -88,7 +90,8 @@ class TexturesView:
         if compares:
             gl.glTexParameteri(*mode, gl.GL_NONE)
         if image is self._depths:
-            for unit, source in ((gl.GL_TEXTURE1, "PREVIOUS"), (gl.GL_TEXTURE0, "TEXTURE")):
+            units = gl.GL_TEXTURE2, gl.GL_TEXTURE1, gl.GL_TEXTURE0
+            for unit, source in zip(units, ("PREVIOUS", "PREVIOUS", "TEXTURE"), strict=True):
                 gl.glActiveTexture(unit)
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 image.bind()

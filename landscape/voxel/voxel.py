@@ -24,6 +24,7 @@ from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
 from landscape.voxel.far_shadows import FarShadowMap
 from landscape.voxel.heights import Heights
+from landscape.voxel.highlights import Highlights
 from landscape.voxel.land import Choice, Land
 from landscape.voxel.map import Map
 from landscape.voxel.memory import give_back
@@ -103,6 +104,8 @@ class Voxel(Played, Ground):
             self.shadow = self._built(shadowed, ShadowMap, settings)
             shadowed = shadowed if settings.shadow.far else ()
             self.far_shadow = self._built(shadowed, FarShadowMap, settings, self.land.world.size)
+            shiny = ("land",) if settings.voxel.highlights else ()
+            self.highlights = self._built(shiny, Highlights, settings, assets)
             self.water = self._built(("water",), Water, settings, assets)
             self.sword = self._built(("sword",), Sword, settings, assets)
             self.map = self._built(("map",), Map, settings, assets, self.land)
@@ -133,6 +136,11 @@ class Voxel(Played, Ground):
         InputError, changing nothing either, for a file that cannot be used.
         """
         settings = supported(settings)
+        shadow = settings.shadow
+        if self.far_shadow is None and self.shadow is not None and shadow.far:
+            return False
+        if self.highlights is None and settings.voxel.highlights:
+            return False
         taken: list[Any] = []
         done = False
         try:
@@ -178,7 +186,8 @@ class Voxel(Played, Ground):
         begin_pass("overlay")
         self.draw_aim(frame)
         self._draw_debug(frame, clip)
-        self._draw("sword", self.sword, frame)
+        if not values.debug.textures:  # it would cover the last of them
+            self._draw("sword", self.sword, frame)
         self._draw("map", self.map, frame)
 
     @property
@@ -248,6 +257,9 @@ class Voxel(Played, Ground):
             for shadow, some in self._by_shadow(choice):
                 with shadow.applied() if shadow else nullcontext():
                     self.land.draw(some, fog_by_height=below)
+                shiny = self.highlights is not None and self.settings.voxel.highlights
+                if shiny and not (frame.mirrored or below):
+                    self.highlights.draw(frame, self.land, some, shadow)
 
     def _detail(self, frame: Frame) -> tuple[float, float]:
         """Return how far land is drawn with the meshes for near, and then for far, in units.
@@ -266,7 +278,7 @@ class Voxel(Played, Ground):
             return
         low, high = (ends[choice.regions] for ends in (self.land.low, self.land.high))
         near = self.shadow.covers(low, high)
-        if self.far_shadow is None or near.all():
+        if self.far_shadow is None or not self.settings.shadow.far or near.all():
             yield self.shadow, choice
             return
         if near.any():

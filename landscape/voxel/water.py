@@ -32,7 +32,14 @@ from landscape.gl.texture import Texture
 from landscape.voxel.fresnel import fresnel_faces
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import ripples
-from landscape.voxel.water_grid import calmed, disturbed, grid_quads, half_vectors, water_grid
+from landscape.voxel.water_grid import (
+    calmed,
+    disturbed,
+    grid_quads,
+    half_vectors,
+    refracted,
+    water_grid,
+)
 from landscape.voxel.water_images import WaterImages
 from landscape.voxel.world import BELOW
 
@@ -111,6 +118,8 @@ class Water:
         if frame.eye_y < self.level:
             half[:] = 0.0  # glints are seen from above
         coordinates = [moved, moved]
+        if values.bending == "walter" and frame.eye_y > self.level:
+            coordinates[0] = refracted(points, ways, away, depth, frame.kt, values.ripples)
         if self._normals:
             drift = np.array([0.8, 0.6]) * DRIFT * frame.kt % 1.0
             coordinates.insert(0, points[:, ::2] / RIPPLE_SIZE + drift.astype(np.float32))

@@ -28,6 +28,8 @@ PER_DISTANCE = 0.22  # times the distance from the eye
 # Glints are dim in less water, and nearer to the eye, than this many units: they would be large
 # spots. How much shorter half vectors are there; all chosen.
 CALM_DEPTH, CALM_DISTANCE, CALM = 0.5, 1.6, 0.045
+INDEX = 1.33  # the refractive index of water
+FLATTEST = 0.2  # chosen: how little a refracted ray may sink per unit of its length
 FADE = 4  # rows and columns at the screen's edges, beyond which there is no picture to look up
 
 
@@ -105,6 +107,32 @@ def disturbed(
     found = points.copy()
     found[:, ::2] += reach[:, None] * ripple_slopes(points, kt)
     return found
+
+
+def refracted(
+    points: np.ndarray,
+    ways: np.ndarray,
+    away: np.ndarray,
+    depth: np.ndarray,
+    kt: float,
+    strength: float,
+) -> np.ndarray:
+    """Return where lines of sight that the ripples refract meet the bed, float32 (n, 3).
+
+    Walter's model (Walter et al. 2007, equation 40): a ray from the eye is refracted by Snell's law
+    at the normal of the ripple that it meets. ``ways`` (n, 3) lead from the eye to points (n, 3),
+    and are ``away`` (n,) long. The bed is taken to be level there, ``depth`` (n,) under the point.
+    """
+    slopes = strength * ripple_slopes(points, kt) * ON_SCREEN[:, None]
+    normal = np.stack([-slopes[:, 0], np.ones(len(points), np.float32), -slopes[:, 1]], axis=1)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    incident = -ways / away[:, None]
+    cosine = np.einsum("ij,ij->i", incident, normal)
+    ratio = 1.0 / INDEX
+    along = ratio * cosine - np.sqrt(1.0 + ratio**2 * (cosine**2 - 1.0))
+    ray = along[:, None] * normal - ratio * incident
+    gone = np.maximum(depth, 0.0) / np.maximum(-ray[:, 1], FLATTEST)
+    return np.asarray(points + gone[:, None] * ray, np.float32)
 
 
 def half_vectors(ways: np.ndarray, away: np.ndarray, sun: np.ndarray) -> np.ndarray:

@@ -134,7 +134,8 @@ class WaterImages:
         with attrib(groups):
             gl.glClearColor(*values.color, 1.0)
             with self.refraction.drawing(), matrix():
-                flatter = about(level, FLATTER)
+                # By Walter's model each point of the water looks elsewhere (water_grid.py).
+                flatter = about(level, FLATTER if values.bending == "flat" else 1.0)
                 gl.glMultMatrixf(np.ascontiguousarray(flatter.T, np.float32))
                 if self.darkens:
                     self._fog_by_depth(level / block)
