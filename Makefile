@@ -3,6 +3,7 @@
 # make test-all  the same, with all cases of the tests of which `make test` runs only some
 # make docs    build the site of the course in build/site; make docs-check looks at it in Chromium
 # make test-drivers  draw views with OpenGL as other drivers have it: fewer units and extensions
+# make peer    build a fly-over in C, and time it beside ours over one environment
 # make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
 # make test-windows  try the commands and the tests on Windows, by Wine
 # They install what they need on the first run.
@@ -15,7 +16,7 @@ VIEWS := fig35a fig35b fig35c fig35d fig35e fig35f fig35g fig35h fig35i
 # Further options for the program, for example: make demo ARGS="--preset 2006"
 ARGS ?=
 
-.PHONY: demo test test-all test-drivers test-windows lint docs docs-check fuzz bench assets clean
+.PHONY: demo peer test test-all test-drivers test-windows lint docs docs-check fuzz bench assets clean
 
 demo:
 	@scripts/setup.sh demo
@@ -74,6 +75,15 @@ fuzz:
 test-drivers:
 	@scripts/setup.sh test
 	@$(BIN)/python scripts/desks/drivers.py $(ARGS)
+
+# Another environment, for example: make peer ARGS=canyon
+peer:
+	@scripts/setup.sh demo
+	@mkdir -p build/peer
+	@$(BIN)/landscape flyover $(or $(ARGS),island) --export build/peer --fps 1 -q
+	@$(CC) -O2 -o build/peer/flyover scripts/peer/flyover.c -lm
+	@build/peer/flyover build/peer 1024 768 build/peer/last.pgm
+	@$(BIN)/landscape flyover build/peer --bench --jobs 1 --set flyover.mirror=false
 
 bench:
 	@scripts/setup.sh demo

@@ -8,7 +8,8 @@ import pytest
 from landscape.errors import InputError
 from landscape.flyover.bounds import bounds
 from landscape.flyover.height_field import height_field, mirrored
-from landscape.flyover.settings import Flyover
+from landscape.flyover.settings import Flyover, Settings, check
+from landscape.keys import with_settings
 
 
 def image(side: int, seed: int = 3) -> np.ndarray:
@@ -75,7 +76,7 @@ def test_each_level_has_half_the_vertices_and_averages_of_the_one_below() -> Non
     ("shape", "nearest"),
     (
         ((100, 100), "64x64 or 128x128, not 100x100"),
-        ((64, 128), "128x128, not 128x64"),
+        ((64, 100), "64x64 or 128x128, not 100x64"),
         ((1, 1), "2x2, not 1x1"),
         ((0, 0), "2x2, not 0x0"),
         ((8192, 8192), "4096x4096, not 8192x8192"),
@@ -85,8 +86,40 @@ def test_other_sizes_are_refused_by_one_line(shape: tuple[int, int], nearest: st
     with pytest.raises(InputError) as caught:
         height_field(np.zeros(shape, np.uint8), name="hills.png")
     assert str(caught.value) == (
-        "hills.png: expected a square image whose side is a power of two, such as " + nearest
+        f"hills.png: expected an image whose sides are powers of two, such as {nearest}; "
+        "flyover.resolution samples any other again"
     )
+
+
+@pytest.mark.parametrize("shape", [(16, 64), (64, 16), (32, 64)])
+def test_an_image_with_unequal_sides_is_mirrored_at_each_of_its_borders(
+    shape: tuple[int, int],
+) -> None:
+    pixels = np.random.default_rng(1).integers(0, 256, shape).astype(np.uint8)
+    field = height_field(pixels, Flyover(relief=255.0))
+    rows, columns = np.mgrid[-130:130, -130:130]
+    near = (np.minimum(mirrored(at, side), side - 1)
+            for at, side in zip((rows, columns), shape, strict=True))  # fmt: skip
+    assert np.array_equal(field.height(columns, rows), 255.0 - pixels[tuple(near)])
+
+
+def test_a_height_image_of_any_size_is_sampled_again() -> None:
+    x = np.tile(np.linspace(0, 1, 300), (150, 1))
+    slope = (255 * (1 - x)).astype(np.uint8)
+    for resolution in (64, 512):
+        settings = Flyover(relief=255.0, resolution=resolution)
+        field = height_field(slope, settings)
+        assert field.side == resolution and field.size == pytest.approx(300.0)
+        along = np.linspace(20, 280, 50)
+        assert field.height(along, 40.0) == pytest.approx(255 * along / 300, abs=3.0)
+    with pytest.raises(InputError, match="sides are powers of two"):
+        height_field(slope)
+
+
+@pytest.mark.parametrize("resolution", [1, 100, 4095])
+def test_a_resolution_that_is_no_power_of_two_is_refused(resolution: int) -> None:
+    with pytest.raises(InputError, match=r"^setting flyover.resolution: expected 0 or a power"):
+        check(with_settings(Settings(), {"flyover.resolution": resolution}))
 
 
 def test_an_image_of_colours_or_of_numbers_that_are_not_finite_is_refused() -> None:

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from landscape.flyover import bresenham, clipping, floating_horizon
+from landscape.flyover import bresenham, clipping, floating_horizon, frame
 from landscape.flyover.camera import Camera, Frustum, camera_transform
 from landscape.flyover.clipping import Lines
 from landscape.flyover.edges import Edges
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.levelled import Levelled
 from landscape.flyover.noise import noise
-from landscape.flyover.settings import Flyover
+from landscape.flyover.settings import Flyover, Settings
 
 SIZE = (120, 90)
 # The near plane is close to the eye: no triangle that is cut there reaches into the picture.
@@ -234,3 +234,14 @@ def test_a_frame_without_lines_has_no_pixels() -> None:
     none = np.zeros(0, np.int64)
     lines = Lines(none, none, none, none, none, none, none + 1.0, none + 1.0)
     assert not len(shown(lines, none, none, Camera(0, 0, 0)))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_lies_beside_the_screen_hides_what_is_on_it_when_one_looks_down(seed: int) -> None:
+    """The middle of a picture twice as wide is the same picture."""
+    rough = height_field(np.random.default_rng(seed).integers(0, 256, (128, 128)), Flyover())
+    settings = Settings()
+    camera = Camera(40.0, 50.0, 90.0, theta_y=math.radians(40.0), theta_z=0.3 + seed)
+    narrow = frame.draw(rough, camera, settings, (96, 72)).picture
+    wide = frame.draw(rough, camera, settings, (192, 72)).picture
+    assert np.array_equal(narrow, wide[:, 48:144])

@@ -1,9 +1,12 @@
 """Environment files: a height image, a camera's path and points to look at, drawn in Inkscape.
 
-The file is an SVG, as the software fly-over has it: the height image, embedded or linked; a layer
-named "camera" with the path; and there, or on a layer named "targets", circles, whose centres are
-the points that the camera turns to. A layer goes by the name that Inkscape shows (inkscape:label),
-not by its id, and may be hidden. Transforms, viewBox and units are those of SVG; lines, quadratic
+The file is an SVG, as the software fly-over has it: the height image, embedded or linked, or a map
+drawn with shapes, which svg_drawing.py makes an image of; a layer
+named "camera" with the path; and there, or on a layer named "targets", circles, rectangles and
+Inkscape's stars, whose centres are the points that the camera turns to. On the layer "targets" a
+path is one, too, as a circle becomes that was turned into a path.
+A layer goes by the name that Inkscape shows (inkscape:label), not by its id, and may be hidden.
+Transforms, viewBox and units are those of SVG; lines, quadratic
 curves and arcs are turned into cubic Bezier curves. svgelements reads paths, transforms and
 lengths. No OpenGL.
 """
@@ -15,6 +18,7 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import unquote
@@ -23,11 +27,13 @@ import numpy as np
 from PIL import Image
 
 from landscape.errors import InputError, short
+from landscape.files import svg_drawing
 from landscape.files.images import decoded_image, open_image, red_values
-from landscape.files.svg_tree import Element, read_tree
+from landscape.files.svg_tree import SHAPES, Element, read_tree
 
 CAMERA, TARGETS = "camera", "targets"  # the layers' names: section 2.3, and chosen
 PIXELS_PER_INCH = 96.0  # CSS
+DRAWN_SIDE = 512  # pixels, chosen: the longer side of a map that is drawn with shapes
 MOST_CURVES = 10_000  # chosen: of all paths together
 MOST_TARGETS = 1_000  # chosen
 FARTHEST = 1e9  # pixels, chosen: products of coordinates must not overflow
@@ -44,6 +50,7 @@ class SvgEnvironment:
     image: np.ndarray  # float32 (h, w) in 0..255: the red channel, on white
     subpaths: tuple[np.ndarray, ...]  # each (n, 4, 2): n >= 1 cubics, each starts where one ends
     targets: np.ndarray  # float64 (m, 2), in the file's order
+    notices: tuple[str, ...] = ()  # what could not be drawn, a line each
 
 
 class Place(NamedTuple):
@@ -53,6 +60,7 @@ class Place(NamedTuple):
     viewport: tuple[float, float]  # width and height that percentages refer to
     layer: str = ""  # the camera's or the targets', if it is on one of them
     hidden: bool = False
+    faded: bool = False
 
 
 @dataclass
@@ -65,6 +73,8 @@ class Found:
     curves: int = 0  # in them
     targets: list[np.ndarray] = field(default_factory=list)
     image: tuple[Element, Place] | None = None
+    shapes: int = 0  # of the map, that are drawn
+    page: tuple[float, float] = (0.0, 0.0)  # its size
     characters: int = 0  # of paths and transforms
 
     def text(self, text: str) -> str:
@@ -94,18 +104,67 @@ def _read(path: Path) -> SvgEnvironment:
         raise InputError(
             f'{path}: expected a path of more than one point on the layer "{CAMERA}"{hint}'
         )
-    if found.image is None:
+    if found.image is None and not found.shapes:
         raise InputError(f"{path}: expected the height image, embedded or linked")
-    element, place = found.image
-    image = _image(path, element.attributes.get("href", ""))
+    image, to_pixels, notices = _map(path, found)
     with _named(path):
-        to_pixels = _to_pixels(element, place, image.size)
         subpaths = tuple(_moved(to_pixels, curves) for curves in found.subpaths)
         targets = _moved(to_pixels, np.array(found.targets, np.float64).reshape(-1, 2))
     for places in (*subpaths, targets):
         if np.abs(places).max(initial=0.0) > FARTHEST:
             raise InputError(f"{path}: expected coordinates of at most {FARTHEST:.0e} pixels")
-    return SvgEnvironment(path.stem, _over_white(image), subpaths, targets)
+    return SvgEnvironment(path.stem, _over_white(image), subpaths, targets, notices)
+
+
+def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, ...]]:
+    """Return the map, the matrix (3, 3) from the outermost coordinates to its pixels, and notices.
+
+    An image alone is taken as it is. Shapes, and an image that one sees through, are drawn; if they
+    cannot be, an image is taken without them, with a notice.
+    """
+    draws = partial(_drawing, path, found)
+    if found.image is None:
+        width, height = found.page
+        with _named(path):
+            if not (min(found.page) > 0 and np.isfinite(found.page).all()):
+                raise InputError("expected a page of finite size, for a map drawn with shapes")
+        size = _powers(width, height)
+        to_pixels = np.diag([size[0] / width, size[1] / height, 1.0])
+        return draws((0.0, 0.0, width, height), size), to_pixels, ()
+    element, place = found.image
+    image = _image(path, element.attributes.get("href", ""))
+    with _named(path):
+        to_pixels = _to_pixels(element, place, image.size)
+    faded = place.faded or element.faded
+    if not (found.shapes or faded):
+        return image, to_pixels, ()
+    what = "shapes over the height image" if found.shapes else "the height image's opacity"
+    turned = np.abs(to_pixels[[0, 1], [1, 0]]).max() > 1e-9
+    if turned or svg_drawing.rasteriser() is None:
+        why = "the image is turned" if turned else f"to draw them, {svg_drawing.EXTRA}"
+        return image, to_pixels, (f"{path}: {what}: left out; {why}",)
+    left, top = -to_pixels[:2, 2] / np.diag(to_pixels)[:2]
+    width, height = np.array(image.size) / np.diag(to_pixels)[:2]
+    box = tuple(map(float, (left, top, width, height)))
+    return draws(box, image.size), to_pixels, ()
+
+
+def _drawing(
+    path: Path, found: Found, box: tuple[float, ...], size: tuple[int, int]
+) -> Image.Image:
+    """Return a rectangle of the drawing as a picture, without the flight."""
+    x, y, width, height = box
+    layers = (CAMERA, TARGETS)
+    return svg_drawing.drawn(
+        path, layers, (x, y, width, height), found.page, size, lambda link: _image(path, link)
+    )
+
+
+def _powers(width: float, height: float) -> tuple[int, int]:
+    """Return the size in pixels of the picture of a page: powers of two, close to its shape."""
+    short = min(width, height) / max(width, height) * DRAWN_SIDE
+    other = max(2, 1 << round(np.log2(max(short, 2.0))))
+    return (DRAWN_SIDE, other) if width >= height else (other, DRAWN_SIDE)
 
 
 @contextlib.contextmanager
@@ -120,13 +179,19 @@ def _named(path: Path) -> Iterator[None]:
 def _collect(element: Element, around: Place, found: Found) -> None:
     """Add what is in an element that stands in the place ``around``."""
     if element.tag not in ("svg", "g", "a", "switch", "image") and not around.layer:
+        shown = not (around.hidden or element.hidden)
+        found.shapes += shown and element.tag in (*SHAPES, "use")
         return
     place = around._replace(
         transform=around.transform @ _transform(found.text(element.get("transform"))),
         hidden=around.hidden or element.hidden,
+        faded=around.faded or element.faded,
     )
     if element.tag == "svg":
+        outermost = not any(around.viewport)
         place = _viewport(element, place)
+        if outermost:
+            found.page = _page(element, place)
     label = element.get("inkscape:label").lower()
     if element.tag == "g" and label in (CAMERA, TARGETS):
         place = place._replace(layer=label)
@@ -138,15 +203,23 @@ def _collect(element: Element, around: Place, found: Found) -> None:
             found.image = element, place
     elif element.tag in ("circle", "ellipse"):
         found.targets.append(_centre(element, place, "cx", "cy"))
-    elif element.get("sodipodi:type") == "arc":  # a circle as well, but one that is a path
+    elif element.get("sodipodi:type") in ("arc", "star"):  # they are paths with a centre
         found.targets.append(_centre(element, place, "sodipodi:cx", "sodipodi:cy"))
+    elif element.tag == "rect":
+        found.targets.append(_middle(element, place))
+    elif place.layer == TARGETS and element.tag in SHAPES:
+        curves = _subpaths(found.text(_path_data(element)))
+        if curves:
+            ends = _moved(place.transform, np.concatenate(curves)).reshape(-1, 2)
+            found.targets.append((ends.min(axis=0) + ends.max(axis=0)) / 2)
     elif place.layer == CAMERA:
         found.clones = found.clones or element.tag == "use"
         curves = _subpaths(found.text(_path_data(element)))
         found.subpaths += [_moved(place.transform, each) for each in curves]
         found.curves += sum(map(len, curves))
     if found.curves > MOST_CURVES or len(found.targets) > MOST_TARGETS:
-        raise InputError(f"expected at most {MOST_CURVES} nodes and {MOST_TARGETS} circles")
+        most = f"{MOST_CURVES} nodes and {MOST_TARGETS} points to look at"
+        raise InputError(f"expected at most {most}")
 
 
 def _length(element: Element, name: str, whole: float, default: float) -> float:
@@ -210,10 +283,29 @@ def _viewport(element: Element, place: Place) -> Place:
     return place._replace(transform=place.transform @ fitted, viewport=(width, height))
 
 
+def _page(element: Element, place: Place) -> tuple[float, float]:
+    """Return the width and height of the outermost <svg> in its own coordinates."""
+    width, height = (
+        _length(element, name, side, side)
+        for name, side in zip(("width", "height"), place.viewport, strict=True)
+    )
+    return width, height
+
+
 def _centre(element: Element, place: Place, *names: str) -> np.ndarray:
     """Return the centre (2,) of a circle."""
     sides = zip(names, place.viewport, strict=True)
     return _moved(place.transform, np.array([_length(element, *each, 0.0) for each in sides]))
+
+
+def _middle(element: Element, place: Place) -> np.ndarray:
+    """Return the middle (2,) of a rectangle."""
+
+    def pair(*names: str) -> np.ndarray:
+        sides = zip(names, place.viewport, strict=True)
+        return np.array([_length(element, *each, 0.0) for each in sides])
+
+    return _moved(place.transform, pair("x", "y") + pair("width", "height") / 2)
 
 
 def _moved(transform: np.ndarray, points: np.ndarray) -> np.ndarray:

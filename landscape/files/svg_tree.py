@@ -21,10 +21,10 @@ SPACES = {
     "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd": "sodipodi:",
     "http://www.w3.org/1999/xlink": "",  # xlink:href, and href since SVG 2
 }
-SHAPES = ("path", "line", "polyline", "polygon", "circle", "ellipse")
+SHAPES = ("path", "line", "polyline", "polygon", "circle", "ellipse", "rect")
 TAGS = frozenset({"svg", "g", "a", "switch", "image", "use", *SHAPES})
 PLACING = {"transform", "viewBox", "preserveAspectRatio", "x", "y", "width", "height"}
-DRAWN = {"href", "style", "display", "d", "points", "x1", "y1", "x2", "y2", "cx", "cy"}
+DRAWN = {"href", "style", "display", "opacity", "d", "points", "x1", "y1", "x2", "y2", "cx", "cy"}
 INKSCAPE = {"inkscape:label", "sodipodi:type", "sodipodi:cx", "sodipodi:cy"}
 ATTRIBUTES = PLACING | DRAWN | INKSCAPE
 
@@ -46,6 +46,17 @@ class Element:
         """Whether it is not drawn, as an object or a layer that was hidden in Inkscape."""
         style = self.get("style").replace(" ", "").split(";")
         return self.get("display") == "none" or "display:none" in style
+
+    @property
+    def faded(self) -> bool:
+        """Whether one sees through it."""
+        style = [part.partition(":") for part in self.get("style").replace(" ", "").split(";")]
+        given = {name: value for name, _, value in style}
+        text = given.get("opacity") or self.get("opacity") or "1"
+        try:
+            return float(text.rstrip("%")) / (100.0 if text.endswith("%") else 1.0) < 1.0
+        except ValueError:
+            return False
 
 
 def read_tree(path: Path) -> Element:

@@ -4,6 +4,7 @@ An environment is a file drawn in Inkscape (:mod:`landscape.files.svg_environmen
 that come with the program, by its name.
 """
 
+import hashlib
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -33,14 +34,23 @@ class Environment:
     """An environment; places are in pixels of the height image, from its top left corner."""
 
     name: str
-    image: np.ndarray  # float32 (N, N) in 0..255
+    image: np.ndarray  # float32 (h, w) in 0..255
     subpaths: tuple[np.ndarray, ...]  # each (n, 4, 2), cubic Bezier curves
     targets: np.ndarray  # (m, 2)
+    notices: tuple[str, ...] = ()  # what of the file is left out, a line each
 
     @property
     def side(self) -> int:
-        """N, the number of pixels on a side of the image, which is a power of two."""
-        return len(self.image)
+        """The number of pixels on the image's longer side."""
+        return max(self.image.shape)
+
+    @cached_property
+    def hash(self) -> str:
+        """A hash of all that is flown over and along; two environments are the same by it."""
+        digest = hashlib.blake2b(digest_size=20)
+        for part in (self.image.astype(np.float32), *self.subpaths, self.targets):
+            digest.update(repr(part.shape).encode() + np.ascontiguousarray(part).tobytes())
+        return digest.hexdigest()
 
     @cached_property
     def path(self) -> BezierPath:
@@ -61,10 +71,11 @@ class Environment:
         return Flight(path, self.targets * settings.unit, field.height, settings)
 
 
-def open_environment(file: str | Path) -> Environment:
+def open_environment(file: str | Path, any_size: bool = False) -> Environment:
     """Return the environment in an SVG file, or a shipped one by its name.
 
-    InputError, one line, where something is missing or wrong.
+    Its image has sides that are powers of two, unless it may have ``any_size``. InputError, one
+    line, where something is missing or wrong.
     """
     path = Path(file)
     if str(file) in NAMES and not path.exists():
@@ -74,18 +85,29 @@ def open_environment(file: str | Path) -> Environment:
     elif path.suffix.lower() != ".svg":
         raise InputError(f"{file}: expected a file that ends in .svg, or one of {', '.join(NAMES)}")
     found = read(path)
-    check_image(found.image, f"{path}: height image")
-    environment = Environment(str(file), found.image, found.subpaths, found.targets)
+    environment = Environment(str(file), found.image, found.subpaths, found.targets, found.notices)
+    return checked(environment, any_size, path)
+
+
+def checked(environment: Environment, any_size: bool, path: Path | str = "") -> Environment:
+    """Return an environment whose path and points are on its map; InputError names ``path``."""
+    path = path or environment.name
+    check_image(environment.image, f"{path}: height image", any_size)
     if environment.path.length < SHORTEST:
         raise InputError(f"{path}: expected a path of at least {SHORTEST:g} pixel")
     flown = environment.path.at(np.linspace(0, environment.path.length, 100_000))
-    for places, what in ((flown, "the path"), (found.targets, "a point to look at")):
-        outside = places[((places < 0) | (places > environment.side)).any(axis=1)]
+    for places, what in ((flown, "the path"), (environment.targets, "a point to look at")):
+        height, width = environment.image.shape
+        outside = places[((places < 0) | (places > (width, height))).any(axis=1)]
         if len(outside):
             x, y = outside[0]
+            ends = (
+                f"x and y from 0 to {width}"
+                if width == height
+                else (f"x from 0 to {width} and y from 0 to {height}")
+            )
             raise InputError(
-                f"{path}: {what} is outside the map: expected x and y from 0 to "
-                f"{environment.side} pixels, not {x:.6g}, {y:.6g}"
+                f"{path}: {what} is outside the map: expected {ends} pixels, not {x:.6g}, {y:.6g}"
             )
     return environment
 

@@ -99,8 +99,10 @@ def draw(
     counts = dict.fromkeys(COUNTS, 0)
     counts |= {"boxes": tested, "tiles": len(tiles)}
     before = int(ours.back_faces and ours.strips)
-    # What is above the screen may hide what is on it.
-    watched = np.uint8(~clipping.TOP & 0xFF if ours.hidden_lines else 0xFF)
+    # What is above the screen may hide what is on it; and what is beside it, where the camera looks
+    # up or down: a vertical plane then leaves the screen at its side.
+    hiders = clipping.TOP | clipping.LEFT | clipping.RIGHT
+    watched = np.uint8(~hiders & 0xFF if ours.hidden_lines else 0xFF)
     ink = colours.Ink(colours.PALETTES[ours.colours], terrain, ours.visible, canvas.marks(columns))
     found = []
     for part in batches(tiles, BATCH // (around.patch + 1) ** 2):

@@ -3,7 +3,8 @@
 A pixel's position gives x and y, its colour gives z (section 2.3). At each border of the image
 stands a mirror image of it (figure 7). So that the mirror images match at every power of two, the
 vertices are counted from 0 to N, and the last repeats pixel N - 1: vertex i, anywhere on the plane,
-is vertex ``abs((i + N) mod 2N - N)``.
+is vertex ``abs((i + N) mod 2N - N)``. An image that is not square is kept with its mirror images,
+as many as make a square of it: the plane is the same.
 
 Level of detail l has every 2^l-th vertex in each direction. Its heights are averages of those of
 the level below it, with weights 1, 2, 1: distant terrain drawn from single pixels would flicker.
@@ -11,11 +12,13 @@ The average of a mirrored terrain is mirrored, too. Levels coarser than the imag
 """
 
 import hashlib
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from PIL import Image
 
 from landscape.errors import InputError, short
 from landscape.files.cache import recall
@@ -137,32 +140,59 @@ def mirrored(index: np.ndarray, side: np.ndarray | int) -> np.ndarray:
 def height_field(
     image: np.ndarray, settings: Flyover | None = None, name: str = "height image"
 ) -> HeightField:
-    """Return the terrain of a height image (N, N) of values from 0 (black) to 255 (white).
+    """Return the terrain of a height image (h, w) of values from 0 (black) to 255 (white).
 
-    N is a power of two from 2 to 4096. What takes time is cached. InputError begins with ``name``.
+    Its sides are powers of two from 2 to 4096; with ``flyover.resolution`` the image is sampled
+    again, and may have any. What takes time is cached. InputError begins with ``name``.
     """
     settings = settings or Flyover()
+    unit = settings.unit
+    if settings.resolution:
+        check_image(image, name, any_size=True)
+        longest = max(np.shape(image))
+        image = sampled(image, settings.resolution)
+        unit *= longest / settings.resolution
     check_image(image, name)
     values = np.asarray(image, np.float32)
     heights = WHITE - values if settings.black_high else values.copy()
     heights *= np.float32(settings.relief / WHITE)
-    key = hashlib.blake2b(np.ascontiguousarray(heights).data, digest_size=20).hexdigest()
+    digest = hashlib.blake2b(np.ascontiguousarray(heights).data, digest_size=20)
+    if heights.shape[0] != heights.shape[1]:
+        digest.update(repr(heights.shape).encode())
+    key = digest.hexdigest()
     (values,) = recall(("fly-over levels", key), lambda: (averages(heights),))
-    return HeightField(values, len(heights), settings.unit, key)
+    return HeightField(values, max(heights.shape), unit, key)
 
 
-def check_image(image: np.ndarray, name: str) -> None:
-    """Raise InputError unless an array is a height image."""
+def sampled(image: np.ndarray, resolution: int) -> np.ndarray:
+    """Return an image (h, w) sampled again, so that its longer side is ``resolution``, float32.
+
+    The other side becomes the nearest power of two. Fewer pixels are means of those that they
+    cover, more are interpolated by cubics.
+    """
+    rows, columns = np.shape(image)
+    part = min(rows, columns) / max(rows, columns)
+    shorter = max(1 << round(math.log2(max(resolution * part, 2.0))), 2)
+    size = (shorter, resolution) if columns < rows else (resolution, shorter)
+    # Pillow widens its cubic where pixels become fewer, so that none is left out.
+    found = Image.fromarray(np.asarray(image, np.float32)).resize(size, Image.Resampling.BICUBIC)
+    return np.clip(np.asarray(found), 0.0, WHITE)
+
+
+def check_image(image: np.ndarray, name: str, any_size: bool = False) -> None:
+    """Raise InputError unless an array is a height image; ``any_size``: not only powers of two."""
     found = np.asarray(image)
     if found.ndim != 2 or found.dtype.kind not in "uif":
         raise InputError(f"{name}: expected one number for each pixel, not {short(found.shape)}")
     rows, columns = found.shape
-    if rows != columns or rows & (rows - 1) or not 2 <= rows <= MOST_SIDE:
-        nearest = [n for n in nearest_sides(max(rows, columns)) if 2 <= n <= MOST_SIDE]
+    sides = (rows, columns)
+    fits = all(2 <= side <= MOST_SIDE for side in sides)
+    if not fits or not (any_size or all(side & (side - 1) == 0 for side in sides)):
+        nearest = [n for n in nearest_sides(max(sides)) if 2 <= n <= MOST_SIDE]
         sizes = " or ".join(f"{n}x{n}" for n in nearest)
         raise InputError(
-            f"{name}: expected a square image whose side is a power of two, such as {sizes}, "
-            f"not {columns}x{rows}"
+            f"{name}: expected an image whose sides are powers of two, such as {sizes}, not "
+            f"{columns}x{rows}; flyover.resolution samples any other again"
         )
     if found.dtype.kind == "f" and not np.isfinite(found).all():
         raise InputError(f"{name}: expected finite heights")
@@ -176,12 +206,22 @@ def nearest_sides(side: int) -> tuple[int, ...]:
 
 
 def averages(heights: np.ndarray) -> np.ndarray:
-    """Return the heights (N, N) at all levels of detail, see :class:`HeightField`."""
-    levels = [np.pad(heights, (0, 1), "edge")]
+    """Return the heights (h, w) at all levels of detail, see :class:`HeightField`."""
+    levels = [vertices(heights)]
     while len(levels[-1]) > 2:
         levels.append(halved(halved(levels[-1]).T).T)
     flat = np.full((2, 2), levels[-1].mean(), np.float32)
     return np.concatenate([level.ravel() for level in (*levels, flat)])
+
+
+def vertices(heights: np.ndarray) -> np.ndarray:
+    """Return the heights (h, w) as vertices (N + 1, N + 1), where N is the longer side.
+
+    Along the shorter one they go on as mirror images.
+    """
+    at = np.arange(max(heights.shape) + 1)
+    row, column = (np.minimum(mirrored(at, side), side - 1) for side in heights.shape)
+    return heights[np.ix_(row, column)]
 
 
 def halved(heights: np.ndarray) -> np.ndarray:

@@ -43,6 +43,14 @@ class Flyover:
     unit: float = setting(
         1.0, ENVIRONMENT, "distance between two pixels of the height image", 1e-3, 1000, unit=UNITS
     )
+    resolution: int = setting(
+        0,
+        ENVIRONMENT,
+        "pixels on the longer side of the height image, which is then sampled again; 0: its own",
+        0,
+        4096,
+        unit="pixels",
+    )
     relief: float = setting(
         64.0, "chosen", "height of black above white in the height image", 0, 1e4, unit=UNITS
     )
@@ -260,6 +268,11 @@ def check(settings: Settings) -> None:
                 f"setting flyover.{low}: expected less than flyover.{high} "
                 f"({getattr(ours, high):g}), not {getattr(ours, low):g}"
             )
+    if ours.resolution == 1 or ours.resolution & (ours.resolution - 1):
+        raise InputError(
+            "setting flyover.resolution: expected 0 or a power of two from 2, not "
+            f"{ours.resolution}"
+        )
     least = LEAST_DENSITY * int(ours.patch)
     if ours.detail and ours.density < least:
         raise InputError(

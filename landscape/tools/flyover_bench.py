@@ -7,12 +7,16 @@ is kept from then on, as it is in a flight. Where several processes divide a pic
 the one before it, which in a flight is nearly the same; so they draw each once without being timed.
 """
 
+import os
+import platform
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from landscape import __version__
 from landscape.flyover.camera import Camera
 from landscape.flyover.crew import Crew
 from landscape.flyover.environment import Environment
@@ -63,10 +67,10 @@ def measure(
 ) -> dict[str, Any]:
     """Draw ``count`` frames of the flight with the settings of each row, at ``size`` in pixels.
 
-    Returns {"environment", "size", "frames", "side" of the height image, "processes" that drew
-    together, "rows": {name: {"ms" and "fps" of these, "alone_ms" of one process, and the mean of
-    each count of a frame}}}. Times are medians. ``step`` is called after each frame with the name
-    of its row.
+    Returns {"environment", its "hash", "version" of this program, "machine", "size", "frames",
+    "side" of the height image, "processes" that drew together, "rows": {name: {"ms" and "fps" of
+    these, "alone_ms" of one process, and the mean of each count of a frame}}}. Times are medians.
+    ``step`` is called after each frame with the name of its row.
     """
     anyone = next(iter(rows.values())).flyover
     terrain = environment.field(anyone)
@@ -103,12 +107,37 @@ def measure(
         }
     return {
         "environment": environment.name,
+        "hash": environment.hash,
+        "version": __version__,
+        "machine": machine(),
         "side": environment.side,
         "size": list(size),
         "frames": count,
         "processes": processes,
         "rows": result,
     }
+
+
+def machine() -> dict[str, str]:
+    """Return what the times depend on: the system, the processor, Python and numpy."""
+    cores = os.cpu_count() or 1
+    return {
+        "system": platform.platform(terse=True),
+        "processor": f"{processor_name()}, {cores} core{'s' * (cores > 1)}",
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+    }
+
+
+def processor_name() -> str:
+    """Return the processor's name, as Linux has it in a file, or else as Python knows it."""
+    try:
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return " ".join(line.partition(":")[2].split())
+    except OSError:
+        pass
+    return platform.processor() or platform.machine() or "unknown processor"
 
 
 def timed(

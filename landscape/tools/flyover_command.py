@@ -2,17 +2,19 @@
 
 import argparse
 import json
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 from landscape.errors import InputError
 from landscape.files.output import check_writable, output_paths, save_png, write_whole
 from landscape.files.progress import Progress
-from landscape.flyover import crew
+from landscape.flyover import crew, exchange
 from landscape.flyover.crew import Crew
 from landscape.flyover.environment import Environment, export_island, open_environment
 from landscape.flyover.settings import PRESETS, Settings, check
 from landscape.keys import preset, read_toml, with_settings
+from landscape.tools import flyover_ranking
 from landscape.tools.flyover_options import EXPORT, SIZE
 
 FASTEST = 1000.0  # frames per second, chosen
@@ -27,6 +29,9 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown) -> int:
 
     ``watch`` shows the flight in a window, ``film`` draws it to a file.
     """
+    if options.rank:
+        print(flyover_ranking.ranking([flyover_ranking.read(path) for path in options.rank]))
+        return 0
     if options.file == EXPORT:
         return export(options)
     if options.export:
@@ -41,8 +46,17 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown) -> int:
         raise InputError("--json: expected --bench, whose results it writes")
     if options.bench and options.out is not None:
         raise InputError("--out: not with --bench, which keeps no pictures")
+    alone = [name for name in ("bench", "profile", "folder") if getattr(options, name)]
+    if len(alone) > 1:
+        raise InputError("flyover: expected one of --bench, --profile and --export")
     values = settings_of(options)
-    environment = open_environment(options.file)
+    any_size = bool(values.flyover.resolution)
+    if Path(options.file).is_dir():
+        environment = exchange.read(Path(options.file), any_size)
+    else:
+        environment = open_environment(options.file, any_size)
+    for line in () if options.quiet else environment.notices:
+        print(f"landscape: {line}", file=sys.stderr)
     duration = environment.duration(values.flyover)
     if options.at >= duration:
         raise InputError(
@@ -50,6 +64,13 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown) -> int:
         )
     if options.bench:
         return bench(environment, values, options)
+    if options.profile:
+        return profile(environment, values, options)
+    if options.folder is not None:
+        written = exchange.write(environment, values.flyover, options.folder, options.fps)
+        if not options.quiet:
+            print(*written, sep="\n")
+        return 0
     if options.out is None:
         return watch(environment, values, options)
     if options.out.suffix.lower() in FILMS:
@@ -100,6 +121,21 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
             progress.step(path.name)
     if not options.quiet:
         print(*paths, sep="\n")
+    return 0
+
+
+def profile(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Print where the time of a flight goes."""
+    from landscape.tools import flyover_bench, flyover_profile
+
+    count = flyover_bench.FRAMES if options.frames is None else options.frames
+    if not 1 <= count <= MOST_FRAMES:
+        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+    with Progress(count, options.quiet) as progress:
+        text = flyover_profile.profile(
+            environment, values, options.size or SIZE, count, progress.step
+        )
+    print(text)
     return 0
 
 

@@ -11,9 +11,9 @@ from landscape.tools.option_values import count, jobs, number, pair, size
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
 EXPORT = "export"
 FILE = (
-    "an environment drawn in Inkscape, FILE.svg, or one that comes with the program: "
-    f"{', '.join(NAMES)}; default: {ISLAND}. `{EXPORT} FILE.svg` writes the island as an "
-    "environment, to be changed in Inkscape"
+    "an environment drawn in Inkscape, FILE.svg, a folder that --export wrote, or one that comes "
+    f"with the program: {', '.join(NAMES)}; default: {ISLAND}. `{EXPORT} FILE.svg` writes the "
+    "island as an environment, to be changed in Inkscape"
 )
 OUT = (
     "draw it without a screen: a folder for one PNG per frame, FILE.png for a single frame, or a "
@@ -24,6 +24,12 @@ FRAMES = (
     "12; in the window, until it is closed"
 )
 FPS = "frames per second of flight; default: %(default)g"
+FOLDER = (
+    "write the environment as plain files for other programs into a folder, heights.bmp, "
+    "heights.png, path.json and flight.csv, which is read again in the place of FILE.svg"
+)
+PROFILE = "fly along the path and print in which functions the time goes"
+RANK = "print results of --bench --json ranked by frames a second, for each environment"
 BENCH = "fly the path without each technique, with each alone and with all; print how long it took"
 JOBS = (
     "processes that draw, each on a core of its own; default: one for each core, up to "
@@ -53,6 +59,10 @@ def add(
     flyover.add_argument(
         "--json", type=Path, metavar="FILE", help="with --bench: write the results as JSON"
     )
+    flyover.add_argument("--profile", action="store_true", help=PROFILE)
+    flyover.add_argument("--rank", type=Path, nargs="+", metavar="FILE.json", help=RANK)
+    flyover.add_argument("--export", type=Path, dest="folder", metavar="DIR", help=FOLDER)
+    flyover.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     flyover.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
     flyover.add_argument(
         "--set",

@@ -70,6 +70,8 @@ def walk(
     if path is not None and (record is not None or replay is not None):
         raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
     environment = open_environment(path) if path is not None else None
+    for line in environment.notices if environment and not quiet else ():
+        print(f"landscape: {line}", file=sys.stderr)
     ticks = None
     if replay is not None:
         plan, recorded = read(recording(replay))

@@ -55,12 +55,22 @@ def show(environment: Environment, settings: Settings, options: argparse.Namespa
     jobs = processes(options.jobs)
     window = Flying(environment, settings, options.size or SIZE, language, not options.size, jobs)
     window.time = options.at
+    if options.fullscreen:
+        window.fill_screen()
+    drawn, begun = 0, glfw.get_time()
     try:
-        drawn = 0
         while (options.frames is None or drawn < options.frames) and window.listen():
             drawn += window.draw()
+        seconds = glfw.get_time() - begun
     finally:
         window.close()
+    if not options.quiet and drawn:
+        told = {
+            "frames": f"{drawn:,}",
+            "seconds": f"{seconds:.1f}",
+            "rate": f"{drawn / seconds:.1f}",
+        }
+        print(words.text(language, "flyover.mean", **told))
     return 0
 
 
@@ -151,7 +161,13 @@ class Flying:
             self.hands.capture(order == "capture")
         elif order == "screenshot":
             self._shoot = True
-        elif order == "fullscreen" and not self._full_screen.toggle(self.context.window):
+        elif order == "fullscreen":
+            self.fill_screen()
+
+    def fill_screen(self) -> None:
+        """Fill the screen with the window, or put it back."""
+        assert self.context is not None
+        if not self._full_screen.toggle(self.context.window):
             self._say(self._word("no_monitor"))
 
     def advance(self, intent: Any, switches: Sequence[str], seconds: float) -> None:

@@ -143,6 +143,7 @@ TEXTS: Texts = {
     "flyover.on_path": "along the path",
     "flyover.paused": "pause",
     "flyover.goes_on": "the flight goes on",
+    "flyover.mean": "{frames} frames in {seconds} s: {rate} frames/s on average",
     "flyover.lines": "{rate} frames/s   {lines} lines of {considered}   {pixels} pixels",
     "flyover.ground": "{rate} frames/s",
     "flyover.flyover.strips": "triangle strips: each edge once",
