@@ -17,6 +17,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from landscape import __version__
 from landscape.capture.guard import guarded
 from landscape.errors import InputError, NoOpenGLError, say_unexpected, short
 from landscape.frame import Pose
@@ -284,6 +285,7 @@ def _flyover(options: argparse.Namespace) -> int:
         options,
         watch=lambda *given: import_module("landscape.window.flyover").show(*given),
         film=lambda *given: import_module("landscape.film.flyover_film").run(*given),
+        version=__version__,
     )
 
 

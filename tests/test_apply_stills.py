@@ -35,7 +35,7 @@ TOGETHER = {
 }
 BAKED = {
     "hall": {"room", "sky", "torches", "statue", "sun"},
-    "voxel": {"sun"},
+    "voxel": {"sun", "time"},
 }  # groups that are not applied
 
 

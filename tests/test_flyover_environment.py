@@ -34,7 +34,7 @@ def test_an_environment_has_a_terrain_and_a_flight_over_it(tmp_path: Path) -> No
             svg(image(embedded(png(48))), layer(path())),
             "image whose sides are powers of two, such as",
         ),
-        (svg(image(embedded(png(64, 48))), layer(path())), "such as 32x32 or 64x64, not 64x48"),
+        (svg(image(embedded(png(64, 48))), layer(path())), "such as 64x64, not 64x48"),
         (svg(image(), layer(path("M 10,10 H 65"))), "the path is outside the map"),
         (svg(image(), layer(path("M 1,1 C 1,-9 60,-9 60,1"))), "the path is outside the map"),
         (

@@ -16,7 +16,6 @@ from typing import Any
 
 import numpy as np
 
-from landscape import __version__
 from landscape.flyover.camera import Camera
 from landscape.flyover.crew import Crew
 from landscape.flyover.environment import Environment
@@ -64,6 +63,7 @@ def measure(
     count: int,
     jobs: int = 1,
     step: Callable[[str], None] = lambda _: None,
+    version: str = "",
 ) -> dict[str, Any]:
     """Draw ``count`` frames of the flight with the settings of each row, at ``size`` in pixels.
 
@@ -108,7 +108,7 @@ def measure(
     return {
         "environment": environment.name,
         "hash": environment.hash,
-        "version": __version__,
+        "version": version,
         "machine": machine(),
         "side": environment.side,
         "size": list(size),

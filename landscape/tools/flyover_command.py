@@ -24,10 +24,11 @@ SEVERAL = 8  # pictures, chosen: fewer are drawn before another process is ready
 Shown = Callable[[Environment, Settings, argparse.Namespace], int]
 
 
-def run(options: argparse.Namespace, watch: Shown, film: Shown) -> int:
+def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) -> int:
     """Do what the command line asks; return the exit status. Raises InputError.
 
-    ``watch`` shows the flight in a window, ``film`` draws it to a file.
+    ``watch`` shows the flight in a window, ``film`` draws it to a file; ``version`` is this
+    program's, for the results of a benchmark.
     """
     if options.rank:
         print(flyover_ranking.ranking([flyover_ranking.read(path) for path in options.rank]))
@@ -63,7 +64,7 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown) -> int:
             f"--at {options.at:g}: expected less than the {duration:.1f} seconds of the flight"
         )
     if options.bench:
-        return bench(environment, values, options)
+        return bench(environment, values, options, version)
     if options.profile:
         return profile(environment, values, options)
     if options.folder is not None:
@@ -139,7 +140,9 @@ def profile(environment: Environment, values: Settings, options: argparse.Namesp
     return 0
 
 
-def bench(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+def bench(
+    environment: Environment, values: Settings, options: argparse.Namespace, version: str
+) -> int:
     """Measure every technique along the path; print a table, or write it as JSON, too."""
     from landscape.tools import flyover_bench
 
@@ -151,7 +154,7 @@ def bench(environment: Environment, values: Settings, options: argparse.Namespac
     rows, jobs = flyover_bench.rows(values), crew.processes(options.jobs)
     with Progress(len(rows) * count, options.quiet) as progress:
         result = flyover_bench.measure(
-            environment, rows, options.size or SIZE, count, jobs, progress.step
+            environment, rows, options.size or SIZE, count, jobs, progress.step, version
         )
     if options.json is not None:
         write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())

@@ -454,5 +454,5 @@ SCENE = Scene(
     title="the island in voxels",
     blocks=True,
     # The light of each face is in its colours, which are rounded.
-    baked=("sun", "shadow.color", "voxel.slope"),
+    baked=("time", "sun", "shadow.color", "voxel.slope"),
 )
