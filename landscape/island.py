@@ -24,7 +24,8 @@ from landscape.elements.best.sea import sea
 from landscape.elements.best.sea.occlusion_query import SeaQuery
 from landscape.elements.best.sea.ring import HorizonRing
 from landscape.elements.best.sea.sea import Sea, kept, reflected, softened
-from landscape.elements.best.sea.shallows import cut_level
+from landscape.elements.best.sea.shallows import cut_level, submerged
+from landscape.elements.best.sea.under_water import UnderWater
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.stones.stones import Stones
 from landscape.elements.best.terrain.shadows import cast_from, light_is_baked
@@ -72,6 +73,7 @@ def classes(settings: Settings) -> dict[str, type | None]:
         "water": WaterSurface if plain_water else Sea,
         "ring": HorizonRing if plain_water and water.horizon > 0 else None,
         "query": SeaQuery if queried else None,
+        "under": UnderWater if water.under else None,
         "castle": castle_class(settings),
         "rabbit": rabbit_class(settings),
         "dragon": dragon_class(settings),
@@ -102,6 +104,7 @@ class Island:
     water: Any
     ring: Any
     query: Any
+    under: Any
     sky: Any
     castle: Any
     rabbit: Any
@@ -164,6 +167,7 @@ class Island:
             Part("water", ("water",), kind["water"], (*own, *depths)),
             Part("ring", ("water",), kind["ring"], own),
             Part("query", ("water",), kind["query"], (settings,)),
+            Part("under", ("water",), kind["under"], (*own, field)),
             Part("sky", ("sky",), SkyBox, own),
             Part("castle", ("castle",), kind["castle"], (*own, field)),
             Part("rabbit", ("rabbit",), kind["rabbit"], (*own, field)),
@@ -255,50 +259,13 @@ class Island:
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
         frame, draw, values = self._begin(moment), self._draw, self.settings
+        below = self.under is not None and "water" in self.shown and submerged(frame, values)
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
-            # Sorted once for both passes, when first needed.
-            sort = functools.cache(lambda: self.sprites.prepare(frame))
-            query = self.query if "water" in self.shown else None
-
-            # The mirrored scene comes first: the water will be blended over it.
-            early = query is None or query.expected(frame)
-            if early:
-                self._draw_reflection(frame, sort)
-
-            # Opaque elements: the depth buffer sorts them, so their order does not matter.
-            if in_parts := isinstance(self.castle, OrnateCastle):
-                draw("castle", self.castle, frame, "draw_solid")
-            with clipped(cut_level(values), values.ground.clip):
-                draw("ground", self.stones, frame)  # first: cheaper than the ground behind
-                draw("ground", self.ground, frame)
-                draw("rabbit", self.rabbit, frame)
-                draw("dragon", self.dragon, frame)
-            if query:
-                with drawing("water"):
-                    query.ask(frame)
-            # OpenGL executes the calls so far while Python sorts, selects blades, computes waves.
-            gl.glFlush()
-            if self._sprites_shown:
-                sort()
-            draw("grass", self.grass, frame)
-            # The sky comes last of the opaque elements: it is not drawn where they cover it.
-            draw("sky", self.sky, frame)
-            gl.glFlush()
-
-            # Land may hide all of the sea; a mirror image that is a texture can be drawn this late.
-            water = query is None or query.shows()
-            if water and not early:
-                self._draw_reflection(frame, sort)
-
-            # Blended elements: the castle with its flames, the water over the mirrored scene, the
-            # mist on it, and the sprites from far to near.
-            draw("castle", self.castle, frame, "draw_rest" if in_parts else "draw")
-            if water:
-                draw("water", self.ring, frame)
-                draw("water", self.water, frame)
-            draw("mist", self.mist, frame)
-            self._draw_sprites(frame, sort)
+            if below:
+                self._draw_under_water(frame)
+            else:
+                self._draw_outdoors(frame)
 
         # The overlay covers everything.
         begin_pass("overlay")
@@ -306,6 +273,69 @@ class Island:
             draw("sword", self.sword, frame)
         if values.overlay.map:
             draw("map", self.map, frame)
+
+    def _draw_under_water(self, frame: Frame) -> None:
+        """Draw what an eye below the surface sees: bed, dragon, net of light, the surface."""
+        draw, under = self._draw, self.under
+        with under.around(frame):
+            draw("ground", self.stones, frame)
+            draw("ground", self.ground, frame)
+            draw("dragon", self.dragon, frame)
+            under.mirror(frame, lambda mirrored: draw("dragon", self.dragon, mirrored))
+            under.keep_below()
+            if isinstance(self.ground, Terrain):
+                with drawing("water"):
+                    under.lay_net(frame, lambda: draw("ground", self.ground, frame, "send"))
+            if self.dragon is not None:
+                with drawing("water"):
+                    under.lay_net(frame, lambda: draw("dragon", self.dragon, frame, "send"))
+            draw("water", under, frame)
+
+    def _draw_outdoors(self, frame: Frame) -> None:
+        """Draw what an eye above the water sees."""
+        draw, values = self._draw, self.settings
+        # Sorted once for both passes, when first needed.
+        sort = functools.cache(lambda: self.sprites.prepare(frame))
+        query = self.query if "water" in self.shown else None
+
+        # The mirrored scene comes first: the water will be blended over it.
+        early = query is None or query.expected(frame)
+        if early:
+            self._draw_reflection(frame, sort)
+
+        # Opaque elements: the depth buffer sorts them, so their order does not matter.
+        if in_parts := isinstance(self.castle, OrnateCastle):
+            draw("castle", self.castle, frame, "draw_solid")
+        with clipped(cut_level(values), values.ground.clip):
+            draw("ground", self.stones, frame)  # first: cheaper than the ground behind
+            draw("ground", self.ground, frame)
+            draw("rabbit", self.rabbit, frame)
+            draw("dragon", self.dragon, frame)
+        if query:
+            with drawing("water"):
+                query.ask(frame)
+        # OpenGL executes the calls so far while Python sorts, selects blades, computes waves.
+        gl.glFlush()
+        if self._sprites_shown:
+            sort()
+        draw("grass", self.grass, frame)
+        # The sky comes last of the opaque elements: it is not drawn where they cover it.
+        draw("sky", self.sky, frame)
+        gl.glFlush()
+
+        # Land may hide all of the sea; a mirror image that is a texture can be drawn this late.
+        water = query is None or query.shows()
+        if water and not early:
+            self._draw_reflection(frame, sort)
+
+        # Blended elements: the castle with its flames, the water over the mirrored scene, the
+        # mist on it, and the sprites from far to near.
+        draw("castle", self.castle, frame, "draw_rest" if in_parts else "draw")
+        if water:
+            draw("water", self.ring, frame)
+            draw("water", self.water, frame)
+        draw("mist", self.mist, frame)
+        self._draw_sprites(frame, sort)
 
     def _draw_reflection(self, frame: Frame, sort: Callable[[], Any]) -> None:
         """Draw what the water mirrors: ground, dragon, sky, sprites, and the castle if wanted."""
@@ -366,6 +396,11 @@ class Island:
     def height(self, x: float, z: float) -> float:
         """Return the height of what one stands on at x, z in units: the ground or the water."""
         return float(self.ground.height(x, z))
+
+    def bed(self, x: float, z: float) -> float:
+        """Return the height of the sea's bed at x, z in units; of the water where none can dive."""
+        dives = self.settings.water.under
+        return float(self.ground.terrain_height(x, z)) if dives else self.height(x, z)
 
     def depth(self, x: float, z: float) -> float:
         """Return the water's depth at x, z in units, 0 on land."""

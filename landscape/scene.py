@@ -72,6 +72,14 @@ class Watery(Protocol):
         """Return the water's depth in units at x, z, 0 on land."""
 
 
+@runtime_checkable
+class Diveable(Protocol):
+    """A terrain with water that one can look into from below; a scene's terrain need not be one."""
+
+    def bed(self, x: float, z: float) -> float:
+        """Return the height in units of the water's bed at x, z, or of the land."""
+
+
 class Fix(Protocol):
     """A fix that the walk can switch: settings for the flaw (``off``) and without it (``on``)."""
 
@@ -315,8 +323,17 @@ def placed(pose: Pose, terrain: Terrain, eye: float) -> Pose:
 
 
 def raised(pose: Pose, terrain: Terrain, eye: float) -> Pose:
-    """Return a view's pose, ``eye`` units above the ground if it lies below: on another island."""
+    """Return a view's pose, ``eye`` units above the ground if it lies below: on another island.
+
+    In water that one can dive into, only the bed counts.
+    """
     ground = float(terrain.height(pose.x, pose.z))
+    if (
+        isinstance(terrain, Diveable)
+        and pose.y is not None
+        and pose.y > terrain.bed(pose.x, pose.z)
+    ):
+        return pose
     return pose if pose.y is None or pose.y > ground else replace(pose, y=ground + eye)
 
 

@@ -600,6 +600,12 @@ class Water:
         unit="standard deviation",
         needs=("water", "water.glitter"),
     )
+    under: bool = setting(
+        False,
+        "glSkel, caustics",
+        "an eye below the surface sees water: fog, the surface from below, a net of light",
+        needs=("water",),
+    )
     relief: bool = setting(
         False, "R17, section 3.2", "waves displace the vertices", needs=("water",)
     )
@@ -1318,6 +1324,7 @@ BEST: dict[str, Value] = {
     "water.horizon_contrast": 0.3,
     "water.shallow": True,
     "water.caustics": True,
+    "water.under": True,
     "water.foam": True,
     "water.query": True,
     "water.fresnel": True,

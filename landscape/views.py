@@ -205,6 +205,8 @@ VIEWS = _table(
              40, shown=OUTDOORS, settings={"time": "sunset"}),
         View("dusk_gate", "torches at the castle's gate, after its last sun",
              walking(27.75, 18.85, 336.0, 14.0), 24, shown=OUTDOORS, settings={"time": "sunset"}),
+        View("under_water", "the net of light over the sea dragon and its bay's bed",
+             Pose(11.25, 0.2, 30.0, 340.0, 14.0), 40, shown=OUTDOORS),
         View("mist_bay", "mist over the bay, the serpent's head above it",
              Pose(9.0, 1.12, 32.6, 24.0, 0.0), 40, shown=OUTDOORS,
              settings={"mist.enabled": True}),

@@ -140,6 +140,7 @@ SHOTS = {
     "water.horizon": of_fix("stencil", value=400.0),
     "water.glitter": replace(GLINTING, value=0.1),
     "water.relief": of_fix("R17"),
+    "water.under": Shot(Pose(11.25, 0.2, 30.0, 340.0, 14.0), ("ground", "water")),
     "water.shallow": of_fix("best1"),
     "water.foam": of_fix("best2"),
     "water.ripples": of_fix("best1", value=0.5),

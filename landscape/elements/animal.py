@@ -90,6 +90,13 @@ class Animal(ABC):
                 self._list(frame).call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
+    def send(self, frame: Frame) -> None:
+        """Send the mesh at its place, whatever the state; back faces are left out as by draw."""
+        with matrix(), front_faces(self._closed and self._settings.camera.cull):
+            gl.glTranslatef(*self._place)
+            gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
+            self._list(frame).call()
+
     def _set_material(self) -> None:
         """Set the material: in 2006 only its colour, by GL_COLOR_MATERIAL."""
         gl.glColor4f(*COLOR)

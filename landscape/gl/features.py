@@ -81,6 +81,7 @@ FEATURES = {
     "overlay.sheen": Feature((CUBE_MAP,), 2),
     "overlay.blade": Feature((CUBE_MAP,), 2),
     "reflection.rippled in one pass": Feature((COMBINE, CROSSBAR), 3),
+    "water.under": Feature((COMBINE,)),
     "water.caustics": Feature((COMBINE, CROSSBAR), 7),
     "water.foam": Feature((COMBINE, DOT3), 2),
     "water.glitter": Feature((COMBINE,), 2),

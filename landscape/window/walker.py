@@ -18,7 +18,7 @@ from landscape.frame import Pose
 from landscape.geometry.bodies import Body, Embodied, Wish
 from landscape.geometry.obstacle_grid import Obstacles
 from landscape.geometry.obstacles import MARGIN, RADIUS
-from landscape.scene import Terrain, Watery
+from landscape.scene import Diveable, Terrain, Watery
 from landscape.window.collisions import (
     FLOOR,
     Surroundings,
@@ -121,6 +121,13 @@ def aimed(
 def start(pose: Pose, ground: Terrain, settings: Any) -> Walker:
     """Return a walker at a pose: flying if well above eye height, else (or with no y) on foot."""
     y = at_eye = float(ground.height(pose.x, pose.z)) + settings.walk.eye
+    if (
+        isinstance(ground, Diveable)
+        and pose.y is not None
+        and ground.bed(pose.x, pose.z) < pose.y < float(ground.height(pose.x, pose.z))
+    ):
+        walker = Walker(pose.x, pose.y, pose.z, pose.yaw, pose.pitch, 0.0, True)
+        return advance(walker, Intent(), 0.0, ground, (), settings)
     over = DROP if isinstance(ground, Embodied) else settings.walk.bob + FLOOR
     flying = pose.y is not None and pose.y > at_eye + over
     if flying:
@@ -319,6 +326,8 @@ def _fly(
 ) -> Walker:
     """Fly up to ``reach`` units along the line of sight, sideways and up, above all obstacles.
 
+    Where one can dive, one flies down to the bed: that is swimming under water.
+
     Who does not move stays where he is, beyond the map and below the ground, too: a view may be
     from there.
     """
@@ -341,7 +350,8 @@ def _fly(
         to = x + stride * vx, z + stride * vz
         x, z = reachable((x, z), to, ground, solid(near, y))
         under = [o.top for o in near if o.gap(x, z)[0] < RADIUS - 1e-6 and y >= o.top + FLOOR]
-        floor = max([float(ground.height(x, z)), *under]) + FLOOR
+        lowest = ground.bed(x, z) if isinstance(ground, Diveable) else ground.height(x, z)
+        floor = max([float(lowest), *under]) + FLOOR
         # The ceiling is as high as the map is wide: from there all of it is in view.
         y = min(max(y + stride * vy, floor), max(ground.size, floor))
         left -= stride * speed

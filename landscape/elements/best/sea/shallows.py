@@ -11,6 +11,7 @@ State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 import numpy as np
 
 from landscape.elements.sun import direction, painted
+from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.gl.calls import gl
 from landscape.gl.draw import level_square
@@ -40,6 +41,11 @@ def cut_level(settings: Settings) -> float:
     """
     straight = settings.reflection.enabled and not settings.reflection.rippled
     return settings.water.level - (SEEN if settings.water.shallow and not straight else 0.0)
+
+
+def submerged(frame: Frame, settings: Settings) -> bool:
+    """Return whether a frame is seen from below the water, and is to show that (under_water.py)."""
+    return settings.water.under and frame.eye_y < settings.water.level
 
 
 def sea_depths(field: HeightField) -> np.ndarray:

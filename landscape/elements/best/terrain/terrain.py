@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.elements.best.sea.shallows import cut_level
+from landscape.elements.best.sea.shallows import cut_level, submerged
 from landscape.elements.best.terrain import bed_light, wanted
 from landscape.elements.best.terrain.bed_light import BedLight, under_net
 from landscape.elements.best.terrain.cloud_shade import cloud_cover, clouds_shade
@@ -299,7 +299,8 @@ class Terrain(Ground):
             above = middles[:, 1] - halves[:, 1] <= level
         else:
             middles, halves = self._boxes
-            lowest = cut_level(self._settings) if self._settings.ground.clip else -np.inf
+            whole = not self._settings.ground.clip or submerged(frame, self._settings)
+            lowest = -np.inf if whole else cut_level(self._settings)
             above = middles[:, 1] + halves[:, 1] >= lowest
         kept = np.flatnonzero(boxes_in_view(frame, middles, halves) & above)
         away = np.maximum(np.abs(middles[kept] - frame.eye) - halves[kept], 0.0)
@@ -322,6 +323,13 @@ class Terrain(Ground):
             else:
                 self._draw_tiles(kept, frame)
         after.call()
+
+    def send(self, frame: Frame) -> None:
+        """Send the tiles in view, whatever the state; nothing where there are none."""
+        kept = self.tiles_in_view(frame).tolist()
+        with front_faces(self._settings.camera.cull):
+            for lists in self._tiles.values():
+                call_lists([lists[k] for k in kept if k in lists])
 
     def _draw_tiles(self, kept: list[int], frame: Frame) -> None:
         """Call the lists of these tiles, by their labels, the nearest of a label first."""

@@ -1,0 +1,209 @@
+"""Under water: what an eye below the sea's surface sees (``water.under``; glSkel, caustics).
+
+Technique: thick blue-green fog (GL_EXP) takes the place of the sky. Ground and dragon are drawn
+below the surface only (a clip plane), and a second time for the net of light: that multiplies what
+is there by twice the film of caustics (GL_DST_COLOR, GL_SRC_COLOR), with coordinates generated from
+the place in the world (GL_EYE_LINEAR, its planes given under the camera). The sun, bent by the
+surface, lights the second pass, and where something turns away from it, GL_INTERPOLATE moves the
+net towards 1/2, which changes nothing. So the net runs over the sunny side of what swims and leaves
+its belly. In this pass the fog is grey 1/2 for the same reason.
+The surface from below is a grid of rings around the eye. Each vertex bends the line of sight by
+Snell's law at the waves' normal: near the zenith one looks out, into a round window full of sky and
+sun; beyond 48 degrees all light is reflected, and the surface mirrors the deep and what swims.
+What is wrong with it: what stands above the water is not seen through the window, and nothing casts
+a shadow on the net.
+State used: GL_FOG, GL_CLIP_PLANE0, GL_LIGHTING, a texture unit with GL_COMBINE (OpenGL 1.3),
+generated coordinates, GL_BLEND.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+import numpy as np
+
+from landscape.elements import fog
+from landscape.elements.best.sea.waves import surface_normals, waves
+from landscape.elements.best.terrain.bed_light import PERIOD, REPEAT, SLANT
+from landscape.elements.caustic_film import MixedFilm, shipped
+from landscape.elements.reflection import MIRROR
+from landscape.elements.sun import direction
+from landscape.elements.water_surface import wave_time
+from landscape.files.assets import Assets
+from landscape.frame import Frame
+from landscape.geometry.height_field import HeightField
+from landscape.geometry.mesh import grid_triangles
+from landscape.gl.calls import gl
+from landscape.gl.features import possible
+from landscape.gl.state import attrib, client_arrays, combine, matrix
+from landscape.settings import Settings
+
+INDEX = 1.333  # of refraction, of water
+# Chosen: RGB of the water around the eye, and how thick it is, per unit.
+WATER, DENSITY = (0.07, 0.33, 0.38), 0.42
+DEEP = (0.05, 0.30, 0.36)  # chosen: RGB of what the surface mirrors where it lets no light through
+SKY, HIGH = (0.62, 0.86, 0.93), (0.80, 0.96, 0.98)  # chosen: RGB of the window's rim and middle
+GLARE, POWER = (1.0, 0.97, 0.85), 90.0  # chosen: RGB of the sun in the window, and how small it is
+MIRRORS = 0.62  # chosen: opacity of the surface where it mirrors
+NEAREST, FARTHEST = 0.012, 16.0  # chosen: radii of the grid's rings, units
+RINGS, SIDES = 84, 120  # chosen
+TILT = 1.1  # chosen: how much steeper the waves look from below
+STRENGTH, AROUND = 0.8, 0.3  # chosen: of the net on what faces the sun, and on all else
+
+
+def rings(frame: Frame) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return x and z (RINGS, SIDES + 1) of the grid around the eye, and the gaps (RINGS,)."""
+    radius = np.geomspace(NEAREST, FARTHEST, RINGS)
+    turn = np.linspace(0.0, 2 * np.pi, SIDES + 1)
+    x = frame.pose.x + radius[:, None] * np.cos(turn)
+    z = frame.pose.z + radius[:, None] * np.sin(turn)
+    return x.astype(np.float32), z.astype(np.float32), np.gradient(radius).astype(np.float32)
+
+
+def looked_out(
+    sight: np.ndarray, normals: np.ndarray, towards: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return colours (n, 3) of the surface from below, and how much light it lets through (n,).
+
+    ``sight`` (n, 3) are unit lines of sight upwards, ``normals`` (n, 3) the waves', ``towards``
+    (3,) the sun. The share of light follows Schlick's approximation, by the angle in the air.
+    """
+    met = np.clip((sight * normals).sum(axis=1), 0.0, 1.0)
+    outside = 1.0 - INDEX**2 * (1.0 - met**2)  # square of the cosine in the air
+    seen = outside > 0.0
+    cosine = np.sqrt(np.where(seen, outside, 0.0))
+    facing = ((INDEX - 1.0) / (INDEX + 1.0)) ** 2
+    through = np.where(seen, 1.0 - (facing + (1.0 - facing) * (1.0 - cosine) ** 5), 0.0)
+    bent = INDEX * sight + (cosine - INDEX * met)[:, None] * normals
+    rise = np.clip(bent[:, 1:2], 0.0, 1.0)
+    sky = np.array(SKY) * (1.0 - rise) + np.array(HIGH) * rise
+    sun = np.clip(bent @ towards, 0.0, 1.0)[:, None] ** POWER
+    sky = sky + sun * (np.array(GLARE) - sky)
+    return np.array(DEEP) * (1.0 - through[:, None]) + sky * through[:, None], through
+
+
+def refracted(towards: np.ndarray) -> np.ndarray:
+    """Return the direction (3,) of the sun as seen through level water, of one in the air (3,)."""
+    x, z = towards[[0, 2]] / INDEX
+    return np.array([x, np.sqrt(max(1.0 - x * x - z * z, 0.0)), z])
+
+
+class UnderWater:
+    """The sea around an eye below its surface."""
+
+    def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
+        """Read the film of caustics; the sea is as large as ``field``."""
+        self._settings, self._level = settings, field.water_level
+        self._film = MixedFilm(shipped(assets))
+        self._possible = possible("water.under")
+
+    def apply(self, settings: Settings) -> bool:
+        """Apply new settings; return False, changing nothing, for another level of the water."""
+        if settings.water.level != self._settings.water.level:
+            return False
+        self._settings = settings
+        return True
+
+    @contextmanager
+    def around(self, frame: Frame) -> Iterator[None]:
+        """Let the block draw what is in the water, in its fog, and nothing above the surface."""
+        haze = replace(self._settings.fog, enabled=True, mode="exp", density=DENSITY, color=WATER)
+        with attrib(gl.GL_FOG_BIT | gl.GL_ENABLE_BIT):
+            gl.glClearColor(*WATER, 1.0)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+            fog.enable(haze)
+            self.keep_below()
+            yield
+
+    def keep_below(self) -> None:
+        """Clip what is above the water, under the current matrix.
+
+        Planes are not saved by GL_TRANSFORM_BIT: in Mesa one that is given again after it was
+        restored has no effect.
+        """
+        gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.0, -1.0, 0.0, self._level], np.float64))
+        gl.glEnable(gl.GL_CLIP_PLANE0)
+
+    def mirror(self, frame: Frame, draw: Callable[[Frame], None]) -> None:
+        """Draw what the surface mirrors: what ``draw`` draws, upside down above it."""
+        with matrix(), attrib(gl.GL_POLYGON_BIT):
+            gl.glTranslatef(0.0, self._level, 0.0)
+            gl.glMultMatrixf(MIRROR)
+            gl.glTranslatef(0.0, -self._level, 0.0)
+            gl.glFrontFace(gl.GL_CW)
+            self.keep_below()
+            draw(replace(frame, mirrored=True))
+
+    def lay_net(self, frame: Frame, send: Callable[[], None]) -> None:
+        """Multiply what ``send`` sends once more by the net of light, where it faces upwards."""
+        if not (self._possible and self._settings.water.caustics):
+            return
+        groups = gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT | gl.GL_TEXTURE_BIT | gl.GL_FOG_BIT
+        groups |= gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT
+        with attrib(groups):
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_DST_COLOR, gl.GL_SRC_COLOR)
+            gl.glDepthMask(gl.GL_FALSE)
+            gl.glDepthFunc(gl.GL_LEQUAL)
+            grey = np.array([0.5, 0.5, 0.5, 1.0], np.float32)
+            gl.glFogfv(gl.GL_FOG_COLOR, grey)
+            self._shine()
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            self._film.bind(frame.kt / PERIOD)
+            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, grey)
+            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "CONSTANT"})
+            combine({"SRC2_RGB": "PRIMARY_COLOR", "OPERAND2_RGB": "SRC_COLOR"})
+            slant = SLANT * REPEAT
+            for name, plane in zip(
+                "ST", ((REPEAT, slant, 0.0, 0.0), (0.0, slant, REPEAT, 0.0)), strict=True
+            ):
+                coordinate = getattr(gl, f"GL_{name}")
+                gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
+                gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, np.array(plane, np.float32))
+                gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+            send()
+
+    def _shine(self) -> None:
+        """Let the primary colour be how strong the net is: on what faces the sun, and around."""
+        black, white = np.zeros(4, np.float32), np.ones(4, np.float32)
+        gl.glEnable(gl.GL_LIGHTING)
+        gl.glDisable(gl.GL_COLOR_MATERIAL)
+        gl.glEnable(gl.GL_NORMALIZE)
+        gl.glDisable(gl.GL_LIGHT1)
+        gl.glEnable(gl.GL_LIGHT0)
+        gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, white * np.float32(AROUND))
+        gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, black)
+        gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, black)
+        gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, white * np.float32(STRENGTH))
+        place = np.append(refracted(direction(self._settings.sun)), 0.0).astype(np.float32)
+        gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, place)
+        gl.glMaterialfv(gl.GL_FRONT, gl.GL_AMBIENT_AND_DIFFUSE, white)
+        gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, black)
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the surface from below."""
+        x, z, gaps = rings(frame)
+        t = wave_time(frame.kt, self._settings.water)
+        _lift, slope_x, slope_z = waves(x, z, gaps, t)
+        normals = surface_normals(TILT * slope_x, TILT * slope_z)
+        places = np.stack([x.ravel(), np.full(x.size, self._level), z.ravel()], axis=1)
+        sight = places - frame.eye
+        sight /= np.linalg.norm(sight, axis=1, keepdims=True)
+        colours = np.ones((len(places), 4))
+        colours[:, :3], through = looked_out(sight, normals, direction(self._settings.sun))
+        colours[:, 3] = MIRRORS + (1.0 - MIRRORS) * through
+        triangles = grid_triangles(SIDES + 1, RINGS)
+        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
+        with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):
+            gl.glDisable(gl.GL_CLIP_PLANE0)
+            gl.glDisable(gl.GL_LIGHTING)
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+            sent = np.ascontiguousarray(places, np.float32), np.float32(colours)
+            with client_arrays(sent[0], None, np.ascontiguousarray(sent[1])):
+                gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+    def release(self) -> None:
+        """Delete the film; may be called twice."""
+        self._film.release()

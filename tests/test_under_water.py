@@ -1,0 +1,117 @@
+"""Under water: Snell's window, the net of light over bed and dragon, and how one gets there."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from stage import SIZE, SMALL_BEST, Stage
+
+from landscape.elements.best.sea.under_water import INDEX, looked_out, refracted
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.island import Island, terrain
+from landscape.keys import with_settings
+from landscape.scene import Moment, find_view
+from landscape.settings import PRESETS, Settings
+from landscape.window.walker import Intent, advance, start
+
+UNDER = find_view("under_water")[1].pose
+SHOWN = ("ground", "water", "dragon", "fog")
+BEST = with_settings(Settings(), {**PRESETS["best"], **SMALL_BEST})
+UP = np.array([[0.0, 1.0, 0.0]])
+
+
+def line(degrees: float) -> np.ndarray:
+    """Return a line of sight (1, 3) that leaves the zenith by an angle."""
+    return np.array([[np.sin(np.radians(degrees)), np.cos(np.radians(degrees)), 0.0]])
+
+
+@pytest.fixture(scope="module")
+def islands(the_stage: Stage) -> Iterator[dict[bool, Island]]:
+    """The islands opened so far, by ``water.caustics``."""
+    kept: dict[bool, Island] = {}
+    yield kept
+    the_stage.enter()
+    for island in kept.values():
+        island.release()
+
+
+def picture(
+    stage: Stage,
+    islands: dict[bool, Island],
+    net: bool = True,
+    pose: Pose = UNDER,
+    shown: tuple[str, ...] = SHOWN,
+) -> np.ndarray:
+    """Return the picture, int64 (h, w, 3), with the net of light or without."""
+    with stage.borrowed():
+        if net not in islands:
+            settings = with_settings(BEST, {"water.caustics": net})
+            islands[net] = Island(settings, Assets(), only=SHOWN)
+        islands[net].shown = set(shown)
+        islands[net].draw(Moment(pose, SIZE, 40.0))
+        return stage.read()
+
+
+def test_light_comes_through_a_window_of_48_degrees_and_from_nowhere_else() -> None:
+    edge = np.degrees(np.arcsin(1.0 / INDEX))
+    assert edge == pytest.approx(48.6, abs=0.1)
+    through = [
+        looked_out(line(angle), UP, UP[0])[1][0] for angle in (0, 30, edge - 0.5, edge + 0.5)
+    ]
+    assert through[0] == pytest.approx(0.98, abs=0.001)
+    assert 0.9 < through[1] < through[0] and 0.0 < through[2] < 0.7 and through[3] == 0.0
+
+
+def test_the_sun_under_water_is_bent_towards_the_zenith_by_snell_s_law() -> None:
+    sun = np.array([np.cos(np.radians(30.0)), np.sin(np.radians(30.0)), 0.0])
+    below = refracted(sun)
+    assert np.linalg.norm(below) == pytest.approx(1.0)
+    assert sun[0] == pytest.approx(INDEX * below[0]) and below[1] > sun[1]
+
+
+def test_the_net_of_light_lies_on_bed_and_dragon_and_keeps_their_mean(
+    stage: Stage, islands: dict[bool, Island]
+) -> None:
+    plain, with_net = (picture(stage, islands, net) for net in (False, True))
+    change = np.abs(with_net - plain).max(axis=2)
+    alone = picture(stage, islands, False, shown=("ground", "water", "fog"))
+    dragon = (alone != plain).any(axis=2)
+    assert (change[dragon] > 8).mean() > 0.1, "on the dragon"
+    bed = ~dragon & (np.arange(SIZE[1])[:, None] > 0.75 * SIZE[1])
+    assert (change[bed] > 8).mean() > 0.3, "on the bed"
+    assert with_net[bed].mean() == pytest.approx(plain[bed].mean(), rel=0.25)
+
+
+def test_above_the_surface_nothing_of_it_is_drawn(
+    stage: Stage, islands: dict[bool, Island]
+) -> None:
+    above = Pose(UNDER.x, 0.75, UNDER.z, UNDER.yaw, UNDER.pitch)
+    seen, below = picture(stage, islands, pose=above), picture(stage, islands)
+    assert (np.abs(below - seen).max(axis=2) > 20).mean() > 0.5
+    again = picture(stage, islands, pose=above)
+    assert (again == seen).all(), "the clip plane of the water above is as it was"
+
+
+def test_one_dives_by_flying_down_to_the_bed_and_no_farther() -> None:
+    class Bay:
+        """As much of the island as a walker asks for."""
+
+        field = terrain(BEST, Assets())
+        size = field.size
+        dives = True
+
+        def height(self, x: float, z: float) -> float:
+            return float(self.field.height(x, z))
+
+        def bed(self, x: float, z: float) -> float:
+            return float(self.field.terrain_height(x, z)) if self.dives else self.height(x, z)
+
+    bay = Bay()
+    who = start(UNDER, bay, BEST)
+    assert who.flying and (who.x, who.y, who.z) == (UNDER.x, UNDER.y, UNDER.z)
+    for _ in range(100):
+        who = advance(who, Intent(up=-1.0), 0.05, bay, (), BEST)
+    assert bay.bed(who.x, who.z) < who.y < bay.bed(who.x, who.z) + 0.06 < BEST.water.level
+    bay.dives = False
+    assert start(UNDER, bay, BEST).y > BEST.water.level
