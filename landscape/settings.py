@@ -602,7 +602,7 @@ class Water:
     )
     under: bool = setting(
         False,
-        "glSkel, caustics",
+        "glskel effects",
         "an eye below the surface sees water: fog, the surface from below, a net of light",
         needs=("water",),
     )
