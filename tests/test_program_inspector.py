@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from commands import SECONDS, TESTS, landscape, need_library, refused
+from PIL import ImageGrab
 from test_window import _wait_for, screen, xdotool
 
 from landscape.capture.edit_files import read
@@ -139,6 +140,7 @@ def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
         saved = tmp_path / "edits-0001.json"
         _wait_for(saved.exists, process, "the edits")
         assert told() == ["frame 0 255 0 0"], "the program stands still"
+        assert _seen(screen, (20, 20, 60, 40))[0] < 128, "the panel covers the red rectangle"
         xdotool(screen, "key", "F12")
         _wait_for(lambda: len(told()) > 3, process, "the frames after it")
         xdotool(screen, "key", "a", "Escape")
@@ -170,7 +172,7 @@ log = open(sys.path[0] + "/log.txt", "a")
 def display():
     glRectf(-0.1, -0.1, 0.1, 0.1)
     glFlush()
-    pixel = glReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_BYTE)
+    pixel = glReadPixels(40, 120, 1, 1, GL_RGB, GL_UNSIGNED_BYTE)
     print("display", *bytes(pixel), file=log, flush=True)
 
 def ticks(count):
@@ -213,11 +215,20 @@ def test_a_glut_program_waits_for_its_user_and_keeps_what_it_has_drawn(
         _wait_for(lambda: len(told()) == 5, process, "a picture for the inspector to look into")
         xdotool(screen, "key", "F12")
         assert _stands(told)
+        # With the inspector open and going on, it draws picture after picture.
+        xdotool(screen, "key", "F12", "space")
+        _wait_for(lambda: len(told()) > 8, process, "pictures under the panel")
     finally:
         process.kill()
         process.wait()
-    pictures = [line for line in told() if line.startswith("display")]
-    assert pictures == ["display 0 0 255", "display 0 0 255"], "the panel has left nothing behind"
+    pictures = {line for line in told() if line.startswith("display")}
+    assert pictures == {"display 0 0 255"}, "the panel has left nothing behind"
+
+
+def _seen(screen: dict[str, str], box: tuple[int, int, int, int]) -> np.ndarray:
+    """Return the mean colour of a box of the screen."""
+    shot = np.asarray(ImageGrab.grab(xdisplay=screen["DISPLAY"]).convert("RGB").crop(box))
+    return np.asarray(shot.reshape(-1, 3).mean(0))
 
 
 CLEARING = """
