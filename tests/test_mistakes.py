@@ -50,3 +50,24 @@ def test_a_stack_that_grows_is_told_though_the_picture_is_right(left: str, tmp_p
         report = grader.check(path)
     failed = [result.test.key for result in report.results if not result.passed]
     assert failed == ([] if left == "glFlush()" else ["stacks"])
+
+
+def test_what_gl_array_element_draws_counts_and_its_vertices_are_not_looked_at(
+    tmp_path: Path,
+) -> None:
+    folder = Path(__file__).parents[1] / "landscape" / "exercises" / "primitives"
+    code = (folder / "solution2.py").read_text(encoding="utf-8")
+    one_by_one = """    glBegin(kind)
+    for number in range(len(vertices)):
+        glArrayElement(number)
+    glEnd()
+"""
+    arrays = "    glDrawArrays(kind, 0, len(vertices))\n"
+    assert arrays in code
+    path = tmp_path / "mine.py"
+    path.write_text(code.replace(arrays, one_by_one))
+    with Grader(100) as grader:
+        assert grader.check(path).passed
+        path.write_text(path.read_text().replace("GL_TRIANGLES, TREES", "GL_LINES, TREES"))
+        failed = [result for result in grader.check(path).results if result.passed is False]
+    assert [result.test.key for result in failed] == ["picture"]

@@ -91,7 +91,7 @@ def state_matrix(state: Mapping[str, Any], name: str) -> np.ndarray:
 
 
 FROM_ARRAYS = (
-    *("glDrawArrays", "glDrawElements"),
+    *("glDrawArrays", "glDrawElements", "glDrawRangeElements"),
     *("glDrawElementsub", "glDrawElementsus", "glDrawElementsui"),  # PyOpenGL's
 )
 CURRENT = {
@@ -278,8 +278,8 @@ def _from_arrays(call: Call, now: _Current) -> list[list[list[float]]]:
         indices = list(range(int(call.args[1]), int(call.args[1]) + int(call.args[2])))
     elif isinstance(call.args[-1], list):
         indices = np.array(call.args[-1]).ravel().tolist()
-        if call.name == "glDrawElements":
-            indices = indices[: int(call.args[1])]
+        if not call.name.startswith("glDrawElementsu"):
+            indices = indices[: int(call.args[-3])]
     else:
         return []
     others = (

@@ -219,7 +219,8 @@ def _nothing_to_check(work: Evidence, solution: Evidence) -> Hint | None:
 
 def _empty(frame: Frame) -> bool:
     """Return whether nothing is drawn in a frame; it may be cleared."""
-    if any(spec.draws(name) for name in frame.names - {"glBegin", "glClear"}):
+    names = frame.names - {"glBegin", "glClear"}
+    if "glArrayElement" in names or any(spec.draws(name) for name in names):
         return False
     draws = drawn(frame.top, frame.numbers)
     return not any(len(draw.vertices) for draw in draws)  # mostly one is enough

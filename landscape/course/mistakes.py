@@ -96,7 +96,7 @@ def silent(work: Evidence, solution: Evidence) -> bool:
 def followed(work: Evidence) -> bool:
     """Return whether the vertices of all that is drawn are known.
 
-    They are not where they come from buffer objects, or by glInterleavedArrays or
+    They are not where they come from buffer objects, or by glInterleavedArrays, glArrayElement or
     glMultiDrawElements.
     """
     return all(map(_followed, work.frames.values()))
@@ -104,7 +104,7 @@ def followed(work: Evidence) -> bool:
 
 def _followed(frame: Frame) -> bool:
     drawn = {id(draw.call) for draw in frame.draws if len(draw.vertices)}
-    return all(
+    return "glArrayElement" not in frame.names and all(
         id(call) in drawn
         for call in frame.calls
         if call.name.startswith(("glDraw", "glMultiDraw")) and call.base not in NO_SHAPES

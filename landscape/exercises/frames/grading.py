@@ -303,6 +303,19 @@ def on_rim(work, solution):
                     distance=distance,
                     radius=RADIUS,
                 )
+        wanted = eight(lambda angle, each: at(*HUB, angle + 45 * each))(number)
+        for each, place in enumerate(places(work)(number)):
+            if np.abs(wanted - place).max(axis=1).min() > 0.05:
+                return hint(
+                    _(
+                        "In frame {frame} cabin number {number}, counted from 0, is at the rim, "
+                        "but at ({x:.2f}, {y:.2f}), where there should be none."
+                    ),
+                    frame=number,
+                    number=each,
+                    x=place[0],
+                    y=place[1],
+                )
     return None
 
 
@@ -325,7 +338,22 @@ def upright(work, solution):
 def people(work, solution):
     if silent(work, solution):
         return None
-    return known(PEOPLE, inside(work), FRAMES, SAME)
+    if told := known(PEOPLE, inside(work), FRAMES, SAME):
+        return told
+    for number in FRAMES:
+        for each, matrix in enumerate(inside(work)(number)):
+            if not SAME(matrix[:2, 2], FEET):
+                return hint(
+                    _(
+                        "In frame {frame} the feet of person number {number}, counted from 0, are "
+                        "at ({x:.2f}, {y:.2f}) in the frame of its cabin."
+                    ),
+                    frame=number,
+                    number=each,
+                    x=matrix[0, 2],
+                    y=matrix[1, 2],
+                )
+    return None
 
 
 @test(

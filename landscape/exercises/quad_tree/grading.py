@@ -223,7 +223,7 @@ QUARTERS = (
             ]
         ),
         _(
-            "There are holes between the tiles: the quarters are at the right places, but their "
+            "Most tiles are missing: the quarters are at the right places, but their "
             "size is halved twice."
         ),
     ),

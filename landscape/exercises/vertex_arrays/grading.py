@@ -8,7 +8,7 @@ from landscape.course.triangles import covered
 FRAMES = (0, 7)
 FROM_ARRAYS = (
     *("glDrawElements", "glDrawArrays", "glDrawRangeElements", "glMultiDrawElements"),
-    "glMultiDrawArrays",
+    *("glMultiDrawArrays", "glDrawElementsub", "glDrawElementsus", "glDrawElementsui"),
 )
 TABLE = 48  # vertices of the table
 MESH, TRIANGLES = 672, 1280  # vertices and triangles of the vase
@@ -90,6 +90,8 @@ def one_call(work, solution):
 )
 def enabled(work, solution):
     state = calls(work)[0].state
+    if not state:
+        return None  # it is not known inside display lists
     told = {
         "GL_VERTEX_ARRAY": _("glEnableClientState(GL_VERTEX_ARRAY) is missing: without vertices "
                              "line {line} draws nothing."),
@@ -111,6 +113,8 @@ def enabled(work, solution):
 )
 def described(work, solution):
     state = calls(work)[0].state
+    if not state:
+        return None  # it is not known inside display lists
     size = state["GL_VERTEX_ARRAY_SIZE"]
     if size != 3:
         return hint(
@@ -192,7 +196,11 @@ def whole(work, solution):
                 line=call.line,
             )  # fmt: skip
         return None
-    count = call.args[1] if call.name == "glDrawElements" else 3 * TRIANGLES
+    count = 3 * TRIANGLES
+    if call.name == "glDrawElements":
+        count = call.args[1]
+    elif call.name.startswith("glDrawElements"):
+        count = np.size(call.args[-1])
     if count == TRIANGLES:
         return hint(
             _("The count of line {line} is {count}: so many triangles there are, but indices are "

@@ -19,7 +19,7 @@ EVENTS = [
     for key, repeats in keys
     for action in ("press", *["repeat"] * repeats, "release")
 ] + [{"frame": 8, "resize": [240, 320]}]
-SKY = np.array((0.9, 0.5, 0.35))
+SKY = np.array((1, 0.5, 0.35))
 FREE = (4, -5)  # a pixel of the sky, which nothing ever hides
 LOW = (0.58, -5)  # another one; its row is a part of the height
 

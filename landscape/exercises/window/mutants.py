@@ -2,9 +2,9 @@
 
 from landscape.course.mutants import Mutant
 
-COLOR = "    glClearColor(0.9 * light, 0.5 * light, 0.35 * light, 1)\n"
+COLOR = "    glClearColor(light, 0.5 * light, 0.35 * light, 1)\n"
 CLEAR = "    glClear(GL_COLOR_BUFFER_BIT)\n"
-RGB = "(0.9 * light, 0.5 * light, 0.35 * light, 1)"
+RGB = "(light, 0.5 * light, 0.35 * light, 1)"
 PRESSED = "if action in (glfw.PRESS, glfw.REPEAT):"
 UP, DOWN = "light = min(light + 0.1, 1)", "light = max(light - 0.1, 0)"
 LOOP = "    while not glfw"
@@ -34,7 +34,7 @@ MUTANTS = {
         [
             (
                 CLEAR,
-                "    glColor3f(0.9 * light, 0.5 * light, 0.35 * light)\n    glRectf(-1, 0, 1, 1)\n",
+                "    glColor3f(light, 0.5 * light, 0.35 * light)\n    glRectf(-1, 0, 1, 1)\n",
             )
         ],
     ),
@@ -44,12 +44,12 @@ MUTANTS = {
     "bytes": Mutant(
         "counts to 255",
         "color",
-        [(RGB, "(255 * 0.9 * light, 255 * 0.5 * light, 255 * 0.35 * light, 1)")],
+        [(RGB, "(255 * light, 255 * 0.5 * light, 255 * 0.35 * light, 1)")],
     ),
     "blue_first": Mutant(
-        "gives blue first", "color", [(RGB, "(0.35 * light, 0.5 * light, 0.9 * light, 1)")]
+        "gives blue first", "color", [(RGB, "(0.35 * light, 0.5 * light, light, 1)")]
     ),
-    "without_light": Mutant("leaves light out", "color", [(RGB, "(0.9, 0.5, 0.35, 1)")]),
+    "without_light": Mutant("leaves light out", "color", [(RGB, "(1, 0.5, 0.35, 1)")]),
     "grey": Mutant("gives light to all channels", "color", [(RGB, "(light, light, light, 1)")]),
     "no_keys": Mutant("does not change light", "keys", [(UP, "pass"), (DOWN, "pass")]),
     "other_way": Mutant(

@@ -4,8 +4,8 @@ A street at dusk, and a moon that moves. The sky is black, as nothing fills the 
 colour, and the moon leaves a trail, as each picture is drawn over the one before it.
 
 Fill the whole window with the colour of the sky at the beginning of each picture. The colour
-depends on `light`: 0.9 times light of red, 0.5 times light of green, 0.35 times light of blue. In
-OpenGL, 1 is the full brightness of a channel.
+depends on `light`: its red is light itself, its green 0.5 times light, its blue 0.35 times light.
+In OpenGL, 1 is the full brightness of a channel.
 
 Then let the keys change it. Up adds 0.1 to `light`, and Down takes 0.1 away, once when the key is
 pressed, and once each time it is repeated because it is held; when it is let go, nothing happens.
@@ -26,7 +26,7 @@ light = 5  # in tenths
 
 def draw_sky():
     """Fill the window with the colour of the sky."""
-    glColor3f(0.09 * light, 0.05 * light, 0.035 * light)
+    glColor3f(0.1 * light, 0.05 * light, 0.035 * light)
     glBegin(GL_QUADS)
     for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
         glVertex2f(x, y)
