@@ -18,7 +18,7 @@ moves it, and yet it has a place in the picture.
 Keys: Left and Right turn the houses, Up and Down walk along the street.
 """
 # exercise: homogeneous
-# lessons: pinhole, perspective, frames
+# lessons: homogeneous, matrices, pinhole
 
 import glfw
 import numpy as np

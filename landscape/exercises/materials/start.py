@@ -15,7 +15,7 @@ set_sky in each picture, after it has placed the camera.
 Keys: Left and Right carry the camera around.
 """
 # exercise: materials
-# lessons: light_model, camera_light, world_light
+# lessons: light_model, two_lights, world_light
 
 import math
 

@@ -21,7 +21,7 @@ OpenGL only shows the picture. Change into_camera and to_pixel.
 Keys: Left and Right turn the camera, Up and Down tilt it, Space lifts it.
 """
 # exercise: projection
-# lessons: projection_by_hand, pinhole
+# lessons: projection_by_hand, similar_triangles
 
 import glfw
 import numpy as np

@@ -17,7 +17,7 @@ its own size only; it does not make the smaller ones.
 Keys: Up and Down walk.
 """
 # exercise: texture_filters
-# lessons: generated_texture
+# lessons: generated_texture, texture_objects
 
 import glfw
 import numpy as np

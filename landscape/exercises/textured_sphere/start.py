@@ -17,7 +17,7 @@ Change draw_planet. The ball keeps its shape and its light.
 Keys: Left and Right turn the planet, Up and Down tilt it.
 """
 # exercise: textured_sphere
-# lessons: textured_sphere, generated_texture
+# lessons: texture_map, textured_sphere
 
 import math
 
