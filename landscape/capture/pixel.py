@@ -23,6 +23,7 @@ from landscape.capture.primitives import Draw, Primitives, grouped, primitives
 from landscape.capture.probe import Draws, Pixel, Probe, enabled, number
 from landscape.capture.steps import Step, issue
 from landscape.capture.tape import Tape
+from landscape.capture.textures import completeness
 from landscape.errors import InputError
 from landscape.gl.calls import Call, gl
 
@@ -244,6 +245,10 @@ class _History:
             parts["primary"] = _list(value)
             parts["units"] = []
         for place, unit in enumerate(units):
+            if missing := self._incomplete(unit):
+                texts.append(f"unit {unit}: {missing}")
+                parts["units"].append({"unit": unit, "incomplete": missing})
+                continue
             result = self._through(draw, units, place + 1)
             texel = self._texel(draw, unit, units)
             mode = self._mode(unit)
@@ -282,6 +287,30 @@ class _History:
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
 
         return self._probe.fragment(draw, alone)[0]
+
+    def _incomplete(self, unit: int) -> str:
+        """Return why a unit's two-dimensional texture is not used, "" if it is."""
+        active = int(gl.glGetIntegerv(gl.GL_ACTIVE_TEXTURE))
+        gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+        try:
+            if any(enabled(name) for name in ("GL_TEXTURE_3D", "GL_TEXTURE_CUBE_MAP")):
+                return ""
+            if not enabled("GL_TEXTURE_2D"):
+                return ""
+            texture = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
+            what = completeness(texture)
+        finally:
+            gl.glActiveTexture(active)
+        if what is None:
+            return ""
+        _, value, sizes = what
+        if value == "empty":
+            return f"texture {texture} has no image, so it is not used"
+        size = f"{sizes['width']} x {sizes['height']}"
+        return (
+            f"texture {texture} is incomplete, so it is not used: {value} reads level "
+            f"{sizes['level']} ({size}), which is missing"
+        )
 
     def _mode(self, unit: int) -> str:
         """Return how a texture unit mixes its texel with the colour."""

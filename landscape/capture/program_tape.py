@@ -11,7 +11,7 @@ from landscape.capture.edits import Edits
 from landscape.capture.image_rows import Origins, noted
 from landscape.capture.past import Past, Setters, chains_of
 from landscape.capture.program import Window, run
-from landscape.capture.shown import shown_otherwise
+from landscape.capture.shown import shown_otherwise, without_effect
 from landscape.capture.tape import Tape
 from landscape.gl.calls import (
     Call,
@@ -112,9 +112,11 @@ class _Taping(ExitStack):
         calls = self._recorder.calls
         if not calls:
             self._notices.append(f"{self._path}: has called nothing of OpenGL through PyOpenGL")
-        self._notices += [
-            f"{self._path}: {text}" for text in shown_otherwise(self._window, calls, self._begin)
+        told = [
+            *shown_otherwise(self._window, calls, self._begin),
+            *without_effect(self._recorder.glu),
         ]
+        self._notices += [f"{self._path}: {text}" for text in dict.fromkeys(told)]
         with unnoted():
             tape = Tape(
                 calls,

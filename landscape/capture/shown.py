@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from landscape.capture import spec
 from landscape.capture.program import Window
-from landscape.gl.calls import Call
+from landscape.gl.calls import Call, GluCall
 
 FRONT = {0x0400, 0x0401, 0x0404}  # GL_FRONT_LEFT, GL_FRONT_RIGHT, GL_FRONT
 
@@ -50,6 +50,20 @@ def shown_otherwise(window: Window, calls: Sequence[Call], begin: int) -> Iterat
             f"line {showing.line}: swaps once more without drawing in between: the window shows "
             "the other buffer, not the picture that was drawn"
         )
+
+
+def without_effect(notes: Sequence[GluCall]) -> Iterator[str]:
+    """Yield lines about calls of GLU that make none of OpenGL, as others of the same name do."""
+    for note in notes:
+        if note.name in MATRICES and note.begin == note.end:
+            values = ", ".join(
+                f"{value:g}" for value in note.args if isinstance(value, (int, float))
+            )
+            why = ": the aspect is 0" if note.name == "gluPerspective" and not note.args[1] else ""
+            yield f"line {note.site.line}: {note.name}({values}) has no effect{why}"
+
+
+MATRICES = ("gluPerspective", "gluPickMatrix")
 
 
 def front_line(calls: Sequence[Call]) -> int:

@@ -184,8 +184,9 @@ def changed(state: Mapping[str, Any], size: tuple[int, int] | None = None) -> di
 
     ``size`` is that of the window, in pixels: initially the viewport and the scissor box cover it.
     Without it a viewport, or a scissor box without scissor test, is as at the beginning if its
-    corner is at 0, 0. The buffer drawn to and read from is so if it is the one that a window or a
-    framebuffer starts with. GL_POINT_SIZE_MAX, initially each OpenGL's own, is left out.
+    corner is at 0, 0 and it has an area. The buffer drawn to and read from is so if it is the one
+    that a window or a framebuffer starts with. GL_POINT_SIZE_MAX, initially each OpenGL's own, is
+    left out.
     """
     initial = {name: value for name, value in DEFAULTS.items() if name in state}
     for name in ("GL_VIEWPORT", "GL_SCISSOR_BOX"):
@@ -195,8 +196,10 @@ def changed(state: Mapping[str, Any], size: tuple[int, int] | None = None) -> di
         whole_window = name == "GL_VIEWPORT" or not state.get("GL_SCISSOR_TEST")
         if size is not None:
             initial[name] = [0, 0, *size]
-        elif whole_window and box[:2] == [0, 0]:
+        elif whole_window and box[:2] == [0, 0] and all(box[2:]):
             initial[name] = box
+        elif not all(box[2:]):
+            initial.pop(name, None)  # no window begins with a box without area
     for name in ("GL_DRAW_BUFFER", "GL_READ_BUFFER"):
         if state.get(name) in SINGLE_OR_DOUBLE:
             initial[name] = state[name]

@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
 
-from landscape.capture.pixel import history
+from landscape.capture.pixel import Row, history
 from landscape.capture.tape import Tape
 from landscape.errors import InputError
 from landscape.gl.calls import Call
 from landscape.scene import find_view
 from landscape.tools import pixel_report, state_report, trace_diff, trace_text
 from landscape.tools.target import Target
+from landscape.why.walk import unseen_draws, without_trace
 
 
 def trace(target: Target, options: argparse.Namespace) -> int:
@@ -24,7 +25,11 @@ def trace(target: Target, options: argparse.Namespace) -> int:
                 f"--element {options.element!r}: expected one of {', '.join(kind.elements)}, frame"
             )
 
+    idle: set[str] = set()
+
     def calls(tape: Tape) -> list[Call]:
+        if target.is_program and not options.json:
+            idle.update(without_trace(tape))
         names = dict.fromkeys(name for call in tape.calls for name in call.shared_by)
         if options.element and target.is_program and options.element not in names:
             raise InputError(f"--element {options.element!r}: expected one of {', '.join(names)}")
@@ -32,7 +37,8 @@ def trace(target: Target, options: argparse.Namespace) -> int:
 
     first = target.look(calls)
     if not (options.diff or options.diff_set or options.diff_preset or options.diff_edits):
-        return _print(options, [call.as_json() for call in first], trace_text.as_text(first))
+        text = trace_text.as_text(first, idle=idle)
+        return _print(options, [call.as_json() for call in first], text)
     second = replace(
         target,
         name=options.diff or target.name,
@@ -46,8 +52,19 @@ def trace(target: Target, options: argparse.Namespace) -> int:
 
 def pixel(target: Target, options: argparse.Namespace) -> int:
     """Print what happened to a pixel."""
-    rows = target.look(lambda tape: history(tape, *options.pixel))
-    return _print(options, [row.as_json() for row in rows], pixel_report.as_text(rows))
+
+    def look(tape: Tape) -> tuple[list[Row], list[int] | None, list[str]]:
+        rows = history(tape, *options.pixel)
+        x, y = options.pixel
+        before = None
+        if tape.before is not None:
+            before = [int(value) for value in tape.before.color[tape.size[1] - 1 - y, x, :3]]
+        unseen = [] if options.json or not target.is_program else unseen_draws(tape)
+        return rows, before, unseen
+
+    rows, before, unseen = target.look(look)
+    text = pixel_report.as_text(rows, before, unseen)
+    return _print(options, [row.as_json() for row in rows], text)
 
 
 def state(target: Target, options: argparse.Namespace) -> int:

@@ -1,6 +1,6 @@
 """A frame as the list of OpenGL calls that draw it, as text."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 
 from landscape.capture.edits import as_code
 from landscape.gl.calls import Call
@@ -16,15 +16,21 @@ def chosen(calls: Sequence[Call], element: str | None, pass_: str | None) -> lis
 
 
 def as_text(
-    calls: Sequence[Call], inside: str = "", indent: str = "", pass_: str = ""
+    calls: Sequence[Call],
+    inside: str = "",
+    indent: str = "",
+    pass_: str = "",
+    idle: Container[str] = (),
 ) -> Iterator[str]:
     """Yield a line per call: its number, pass, element, source, and the call as code.
 
     ``pass_`` is the one in which a display list is called; it may have been compiled in another.
+    ``idle`` has the places of draws that change no pixel.
     """
     for index, call in enumerate(calls):
         place = f"{inside}.{index}" if inside else str(call.number)
         where = f"{place:>9} {pass_ or call.pass_:10} {call.element:10} {call.source:44}"
         left_out = "  (left out)" if call.skipped else ""
-        yield f"{where} {indent}{as_code(call)}{left_out}"
-        yield from as_text(call.listed, place, indent + "  ", pass_ or call.pass_)
+        nothing = "  (changes no pixel)" if place in idle else ""
+        yield f"{where} {indent}{as_code(call)}{left_out}{nothing}"
+        yield from as_text(call.listed, place, indent + "  ", pass_ or call.pass_, idle)

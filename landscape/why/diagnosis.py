@@ -28,7 +28,7 @@ from landscape.why import (
     rules_texture,
     rules_window,
 )
-from landscape.why.findings import mend, text, word
+from landscape.why.findings import FAMILIES, mend, text, word
 from landscape.why.survey import Survey, survey
 from landscape.why.suspects import Rule, Suspect
 from landscape.why.trial import changed
@@ -50,7 +50,7 @@ LIMIT = 8.0  # seconds that the search may take; chosen
 LEAST = 12  # pixels that must differ for a proof; chosen
 PAIRS = 6  # suspects that are tried in pairs; chosen
 MOST = 3  # causes that are named; chosen
-WEAKER = 12  # by how much less likely a second cause may be to be named, too; chosen
+WEAKER = 6  # by how much less likely a second cause may be to be named, too; chosen
 
 
 @dataclass(frozen=True)
@@ -212,7 +212,8 @@ def _distinct(proven: Sequence[tuple[Suspect, int]]) -> list[tuple[Suspect, int]
     seen: set[Any] = set()
     kept = []
     for suspect, pixels in proven:
-        keys = {("cause", suspect.cause), ("state", suspect.state or suspect.cause)}
+        family = FAMILIES.get(suspect.cause, suspect.cause)
+        keys = {("family", family), ("state", suspect.state or suspect.cause)}
         if not keys & seen:
             kept.append((suspect, pixels))
         seen |= keys

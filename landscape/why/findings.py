@@ -325,6 +325,19 @@ WORDS: Texts = {
     "walk": "Draws that leave no trace, through the pipeline:",
 }
 
+FAMILIES: dict[str, str] = {
+    **dict.fromkeys(
+        ("cull-front", "front-face", "culled", "inside-out", "mirrored", "inside", "winding"),
+        "culling",
+    ),
+    **dict.fromkeys(("depth-func", "clear-depth", "depth-range", "depth-test"), "depth"),
+    **dict.fromkeys(
+        ("behind", "beyond-near", "beyond-far", "beside", "no-projection", "not-undone"), "outside"
+    ),
+    **dict.fromkeys(("light-off", "light-black", "light-far-side", "no-color-material"), "light"),
+}
+"""Causes that exclude each other: of each family only the likeliest is named."""
+
 IDS = tuple(key for key in CAUSES if not key.endswith(".mend"))
 
 

@@ -366,7 +366,7 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         d for d in diffuse if d.setter("GL_CURRENT_COLOR") is not None or _within(d, "glColor")
     ]
     colored = [d for d in colored if not d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
-    if not colored:
+    if not any(_colorful(d) for d in colored):
         return
     yield Suspect(
         "no-color-material",
@@ -383,6 +383,13 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
 
 def _line(call: Call | GluCall | None) -> int:
     return call.site.line if call is not None else 0
+
+
+def _colorful(draw: Drawn) -> bool:
+    """Return whether glColor gives a draw a colour, not a grey, which lighting may show as well."""
+    given = list(draw.vertices.colors) if draw.vertices is not None else []
+    colors = [*given, tuple(draw.state["GL_CURRENT_COLOR"])]
+    return any(max(color[:3]) - min(color[:3]) > 0.1 for color in colors)
 
 
 def _within(draw: Drawn, name: str) -> bool:

@@ -26,7 +26,7 @@ from landscape.why.suspects import (
     with_planes,
     with_state,
 )
-from landscape.why.trial import Action, Around, Change
+from landscape.why.trial import Action, Around, Change, changed
 
 INVERT = [
     ("glDisable", (0x0BE2,)),  # GL_BLEND
@@ -251,7 +251,10 @@ def holes(survey: Survey) -> Iterator[Suspect]:
             )
         elif closed(draw) and draw.state["GL_DEPTH_TEST"] and not _inside([draw]):
             # Lifting culling adds nothing to a closed shape that is wound the right way.
-            for suspect in _culling(survey, [draw], 76):
+            lifted_ = survey.trial.picture(off("GL_CULL_FACE", [draw]))
+            if lifted_ is None or changed(survey.base, lifted_).sum() < draw.covered // 8:
+                continue
+            for suspect in _culling(survey, [draw], 84):
                 if suspect.cause == "culled":
                     suspect.cause = "inside-out"
                 suspect.least = draw.covered // 8

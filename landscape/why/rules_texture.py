@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from landscape.capture.image_rows import key_of
+from landscape.capture.textures import completeness, size_of
 from landscape.gl.calls import Call, gl
 from landscape.why.survey import Drawn, Survey
 from landscape.why.suspects import Suspect, off, with_state, written
@@ -19,7 +20,6 @@ ENABLED = "GL_TEXTURE0.GL_TEXTURE_2D"
 BOUND = "GL_TEXTURE0.GL_TEXTURE_BINDING_2D"
 CHANNELS = {0x1907: 3, 0x1908: 4, 0x80E0: 3, 0x80E1: 4, 0x1909: 1, 0x190A: 2, 0x1906: 1, 0x1903: 1}
 BYTE = 0x1401  # GL_UNSIGNED_BYTE
-MIPMAPPED = (0x2700, 0x2701, 0x2702, 0x2703)  # filters that read smaller levels
 
 
 def uploads(survey: Survey) -> list[tuple[Call, int, int]]:
@@ -187,49 +187,6 @@ def incomplete(survey: Survey) -> Iterator[Suspect]:
         )
 
 
-def completeness(texture: int) -> tuple[str, Any, dict[str, Any]] | None:
-    """Return why a texture is not complete: state, value, numbers for the text; None if it is."""
-    former = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
-    gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
-    try:
-        sizes = [_level(0)]
-        if not all(sizes[0]):
-            return "GL_TEXTURE_BINDING_2D", "empty", {"level": 0}
-        wanted = int(gl.glGetTexParameteriv(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER))
-        if wanted not in MIPMAPPED:
-            return None
-        most = int(gl.glGetTexParameteriv(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL))
-        width, height = sizes[0]
-        level = 0
-        while (width > 1 or height > 1) and level < most:
-            width, height, level = max(width // 2, 1), max(height // 2, 1), level + 1
-            if _level(level) != (width, height):
-                return (
-                    "GL_TEXTURE_MIN_FILTER",
-                    MIN_FILTERS[wanted],
-                    {"level": level, "width": width, "height": height},
-                )
-        return None
-    finally:
-        gl.glBindTexture(gl.GL_TEXTURE_2D, former)
-
-
-MIN_FILTERS = {
-    0x2700: "GL_NEAREST_MIPMAP_NEAREST",
-    0x2701: "GL_LINEAR_MIPMAP_NEAREST",
-    0x2702: "GL_NEAREST_MIPMAP_LINEAR",
-    0x2703: "GL_LINEAR_MIPMAP_LINEAR",
-}
-
-
-def _level(level: int) -> tuple[int, int]:
-    width, height = (
-        int(gl.glGetTexLevelParameteriv(gl.GL_TEXTURE_2D, level, name))
-        for name in (gl.GL_TEXTURE_WIDTH, gl.GL_TEXTURE_HEIGHT)
-    )
-    return width, height
-
-
 def _parameter(survey: Survey, texture: int) -> Call | None:
     """Return the call that set a texture's filter, or else the one that gave it its image."""
     bound = 0
@@ -323,7 +280,7 @@ def _in_pixels(survey: Survey, draw: Drawn, texture: int) -> Suspect | None:
     assert found is not None and found.coords is not None
     former = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
     gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
-    width, height = _level(0)
+    width, height = size_of(0)
     gl.glBindTexture(gl.GL_TEXTURE_2D, former)
     s, t = (float(np.ptp(found.coords[:, k])) for k in (0, 1))
     matrix = np.array(draw.state["GL_TEXTURE0.GL_TEXTURE_MATRIX"], float)

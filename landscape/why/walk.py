@@ -7,8 +7,9 @@ test and with all, the pixels that they change, and which tests are on.
 from collections.abc import Iterator
 
 from landscape.capture.edits import as_code
+from landscape.capture.tape import Tape
 from landscape.languages import Texts, translator
-from landscape.why.survey import Drawn, Survey
+from landscape.why.survey import Drawn, Survey, survey
 from landscape.why.suspects import near_far
 
 TEXTS: Texts = {
@@ -37,9 +38,27 @@ TESTS = (
 MOST = 4  # draws that are described; chosen
 
 
-def lines(survey: Survey, language: str) -> Iterator[str]:
+def unseen_draws(tape: Tape, language: str = "en") -> list[str]:
+    """Return lines about the draws of a tape's frame that leave no trace, as :func:`lines` does."""
+    found = survey(tape, None)
+    try:
+        return list(lines(found, language))
+    finally:
+        found.trial.release()
+
+
+def without_trace(tape: Tape) -> set[str]:
+    """Return the places of the draws that change no pixel, where there are not too many draws."""
+    found = survey(tape, None)
+    try:
+        return {draw.place for draw in found.shapes if draw.changed == 0}
+    finally:
+        found.trial.release()
+
+
+def lines(found: Survey, language: str) -> Iterator[str]:
     """Yield lines about the draws that leave no trace in the picture."""
-    hidden = [draw for draw in survey.shapes if not survey.seen(draw)]
+    hidden = [draw for draw in found.shapes if not found.seen(draw)]
     for draw in hidden[:MOST]:
         yield _text(
             language, "draw", place=draw.place, code=as_code(draw.call), source=draw.call.source
