@@ -48,7 +48,12 @@ def unseen_draws(tape: Tape, language: str = "en") -> list[str]:
 
 
 def without_trace(tape: Tape) -> set[str]:
-    """Return the places of the draws that change no pixel, where there are not too many draws."""
+    """Return the places of the draws that change no pixel, where there are not too many draws.
+
+    No places where the frame cannot be drawn again, in a core profile.
+    """
+    if not tape.start:
+        return set()
     found = survey(tape, None)
     try:
         return {draw.place for draw in found.shapes if draw.changed == 0}
