@@ -140,7 +140,8 @@ def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
         saved = tmp_path / "edits-0001.json"
         _wait_for(saved.exists, process, "the edits")
         assert told() == ["frame 0 255 0 0"], "the program stands still"
-        assert _seen(screen, (20, 20, 60, 40))[0] < 128, "the panel covers the red rectangle"
+        covered = (20, 20, 60, 40)  # by the panel, which is dark: the rectangle is red
+        _wait_for(lambda: bool(_seen(screen, covered)[0] < 128), process, "the panel")
         xdotool(screen, "key", "F12")
         _wait_for(lambda: len(told()) > 3, process, "the frames after it")
         xdotool(screen, "key", "a", "Escape")
@@ -223,6 +224,49 @@ def test_a_glut_program_waits_for_its_user_and_keeps_what_it_has_drawn(
         process.wait()
     pictures = {line for line in told() if line.startswith("display")}
     assert pictures == {"display 0 0 255"}, "the panel has left nothing behind"
+
+
+UNSEEN = """
+import sys
+from OpenGL.GL import *
+from OpenGL.GLUT import *
+
+def display():
+    glClear(GL_COLOR_BUFFER_BIT)
+    glFlush()
+
+glutInit(sys.argv)
+glutInitDisplayMode(GLUT_DOUBLE)
+glutInitWindowSize(320, 240)
+glutCreateWindow("Unseen")
+glutDisplayFunc(display)
+glClearColor(0.0, 0.0, 1.0, 1.0)
+glutMainLoop()
+"""
+
+
+def test_a_picture_that_is_never_swapped_is_seen_in_the_inspector_only(
+    screen: dict[str, str], tmp_path: Path
+) -> None:
+    need_library("glut")
+    program = tmp_path / "unseen.py"
+    program.write_text(UNSEEN)
+    words = [sys.executable, "-m", "landscape", "inspect", str(program)]
+    process = subprocess.Popen(words, env=screen, cwd=tmp_path)
+    beside_the_panel = (280, 200, 300, 220)
+    try:
+        window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^Unseen")
+        xdotool(screen, "windowfocus", "--sync", window)
+
+        def blue() -> float:
+            return float(_seen(screen, beside_the_panel)[2])
+
+        _wait_for(lambda: blue() == 255, process, "the inspector's picture")
+        xdotool(screen, "key", "F12")
+        _wait_for(lambda: blue() == 0, process, "the black window")
+    finally:
+        process.kill()
+        process.wait()
 
 
 def _seen(screen: dict[str, str], box: tuple[int, int, int, int]) -> np.ndarray:

@@ -10,6 +10,8 @@ import sys
 import time
 from collections.abc import Mapping
 
+import numpy as np
+
 from landscape.capture.buffers import Buffers
 from landscape.capture.program import Run, Window
 from landscape.capture.program_events import KEYS
@@ -79,12 +81,17 @@ class LiveWindow:
         self._glfw.poll_events()  # only now it changes
 
     def end_frame(self, shows: bool = True) -> None:
-        """End the program's frame, show it unless the program does not, and begin the next one."""
-        kept = self._read() if self._keeps else None
+        """End the program's frame, show it unless the program does not, and begin the next one.
+
+        A window in which nothing was ever shown is black.
+        """
+        kept = self._read() if self._keeps or not shows else None
         self._run.end_frame()
         self._keep_pace()
-        if shows:
-            self._glfw.swap_buffers(self._window)
+        if kept is not None and not shows:
+            with unnoted():
+                _black(kept).write()  # instead of what the inspector has shown meanwhile
+        self._glfw.swap_buffers(self._window)
         if kept is not None:
             with unnoted():
                 kept.write()
@@ -107,3 +114,8 @@ class LiveWindow:
             self._glfw.destroy_window(self._window)
             self._window = None
             self._glfw.terminate()
+
+
+def _black(buffers: Buffers) -> Buffers:
+    """Return a black picture of the same size."""
+    return Buffers(np.zeros_like(buffers.color), None, None)
