@@ -48,7 +48,8 @@ def test_each_level_draws_less_than_the_one_before() -> None:
             assert coarser.load < finer.load
             assert coarser.detail.scale <= finer.detail.scale
             fewer_blades = coarser.detail.grass < finer.detail.grass
-            assert fewer_blades or coarser.detail.scale < finer.detail.scale
+            fewer_images = coarser.detail.mirror_frames > finer.detail.mirror_frames
+            assert fewer_blades or fewer_images or coarser.detail.scale < finer.detail.scale
             assert coarser.detail.mirror_frames >= finer.detail.mirror_frames
 
 
@@ -139,6 +140,15 @@ def test_who_stands_still_is_shown_every_pixel_and_who_walks_on_is_not() -> None
     assert pace.interlaced and pace.detail.scale in (0.5, 0.25) and pace.detail.coarser == 1.0
     pace.frame(0.02, 0.02, True)
     assert not pace.interlaced and pace.detail.scale < 1
+
+
+def test_a_meadow_at_rest_has_all_its_blades_where_it_had_them_in_motion() -> None:
+    for full in (0.04, 0.06, 0.08, 0.09):
+        pace = Pace(30)
+        walked(pace, 3, lambda _, full=full: full)
+        assert pace.detail.grass == 1.0, full
+        walked(pace, 3, lambda _, full=full: full, moved=False)
+        assert pace.still and pace.detail.grass == 1.0, full
 
 
 def test_without_a_rate_everything_is_drawn_however_long_it_takes() -> None:

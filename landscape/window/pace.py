@@ -13,8 +13,8 @@ are left out only as a last resort, where frames would take more than half again
 frame of a walk has a mirror image of its own: to use one for several saved a millisecond or two,
 and in views of the sea one pixel in thirty was wrong.
 
-To one who stands still every pixel is shown, four frames to a picture (see stretch.py), with less
-grass if need be.
+To one who stands still every pixel is shown, four frames to a picture (see stretch.py), or sixteen,
+with all blades but as a last resort.
 """
 
 import math
@@ -63,23 +63,22 @@ WALKING = (
 )
 
 
-def _interlaced(load: float, scale: float, grass: float, mirror_frames: int) -> Level:
-    return Level(Detail(scale=scale, grass=grass, mirror_frames=mirror_frames), load)
+def _interlaced(
+    load: float, scale: float, mirror_frames: int, grass: float = 1.0, resort: bool = False
+) -> Level:
+    return Level(Detail(scale=scale, grass=grass, mirror_frames=mirror_frames), load, resort)
 
 
 # All pixels count here, as frames add up to a picture that has all of them.
 STANDING = (
     Level(FULL, 1.0),
-    _interlaced(0.50, 1 / 2, 1.00, 1),
-    _interlaced(0.40, 1 / 2, 0.80, 2),
-    _interlaced(0.30, 1 / 2, 0.60, 2),
-    _interlaced(0.24, 1 / 4, 0.80, 4),
-    _interlaced(0.20, 1 / 4, 0.60, 4),
-    _interlaced(0.16, 1 / 4, 0.40, 4),
-    _interlaced(0.12, 1 / 4, 0.25, 4),
-    _interlaced(0.08, 1 / 4, 0.12, 4),
-    _interlaced(0.06, 1 / 4, 0.08, 6),
-    _interlaced(0.04, 1 / 4, 0.06, 6),
+    _interlaced(0.50, 1 / 2, 1),
+    _interlaced(0.42, 1 / 2, 2),
+    _interlaced(0.36, 1 / 2, 4),
+    _interlaced(0.24, 1 / 4, 4),
+    _interlaced(0.15, 1 / 4, 4, grass=0.50, resort=True),
+    _interlaced(0.08, 1 / 4, 4, grass=0.20, resort=True),
+    _interlaced(0.04, 1 / 4, 6, grass=0.06, resort=True),
 )
 
 FIXED = 0.40  # of a full frame's time, that no level saves; measured as the loads
@@ -105,6 +104,7 @@ class Ladder:
         self._levels, self._budget = levels, budget
         self.level = 0
         self.fixed = FIXED  # part of a full frame's time that no level saves, as far as is known
+        self.full = 0.0  # seconds that a full frame takes, as far as is known
         self._recent: deque[float] = deque(maxlen=RECENT)
         self._since = 0.0  # seconds at this level
         self._wait = WAIT
@@ -126,6 +126,15 @@ class Ladder:
         self._recent.clear()
         self._left = None
 
+    def follow(self, other: "Ladder") -> None:
+        """Begin where frames are fast enough, after those of another ladder."""
+        self.fixed = other.fixed
+        if other.level == 0:
+            self.stand(0)
+            return
+        found = self._fitting(range(1, self._last_good), other.full, AIM)
+        self.stand(self._last_good if found is None else found)
+
     def frame(self, spent: float, seconds: float) -> None:
         """Take note of a frame: seconds it took to draw, seconds since the one before."""
         self._since += seconds
@@ -136,6 +145,7 @@ class Ladder:
         recent = list(self._recent)
         usual = median(recent[-HURRY:] if hurried else recent)
         self._learn(usual)
+        self.full = usual / self.cost(self.level)
         level = self._wanted(usual)
         if level != self.level:
             self._risen = level < self.level
@@ -162,7 +172,7 @@ class Ladder:
 
     def _wanted(self, usual: float) -> int:
         """Return the level for the next frame, where frames take ``usual`` seconds."""
-        full = usual / self.cost(self.level)
+        full = self.full
         if self.level > self._last_good and self._bearable(full, ROOM):
             return self._last_good
         if usual > LIMIT * self._budget:
@@ -181,12 +191,14 @@ class Ladder:
 
         Where none is, it is the last one that is no last resort, unless that takes far too long.
         """
-        found = self._fitting(range(self.level + 1, len(self._levels)), full, AIM)
+        coarser, last = range(self.level + 1, len(self._levels)), len(self._levels) - 1
+        found = self._fitting(coarser, full, AIM)
         if found is not None and not self._levels[found].resort:
             return found
         if self.level <= self._last_good and self._bearable(full, 1.0):
             return self._last_good
-        return len(self._levels) - 1 if found is None else found
+        bearable = self._fitting(coarser, full, RESORT)
+        return next((n for n in (found, bearable) if n is not None), last)
 
     @property
     def _last_good(self) -> int:
@@ -250,4 +262,4 @@ class Pace:
         was_still = self.still
         self._still = 0.0 if moved else self._still + seconds
         if self.still and not was_still:
-            self._standing.stand(self._walking.level)
+            self._standing.follow(self._walking)
