@@ -23,7 +23,7 @@ from landscape.tools import flyover_command
 from landscape.tools.settings_list import rows as settings_rows
 
 COUNTS = {1: 152, 2: 70, 3: 59, 4: 122, 5: 71}
-UNFINISHED = (3,)  # documents not all of whose items are in the page yet
+UNFINISHED = ()  # documents not all of whose items are in the page yet
 RECORDED = ("tour",)
 ALL = rows()
 
