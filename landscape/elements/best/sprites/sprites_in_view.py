@@ -47,7 +47,7 @@ COMES, GOES = (0.35, 0.70), (0.80, 0.97)
 # Chosen: the picture's width, times that of a plant, of a herb that flowers, and of a tree.
 ROSETTE_WIDTH, BLOOM_WIDTH, CROWN_WIDTH = 1.25, 0.90, 0.95
 TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay off
-CUT_WITHIN = 8.0  # chosen: units; of farther ones one does not see which is in front
+CUT_WITHIN = 5.0  # chosen: units; of farther ones one does not see which is in front
 # Chosen: units that the eye may move, radians that it may turn, and the time, in kt, that may pass
 # while a coarser frame shows the quads of the one before.
 SERVES, SERVES_KT = (0.04, math.radians(1.5)), 2.0
