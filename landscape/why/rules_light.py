@@ -310,14 +310,15 @@ def _sides(draw: Drawn) -> tuple[int, int]:
     except np.linalg.LinAlgError:
         return 0, 0
     facing = away = 0
+    winding = 1.0 if draw.state["GL_FRONT_FACE"] == "GL_CCW" else -1.0
     lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
     for face in found.faces[:3000]:
         if len(face) < 3:
             continue
         a, b, c = eye[face[0]], eye[face[1]], eye[face[2]]
-        front = np.cross(b - a, c - a)
-        if front @ (a if lensed else AHEAD) > 0:
-            front = -front  # the side that the eye sees
+        front = winding * np.cross(b - a, c - a)
+        if front @ (a if lensed else AHEAD) >= 0:
+            continue  # turned away from the eye, or without area
         if front @ turned[face[0]] < 0:
             away += 1
         else:

@@ -134,7 +134,7 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
 
 def _marks(draw: Drawn) -> bool:
     """Return whether a draw is there to mark pixels in the stencil buffer."""
-    return draw.state["GL_STENCIL_FUNC"] == "GL_NEVER" or draw.state["GL_STENCIL_FAIL"] != "GL_KEEP"
+    return bool(draw.state["GL_STENCIL_FAIL"] != "GL_KEEP")
 
 
 def _culled(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
@@ -428,6 +428,22 @@ def _fogged(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
         )
 
 
+def all_fogged(survey: Survey) -> Iterator[Suspect]:
+    """A fog so thick that every shape in it has nothing but its colour."""
+    mine = [d for d in survey.shapes if d.state["GL_FOG"] and d.passed]
+    if not mine:
+        return
+    clear = survey.trial.picture(off("GL_FOG", mine))
+    if clear is None:
+        return
+    mask = changed(survey.base, clear)
+    haze = np.rint(np.array(mine[0].state["GL_FOG_COLOR"][:3]) * 255.0)
+    if mask.any() and np.abs(survey.base[mask] - haze).max() <= 3:
+        for suspect in _fogged(survey, mine):
+            suspect.everywhere = True
+            yield suspect
+
+
 def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
     """No depth test in a frame with depth: what is drawn later lies on top."""
     shapes = survey.shapes
@@ -483,6 +499,8 @@ def translucent_first(survey: Survey) -> Iterator[Suspect]:
         and d.passed
         and d.state["GL_BLEND_DST_RGB"] not in ("GL_ZERO",)
     ]
+    # What lies behind a plane of water may well be hidden: a smaller share proves less.
+    share = 3 if survey.pixel is None else 5
     for glass in glasses[:20]:
         later = [d for d in survey.shapes if d.index > glass.index and d.state["GL_DEPTH_TEST"]]
         opaque = [d for d in later if _alpha(d) >= 0.99 or not d.state["GL_BLEND"]]
@@ -497,7 +515,7 @@ def translucent_first(survey: Survey) -> Iterator[Suspect]:
             True,
             {"alpha": round(_alpha(glass), 3), "later": opaque[0].call.site.line},
             draws=[glass],
-            least=sum(d.passed for d in glasses if d.chain == glass.chain) // 7,
+            least=sum(d.passed for d in glasses if d.chain == glass.chain) // share,
         )
 
 
@@ -678,6 +696,7 @@ def wireframe(survey: Survey) -> Iterator[Suspect]:
 
 RULES = (
     lifted,
+    all_fogged,
     holes,
     near_zero,
     missing_depth_test,
