@@ -182,6 +182,7 @@ def test_a_command_runs(command: str, process: Shell, tmp_path: Path) -> None:
     named = [*getattr(options, "views", []), getattr(options, "view", ""), target]
     drawn = [name for name in named if name and not name.endswith((".py", ".svg"))]
     island = any(name not in RECORDED and find_view(name)[0].name == "island" for name in drawn)
+    island = island or (words[0] == "walk" and not drawn)
     run = quick(words, island, tmp_path)
     if not run:
         pytest.skip("it needs a screen")

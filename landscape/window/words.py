@@ -15,7 +15,7 @@ TEXTS: Texts = {
     "help.up_down": "fly up and down",
     "help.turn.blocks": "turn (or drag with the left mouse button)",
     "help.strike.blocks": "strike with the sword",
-    "help.up_down.blocks": "jump; in flight, up and down",
+    "help.up_down.blocks": "jump; in flight and in the water, up and down",
     "help.mouse": "look with the mouse, without a button; again to release it",
     "help.save": "save the world, with --world",
     "help.dig": "dig the framed block (hold: one after another)",
