@@ -2,6 +2,7 @@
 
 import argparse
 import math
+import re
 from collections.abc import Iterator
 
 import numpy as np
@@ -132,7 +133,9 @@ def test_free_flight_goes_where_the_camera_looks_and_never_into_the_ground(flyin
     assert moves(Intent(turn=-1.0)) and moves(Intent(look=(0.0, 1.0))) and not moves(Intent())
 
 
-def test_it_ends_after_the_frames_that_are_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_ends_after_the_frames_that_are_asked_for(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     drawn = []
 
     class Window:
@@ -146,11 +149,21 @@ def test_it_ends_after_the_frames_that_are_asked_for(monkeypatch: pytest.MonkeyP
             drawn.append((*self.given, self.time))
             return len(drawn) % 2 == 0  # every other time it has no area
 
+        def fill_screen(self) -> None:
+            drawn.append("filled")
+
         def close(self) -> None:
             drawn.append("closed")
 
     monkeypatch.setattr("landscape.window.flyover.Flying", Window)
-    options = argparse.Namespace(lang="fr", size=None, frames=2, at=2.5, jobs=3)
+    options = argparse.Namespace(
+        lang="fr", size=None, frames=2, at=2.5, jobs=3, fullscreen=False, quiet=False
+    )
     assert show(open_environment("island"), Settings(), options) == 0
     assert len(drawn) == 5 and drawn[-1] == "closed" and drawn[0][3] == "fr"
     assert drawn[0][-2:] == (options.jobs, options.at)
+    assert re.match(r"2 images en [\d.]+ s.*images/s en moyenne\n", capsys.readouterr().out)
+    drawn.clear()
+    options.fullscreen, options.quiet = True, True
+    assert show(open_environment("island"), Settings(), options) == 0
+    assert drawn[0] == "filled" and capsys.readouterr().out == ""

@@ -3,6 +3,7 @@
 import argparse
 import math
 import os
+import time
 from collections.abc import Sequence
 from typing import Any
 
@@ -57,11 +58,11 @@ def show(environment: Environment, settings: Settings, options: argparse.Namespa
     window.time = options.at
     if options.fullscreen:
         window.fill_screen()
-    drawn, begun = 0, glfw.get_time()
+    drawn, begun = 0, time.perf_counter()
     try:
         while (options.frames is None or drawn < options.frames) and window.listen():
             drawn += window.draw()
-        seconds = glfw.get_time() - begun
+        seconds = time.perf_counter() - begun
     finally:
         window.close()
     if not options.quiet and drawn:
