@@ -113,6 +113,12 @@ BROKEN = {
     "behind": Case(
         ("behind",), CAMERA, BEGIN.replace("-5", "5") + QUAD, ("(0, 0, 5)", "(0, 0, -5)")
     ),
+    "behind, one matrix": Case(
+        ("behind",),
+        "gluPerspective(45, 240 / 180, 0.1, 50)\nglTranslatef(0, 0, 5)\n",
+        CLEAR + QUAD,
+        ("(0, 0, 5)", "(0, 0, -5)"),
+    ),
     "near": Case(
         ("beyond-near",), CAMERA.replace("0.5, 50", "8, 50"), BEGIN + QUAD, ("8, 50", "1, 50")
     ),

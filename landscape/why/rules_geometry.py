@@ -814,6 +814,13 @@ def _placed(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
     values = {"n": count, "behind": behind, "nearest": nearest, "farthest": farthest}
     values |= {"near": near, "far": far}
     if is_identity(mine[0].state["GL_PROJECTION_MATRIX"]):
+        if abs(mine[0].state["GL_MODELVIEW_MATRIX"][11]) > 1e-6:
+            # The projection stands in the modelview matrix, as in many short programs: w tells.
+            w = np.concatenate([p.clip[:, 3] for p in placed])
+            values |= {"behind": int((w < 0).sum()), "nearest": w.min(), "farthest": w.max()}
+            if (w < 0).all():
+                yield from _turned_round(survey, mine, values)
+            return
         yield from _units(survey, mine, values)
         return
     lensed = perspective(mine[0].state["GL_PROJECTION_MATRIX"])
@@ -832,30 +839,13 @@ def _placed(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
 def _behind(
     survey: Survey, mine: list[Drawn], values: dict[str, Any], size: float
 ) -> Iterator[Suspect]:
-    chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
     tried = False
-    for call in reversed(chain):
-        if not call.name.startswith("glTranslate") or float(call.args[2]) <= 0:
-            continue
-        x, y, z = (float(a) for a in call.args)
-        if call.number < survey.tape.begin or survey.tape.calls[call.number] is not call:
-            continue
-        if isinstance(at_of(survey, call), GluCall):
-            continue
+    for suspect in _turned_round(survey, mine, values):
         tried = True
-        yield Suspect(
-            "behind",
-            call,
-            Change(instead={str(call.number): [(call.name, (x, y, -z))]}),
-            86,
-            "GL_MODELVIEW_MATRIX",
-            z,
-            values | {"call": written(call)},
-            draws=mine,
-            appear=True,
-        )
+        yield suspect
     if tried:
         return
+    chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
     away = values["nearest"] - 1.5 * max(size, 1.0) - values["near"]
     moved = np.eye(4)
     moved[3, 2] = away
@@ -870,6 +860,30 @@ def _behind(
         values | {"call": written(camera or mine[0].call)},
         draws=mine,
     )
+
+
+def _turned_round(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:
+    """Yield the translations towards the eye that would be right with the other sign."""
+    chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
+    for call in reversed(chain):
+        if not call.name.startswith("glTranslate") or float(call.args[2]) <= 0:
+            continue
+        x, y, z = (float(a) for a in call.args)
+        if call.number < survey.tape.begin or survey.tape.calls[call.number] is not call:
+            continue
+        if isinstance(at_of(survey, call), GluCall):
+            continue
+        yield Suspect(
+            "behind",
+            call,
+            Change(instead={str(call.number): [(call.name, (x, y, -z))]}),
+            86,
+            "GL_MODELVIEW_MATRIX",
+            z,
+            values | {"call": written(call)},
+            draws=mine,
+            appear=True,
+        )
 
 
 def _other_plane(
