@@ -76,7 +76,7 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
     result: dict[str, Any] = {"size": list(options.size), "moving": {}}
     for name in dict.fromkeys(options.views):
         kind, view = find_view(name)
-        with _opened(options, kind, view) as walk:
+        with opened(options, kind, view) as walk:
             result["renderer"] = gl.glGetString(gl.GL_RENDERER).decode()
             result["moving"][name] = _measure(walk, options)
         done(name)
@@ -84,7 +84,7 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
 
 
 @contextmanager
-def _opened(options: Options, kind: Scene, view: View) -> Iterator[Walk]:
+def opened(options: Options, kind: Scene, view: View) -> Iterator[Walk]:
     """Open a view's walk as `landscape walk VIEW` does."""
     begin = kind.as_walked(view, options.preset)
     plan = Plan(
@@ -125,8 +125,8 @@ def _measure(walk: Walk, options: Options) -> dict[str, float]:
     step = max(len(frames) // SAMPLES, 2)
     chosen = [n for n in range(1, len(frames)) if n % step == 1]
     pairs = {n for last in chosen for n in (last - 1, last)}
-    as_walked = _pictures(place.scene, [frame.moment for frame in frames], pairs)
-    stills = _pictures(place.scene, [whole[n] for n in sorted(pairs)], set(range(len(pairs))))
+    as_walked = pictures(place.scene, [frame.moment for frame in frames], pairs)
+    stills = pictures(place.scene, [whole[n] for n in sorted(pairs)], set(range(len(pairs))))
     stills = dict(zip(sorted(pairs), stills.values(), strict=True))
     offs, flickers, flickers_full = [], [], []
     for n in chosen:
@@ -195,7 +195,7 @@ class Picture:
     matrix: np.ndarray
 
 
-def _pictures(opened: OpenScene, moments: Sequence[Moment], wanted: set[int]) -> dict[int, Picture]:
+def pictures(opened: OpenScene, moments: Sequence[Moment], wanted: set[int]) -> dict[int, Picture]:
     """Draw all the moments, one after another as a walk does; return those that are wanted."""
     found = {}
     stretch = Stretch()

@@ -173,7 +173,7 @@ class Ladder:
     def _wanted(self, usual: float) -> int:
         """Return the level for the next frame, where frames take ``usual`` seconds."""
         full = self.full
-        if self.level > self._last_good and self._bearable(full, ROOM):
+        if self.level > self._last_good and self._bearable(full, LIMIT):
             return self._last_good
         if usual > LIMIT * self._budget:
             if self._risen and self._since < 2 * self._wait:
@@ -195,7 +195,9 @@ class Ladder:
         found = self._fitting(coarser, full, AIM)
         if found is not None and not self._levels[found].resort:
             return found
-        if self.level <= self._last_good and self._bearable(full, 1.0):
+        # What the last good level costs here is not known before it was tried.
+        tried = self.level >= self._last_good
+        if not tried or (self.level == self._last_good and self._bearable(full, 1.0)):
             return self._last_good
         bearable = self._fitting(coarser, full, RESORT)
         return next((n for n in (found, bearable) if n is not None), last)
