@@ -172,6 +172,9 @@ MODES = {
 }
 
 
+NOT_LISTED = {"GL_FOG_DISTANCE_MODE_NV"}
+
+
 def sets(name: str, args: Sequence[Any], known: Mapping[str, Any] | None = None) -> tuple[str, ...]:
     """Return the names of the variables that a call sets, whether or not their values change.
 
@@ -179,7 +182,8 @@ def sets(name: str, args: Sequence[Any], known: Mapping[str, Any] | None = None)
     GL_MATRIX_MODE, GL_ACTIVE_TEXTURE and GL_CLIENT_ACTIVE_TEXTURE say which matrix and which unit
     are meant, and GL_COLOR_MATERIAL and its two companions, whether glColor sets the material.
     Without them the names for all modes and units are returned. glPopAttrib and
-    glPopClientAttrib set what was saved, glCallList what its calls set: not said here.
+    glPopClientAttrib set what was saved, glCallList what its calls set: not said here. Nor is what
+    an extension adds (NOT_LISTED), as the state is that of OpenGL 1.5.
     """
     found, state = function(name), known or {}
     if found is None or found.base not in SETS:
@@ -194,7 +198,7 @@ def sets(name: str, args: Sequence[Any], known: Mapping[str, Any] | None = None)
         result |= dict.fromkeys(_filled(template, values, state))
     if found.base in ("glColor", "glColorMaterial") or values.get("cap") == "GL_COLOR_MATERIAL":
         result |= dict.fromkeys(_tracked(values, state))
-    return tuple(result)
+    return tuple(name for name in result if name not in NOT_LISTED)
 
 
 def _filled(template: str, values: Mapping[str, str], state: Mapping[str, Any]) -> list[str]:
