@@ -276,20 +276,25 @@ class Island:
 
     def _draw_under_water(self, frame: Frame) -> None:
         """Draw what an eye below the surface sees: bed, dragon, net of light, the surface."""
-        draw, under = self._draw, self.under
+        under = self.under
         with under.around(frame):
-            draw("ground", self.stones, frame)
-            draw("ground", self.ground, frame)
-            draw("dragon", self.dragon, frame)
-            under.mirror(frame, lambda mirrored: draw("dragon", self.dragon, mirrored))
-            under.keep_below()
-            if isinstance(self.ground, Terrain):
-                with drawing("water"):
-                    under.lay_net(frame, lambda: draw("ground", self.ground, frame, "send"))
-            if self.dragon is not None:
-                with drawing("water"):
-                    under.lay_net(frame, lambda: draw("dragon", self.dragon, frame, "send"))
-            draw("water", under, frame)
+            with under.mirroring(frame) as smaller:
+                self._draw_swimming(smaller)
+            self._draw_swimming(frame)
+            self._draw("water", under, frame)
+
+    def _draw_swimming(self, frame: Frame) -> None:
+        """Draw bed and dragon, and the net of light over them."""
+        draw, under = self._draw, self.under
+        draw("ground", self.stones, frame)
+        draw("ground", self.ground, frame)
+        draw("dragon", self.dragon, frame)
+        if isinstance(self.ground, Terrain):
+            with drawing("water"):
+                under.lay_net(frame, lambda: draw("ground", self.ground, frame, "send"))
+        if self.dragon is not None:
+            with drawing("water"):
+                under.lay_net(frame, lambda: draw("dragon", self.dragon, frame, "send"))
 
     def _draw_outdoors(self, frame: Frame) -> None:
         """Draw what an eye above the water sees."""

@@ -6,7 +6,13 @@ import numpy as np
 import pytest
 from stage import SIZE, SMALL_BEST, Stage
 
-from landscape.elements.best.sea.under_water import INDEX, looked_out, refracted
+from landscape.elements.best.sea.under_water import (
+    INDEX,
+    WATER,
+    looked_out,
+    mirrored_lines,
+    refracted,
+)
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.island import Island, terrain
@@ -81,6 +87,35 @@ def test_the_net_of_light_lies_on_bed_and_dragon_and_keeps_their_mean(
     bed = ~dragon & (np.arange(SIZE[1])[:, None] > 0.75 * SIZE[1])
     assert (change[bed] > 8).mean() > 0.3, "on the bed"
     assert with_net[bed].mean() == pytest.approx(plain[bed].mean(), rel=0.25)
+
+
+def test_level_water_mirrors_a_line_of_sight_and_a_tilted_facet_turns_it_by_twice_its_angle() -> (
+    None
+):
+    assert mirrored_lines(line(60.0), UP) == pytest.approx(line(60.0) * (1.0, -1.0, 1.0))
+    tilted = mirrored_lines(line(60.0), line(5.0))
+    assert np.degrees(np.arccos(tilted[0, 1])) == pytest.approx(180.0 - 60.0 + 2 * 5.0)
+
+
+def test_the_far_bed_is_lost_in_the_water_and_the_surface_is_not(
+    stage: Stage, islands: dict[bool, Island]
+) -> None:
+    seen = picture(stage, islands, shown=("ground", "water", "fog"))
+    away = np.abs(seen - np.rint(255 * np.array(WATER))).max(axis=2).mean(axis=1)
+    rows = away.reshape(12, -1).mean(axis=1)  # twelve bands, from the surface above to the bed
+    assert rows[6:9].max() < 8 < rows[-1]
+    assert rows[1] > 2 * rows[7], "waves"
+
+
+def test_waves_break_the_mirror_image_of_the_dragon(
+    stage: Stage, islands: dict[bool, Island], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = picture(stage, islands)
+    monkeypatch.setattr("landscape.elements.best.sea.under_water.BROKEN", 0.0)
+    level = picture(stage, islands)
+    half = SIZE[1] // 2
+    changed = (np.abs(broken - level).max(axis=2) > 8).mean(axis=1)
+    assert changed[:half].mean() > 0.1 and changed[half:].mean() < 0.02
 
 
 def test_above_the_surface_nothing_of_it_is_drawn(

@@ -1,7 +1,8 @@
 """Under water: what an eye below the sea's surface sees (``water.under``; glSkel, caustics).
 
-Technique: thick blue-green fog (GL_EXP) takes the place of the sky. Ground and dragon are drawn
-below the surface only (a clip plane), and a second time for the net of light: that multiplies what
+Technique: thick blue-green fog takes the place of the sky; by GL_EXP2, so that what is near stays
+clear and the far bed is lost in it. Ground and dragon are drawn below the surface only (a clip
+plane), and a second time for the net of light: that multiplies what
 is there by twice the film of caustics (GL_DST_COLOR, GL_SRC_COLOR), with coordinates generated from
 the place in the world (GL_EYE_LINEAR, its planes given under the camera). The sun, bent by the
 surface, lights the second pass, and where something turns away from it, GL_INTERPOLATE moves the
@@ -9,11 +10,16 @@ net towards 1/2, which changes nothing. So the net runs over the sunny side of w
 its belly. In this pass the fog is grey 1/2 for the same reason.
 The surface from below is a grid of rings around the eye. Each vertex bends the line of sight by
 Snell's law at the waves' normal: near the zenith one looks out, into a round window full of sky and
-sun; beyond 48 degrees all light is reflected, and the surface mirrors the deep and what swims.
+sun; beyond 48 degrees all light is reflected, and the surface mirrors the deep, the bed and what
+swims. These are drawn upside down into a texture first, as for the sea from above
+(mirror_image.py), and each vertex looks up the texture where its tilted mirror would show it: so
+the waves break the image up. A veil, blended over it, holds the window, and the waves' shading:
+facets that mirror the water towards the bed are darker, those that mirror it towards the surface
+are lighter. The surface is lifted by its waves and hides what reaches through it.
 What is wrong with it: what stands above the water is not seen through the window, and nothing casts
 a shadow on the net.
 State used: GL_FOG, GL_CLIP_PLANE0, GL_LIGHTING, a texture unit with GL_COMBINE (OpenGL 1.3),
-generated coordinates, GL_BLEND.
+generated coordinates, GL_BLEND, a framebuffer object, a texture matrix.
 """
 
 from collections.abc import Callable, Iterator
@@ -22,12 +28,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from landscape.elements import fog
+from landscape.elements import fog, sun
+from landscape.elements.best.sea.mirror_image import MirrorImage
+from landscape.elements.best.sea.mirror_pass import draw_mirror
 from landscape.elements.best.sea.waves import surface_normals, waves
 from landscape.elements.best.terrain.bed_light import PERIOD, REPEAT, SLANT
 from landscape.elements.caustic_film import MixedFilm, shipped
 from landscape.elements.reflection import MIRROR
-from landscape.elements.sun import direction
 from landscape.elements.water_surface import wave_time
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -40,13 +47,18 @@ from landscape.settings import Settings
 
 INDEX = 1.333  # of refraction, of water
 # Chosen: RGB of the water around the eye, and how thick it is, per unit.
-WATER, DENSITY = (0.07, 0.33, 0.38), 0.42
-DEEP = (0.05, 0.30, 0.36)  # chosen: RGB of what the surface mirrors where it lets no light through
+WATER, DENSITY = (0.07, 0.33, 0.38), 0.6
 SKY, HIGH = (0.62, 0.86, 0.93), (0.80, 0.96, 0.98)  # chosen: RGB of the window's rim and middle
 GLARE, POWER = (1.0, 0.97, 0.85), 90.0  # chosen: RGB of the sun in the window, and how small it is
-MIRRORS = 0.62  # chosen: opacity of the surface where it mirrors
+DARK, LIGHT = (0.03, 0.19, 0.24), (0.24, 0.60, 0.64)  # chosen: RGB of the shading of the waves
+SHADING = 1.6  # chosen: how much of it a facet has whose mirrored line of sight rises by 1
+SHADED = 0.75  # chosen: the most of it
 NEAREST, FARTHEST = 0.012, 16.0  # chosen: radii of the grid's rings, units
-RINGS, SIDES = 84, 120  # chosen
+RINGS, SIDES = 140, 240  # chosen
+RELIEF = 2.0  # chosen: how much higher the waves are from below
+PROUD = 0.05  # chosen: units above the level to which things are drawn, for waves to hide
+BROKEN = 0.45  # chosen: fraction of a wave's tilt that moves the mirror image; 1 is a rough sea
+LEVEL_SIGHT = 0.02  # chosen: least rise of the line of sight at which the image is looked up
 TILT = 1.1  # chosen: how much steeper the waves look from below
 STRENGTH, AROUND = 0.8, 0.3  # chosen: of the net on what faces the sun, and on all else
 
@@ -63,7 +75,7 @@ def rings(frame: Frame) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def looked_out(
     sight: np.ndarray, normals: np.ndarray, towards: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return colours (n, 3) of the surface from below, and how much light it lets through (n,).
+    """Return colours (n, 3) of the sky as seen from below, and how much light comes through (n,).
 
     ``sight`` (n, 3) are unit lines of sight upwards, ``normals`` (n, 3) the waves', ``towards``
     (3,) the sun. The share of light follows Schlick's approximation, by the angle in the air.
@@ -77,9 +89,20 @@ def looked_out(
     bent = INDEX * sight + (cosine - INDEX * met)[:, None] * normals
     rise = np.clip(bent[:, 1:2], 0.0, 1.0)
     sky = np.array(SKY) * (1.0 - rise) + np.array(HIGH) * rise
-    sun = np.clip(bent @ towards, 0.0, 1.0)[:, None] ** POWER
-    sky = sky + sun * (np.array(GLARE) - sky)
-    return np.array(DEEP) * (1.0 - through[:, None]) + sky * through[:, None], through
+    glare = np.clip(bent @ towards, 0.0, 1.0)[:, None] ** POWER
+    return sky + glare * (np.array(GLARE) - sky), through
+
+
+def mirrored_lines(sight: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    """Return the lines of sight (n, 3) after the surface mirrored them."""
+    return sight - 2.0 * (sight * normals).sum(axis=1, keepdims=True) * normals
+
+
+def shading(sight: np.ndarray, normals: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return colours (n, 3) of the waves' shading, and how much of them there is (n,)."""
+    rise = mirrored_lines(sight, normals)[:, 1] + sight[:, 1]  # level, it would be 0
+    strength = np.clip(SHADING * np.abs(rise), 0.0, SHADED)
+    return np.where(rise[:, None] > 0.0, np.array(LIGHT), np.array(DARK)), strength
 
 
 def refracted(towards: np.ndarray) -> np.ndarray:
@@ -96,6 +119,7 @@ class UnderWater:
         self._settings, self._level = settings, field.water_level
         self._film = MixedFilm(shipped(assets))
         self._possible = possible("water.under")
+        self._image = MirrorImage()
 
     def apply(self, settings: Settings) -> bool:
         """Apply new settings; return False, changing nothing, for another level of the water."""
@@ -107,7 +131,7 @@ class UnderWater:
     @contextmanager
     def around(self, frame: Frame) -> Iterator[None]:
         """Let the block draw what is in the water, in its fog, and nothing above the surface."""
-        haze = replace(self._settings.fog, enabled=True, mode="exp", density=DENSITY, color=WATER)
+        haze = replace(self._settings.fog, enabled=True, mode="exp2", density=DENSITY, color=WATER)
         with attrib(gl.GL_FOG_BIT | gl.GL_ENABLE_BIT):
             gl.glClearColor(*WATER, 1.0)
             gl.glClear(gl.GL_COLOR_BUFFER_BIT)
@@ -116,23 +140,29 @@ class UnderWater:
             yield
 
     def keep_below(self) -> None:
-        """Clip what is above the water, under the current matrix.
+        """Clip what is above the waves, under the current matrix.
 
         Planes are not saved by GL_TRANSFORM_BIT: in Mesa one that is given again after it was
         restored has no effect.
         """
-        gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.0, -1.0, 0.0, self._level], np.float64))
+        plane = np.array([0.0, -1.0, 0.0, self._level + PROUD], np.float64)
+        gl.glClipPlane(gl.GL_CLIP_PLANE0, plane)
         gl.glEnable(gl.GL_CLIP_PLANE0)
 
-    def mirror(self, frame: Frame, draw: Callable[[Frame], None]) -> None:
-        """Draw what the surface mirrors: what ``draw`` draws, upside down above it."""
-        with matrix(), attrib(gl.GL_POLYGON_BIT):
+    @contextmanager
+    def mirroring(self, frame: Frame) -> Iterator[Frame]:
+        """Let the block draw what the surface mirrors; yield the frame to draw it by."""
+        sharp = replace(frame, mirrored=True, detail=replace(frame.detail, mirror=1.0))
+        groups = gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT
+        with self._image.drawing(sharp) as smaller, matrix(), attrib(groups):
             gl.glTranslatef(0.0, self._level, 0.0)
             gl.glMultMatrixf(MIRROR)
             gl.glTranslatef(0.0, -self._level, 0.0)
             gl.glFrontFace(gl.GL_CW)
+            sun.place(self._settings.sun)
             self.keep_below()
-            draw(replace(frame, mirrored=True))
+            yield smaller
+        self.keep_below()
 
     def lay_net(self, frame: Frame, send: Callable[[], None]) -> None:
         """Multiply what ``send`` sends once more by the net of light, where it faces upwards."""
@@ -175,35 +205,64 @@ class UnderWater:
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, black)
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, black)
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, white * np.float32(STRENGTH))
-        place = np.append(refracted(direction(self._settings.sun)), 0.0).astype(np.float32)
+        place = np.append(refracted(sun.direction(self._settings.sun)), 0.0).astype(np.float32)
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, place)
         gl.glMaterialfv(gl.GL_FRONT, gl.GL_AMBIENT_AND_DIFFUSE, white)
         gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, black)
 
     def draw(self, frame: Frame) -> None:
-        """Draw the surface from below."""
+        """Draw the surface from below: the mirror image, and the veil over it."""
         x, z, gaps = rings(frame)
         t = wave_time(frame.kt, self._settings.water)
-        _lift, slope_x, slope_z = waves(x, z, gaps, t)
+        lift, slope_x, slope_z = waves(x, z, gaps, t)
         normals = surface_normals(TILT * slope_x, TILT * slope_z)
-        places = np.stack([x.ravel(), np.full(x.size, self._level), z.ravel()], axis=1)
+        height = self._level + np.minimum(RELIEF * lift, PROUD)
+        places = np.stack([x.ravel(), height.ravel(), z.ravel()], axis=1)
         sight = places - frame.eye
-        sight /= np.linalg.norm(sight, axis=1, keepdims=True)
-        colours = np.ones((len(places), 4))
-        colours[:, :3], through = looked_out(sight, normals, direction(self._settings.sun))
-        colours[:, 3] = MIRRORS + (1.0 - MIRRORS) * through
+        away = np.linalg.norm(sight, axis=1, keepdims=True)
+        sight /= away
         triangles = grid_triangles(SIDES + 1, RINGS)
+        vertices = np.ascontiguousarray(places, np.float32)
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT):
             gl.glDisable(gl.GL_CLIP_PLANE0)
             gl.glDisable(gl.GL_LIGHTING)
+            gl.glDisable(gl.GL_FOG)  # the image has its own, and the veil is faded by vertices
+            mirror = self._image.take()
+            if mirror is not None:
+                looked_up = self._looked_up(frame, sight, away, normals)
+                draw_mirror(mirror, vertices, looked_up, 1.0, triangles)
             gl.glEnable(gl.GL_BLEND)
-            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            sent = np.ascontiguousarray(places, np.float32), np.float32(colours)
-            with client_arrays(sent[0], None, np.ascontiguousarray(sent[1])):
+            gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE_MINUS_SRC_ALPHA)
+            with client_arrays(vertices, None, self._veil(sight, away[:, 0], normals)):
                 gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
+    @staticmethod
+    def _looked_up(
+        frame: Frame, sight: np.ndarray, away: np.ndarray, normals: np.ndarray
+    ) -> np.ndarray:
+        """Return where each vertex looks up the mirror image, float32 (n, 3) in units."""
+        seen = mirrored_lines(sight, normals)
+        seen[:, 1] *= -1.0
+        seen = sight + BROKEN * (seen - sight)
+        seen[:, 1] = np.maximum(seen[:, 1], LEVEL_SIGHT)
+        return np.ascontiguousarray(frame.eye + away * seen, np.float32)
+
+    def _veil(self, sight: np.ndarray, away: np.ndarray, normals: np.ndarray) -> np.ndarray:
+        """Return the window and the shading as colours, float32 (n, 4), multiplied by alpha."""
+        sky, through = looked_out(sight, normals, sun.direction(self._settings.sun))
+        tint, shaded = shading(sight, normals)
+        clear = fog.visibility(away, DENSITY)
+        shaded *= clear * (1.0 - through)
+        # The sky in the window is seen through the water, the shading fades out in it.
+        window = np.array(WATER) + clear[:, None] * (sky - np.array(WATER))
+        veil = np.empty((len(sight), 4), np.float32)
+        veil[:, :3] = through[:, None] * window + shaded[:, None] * tint
+        veil[:, 3] = through + shaded
+        return veil
+
     def release(self) -> None:
-        """Delete the film; may be called twice."""
+        """Delete the film and the mirror image; may be called twice."""
         self._film.release()
+        self._image.release()
