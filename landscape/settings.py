@@ -650,6 +650,14 @@ class Sky:
         8.0, "chosen", "distance of the walls from the centre, D", 0.5, 10000, unit=UNITS
     )
     height: float = setting(5.0, "chosen", "height of the box, H", 0.1, 10000, unit=UNITS)
+    sunk: float = setting(
+        0.0,
+        "section 11.2.3",
+        "how far the walls reach below the sea, or below the eye if the box follows it in y",
+        0,
+        10000,
+        unit=UNITS,
+    )
     anchored: bool = setting(
         False, "figure 13", "stays at the centre of the map instead of following the viewer"
     )

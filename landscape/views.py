@@ -57,7 +57,7 @@ LAWN_BEFORE = walking(21.25, 23.75, 340.0, -7.0)
 GROVE_AND_SKY = ("ground", "trees", "deer", "plants", "sky", "fog")
 AVENUE = {"transparent.places": "avenue.csv"}
 CROSSING = {"transparent.places": "crossing.csv", "transparent.faces": "place"}
-FACING = AVENUE | {"transparent.textured": False, "camera.fov": 100.0}
+FACING = AVENUE | {"transparent.surround": "white", "camera.fov": 100.0}
 AVENUE_BEFORE = walking(21.3, 25.2, 338.0, -6.0)
 CROSSING_BEFORE = walking(20.95, 23.3, 0.0, 8.0)
 HILL_BEFORE = walking(21.5, 9.4, 141.0, 0.0)
@@ -124,8 +124,8 @@ VIEWS = _table(
          shown=OUTDOORS,
          settings={"grass.count": 1_500_000, "grass.scale": (2.4, 1.0), "grass.radius": 8.0,
                    "camera.fov": 42.0}),
-    View("fig22b", "400,000 larger blades: tall grass", LAWN_BEFORE, 3, shown=OUTDOORS,
-         settings={"grass.count": 400_000, "grass.scale": (2.0, 4.2)}),
+    View("fig22b", "3,000,000 tall, thin blades: tall grass", LAWN_BEFORE, 3, shown=OUTDOORS,
+         settings={"grass.count": 3_000_000, "grass.scale": (1.0, 5.0), "grass.radius": 5.0}),
     View("fig25a", "castle, general structure", Pose(24.9, 3.9, 19.4, 46.0, -20.0), 10,
          shown=OUTDOORS),
     View("fig25b", "castle from the air", Pose(26.3, 4.4, 19.2, 22.0, -38.0), 10, shown=OUTDOORS,
@@ -228,15 +228,15 @@ VIEWS = _table(
              Pose(33.0, 9.0, 41.0, 328.0, -17.0), shown=("sky",),
              settings=NO_FOG | {"sky.anchored": True, "sky.unfolded": "sky_unfolded.jpg"}),
         View("sky_lifted", "flaw: a box that follows the eye upwards is pulled out of the sea",
-             Pose(8.0, 4.2, 36.0, 330.0, -8.0), shown=("ground", "water", "sky"),
-             settings=NO_FOG | {"sky.follow_y": True}),
+             Pose(14.0, 4.2, 33.0, 322.0, -12.0), shown=("ground", "water", "sky"),
+             settings=NO_FOG | {"sky.follow_y": True, "sky.sunk": 1.2}),
         View("sky_far", "flaw: fog covers all clouds of a box that is far away",
              Pose(12.0, 1.1, 35.0, 10.0, 12.0), shown=("ground", "water", "sky", "fog"),
              settings={"sky.half_width": 60.0, "sky.height": 37.5}),
         View("lit_waves", "the waves' moving normals, seen by the light alone: no texture",
-             Pose(12.0, 1.6, 35.0, 10.0, -16.0), 10, shown=("ground", "water"),
+             Pose(12.0, 7.0, 42.0, 20.0, -22.0), 10, shown=("ground", "water"),
              settings=NO_FOG | {"water.textured": False, "sun.ambient": (0.0, 0.0, 0.0),
-                                "sun.diffuse": (2.5, 2.5, 2.5), "sun.azimuth": 190.0,
+                                "sun.diffuse": (1.5, 1.5, 1.5), "sun.azimuth": 190.0,
                                 "sun.elevation": 12.0, "water.color": (0.3, 0.4, 0.6, 1.0)}),
         View("avenue", "trees, ferns and a stag where a file says that they stand",
              walking(21.5, 26.1, 338.0, -3.0), 20, shown=GROVE_AND_SKY, settings=AVENUE),
@@ -252,7 +252,7 @@ VIEWS = _table(
         View("white_boards", "pictures of trees before their white was made transparent",
              CROSSING_BEFORE, shown=GROVE_AND_SKY,
              settings=CROSSING | {"transparent.surround": "white"}),
-        View("white_keyed", "the same pictures, their white replaced by transparency",
+        View("white_keyed", "flaw: their white replaced by transparency; a pale edge remains",
              CROSSING_BEFORE, shown=GROVE_AND_SKY,
              settings=CROSSING | {"transparent.surround": "keyed"}),
         View("on_slope", "trees and ferns perpendicular to a steep slope",

@@ -145,6 +145,17 @@ def test_a_sky_that_follows_in_y_has_its_foot_at_the_eyes_own_height(
     assert close(picture[61, 80], BACKGROUND)
 
 
+@pytest.mark.parametrize("follow_y", [False, True])
+def test_walls_that_reach_below_the_sea_are_lifted_with_the_eye(
+    stage: Stage, plain: Assets, follow_y: bool
+) -> None:
+    pose = Pose(31.0, 4.0, 7.0, 0.0, -10.0)
+    picture = drawn(stage, plain, pose, follow_y=follow_y, sunk=1.2)
+    foot = project(pose, (31.0, (4.0 if follow_y else LEVEL) - 1.2, 7.0 - D))
+    assert close(picture[int(foot[1] - 1.5), 80], COLOURS["north"])
+    assert close(picture[int(foot[1] + 1.5), 80], BACKGROUND)
+
+
 def test_the_fog_lies_on_the_walls_and_more_on_the_corners(stage: Stage, plain: Assets) -> None:
     pose = Pose(20.0, 2.0, 20.0, 45.0, 0.0)
     picture = drawn(stage, plain, pose, fog=True)

@@ -1,7 +1,8 @@
 """The sky: five textured walls around the walker (Sky_box, section 4).
 
 Technique: a sky box in a display list, translated with the viewer before it is called. In 2006 it
-follows in x and z, never in y.
+follows in x and z, never in y: walls that reach below the sea (``sky.sunk``) would be pulled out of
+it as one climbs.
 What is wrong with it, and the switches that show it: the ceiling comes nearer as one climbs
 (``sky.follow_y``, R8, centres the box on the eye in every axis); its walls hide the terrain beyond
 them (``sky.background``, R9, gives the box the greatest depth by glDepthRange(1, 1), so that it
@@ -159,9 +160,10 @@ class SkyBox:
             if sky.follow_y:
                 gl.glDisable(gl.GL_CLIP_PLANE0)
                 # The mirror matrix puts this at the eye's own height again.
-                gl.glTranslatef(x, mirrored_height(y, level) if frame.mirrored else y, z)
+                foot = mirrored_height(y, level) if frame.mirrored else y
             else:
-                gl.glTranslatef(x, level, z)
+                foot = level
+            gl.glTranslatef(x, foot - sky.sunk, z)
             self._list.call()
             if self._clouds is not None:
                 self._clouds.draw(frame)

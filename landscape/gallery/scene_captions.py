@@ -88,7 +88,7 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
             "so that one finds everything in it that is behind the viewer.",
         ),
         "hall_sky": (
-            "a blue sky with white and grey clouds, seen through the open ribs of a vault",
+            "a blue sky with thin white clouds, seen through the open ribs of a vault",
             "Quake's sky: two layers of cloud on a dome, laid by two texture units in one pass. "
             "The low one moves five times as fast.",
         ),

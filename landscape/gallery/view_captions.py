@@ -128,9 +128,9 @@ VIEW_PANELS: dict[str, tuple[str, str]] = {
         "techniques: billboards and crossed quads.",
     ),
     "fig22b": (
-        "the same meadow with grass nearly as high as the walker's eyes",
-        "From the same place, but at eye height: 400,000 blades, about a quarter as many but four "
-        "times as high, look like tall grass.",
+        "the same meadow with dense, thin grass nearly as high as the walker's eyes",
+        "From the same place: 3,000,000 blades, five times as high, hide the ground a few steps "
+        "away. The report has 400,000 on its map; on ours they would stand apart.",
     ),
     "fig25a": (
         "a grey castle with four towers on a hill, seen from the air",

@@ -61,8 +61,8 @@ LAND: tuple[Safeguard, ...] = (
         how="The height image knows the land's normal everywhere. How much it faces the sun is "
         "multiplied into the vertex colours when the meshes are made.",
         seen=(
-            "green hills in even light",
-            "green hills with a lighter side and a darker one",
+            "green hills in nearly even light",
+            "the same hills, their slopes slightly shaded by where they face",
         ),
     ),
     Safeguard(
