@@ -9,7 +9,6 @@ from landscape.effects.views import ONE_LAMP
 from landscape.frame import Pose
 
 BRONZE = {"environment": "none"}
-OPEN = {"vault": False}
 UPWARDS = Pose(1.6, 0.1, 1.6, 270.0, 55.0)
 LOW_SUN = {"azimuth": 4.0, "elevation": 7.0}  # degrees: beyond the north wall
 EVERYWHERE = {"caustics.sunlit": False}
@@ -303,18 +302,6 @@ SAFEGUARDS: tuple[Safeguard, ...] = (
             "thin white clouds behind open ribs of stone",
             "thin white clouds, and grey ones before them, behind open ribs of stone",
         ),
-    ),
-    Safeguard(
-        "sky_sorted",
-        "Low clouds before high ones",
-        UPWARDS,
-        200.0,
-        **pair("sky.sorted", room=OPEN, camera={"fov": 50.0}),
-        flaw="Blending is not commutative: with the layers in the other order, the high, white "
-        "clouds cover the low, grey ones.",
-        look="Compare where two clouds overlap.",
-        how="Unit 0 lays the high layer over the sky's gradient, unit 1 the low one over both.",
-        seen=("white clouds before grey ones", "grey clouds before white ones"),
     ),
     Safeguard(
         "tone_doubling",

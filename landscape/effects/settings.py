@@ -269,7 +269,7 @@ class Sky:
     sorted: bool = setting(
         True,
         "glSkel, Quake's sky",
-        "the low clouds are laid over the high ones",
+        "the low clouds are laid over the high ones; where few of them overlap, little differs",
         needs=("sky.layers>1",),
     )
 

@@ -14,15 +14,16 @@ STANDING = tuple(name for name in ELEMENTS if name not in HELD)
 
 # One light that can be moved, and a floor that only it shines on.
 ONE_LAMP = {
-    "shadow.flame": (1.78, 0.47, 0.75),
+    "shadow.flame": (1.33, 0.73, 0.6),
     "shadow.light": "torch",
     "shadow.casters": "all",
     "shadow.method": "darken",
-    "shadow.strength": 0.65,
+    "shadow.strength": 0.8,
     "shadow.shine": 1.0,
     "shadow.sunlit": False,
-    "mirror.strength": 0.55,
+    "mirror.strength": 0.4,
     "torches.glow": 0.9,
+    "camera.fov": 54.0,
 }
 
 VIEWS = {
@@ -38,7 +39,7 @@ VIEWS = {
         View("hall_shadow", "the torch throws the dragon's shadow on the north wall",
              Pose(1.80, 0.44, 2.74, 343.0, -3.0), 20.0, settings={"camera.fov": 36.0}),
         View("hall_one_floor", "dragon, shadow and mirror image on one floor, by a lamp to carry",
-             Pose(1.5, 0.34, 2.02, 6.0, -18.0), 20.0, settings=ONE_LAMP),
+             Pose(1.55, 0.53, 2.14, 352.0, -34.0), 20.0, settings=ONE_LAMP),
         View("hall_ball", "a ball of silver mirrors the whole hall",
              Pose(1.75, 0.22, 1.62, 340.0, 0.0), 20.0,
              settings={"statue.figure": "ball", "statue.gold": (0.95, 0.96, 1.0)}),
