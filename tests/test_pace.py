@@ -98,7 +98,7 @@ def test_a_new_rung_is_found_within_half_a_second() -> None:
 
 
 def test_a_meadow_loses_its_blades_only_where_a_walk_would_become_a_slide_show() -> None:
-    """Frames of half again their time keep all blades; those of more than twice their time do not."""
+    """Frames of half again their time keep all blades, those of over twice their time do not."""
     good = max(n for n, level in enumerate(WALKING) if not level.resort)
     least = cost(WALKING[good])
     pace = Pace(30)
