@@ -206,6 +206,7 @@ def shown(survey: Survey) -> Iterator[Suspect]:
     drawing = [call for call in calls if call.name not in ("glFlush", "glFinish")]
     last = drawing[-1] if drawing else None
     pixels = int(changed(survey.base, np.zeros_like(survey.base)).sum())
+
     if not survey.draws:
         pass
     elif showing.way == "never" or (showing.way == "callback" and doubled):
@@ -232,6 +233,7 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             pixels,
             True,
         )
+
     setter = past.setters.last.get("GL_DRAW_BUFFER")
     for call in calls:
         if call.name == "glDrawBuffer":
@@ -248,6 +250,7 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             pixels or survey.base[..., 0].size,
             True,
         )
+
     if showing.way == "swap" and showing.again and not survey.draws and survey.tape.before:
         yield Suspect(
             "swapped-twice",
@@ -261,6 +264,7 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             True,
             source=f"{past.source.rpartition('/')[2]}:{showing.line}",
         )
+
     if showing.forced and showing.stirred and survey.tape.before is not None:
         former = survey.tape.before.color[::-1, :, :3]
         if former.shape == survey.base.shape:
