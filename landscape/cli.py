@@ -103,9 +103,21 @@ def _edits(options: argparse.Namespace) -> list[Any]:
 
 
 WALK_OPTIONS = (
-    "size", "fullscreen", "record", "replay", "frames", "fps", "backend", "only", "seed",
-    "wireframe", "quiet", "edits", "world", "path",
-)  # fmt: skip
+    "size",
+    "fullscreen",
+    "record",
+    "replay",
+    "frames",
+    "fps",
+    "backend",
+    "only",
+    "seed",
+    "wireframe",
+    "quiet",
+    "edits",
+    "world",
+    "path",
+)
 
 
 def _walk(options: argparse.Namespace) -> int:

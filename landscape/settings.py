@@ -953,9 +953,13 @@ class Grass:
         needs=("grass.sward",),
     )
     gusts: float = setting(
-        0.0, "chosen", "how far gusts bend the blades as they travel over the meadow", 0, 10,
+        0.0,
+        "chosen",
+        "how far gusts bend the blades as they travel over the meadow",
+        0,
+        10,
         unit="times a normal gust",
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True)

@@ -19,9 +19,18 @@ from pathlib import Path
 # Read by the program or by libraries, and not by Python at its start: a copy may have its own. It
 # adds the folders of PYTHONPATH itself.
 LATER = {
-    "PYTHONPATH", "DISPLAY", "XDG_RUNTIME_DIR", "XDG_SESSION_TYPE", "WAYLAND_DISPLAY", "COLUMNS",
-    "LANG", "LANGUAGE", "LANDSCAPE_CACHE", "MESA_GL_VERSION_OVERRIDE", "GALLIVM_PERF",
-}  # fmt: skip
+    "PYTHONPATH",
+    "DISPLAY",
+    "XDG_RUNTIME_DIR",
+    "XDG_SESSION_TYPE",
+    "WAYLAND_DISPLAY",
+    "COLUMNS",
+    "LANG",
+    "LANGUAGE",
+    "LANDSCAPE_CACHE",
+    "MESA_GL_VERSION_OVERRIDE",
+    "GALLIVM_PERF",
+}
 
 # The copy leaves the loop: its end is that of the interpreter, with all that Python does there.
 _SERVER = """

@@ -10,8 +10,18 @@ from landscape.gl.objects import forget_objects
 
 def _spoil() -> None:
     """Leave state behind that would spoil the drawing of a flat quad."""
-    for name in ("LIGHTING", "FOG", "DEPTH_TEST", "STENCIL_TEST", "SCISSOR_TEST", "ALPHA_TEST",
-                 "CULL_FACE", "COLOR_LOGIC_OP", "POLYGON_STIPPLE", "CLIP_PLANE3"):  # fmt: skip
+    for name in (
+        "LIGHTING",
+        "FOG",
+        "DEPTH_TEST",
+        "STENCIL_TEST",
+        "SCISSOR_TEST",
+        "ALPHA_TEST",
+        "CULL_FACE",
+        "COLOR_LOGIC_OP",
+        "POLYGON_STIPPLE",
+        "CLIP_PLANE3",
+    ):
         gl.glEnable(getattr(gl, f"GL_{name}"))
     gl.glScissor(0, 0, 1, 1)
     gl.glAlphaFunc(gl.GL_NEVER, 0.0)

@@ -19,9 +19,12 @@ from landscape.scene import Moment, OpenScene, Scene, View, placed, scene
 
 # The same voxel island in larger blocks, which is built in a quarter of the time.
 COARSE: dict[str, Any] = {
-    "voxel.regions": 5, "voxel.region_size": 50, "voxel.block": 0.16, "voxel.levels": 48,
+    "voxel.regions": 5,
+    "voxel.region_size": 50,
+    "voxel.block": 0.16,
+    "voxel.levels": 48,
     "voxel.sea": 5,
-}  # fmt: skip
+}
 STARTS: dict[str, dict[str, Any]] = {"hall": {}, "voxel": COARSE}
 # Settings that are changed together, by scene: no group of a line hides what another one shows.
 TOGETHER = {

@@ -223,10 +223,21 @@ def test_a_deer_from_above_is_a_back_and_not_a_line(
 
 
 OTHER_PICTURES = (
-    "fern.png", "oxeye.png", "willowherb.png", "marram.png", "heather.png", "oak_leaning.png",
-    "oak_tall.png", "oak_young.png", "hazel.png", "birch_tall.png", "birch_young.png", "pine.png",
-    "spruce_young.png", "bramble.png",
-)  # fmt: skip
+    "fern.png",
+    "oxeye.png",
+    "willowherb.png",
+    "marram.png",
+    "heather.png",
+    "oak_leaning.png",
+    "oak_tall.png",
+    "oak_young.png",
+    "hazel.png",
+    "birch_tall.png",
+    "birch_young.png",
+    "pine.png",
+    "spruce_young.png",
+    "bramble.png",
+)
 
 
 def test_white_becomes_transparent_and_other_colours_stay() -> None:

@@ -173,9 +173,13 @@ def flip_header(data: bytes) -> bytes:
 
 
 DAMAGES: list[Callable[[bytes], bytes]] = [
-    cut, flip, flip_header, lambda data: b"", lambda data: b"landscape cache 1\n" + data[18:],
+    cut,
+    flip,
+    flip_header,
+    lambda data: b"",
+    lambda data: b"landscape cache 1\n" + data[18:],
     lambda data: data + b"x",
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize("damage", DAMAGES)

@@ -131,8 +131,14 @@ def test_the_drawing_block_names_the_element_and_the_innermost_wins(stage: Stage
         gl.glIsEnabled(gl.GL_FOG)
     named = [call.shared_by for call in recorder.calls]
     assert named == [
-        ("frame",), ("water",), ("trees", "deer"), ("fog",), ("fog",), ("water",), ("frame",),
-    ]  # fmt: skip
+        ("frame",),
+        ("water",),
+        ("trees", "deer"),
+        ("fog",),
+        ("fog",),
+        ("water",),
+        ("frame",),
+    ]
     assert recorder.calls[2].element == "trees"
 
 

@@ -67,9 +67,18 @@ def turned_outward(mesh: Mesh) -> np.ndarray:
 def test_meshes_have_unit_normals_valid_indices_and_one_winding(mesh: Mesh) -> None:
     assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, atol=1e-5)
     assert mesh.triangles.max() == len(mesh.vertices) - 1
-    solid = np.linalg.norm(
-        np.cross(*(mesh.vertices[mesh.triangles[:, k]] - mesh.vertices[mesh.triangles[:, 0]]
-                   for k in (1, 2))), axis=1) > 1e-9  # fmt: skip
+    solid = (
+        np.linalg.norm(
+            np.cross(
+                *(
+                    mesh.vertices[mesh.triangles[:, k]] - mesh.vertices[mesh.triangles[:, 0]]
+                    for k in (1, 2)
+                )
+            ),
+            axis=1,
+        )
+        > 1e-9
+    )
     assert turned_outward(mesh)[solid].all()
     for array in (mesh.vertices, mesh.normals, *mesh.coordinates):
         assert array.dtype == np.float32 and array.flags.c_contiguous
@@ -293,8 +302,11 @@ def test_what_is_compiled_is_not_changed_by_settings(
     settings = small({**PLACED, **{f"castle.{key}": value for key, value in changes.items()}})
     castle = castle_class(settings)(settings, plain, FLAT)
     for key, value in (
-        ("x", 21.0), ("yaw", 5.0), ("brick_repeat", 2.0), ("ornate", not changes.get("ornate")),
-    ):  # fmt: skip
+        ("x", 21.0),
+        ("yaw", 5.0),
+        ("brick_repeat", 2.0),
+        ("ornate", not changes.get("ornate")),
+    ):
         assert not castle.apply(with_settings(settings, {f"castle.{key}": value}))
     lit_once = bool(changes.get("ornate"))
     assert castle.apply(with_settings(settings, {"sun.azimuth": 200.0})) != lit_once

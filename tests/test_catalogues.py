@@ -178,10 +178,11 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     french = {
         "Fog": "Brouillard",
         "| `F` | fog |": "| `F` | brouillard ! |",
-        "It hides what is far away, `and code` is left, as is [a long link](docs/a.md).":
-            "Il cache le lointain - `le code` reste, comme [un long lien](docs/a.md) 2. Ici.",
+        "It hides what is far away, `and code` is left, as is [a long link](docs/a.md).": (
+            "Il cache le lointain - `le code` reste, comme [un long lien](docs/a.md) 2. Ici."
+        ),
         "Thick": "Épais et très dense, à ne plus rien y voir",
-    }  # fmt: skip
+    }
     entries = (f'msgid "{text}"\nmsgstr "{other}"\n\n' for text, other in french.items())
     (locale / "docs").mkdir()
     (locale / "docs" / "README.po").write_text(HEAD + "".join(entries), encoding="utf-8")

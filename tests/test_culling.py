@@ -10,9 +10,13 @@ from landscape.render import Offscreen
 SIZE = (320, 240)
 ALL_DRAWN = {"camera.cull": False, "camera.lod_pixels": 0.0, "water.query": False}
 FEW = {
-    "grass.count": 50_000, "trees.count": 700, "plants.count": 500, "reflection.lod_scale": 1.0,
-    "ground.texture_size": 256, "ground.stones": 2000,
-}  # fmt: skip
+    "grass.count": 50_000,
+    "trees.count": 700,
+    "plants.count": 500,
+    "reflection.lod_scale": 1.0,
+    "ground.texture_size": 256,
+    "ground.stones": 2000,
+}
 
 
 @pytest.fixture(scope="module")

@@ -289,10 +289,18 @@ def test_one_walks_through_the_door_into_the_hall_and_back(through) -> None:
     assert out[4] == pytest.approx(160.0)
     assert through["seen"][changes[0] + 3][3] < into[3]
     assert through["back"], "the island was opened again"
-    assert through["waits"] == [["loading"], ["opening", "the great hall"],
-                                ["opening", "the island"]]  # fmt: skip
-    for text in ("the door leads into the great hall", "the great hall", "a note", "the island",
-                 "the door leads out to the island"):  # fmt: skip
+    assert through["waits"] == [
+        ["loading"],
+        ["opening", "the great hall"],
+        ["opening", "the island"],
+    ]
+    for text in (
+        "the door leads into the great hall",
+        "the great hall",
+        "a note",
+        "the island",
+        "the door leads out to the island",
+    ):
         assert text in through["said"]
 
 

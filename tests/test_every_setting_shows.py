@@ -101,9 +101,7 @@ SHOTS = {
     "castle.sides": replace(GROUPS["castle"], value=24),
     "castle.torches": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "castle.open": replace(GROUPS["castle"], settings={"castle.ornate": True}),
-    "castle.depth": Shot(
-        DOOR, ("castle",), {"castle.ornate": True, "castle.open": True}
-    ),
+    "castle.depth": Shot(DOOR, ("castle",), {"castle.ornate": True, "castle.open": True}),
     "castle.glow": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "castle.weathered": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "camera.near": replace(GROUPS["camera"], value=2.0),
@@ -115,10 +113,14 @@ SHOTS = {
     "ground.clip": replace(GROUPS["ground"], pose=SEA),
     "ground.texture_size": replace(GROUPS["ground"], value=16),
     "ground.mid_repeat": replace(GROUPS["ground"], settings=MATERIALS, value=13.0),
-    "ground.passes": replace(GROUPS["ground"], settings={
-        "ground.detail_repeat": 40.0, "fog.density": 0.3}, only=("ground", "fog")),
-    "ground.subdivide": of_fix("R14", settings=of_fix("R14").settings | {
-        "ground.smooth": "catmull_rom"}, value=1),
+    "ground.passes": replace(
+        GROUPS["ground"],
+        settings={"ground.detail_repeat": 40.0, "fog.density": 0.3},
+        only=("ground", "fog"),
+    ),
+    "ground.subdivide": of_fix(
+        "R14", settings=of_fix("R14").settings | {"ground.smooth": "catmull_rom"}, value=1
+    ),
     "ground.exact_height": of_fix("R15"),
     "ground.materials": STONY,
     "ground.sand_texture": replace(GROUPS["ground"], settings=MATERIALS),
@@ -146,9 +148,16 @@ SHOTS = {
     "water.ripples": of_fix("best1", value=0.5),
     "water.horizon_contrast": Shot(SEA, ("water", "fog"), {"water.horizon": 400.0}, 0.5),
     "water.caustics": Shot(
-        Pose(5.9, 0.78, 29.2, 315.0, -28.0), ("ground", "water"),
-        MATERIALS | {"ground.tiles": 4, "ground.resolution": 160, "water.shallow": True,
-                     "ground.height_image": "height16.png", "reflection.rippled": True},
+        Pose(5.9, 0.78, 29.2, 315.0, -28.0),
+        ("ground", "water"),
+        MATERIALS
+        | {
+            "ground.tiles": 4,
+            "ground.resolution": 160,
+            "water.shallow": True,
+            "ground.height_image": "height16.png",
+            "reflection.rippled": True,
+        },
     ),
     "sky.moving": of_fix("R1"),
     "sky.background": of_fix("R9"),
@@ -156,7 +165,8 @@ SHOTS = {
     "transparent.upright": of_fix("R4", only=("trees",)),
     "transparent.places": replace(GROUPS["transparent"], value="avenue.csv"),
     "deer.back": replace(
-        of_fix("R4", only=("deer",)), pose=Pose(20.27, 1.8, 28.9, 0.0, -84.0),
+        of_fix("R4", only=("deer",)),
+        pose=Pose(20.27, 1.8, 28.9, 0.0, -84.0),
         settings={"deer.count": 70, "plants.species": 5, "transparent.upright": True},
     ),
     "deer.species": replace(GROUPS["deer"], value=2),
@@ -176,7 +186,8 @@ SHOTS = {
     "plants.rosette": of_fix("R6b"),
     "plants.crossed_within": replace(GROUPS["plants"], value=0.5),
     "plants.shaded": Shot(
-        LAWN, ("ground", "trees", "plants"),
+        LAWN,
+        ("ground", "trees", "plants"),
         {"plants.count": 4000, "trees.count": 4000, "ground.shadows": True},
     ),
     "grass.count": replace(GROUPS["grass"], value=10_000),
@@ -188,16 +199,14 @@ SHOTS = {
     ),
     "castle.flame_faces": of_fix("R2", only=("castle",)),
     "rabbit.fur": replace(GROUPS["rabbit"], settings={"rabbit.scale": 0.3}, value=6),
-    "dragon.wet": replace(
-        GROUPS["dragon"], settings={"dragon.sheen": 0.8, "dragon.painted": True}
-    ),
+    "dragon.wet": replace(GROUPS["dragon"], settings={"dragon.sheen": 0.8, "dragon.painted": True}),
     "overlay.blade": replace(GROUPS["overlay"], stroke=0),
     "dragon.repeat": replace(GROUPS["dragon"], settings={"dragon.mapping": "axis"}),
     "dragon.sink": replace(GROUPS["dragon"], value=0.5),
     "overlay.sheen": replace(GROUPS["overlay"], stroke=1),
     "fog.start": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=3.0),
     "fog.end": replace(GROUPS["fog"], settings={"fog.mode": "linear"}, value=10.0),
-}  # fmt: skip
+}
 WIREFRAME = ("camera.cull",)
 # These save time; the picture must stay as it is, and the calls differ.
 ONLY_CALLS = {
@@ -206,14 +215,28 @@ ONLY_CALLS = {
     "water.query": replace(GROUPS["reflection"], settings={"reflection.rippled": True}),
 }
 # In the preset best these have an effect of their own beside the others.
-IN_BEST = ("sun.fill", "reflection.enabled", "water.color", "sky.unfogged", "trees.species",
-           "fog.density", "dragon.gloss", "dragon.sheen",
-           "overlay.sheen", "rabbit.mapping", "grass.arch",
-           "transparent.radius", "ground.materials")  # fmt: skip
+IN_BEST = (
+    "sun.fill",
+    "reflection.enabled",
+    "water.color",
+    "sky.unfogged",
+    "trees.species",
+    "fog.density",
+    "dragon.gloss",
+    "dragon.sheen",
+    "overlay.sheen",
+    "rabbit.mapping",
+    "grass.arch",
+    "transparent.radius",
+    "ground.materials",
+)
 # What of best takes longest to build, and none of these needs.
 QUICK: dict[str, Any] = {
-    "ground.weathered": False, "ground.stones": 0, "castle.weathered": False, "grass.sward": False,
-}  # fmt: skip
+    "ground.weathered": False,
+    "ground.stones": 0,
+    "castle.weathered": False,
+    "grass.sward": False,
+}
 
 
 @pytest.fixture(scope="module")

@@ -122,15 +122,25 @@ def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame
 
 DARK = "    glColorMask(0, 0, 1, 1)\n"
 REGIONS = {
-    "the map": ("second_viewport", ("    draw_maze()\n    glViewport", DARK
-                                    + "    draw_maze()\n"
-                                    + DARK.replace("0", "1") + "    glViewport")),
+    "the map": (
+        "second_viewport",
+        (
+            "    draw_maze()\n    glViewport",
+            DARK + "    draw_maze()\n" + DARK.replace("0", "1") + "    glViewport",
+        ),
+    ),
     "in the water": ("mirror", ("glColor4f(0.12", "glColor4f(0.5")),
-    "what is far, around the horizon": ("fog", ("(0.95, 0.3, 0.15)",
-                                                "((0.95, 0.3, 0.15) if z > -10 else (0, 0, 1))")),
-    "the tree at x = -1.8, z = -1.6": ("billboard", ("    glBegin(GL_QUADS)\n",
-                                       "    glColor3f(1, 0.5 if x == -1.8 else 1, 1)\n"
-                                       "    glBegin(GL_QUADS)\n")),
+    "what is far, around the horizon": (
+        "fog",
+        ("(0.95, 0.3, 0.15)", "((0.95, 0.3, 0.15) if z > -10 else (0, 0, 1))"),
+    ),
+    "the tree at x = -1.8, z = -1.6": (
+        "billboard",
+        (
+            "    glBegin(GL_QUADS)\n",
+            "    glColor3f(1, 0.5 if x == -1.8 else 1, 1)\n    glBegin(GL_QUADS)\n",
+        ),
+    ),
     "the lamp": ("light_position", ("    draw_ball(0.16)\n", "")),
     "the stair": ("clip_plane", ("(0.25, 0.6, 0.6)", "(0.9, 0.6, 0.6)")),
     "beside the floor": ("planar_shadow", ("glClearColor(0.13, 0.16", "glClearColor(0.53, 0.16")),
@@ -138,7 +148,7 @@ REGIONS = {
     "the gate": ("hidden_faces", ("(0.95, 0.72, 0.5)", "(0.55, 0.72, 0.5)")),
     "the things": ("shadow_map", ("(0.85, 0.35, 0.2)", "(0.25, 0.35, 0.8)")),
     "the vase": ("vertex_arrays", ("TWO_SIDE, GL_TRUE", "TWO_SIDE, GL_FALSE")),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("region", REGIONS)

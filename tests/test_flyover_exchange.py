@@ -26,8 +26,11 @@ def test_an_exported_flight_is_flown_as_the_environment_that_it_was(
     assert main(["flyover", "alps", "--export", str(folder), "--fps", "2"]) == 0
     written = capsys.readouterr().out.split()
     assert [Path(each).name for each in written] == [
-        "heights.bmp", "heights.png", "path.json", "flight.csv",
-    ]  # fmt: skip
+        "heights.bmp",
+        "heights.png",
+        "path.json",
+        "flight.csv",
+    ]
     before, after = open_environment("alps"), exchange.read(folder)
     assert np.abs(before.image - after.image).max() < 1 / 257
     assert after.path.length == pytest.approx(before.path.length, abs=0.01)
@@ -96,10 +99,14 @@ def test_a_profile_names_the_functions_that_take_the_time(
 
 def result(path: Path, fps: float, **changed: object) -> Path:
     found = {
-        "environment": "alps", "hash": "ab" * 20, "version": "0.2.0", "size": [64, 48], "frames": 3,
+        "environment": "alps",
+        "hash": "ab" * 20,
+        "version": "0.2.0",
+        "size": [64, 48],
+        "frames": 3,
         "machine": {"processor": "a fast one", "python": "3.11", "numpy": "2.0"},
         "rows": {"all": {"fps": fps, "ms": 1000 / fps}},
-    }  # fmt: skip
+    }
     path.write_text(json.dumps(found | changed))
     return path
 

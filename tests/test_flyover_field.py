@@ -98,8 +98,10 @@ def test_an_image_with_unequal_sides_is_mirrored_at_each_of_its_borders(
     pixels = np.random.default_rng(1).integers(0, 256, shape).astype(np.uint8)
     field = height_field(pixels, Flyover(relief=255.0))
     rows, columns = np.mgrid[-130:130, -130:130]
-    near = (np.minimum(mirrored(at, side), side - 1)
-            for at, side in zip((rows, columns), shape, strict=True))  # fmt: skip
+    near = (
+        np.minimum(mirrored(at, side), side - 1)
+        for at, side in zip((rows, columns), shape, strict=True)
+    )
     assert np.array_equal(field.height(columns, rows), 255.0 - pixels[tuple(near)])
 
 

@@ -34,10 +34,14 @@ def test_nothing_in_the_picture_is_left_out(pose: Pose) -> None:
 def test_the_eye_is_near_until_it_has_moved_or_turned_too_far() -> None:
     then = looking(Pose(5.0, 1.0, 5.0, 30.0, -10.0))
     for change, near in (
-        ({"x": 5.05}, True), ({"x": 5.05, "y": 1.05}, False), ({"yaw": 33.0}, True),
-        ({"yaw": 35.0}, False), ({"pitch": -13.5}, True), ({"pitch": -15.0}, False),
+        ({"x": 5.05}, True),
+        ({"x": 5.05, "y": 1.05}, False),
+        ({"yaw": 33.0}, True),
+        ({"yaw": 35.0}, False),
+        ({"pitch": -13.5}, True),
+        ({"pitch": -15.0}, False),
         ({"yaw": 33.0, "pitch": -13.5}, False),
-    ):  # fmt: skip
+    ):
         assert is_near(then, looking(replace(then.pose, **change))) == near, change
     assert not is_near(then, replace(then, size=(120, 160)))
     assert is_near(then, then, 0.0, 0.0)

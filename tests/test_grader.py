@@ -107,15 +107,17 @@ def test_a_forged_error_is_still_one_line(grader: Grader, tmp_path: Path) -> Non
     [
         ("while True:\n    pass", {"late_window"}),
         (OPEN + "while True:\n    pass", {"no_frame"}),
-        ("while True:\n    try:\n        time.sleep(9)\n    except BaseException:\n        pass",
-         {"late", "late_window"}),
+        (
+            "while True:\n    try:\n        time.sleep(9)\n    except BaseException:\n        pass",
+            {"late", "late_window"},
+        ),
         pytest.param(
             "import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True:\n    pass",
             {"late"},
             marks=pytest.mark.skipif(os.name == "nt", reason="there is no such signal"),
         ),
     ],
-)  # fmt: skip
+)
 def test_a_program_that_never_ends_is_ended(code: str, words: set[str], tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text(HEAD + code + "\n")

@@ -410,10 +410,15 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
 
     wide = shown()
     for change in (
-        {"grass.count": 3001}, {"grass.scale": (2.0, 1.0)}, {"castle.z": 20.0},
-        {"ground.resolution": 41}, {"water.level": 0.7}, {"grass.facing": 0.6},
-        {"grass.fade": True}, {"grass.tinted": True},
-    ):  # fmt: skip
+        {"grass.count": 3001},
+        {"grass.scale": (2.0, 1.0)},
+        {"castle.z": 20.0},
+        {"ground.resolution": 41},
+        {"water.level": 0.7},
+        {"grass.facing": 0.6},
+        {"grass.fade": True},
+        {"grass.tinted": True},
+    ):
         assert not grass.apply(small({"grass.radius": 1.0, **change})), change
         assert (shown() == wide).all(), "refused settings change nothing"
     assert grass.apply(small({"grass.radius": 1.0, "fog.density": 0.5, "castle.yaw": 3.0}))
@@ -425,8 +430,12 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
 def test_the_plain_grass_is_used_in_2006_and_not_in_best() -> None:
     assert not meadow.wanted(preset("2006")) and meadow.wanted(preset("best"))
     for key, value in (
-        ("tinted", True), ("fade", True), ("facing", 0.6), ("tufts", 7), ("variety", 1.0),
+        ("tinted", True),
+        ("fade", True),
+        ("facing", 0.6),
+        ("tufts", 7),
+        ("variety", 1.0),
         ("arch", 4.0),
-    ):  # fmt: skip
+    ):
         assert meadow.wanted(small({f"grass.{key}": value})), key
     assert not meadow.wanted(small({"grass.method": "loop", "grass.count": 9}))

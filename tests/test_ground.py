@@ -235,15 +235,23 @@ def test_the_ground_accepts_settings_that_it_does_not_use_and_refuses_the_rest(
     settings = small()
     ground = Ground(settings, plain, SUN)
     for key, value in (
-        ("ground.clip", False), ("ground.sand_repeat", 3.0), ("fog.density", 1.0),
-        ("sun.azimuth", 5.0), ("camera.cull", True), ("ground.mid_repeat", 5.0),
-    ):  # fmt: skip
+        ("ground.clip", False),
+        ("ground.sand_repeat", 3.0),
+        ("fog.density", 1.0),
+        ("sun.azimuth", 5.0),
+        ("camera.cull", True),
+        ("ground.mid_repeat", 5.0),
+    ):
         assert ground.apply(with_settings(settings, {key: value})), key
     for key, value in (
-        ("ground.resolution", 41), ("ground.units", "large"), ("ground.detail_repeat", 3.0),
-        ("ground.materials", True), ("ground.shadows", True), ("ground.smooth", "catmull_rom"),
+        ("ground.resolution", 41),
+        ("ground.units", "large"),
+        ("ground.detail_repeat", 3.0),
+        ("ground.materials", True),
+        ("ground.shadows", True),
+        ("ground.smooth", "catmull_rom"),
         ("water.level", 1.0),
-    ):  # fmt: skip
+    ):
         assert not ground.apply(with_settings(settings, {key: value})), key
     ground.release()
 

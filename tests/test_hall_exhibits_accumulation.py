@@ -213,8 +213,9 @@ def test_exhibits_out_of_view_or_far_away_are_not_accumulated(view: Offscreen) -
         view.draw()
         with recording() as seen:
             view.draw()
-        return sum(call.name == "glBindFramebuffer" and call.element == "exhibits"
-                   for call in seen.calls)  # fmt: skip
+        return sum(
+            call.name == "glBindFramebuffer" and call.element == "exhibits" for call in seen.calls
+        )
 
     assert uses(MILL) == 4
     assert uses((1.2, 0.15, 1.8, 90.0, 0.0)) == 0

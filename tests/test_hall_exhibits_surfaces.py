@@ -60,8 +60,9 @@ def through_solids() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     turn = np.array([[np.cos(a), 0, np.sin(a)], [0, 1, 0], [-np.sin(a), 0, np.cos(a)]])
     tilt = np.array([[np.cos(b), -np.sin(b), 0], [np.sin(b), np.cos(b), 0], [0, 0, 1]])
     own = (turn @ tilt).T
-    eye = own @ (np.array([AT_SOLIDS.x, AT_SOLIDS.y, AT_SOLIDS.z])
-                 - (MIDDLE, HEIGHT, plan.ALCOVES[SOLIDS]))  # fmt: skip
+    eye = own @ (
+        np.array([AT_SOLIDS.x, AT_SOLIDS.y, AT_SOLIDS.z]) - (MIDDLE, HEIGHT, plan.ALCOVES[SOLIDS])
+    )
     way = rays(AT_SOLIDS) @ own.T
     square, half = (way * way).sum(axis=2), way @ eye
     root = half**2 - square * (eye @ eye - RADIUS**2)

@@ -20,9 +20,20 @@ from landscape.scene import Moment, placed
 
 pytestmark = pytest.mark.golden
 
-VIEWS = ("hall", "hall_mirror", "hall_shadow", "hall_caustics", "hall_contrast", "hall_sphere",
-         "hall_mist", "hall_exhibits", "hall_one_floor", "hall_texture", "hall_ball",
-         "hall_sky")  # fmt: skip
+VIEWS = (
+    "hall",
+    "hall_mirror",
+    "hall_shadow",
+    "hall_caustics",
+    "hall_contrast",
+    "hall_sphere",
+    "hall_mist",
+    "hall_exhibits",
+    "hall_one_floor",
+    "hall_texture",
+    "hall_ball",
+    "hall_sky",
+)
 LARGE = (320, 240)
 
 

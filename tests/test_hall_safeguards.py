@@ -63,8 +63,11 @@ def test_a_safeguard_s_name_is_a_view_with_it(safeguard: Safeguard) -> None:
 def test_every_safeguard_of_mirror_and_shadow_has_a_pair() -> None:
     kinds = fields(type(SCENE.settings))
     groups = ("mirror.", "shadow.")
-    switches = {key for key in kinds if key.startswith(groups)
-                and isinstance(get(SCENE.settings, key), bool)}  # fmt: skip
+    switches = {
+        key
+        for key in kinds
+        if key.startswith(groups) and isinstance(get(SCENE.settings, key), bool)
+    }
     paired = {key for each in SAFEGUARDS for key in each.on if each.on[key] != each.off[key]}
     assert switches - paired == {
         "mirror.enabled",

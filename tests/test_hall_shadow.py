@@ -80,8 +80,11 @@ def statue_triangles() -> np.ndarray:
     x, y, z = (mesh.vertices.astype(np.float64) * plan.STATUE_SCALE).T
     (east, south), (_, top) = plan.STATUE, plan.PLINTH
     lift = top - plan.STATUE_SUNK - float(unit.vertices[:, 1].min()) * plan.STATUE_SCALE
-    placed = [east + x * math.cos(turn) + z * math.sin(turn), y + lift,
-              south - x * math.sin(turn) + z * math.cos(turn)]  # fmt: skip
+    placed = [
+        east + x * math.cos(turn) + z * math.sin(turn),
+        y + lift,
+        south - x * math.sin(turn) + z * math.cos(turn),
+    ]
     return np.stack(placed, axis=1)[mesh.triangles]
 
 
@@ -114,8 +117,9 @@ def seen(pose: Pose, plane: np.ndarray) -> np.ndarray:
     (low, high), (first, last) = WALL_SEEN if wall else FLOOR_SEEN
     area = [(low, first), (high, first), (high, last), (low, last)]
     corners = [(a, b, plan.INSIDE.north) if wall else (a, 0.0, b) for a, b in area]
-    return filled(pose, np.array([[corners[0], corners[1], corners[2]],
-                                  [corners[0], corners[2], corners[3]]]))  # fmt: skip
+    return filled(
+        pose, np.array([[corners[0], corners[1], corners[2]], [corners[0], corners[2], corners[3]]])
+    )
 
 
 LIGHTS = {

@@ -26,14 +26,17 @@ LAMP = call("glBegin", MAIN, (76, "draw_lamp"), (12, "draw_box"), (5, "glBegin")
     ("first", "second", "words"),
     [
         (ARM, LAMP, "between line 75 (draw_arm) and line 76 (draw_lamp)"),
-        (call("glScalef", MAIN, (71, "glScalef")), LAMP,
-         "between line 71 (glScalef) and line 76 (draw_lamp)"),
+        (
+            call("glScalef", MAIN, (71, "glScalef")),
+            LAMP,
+            "between line 71 (glScalef) and line 76 (draw_lamp)",
+        ),
         (LAMP, ARM, "between line 76 (draw_lamp) and line 75 (draw_arm) of the next pass"),
         (ARM, ARM, "between line 31 (glEnd) and line 31 (glEnd) of the next pass"),
         (None, LAMP, "before line 5 (glBegin)"),
         (ARM, call("glEnd"), "after line 31 (glEnd)"),
     ],
-)  # fmt: skip
+)
 def test_a_hint_names_two_lines_of_one_function(
     first: Call | None, second: Call | None, words: str
 ) -> None:
@@ -44,8 +47,11 @@ def test_a_hint_names_two_lines_of_one_function(
 def test_french_hints_have_a_decimal_comma_and_leave_names_and_whole_numbers() -> None:
     told = hint(
         Text("{size:.1f} {ratio:.2f} {file} {line}"),
-        size=2.24, ratio=np.float32(0.5), file="a.py", line=1500,
-    )  # fmt: skip
+        size=2.24,
+        ratio=np.float32(0.5),
+        file="a.py",
+        line=1500,
+    )
     assert told.written(str) == "2.2 0.50 a.py 1500"
     assert told.written(FRENCH) == "2,2 0,50 a.py 1500"
 
@@ -56,14 +62,29 @@ def test_without_any_line_there_is_no_place() -> None:
 
 
 def test_the_lines_are_those_that_lead_to_a_call(tmp_path: Path) -> None:
-    code = "\n".join([
-        "# exercise: winding", "import glfw", "from OpenGL.GL import *",
-        "def draw_face(x):", "    glBegin(GL_POINTS)", "    glVertex2f(x, 0)", "    glEnd()",
-        "def draw():", "    draw_face(0)", "    for x in (0.1, 0.2):", "        draw_face(x)",
-        "glfw.init()", "window = glfw.create_window(64, 48, '', None, None)",
-        "glfw.make_context_current(window)", "while not glfw.window_should_close(window):",
-        "    draw()", "    glfw.swap_buffers(window)", "    glfw.poll_events()", "",
-    ])  # fmt: skip
+    code = "\n".join(
+        [
+            "# exercise: winding",
+            "import glfw",
+            "from OpenGL.GL import *",
+            "def draw_face(x):",
+            "    glBegin(GL_POINTS)",
+            "    glVertex2f(x, 0)",
+            "    glEnd()",
+            "def draw():",
+            "    draw_face(0)",
+            "    for x in (0.1, 0.2):",
+            "        draw_face(x)",
+            "glfw.init()",
+            "window = glfw.create_window(64, 48, '', None, None)",
+            "glfw.make_context_current(window)",
+            "while not glfw.window_should_close(window):",
+            "    draw()",
+            "    glfw.swap_buffers(window)",
+            "    glfw.poll_events()",
+            "",
+        ]
+    )
     path = tmp_path / "mine.py"
     path.write_text(code)
     with Grader(100) as grader:

@@ -95,8 +95,10 @@ class Driven:
         self._screen, self._now = screen, {}
         self._process = subprocess.Popen(
             [sys.executable, "-c", WALK, json.dumps(POSE), json.dumps(settings)],
-            env=screen, cwd=folder, stdout=subprocess.PIPE,
-        )  # fmt: skip
+            env=screen,
+            cwd=folder,
+            stdout=subprocess.PIPE,
+        )
         self._lines = self._process.stdout
         assert self._lines is not None
         os.set_blocking(self._lines.fileno(), False)

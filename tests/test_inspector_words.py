@@ -11,22 +11,26 @@ from landscape.window.inspector_words import arithmetic
 
 ROWS = {
     "colour (1.000, 0.500, 0.000)": "couleur (1.000, 0.500, 0.000)",
-    "unit 1, GL_COMBINE, texel (0.1, 0.2, 0.3): (0.2, 0.2, 0.2)":
-    "unité 1, GL_COMBINE, texel (0.1, 0.2, 0.3): (0.2, 0.2, 0.2)",
-    "fog: 0.9 x (1, 1, 1) + 0.1 x (0, 0, 0) = (0.9, 0.9, 0.9)":
-    "brouillard : 0.9 x (1, 1, 1) + 0.1 x (0, 0, 0) = (0.9, 0.9, 0.9)",
-    "(1, 1, 1) replaces (0, 0, 0), of which RG is written = (1, 1, 0)":
-    "(1, 1, 1) remplace (0, 0, 0), dont RG est écrit = (1, 1, 0)",
-    "GL_MIN of (1, 1, 1) and (0, 0, 0) = (0, 0, 0)":
-    "GL_MIN de (1, 1, 1) et (0, 0, 0) = (0, 0, 0)",
-    "GL_XOR of the bits of (1, 1, 1) and (1, 1, 1), of which nothing is written = (0, 0, 0)":
-    "GL_XOR des bits de (1, 1, 1) et (1, 1, 1), dont rien n’est écrit = (0, 0, 0)",
+    "unit 1, GL_COMBINE, texel (0.1, 0.2, 0.3): (0.2, 0.2, 0.2)": (
+        "unité 1, GL_COMBINE, texel (0.1, 0.2, 0.3): (0.2, 0.2, 0.2)"
+    ),
+    "fog: 0.9 x (1, 1, 1) + 0.1 x (0, 0, 0) = (0.9, 0.9, 0.9)": (
+        "brouillard : 0.9 x (1, 1, 1) + 0.1 x (0, 0, 0) = (0.9, 0.9, 0.9)"
+    ),
+    "(1, 1, 1) replaces (0, 0, 0), of which RG is written = (1, 1, 0)": (
+        "(1, 1, 1) remplace (0, 0, 0), dont RG est écrit = (1, 1, 0)"
+    ),
+    "GL_MIN of (1, 1, 1) and (0, 0, 0) = (0, 0, 0)": "GL_MIN de (1, 1, 1) et (0, 0, 0) = (0, 0, 0)",
+    "GL_XOR of the bits of (1, 1, 1) and (1, 1, 1), of which nothing is written = (0, 0, 0)": (
+        "GL_XOR des bits de (1, 1, 1) et (1, 1, 1), dont rien n’est écrit = (0, 0, 0)"
+    ),
     "behind GL_CLIP_PLANE0 or GL_CLIP_PLANE1": "derrière GL_CLIP_PLANE0 ou GL_CLIP_PLANE1",
-    "reference 1 GL_EQUAL 0 in the stencil buffer: fails":
-    "référence 1 GL_EQUAL 0 dans le tampon de stencil : échec",
+    "reference 1 GL_EQUAL 0 in the stencil buffer: fails": (
+        "référence 1 GL_EQUAL 0 dans le tampon de stencil : échec"
+    ),
     "depth 0.500000 GL_LESS 0.250000: fails": "profondeur 0.500000 GL_LESS 0.250000 : échec",
     "set to = (0.4, 0.6, 0.7)": "mis à = (0.4, 0.6, 0.7)",
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("english", ROWS)

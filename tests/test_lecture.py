@@ -170,8 +170,9 @@ def test_of_a_lesson_s_own_caption_the_last_sentences_may_be_left_out(tmp_path: 
     lesson_step, own = read(_written(tmp_path, text)).steps
     captions = texts.captions(lesson_step)
     assert captions[0] == lesson("matrix_stack").about[0] and len(captions) > 2
-    assert all(long.startswith(f"{short} ") for long, short in zip(captions, captions[1:],
-                                                                   strict=False))  # fmt: skip
+    assert all(
+        long.startswith(f"{short} ") for long, short in zip(captions, captions[1:], strict=False)
+    )
     assert texts.captions(own) == ["One. Two."]
 
 

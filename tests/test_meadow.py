@@ -438,9 +438,14 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(sow) -
 
     before = drawn()
     for key, value in (
-        ("count", 50_001), ("scale", (2.0, 1.0)), ("tufts", 6), ("arch", 2.0), ("fade", True),
-        ("variety", 0.5), ("tinted", True),
-    ):  # fmt: skip
+        ("count", 50_001),
+        ("scale", (2.0, 1.0)),
+        ("tufts", 6),
+        ("arch", 2.0),
+        ("fade", True),
+        ("variety", 0.5),
+        ("tinted", True),
+    ):
         assert not meadow.apply(grass_settings(**{key: value})), key
         assert (drawn() == before).all(), "refused settings change nothing"
     assert not meadow.apply(small({"grass.count": 50_000, "castle.x": 3.0}))

@@ -91,9 +91,12 @@ def test_sorting_keeps_every_triangle_and_brings_neighbours_together() -> None:
     triangles = rng.permutation(place[grid_triangles(30, 30)])
     colors = (vertices * 200).astype(np.uint8)
     mesh = Mesh(
-        vertices[shuffled], vertices[shuffled] + 1, triangles, (vertices[shuffled, :2],),
+        vertices[shuffled],
+        vertices[shuffled] + 1,
+        triangles,
+        (vertices[shuffled, :2],),
         np.insert(colors[shuffled], 3, 255, axis=1),
-    )  # fmt: skip
+    )
     tidy = gathered(mesh)
 
     def corners(m: Mesh) -> set[bytes]:

@@ -6,8 +6,12 @@ import pytest
 from landscape.geometry.planar import shadow_matrix, shadows_of
 
 RNG = np.random.default_rng(7)
-PLANES = [np.array([0.0, 1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0, -0.4]),
-          np.array([0.6, 0.8, 0.0, -1.5]), np.array([2.0, -1.0, 0.5, 3.0])]  # fmt: skip
+PLANES = [
+    np.array([0.0, 1.0, 0.0, 0.0]),
+    np.array([0.0, 0.0, 1.0, -0.4]),
+    np.array([0.6, 0.8, 0.0, -1.5]),
+    np.array([2.0, -1.0, 0.5, 3.0]),
+]
 
 
 def in_front(plane: np.ndarray, least: float, most: float) -> np.ndarray:
@@ -15,8 +19,9 @@ def in_front(plane: np.ndarray, least: float, most: float) -> np.ndarray:
     points = RNG.uniform(-3, 3, (50, 3))
     wanted = RNG.uniform(least, most, 50)
     normal = plane[:3]
-    return np.asarray(points + ((wanted - points @ normal - plane[3]) / (normal @ normal))[:, None]
-                      * normal)  # fmt: skip
+    return np.asarray(
+        points + ((wanted - points @ normal - plane[3]) / (normal @ normal))[:, None] * normal
+    )
 
 
 @pytest.mark.parametrize("plane", PLANES, ids=["floor", "wall", "slanted", "not unit"])

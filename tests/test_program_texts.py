@@ -23,7 +23,7 @@ def draw():
     # Your code goes here.
     write(16, 16, "it's on" if size else "é", at="no")
     # Before a tag.
-    glEnd()  # fmt: skip
+    glEnd()
 
 
 window = glfw.create_window(640, 480, "A title", None, None)
@@ -40,7 +40,7 @@ def draw():
     # Your code goes here.
     write(16, 16, "IT'S ON" if size else "É", at="no")
     # BEFORE A TAG.
-    glEnd()  # fmt: skip
+    glEnd()
 
 
 window = glfw.create_window(640, 480, "A TITLE", None, None)
@@ -49,10 +49,19 @@ LABELS = {"no": ("A", "B")}
 
 
 def test_the_texts_of_a_program_are_found_and_translated_and_nothing_else() -> None:
-    assert sorted(texts(PROGRAM)) == sorted([
-        "Two lines, one text.", "degrees", "Draw it.", "Before a tag.", "it's on", "é", "A title",
-        "a", "b",
-    ])  # fmt: skip
+    assert sorted(texts(PROGRAM)) == sorted(
+        [
+            "Two lines, one text.",
+            "degrees",
+            "Draw it.",
+            "Before a tag.",
+            "it's on",
+            "é",
+            "A title",
+            "a",
+            "b",
+        ]
+    )
     assert translated(PROGRAM, str.upper) == LOUD
     assert translated(PROGRAM, str) == PROGRAM
 

@@ -141,8 +141,11 @@ def test_a_fix_is_a_view_that_shows_it_fixed() -> None:
 def test_a_fix_is_drawn_by_its_name_as_in_its_second_picture() -> None:
     fix = next(fix for fix in FIXES if fix.name == "R14")
     pictures = []
-    for view, settings in (("R14", {}), (fix.pose(True), fix.settings(True)),
-                           (fix.pose(False), fix.settings(False))):  # fmt: skip
+    for view, settings in (
+        ("R14", {}),
+        (fix.pose(True), fix.settings(True)),
+        (fix.pose(False), fix.settings(False)),
+    ):
         preset = "2006" if settings else None
         with Offscreen((80, 60), preset, settings, only=fix.only, samples=0) as offscreen:
             offscreen.look(view, fix.kt)

@@ -146,7 +146,7 @@ def test_the_page_shows_value_preset_range_and_what_the_change_did() -> None:
         "how dense it is in the modes exp2 and exp",
         "from 0 to 1000 per unit (preset: 0.042)",
         "changed at once",
-    )  # fmt: skip
+    )
     counts = [line for line in shown.lines if line.default and not line.chosen]
     assert [line.value for line in counts] == ["20\u00a0000\u00a0000"]
     assert not any(line.default for line in page(BEST, BEST, "fog.mode", "", "en").lines)

@@ -198,7 +198,14 @@ def test_blocks_are_what_is_translated() -> None:
     text = "# A\n\none\ntwo\n- x\n- y\n\n1. z\n\n    code\n\n| a | b |\n|---|---|\n"
     text += "| c | d |\n| fig35a | -3.9 |\n"
     assert [(b.mark, b.text) for b in blocks(text, str.upper)] == [
-        ("# ", "A"), ("", "ONE TWO"), ("- ", "X"), ("- ", "Y"), ("1. ", "Z"), ("```", "    code"),
-        ("| ", "| A | B |"), ("```", "|---|---|"), ("| ", "| C | D |"),
+        ("# ", "A"),
+        ("", "ONE TWO"),
+        ("- ", "X"),
+        ("- ", "Y"),
+        ("1. ", "Z"),
+        ("```", "    code"),
+        ("| ", "| A | B |"),
+        ("```", "|---|---|"),
+        ("| ", "| C | D |"),
         ("```", "| fig35a | -3.9 |"),
-    ]  # fmt: skip
+    ]

@@ -342,7 +342,9 @@ def test_mip_levels_of_neighbouring_faces_match_along_the_edge() -> None:
     for one, other in pairs:
         assert (one[:, -1] == other[:, 0]).all()
     plain = mip_levels(left)
-    assert all((one[1:-1, 1:-1] == levels[1:-1, 1:-1]).all() for (one, _), levels in
-               zip(pairs, plain, strict=False))  # fmt: skip
+    assert all(
+        (one[1:-1, 1:-1] == levels[1:-1, 1:-1]).all()
+        for (one, _), levels in zip(pairs, plain, strict=False)
+    )
     odd = left[:63]
     assert len(seamless_levels(odd)) == 1 and seamless_levels(odd)[0] is odd

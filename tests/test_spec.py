@@ -128,18 +128,26 @@ def test_the_kind_of_an_argument_follows_from_the_others(name, index, args, kind
         ("glFogi", 1, ("GL_FOG_MODE", 0), "EXP EXP2 LINEAR"),
         ("glFogi", 1, ("GL_FOG_DENSITY", 0), ""),
         ("glLightfv", 0, (0, 0, 0), " ".join(f"LIGHT{k}" for k in range(8))),
-        ("glLightModeli", 0, (0, 0), "LIGHT_MODEL_LOCAL_VIEWER LIGHT_MODEL_TWO_SIDE "
-         "LIGHT_MODEL_COLOR_CONTROL"),
+        (
+            "glLightModeli",
+            0,
+            (0, 0),
+            "LIGHT_MODEL_LOCAL_VIEWER LIGHT_MODEL_TWO_SIDE LIGHT_MODEL_COLOR_CONTROL",
+        ),
         ("glTexParameteri", 2, (3553, "GL_TEXTURE_MAG_FILTER", 0), "NEAREST LINEAR"),
         ("glTexEnvi", 1, ("GL_TEXTURE_FILTER_CONTROL", 0, 0), "TEXTURE_LOD_BIAS"),
         ("glTexGeni", 2, ("GL_Q", "GL_TEXTURE_GEN_MODE", 0), "OBJECT_LINEAR EYE_LINEAR"),
         ("glDepthMask", 0, (1,), "FALSE TRUE"),
-        ("glClear", 0, (0,), "COLOR_BUFFER_BIT DEPTH_BUFFER_BIT STENCIL_BUFFER_BIT "
-         "ACCUM_BUFFER_BIT"),
+        (
+            "glClear",
+            0,
+            (0,),
+            "COLOR_BUFFER_BIT DEPTH_BUFFER_BIT STENCIL_BUFFER_BIT ACCUM_BUFFER_BIT",
+        ),
         ("glVertex3f", 0, (0.0, 0.0, 0.0), ""),
         ("glUseProgram", 0, (0,), ""),
     ],
-)  # fmt: skip
+)
 def test_the_legal_enumerants_follow_from_the_others(name, index, args, names) -> None:
     expected = tuple(f"GL_{each}" for each in names.split())
     assert spec.legal(name, index, tuple(map(value, args))) == expected
@@ -327,15 +335,35 @@ CALLS = [
     ("glFogi", 1, ("GL_FOG_COORD_SRC", 0)),
     ("glPointParameterf", 0, (0, 1.0)),
     ("glBindTexture", 0, (0, 0)),
-    *(("glTexParameteri", 2, ("GL_TEXTURE_2D", pname, 0)) for pname in (
-        "GL_TEXTURE_MIN_FILTER", "GL_TEXTURE_MAG_FILTER", "GL_TEXTURE_WRAP_S", "GL_TEXTURE_WRAP_R",
-        "GL_DEPTH_TEXTURE_MODE", "GL_TEXTURE_COMPARE_MODE", "GL_TEXTURE_COMPARE_FUNC")),
+    *(
+        ("glTexParameteri", 2, ("GL_TEXTURE_2D", pname, 0))
+        for pname in (
+            "GL_TEXTURE_MIN_FILTER",
+            "GL_TEXTURE_MAG_FILTER",
+            "GL_TEXTURE_WRAP_S",
+            "GL_TEXTURE_WRAP_R",
+            "GL_DEPTH_TEXTURE_MODE",
+            "GL_TEXTURE_COMPARE_MODE",
+            "GL_TEXTURE_COMPARE_FUNC",
+        )
+    ),
     ("glGetTexParameterfv", 1, ("GL_TEXTURE_2D", 0, np.ones(4, "f"))),
     ("glGetTexLevelParameteriv", 2, ("GL_TEXTURE_2D", 0, 0, np.ones(4, "i"))),
     ("glTexEnvfv", 1, (ENV, 0, np.ones(4, "f"))),
-    *(("glTexEnvi", 2, (ENV, f"GL_{pname}", 0)) for pname in (
-        "TEXTURE_ENV_MODE", "COMBINE_RGB", "COMBINE_ALPHA", "SRC0_RGB", "SRC2_ALPHA",
-        "OPERAND1_RGB", "OPERAND0_ALPHA", "RGB_SCALE", "ALPHA_SCALE")),
+    *(
+        ("glTexEnvi", 2, (ENV, f"GL_{pname}", 0))
+        for pname in (
+            "TEXTURE_ENV_MODE",
+            "COMBINE_RGB",
+            "COMBINE_ALPHA",
+            "SRC0_RGB",
+            "SRC2_ALPHA",
+            "OPERAND1_RGB",
+            "OPERAND0_ALPHA",
+            "RGB_SCALE",
+            "ALPHA_SCALE",
+        )
+    ),
     *(("glTexGeni", 2, (f"GL_{coord}", "GL_TEXTURE_GEN_MODE", 0)) for coord in "STRQ"),
     ("glTexGenfv", 0, (0, "GL_OBJECT_PLANE", np.ones(4, "f"))),
     ("glActiveTexture", 0, (0,)),
@@ -357,7 +385,7 @@ CALLS = [
     ("glGetFloatv", 0, (0, np.zeros(64, "f"))),
     ("glGetString", 0, (0,)),
     ("glMultiTexCoord2f", 0, (0, 0.0, 0.0)),
-]  # fmt: skip
+]
 
 # Where OpenGL takes numbers, it calls a wrong one an invalid value, not an invalid enumerant.
 NUMBERS = {("glTexImage2D", 2), ("glVertexPointer", 0), ("glPixelStorei", 1)}
@@ -424,14 +452,26 @@ def test_opengl_takes_each_legal_value_and_refuses_another(undone, name, index, 
         ("glDisableClientState", ("GL_TEXTURE_COORD_ARRAY",), "GL_TEXTURE2.GL_TEXTURE_COORD_ARRAY"),
         ("glFogf", ("GL_FOG_DENSITY", 0.1), "GL_FOG_DENSITY"),
         ("glLightfv", ("GL_LIGHT1", "GL_POSITION", (0, 0, 1, 0)), "GL_LIGHT1.GL_POSITION"),
-        ("glMaterialfv", ("GL_FRONT_AND_BACK", "GL_AMBIENT_AND_DIFFUSE", (0, 0, 0, 0)),
-         "GL_FRONT.GL_AMBIENT GL_FRONT.GL_DIFFUSE GL_BACK.GL_AMBIENT GL_BACK.GL_DIFFUSE"),
-        ("glTexEnvi", ("GL_TEXTURE_ENV", "GL_TEXTURE_ENV_MODE", "GL_MODULATE"),
-         "GL_TEXTURE1.GL_TEXTURE_ENV.GL_TEXTURE_ENV_MODE"),
-        ("glTexGeni", ("GL_S", "GL_TEXTURE_GEN_MODE", "GL_EYE_LINEAR"),
-         "GL_TEXTURE1.GL_S.GL_TEXTURE_GEN_MODE"),
-        ("glTexParameteri", ("GL_TEXTURE_2D", "GL_TEXTURE_MIN_FILTER", "GL_LINEAR"),
-         "GL_TEXTURE_2D.GL_TEXTURE_MIN_FILTER"),
+        (
+            "glMaterialfv",
+            ("GL_FRONT_AND_BACK", "GL_AMBIENT_AND_DIFFUSE", (0, 0, 0, 0)),
+            "GL_FRONT.GL_AMBIENT GL_FRONT.GL_DIFFUSE GL_BACK.GL_AMBIENT GL_BACK.GL_DIFFUSE",
+        ),
+        (
+            "glTexEnvi",
+            ("GL_TEXTURE_ENV", "GL_TEXTURE_ENV_MODE", "GL_MODULATE"),
+            "GL_TEXTURE1.GL_TEXTURE_ENV.GL_TEXTURE_ENV_MODE",
+        ),
+        (
+            "glTexGeni",
+            ("GL_S", "GL_TEXTURE_GEN_MODE", "GL_EYE_LINEAR"),
+            "GL_TEXTURE1.GL_S.GL_TEXTURE_GEN_MODE",
+        ),
+        (
+            "glTexParameteri",
+            ("GL_TEXTURE_2D", "GL_TEXTURE_MIN_FILTER", "GL_LINEAR"),
+            "GL_TEXTURE_2D.GL_TEXTURE_MIN_FILTER",
+        ),
         ("glBindTexture", ("GL_TEXTURE_2D", 3), "GL_TEXTURE1.GL_TEXTURE_BINDING_2D"),
         ("glBindBuffer", ("GL_ARRAY_BUFFER", 3), "GL_ARRAY_BUFFER_BINDING"),
         ("glTranslatef", (1.0, 0.0, 0.0), "GL_PROJECTION_MATRIX"),
@@ -439,12 +479,15 @@ def test_opengl_takes_each_legal_value_and_refuses_another(undone, name, index, 
         ("glClipPlane", ("GL_CLIP_PLANE0", (0, 0, 0, 0)), "GL_CLIP_PLANE0.equation"),
         ("glMultiTexCoord2f", ("GL_TEXTURE3", 0.0, 0.0), "GL_TEXTURE3.GL_CURRENT_TEXTURE_COORDS"),
         ("glColor3f", (0.0, 0.0, 0.0), "GL_CURRENT_COLOR GL_BACK.GL_DIFFUSE"),
-        ("glStencilOpSeparate", ("GL_BACK", "GL_KEEP", "GL_KEEP", "GL_KEEP"),
-         "GL_STENCIL_BACK_FAIL GL_STENCIL_BACK_PASS_DEPTH_FAIL GL_STENCIL_BACK_PASS_DEPTH_PASS"),
+        (
+            "glStencilOpSeparate",
+            ("GL_BACK", "GL_KEEP", "GL_KEEP", "GL_KEEP"),
+            "GL_STENCIL_BACK_FAIL GL_STENCIL_BACK_PASS_DEPTH_FAIL GL_STENCIL_BACK_PASS_DEPTH_PASS",
+        ),
         ("glDrawArrays", ("GL_TRIANGLES", 0, 3), ""),
         ("glUseProgram", (0,), ""),
     ],
-)  # fmt: skip
+)
 def test_a_call_sets_these_variables(name, args, names) -> None:
     known = {
         "GL_ACTIVE_TEXTURE": "GL_TEXTURE1",

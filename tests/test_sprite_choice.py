@@ -27,9 +27,13 @@ def sprites(the_stage: Stage, tmp_path_factory) -> Iterator[RefinedSprites]:
 
 
 SCATTERED = {
-    "transparent__fade": 0.2, "transparent__trimmed": True, "trees__crown": True,
-    "plants__crossed_within": 3.0, "plants__rosette": True, "transparent__radius": 9.0,
-}  # fmt: skip
+    "transparent__fade": 0.2,
+    "transparent__trimmed": True,
+    "trees__crown": True,
+    "plants__crossed_within": 3.0,
+    "plants__rosette": True,
+    "transparent__radius": 9.0,
+}
 
 
 def scattered(sprites: RefinedSprites, count: int = 300) -> None:
@@ -131,11 +135,15 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
     put(sprites, [(20.0, 3.0, 17.0)], [CONIFER])
     there = seen(stage, sprites)
     for change in (
-        {"trees.count": 61}, {"trees.grouped": True}, {"plants.species": 5}, {"rabbit.x": 3.0},
-        {"ground.resolution": 41}, {"transparent.trilinear": False},
+        {"trees.count": 61},
+        {"trees.grouped": True},
+        {"plants.species": 5},
+        {"rabbit.x": 3.0},
+        {"ground.resolution": 41},
+        {"transparent.trilinear": False},
         {"plants.shaded": True, "ground.shadows": True},
         {"ground.large_texture": "map.png"},
-    ):  # fmt: skip
+    ):
         assert not sprites.apply(small({**WIDE, "transparent.radius": 1.0, **change})), change
         with stage.frame(small(WIDE), NORTH) as frame:
             sprites.draw(frame)

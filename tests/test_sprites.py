@@ -253,11 +253,17 @@ def test_switching_everything_on_and_off_again_changes_nothing(
     put(sprites, places, rng.integers(0, 7, 30), (0.6, 0.6))
     before, state = calm(stage, sprites), snapshot()
     every = {
-        "transparent__split": True, "transparent__fade": 0.2, "transparent__rooted": True,
-        "transparent__trimmed": True, "trees__crown": True, "deer__follow_slope": True,
-        "plants__quads": 3, "plants__fade_edge_on": True, "plants__rosette": True,
+        "transparent__split": True,
+        "transparent__fade": 0.2,
+        "transparent__rooted": True,
+        "transparent__trimmed": True,
+        "trees__crown": True,
+        "deer__follow_slope": True,
+        "plants__quads": 3,
+        "plants__fade_edge_on": True,
+        "plants__rosette": True,
         "plants__crossed_within": 3.0,
-    }  # fmt: skip
+    }
     assert (calm(stage, sprites, **every) != before).any()
     assert (calm(stage, sprites) == before).all()
     assert snapshot() == state

@@ -61,8 +61,15 @@ def test_a_wall_facing_away_from_the_sun_gets_ambient_and_fill_light(
 ) -> None:
     """A wall that faces north, the sun in the south at the horizon."""
     ambient = (0.4, 0.3, 0.2)
-    settings = small({"sun.azimuth": 180.0, "sun.elevation": 0.0, "sun.fill": fill,
-                      "sun.ambient": ambient, "sun.diffuse": (0.5, 0.5, 0.5)})  # fmt: skip
+    settings = small(
+        {
+            "sun.azimuth": 180.0,
+            "sun.elevation": 0.0,
+            "sun.fill": fill,
+            "sun.ambient": ambient,
+            "sun.diffuse": (0.5, 0.5, 0.5),
+        }
+    )
     with stage.frame(settings, Pose(20.0, 1.0, 17.0, 180.0, 0.0)), stage.borrowed():
         lit(Shading())
         gl.glNormal3f(0.0, 0.0, -1.0)

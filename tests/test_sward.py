@@ -34,9 +34,17 @@ from landscape.gl.framebuffer import Framebuffer
 
 NORTH = Pose(10.0, 3.1, 10.0)
 SWARD: dict[str, Any] = {
-    "sward": True, "fade": True, "tufts": 6, "variety": 1.0, "arch": 4.0, "tinted": True,
-    "scale": (0.22, 1.1), "facing": 0.6, "count": 2_000_000, "flowers": 0.1,
-}  # fmt: skip
+    "sward": True,
+    "fade": True,
+    "tufts": 6,
+    "variety": 1.0,
+    "arch": 4.0,
+    "tinted": True,
+    "scale": (0.22, 1.1),
+    "facing": 0.6,
+    "count": 2_000_000,
+    "flowers": 0.1,
+}
 
 
 @pytest.fixture

@@ -41,8 +41,11 @@ def rough() -> HeightField:
 def test_the_settings_choose_the_class_of_the_ground() -> None:
     assert ground_class(small({"ground.smooth": "catmull_rom"})) is Ground
     for key, value in (
-        ("materials", True), ("tiles", 2), ("low_stretch", True), ("shadows", True),
-    ):  # fmt: skip
+        ("materials", True),
+        ("tiles", 2),
+        ("low_stretch", True),
+        ("shadows", True),
+    ):
         assert ground_class(small({f"ground.{key}": value})) is Terrain
 
 
@@ -289,9 +292,13 @@ def test_the_terrain_accepts_settings_read_each_frame_and_refuses_the_rest(
             ground.draw(frame)
     assert any("CULL_FACE" in str(call.shown) for call in recorder.calls) and every > 0
     for changes in (
-        {"ground.tiles": 5}, {"ground.materials": True}, {"ground.shadows": True},
-        {"ground.scale_y": 3.0}, {"water.level": 1.0}, {"reflection.lod_scale": 8.0},
-    ):  # fmt: skip
+        {"ground.tiles": 5},
+        {"ground.materials": True},
+        {"ground.shadows": True},
+        {"ground.scale_y": 3.0},
+        {"water.level": 1.0},
+        {"reflection.lod_scale": 8.0},
+    ):
         assert not ground.apply(with_settings(settings, changes))
     assert ground.apply(with_settings(settings, {"reflection.lod_scale": 0.5 + 0.5}))
     ground.release()

@@ -253,10 +253,16 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
     assert (seen(stage, sprites, transparent__radius=9.0) != BACKGROUND.astype(int)).any()
     there = seen(stage, sprites)
     for change in (
-        {"trees.count": 61}, {"plants.size_max": 0.2}, {"ground.scale_y": 5.0},
-        {"water.level": 0.7}, {"castle.x": 20.0}, {"rabbit.scale": 0.2}, {"trees.species": 1},
-        {"transparent.upright": True}, {"ground.shadows": True},
-    ):  # fmt: skip
+        {"trees.count": 61},
+        {"plants.size_max": 0.2},
+        {"ground.scale_y": 5.0},
+        {"water.level": 0.7},
+        {"castle.x": 20.0},
+        {"rabbit.scale": 0.2},
+        {"trees.species": 1},
+        {"transparent.upright": True},
+        {"ground.shadows": True},
+    ):
         assert not sprites.apply(small({**WIDE, "transparent.radius": 1.0, **change})), change
         with stage.frame(small(WIDE), NORTH) as frame:
             sprites.draw(frame)
@@ -279,10 +285,19 @@ def test_the_plain_sprites_are_used_in_2006_and_not_in_best() -> None:
     assert not wanted(preset("2006"))
     assert wanted(preset("best"))
     for key in (
-        "transparent.upright", "transparent.split", "transparent.clear_near", "trees.crown",
-        "transparent.rooted", "transparent.trimmed", "trees.grouped", "deer.follow_slope",
-        "plants.shaded", "plants.fade_edge_on", "plants.rosette", "ground.shadows",
-    ):  # fmt: skip
+        "transparent.upright",
+        "transparent.split",
+        "transparent.clear_near",
+        "trees.crown",
+        "transparent.rooted",
+        "transparent.trimmed",
+        "trees.grouped",
+        "deer.follow_slope",
+        "plants.shaded",
+        "plants.fade_edge_on",
+        "plants.rosette",
+        "ground.shadows",
+    ):
         assert wanted(small({key: True})), key
     for key in ("transparent.fade", "transparent.min_pixels", "plants.radius"):
         assert wanted(small({key: 0.5})), key

@@ -17,9 +17,12 @@ from landscape.voxel.voxel import SCENE, Voxel
 LEAST = 150  # pixels of 160 x 120 that differ clearly between the two pictures
 # The same island in larger blocks, which is built in a quarter of the time.
 COARSE: dict[str, Any] = {
-    "voxel.regions": 5, "voxel.region_size": 50, "voxel.block": 0.16, "voxel.levels": 48,
+    "voxel.regions": 5,
+    "voxel.region_size": 50,
+    "voxel.block": 0.16,
+    "voxel.levels": 48,
     "voxel.sea": 5,
-}  # fmt: skip
+}
 
 
 @pytest.fixture(scope="module")

@@ -103,9 +103,10 @@ def test_one_sees_through_a_gap_that_was_dug_into_a_ridge() -> None:
         for depth in (0, 8):
             gap = {
                 (x + i, z + k, y): AIR
-                for i in range(-10, 11) for k in range(-2, 3)
+                for i in range(-10, 11)
+                for k in range(-2, 3)
                 for y in range(int(height) - 3, int(height) - 3 + depth)
-            }  # fmt: skip
+            }
             with view._current():
                 island.land.change_many(gap)
             pictures = []

@@ -174,6 +174,7 @@ def test_land_is_drawn_with_the_alpha_test_only_where_leaves_have_holes(shore: O
         return "glAlphaFunc" in names[: names.index("glMultiDrawArrays")]
 
     assert tested()
-    shore.scene.apply(replace(shore.scene.settings, voxel=replace(
-        shore.scene.settings.voxel, holes=False)))  # fmt: skip
+    shore.scene.apply(
+        replace(shore.scene.settings, voxel=replace(shore.scene.settings.voxel, holes=False))
+    )
     assert not tested()

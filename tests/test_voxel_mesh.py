@@ -336,8 +336,13 @@ def test_no_face_is_made_at_the_border_of_the_map_or_under_it() -> None:
     mesh = region_mesh(inner, origin, plain_look(4), "none")
     per_direction = mesh.counts[:PLANTS].sum(axis=1) // 4
     assert dict(zip([each.name for each in DIRECTIONS], per_direction, strict=True)) == {
-        "east": 0, "west": 0, "up": 16, "down": 0, "south": 0, "north": 0,
-    }  # fmt: skip
+        "east": 0,
+        "west": 0,
+        "up": 16,
+        "down": 0,
+        "south": 0,
+        "north": 0,
+    }
 
 
 def test_the_ground_under_a_plant_in_a_pit_is_drawn() -> None:

@@ -609,9 +609,18 @@ def render(folder: Path, name: str, *words: str) -> np.ndarray:
     sets = [word for change in SMALL for word in ("--set", change)]
     pose = ("--pose", "3.2,2.2,3.2,40,-70", "--scene", "voxel", "--size", "96x72")
     done = landscape(
-        "render", *pose, *sets, "--seed", "0", "--backend", "osmesa", "-q", "--out",
-        str(folder / name), *words,
-    )  # fmt: skip
+        "render",
+        *pose,
+        *sets,
+        "--seed",
+        "0",
+        "--backend",
+        "osmesa",
+        "-q",
+        "--out",
+        str(folder / name),
+        *words,
+    )
     assert (done.status, done.err) == (0, "")
     return np.asarray(Image.open(folder / name)).astype(int)
 

@@ -87,8 +87,10 @@ def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
     times = rng.uniform(0.3, 1.4, (7, 3)).astype(np.float32)
     try:
         slope = rng.uniform(0.5, 1.0, (12, 12)).astype(np.float32)
-        for light in (Light(times / 2, np.arange(7, dtype=np.uint8), slope / 2),
-                      Light(times, np.arange(9, 16, dtype=np.uint8), slope)):  # fmt: skip
+        for light in (
+            Light(times / 2, np.arange(7, dtype=np.uint8), slope / 2),
+            Light(times, np.arange(9, 16, dtype=np.uint8), slope),
+        ):
             buffer.relight(light)
         assert buffer.replace(1, meshes[4])  # in the light it was made in
         for share, mesh in enumerate((meshes[0], meshes[4], meshes[2], meshes[3])):
@@ -142,7 +144,11 @@ ODD: dict[str, dict[str, Any]] = {
     "one column": {"voxel.regions": 1, "voxel.region_size": 1},
     "regions of one column": {"voxel.regions": 5, "voxel.region_size": 1},
     "two columns, all under water": {
-        "voxel.regions": 1, "voxel.region_size": 2, "voxel.levels": 1, "voxel.sea": 400},
+        "voxel.regions": 1,
+        "voxel.region_size": 2,
+        "voxel.levels": 1,
+        "voxel.sea": 400,
+    },
     "sea above the relief": {"voxel.sea": 400},
     "no sea": {"voxel.sea": 0},
     "the highest relief": {"voxel.levels": 400, "voxel.sea": 120},
@@ -150,7 +156,7 @@ ODD: dict[str, dict[str, Any]] = {
     "huge blocks": {"voxel.block": 100.0},
     "nothing in reach": {"voxel.distance": 0.1},
     "every picture tiny": {"water.resolution": 0.05, "shadow.size": 16},
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("name", ODD)

@@ -104,8 +104,10 @@ def test_shadows_lie_where_rays_to_the_sun_meet_blocks() -> None:
             continue
         column = solid[int(x), int(z)]
         top = len(column) - int(column[::-1].argmax())
-        near = [in_light(solid, np.array([x + dx, top, z + dz]), towards)
-                for dx, dz in ((0, 0), (0.25, 0), (-0.25, 0), (0, 0.25), (0, -0.25))]  # fmt: skip
+        near = [
+            in_light(solid, np.array([x + dx, top, z + dz]), towards)
+            for dx, dz in ((0, 0), (0.25, 0), (-0.25, 0), (0, 0.25), (0, -0.25))
+        ]
         if len(set(near)) > 1:
             continue  # at an edge
         place = clip @ (*(np.array([x, top, z]) * world.block), 1.0)

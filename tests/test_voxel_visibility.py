@@ -123,10 +123,15 @@ def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
     small = {"voxel.regions": 8, "voxel.region_size": 25, "shadow.enabled": False}
     small |= {"voxel.distance": 1000.0, "fog.enabled": False}
     poses = [
-        (*rng.uniform(1, 15, 1), rng.uniform(0.3, 7.0), *rng.uniform(1, 15, 1),
-         rng.uniform(0, 360), rng.uniform(-70, 30))
+        (
+            *rng.uniform(1, 15, 1),
+            rng.uniform(0.3, 7.0),
+            *rng.uniform(1, 15, 1),
+            rng.uniform(0, 360),
+            rng.uniform(-70, 30),
+        )
         for _ in range(40)
-    ]  # fmt: skip
+    ]
     shown = []
     for culled, visibility in ((False, "planes"), *((True, each) for each in TESTS)):
         given = {**small, "voxel.visibility": visibility}
@@ -220,17 +225,25 @@ def test_no_background_shows_between_merged_quads() -> None:
     with Offscreen((320, 240), samples=0, place="voxel", settings=given, only=("land",)) as view:
         view.look((20.0, 9.0, 20.0))
         for _ in range(25):
-            pose = Pose(*rng.uniform(15, 25, 1), rng.uniform(5, 8), *rng.uniform(15, 25, 1),
-                        rng.uniform(0, 360), rng.uniform(-88, -62))  # fmt: skip
+            pose = Pose(
+                *rng.uniform(15, 25, 1),
+                rng.uniform(5, 8),
+                *rng.uniform(15, 25, 1),
+                rng.uniform(0, 360),
+                rng.uniform(-88, -62),
+            )
             view.moment = replace(view.moment, pose=pose)
             magenta = (view.draw() == (255, 0, 255)).all(axis=-1)
             assert not magenta.any(), pose
 
 
 BARE: dict[str, Any] = {
-    "shadow.enabled": False, "fog.enabled": False, "fog.color": (1.0, 0.0, 1.0),
-    "voxel.holes": False, "voxel.distance": 1000.0,
-}  # fmt: skip
+    "shadow.enabled": False,
+    "fog.enabled": False,
+    "fog.color": (1.0, 0.0, 1.0),
+    "voxel.holes": False,
+    "voxel.distance": 1000.0,
+}
 UNMERGED = BARE | {"voxel.merge": "none", "voxel.horizon": False}
 FINER = 4  # times as many pixels along each side, where sky shows between trees
 

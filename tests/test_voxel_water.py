@@ -170,8 +170,9 @@ def test_from_straight_above_both_refractions_show_the_same() -> None:
 def some_frame(pose: Pose) -> Frame:
     yaw, pitch = np.radians(pose.yaw), np.radians(pose.pitch)
     turn_y = np.array([[np.cos(yaw), 0, np.sin(yaw)], [0, 1, 0], [-np.sin(yaw), 0, np.cos(yaw)]])
-    turn_x = np.array([[1, 0, 0], [0, np.cos(pitch), np.sin(pitch)],
-                       [0, -np.sin(pitch), np.cos(pitch)]])  # fmt: skip
+    turn_x = np.array(
+        [[1, 0, 0], [0, np.cos(pitch), np.sin(pitch)], [0, -np.sin(pitch), np.cos(pitch)]]
+    )
     view = np.eye(4)
     view[:3, :3] = turn_x @ turn_y
     view[:3, 3] = -view[:3, :3] @ (pose.x, pose.y, pose.z)

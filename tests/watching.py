@@ -128,9 +128,13 @@ class Watch:
             return None
         if self._file:
             Path(self._file).write_bytes(picture.tobytes())
-        return {"picture": self.pictures[-1], "size": [width, height],
-                "colours": colours(picture), "calls": self.plain_calls(),
-                "centre": picture[height // 2, width // 2].tolist()}  # fmt: skip
+        return {
+            "picture": self.pictures[-1],
+            "size": [width, height],
+            "colours": colours(picture),
+            "calls": self.plain_calls(),
+            "centre": picture[height // 2, width // 2].tolist(),
+        }
 
     def plain_calls(self) -> list[list[str]]:
         """Return the frame's calls with those arguments that are numbers or texts."""
@@ -153,12 +157,18 @@ def _process() -> dict[str, Any]:
 
     finders = [finder for finder in sys.meta_path if "landscape" in type(finder).__module__]
     kept = {
-        "argv": list(sys.argv), "path": list(sys.path), "folder": os.getcwd(),
-        "environment": dict(os.environ), "main": sys.modules["__main__"], "input": sys.stdin,
+        "argv": list(sys.argv),
+        "path": list(sys.path),
+        "folder": os.getcwd(),
+        "environment": dict(os.environ),
+        "main": sys.modules["__main__"],
+        "input": sys.stdin,
         "time": (time.time, time.sleep, time.monotonic_ns, datetime.datetime, datetime.date),
-        "random": random.getstate(), "exit": os._exit, "finders": finders,
+        "random": random.getstate(),
+        "exit": os._exit,
+        "finders": finders,
         "daemon": threading.current_thread().daemon,
-    }  # fmt: skip
+    }
     if sys.platform != "win32":
         kept["alarm"] = (signal.getsignal(signal.SIGALRM), signal.getitimer(signal.ITIMER_REAL))
     for name in ("OpenGL.GL", "OpenGL.GL.VERSION.GL_1_1", "OpenGL.GLUT", "glfw", "pygame.time"):
@@ -242,9 +252,13 @@ class Watcher:
     ) -> None:
         command = [*before, sys.executable, "-c", _CHILD, str(TESTS), *["prepared"] * prepared]
         self._process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=cwd,
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            cwd=cwd,
             env=environment(**changes),
-        )  # fmt: skip
+        )
 
     def __call__(self, path: Path | str, frame: int | None = 0, **more: Any) -> Seen:
         """Run a program to a frame."""

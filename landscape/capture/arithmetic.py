@@ -122,11 +122,23 @@ class Blend:
     def _combine_bits(self, source: np.ndarray, before: np.ndarray) -> tuple[np.ndarray, str]:
         s, d = (np.rint(np.clip(each, 0, 1) * 255).astype(np.uint8) for each in (source, before))
         results = {
-            "GL_CLEAR": s * 0, "GL_SET": s * 0 + 255, "GL_COPY": s, "GL_COPY_INVERTED": ~s,
-            "GL_NOOP": d, "GL_INVERT": ~d, "GL_AND": s & d, "GL_NAND": ~(s & d), "GL_OR": s | d,
-            "GL_NOR": ~(s | d), "GL_XOR": s ^ d, "GL_EQUIV": ~(s ^ d), "GL_AND_REVERSE": s & ~d,
-            "GL_AND_INVERTED": ~s & d, "GL_OR_REVERSE": s | ~d, "GL_OR_INVERTED": ~s | d,
-        }  # fmt: skip
+            "GL_CLEAR": s * 0,
+            "GL_SET": s * 0 + 255,
+            "GL_COPY": s,
+            "GL_COPY_INVERTED": ~s,
+            "GL_NOOP": d,
+            "GL_INVERT": ~d,
+            "GL_AND": s & d,
+            "GL_NAND": ~(s & d),
+            "GL_OR": s | d,
+            "GL_NOR": ~(s | d),
+            "GL_XOR": s ^ d,
+            "GL_EQUIV": ~(s ^ d),
+            "GL_AND_REVERSE": s & ~d,
+            "GL_AND_INVERTED": ~s & d,
+            "GL_OR_REVERSE": s | ~d,
+            "GL_OR_INVERTED": ~s | d,
+        }
         text = f"{self.logic} of the bits of {colour(source)} and {colour(before)}"
         return results[self.logic] / 255.0, text
 

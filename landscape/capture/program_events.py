@@ -168,8 +168,9 @@ def _entries(path: Path) -> list[Any]:
 def _event(entry: Any, where: str) -> Event:
     """Check an event; ``where`` names it in the error."""
     if not isinstance(entry, dict):
-        raise InputError(f"{where}: {short(entry)} is not an object such as "
-                         '{"frame": 3, "key": "SPACE"}')  # fmt: skip
+        raise InputError(
+            f'{where}: {short(entry)} is not an object such as {{"frame": 3, "key": "SPACE"}}'
+        )
     kinds = [kind for kind in KINDS if kind in entry]
     if len(kinds) != 1:
         raise InputError(f"{where}: expected exactly one of {', '.join(KINDS)}")

@@ -28,10 +28,28 @@ from landscape.capture.spec_variables import sets
 from landscape.languages import translator
 
 __all__ = [
-    "Function", "Parameter", "creates", "deletes", "draws", "enumerant", "explain",
-    "explain_argument", "explain_enumerant", "function", "functions", "in_list", "is_query",
-    "kind_of", "legal", "limits", "parameter", "parsed", "sets", "value_of", "written",
-]  # fmt: skip
+    "Function",
+    "Parameter",
+    "creates",
+    "deletes",
+    "draws",
+    "enumerant",
+    "explain",
+    "explain_argument",
+    "explain_enumerant",
+    "function",
+    "functions",
+    "in_list",
+    "is_query",
+    "kind_of",
+    "legal",
+    "limits",
+    "parameter",
+    "parsed",
+    "sets",
+    "value_of",
+    "written",
+]
 
 CREATED = (
     *("glGenTextures", "glGenLists", "glGenBuffers", "glGenQueries", "glGenFramebuffers"),

@@ -550,7 +550,7 @@ FUNCTIONS: dict[tuple[str, str], str] = {
         glutStrokeLength        font:object=font string:text
         glutStrokeHeight        font:object=font
     """,
-}  # fmt: skip
+}
 
 DRAWS = (
     *("glBegin", "glRect", "glEvalMesh1", "glEvalMesh2", "glDrawArrays", "glDrawElements"),

@@ -34,8 +34,14 @@ from landscape.capture.state_variables import DEFAULTS
 from landscape.gl.raw import raw
 
 __all__ = [
-    "DEFAULTS", "State", "StateError", "changed", "difference", "read", "restore",
-]  # fmt: skip
+    "DEFAULTS",
+    "State",
+    "StateError",
+    "changed",
+    "difference",
+    "read",
+    "restore",
+]
 
 SERVER, CLIENT = "GL_ATTRIB_STACK", "GL_CLIENT_ATTRIB_STACK"
 PUSH = {SERVER: "glPushAttrib", CLIENT: "glPushClientAttrib"}

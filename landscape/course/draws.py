@@ -173,8 +173,16 @@ def _drawn(calls: Sequence[Item], numbers: Numbers, now: _Current, listed: bool)
         elif listed:
             now.follow(call)
             if spec.draws(call.name) or call.inside:
-                call = Call(call.name, call.args, call.line, call.function, now.state,
-                            call.arrays, call.inside, call.way)  # fmt: skip
+                call = Call(
+                    call.name,
+                    call.args,
+                    call.line,
+                    call.function,
+                    now.state,
+                    call.arrays,
+                    call.inside,
+                    call.way,
+                )
         if call.name == "glBegin":
             begun, rows = call, []
         elif call.name == "glEnd" and begun is not None:

@@ -238,9 +238,12 @@ class _Reader:
         index = more.get("state")
         inside = [self._lists[each] for each in more.get("inside", ())]
         return Call(
-            name, list(found[1]), number, function,
+            name,
+            list(found[1]),
+            number,
+            function,
             self._states[index] if index is not None else {},
             more.get("arrays", ()),
             [call for block in inside for call in self.calls(block)],
             [(int(at), str(called)) for at, called in more.get("way", ())],
-        )  # fmt: skip
+        )

@@ -262,6 +262,13 @@ def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence |
             error = outcome.answer["error"]
             return dict(error) if known(error) else died
         return load(path, outcome.answer, outcome.folder, frames)
-    except (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError,
-            ValueError):  # fmt: skip
+    except (
+        ArithmeticError,
+        AttributeError,
+        LookupError,
+        OSError,
+        RecursionError,
+        TypeError,
+        ValueError,
+    ):
         return died  # the program itself wrote into the file

@@ -109,8 +109,12 @@ def _caption(size: tuple[int, int], pixels: int, title: str, text: str, part: fl
         inner = size[0] - 2 * edge
         titles = wrapped(title, bold, inner)
         lines = wrapped(text, face, inner) if text else []
-        return [(edge, [(line, TITLE, True) for line in titles] +
-                 [(line, WORDS, False) for line in lines])]  # fmt: skip
+        return [
+            (
+                edge,
+                [(line, TITLE, True) for line in titles] + [(line, WORDS, False) for line in lines],
+            )
+        ]
     left = round(part * size[0])
     titles = wrapped(title, bold, left - 2 * edge)
     lines = wrapped(text, face, size[0] - left - 4 * edge)

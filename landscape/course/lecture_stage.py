@@ -58,9 +58,13 @@ class Stage(GLFWContext):
     ) -> None:
         """Open the window, on the whole of a screen unless it has a size; NoOpenGLError."""
         super().__init__(
-            size or WINDOW, texts.translated(lecture.title), True, size is None, checked=True,
+            size or WINDOW,
+            texts.translated(lecture.title),
+            True,
+            size is None,
+            checked=True,
             monitor=screen,
-        )  # fmt: skip
+        )
         # While a program runs, the module's functions are not GLFW's own.
         self.glfw = types.SimpleNamespace(**vars(self.glfw))
         self.glfw.set_window_attrib(self.window, self.glfw.AUTO_ICONIFY, False)

@@ -51,9 +51,12 @@ def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
     try:
         with witness:
             program.run(
-                job["path"], max(job["frames"]), job["events"] or None, limit=job["seconds"],
+                job["path"],
+                max(job["frames"]),
+                job["events"] or None,
+                limit=job["seconds"],
                 observer=witness,
-            )  # fmt: skip
+            )
     except ProgramError as error:
         late = f"within {job['seconds']:g} s" in str(error)
         end({"error": _trouble(error, witness, refusals, late)})

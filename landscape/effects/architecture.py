@@ -186,8 +186,12 @@ def walls() -> list[Surface]:
     found += wall_with_opening(spans[1], door, to)
     outside = np.array([0.0, 0.0, plan.WALL])
     openings += embrasure(plan.AXIS, door, to, outside, 0.0)
-    step = plan.Rectangle(plan.AXIS - plan.DOOR_HALF, plan.AXIS + plan.DOOR_HALF,
-                          inside.south, inside.south + plan.WALL)  # fmt: skip
+    step = plan.Rectangle(
+        plan.AXIS - plan.DOOR_HALF,
+        plan.AXIS + plan.DOOR_HALF,
+        inside.south,
+        inside.south + plan.WALL,
+    )
     openings.append(flat(step, 0.0, "stone"))
     found += rose_wall(*spans[1])
     return [seen_from(each, centre) for each in found] + openings + rose_sides()

@@ -36,11 +36,15 @@ VERGE = 1.6  # half widths of the path where the grass beside it is whole
 BLADES = 9.0  # textures of detail per unit
 # Trees: texture, x from the axis, how far towards the horizon, height.
 TREES = (
-    ("tree_broadleaf.png", -0.46, 0.97, 0.15), ("tree_birch.png", -0.30, 0.90, 0.17),
-    ("tree_broadleaf.png", -0.13, 0.97, 0.10), ("tree_birch.png", -0.07, 0.99, 0.06),
-    ("tree_broadleaf.png", 0.075, 0.98, 0.07), ("tree_birch.png", 0.12, 0.93, 0.13),
-    ("tree_broadleaf.png", 0.24, 0.92, 0.16), ("tree_broadleaf.png", 0.47, 0.96, 0.14),
-)  # fmt: skip
+    ("tree_broadleaf.png", -0.46, 0.97, 0.15),
+    ("tree_birch.png", -0.30, 0.90, 0.17),
+    ("tree_broadleaf.png", -0.13, 0.97, 0.10),
+    ("tree_birch.png", -0.07, 0.99, 0.06),
+    ("tree_broadleaf.png", 0.075, 0.98, 0.07),
+    ("tree_birch.png", 0.12, 0.93, 0.13),
+    ("tree_broadleaf.png", 0.24, 0.92, 0.16),
+    ("tree_broadleaf.png", 0.47, 0.96, 0.14),
+)
 CUT = 0.4  # alpha below which a tree's texel is left out
 
 
@@ -61,9 +65,14 @@ def meadow() -> tuple[np.ndarray, np.ndarray]:
     wide = np.full_like(half, WIDE)
     x = np.concatenate([-wide, -VERGE * half, -half, half, VERGE * half, wide], axis=1)
     x[:, 1:-1] += BEND * np.sin(np.pi * t)
-    points = np.stack([plan.AXIS + x, np.broadcast_to(HORIZON * t, x.shape),
-                       np.broadcast_to(plan.INSIDE.south + plan.WALL + (FAR - plan.WALL) * t,
-                                       x.shape)], axis=-1)  # fmt: skip
+    points = np.stack(
+        [
+            plan.AXIS + x,
+            np.broadcast_to(HORIZON * t, x.shape),
+            np.broadcast_to(plan.INSIDE.south + plan.WALL + (FAR - plan.WALL) * t, x.shape),
+        ],
+        axis=-1,
+    )
     on_path = np.array([0, 0, 1, 1, 0, 0])[None, :, None]
     ground = np.array(MEADOW) + on_path * (np.array(PATH) - np.array(MEADOW))
     colours = ground + (t[..., None] ** 2) * (np.array(HAZE) - ground)

@@ -210,8 +210,13 @@ class Environment:
             gl.glEnable(kind)
             if self._settings.statue.generated:
                 generate(*("REFLECTION_MAP", "STR") if cube else ("SPHERE_MAP", "ST"))
-            combine({"COMBINE_RGB": "MODULATE", "SOURCE0_RGB": "TEXTURE",
-                     "SOURCE1_RGB": "PRIMARY_COLOR"})  # fmt: skip
+            combine(
+                {
+                    "COMBINE_RGB": "MODULATE",
+                    "SOURCE0_RGB": "TEXTURE",
+                    "SOURCE1_RGB": "PRIMARY_COLOR",
+                }
+            )
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
             with texture_matrix(frame.to_world if cube else np.eye(3)):
                 yield

@@ -41,10 +41,30 @@ def heights(count: int) -> np.ndarray:
 def sheet() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return a sheet at height 0: vertices (n, 3), opacity (n,) 0..1, triangles (m, 3)."""
     area, pool = plan.INSIDE, plan.POOL
-    along_x = sorted([area.west, area.west + FADE, pool.west - DAMP, pool.west,
-                      pool.east, pool.east + DAMP, area.east - FADE, area.east])  # fmt: skip
-    along_z = sorted([area.north, area.north + FADE, pool.north - DAMP, pool.north,
-                      pool.south, pool.south + DAMP, area.south - FADE, area.south])  # fmt: skip
+    along_x = sorted(
+        [
+            area.west,
+            area.west + FADE,
+            pool.west - DAMP,
+            pool.west,
+            pool.east,
+            pool.east + DAMP,
+            area.east - FADE,
+            area.east,
+        ]
+    )
+    along_z = sorted(
+        [
+            area.north,
+            area.north + FADE,
+            pool.north - DAMP,
+            pool.north,
+            pool.south,
+            pool.south + DAMP,
+            area.south - FADE,
+            area.south,
+        ]
+    )
     x, z = (grid.ravel() for grid in np.meshgrid(along_x, along_z))
     vertices = np.stack([x, np.zeros_like(x), z], axis=1).astype(np.float32)
     inwards = np.minimum.reduce([x - area.west, area.east - x, z - area.north, area.south - z])
@@ -63,8 +83,10 @@ def clearance(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     round_things.append((plan.TORCH[0], plan.TORCH[2], torch))
     found = [np.hypot(x - east, z - south) - radius for east, south, radius in round_things]
     half = plan.PLINTH[0]
-    beside = [np.maximum(np.abs(at - middle) - half, 0.0)
-              for at, middle in zip((x, z), plan.STATUE, strict=True)]  # fmt: skip
+    beside = [
+        np.maximum(np.abs(at - middle) - half, 0.0)
+        for at, middle in zip((x, z), plan.STATUE, strict=True)
+    ]
     found.append(np.hypot(*beside))
     return np.maximum(np.minimum.reduce(found), 0.0)
 

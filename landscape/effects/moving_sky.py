@@ -42,15 +42,43 @@ LOW = 0.37, (0.0004, 0.00012), (0.72, 0.76, 0.82)
 INSIDE, ROSE, HALF = plan.INSIDE, plan.ROSE, plan.WINDOW_HALF
 # The corners (4, 3) of rectangles around the openings: windows, rose window and door.
 OPENINGS = [
-    *(np.array([(INSIDE.east, y, z + aside) for y, aside in (
-        (plan.WINDOW_SILL, -HALF), (plan.WINDOW_SILL, HALF),
-        (plan.WINDOW_TOP, HALF), (plan.WINDOW_TOP, -HALF))]) for z in plan.ALCOVES),
-    np.array([(plan.AXIS + x, ROSE[0] + y, INSIDE.north) for x, y in (
-        (-ROSE[1], -ROSE[1]), (ROSE[1], -ROSE[1]), (ROSE[1], ROSE[1]), (-ROSE[1], ROSE[1]))]),
-    np.array([(plan.AXIS + x, y, INSIDE.south) for x, y in (
-        (-plan.DOOR_HALF, 0.0), (plan.DOOR_HALF, 0.0),
-        (plan.DOOR_HALF, plan.DOOR_TOP), (-plan.DOOR_HALF, plan.DOOR_TOP))]),
-]  # fmt: skip
+    *(
+        np.array(
+            [
+                (INSIDE.east, y, z + aside)
+                for y, aside in (
+                    (plan.WINDOW_SILL, -HALF),
+                    (plan.WINDOW_SILL, HALF),
+                    (plan.WINDOW_TOP, HALF),
+                    (plan.WINDOW_TOP, -HALF),
+                )
+            ]
+        )
+        for z in plan.ALCOVES
+    ),
+    np.array(
+        [
+            (plan.AXIS + x, ROSE[0] + y, INSIDE.north)
+            for x, y in (
+                (-ROSE[1], -ROSE[1]),
+                (ROSE[1], -ROSE[1]),
+                (ROSE[1], ROSE[1]),
+                (-ROSE[1], ROSE[1]),
+            )
+        ]
+    ),
+    np.array(
+        [
+            (plan.AXIS + x, y, INSIDE.south)
+            for x, y in (
+                (-plan.DOOR_HALF, 0.0),
+                (plan.DOOR_HALF, 0.0),
+                (plan.DOOR_HALF, plan.DOOR_TOP),
+                (-plan.DOOR_HALF, plan.DOOR_TOP),
+            )
+        ]
+    ),
+]
 MIDDLES = [(each.min(axis=0) + each.max(axis=0)) / 2 for each in OPENINGS]
 REACH = [float(np.linalg.norm(each[2] - each[0])) / 2 for each in OPENINGS]
 Layer = tuple[float, tuple[float, float], tuple[float, float, float]]
@@ -167,8 +195,15 @@ class MovingSky:
         self._clouds.bind()
         cloud = np.array([*color, 1.0], np.float32)
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, cloud)
-        combine({"COMBINE_RGB": "INTERPOLATE", "SOURCE0_RGB": "CONSTANT", "SOURCE1_RGB": "PREVIOUS",
-                 "SOURCE2_RGB": "TEXTURE", "OPERAND2_RGB": "SRC_ALPHA"})  # fmt: skip
+        combine(
+            {
+                "COMBINE_RGB": "INTERPOLATE",
+                "SOURCE0_RGB": "CONSTANT",
+                "SOURCE1_RGB": "PREVIOUS",
+                "SOURCE2_RGB": "TEXTURE",
+                "OPERAND2_RGB": "SRC_ALPHA",
+            }
+        )
         gl.glMatrixMode(gl.GL_TEXTURE)
         gl.glPushMatrix()
         gl.glTranslatef(along * kt, across * kt, 0.0)

@@ -28,15 +28,41 @@ from landscape.effects.surfaces import Surface
 UP = np.array([0.0, 1.0, 0.0])
 
 # Profiles of mouldings: aside, and away from what they sit on. All chosen.
-TRANSVERSE: Profile = [(-0.017, -0.012), (-0.017, 0.012), (-0.012, 0.015), (-0.007, 0.024),
-                       (0.007, 0.024), (0.012, 0.015), (0.017, 0.012), (0.017, -0.012)]  # fmt: skip
-DIAGONAL: Profile = [(-0.010, -0.012), (-0.010, 0.006), (-0.005, 0.016), (0.005, 0.016),
-                     (0.010, 0.006), (0.010, -0.012)]  # fmt: skip
-HOOD: Profile = [(-0.002, 0.0), (-0.004, 0.006), (0.004, 0.012), (0.012, 0.009), (0.017, 0.010),
-                 (0.019, 0.0)]  # fmt: skip
+TRANSVERSE: Profile = [
+    (-0.017, -0.012),
+    (-0.017, 0.012),
+    (-0.012, 0.015),
+    (-0.007, 0.024),
+    (0.007, 0.024),
+    (0.012, 0.015),
+    (0.017, 0.012),
+    (0.017, -0.012),
+]
+DIAGONAL: Profile = [
+    (-0.010, -0.012),
+    (-0.010, 0.006),
+    (-0.005, 0.016),
+    (0.005, 0.016),
+    (0.010, 0.006),
+    (0.010, -0.012),
+]
+HOOD: Profile = [
+    (-0.002, 0.0),
+    (-0.004, 0.006),
+    (0.004, 0.012),
+    (0.012, 0.009),
+    (0.017, 0.010),
+    (0.019, 0.0),
+]
 COURSE: Profile = [(-0.010, 0.0), (-0.006, 0.011), (0.002, 0.013), (0.006, 0.0)]
-BAR: Profile = [(-0.0055, -0.006), (-0.0055, 0.004), (-0.002, 0.010), (0.002, 0.010),
-                (0.0055, 0.004), (0.0055, -0.006)]  # fmt: skip
+BAR: Profile = [
+    (-0.0055, -0.006),
+    (-0.0055, 0.004),
+    (-0.002, 0.010),
+    (0.002, 0.010),
+    (0.0055, 0.004),
+    (0.0055, -0.006),
+]
 
 STRAP: Profile = [(-0.006, 0.0), (-0.005, 0.002), (0.005, 0.002), (0.006, 0.0)]
 
@@ -65,14 +91,36 @@ def pillar(x: float, z: float) -> list[Surface]:
         return 1 / np.cos((turn + np.pi / 8) % (np.pi / 4) - np.pi / 8)
 
     foot = [(r + 0.010, 0.034), (r + 0.016, 0.032), (r + 0.020, 0.0)]
-    base = [(r, 0.058), (r + 0.003, 0.052), (r + 0.008, 0.049), (r + 0.008, 0.044),
-            (r + 0.003, 0.040), (r + 0.010, 0.034)]  # fmt: skip
-    bell = [(r + 0.024, top - 0.022), (r + 0.010, top - 0.036), (r + 0.002, top - 0.058),
-            (r + 0.005, top - 0.062), (r + 0.005, top - 0.067), (r, top - 0.070)]  # fmt: skip
-    slab = [(r + 0.020, top + 0.012), (r + 0.030, top + 0.006), (r + 0.030, top - 0.012),
-            (r + 0.024, top - 0.022)]  # fmt: skip
-    ring = turned(x, z, [(r, 0.256), (r + 0.005, 0.252), (r + 0.005, 0.246), (r, 0.242)],
-                  "stone", 24, clustered)  # fmt: skip
+    base = [
+        (r, 0.058),
+        (r + 0.003, 0.052),
+        (r + 0.008, 0.049),
+        (r + 0.008, 0.044),
+        (r + 0.003, 0.040),
+        (r + 0.010, 0.034),
+    ]
+    bell = [
+        (r + 0.024, top - 0.022),
+        (r + 0.010, top - 0.036),
+        (r + 0.002, top - 0.058),
+        (r + 0.005, top - 0.062),
+        (r + 0.005, top - 0.067),
+        (r, top - 0.070),
+    ]
+    slab = [
+        (r + 0.020, top + 0.012),
+        (r + 0.030, top + 0.006),
+        (r + 0.030, top - 0.012),
+        (r + 0.024, top - 0.022),
+    ]
+    ring = turned(
+        x,
+        z,
+        [(r, 0.256), (r + 0.005, 0.252), (r + 0.005, 0.246), (r, 0.242)],
+        "stone",
+        24,
+        clustered,
+    )
     return [
         turned(x, z, foot, "stone", 8, eight),
         turned(x, z, base, "stone", 24, clustered),
@@ -87,9 +135,16 @@ def pillar(x: float, z: float) -> list[Surface]:
 def corbel(x: float, z: float) -> list[Surface]:
     """Return the stone in a wall that ribs spring from."""
     top = plan.SPRINGING
-    profile = [(0.0, top + 0.012), (0.034, top + 0.010), (0.034, top - 0.010),
-               (0.026, top - 0.018), (0.016, top - 0.045), (0.018, top - 0.052),
-               (0.010, top - 0.062), (0.0, top - 0.072)]  # fmt: skip
+    profile = [
+        (0.0, top + 0.012),
+        (0.034, top + 0.010),
+        (0.034, top - 0.010),
+        (0.026, top - 0.018),
+        (0.016, top - 0.045),
+        (0.018, top - 0.052),
+        (0.010, top - 0.062),
+        (0.0, top - 0.072),
+    ]
     return [turned(x, z, profile, "stone", 12)]
 
 
@@ -117,8 +172,14 @@ def ribs() -> list[Surface]:
         for north, south in bays:
             found.append(rib((west, north), (east, south), DIAGONAL))
             found.append(rib((west, south), (east, north), DIAGONAL))
-            boss = [(0.030, 0.002), (0.030, -0.010), (0.024, -0.016), (0.018, -0.016),
-                    (0.013, -0.022), (0.0, -0.025)]  # fmt: skip
+            boss = [
+                (0.030, 0.002),
+                (0.030, -0.010),
+                (0.024, -0.016),
+                (0.018, -0.016),
+                (0.013, -0.022),
+                (0.0, -0.025),
+            ]
             place = [(radius, plan.CROWN + height) for radius, height in boss]
             found.append(turned((west + east) / 2, (north + south) / 2, place, "stone", 12))
     for x in edges:
@@ -189,8 +250,13 @@ def mouldings() -> list[Surface]:
         found.append(hood(outline(middle, recess, across_x(inside.west)), west))
     found.append(hood(outline(plan.AXIS, door, across_z(inside.south)), south))
     height, radius = plan.ROSE
-    ring = circle(np.array([plan.AXIS, height, inside.north]), np.array([1.0, 0.0, 0.0]), UP,
-                  radius, np.linspace(0.0, 2 * np.pi, 49))  # fmt: skip
+    ring = circle(
+        np.array([plan.AXIS, height, inside.north]),
+        np.array([1.0, 0.0, 0.0]),
+        UP,
+        radius,
+        np.linspace(0.0, 2 * np.pi, 49),
+    )
     found.append(hood(ring, north))
     long, wide = np.array([inside.north, inside.south]), np.array([inside.west, inside.east])
     for to, ends, out, y in (
@@ -219,8 +285,13 @@ def plinth() -> list[Surface]:
     (x, z), (half, top) = plan.STATUE, plan.PLINTH
     die = half - 0.022
     inner = plan.Rectangle(x - die, x + die, z - die, z + die)
-    profile = [(0.012, top - 0.003), (0.014, top - 0.008), (0.012, top - 0.013),
-               (0.006, top - 0.016), (0.001, top - 0.024)]  # fmt: skip
+    profile = [
+        (0.012, top - 0.003),
+        (0.014, top - 0.008),
+        (0.012, top - 0.013),
+        (0.006, top - 0.016),
+        (0.001, top - 0.024),
+    ]
     lower = [(0.001, 0.034), (0.006, 0.028), (0.012, 0.024), (0.013, 0.020)]
     found = around(inner, profile, "plinth") + around(
         inner, [(0.001, top - 0.024), (0.001, 0.034)], "plinth"
@@ -276,8 +347,11 @@ def door_leaves() -> list[Surface]:
         found.append(seen_from(face, centre - 10 * thick))
         found.append(seen_from(back, centre + 10 * thick))
         rim = np.concatenate([high, low[::-1]])
-        found.append(seen_from(Surface(np.stack([rim, rim + thick]), "wood"),
-                               2 * np.stack([rim, rim]) - centre))  # fmt: skip
+        found.append(
+            seen_from(
+                Surface(np.stack([rim, rim + thick]), "wood"), 2 * np.stack([rim, rim]) - centre
+            )
+        )
         for y in (0.035, 0.125):
             for out, start in ((-thick, low), (thick, low + thick)):
                 strip = start[[0, -2]] + y * UP
@@ -287,10 +361,21 @@ def door_leaves() -> list[Surface]:
 
 def torch(x: float, y: float, z: float) -> list[Surface]:
     """Return the iron bowl of a torch whose flame begins at ``y``."""
-    bowl = [(0.0, y - 0.006), (0.015, y - 0.002), (0.0180, y + 0.002), (0.0195, y + 0.002),
-            (0.0195, y - 0.001), (0.0175, y - 0.002), (0.0170, y - 0.008), (0.0145, y - 0.015),
-            (0.0090, y - 0.022), (0.0050, y - 0.025), (0.0065, y - 0.028), (0.0040, y - 0.031),
-            (0.0, y - 0.040)]  # fmt: skip
+    bowl = [
+        (0.0, y - 0.006),
+        (0.015, y - 0.002),
+        (0.0180, y + 0.002),
+        (0.0195, y + 0.002),
+        (0.0195, y - 0.001),
+        (0.0175, y - 0.002),
+        (0.0170, y - 0.008),
+        (0.0145, y - 0.015),
+        (0.0090, y - 0.022),
+        (0.0050, y - 0.025),
+        (0.0065, y - 0.028),
+        (0.0040, y - 0.031),
+        (0.0, y - 0.040),
+    ]
     return [turned(x, z, bowl, "iron", 20)]
 
 
@@ -298,15 +383,35 @@ def torches() -> list[Surface]:
     """Return the torches: one that stands, and those on the pillars' brackets."""
     x, y, z = plan.TORCH
     found = torch(x, y, z)
-    stem = [(0.004, y - 0.02), (0.004, 0.105), (0.008, 0.100), (0.004, 0.095), (0.004, 0.02),
-            (0.010, 0.016), (0.028, 0.006), (0.030, 0.0)]  # fmt: skip
+    stem = [
+        (0.004, y - 0.02),
+        (0.004, 0.105),
+        (0.008, 0.100),
+        (0.004, 0.095),
+        (0.004, 0.02),
+        (0.010, 0.016),
+        (0.028, 0.006),
+        (0.030, 0.0),
+    ]
     found.append(turned(x, z, stem, "iron", 16))
     for x, y, z in plan.PILLAR_TORCHES:
         found += torch(x, y, z)
         row = min(plan.ROWS, key=lambda each: abs(each - x))
         arm = np.array([[row, y - 0.055, z], [x, y - 0.030, z]])
-        found.append(sweep(arm, UP, [(-0.003, -0.003), (-0.003, 0.003), (0.003, 0.003),
-                                     (0.003, -0.003), (-0.003, -0.003)], "iron"))  # fmt: skip
+        found.append(
+            sweep(
+                arm,
+                UP,
+                [
+                    (-0.003, -0.003),
+                    (-0.003, 0.003),
+                    (0.003, 0.003),
+                    (0.003, -0.003),
+                    (-0.003, -0.003),
+                ],
+                "iron",
+            )
+        )
     return found
 
 

@@ -66,5 +66,6 @@ STATUE_YAW = -165.0
 # shadow of its head is on the nave's north wall; the others hang on pillars.
 TORCH = (1.375, 0.26, 2.2)
 TORCH_FLAME = 0.022  # height of the flame's brightest part above the torch
-PILLAR_TORCHES = tuple((x + side * 0.05, 0.2, z) for x, side in ((1.3, 1), (1.9, -1))
-                       for z in (0.8, 1.6, 2.4))  # fmt: skip
+PILLAR_TORCHES = tuple(
+    (x + side * 0.05, 0.2, z) for x, side in ((1.3, 1), (1.9, -1)) for z in (0.8, 1.6, 2.4)
+)

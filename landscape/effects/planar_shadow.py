@@ -141,8 +141,9 @@ def glow_image() -> np.ndarray:
 
 def corners_of(box: np.ndarray) -> np.ndarray:
     """Return the eight corners (8, 3) of a box, of which two (2, 3) are given."""
-    return np.array([[box[i][0], box[j][1], box[k][2]]
-                     for i in (0, 1) for j in (0, 1) for k in (0, 1)])  # fmt: skip
+    return np.array(
+        [[box[i][0], box[j][1], box[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+    )
 
 
 INSIDE = plan.INSIDE

@@ -41,9 +41,12 @@ CEILING = 0.66  # chosen: height of the box that stands for the hall, between sp
 LEAST = 0.02  # chosen: sine of the elevation of a mirrored line; steep waves would mirror the bed
 # Chosen: the waves' numbers along x and z in radians per unit, radians per kt, and steepness.
 WAVES = (
-    (38.0, 61.0, 0.071, 0.011), (-71.0, 33.0, 0.083, 0.008), (12.0, -97.0, 0.102, 0.007),
-    (88.0, 74.0, 0.118, 0.006), (-24.0, -31.0, 0.049, 0.010),
-)  # fmt: skip
+    (38.0, 61.0, 0.071, 0.011),
+    (-71.0, 33.0, 0.083, 0.008),
+    (12.0, -97.0, 0.102, 0.007),
+    (88.0, 74.0, 0.118, 0.006),
+    (-24.0, -31.0, 0.049, 0.010),
+)
 
 
 def surface() -> tuple[np.ndarray, np.ndarray]:

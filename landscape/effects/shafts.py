@@ -35,8 +35,9 @@ def sheets(towards: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     rise, along = np.meshgrid(np.linspace(0, 1, ROWS), np.linspace(0, 1, COLUMNS), indexing="ij")
     low, high = plan.WINDOW_SILL + 0.01, plan.WINDOW_TOP - 0.03
     start = low + rise * (high - low)
-    length = along * np.minimum(start / towards[1], (plan.INSIDE.east - plan.INSIDE.west)
-                                / towards[0])  # fmt: skip
+    length = along * np.minimum(
+        start / towards[1], (plan.INSIDE.east - plan.INSIDE.west) / towards[0]
+    )
     bright = np.sin(np.pi * rise) ** 0.7 * (1 - (1 - LEFT) * along) * np.minimum(along / 0.15, 1)
     vertices: list[np.ndarray] = []
     triangles: list[np.ndarray] = []

@@ -87,8 +87,9 @@ def outline(middle: float, opening: tuple[float, float, float, float], to: Place
     return to(along, np.concatenate([[sill], heights, [sill]]))
 
 
-def circle(centre: np.ndarray, right: np.ndarray, up: np.ndarray, radius: float,
-           turn: np.ndarray) -> np.ndarray:  # fmt: skip
+def circle(
+    centre: np.ndarray, right: np.ndarray, up: np.ndarray, radius: float, turn: np.ndarray
+) -> np.ndarray:
     """Return points (n, 3) of a circle about ``centre`` at angles ``turn`` in radians."""
     turn = turn[:, None]
     return np.asarray(centre + radius * (np.cos(turn) * right + np.sin(turn) * up))
@@ -104,8 +105,13 @@ def seen_from(surface: Surface, eye: np.ndarray) -> Surface:
     return surface if facing.sum() > 0 else surface.reversed()
 
 
-def sweep(path: np.ndarray, out: np.ndarray, profile: Profile, material: str = "stone",
-          density: float = 1.0) -> Surface:  # fmt: skip
+def sweep(
+    path: np.ndarray,
+    out: np.ndarray,
+    profile: Profile,
+    material: str = "stone",
+    density: float = 1.0,
+) -> Surface:
     """Return a profile of (aside, out) points moved along a path (n, 3).
 
     ``out`` (n, 3) or (3,) is the direction away from what the moulding sits on; aside is
@@ -123,8 +129,9 @@ def sweep(path: np.ndarray, out: np.ndarray, profile: Profile, material: str = "
     return seen_from(Surface(points, material, None, density), away)
 
 
-def turned(x: float, z: float, profile: Profile, material: str, sides: int = 12,
-           ring: Curve | None = None) -> Surface:  # fmt: skip
+def turned(
+    x: float, z: float, profile: Profile, material: str, sides: int = 12, ring: Curve | None = None
+) -> Surface:
     """Return a surface of revolution of (radius, height) points, from the top downwards.
 
     ``ring`` gives a number by the angle that the radius is multiplied with: 1 for a circle.
@@ -139,8 +146,9 @@ def turned(x: float, z: float, profile: Profile, material: str, sides: int = 12,
     return Surface(points, material)
 
 
-def flat(area: plan.Rectangle, y: float, material: str, sheet: str = "hall",
-         step: float = 10.0) -> Surface:  # fmt: skip
+def flat(
+    area: plan.Rectangle, y: float, material: str, sheet: str = "hall", step: float = 10.0
+) -> Surface:
     """Return a level rectangle, seen from above, its points at most ``step`` apart."""
     x, z = (
         np.linspace(low, high, int(np.ceil((high - low) / step)) + 1)
@@ -155,8 +163,12 @@ def flat(area: plan.Rectangle, y: float, material: str, sheet: str = "hall",
 
 def around(area: plan.Rectangle, profile: Profile, material: str = "stone") -> list[Surface]:
     """Return a moulding of (outwards, height) points around a rectangle, mitred at its corners."""
-    corners = [(area.west, area.north), (area.east, area.north), (area.east, area.south),
-               (area.west, area.south)]  # fmt: skip
+    corners = [
+        (area.west, area.north),
+        (area.east, area.north),
+        (area.east, area.south),
+        (area.west, area.south),
+    ]
     outwards = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     out, height = (np.array(each)[:, None] for each in zip(*profile, strict=True))
     found = []

@@ -143,8 +143,10 @@ def copies() -> bool:
     """
     if not antialiased():
         return True
-    tell("landscape: tone.method=pixels: blended, for each pixel has several samples; "
-         "--samples 0 copies pixels")  # fmt: skip
+    tell(
+        "landscape: tone.method=pixels: blended, for each pixel has several samples; "
+        "--samples 0 copies pixels"
+    )
     return False
 
 

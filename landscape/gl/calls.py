@@ -25,11 +25,31 @@ from landscape.gl.drawing import drawing, drawn_now
 from landscape.gl.notes import Brief, Call, Edits, GluCall, Site, caller, known_files, shown
 
 __all__ = [
-    "Call", "Edits", "GluCall", "Listing", "Lists", "Recorder", "Site", "begin_pass", "briefly",
-    "drawing", "drawn_now", "edited", "frame_begins", "gl", "glu_noted", "lists_now", "make_again",
+    "Call",
+    "Edits",
+    "GluCall",
+    "Listing",
+    "Lists",
+    "Recorder",
+    "Site",
+    "begin_pass",
+    "briefly",
+    "drawing",
+    "drawn_now",
+    "edited",
+    "frame_begins",
+    "gl",
+    "glu_noted",
+    "lists_now",
+    "make_again",
     "noting",
-    "outermost", "recording", "replacing", "unnoted", "unrecorded", "use_lists",
-]  # fmt: skip
+    "outermost",
+    "recording",
+    "replacing",
+    "unnoted",
+    "unrecorded",
+    "use_lists",
+]
 
 
 class Calls:

@@ -37,9 +37,16 @@ class ScreenPicture:
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
             gl.glTexSubImage2D(
-                gl.GL_TEXTURE_2D, 0, 0, 0, width, height,
-                gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, np.ascontiguousarray(rgba),
-            )  # fmt: skip
+                gl.GL_TEXTURE_2D,
+                0,
+                0,
+                0,
+                width,
+                height,
+                gl.GL_RGBA,
+                gl.GL_UNSIGNED_BYTE,
+                np.ascontiguousarray(rgba),
+            )
             gl.glColor3f(1.0, 1.0, 1.0)
             s, t = width / wide, height / high
             gl.glBegin(gl.GL_QUADS)

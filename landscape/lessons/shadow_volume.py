@@ -93,9 +93,12 @@ def main():
         glRotatef(25, 1, 0, 0)
         glLightfv(GL_LIGHT0, GL_POSITION, (*LIGHTS[low], 1))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
-        bodies = (TILTED + (0.4 * np.sin(np.pi / 2 * glfw.get_time()) - 0.9, 2.2, 0.3),
-                  CUBE * (0.4, 1, 0.4) + (1.5, 1, -0.6), CUBE * (1, 0.3, 0.7) + (0.2, 0.3, -1.6),
-                  CUBE * (4, 0.2, 3) - (0, 0.2, 0))  # fmt: skip
+        bodies = (
+            TILTED + (0.4 * np.sin(np.pi / 2 * glfw.get_time()) - 0.9, 2.2, 0.3),
+            CUBE * (0.4, 1, 0.4) + (1.5, 1, -0.6),
+            CUBE * (1, 0.3, 0.7) + (0.2, 0.3, -1.6),
+            CUBE * (4, 0.2, 3) - (0, 0.2, 0),
+        )
         quads = [quad for points in bodies[:-1] for quad in make_volume(points)]
         glPushAttrib(GL_ALL_ATTRIB_BITS)
         for light in (False, True):  # first as it is in shadow

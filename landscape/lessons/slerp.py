@@ -18,8 +18,14 @@ import numpy as np
 from OpenGL.GL import *
 from text import _, write
 
-PAIRS = np.array((((30, 50, 0), (210, 50, -180)), ((0, 80, 0), (140, 80, -120)),  # degrees
-                  ((-105, 0, 0), (105, 0, 0)), ((60, 10, 20), (-20, -15, -20))))  # fmt: skip
+PAIRS = np.array(
+    (
+        ((30, 50, 0), (210, 50, -180)),
+        ((0, 80, 0), (140, 80, -120)),  # degrees
+        ((-105, 0, 0), (105, 0, 0)),
+        ((60, 10, 20), (-20, -15, -20)),
+    )
+)
 LABELS = ("over the vertical", "near the vertical", "level, by 210°", "far from the vertical")
 CORAL, AMBER, CREAM = (0.85, 0.35, 0.2), (0.95, 0.7, 0.35), (0.95, 0.9, 0.8)
 pair, short = 0, True

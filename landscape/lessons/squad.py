@@ -27,8 +27,14 @@ squad_on, extra = True, np.array((1.0, 0, 0, 0))
 def product(p, q):
     """Return p q by the rules i i = j j = k k = -1, i j = k, j k = i, k i = j: 16 products."""
     (a, b, c, d), (e, f, g, h) = p, q
-    return np.array((a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g,
-                     a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e))  # fmt: skip
+    return np.array(
+        (
+            a * e - b * f - c * g - d * h,
+            a * f + b * e + c * h - d * g,
+            a * g - b * h + c * e + d * f,
+            a * h + b * g - c * f + d * e,
+        )
+    )
 
 
 def inverse(q):
@@ -66,8 +72,13 @@ def control(before, here, after):
 def make_attitudes():
     """Return six attitudes in a circle, each in the half of the sphere of the one before."""
     found = [about((0, 1, 0), 0)]
-    for axis, degrees in (((0, 1, 0.3), 110), ((1, 0, 0.2), 40), ((0, 0.2, 1), 75),
-                          ((0.4, 1, 0), 100), ((-1, 0.5, 0), 55)):  # fmt: skip
+    for axis, degrees in (
+        ((0, 1, 0.3), 110),
+        ((1, 0, 0.2), 40),
+        ((0, 0.2, 1), 75),
+        ((0.4, 1, 0), 100),
+        ((-1, 0.5, 0), 55),
+    ):
         found.append(product(about(axis, degrees), found[-1]))
     return found
 

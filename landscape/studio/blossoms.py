@@ -21,9 +21,15 @@ TILT = 0.85  # chosen: how far an umbel faces up, over how far it faces the view
 
 
 def rays(
-    heart: np.ndarray, face: np.ndarray, count: int, size: float, wide: float, tone: np.ndarray,
-    rng: np.random.Generator, rise: float = 0.0,
-) -> Leaves:  # fmt: skip
+    heart: np.ndarray,
+    face: np.ndarray,
+    count: int,
+    size: float,
+    wide: float,
+    tone: np.ndarray,
+    rng: np.random.Generator,
+    rise: float = 0.0,
+) -> Leaves:
     """Return ``count`` petals around ``heart`` (3,), ``size`` long, ``wide`` times as broad.
 
     They lie at right angles to ``face`` (3,), or rise from there into a cup.
@@ -33,9 +39,13 @@ def rays(
     out = whorl(faces, angles)
     shade = tone * rng.uniform(0.84, 1.08, (count, 1))
     return kites(
-        heart + out * 0.16 * size, out + rise * faces, faces, size * rng.uniform(0.86, 1.0, count),
-        wide * size, shade,
-    )  # fmt: skip
+        heart + out * 0.16 * size,
+        out + rise * faces,
+        faces,
+        size * rng.uniform(0.86, 1.0, count),
+        wide * size,
+        shade,
+    )
 
 
 def dome(
@@ -53,9 +63,12 @@ def dome(
 
 
 def ball(
-    heart: np.ndarray, size: tuple[float, float], count: int, tone: np.ndarray,
+    heart: np.ndarray,
+    size: tuple[float, float],
+    count: int,
+    tone: np.ndarray,
     rng: np.random.Generator,
-) -> Leaves:  # fmt: skip
+) -> Leaves:
     """Return a round head of ``count`` florets, ``size`` = (half width, half height)."""
     way = unit(rng.normal(size=(count, 3)))
     way[:, 1] = np.where(way[:, 1] < -0.5, -way[:, 1], way[:, 1])
@@ -129,9 +142,13 @@ def umbel(at: np.ndarray, face: np.ndarray, size: float, rng: np.random.Generato
     tops = at + way * far[:, None] + middle * (0.20 * size - 0.20 * far * far / size)[:, None]
     foot = at - 0.55 * size * UP
     spokes = kites(
-        np.tile(foot, (n, 1)), tops - foot, np.tile(VIEWER, (n, 1)),
-        np.linalg.norm(tops - foot, axis=1), 0.012, STEM,
-    )  # fmt: skip
+        np.tile(foot, (n, 1)),
+        tops - foot,
+        np.tile(VIEWER, (n, 1)),
+        np.linalg.norm(tops - foot, axis=1),
+        0.012,
+        STEM,
+    )
     each = 9
     around = whorl(np.repeat(middle, each * n, axis=0), rng.uniform(0, 6.3, each * n))
     florets = np.repeat(tops, each, axis=0)

@@ -25,17 +25,57 @@ from landscape.system.processes import begin_worker
 
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
-    "terrain", "ground", "ground_details", "chart", "sky", "cloud_layer", "water", "fire",
-    "caustics", "mosaic", "masonry", "ashlar", "gate", "trees", "individuals", "deer", "plants",
-    "herbs", "sward", "rabbit", "dragon", "sword", "hall_stone", "hall_bake", "voxel_tiles",
-    "voxel_plants", "voxel_ripples", "environments", "stones", "places",
-)  # fmt: skip
+    "terrain",
+    "ground",
+    "ground_details",
+    "chart",
+    "sky",
+    "cloud_layer",
+    "water",
+    "fire",
+    "caustics",
+    "mosaic",
+    "masonry",
+    "ashlar",
+    "gate",
+    "trees",
+    "individuals",
+    "deer",
+    "plants",
+    "herbs",
+    "sward",
+    "rabbit",
+    "dragon",
+    "sword",
+    "hall_stone",
+    "hall_bake",
+    "voxel_tiles",
+    "voxel_plants",
+    "voxel_ripples",
+    "environments",
+    "stones",
+    "places",
+)
 
 INDIVIDUALS = (
-    "oak_old", "oak_leaning", "oak_tall", "oak_young", "hazel", "birch_tall", "birch_twin",
-    "birch_young", "spruce_old", "pine", "spruce_young", "thorn", "bramble", "stag",
-    "stag_walking", "doe", "doe_grazing",
-)  # fmt: skip
+    "oak_old",
+    "oak_leaning",
+    "oak_tall",
+    "oak_young",
+    "hazel",
+    "birch_tall",
+    "birch_twin",
+    "birch_young",
+    "spruce_old",
+    "pine",
+    "spruce_young",
+    "thorn",
+    "bramble",
+    "stag",
+    "stag_walking",
+    "doe",
+    "doe_grazing",
+)
 
 NEEDED = ("scipy", "numba", "scikit-image", "fast-simplification")  # the extra `studio`
 PROCESSES = 2  # chosen: the smallest machine has two cores; each process needs half a gigabyte

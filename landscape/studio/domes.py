@@ -81,9 +81,14 @@ def all_spheres() -> np.ndarray:
     for low, high, nearest, farthest, rise, count in KINDS:
 
         def suits(
-            x: float, z: float, width: float, covered: float,
-            nearest: float = nearest, farthest: float = farthest, rise: float = rise,
-        ) -> bool:  # fmt: skip
+            x: float,
+            z: float,
+            width: float,
+            covered: float,
+            nearest: float = nearest,
+            farthest: float = farthest,
+            rise: float = rise,
+        ) -> bool:
             """Return whether a cloud of this kind may be there."""
             distance = float(np.hypot(x, z))
             if not nearest + 0.5 * width < distance < farthest:

@@ -190,10 +190,21 @@ def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
         tilt = 0.55 - 0.55 * k
         fan = union(
             fan,
-            limb(p, y, q * 2.0, 0.04, -0.02, 0.0, 0.03, -0.19 * math.cos(tilt),
-                 -0.02 + 0.19 * math.sin(tilt), 0.0, 0.013),
+            limb(
+                p,
+                y,
+                q * 2.0,
+                0.04,
+                -0.02,
+                0.0,
+                0.03,
+                -0.19 * math.cos(tilt),
+                -0.02 + 0.19 * math.sin(tilt),
+                0.0,
+                0.013,
+            ),
             0.10,
-        )  # fmt: skip
+        )
     d = union(d, fan * 0.7, 0.015)
     # Teeth, fangs above and below, and the beard.
     for k in range(4):

@@ -22,20 +22,42 @@ DETAIL = 512  # chosen: repeated every half unit, 1.5 centimetres per texel
 
 # Chosen: sRGB colours in full sun, after photographs of the Hebrides.
 COLORS = {
-    "lush": (92, 106, 60), "grass": (107, 114, 69), "olive": (126, 123, 77), "dark": (77, 90, 54),
-    "dry": (147, 137, 98), "heath": (112, 96, 79), "bracken": (128, 100, 66),
-    "soil": (104, 86, 66), "rock": (134, 127, 117), "slate": (103, 99, 95),
-    "lichen": (142, 139, 120), "cleft": (70, 66, 64), "scree": (150, 142, 129),
-    "sand": (210, 194, 157), "wet": (148, 131, 102), "shingle": (141, 134, 122),
-    "path": (163, 141, 106), "shallow": (126, 147, 123), "deep": (30, 66, 79),
-    "weed": (70, 86, 64), "snow": (234, 237, 240),
-}  # fmt: skip
+    "lush": (92, 106, 60),
+    "grass": (107, 114, 69),
+    "olive": (126, 123, 77),
+    "dark": (77, 90, 54),
+    "dry": (147, 137, 98),
+    "heath": (112, 96, 79),
+    "bracken": (128, 100, 66),
+    "soil": (104, 86, 66),
+    "rock": (134, 127, 117),
+    "slate": (103, 99, 95),
+    "lichen": (142, 139, 120),
+    "cleft": (70, 66, 64),
+    "scree": (150, 142, 129),
+    "sand": (210, 194, 157),
+    "wet": (148, 131, 102),
+    "shingle": (141, 134, 122),
+    "path": (163, 141, 106),
+    "shallow": (126, 147, 123),
+    "deep": (30, 66, 79),
+    "weed": (70, 86, 64),
+    "snow": (234, 237, 240),
+}
 
 # Chosen: a footpath as (x, z), from the beach of the bay over the meadow to the castle court.
 PATH = [
-    (14.4, 27.3), (15.8, 26.4), (17.6, 26.5), (19.6, 26.0), (21.4, 24.6), (23.2, 23.6),
-    (24.1, 21.9), (25.2, 20.2), (26.1, 18.9), (26.9, 17.4),
-]  # fmt: skip
+    (14.4, 27.3),
+    (15.8, 26.4),
+    (17.6, 26.5),
+    (19.6, 26.0),
+    (21.4, 24.6),
+    (23.2, 23.6),
+    (24.1, 21.9),
+    (25.2, 20.2),
+    (26.1, 18.9),
+    (26.9, 17.4),
+]
 COURT = (27.0, 17.0)
 COURT_RADIUS = 1.0  # chosen: bare ground around the castle
 SUN_WEIGHT = 0.66  # chosen: with SKY_WEIGHT, level ground in the sun keeps its albedo

@@ -52,8 +52,11 @@ from landscape.studio.hall_light import (
 
 # Chosen: colour and strength of each light, so that 1 shows a texture as it is painted.
 COLOURS = {
-    SUN: SUN_COLOUR, SKY: (2.3, 3.0, 4.3), TORCH: TORCH_COLOUR, TORCHES: (0.017, 0.0076, 0.0025),
-}  # fmt: skip
+    SUN: SUN_COLOUR,
+    SKY: (2.3, 3.0, 4.3),
+    TORCH: TORCH_COLOUR,
+    TORCHES: (0.017, 0.0076, 0.0025),
+}
 # Chosen: fraction of each light's reflections that is kept; less leaves deeper shades.
 BOUNCED = {SUN: 0.16, SKY: 0.8, TORCH: 0.4, TORCHES: 0.4}
 AMBIENT = (0.018, 0.020, 0.026)  # chosen: what no ray finds, so that nothing is black
@@ -66,8 +69,9 @@ SEED = 2006
 PRECISE = 2000.0  # chosen: steps per unit by which geometry is told apart
 
 
-def smoothed(values: np.ndarray, weight: np.ndarray, parts: list[tuple[slice, slice]],
-             spread: float) -> np.ndarray:  # fmt: skip
+def smoothed(
+    values: np.ndarray, weight: np.ndarray, parts: list[tuple[slice, slice]], spread: float
+) -> np.ndarray:
     """Return values (h, w, ...) blurred within each part, weighted by ``weight`` (h, w)."""
     out = values.copy()
     sigma = (spread, spread, *(0,) * (values.ndim - 2))

@@ -25,11 +25,19 @@ ORIGINS = {"hall": (0, 0), "floor": (1024, 0), "north": (1536, 0)}  # of the she
 CANVAS = 2048, 1024  # width and height of all sheets side by side
 # Chosen: the materials' mean linear colours, as their textures have them.
 ALBEDO = {
-    "wall": (0.402, 0.361, 0.289), "vault": (0.478, 0.443, 0.378), "stone": (0.434, 0.397, 0.33),
-    "plinth": (0.27, 0.25, 0.225), "floor": (0.443, 0.402, 0.334), "alcove": (0.35, 0.32, 0.265),
-    "band": (0.084, 0.063, 0.054), "medallion": (0.30, 0.255, 0.197), "pool": (0.10, 0.15, 0.15),
-    "hanging": (0.20, 0.25, 0.18), "wood": (0.124, 0.068, 0.033), "iron": (0.02, 0.02, 0.02),
-}  # fmt: skip
+    "wall": (0.402, 0.361, 0.289),
+    "vault": (0.478, 0.443, 0.378),
+    "stone": (0.434, 0.397, 0.33),
+    "plinth": (0.27, 0.25, 0.225),
+    "floor": (0.443, 0.402, 0.334),
+    "alcove": (0.35, 0.32, 0.265),
+    "band": (0.084, 0.063, 0.054),
+    "medallion": (0.30, 0.255, 0.197),
+    "pool": (0.10, 0.15, 0.15),
+    "hanging": (0.20, 0.25, 0.18),
+    "wood": (0.124, 0.068, 0.033),
+    "iron": (0.02, 0.02, 0.02),
+}
 LIGHTS = ("sun", "sky", "torch", "torches")
 SUN, SKY, TORCH, TORCHES = range(4)
 SUN_RADIUS = 0.012  # chosen: of its disc, in radians; four times the true one, for softer edges
@@ -93,8 +101,14 @@ def statue() -> np.ndarray:
     turn = math.radians(plan.STATUE_YAW)
     (east, south), (_, top) = plan.STATUE, plan.PLINTH
     lift = top - plan.STATUE_SUNK - plan.STATUE_SCALE * float(points[:, 1].min())
-    placed = np.stack([east + math.cos(turn) * x + math.sin(turn) * z, lift + y,
-                       south - math.sin(turn) * x + math.cos(turn) * z], axis=-1)  # fmt: skip
+    placed = np.stack(
+        [
+            east + math.cos(turn) * x + math.sin(turn) * z,
+            lift + y,
+            south - math.sin(turn) * x + math.cos(turn) * z,
+        ],
+        axis=-1,
+    )
     return placed[unit.triangles]
 
 
@@ -119,12 +133,18 @@ def masonry() -> np.ndarray:
     half = plan.WINDOW_HALF
     windows = [each for middle in plan.ALCOVES for each in (middle - half, middle + half)]
     lower, upper = inside.north - wall, inside.south + wall
-    upright(0, inside.east + wall, [lower, *windows, upper],
-            [(plan.WINDOW_SILL, plan.WINDOW_TOP)] * len(plan.ALCOVES))  # fmt: skip
+    upright(
+        0,
+        inside.east + wall,
+        [lower, *windows, upper],
+        [(plan.WINDOW_SILL, plan.WINDOW_TOP)] * len(plan.ALCOVES),
+    )
     west, east = inside.west - wall, inside.east + wall
     height, radius = plan.ROSE
-    for z, wide, hole in ((lower, radius, (height - radius, height + radius)),
-                          (upper, plan.DOOR_HALF, (0.0, plan.DOOR_TOP))):  # fmt: skip
+    for z, wide, hole in (
+        (lower, radius, (height - radius, height + radius)),
+        (upper, plan.DOOR_HALF, (0.0, plan.DOOR_TOP)),
+    ):
         upright(2, z, [west, plan.AXIS - wide, plan.AXIS + wide, east], [hole])
     west -= plan.ALCOVE_DEPTH
     quads.append([(west, top, lower), (east, top, lower), (east, top, upper), (west, top, upper)])
@@ -169,10 +189,20 @@ def portals() -> np.ndarray:
             [(inside.east + wall, low, middle - half), (0, top - low, 0), (0, 0, 2 * half)]
         )
     height, radius = plan.ROSE
-    found.append([(plan.AXIS - radius, height - radius, inside.north - wall),
-                  (2 * radius, 0, 0), (0, 2 * radius, 0)])  # fmt: skip
-    found.append([(plan.AXIS - plan.DOOR_HALF, 0, inside.south + wall),
-                  (2 * plan.DOOR_HALF, 0, 0), (0, plan.DOOR_TOP, 0)])  # fmt: skip
+    found.append(
+        [
+            (plan.AXIS - radius, height - radius, inside.north - wall),
+            (2 * radius, 0, 0),
+            (0, 2 * radius, 0),
+        ]
+    )
+    found.append(
+        [
+            (plan.AXIS - plan.DOOR_HALF, 0, inside.south + wall),
+            (2 * plan.DOOR_HALF, 0, 0),
+            (0, plan.DOOR_TOP, 0),
+        ]
+    )
     return np.array(found, float)
 
 

@@ -13,8 +13,9 @@ from landscape.studio.images import smoothstep, spectral_noise
 from landscape.studio.masonry import OVERSAMPLE, finish, light_relief, tile_axes
 
 # Chosen: linear colours.
-LIMESTONE = np.array([[0.42, 0.375, 0.30], [0.46, 0.405, 0.315], [0.385, 0.355, 0.30],
-                      [0.49, 0.44, 0.35]])  # fmt: skip
+LIMESTONE = np.array(
+    [[0.42, 0.375, 0.30], [0.46, 0.405, 0.315], [0.385, 0.355, 0.30], [0.49, 0.44, 0.35]]
+)
 PALE = np.array([[0.52, 0.48, 0.41], [0.56, 0.52, 0.44], [0.49, 0.46, 0.40]])
 DRESSED = np.array([0.46, 0.42, 0.35])
 MORTAR = np.array([0.36, 0.33, 0.27])
@@ -25,8 +26,9 @@ GOLD = np.array([0.46, 0.30, 0.10])
 OAK, OAK_DARK = np.array([0.17, 0.095, 0.045]), np.array([0.07, 0.036, 0.018])
 
 
-def ashlar(seed: int, courses: int, per_course: int, colours: np.ndarray, joint: float,
-           rough: float) -> np.ndarray:  # fmt: skip
+def ashlar(
+    seed: int, courses: int, per_course: int, colours: np.ndarray, joint: float, rough: float
+) -> np.ndarray:
     """Return a wall tile, uint8 (512, 512, 3), of smooth stones in running bond.
 
     ``joint`` is half the width of a joint, ``rough`` how rough the faces are (1: plainly hewn).
@@ -55,9 +57,12 @@ def ashlar(seed: int, courses: int, per_course: int, colours: np.ndarray, joint:
     face = smoothstep(-0.0005, 0.0035, inside)
     lean = rng.normal(0.0, 0.02, (courses * per_course, 2)) * rough
     height = 0.003 * face + face * rough * (
-        lean[stone, 0] * (across - left) + lean[stone, 1] * up / courses
-        + 0.00045 * grain + 0.0005 * soft + 0.00016 * fine
-    )  # fmt: skip
+        lean[stone, 0] * (across - left)
+        + lean[stone, 1] * up / courses
+        + 0.00045 * grain
+        + 0.0005 * soft
+        + 0.00016 * fine
+    )
     shade = light_relief(height, size, 0.012, tile=True)
     count = courses * per_course
     mixed = rng.dirichlet(np.full(len(colours), 0.7), count) @ colours

@@ -28,11 +28,22 @@ HEATH_LEAF, HEATH_BELL = np.array([0.050, 0.072, 0.030]), np.array([0.290, 0.130
 HEATH_WOOD = np.array([0.085, 0.055, 0.038])
 # Chosen: lean (radians, negative to the left), turn towards the viewer, length; from back to front.
 FERN_FRONDS = (
-    (0.20, -0.6, 0.90), (-0.34, -0.7, 0.92), (0.50, -0.4, 1.16), (-0.60, -0.4, 1.18),
-    (0.74, -0.1, 1.32), (-0.84, -0.1, 1.30), (0.08, 1.0, 0.84), (1.02, 0.1, 1.24),
-    (-1.10, 0.1, 1.26), (-0.42, 0.8, 1.00), (0.56, 0.7, 1.02), (-0.80, 0.6, 1.06),
-    (0.92, 0.6, 1.04), (-1.22, 0.5, 0.92), (1.20, 0.5, 0.94),
-)  # fmt: skip
+    (0.20, -0.6, 0.90),
+    (-0.34, -0.7, 0.92),
+    (0.50, -0.4, 1.16),
+    (-0.60, -0.4, 1.18),
+    (0.74, -0.1, 1.32),
+    (-0.84, -0.1, 1.30),
+    (0.08, 1.0, 0.84),
+    (1.02, 0.1, 1.24),
+    (-1.10, 0.1, 1.26),
+    (-0.42, 0.8, 1.00),
+    (0.56, 0.7, 1.02),
+    (-0.80, 0.6, 1.06),
+    (0.92, 0.6, 1.04),
+    (-1.22, 0.5, 0.92),
+    (1.20, 0.5, 0.94),
+)
 
 
 def pinnate(path: np.ndarray, roll: float, size: float, rng: np.random.Generator) -> Leaves:
@@ -59,9 +70,11 @@ def pinnate(path: np.ndarray, roll: float, size: float, rng: np.random.Generator
     for side in (-1.0, 1.0):
         long = reach * rng.uniform(0.88, 1.06, count)
         way = unit(
-            side * span + tangent * (0.30 + 0.5 * fractions[:, None]) - 0.12 * face
+            side * span
+            + tangent * (0.30 + 0.5 * fractions[:, None])
+            - 0.12 * face
             + 0.05 * rng.standard_normal((count, 3))
-        )  # fmt: skip
+        )
         for k in range(cut):
             t = (k + 0.6) / cut
             # The tips of the pinnae hang down.

@@ -54,10 +54,18 @@ def ellipsoid(x: float, y: float, z: float, rx: float, ry: float, rz: float) -> 
 
 @njit
 def limb(
-    x: float, y: float, z: float,
-    ax: float, ay: float, az: float, ra: float,
-    bx: float, by: float, bz: float, rb: float,
-) -> float:  # fmt: skip
+    x: float,
+    y: float,
+    z: float,
+    ax: float,
+    ay: float,
+    az: float,
+    ra: float,
+    bx: float,
+    by: float,
+    bz: float,
+    rb: float,
+) -> float:
     """Return the distance to a limb: a segment from a to b whose radius goes from ra to rb."""
     dx, dy, dz = bx - ax, by - ay, bz - az
     px, py, pz = x - ax, y - ay, z - az

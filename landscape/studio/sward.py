@@ -40,9 +40,7 @@ WIDTH, HEIGHT = 128, 256  # texels of a cell
 HEADROOM = 0.93  # chosen: so much of a cell is used; the rest keeps coarse mip levels apart
 SHOULDER, NECK = 1.24, 0.17  # chosen: where a card is widest, and half its width at the ground
 # Linear colours, all chosen by eye. Green blades are tinted to the ground's colour when drawn.
-ROOT, GREEN, TIP = np.array(
-    [(0.060, 0.075, 0.022), (0.120, 0.190, 0.040), (0.235, 0.285, 0.080)]
-)  # fmt: skip
+ROOT, GREEN, TIP = np.array([(0.060, 0.075, 0.022), (0.120, 0.190, 0.040), (0.235, 0.285, 0.080)])
 STRAW = np.array([0.420, 0.350, 0.180])
 SEEDS, PURPLISH = np.array([0.360, 0.290, 0.165]), np.array([0.265, 0.190, 0.150])
 FACE = unit(0.62 * UP + VIEWER)  # chosen: how an open flower faces, up to the sun and the eye
@@ -98,9 +96,13 @@ def ribbon(
 
 
 def blade(
-    canvas: Canvas, rng: np.random.Generator, path: np.ndarray, width: float, dry: float = 0.0,
+    canvas: Canvas,
+    rng: np.random.Generator,
+    path: np.ndarray,
+    width: float,
+    dry: float = 0.0,
     root: float = 0.42,
-) -> None:  # fmt: skip
+) -> None:
     """Draw a blade, widest in its lower third, ``dry`` 0 green to 1 straw.
 
     At its ``root`` it is so many times as light as above.
@@ -219,10 +221,13 @@ def straws() -> np.ndarray:
     """Return a cell of last year's stalks: bleached, leaning, some of them broken."""
     rng, canvas = np.random.default_rng(408), Cell.blank()
     for x, length, lean, bend, broken in (
-        (-0.12, 1.70, -0.12, -0.30, 0.72), (0.04, 1.85, 0.06, 0.25, 0.0),
-        (0.15, 1.30, 0.22, 0.15, 0.60), (-0.04, 1.20, -0.30, 0.25, 0.0),
-        (0.10, 0.90, -0.35, -0.20, 0.0), (-0.18, 0.80, 0.35, 0.3, 0.5),
-    ):  # fmt: skip
+        (-0.12, 1.70, -0.12, -0.30, 0.72),
+        (0.04, 1.85, 0.06, 0.25, 0.0),
+        (0.15, 1.30, 0.22, 0.15, 0.60),
+        (-0.04, 1.20, -0.30, 0.25, 0.0),
+        (0.10, 0.90, -0.35, -0.20, 0.0),
+        (-0.18, 0.80, 0.35, 0.3, 0.5),
+    ):
         path = curve(x, length, lean, bend)
         if broken:
             bent = int(broken * len(path))
@@ -236,9 +241,12 @@ def straws() -> np.ndarray:
 
 
 def flowers(
-    seed: int, head: Head, size: float, stems: tuple[tuple[float, float, float], ...],
+    seed: int,
+    head: Head,
+    size: float,
+    stems: tuple[tuple[float, float, float], ...],
     leaf: tuple[float, float, int],
-) -> np.ndarray:  # fmt: skip
+) -> np.ndarray:
     """Return a cell of one plant: ``stems`` of foot x, length and lean, each with a ``head``.
 
     ``leaf`` is the length of its leaves, their width over length, and how many a stem has.
@@ -279,16 +287,22 @@ def cells() -> list[np.ndarray]:
         spikes(),
         straws(),
         flowers(411, oxeye, 0.115, ((0.02, 1.80, 0.03), (-0.07, 1.40, -0.16)), long),
-        flowers(412, oxeye, 0.110, ((0.05, 1.72, 0.09), (-0.05, 1.55, -0.13), (0.1, 1.1, 0.3)),
-                long),
-        flowers(413, buttercup, 0.095, ((0.0, 1.78, 0.05), (-0.06, 1.50, -0.18), (0.07, 1.3, 0.26)),
-                fern),
+        flowers(
+            412, oxeye, 0.110, ((0.05, 1.72, 0.09), (-0.05, 1.55, -0.13), (0.1, 1.1, 0.3)), long
+        ),
+        flowers(
+            413,
+            buttercup,
+            0.095,
+            ((0.0, 1.78, 0.05), (-0.06, 1.50, -0.18), (0.07, 1.3, 0.26)),
+            fern,
+        ),
         flowers(414, clover, 0.095, ((0.03, 1.66, 0.10), (-0.06, 1.30, -0.22)), broad),
         flowers(415, cornflower, 0.120, ((0.0, 1.74, 0.06), (-0.04, 1.42, -0.17)), long),
         flowers(416, umbel, 0.165, ((0.02, 1.62, 0.04), (-0.06, 1.16, -0.20)), fern),
         flowers(417, knapweed, 0.115, ((0.02, 1.68, 0.08), (-0.05, 1.35, -0.20)), long),
         flowers(418, hawkbit, 0.100, ((0.0, 1.74, -0.05), (0.05, 1.35, 0.22)), (0.2, 0.25, 3)),
-    ]  # fmt: skip
+    ]
 
 
 def sward() -> np.ndarray:

@@ -242,8 +242,12 @@ def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-
     open_sky = clamp(open_sky, 0.15, 1.0)
     lit, t = 1.0, 0.004
     for _ in range(24):
-        d = _scene(x + nx * 0.002 + sun[3] * t, y + ny * 0.002 + sun[4] * t,
-                   z + nz * 0.002 + sun[5] * t, arm)[0]  # fmt: skip
+        d = _scene(
+            x + nx * 0.002 + sun[3] * t,
+            y + ny * 0.002 + sun[4] * t,
+            z + nz * 0.002 + sun[5] * t,
+            arm,
+        )[0]
         lit = min(lit, 14.0 * d / t)
         t += clamp(d, 0.004, 0.05)
         if lit < 0.0 or t > 0.5:

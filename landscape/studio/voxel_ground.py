@@ -86,8 +86,9 @@ def rock() -> np.ndarray:
     value = 0.56 + tone[found.own] + (lean[found.own] * found.offset).sum(axis=-1)
     # Ridges between facets of one block catch the light; between blocks there are cracks.
     value = value + 0.10 * found.light(2.2)
-    cracked = found._replace(gap=np.where(block[found.others] == block[found.own][..., None],
-                                          99.0, found.gap))  # fmt: skip
+    cracked = found._replace(
+        gap=np.where(block[found.others] == block[found.own][..., None], 99.0, found.gap)
+    )
     value = stepped(value, 14) + 0.17 * cracked.light(3.4)
     value = value - 0.42 * smoothstep(1.15, 0.35, cracked.inside())
     value = value + 0.012 * noise(0.8, 35, 8.0)
@@ -101,8 +102,13 @@ def sand() -> np.ndarray:
     phase = 2 * np.pi * (4 * y + x) / SIDE + 0.85 * noise(2.2, 42, 1.0)
     wave = np.sin(phase + 0.55 * np.sin(phase))
     strength = smoothstep(-1.4, 0.6, noise(2.0, 43, 1.5))
-    canvas = Canvas(ramp(SAND, stepped(0.54 + 0.15 * wave * (0.45 + 0.55 * strength), 16, 0.4)
-                         + 0.008 * noise(0.7, 44, 10.0)))  # fmt: skip
+    canvas = Canvas(
+        ramp(
+            SAND,
+            stepped(0.54 + 0.15 * wave * (0.45 + 0.55 * strength), 16, 0.4)
+            + 0.008 * noise(0.7, 44, 10.0),
+        )
+    )
     for place in spread(34, 45):
         canvas.blob(place, (0.75, 0.65), 0.0, SAND, rng.choice([0.16, 0.92]), 0.0)
     return levelled(canvas.colour, 2.5, 0.2)
@@ -140,8 +146,9 @@ def grass_side() -> np.ndarray:
     """Return earth with grass hanging over it: rows of blades, the upper over the lower."""
     rng = np.random.default_rng(76)
     canvas = Canvas(shaded(earth(), 17.0, 9.0, noise(1.8, 72, 2.0)[0]), wrap_y=False)
-    for row, (top, long, tone) in enumerate(((11, 12, 0.20), (7, 12, 0.34), (3, 11, 0.46),
-                                             (-1, 10, 0.58), (-5, 9, 0.72))):  # fmt: skip
+    for row, (top, long, tone) in enumerate(
+        ((11, 12, 0.20), (7, 12, 0.34), (3, 11, 0.46), (-1, 10, 0.58), (-5, 9, 0.72))
+    ):
         count = 15
         for k in rng.permutation(count):
             x = (k + 0.5 * (row % 2) + rng.uniform(-0.3, 0.3)) * SIDE / count
@@ -156,8 +163,15 @@ def turf_side() -> np.ndarray:
     """Return the side of a low step, overgrown to its foot: grass that hangs down in layers."""
     rng = np.random.default_rng(73)
     canvas = Canvas(ramp(GRASS, 0.10 + 0.02 * noise(1.4, 74)), wrap_y=False)
-    for top, long, tone in ((48, 22, 0.20), (38, 22, 0.26), (28, 21, 0.33), (19, 19, 0.38),
-                            (11, 17, 0.46), (4, 15, 0.58), (-5, 13, 0.76)):  # fmt: skip
+    for top, long, tone in (
+        (48, 22, 0.20),
+        (38, 22, 0.26),
+        (28, 21, 0.33),
+        (19, 19, 0.38),
+        (11, 17, 0.46),
+        (4, 15, 0.58),
+        (-5, 13, 0.76),
+    ):
         count = 13
         for k in rng.permutation(count):
             x = (k + rng.uniform(-0.4, 0.4)) * SIDE / count

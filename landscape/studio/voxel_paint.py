@@ -165,9 +165,16 @@ class Canvas:
         self.alpha[spot] = total
 
     def blob(
-        self, place: np.ndarray, radii: tuple[float, float], turn: float, colours: Colours,
-        value: float, relief: float, uneven: float = 0.12, seed: int = 0,
-    ) -> None:  # fmt: skip
+        self,
+        place: np.ndarray,
+        radii: tuple[float, float],
+        turn: float,
+        colours: Colours,
+        value: float,
+        relief: float,
+        uneven: float = 0.12,
+        seed: int = 0,
+    ) -> None:
         """Paint a rounded lump at ``place`` (x, y), ``turn`` in radians.
 
         Its tone in the ramp ``colours`` is ``value``, more towards the light by ``relief``.
@@ -190,9 +197,13 @@ class Canvas:
         self.paint(place - reach, place + reach, brush)
 
     def stroke(
-        self, path: np.ndarray, widths: np.ndarray, colours: Colours, tones: np.ndarray,
+        self,
+        path: np.ndarray,
+        widths: np.ndarray,
+        colours: Colours,
+        tones: np.ndarray,
         fold: float = 0.0,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Paint along a path (n, 2) whose half widths and tones in the ramp are given (n,).
 
         The side towards the light is lighter by ``fold``, the other darker.
@@ -224,8 +235,9 @@ class Canvas:
         self.paint(path.min(axis=0) - reach, path.max(axis=0) + reach, brush)
 
 
-def curve(start: Sequence[float], angle: float, length: float, bend: float = 0.0,
-          points: int = 7) -> np.ndarray:  # fmt: skip
+def curve(
+    start: Sequence[float], angle: float, length: float, bend: float = 0.0, points: int = 7
+) -> np.ndarray:
     """Return a path (points, 2) from ``start``, first towards ``angle``, turning by ``bend``.
 
     Radians; 0 is to the right and a quarter turn is downward.

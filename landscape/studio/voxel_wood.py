@@ -51,8 +51,13 @@ def birch_bark() -> np.ndarray:
         size = rng.uniform(3.0, 6.0)
         for k in range(5):
             long = size * (1.0 - 0.18 * k)
-            path = np.array([place + [-long, 1.3 * k - 1.2], place + [0, 1.1 * k - 2.2],
-                             place + [long * 0.9, 1.3 * k - 1.0]])  # fmt: skip
+            path = np.array(
+                [
+                    place + [-long, 1.3 * k - 1.2],
+                    place + [0, 1.1 * k - 2.2],
+                    place + [long * 0.9, 1.3 * k - 1.0],
+                ]
+            )
             canvas.stroke(path, np.array([0.2, 1.0, 0.2]), BIRCH, np.full(3, 0.02 + 0.03 * k))
     return levelled(canvas.colour, 2.5, 0.3)
 

@@ -105,12 +105,24 @@ STRIPS = {TILES_FILE: (SIDE, SIDE), PLANTS_FILE: (SIDE, SIDE)}
 STONES = "stones.ply"  # many shapes in a row
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998, STONES: 1349}
 TILES = (
-    "ground_detail.png", "ground_sand.png", "ground_rock.png", "clouds.png", "water.png",
-    "castle_brick.png", "castle_ashlar.png", "castle_slate.png", "torch_stone.png", "mosaic.png",
-    "animal.png", "hall_wall.png",
-    "hall_vault.png", "hall_stone.png", "hall_floor.png", "hall_wood.png",
+    "ground_detail.png",
+    "ground_sand.png",
+    "ground_rock.png",
+    "clouds.png",
+    "water.png",
+    "castle_brick.png",
+    "castle_ashlar.png",
+    "castle_slate.png",
+    "torch_stone.png",
+    "mosaic.png",
+    "animal.png",
+    "hall_wall.png",
+    "hall_vault.png",
+    "hall_stone.png",
+    "hall_floor.png",
+    "hall_wood.png",
     RIPPLES_FILE,
-)  # fmt: skip
+)
 MID_GREY = ("ground_detail.png", "ground_sand.png", "ground_rock.png")
 # Pictures of the sky stored as JPEG. The eye sees a step along an edge, which is a difference of
 # one sign over many texels. It does not see the noise of coding, whose sign changes from block to
@@ -347,9 +359,15 @@ def check_places(assets: Assets) -> Iterator[Finding]:
 
 
 CHECKS: tuple[Callable[[Assets], Iterator[Finding]], ...] = (
-    check_files, check_tiles, check_sky, check_sprites, check_heights, check_meshes,
-    check_environments, check_places,
-)  # fmt: skip
+    check_files,
+    check_tiles,
+    check_sky,
+    check_sprites,
+    check_heights,
+    check_meshes,
+    check_environments,
+    check_places,
+)
 
 
 def check(folder: Path | None = None) -> Iterator[Finding]:

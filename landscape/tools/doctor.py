@@ -12,9 +12,18 @@ from landscape.files.installation import NAME, conflict
 from landscape.gl.context import BACKENDS
 
 PACKAGES = (
-    NAME, "PyOpenGL", "PyOpenGL-accelerate", "glfw", "numpy", "pillow", "trimesh", "platformdirs",
-    "polib", "tqdm", "svgelements",
-)  # fmt: skip
+    NAME,
+    "PyOpenGL",
+    "PyOpenGL-accelerate",
+    "glfw",
+    "numpy",
+    "pillow",
+    "trimesh",
+    "platformdirs",
+    "polib",
+    "tqdm",
+    "svgelements",
+)
 OPTIONAL = ("PyOpenGL-accelerate",)
 SECONDS = 60  # chosen: a backend that takes longer is considered to hang
 

@@ -20,8 +20,15 @@ LIMIT = (
 PROGRAMS = ("trace", "pixel", "state", "strip", "why", "inspect")
 EDITS = "change single OpenGL calls as this file says"
 PASS_NAMES = (
-    "setup", "shadow", "reflection", "refraction", "main", "picture", "water", "overlay",
-)  # fmt: skip
+    "setup",
+    "shadow",
+    "reflection",
+    "refraction",
+    "main",
+    "picture",
+    "water",
+    "overlay",
+)
 PASSES = (
     "only the calls of one pass: setup, reflection, main or overlay; of the voxel island also "
     "shadow, refraction or water, of the great hall picture; default: all"

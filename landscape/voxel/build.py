@@ -53,8 +53,18 @@ Meshes = Sequence[RegionMesh | PackedMesh]
 
 TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
 # Settings of which the world and its meshes are made.
-BUILT = ("height_image", "regions", "region_size", "block", "levels", "sea", "merge", "occlusion",
-         "trees", "buildings")  # fmt: skip
+BUILT = (
+    "height_image",
+    "regions",
+    "region_size",
+    "block",
+    "levels",
+    "sea",
+    "merge",
+    "occlusion",
+    "trees",
+    "buildings",
+)
 LEAST_LEFT = 0.02  # chosen: of the light in shadow, so that a colour is never divided by 0
 # Which of TILES only what is built has.
 BUILDINGS = np.isin(TILES, ("brick", "slate", "planks", "hide", "lamp"))

@@ -104,8 +104,12 @@ def corner_shade(solid: np.ndarray, at: np.ndarray, direction: Direction) -> np.
     s, t = steps[direction.along], steps[direction.across]
     left, right, below, above = (flat[at + step] for step in (-s, s, -t, t))
     found = np.empty((len(at), 4), np.uint8)
-    corners = ((left, below, -s - t), (right, below, s - t), (right, above, s + t),
-               (left, above, t - s))  # fmt: skip
+    corners = (
+        (left, below, -s - t),
+        (right, below, s - t),
+        (right, above, s + t),
+        (left, above, t - s),
+    )
     for k, (side, other, step) in enumerate(corners):
         found[:, k] = side + other + (flat[at + step] | (side & other))
     return found

@@ -153,8 +153,10 @@ class Horizon:
     def _horizon(self, x0: int, z0: int, top: int) -> np.ndarray:
         """Return how steep lines of sight are blocked up to each point of each line, (m, lines)."""
         last = len(self._lowest[0]) - 1
-        x, z = (np.minimum(np.maximum(line + at, 0), last)
-                for at, line in zip((x0, z0), LINES, strict=True))  # fmt: skip
+        x, z = (
+            np.minimum(np.maximum(line + at, 0), last)
+            for at, line in zip((x0, z0), LINES, strict=True)
+        )
         at = x * (last + 1) + z
         slope = np.empty(x.shape, np.float32)
         for rows, lowest_there in zip(ROWS, self._lowest, strict=True):

@@ -20,8 +20,14 @@ SNOWY = 2.2  # how much steeper than ROCKY snow may lie on the highest land
 SOIL = 3  # blocks of earth under grass, or of sand under sand
 # Layers of rock from below, again and again: block and thickness. Where they lie varies by BENT
 # blocks over BENT_SIZE columns. All chosen.
-STRATA = (("rock", 3), ("dark rock", 1), ("rock", 2), ("pale rock", 2), ("rock", 2),
-          ("warm rock", 2))  # fmt: skip
+STRATA = (
+    ("rock", 3),
+    ("dark rock", 1),
+    ("rock", 2),
+    ("pale rock", 2),
+    ("rock", 2),
+    ("warm rock", 2),
+)
 BENT, BENT_SIZE = 7.0, 70.0
 BARE, BARE_SIZE = 0.03, 11.0  # chosen: fraction of the grass that is bare, in patches of this size
 

@@ -99,8 +99,12 @@ class TexturesView:
                 gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, START)
                 gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 4.0)
         gl.glBegin(gl.GL_QUADS)
-        for s, t, x, y in ((0, 0, left, low), (1, 0, right, low), (1, 1, right, high),
-                           (0, 1, left, high)):  # fmt: skip
+        for s, t, x, y in (
+            (0, 0, left, low),
+            (1, 0, right, low),
+            (1, 1, right, high),
+            (0, 1, left, high),
+        ):
             gl.glTexCoord2f(float(s), float(t))
             gl.glVertex2f(x, y)
         gl.glEnd()

@@ -19,8 +19,13 @@ CORNERS = np.array([[i >> 2 & 1, i >> 1 & 1, i & 1] for i in range(8)], np.float
 
 
 # A point is in front of each of these when it is inside the clip cube -w..w.
-SIDES = np.array([(sign * (k == 0), sign * (k == 1), sign * (k == 2), 1.0)
-                  for k in range(3) for sign in (1.0, -1.0)])  # fmt: skip
+SIDES = np.array(
+    [
+        (sign * (k == 0), sign * (k == 1), sign * (k == 2), 1.0)
+        for k in range(3)
+        for sign in (1.0, -1.0)
+    ]
+)
 
 
 def frustum_planes(matrix: np.ndarray) -> np.ndarray:

@@ -269,8 +269,9 @@ def finer(normals: np.ndarray) -> np.ndarray:
     rows = (slope[at // 2] + slope[(at + 1) // 2 % len(slope)]) / 2
     wide = (rows[:, at // 2] + rows[:, (at + 1) // 2 % len(slope)]) / 2
     across = np.moveaxis(slope, 0, 1)[..., ::-1]
-    own, small = (across[np.ix_(times * at % len(slope), times * at % len(slope))]
-                  for times in (1, 3))  # fmt: skip
+    own, small = (
+        across[np.ix_(times * at % len(slope), times * at % len(slope))] for times in (1, 3)
+    )
     total = np.tensordot(SHARES, np.stack([wide, own, small]), 1)
     found = np.concatenate([total, np.ones((*total.shape[:2], 1))], axis=2)
     found /= np.linalg.norm(found, axis=-1, keepdims=True)

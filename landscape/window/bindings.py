@@ -120,8 +120,12 @@ INSPECTING = {
 }
 INSPECTING_SHIFT = {"next_value": "previous_value", "more": "more_fine", "less": "less_fine"}
 INSPECTING_CONTROL = {
-    "undo_here": "undo_all", "Z": "undo", "S": "save", "more": "more_fine", "less": "less_fine",
-}  # fmt: skip
+    "undo_here": "undo_all",
+    "Z": "undo",
+    "S": "save",
+    "more": "more_fine",
+    "less": "less_fine",
+}
 INSPECTING_LETTERS = {"O": "pixel"}
 INSPECTING_REPEATED = (
     *("up", "down", "left", "right", "page_up", "page_down", "next_value", "previous_value"),

@@ -28,22 +28,41 @@ from landscape.window.screen import FullScreen, hide_cursor, save_screenshot
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
 # What each digit switches: the techniques of the lines, and of the filled ground.
 LINES = {
-    "1": "flyover.strips", "2": "flyover.back_faces", "3": "flyover.bounding_volumes",
-    "4": "flyover.quad_tree", "5": "flyover.detail", "6": "flyover.morph",
-    "7": "flyover.hidden_lines", "8": "flyover.colours", "9": "flyover.mode",
-}  # fmt: skip
-FILLED = {
-    "1": "filled.smooth", "2": "filled.levels", "3": "filled.fog", "4": "filled.shadows",
-    "5": "filled.occlusion", "6": "filled.reflection", "7": "filled.clouds", "8": "filled.edges",
+    "1": "flyover.strips",
+    "2": "flyover.back_faces",
+    "3": "flyover.bounding_volumes",
+    "4": "flyover.quad_tree",
+    "5": "flyover.detail",
+    "6": "flyover.morph",
+    "7": "flyover.hidden_lines",
+    "8": "flyover.colours",
     "9": "flyover.mode",
-}  # fmt: skip
+}
+FILLED = {
+    "1": "filled.smooth",
+    "2": "filled.levels",
+    "3": "filled.fog",
+    "4": "filled.shadows",
+    "5": "filled.occlusion",
+    "6": "filled.reflection",
+    "7": "filled.clouds",
+    "8": "filled.edges",
+    "9": "flyover.mode",
+}
 # Rows of the help that keys of the walk have, with what they do here.
 WALKING = {
-    "walk": "flyover.move", "turn": "help.turn", "up_down": "help.up_down", "run": "flyover.run",
-    "fly": "flyover.free", "time": "flyover.pause", "next_fix": "flyover.step",
-    "fullscreen": "help.fullscreen", "screenshot": "help.screenshot", "help": "help.help",
+    "walk": "flyover.move",
+    "turn": "help.turn",
+    "up_down": "help.up_down",
+    "run": "flyover.run",
+    "fly": "flyover.free",
+    "time": "flyover.pause",
+    "next_fix": "flyover.step",
+    "fullscreen": "help.fullscreen",
+    "screenshot": "help.screenshot",
+    "help": "help.help",
     "escape": "help.escape",
-}  # fmt: skip
+}
 STEP = 1 / 30  # seconds of flight, chosen: of a single step
 SLOWEST, FASTEST, FACTOR = 1 / 16, 16.0, math.sqrt(2.0)  # chosen: of the speed, and of a key press
 LONGEST = 0.25  # seconds, chosen: after a longer pause the flight goes on where it was

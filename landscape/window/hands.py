@@ -34,13 +34,16 @@ from landscape.window.walker import Intent
 from landscape.window.wheel import Wheel
 
 FINELY = (  # what makes a drag fine
-    glfw.KEY_LEFT_SHIFT, glfw.KEY_RIGHT_SHIFT, glfw.KEY_LEFT_CONTROL, glfw.KEY_RIGHT_CONTROL,
-)  # fmt: skip
+    glfw.KEY_LEFT_SHIFT,
+    glfw.KEY_RIGHT_SHIFT,
+    glfw.KEY_LEFT_CONTROL,
+    glfw.KEY_RIGHT_CONTROL,
+)
 TOOLS = {  # what a mouse button does in a scene of blocks
     glfw.MOUSE_BUTTON_LEFT: "dig",
     glfw.MOUSE_BUTTON_RIGHT: "place",
     glfw.MOUSE_BUTTON_MIDDLE: "pick",
-}  # fmt: skip
+}
 # Both in coordinates of a display of the usual resolution.
 DRAG = 5.0  # chosen; a motion with the button down that is longer is no click
 JUMP = 200.0  # chosen; a larger motion between two reports is a pointer jump: clamped

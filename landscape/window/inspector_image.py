@@ -33,13 +33,25 @@ LABEL = 6.4  # chosen: font sizes, the column of the arguments' names
 PLATE = (13, 19, 26, 226)  # chosen: RGBA, like all colours below
 CHOSEN, CHOSEN_CELL, RULE = (52, 78, 104, 255), (104, 88, 40, 255), (70, 84, 98, 255)
 COLOURS = {
-    "text": (226, 228, 224), "title": (255, 255, 255), "dim": (140, 152, 164),
-    "name": (226, 228, 224), "enum": (134, 190, 250), "number": (244, 200, 118),
-    "pass": (255, 255, 255), "element": (152, 216, 164), "edited": (255, 142, 92),
-    "off": (104, 112, 120), "source": (190, 180, 214), "meaning": (196, 208, 214),
-    "redundant": (206, 160, 214), "choice": (116, 150, 190), "drawn": (152, 216, 164),
-    "failed": (216, 136, 128), "keys": (150, 160, 170), "message": (255, 214, 120),
-}  # fmt: skip
+    "text": (226, 228, 224),
+    "title": (255, 255, 255),
+    "dim": (140, 152, 164),
+    "name": (226, 228, 224),
+    "enum": (134, 190, 250),
+    "number": (244, 200, 118),
+    "pass": (255, 255, 255),
+    "element": (152, 216, 164),
+    "edited": (255, 142, 92),
+    "off": (104, 112, 120),
+    "source": (190, 180, 214),
+    "meaning": (196, 208, 214),
+    "redundant": (206, 160, 214),
+    "choice": (116, 150, 190),
+    "drawn": (152, 216, 164),
+    "failed": (216, 136, 128),
+    "keys": (150, 160, 170),
+    "message": (255, 214, 120),
+}
 
 
 @dataclass

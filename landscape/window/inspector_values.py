@@ -97,11 +97,18 @@ def _of(name: str, index: int, args: Sequence[Any], given: Sequence[Any]) -> lis
         names = component_names(kind, found.of, len(flat))
         return [
             replace(
-                whole, name=f"{label}.{names[k]}", kind="number", text=_shown(flat[k]),
-                value=flat[k].item(), component=k, low=low, high=high, whole=numbers,
+                whole,
+                name=f"{label}.{names[k]}",
+                kind="number",
+                text=_shown(flat[k]),
+                value=flat[k].item(),
+                component=k,
+                low=low,
+                high=high,
+                whole=numbers,
             )
             for k in range(len(flat))
-        ]  # fmt: skip
+        ]
     if flat is not None:
         if kind in NUMBERS and len(flat) == 1:
             number = flat[0].item()

@@ -26,8 +26,10 @@ FOLDER = CHECKOUT / "build" / "windows"
 PYTHON = FOLDER / "python"
 SOURCE = "panda3d==1.10.16"
 TOOLS = {
-    "wine": "wine wine64", complex_functions.COMPILER: "gcc-mingw-w64-x86-64", "Xvfb": "xvfb",
-}  # fmt: skip
+    "wine": "wine wine64",
+    complex_functions.COMPILER: "gcc-mingw-w64-x86-64",
+    "Xvfb": "xvfb",
+}
 TARGET = ("--platform=win_amd64", "--python-version=311", "--only-binary=:all:")
 # Not extension modules: libraries that extension modules load.
 LIBRARIES = ["libffi-8", "libcrypto-3", "libssl-3", "sqlite3", "tcl86t", "tk86t"]

@@ -195,7 +195,7 @@ PYTHON = [
     *["(40, 30)", "[1, 1]", "np.array([40, 30])", "(40.0, 30.0)", "(10**9, 1)", "np.bool_(True)"],
     *["2006", "'2006'", "'best'", "'osmesa'", "Fraction(1, 3)", "Decimal('0.5')", "'\\ud800'"],
     *["np.datetime64('2006-12-01')", "np.array(None)", "range(3)", "np.array(['a'])", "set()"],
-]  # fmt: skip
+]
 USUAL = {
     "view": ["'fig35a'", "(20, 'ground', 24)", "np.array([20.0, 3.0, 24.0, 0.0, 0.0])"],
     "size": ["(40, 30)"],

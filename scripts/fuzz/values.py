@@ -12,7 +12,7 @@ WORDS = [
     *["x" * 300],
     *["in.toml", "in.png", "in.ply", "missing", ".", "..", "/", "/dev/null", "/proc/self/mem", "~"],
     *["%s", "{}", "$HOME", "*", "'", '"', "\\", "\udcff", "\u202e", "640x480", "1,2,3,4,5"],
-]  # fmt: skip
+]
 
 FIELDS = keys.fields(type(scene().settings))
 # Large values of these take long, as they should; what matters is tested below a bound.

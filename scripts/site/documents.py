@@ -31,13 +31,25 @@ def pages(language: str) -> dict[str, str]:
         text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
         found[f"documents/{name}"] = _without_outside(as_markdown(blocks(text, translate)))
     lists = {
-        "teaching": (_("Teaching with it"), TEACHING, _("A lecture whose pictures run, and "
-                                                        "exercises that are graded by a program.")),
-        "tools": (_("The tools"), TOOLS, _("They look into a frame of a view, of a lesson, or of "
-                                           "any program that draws with PyOpenGL.")),
-        "built": (_("How it is built"), BUILT, _("How fast the island is and why, and how its "
-                                                 "images and meshes are made from code.")),
-    }  # fmt: skip
+        "teaching": (
+            _("Teaching with it"),
+            TEACHING,
+            _("A lecture whose pictures run, and exercises that are graded by a program."),
+        ),
+        "tools": (
+            _("The tools"),
+            TOOLS,
+            _(
+                "They look into a frame of a view, of a lesson, or of "
+                "any program that draws with PyOpenGL."
+            ),
+        ),
+        "built": (
+            _("How it is built"),
+            BUILT,
+            _("How fast the island is and why, and how its images and meshes are made from code."),
+        ),
+    }
     for name, (heading, documents, text) in lists.items():
         tree = "\n".join(documents)
         found[f"documents/{name}"] = (

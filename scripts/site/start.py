@@ -18,29 +18,73 @@ def pages(language: str) -> dict[str, str]:
     """Return the start page."""
     _ = translator(language, "site")
     cards = (
-        ("lessons/index", "matrix_stack.webp", _("Lessons"),
-         _("Small programs, one idea each, from the first window to a terrain drawn by numpy.")),
-        ("exercises/index", "exercise-mirror-wanted.webp", _("Exercises"),
-         _("Programs with a hole, and a grader that says what is missing and where.")),
-        ("documents/teaching", "mirror.webp", _("Teaching with it"),
-         _("A lecture on the whole screen, and how exercises are graded.")),
-        ("figures/index", "fig35a.webp", _("Figures and fixes"),
-         _("The 43 figures of 2006, their flaws, and what fixes them.")),
-        ("calls/index", "matrix_stack.webp", _("Index of calls"),
-         _("Every OpenGL call, what it does, and where the code uses it.")),
-        ("scenes", "best_fig35e.webp", _("The scene"),
-         _("The island as it is today, in nine views.")),
-        ("hall/index", "hall.webp", _("The great hall"),
-         _("The castle's hall of classic effects, and what each of them needs.")),
-        ("voxel/index", "voxel_castle.webp", _("The island in voxels"),
-         _("A terrain of cubes with reflection, refraction and shadows, pass by pass.")),
-        ("flyover/index", "flyover_canyon_filled.webp", _("The software fly-over"),
-         _("A terrain without OpenGL: every line and every pixel computed in numpy.")),
-        ("documents/tools", "fig42a.webp", _("The tools"),
-         _("Any call, any pixel, any state of a frame, laid open.")),
-        ("documents/built", "best_fig35g.webp", _("How it is built"),
-         _("Speed measured, and assets made from code.")),
-    )  # fmt: skip
+        (
+            "lessons/index",
+            "matrix_stack.webp",
+            _("Lessons"),
+            _("Small programs, one idea each, from the first window to a terrain drawn by numpy."),
+        ),
+        (
+            "exercises/index",
+            "exercise-mirror-wanted.webp",
+            _("Exercises"),
+            _("Programs with a hole, and a grader that says what is missing and where."),
+        ),
+        (
+            "documents/teaching",
+            "mirror.webp",
+            _("Teaching with it"),
+            _("A lecture on the whole screen, and how exercises are graded."),
+        ),
+        (
+            "figures/index",
+            "fig35a.webp",
+            _("Figures and fixes"),
+            _("The 43 figures of 2006, their flaws, and what fixes them."),
+        ),
+        (
+            "calls/index",
+            "matrix_stack.webp",
+            _("Index of calls"),
+            _("Every OpenGL call, what it does, and where the code uses it."),
+        ),
+        (
+            "scenes",
+            "best_fig35e.webp",
+            _("The scene"),
+            _("The island as it is today, in nine views."),
+        ),
+        (
+            "hall/index",
+            "hall.webp",
+            _("The great hall"),
+            _("The castle's hall of classic effects, and what each of them needs."),
+        ),
+        (
+            "voxel/index",
+            "voxel_castle.webp",
+            _("The island in voxels"),
+            _("A terrain of cubes with reflection, refraction and shadows, pass by pass."),
+        ),
+        (
+            "flyover/index",
+            "flyover_canyon_filled.webp",
+            _("The software fly-over"),
+            _("A terrain without OpenGL: every line and every pixel computed in numpy."),
+        ),
+        (
+            "documents/tools",
+            "fig42a.webp",
+            _("The tools"),
+            _("Any call, any pixel, any state of a frame, laid open."),
+        ),
+        (
+            "documents/built",
+            "best_fig35g.webp",
+            _("How it is built"),
+            _("Speed measured, and assets made from code."),
+        ),
+    )
     commands = "\n".join(f"{c:32} # {_(COMMANDS[c])}" for c in COMMANDS)
     grid = "\n".join(
         f":::{{grid-item-card}} {title}\n:link: {page}\n:link-type: doc\n"

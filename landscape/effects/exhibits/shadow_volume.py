@@ -69,8 +69,9 @@ def trefoil() -> Mesh:
     """Return a knot in a tube, closed, upright in the plane x = 0 around the origin, in units."""
     t = np.arange(ALONG) / ALONG * 2 * np.pi
     # The trefoil on a torus: three loops, interlaced.
-    line = np.stack([-np.sin(3 * t), np.cos(t) - 2 * np.cos(2 * t), np.sin(t) + 2 * np.sin(2 * t)],
-                    axis=1)  # fmt: skip
+    line = np.stack(
+        [-np.sin(3 * t), np.cos(t) - 2 * np.cos(2 * t), np.sin(t) + 2 * np.sin(2 * t)], axis=1
+    )
     ahead = np.roll(line, -1, axis=0) - np.roll(line, 1, axis=0)
     ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
     out = np.cross(ahead, line)

@@ -28,7 +28,7 @@ from landscape.effects.exhibits.niche import (
     lit_by,
     pedestal_top,
     shiny,
-)  # fmt: skip
+)
 from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -126,8 +126,14 @@ def armillary() -> Mesh:
     axes = [np.array([0.0, 1.0, 0.0]), pole, np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])]
     rings = [ring(axis, RING - 0.0035 * number) for number, axis in enumerate(axes)]
     centre = HEIGHT - TOP
-    foot = [(0.021, 0.0), (0.020, 0.004), (0.010, 0.008), (0.006, 0.012),
-            (0.003, 0.016), (0.0035, centre - RING)]  # fmt: skip
+    foot = [
+        (0.021, 0.0),
+        (0.020, 0.004),
+        (0.010, 0.008),
+        (0.006, 0.012),
+        (0.003, 0.016),
+        (0.0035, centre - RING),
+    ]
     ball = globe(0.010)
     lifted = np.array([0.0, centre, 0.0], np.float32)
     moved = [replace(each, vertices=each.vertices + lifted) for each in rings]

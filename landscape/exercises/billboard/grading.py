@@ -91,19 +91,25 @@ def places(work, solution):
         first = calls.index("glRotatef") if "glRotatef" in calls else len(calls)
         if "glTranslatef" in calls and first < calls.index("glTranslatef"):
             return hint(
-                _("Line {line} turns before glTranslatef, so the place of each tree is turned "
-                  "about the middle of the orchard."),
+                _(
+                    "Line {line} turns before glTranslatef, so the place of each tree is turned "
+                    "about the middle of the orchard."
+                ),
                 line=turning(work),
-            )  # fmt: skip
+            )
         if work.frame(number).find("glPushMatrix") == []:
             return hint(
-                _("Each tree is drawn in the frame of the tree before it: glPushMatrix and "
-                  "glPopMatrix are missing.")
-            )  # fmt: skip
+                _(
+                    "Each tree is drawn in the frame of the tree before it: glPushMatrix and "
+                    "glPopMatrix are missing."
+                )
+            )
         return hint(
             _("In frame {frame} no tree stands at x = {x}, z = {z} any more."),
-            frame=number, x=worst[0], z=worst[1],
-        )  # fmt: skip
+            frame=number,
+            x=worst[0],
+            z=worst[1],
+        )
     return None
 
 
@@ -121,15 +127,20 @@ def upright(work, solution):
         loads = work.frame(number).find("glLoadMatrix")
         if loads:
             return hint(
-                _("Line {line} takes the whole rotation away, so the trees are parallel to the "
-                  "screen: seen from above, they lie on their backs."),
+                _(
+                    "Line {line} takes the whole rotation away, so the trees are parallel to the "
+                    "screen: seen from above, they lie on their backs."
+                ),
                 line=loads[-1].line,
-            )  # fmt: skip
+            )
         return hint(
-            _("In frame {frame} the trees lean: line {line} turns them about an axis that is not "
-              "the vertical one, or by the eye's height as well."),
-            frame=number, line=turning(work),
-        )  # fmt: skip
+            _(
+                "In frame {frame} the trees lean: line {line} turns them about an axis that is not "
+                "the vertical one, or by the eye's height as well."
+            ),
+            frame=number,
+            line=turning(work),
+        )
     return None
 
 
@@ -155,58 +166,79 @@ def facing(work, solution):
         half_turns.all() and len(wrong) == len(FRAMES)
     ):
         return hint(
-            _("Some trees show their backs, from some sides: atan in line {line} knows half of the "
-              "directions only, and math.atan2 knows all."),
+            _(
+                "Some trees show their backs, from some sides: atan in line {line} knows half "
+                "of the "
+                "directions only, and math.atan2 knows all."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     if number != FRAMES[0]:
         return hint(
-            _("From the first side they face the eye, but not in frame {frame}: the angle must be "
-              "computed anew whenever the eye has moved."),
+            _(
+                "From the first side they face the eye, but not in frame {frame}: the angle "
+                "must be "
+                "computed anew whenever the eye has moved."
+            ),
             frame=number,
-        )  # fmt: skip
+        )
     difference = off(angles, right)
     if all(np.abs(a).max() < CLOSE for _c, a, _r in wrong.values()):
         return hint(_("The trees do not turn yet: their fronts look along the x axis."))
     if half_turns.all():
         return hint(
-            _("Line {line} turns each tree's back to the eye, and the backs are culled: half a "
-              "turn is too much."),
+            _(
+                "Line {line} turns each tree's back to the eye, and the backs are culled: half a "
+                "turn is too much."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     if np.ptp(every) < CLOSE and abs(abs(difference[0]) - 90) < CLOSE:
         return hint(
-            _("Each tree shows its edge: line {line} is right for a quad that looks along the z "
-              "axis. This one looks along the x axis."),
+            _(
+                "Each tree shows its edge: line {line} is right for a quad that looks along the z "
+                "axis. This one looks along the x axis."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     every_angle = np.concatenate([a for _c, a, _r in wrong.values()])
     every_right = np.concatenate([r for _c, _a, r in wrong.values()])
     told = {
         _("In line {line} radians are given, and glRotatef expects degrees."): np.radians(
             every_right
         ),
-        _("Line {line} turns the trees the wrong way: seen from above, a positive angle leads from "
-          "the x axis to the negative z axis."): -every_right,
-        _("In line {line} the arguments of atan2 are swapped: for a quad that looks along the x "
-          "axis, the first is how far the eye is in the direction of -z, the second in that of "
-          "x."): 90 - every_right,
-    }  # fmt: skip
+        _(
+            "Line {line} turns the trees the wrong way: seen from above, a positive angle "
+            "leads from "
+            "the x axis to the negative z axis."
+        ): -every_right,
+        _(
+            "In line {line} the arguments of atan2 are swapped: for a quad that looks along the x "
+            "axis, the first is how far the eye is in the direction of -z, the second in that of "
+            "x."
+        ): 90 - every_right,
+    }
     for text, angle in told.items():
         if np.median(np.abs(off(every_angle, angle))) < CLOSE:
             return hint(text, line=at)
     if np.ptp(off(angles, angles[0])) < CLOSE:
         return hint(
-            _("All trees are turned by the same angle, so they are parallel to each other: each "
-              "must face the eye from its own place.")
-        )  # fmt: skip
+            _(
+                "All trees are turned by the same angle, so they are parallel to each other: each "
+                "must face the eye from its own place."
+            )
+        )
     worst = int(np.abs(difference).argmax())
     return hint(
-        _("In frame {frame} the tree at x = {x:.1f}, z = {z:.1f} looks {angle:.0f} degrees past "
-          "the eye."),
-        frame=number, x=feet(corners)[worst, 0], z=feet(corners)[worst, 2],
+        _(
+            "In frame {frame} the tree at x = {x:.1f}, z = {z:.1f} looks {angle:.0f} degrees past "
+            "the eye."
+        ),
+        frame=number,
+        x=feet(corners)[worst, 0],
+        z=feet(corners)[worst, 2],
         angle=abs(difference[worst]),
-    )  # fmt: skip
+    )
 
 
 def regions(solution, number):

@@ -62,14 +62,18 @@ def opaque_first(work, solution):
             continue
         if all(kinds[:2]):
             return hint(
-                _("Both tubes are drawn before the floor and the ball, which are not there yet: "
-                  "nothing is to be seen through the glass but the background.")
-            )  # fmt: skip
+                _(
+                    "Both tubes are drawn before the floor and the ball, which are not there yet: "
+                    "nothing is to be seen through the glass but the background."
+                )
+            )
         return hint(
-            _("In frame {frame} one tube is drawn before something opaque: first everything "
-              "opaque, then all glass."),
+            _(
+                "In frame {frame} one tube is drawn before something opaque: first everything "
+                "opaque, then all glass."
+            ),
             frame=number,
-        )  # fmt: skip
+        )
     return None
 
 
@@ -85,10 +89,14 @@ def blended(work, solution):
                 continue
             if at := line(work, "glEnable", "GL_BLEND"):
                 return hint(
-                    _("GL_BLEND is enabled in line {line}, but it is off while a tube is drawn in "
-                      "frame {frame}."),
-                    line=at, frame=number,
-                )  # fmt: skip
+                    _(
+                        "GL_BLEND is enabled in line {line}, but it is off while a tube is "
+                        "drawn in "
+                        "frame {frame}."
+                    ),
+                    line=at,
+                    frame=number,
+                )
             if at := line(work, "glBlendFunc"):
                 return hint(
                     _("glBlendFunc in line {line} has no effect without glEnable(GL_BLEND)."),
@@ -101,18 +109,25 @@ def blended(work, solution):
 def factors(state):
     """Return the factors of the new colour and of the old one, for the tubes' alpha; or None."""
     constant = state["GL_BLEND_COLOR"][3]
-    known = {"GL_ZERO": 0, "GL_ONE": 1, "GL_SRC_ALPHA": ALPHA, "GL_CONSTANT_ALPHA": constant,
-             "GL_ONE_MINUS_SRC_ALPHA": 1 - ALPHA,
-             "GL_ONE_MINUS_CONSTANT_ALPHA": 1 - constant}  # fmt: skip
+    known = {
+        "GL_ZERO": 0,
+        "GL_ONE": 1,
+        "GL_SRC_ALPHA": ALPHA,
+        "GL_CONSTANT_ALPHA": constant,
+        "GL_ONE_MINUS_SRC_ALPHA": 1 - ALPHA,
+        "GL_ONE_MINUS_CONSTANT_ALPHA": 1 - constant,
+    }
     return [known.get(state[f"GL_BLEND_{side}_RGB"]) for side in ("SRC", "DST")]
 
 
 @test(
     _("0.35 of the glass and 0.65 of what is there"),
-    _("The first argument of glBlendFunc is the factor of the new colour, the second that of the "
-      "old one."),
+    _(
+        "The first argument of glBlendFunc is the factor of the new colour, the second that of the "
+        "old one."
+    ),
     needs=blended,
-)  # fmt: skip
+)
 def function(work, solution):
     state = glass(work, 0)[0].state
     found = factors(state)
@@ -121,9 +136,11 @@ def function(work, solution):
     at = line(work, "glBlendFunc")
     if found == [1, 0]:
         return hint(
-            _("glBlendFunc is not called. Without that the factors are 1 for the glass and 0 for "
-              "what is there.")
-        )  # fmt: skip
+            _(
+                "glBlendFunc is not called. Without that the factors are 1 for the glass and 0 for "
+                "what is there."
+            )
+        )
     if found[1] == 1:
         return hint(
             _("Line {line} adds the glass to all of what is there: that is light, and not glass."),
@@ -132,10 +149,14 @@ def function(work, solution):
     if None not in found and np.allclose(found, (1 - ALPHA, ALPHA), atol=NEAR):
         return hint(_("In line {line} the two factors are swapped."), line=at)
     return hint(
-        _("With {new} and {old} in line {line}, the glass and what is there do not have the "
-          "factors 0.35 and 0.65."),
-        new=state["GL_BLEND_SRC_RGB"], old=state["GL_BLEND_DST_RGB"], line=at,
-    )  # fmt: skip
+        _(
+            "With {new} and {old} in line {line}, the glass and what is there do not have the "
+            "factors 0.35 and 0.65."
+        ),
+        new=state["GL_BLEND_SRC_RGB"],
+        old=state["GL_BLEND_DST_RGB"],
+        line=at,
+    )
 
 
 @test(
@@ -147,10 +168,12 @@ def hidden(work, solution):
     if all(draw.state["GL_DEPTH_TEST"] for number in FRAMES for draw in glass(work, number)):
         return None
     return hint(
-        _("Line {line} turns the depth test off, so a tube shows in front of the ball that hides "
-          "it. Writing depths is switched by another call."),
+        _(
+            "Line {line} turns the depth test off, so a tube shows in front of the ball that hides "
+            "it. Writing depths is switched by another call."
+        ),
         line=line(work, "glDisable", "GL_DEPTH_TEST"),
-    )  # fmt: skip
+    )
 
 
 @test(
@@ -169,10 +192,12 @@ def order(work, solution):
     if len(wrong) == len(FRAMES):
         return hint(_("The nearer tube is drawn first from every side: the order is reversed."))
     return hint(
-        _("From some sides it is right, but in frame {frame} the nearer tube is drawn first: the "
-          "order must be found anew in each frame, from the distance to the eye."),
+        _(
+            "From some sides it is right, but in frame {frame} the nearer tube is drawn first: the "
+            "order must be found anew in each frame, from the distance to the eye."
+        ),
         frame=wrong[0],
-    )  # fmt: skip
+    )
 
 
 @test(
@@ -186,14 +211,19 @@ def no_depths(work, solution):
         return None
     if at := line(work, "glDepthMask", False) or line(work, "glDepthMask"):
         return hint(
-            _("glDepthMask is called in line {line}, but depths are still written while a tube is "
-              "drawn."),
+            _(
+                "glDepthMask is called in line {line}, but depths are still written while a "
+                "tube is "
+                "drawn."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     return hint(
-        _("The glass writes its depths, so one wall of each tube hides the other: glDepthMask "
-          "turns that off.")
-    )  # fmt: skip
+        _(
+            "The glass writes its depths, so one wall of each tube hides the other: glDepthMask "
+            "turns that off."
+        )
+    )
 
 
 @test(
@@ -207,16 +237,21 @@ def restored(work, solution):
         bodies = [draw.state for draw in opaque(work, number)]
         if number and not clears[0].state["GL_DEPTH_WRITEMASK"]:
             return hint(
-                _("After line {line} no depths are written any more, and glClear in line {clear} "
-                  "does not clear them: the second frame is hidden by the first."),
-                line=line(work, "glDepthMask"), clear=clears[0].line,
-            )  # fmt: skip
+                _(
+                    "After line {line} no depths are written any more, and glClear in line {clear} "
+                    "does not clear them: the second frame is hidden by the first."
+                ),
+                line=line(work, "glDepthMask"),
+                clear=clears[0].line,
+            )
         if not all(state["GL_DEPTH_WRITEMASK"] for state in bodies):
             return hint(
-                _("glDepthMask in line {line} holds for what is opaque as well: then the floor "
-                  "hides nothing."),
+                _(
+                    "glDepthMask in line {line} holds for what is opaque as well: then the floor "
+                    "hides nothing."
+                ),
                 line=line(work, "glDepthMask"),
-            )  # fmt: skip
+            )
         if any(state["GL_BLEND"] for state in bodies):
             return hint(
                 _("GL_BLEND is still on when the opaque things are drawn in frame {frame}."),

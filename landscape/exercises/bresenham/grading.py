@@ -9,9 +9,14 @@ EVENTS = [{"frame": 1, "key": "SPACE"}]
 
 WIDTH, HEIGHT, CENTER = 64, 48, (32, 24)  # the picture of start.py
 QUARTER = (
-    ((7, 0), (30, 0)), ((7, 2), (30, 7)), ((7, 4), (30, 18)), ((6, 6), (23, 23)),
-    ((4, 6), (15, 23)), ((2, 6), (6, 23)), ((0, 6), (0, 23)),
-)  # fmt: skip
+    ((7, 0), (30, 0)),
+    ((7, 2), (30, 7)),
+    ((7, 4), (30, 18)),
+    ((6, 6), (23, 23)),
+    ((4, 6), (15, 23)),
+    ((2, 6), (6, 23)),
+    ((0, 6), (0, 23)),
+)
 GREEN, ONE = 41, 87  # of the background, and what a pixel adds to it
 RED_FIRST, RED_LAST = 223, 43  # of the first pixel of a line, and of the last
 OFF = 0.1  # chosen: by which a shade may be wrong, the whole of a line being 1
@@ -133,35 +138,48 @@ def oblique(line):
 LACKING_ENDS = (
     (
         lambda line: [line[:2], line[2:]],
-        _("Only the two ends of each line are there. What lies between them has yet to be "
-          "returned: one pixel for each step along the longer side."),
+        _(
+            "Only the two ends of each line are there. What lies between them has yet to be "
+            "returned: one pixel for each step along the longer side."
+        ),
     ),
     (
         lambda line: [(y, x) for x, y in pixels(line)],
-        _("Rows and columns have changed places in all lines: a pixel is returned as (x, y), the "
-          "column first."),
+        _(
+            "Rows and columns have changed places in all lines: a pixel is returned as (x, y), the "
+            "column first."
+        ),
     ),
     (
         lambda line: [(y, x) for x, y in pixels(line)] if steep(line) else pixels(line),
-        _("The lines that are higher than wide are in the wrong place: their rows and columns have "
-          "changed places, and have not been changed back."),
+        _(
+            "The lines that are higher than wide are in the wrong place: their rows and "
+            "columns have "
+            "changed places, and have not been changed back."
+        ),
     ),
     (
         lambda line: pixels(line)[:-1],
-        _("The last pixel of each line is missing: how many pixels has a line from column 3 "
-          "to column 5?"),
+        _(
+            "The last pixel of each line is missing: how many pixels has a line from column 3 "
+            "to column 5?"
+        ),
     ),
     (
         lambda line: [] if point(line) else pixels(line),
-        _("The line in the middle, which begins and ends in the same pixel, is missing: it has "
-          "one pixel."),
+        _(
+            "The line in the middle, which begins and ends in the same pixel, is missing: it has "
+            "one pixel."
+        ),
     ),
     (
         lambda line: walked(line, late),
-        _("Each line makes its first step aside right after the first one ahead: the error must "
-          "not begin with 0. How far has the line gone aside after one step?"),
+        _(
+            "Each line makes its first step aside right after the first one ahead: the error must "
+            "not begin with 0. How far has the line gone aside after one step?"
+        ),
     ),
-)  # fmt: skip
+)
 
 
 def lacking(work, number):
@@ -173,35 +191,71 @@ def lacking(work, number):
 def ending(work, number, aside):
     """Return whether the oblique lines end where they have gone aside(longer, shorter) pixels."""
     found = drawn(work, number)
-    ends = [walked(line, lambda k, *both: aside(*both))[-1] for line in given(number)
-            if oblique(line)]  # fmt: skip
+    ends = [
+        walked(line, lambda k, *both: aside(*both))[-1] for line in given(number) if oblique(line)
+    ]
     near = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
     seen = [any((x + i, y + j) in found for i, j in near) for x, y in inside(ends)]
     return bool(seen) and all(seen)
 
 
 WAYS = (
-    (steep, _("Of the lines that are higher than wide, none gets to its end: these must make one "
-              "step for each row, and not for each column.")),
-    (lambda line: line[2] < line[0], _("None of the lines that lead to the left gets to its end: "
-                                       "in which direction do x's steps go?")),
-    (lambda line: line[3] < line[1], _("None of the lines that lead upward gets to its end: in "
-                                       "which direction do y's steps go?")),
-)  # fmt: skip
+    (
+        steep,
+        _(
+            "Of the lines that are higher than wide, none gets to its end: these must make one "
+            "step for each row, and not for each column."
+        ),
+    ),
+    (
+        lambda line: line[2] < line[0],
+        _(
+            "None of the lines that lead to the left gets to its end: "
+            "in which direction do x's steps go?"
+        ),
+    ),
+    (
+        lambda line: line[3] < line[1],
+        _(
+            "None of the lines that lead upward gets to its end: in "
+            "which direction do y's steps go?"
+        ),
+    ),
+)
 SLOPES = (
-    (lambda longer, shorter: 0, _(
-        "The oblique lines are as good as straight: after a step aside, or before the first, what "
-        "lets the error grow to the next one?")),
-    (lambda longer, shorter: min(2 * shorter, longer), _(
-        "The oblique lines get twice as far aside as they should: by how much does a step aside "
-        "make the error smaller?")),
-    (lambda longer, shorter: longer, _(
-        "The oblique lines go over the diagonal: after a step aside the error must become smaller, "
-        "or the next step goes aside as well.")),
-    (lambda longer, shorter: shorter // 2, _(
-        "The oblique lines get only half as far aside as they should: all that the error is made "
-        "of must be doubled, or nothing of it.")),
-)  # fmt: skip
+    (
+        lambda longer, shorter: 0,
+        _(
+            "The oblique lines are as good as straight: after a step aside, or before the "
+            "first, what "
+            "lets the error grow to the next one?"
+        ),
+    ),
+    (
+        lambda longer, shorter: min(2 * shorter, longer),
+        _(
+            "The oblique lines get twice as far aside as they should: by how much does a step "
+            "aside "
+            "make the error smaller?"
+        ),
+    ),
+    (
+        lambda longer, shorter: longer,
+        _(
+            "The oblique lines go over the diagonal: after a step aside the error must become "
+            "smaller, "
+            "or the next step goes aside as well."
+        ),
+    ),
+    (
+        lambda longer, shorter: shorter // 2,
+        _(
+            "The oblique lines get only half as far aside as they should: all that the error "
+            "is made "
+            "of must be doubled, or nothing of it."
+        ),
+    ),
+)
 
 
 @test(
@@ -221,9 +275,12 @@ def ends(work, solution):
                 return hint(text)
         if wrong == given(number) and not found & {line[:2] for line in wrong}:
             return hint(
-                _("The first pixel of each line is missing: is a step made before the first pixel "
-                  "is noted?")
-            )  # fmt: skip
+                _(
+                    "The first pixel of each line is missing: is a step made before the first "
+                    "pixel "
+                    "is noted?"
+                )
+            )
         for way, text in WAYS:
             if set(wrong) == {line for line in given(number) if way(line)}:
                 return hint(text)
@@ -234,10 +291,16 @@ def ends(work, solution):
         line = wrong[0]
         x, y = next(end for end in (line[:2], line[2:]) if end not in found)
         return hint(
-            _("{count} of the {all} lines lack an end. The first is the line {line}: "
-              "({x}, {y}) is not drawn."),
-            count=len(wrong), all=len(given(number)), line=named(line), x=x, y=y,
-        )  # fmt: skip
+            _(
+                "{count} of the {all} lines lack an end. The first is the line {line}: "
+                "({x}, {y}) is not drawn."
+            ),
+            count=len(wrong),
+            all=len(given(number)),
+            line=named(line),
+            x=x,
+            y=y,
+        )
     return None
 
 
@@ -267,41 +330,56 @@ def whole(work, solution):
         values = {"line": named(line), "x": x, "y": y}
         if all(steep(line) for line, _place in holes):
             return hint(
-                _("The lines that are higher than wide have gaps: in the one {line}, row {y} has "
-                  "no pixel. They need one in each row, and not in each column."), **values,
-            )  # fmt: skip
+                _(
+                    "The lines that are higher than wide have gaps: in the one {line}, row {y} has "
+                    "no pixel. They need one in each row, and not in each column."
+                ),
+                **values,
+            )
         return hint(
-            _("{count} lines have gaps; in the one {line}, nothing is drawn at ({x}, {y}) nor "
-              "beside it."), count=len(holes), **values,
-        )  # fmt: skip
+            _(
+                "{count} lines have gaps; in the one {line}, nothing is drawn at ({x}, {y}) nor "
+                "beside it."
+            ),
+            count=len(holes),
+            **values,
+        )
     return None
 
 
 ROUNDED = (
     (
         lambda line: walked(line, cut),
-        _("Each line goes aside too late: the pixel is the nearest one if the step is made half "
-          "way to the next row or column, and not when the line has got there."),
+        _(
+            "Each line goes aside too late: the pixel is the nearest one if the step is made half "
+            "way to the next row or column, and not when the line has got there."
+        ),
     ),
     (
         lambda line: walked(line, up),
-        _("Each line goes aside too early: the pixel is the nearest one only if the step is made "
-          "half way to the next row or column, and not at once."),
+        _(
+            "Each line goes aside too early: the pixel is the nearest one only if the step is made "
+            "half way to the next row or column, and not at once."
+        ),
     ),
     (
         floored,
-        _("Pixels are off by one to the left or upward, and so lines that lead to the right and "
-          "to the left are not mirror images of each other: // rounds down, also below 0."),
+        _(
+            "Pixels are off by one to the left or upward, and so lines that lead to the right and "
+            "to the left are not mirror images of each other: // rounds down, also below 0."
+        ),
     ),
-)  # fmt: skip
+)
 
 
 @test(
     _("Every pixel is the nearest to its line"),
-    _("Then a line is nowhere more than half a pixel away from its pixels, and nowhere thicker "
-      "than one."),
+    _(
+        "Then a line is nowhere more than half a pixel away from its pixels, and nowhere thicker "
+        "than one."
+    ),
     needs=whole,
-)  # fmt: skip
+)
 def close(work, solution):
     for number in FRAMES:
         found, wanted = drawn(work, number), made_by(number, pixels)
@@ -314,18 +392,28 @@ def close(work, solution):
         if wanted < found:
             x, y = more[0]
             return hint(
-                _("The lines have all their pixels, and {count} more, such as ({x}, {y}): a step "
-                  "aside and the step ahead together lead to one new pixel, not to two."),
-                count=len(more), x=x, y=y,
-            )  # fmt: skip
+                _(
+                    "The lines have all their pixels, and {count} more, such as ({x}, {y}): a step "
+                    "aside and the step ahead together lead to one new pixel, not to two."
+                ),
+                count=len(more),
+                x=x,
+                y=y,
+            )
         line, (x, y) = next(
             (line, pixel) for line in given(number) for pixel in pixels(line) if pixel not in found
         )
         return hint(
-            _("{count} pixels are not those nearest to their lines. In the line {line}, the first "
-              "of them should be ({x}, {y})."),
-            count=len(wanted - found), line=named(line), x=x, y=y,
-        )  # fmt: skip
+            _(
+                "{count} pixels are not those nearest to their lines. In the line {line}, the "
+                "first "
+                "of them should be ({x}, {y})."
+            ),
+            count=len(wanted - found),
+            line=named(line),
+            x=x,
+            y=y,
+        )
     return None
 
 
@@ -346,8 +434,10 @@ def once(work, solution):
             return hint(_("The first pixel of each line is returned twice."))
         return hint(
             _("{count} pixels are returned twice, such as ({x}, {y})."),
-            count=len(twice), x=twice[0][0], y=twice[0][1],
-        )  # fmt: skip
+            count=len(twice),
+            x=twice[0][0],
+            y=twice[0][1],
+        )
     return None
 
 
@@ -373,18 +463,23 @@ def order(work, solution):
             return hint(_("All lines come from their ends to their beginnings."))
         if turned == wrong and all(line[2] < line[0] for line in wrong):
             return hint(
-                _("The lines that lead to the left come from their ends to their beginnings: if "
-                  "the ends change places, the pixels must be turned round in the end.")
-            )  # fmt: skip
+                _(
+                    "The lines that lead to the left come from their ends to their beginnings: if "
+                    "the ends change places, the pixels must be turned round in the end."
+                )
+            )
         if turned == wrong and all(line[3] < line[1] for line in wrong):
             return hint(
-                _("The lines that lead upward come from their ends to their beginnings: if the "
-                  "ends change places, the pixels must be turned round in the end.")
-            )  # fmt: skip
+                _(
+                    "The lines that lead upward come from their ends to their beginnings: if the "
+                    "ends change places, the pixels must be turned round in the end."
+                )
+            )
         return hint(
             _("The pixels of {count} lines are not in order, such as those of the line {line}."),
-            count=len(wrong), line=named(wrong[0]),
-        )  # fmt: skip
+            count=len(wrong),
+            line=named(wrong[0]),
+        )
     return None
 
 

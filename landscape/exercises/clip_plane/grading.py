@@ -53,10 +53,13 @@ def cut(work, solution):
     enabled = work.find("glEnable", "GL_CLIP_PLANE0")
     if not given and enabled:
         return hint(
-            _("Line {line} turns a plane on, but which one is not said: its four numbers are still "
-              "0, and it cuts nothing."),
+            _(
+                "Line {line} turns a plane on, but which one is not said: its four numbers are "
+                "still "
+                "0, and it cuts nothing."
+            ),
             line=enabled[0].line,
-        )  # fmt: skip
+        )
     if not given:
         return hint(_("There is no plane yet: glClipPlane gives one to OpenGL."))
     for number in FRAMES:
@@ -68,10 +71,15 @@ def cut(work, solution):
             enabled = [c for c in work.find("glEnable") if "CLIP_PLANE" in str(c.args[0])]
             if enabled:
                 return hint(
-                    _("{plane} is enabled in line {line}, but not while the wall is drawn in frame "
-                      "{frame}."),
-                    plane=enabled[-1].args[0], line=enabled[-1].line, frame=number,
-                )  # fmt: skip
+                    _(
+                        "{plane} is enabled in line {line}, but not while the wall is drawn in "
+                        "frame "
+                        "{frame}."
+                    ),
+                    plane=enabled[-1].args[0],
+                    line=enabled[-1].line,
+                    frame=number,
+                )
             return hint(
                 _("The plane of line {line} is not enabled: glEnable takes its name, too."),
                 line=given[-1].line,
@@ -82,8 +90,10 @@ def cut(work, solution):
         if not names & set(found[0]):
             return hint(
                 _("{enabled} is enabled, but line {line} gives another one, {plane}."),
-                enabled=next(iter(found[0])), line=given[-1].line, plane=given[-1].args[0],
-            )  # fmt: skip
+                enabled=next(iter(found[0])),
+                line=given[-1].line,
+                plane=given[-1].args[0],
+            )
     return None
 
 
@@ -106,46 +116,63 @@ def place(work, solution):
     at = line(work, "glClipPlane")
     if number != FRAMES[0]:
         return hint(
-            _("In the first frame the cut is right, but it does not turn with the tower: line "
-              "{line} must be called in each frame, with the tower's rotation."),
+            _(
+                "In the first frame the cut is right, but it does not turn with the tower: line "
+                "{line} must be called in each frame, with the tower's rotation."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     flipped = {
-        (0, 0, 1, -0.3): _("The plane of line {line} keeps the front and leaves out the rest: "
-                           "points with a x + b y + c z + d >= 0 are kept."),
+        (0, 0, 1, -0.3): _(
+            "The plane of line {line} keeps the front and leaves out the rest: "
+            "points with a x + b y + c z + d >= 0 are kept."
+        ),
         (0, 0, -1, -0.3): _("The plane of line {line} is z = -0.3: look at the sign of d."),
         (0, 0, 1, 0.3): _("The plane of line {line} is z = -0.3, and keeps the wrong side, too."),
-    }  # fmt: skip
+    }
     for numbers, text in flipped.items():
         if near(inside, np.array(numbers)):
             return hint(text, line=at)
     if near(plane, PLANE):
         return hint(
-            _("When line {line} is called, the modelview matrix is still the identity: the plane "
-              "counts from the eye."),
+            _(
+                "When line {line} is called, the modelview matrix is still the identity: the plane "
+                "counts from the eye."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     hill = parts(work, number, "hill")[0].modelview
     if near(plane @ hill, PLANE):
         return hint(
-            _("Line {line} is called before the tower's glTranslatef and glRotatef: the cut is in "
-              "the coordinates of the hill."),
+            _(
+                "Line {line} is called before the tower's glTranslatef and glRotatef: the cut "
+                "is in "
+                "the coordinates of the hill."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     moved = hill.copy()
     moved[:, 3] = draw.modelview[:, 3]
     if near(plane @ moved, PLANE):
         return hint(
-            _("Line {line} is called before the tower's glRotatef: the tower turns, and the cut "
-              "does not."),
+            _(
+                "Line {line} is called before the tower's glRotatef: the tower turns, and the cut "
+                "does not."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     a, b, c, d = inside + 0.0
     return hint(
-        _("In the tower's coordinates, the plane of line {line} keeps what has "
-          "{a:.2f} x + {b:.2f} y + {c:.2f} z + {d:.2f} >= 0, and not what has z <= 0.3."),
-        line=at, a=a, b=b, c=c, d=d,
-    )  # fmt: skip
+        _(
+            "In the tower's coordinates, the plane of line {line} keeps what has "
+            "{a:.2f} x + {b:.2f} y + {c:.2f} z + {d:.2f} >= 0, and not what has z <= 0.3."
+        ),
+        line=at,
+        a=a,
+        b=b,
+        c=c,
+        d=d,
+    )
 
 
 @test(
@@ -157,15 +184,21 @@ def whole(work, solution):
     for number in FRAMES:
         if any(planes(draw) for draw in parts(work, number, "stair")):
             return hint(
-                _("The plane is enabled in line {line}, and still enabled when the stair is drawn: "
-                  "the stair is cut as well."),
+                _(
+                    "The plane is enabled in line {line}, and still enabled when the stair is "
+                    "drawn: "
+                    "the stair is cut as well."
+                ),
                 line=[c for c in work.find("glEnable") if "CLIP_PLANE" in str(c.args[0])][-1].line,
-            )  # fmt: skip
+            )
         if any(planes(draw) for draw in parts(work, number, "hill")):
             return hint(
-                _("The plane is still enabled when the hill is drawn, which is cut as well, in the "
-                  "tower's plane.")
-            )  # fmt: skip
+                _(
+                    "The plane is still enabled when the hill is drawn, which is cut as well, "
+                    "in the "
+                    "tower's plane."
+                )
+            )
     return None
 
 

@@ -46,8 +46,10 @@ def draw_stair():
     for step in range(30):
         a, b, y = math.radians(24 * step), math.radians(24 * step + 24), 0.11 * step
         inner, outer = 0.1, 0.85
-        corners = [(r * math.sin(t), r * math.cos(t)) for r, t in
-                   ((inner, a), (outer, a), (outer, b), (inner, b))]  # fmt: skip
+        corners = [
+            (r * math.sin(t), r * math.cos(t))
+            for r, t in ((inner, a), (outer, a), (outer, b), (inner, b))
+        ]
         glBegin(GL_QUADS)
         glNormal3f(0, 1, 0)
         for x, z in corners:

@@ -119,18 +119,26 @@ def beside(step):
 OF_FRONT = (
     (
         lambda number: np.full((HEIGHT, WIDTH), NOTHING),
-        _("Nothing is drawn: the horizon is at every line's height, or higher, before the line is "
-          "compared with it."),
+        _(
+            "Nothing is drawn: the horizon is at every line's height, or higher, before the "
+            "line is "
+            "compared with it."
+        ),
     ),
     (
         lambda number: drawn(number, order=-1),
-        _("The farthest row is drawn first, and hides the nearer ones: rows comes in the right "
-          "order."),
+        _(
+            "The farthest row is drawn first, and hides the nearer ones: rows comes in the right "
+            "order."
+        ),
     ),
     (
         lambda number: drawn(number, begin=lambda low, high: high[0]),
-        _("The nearest row is missing, and hides others nevertheless: before it, the horizon must "
-          "lie below all lines."),
+        _(
+            "The nearest row is missing, and hides others nevertheless: before it, the horizon "
+            "must "
+            "lie below all lines."
+        ),
     ),
     (
         lambda number: drawn(number, lambda *of: (above(*of)[0], of[1] - 1)),
@@ -138,57 +146,85 @@ OF_FRONT = (
     ),
     (
         lambda number: drawn(number, lambda *of: (np.maximum(*above(*of)), of[1])),
-        _("Each line has only one pixel in each column, and gaps where it is steep: all heights "
-          "from low[x] to high[x] belong to it."),
+        _(
+            "Each line has only one pixel in each column, and gaps where it is steep: all heights "
+            "from low[x] to high[x] belong to it."
+        ),
     ),
     (
-        lambda number: drawn(number, lambda low, high, horizon: (low, np.minimum(high, horizon)),
-                             begin=-1),
-        _("What is drawn are the hidden pixels, and only these: the comparison with the horizon is "
-          "the wrong way round."),
+        lambda number: drawn(
+            number, lambda low, high, horizon: (low, np.minimum(high, horizon)), begin=-1
+        ),
+        _(
+            "What is drawn are the hidden pixels, and only these: the comparison with the "
+            "horizon is "
+            "the wrong way round."
+        ),
     ),
-)  # fmt: skip
+)
 HIDDEN = (
     (
         lambda number: drawn(number, whole),
-        _("Nothing is hidden: what is farther away is drawn over what is nearer. Which height of "
-          "each column must be remembered from row to row?"),
+        _(
+            "Nothing is hidden: what is farther away is drawn over what is nearer. Which height of "
+            "each column must be remembered from row to row?"
+        ),
     ),
     (
         lambda number: drawn(number, after=lambda low, high, horizon: high),
-        _("Each row is hidden only by the row before it: the horizon goes down again where a line "
-          "is lower than it."),
+        _(
+            "Each row is hidden only by the row before it: the horizon goes down again where a "
+            "line "
+            "is lower than it."
+        ),
     ),
     (
         lambda number: drawn(number, after=lambda low, high, horizon: np.maximum(low, horizon)),
-        _("The horizon is raised only to the lowest pixel of each line: where the line is steep, "
-          "farther rows are seen through it."),
+        _(
+            "The horizon is raised only to the lowest pixel of each line: where the line is steep, "
+            "farther rows are seen through it."
+        ),
     ),
     (
         lambda number: drawn(number, any_or_none(np.asarray)),
-        _("Where a part of a line is seen in a column, all of it is drawn there, also its pixels "
-          "below the horizon."),
+        _(
+            "Where a part of a line is seen in a column, all of it is drawn there, also its pixels "
+            "below the horizon."
+        ),
     ),
     (
         lambda number: drawn(number, lambda low, high, horizon: (np.maximum(low, horizon), high)),
         _("Where a farther row is just as high as the horizon, it is drawn over the nearer one."),
     ),
     (
-        lambda number: drawn(number, after=lambda low, high, horizon: np.where(
-            high < HEIGHT, np.maximum(horizon, high), horizon)),
-        _("Through the mountain whose summit is above the picture, far rows are seen: what is not "
-          "in the picture hides, too."),
+        lambda number: drawn(
+            number,
+            after=lambda low, high, horizon: np.where(
+                high < HEIGHT, np.maximum(horizon, high), horizon
+            ),
+        ),
+        _(
+            "Through the mountain whose summit is above the picture, far rows are seen: what "
+            "is not "
+            "in the picture hides, too."
+        ),
     ),
     (
         lambda number: drawn(number, after=after_previous()),
-        _("Each row is hidden by all nearer ones but the one just before it: the horizon is raised "
-          "one row too late."),
+        _(
+            "Each row is hidden by all nearer ones but the one just before it: the horizon is "
+            "raised "
+            "one row too late."
+        ),
     ),
     (
-        lambda number: drawn(number, from_top, lambda low, high, horizon: np.minimum(horizon, low),
-                             begin=HEIGHT),
-        _("What is seen are the undersides of the hills: a greater height is higher up here, and "
-          "the horizon must rise and not sink."),
+        lambda number: drawn(
+            number, from_top, lambda low, high, horizon: np.minimum(horizon, low), begin=HEIGHT
+        ),
+        _(
+            "What is seen are the undersides of the hills: a greater height is higher up here, and "
+            "the horizon must rise and not sink."
+        ),
     ),
     *(
         (
@@ -199,40 +235,57 @@ HIDDEN = (
     ),
     (
         lambda number: drawn(number, any_or_none(np.any)),
-        _("A line is drawn as a whole as soon as one of its pixels is seen: each column has to be "
-          "compared for itself."),
+        _(
+            "A line is drawn as a whole as soon as one of its pixels is seen: each column has "
+            "to be "
+            "compared for itself."
+        ),
     ),
-)  # fmt: skip
+)
 MISSING = (
     (
-        lambda number: drawn(number, after=lambda low, high, horizon: np.full(
-            WIDTH, max(horizon.max(), high.max()))),
-        _("There is one horizon for the whole picture, so that one summit hides all that is lower "
-          "beside it. Each column needs its own."),
+        lambda number: drawn(
+            number, after=lambda low, high, horizon: np.full(WIDTH, max(horizon.max(), high.max()))
+        ),
+        _(
+            "There is one horizon for the whole picture, so that one summit hides all that is "
+            "lower "
+            "beside it. Each column needs its own."
+        ),
     ),
     (
-        lambda number: drawn(number, lambda low, high, horizon: (
-            low, np.where(low > horizon, high, low - 1))),
-        _("Where the horizon cuts a line within a column, the line's pixels above it are missing "
-          "as well."),
+        lambda number: drawn(
+            number, lambda low, high, horizon: (low, np.where(low > horizon, high, low - 1))
+        ),
+        _(
+            "Where the horizon cuts a line within a column, the line's pixels above it are missing "
+            "as well."
+        ),
     ),
     (
-        lambda number: drawn(number, after=lambda low, high, horizon: np.maximum(
-            horizon, high + 1)),
-        _("Directly above the horizon one pixel is always missing: is it raised by one too much, "
-          "or does the comparison leave out one too many?"),
+        lambda number: drawn(
+            number, after=lambda low, high, horizon: np.maximum(horizon, high + 1)
+        ),
+        _(
+            "Directly above the horizon one pixel is always missing: is it raised by one too much, "
+            "or does the comparison leave out one too many?"
+        ),
     ),
     (
         lambda number: drawn(number, to_first_hidden),
-        _("Each line ends at its first hidden column, though it may be seen again farther to the "
-          "right."),
+        _(
+            "Each line ends at its first hidden column, though it may be seen again farther to the "
+            "right."
+        ),
     ),
     (
         lambda number: drawn(number, any_or_none(np.all)),
-        _("Only lines that nothing hides are drawn: a line may be hidden in one column and seen "
-          "in the next."),
+        _(
+            "Only lines that nothing hides are drawn: a line may be hidden in one column and seen "
+            "in the next."
+        ),
     ),
-)  # fmt: skip
+)
 
 
 def place(mask):
@@ -256,21 +309,30 @@ def front(work, solution):
             continue
         if number and np.array_equal(found(work, 0), drawn(0)):
             return hint(
-                _("The first frame is right, and in the next one the nearest row is hidden: the "
-                  "horizon is still that of the frame before.")
-            )  # fmt: skip
+                _(
+                    "The first frame is right, and in the next one the nearest row is hidden: the "
+                    "horizon is still that of the frame before."
+                )
+            )
         rows = np.flatnonzero((shown != NOTHING).any(axis=1))
         if len(rows) and rows[0] > 0 and lacking[: rows[0]].sum() == lacking.sum():
             return hint(
-                _("Nothing is drawn below height {height}: how low must the horizon be before the "
-                  "first row?"),
+                _(
+                    "Nothing is drawn below height {height}: how low must the horizon be "
+                    "before the "
+                    "first row?"
+                ),
                 height=int(rows[0]),
-            )  # fmt: skip
+            )
         return hint(
-            _("In frame {frame} {count} pixels of the nearest row are missing, such as column {x}, "
-              "height {height}."),
-            frame=number, **place(lacking),
-        )  # fmt: skip
+            _(
+                "In frame {frame} {count} pixels of the nearest row are missing, such as "
+                "column {x}, "
+                "height {height}."
+            ),
+            frame=number,
+            **place(lacking),
+        )
     return None
 
 
@@ -292,10 +354,14 @@ def hidden(work, solution):
             at = place(wrong)
             row = int(shown[at["height"], at["x"]])
             return hint(
-                _("In frame {frame} {count} pixels are drawn that nearer rows hide. The first is "
-                  "at column {x}, height {height}, of row {row}."),
-                frame=number, row=row, **at,
-            )  # fmt: skip
+                _(
+                    "In frame {frame} {count} pixels are drawn that nearer rows hide. The first is "
+                    "at column {x}, height {height}, of row {row}."
+                ),
+                frame=number,
+                row=row,
+                **at,
+            )
     return None
 
 
@@ -314,10 +380,15 @@ def seen(work, solution):
         if lacking.any():
             at = place(lacking)
             return hint(
-                _("In frame {frame} {count} pixels are missing that no nearer row hides. The first "
-                  "is at column {x}, height {height}, of row {row}."),
-                frame=number, row=int(right[at["height"], at["x"]]), **at,
-            )  # fmt: skip
+                _(
+                    "In frame {frame} {count} pixels are missing that no nearer row hides. The "
+                    "first "
+                    "is at column {x}, height {height}, of row {row}."
+                ),
+                frame=number,
+                row=int(right[at["height"], at["x"]]),
+                **at,
+            )
     return None
 
 

@@ -37,10 +37,12 @@ def fogged(work, solution):
     for number in FRAMES:
         if vertices(work.frame(number)) < vertices(solution.frame(number)):
             return hint(
-                _("In frame {frame} a part of the bay is not drawn: fog hides it, and nothing is "
-                  "to be left out."),
+                _(
+                    "In frame {frame} a part of the bay is not drawn: fog hides it, and nothing is "
+                    "to be left out."
+                ),
                 frame=number,
-            )  # fmt: skip
+            )
         draws = work.frame(number).draws
         clear = [draw for draw in draws if not draw.state["GL_FOG"]]
         if not clear:

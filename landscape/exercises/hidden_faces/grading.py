@@ -57,38 +57,51 @@ def opposite(cube, axis):
 
 EXPOSED = sides(exposed)
 BORDER = sides(at_border)
-WRAPPED = sides(lambda cube, axis, step: at_border(cube, axis, step)
-                and opposite(cube, axis) in CUBES)  # fmt: skip
+WRAPPED = sides(
+    lambda cube, axis, step: at_border(cube, axis, step) and opposite(cube, axis) in CUBES
+)
 MISTAKES = (  # what is drawn by each, and what is said of it
     (
         sides(lambda *_side: True),
-        _("No face is left out: each cube is drawn with all its six sides. Which of them have air "
-          "in front of them, a comparison of SOLID with itself, moved by one, will tell."),
+        _(
+            "No face is left out: each cube is drawn with all its six sides. Which of them "
+            "have air "
+            "in front of them, a comparison of SOLID with itself, moved by one, will tell."
+        ),
     ),
     (
         sides(lambda *side: not exposed(*side)),
-        _("What is drawn are the faces between two cubes, and only these: the test of what lies "
-          "beside a cube is the wrong way round."),
+        _(
+            "What is drawn are the faces between two cubes, and only these: the test of what lies "
+            "beside a cube is the wrong way round."
+        ),
     ),
     (
         sides(lambda cube, axis, step: exposed(cube, axis, -step)),
-        _("A cube's side is drawn where there is air on the opposite side of the cube. In which "
-          "direction does np.roll move what it is given, and where does the neighbour come to?"),
+        _(
+            "A cube's side is drawn where there is air on the opposite side of the cube. In which "
+            "direction does np.roll move what it is given, and where does the neighbour come to?"
+        ),
     ),
     *(
         (
             sides(lambda cube, axis, step, more=more: exposed(cube, (axis + more) % 3, step)),
-            _("A cube's side is drawn where there is air beside it in another direction: the array "
-              "is moved along another axis than that of the side."),
+            _(
+                "A cube's side is drawn where there is air beside it in another direction: the "
+                "array "
+                "is moved along another axis than that of the side."
+            ),
         )
         for more in (1, 2)
     ),
     (
         sides(exposed, lambda cube, axis, step: (axis, cube)),
-        _("The sides that look to +x, +y and +z are drawn where the opposite sides of the same "
-          "cubes are. Where do the corners of the far side of a cube lie?"),
+        _(
+            "The sides that look to +x, +y and +z are drawn where the opposite sides of the same "
+            "cubes are. Where do the corners of the far side of a cube lie?"
+        ),
     ),
-)  # fmt: skip
+)
 
 
 def quads(work):
@@ -129,8 +142,9 @@ def named(face):
     cube = low if outward(face) == -1 else moved(low, axis, -1)
     return hint(
         _("the side towards {direction} of the cube at ({x}, {y}, {z})"),
-        direction=direction(axis, outward(face)), **dict(zip(AXES, cube, strict=True)),
-    )  # fmt: skip
+        direction=direction(axis, outward(face)),
+        **dict(zip(AXES, cube, strict=True)),
+    )
 
 
 def direction(axis, step):
@@ -150,14 +164,19 @@ def culled(work, solution):
         state = draw.state
         if not state["GL_CULL_FACE"]:
             return hint(
-                _("GL_CULL_FACE is off while the gate is drawn. It is to stay on: it shows which "
-                  "faces have their corners in the wrong order.")
-            )  # fmt: skip
+                _(
+                    "GL_CULL_FACE is off while the gate is drawn. It is to stay on: it shows which "
+                    "faces have their corners in the wrong order."
+                )
+            )
         if (state["GL_FRONT_FACE"], state["GL_CULL_FACE_MODE"]) != ("GL_CCW", "GL_BACK"):
             return hint(
-                _("The back is to be culled, and the front to be the counter-clockwise side, as in "
-                  "the program you started from: only make_faces is to be changed.")
-            )  # fmt: skip
+                _(
+                    "The back is to be culled, and the front to be the counter-clockwise side, "
+                    "as in "
+                    "the program you started from: only make_faces is to be changed."
+                )
+            )
     return None
 
 
@@ -173,9 +192,13 @@ def squares(work, solution):
         values = {"number": number, "points": points(quad)}
         if extent[1] < NEAR:
             return hint(
-                _("faces[{number}] has the corners {points}: they lie on a line. Two of the three "
-                  "coordinates must take two values each."), **values,
-            )  # fmt: skip
+                _(
+                    "faces[{number}] has the corners {points}: they lie on a line. Two of the "
+                    "three "
+                    "coordinates must take two values each."
+                ),
+                **values,
+            )
         off = np.abs(quad - np.round(quad)).max() > NEAR
         if off or np.abs(extent - (0, 1, 1)).max() > NEAR:
             return hint(
@@ -184,9 +207,12 @@ def squares(work, solution):
             )
         if np.abs(edges - 1).max() > NEAR:
             return hint(
-                _("The corners of faces[{number}], {points}, do not follow each other along the "
-                  "edges: one step goes over the diagonal."), **values,
-            )  # fmt: skip
+                _(
+                    "The corners of faces[{number}], {points}, do not follow each other along the "
+                    "edges: one step goes over the diagonal."
+                ),
+                **values,
+            )
     return None
 
 
@@ -248,19 +274,25 @@ def whole(work, solution):
         return None
     if missing == BORDER and len(inward(work)) == len(faces(work)):
         return hint(
-            _("All faces at the border of the array are missing, and all others look into the "
-              "cubes: these are the sides of the air, and not those of the cubes.")
-        )  # fmt: skip
+            _(
+                "All faces at the border of the array are missing, and all others look into the "
+                "cubes: these are the sides of the air, and not those of the cubes."
+            )
+        )
     if missing == BORDER:
         return hint(
-            _("All faces at the border of the array are missing, as if there were more cubes "
-              "outside of it. What should a cube at the border be compared with?")
-        )  # fmt: skip
+            _(
+                "All faces at the border of the array are missing, as if there were more cubes "
+                "outside of it. What should a cube at the border be compared with?"
+            )
+        )
     if missing == WRAPPED:
         return hint(
-            _("Faces are missing at the border of the array, just where there is a cube at the "
-              "opposite border: what np.roll moves out at one end comes in again at the other.")
-        )  # fmt: skip
+            _(
+                "Faces are missing at the border of the array, just where there is a cube at the "
+                "opposite border: what np.roll moves out at one end comes in again at the other."
+            )
+        )
     return hint(
         _("{count} faces are missing, such as {face}."),
         count=len(missing),
@@ -279,8 +311,10 @@ def once(work, solution):
     if again:
         return hint(
             _("{all} faces are drawn, but the gate has only {count}: {face} comes twice."),
-            all=len(drawn), count=len(EXPOSED), face=named(again[0]),
-        )  # fmt: skip
+            all=len(drawn),
+            count=len(EXPOSED),
+            face=named(again[0]),
+        )
     return None
 
 
@@ -301,20 +335,25 @@ def order(work, solution):
         )
     if complete and len(turned) == 3 and len({axis for axis, _step in turned}) == 3:
         return hint(
-            _("The faces that look to {directions} are clockwise. Seen from the other side, the "
-              "same order of corners goes round the other way."),
+            _(
+                "The faces that look to {directions} are clockwise. Seen from the other side, the "
+                "same order of corners goes round the other way."
+            ),
             directions=", ".join(direction(*each) for each in sorted(turned)),
-        )  # fmt: skip
+        )
     if complete and len({axis for axis, _step in turned}) == 1:
         return hint(
-            _("The faces along {axis} are clockwise, and the others are not. Which of the two "
-              "other axes comes first? In the circle x, y, z, x it is the same for all."),
+            _(
+                "The faces along {axis} are clockwise, and the others are not. Which of the two "
+                "other axes comes first? In the circle x, y, z, x it is the same for all."
+            ),
             axis=AXES[wrong[0][0]],
-        )  # fmt: skip
+        )
     return hint(
         _("{count} faces are clockwise as seen from outside, such as {face}."),
-        count=len(wrong), face=named(wrong[0]),
-    )  # fmt: skip
+        count=len(wrong),
+        face=named(wrong[0]),
+    )
 
 
 def regions(solution, number):

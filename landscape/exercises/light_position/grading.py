@@ -46,9 +46,11 @@ def light(work, solution):
         moved = np.linalg.inv(view(solution, number)) @ view(work, number)
         if near(moved[:3, :3], np.eye(3)) and near(moved[:3, 3], LAMP[:3]):
             return hint(
-                _("The table is moved by LAMP as well, as what glTranslatef does holds for all "
-                  "that is drawn later: glPushMatrix and glPopMatrix limit it.")
-            )  # fmt: skip
+                _(
+                    "The table is moved by LAMP as well, as what glTranslatef does holds for all "
+                    "that is drawn later: glPushMatrix and glPopMatrix limit it."
+                )
+            )
         if not near(moved, np.eye(4)):
             return hint(_("The eye is elsewhere than before: only the light is to be changed."))
     return None
@@ -73,27 +75,35 @@ def place(work, solution):
     given = calls[-1].args[2]
     if isinstance(given, list) and len(given) < 4:
         return hint(
-            _("The position in line {line} has {count} numbers, and OpenGL reads four: the fourth "
-              "says whether it is a place, 1, or a direction, 0."),
+            _(
+                "The position in line {line} has {count} numbers, and OpenGL reads four: the "
+                "fourth "
+                "says whether it is a place, 1, or a direction, 0."
+            ),
             line=calls[-1].line,
             count=len(given),
-        )  # fmt: skip
+        )
     found = position(lit(work, FRAMES[-1])[-1])
     if abs(found[3]) < NEAR:
         return hint(
-            _("The fourth number of the position is 0 in line {line}, so the light comes from "
-              "infinitely far away: it must be 1."),
+            _(
+                "The fourth number of the position is 0 in line {line}, so the light comes from "
+                "infinitely far away: it must be 1."
+            ),
             line=calls[-1].line,
-        )  # fmt: skip
+        )
     return None
 
 
 @test(
     _("The light comes from the lamp in every frame"),
-    _("glLightfv must be called in each frame, after the eye's transformation, and before that of "
-      "anything else."),
+    _(
+        "glLightfv must be called in each frame, after the eye's transformation, and before "
+        "that of "
+        "anything else."
+    ),
     needs=place,
-)  # fmt: skip
+)
 def at_the_lamp(work, solution):
     calls = settings(work)
     line = calls[-1].line
@@ -104,10 +114,14 @@ def at_the_lamp(work, solution):
         if work.frame(last).find("glLight", "GL_LIGHT0", "GL_POSITION"):
             if identity := _emptied(work, calls):
                 return hint(
-                    _("Line {line} is called right after glLoadIdentity in line {identity}, which "
-                      "takes the eye's transformation away: so LAMP counts from the eye."),
-                    line=line, identity=identity,
-                )  # fmt: skip
+                    _(
+                        "Line {line} is called right after glLoadIdentity in line {identity}, "
+                        "which "
+                        "takes the eye's transformation away: so LAMP counts from the eye."
+                    ),
+                    line=line,
+                    identity=identity,
+                )
             return hint(
                 _(
                     "Line {line} is called in each frame, but before the eye's transformation: "
@@ -146,18 +160,27 @@ def at_the_lamp(work, solution):
     if set_at < drawn[0] and not _twice(work, first):
         if identity := _left_over(order[set_at : drawn[0]]):
             return hint(
-                _("Line {line} is called before glLoadIdentity in line {identity}: what is in the "
-                  "modelview matrix there is left from the frame before."),
-                line=line, identity=identity,
-            )  # fmt: skip
+                _(
+                    "Line {line} is called before glLoadIdentity in line {identity}: what is "
+                    "in the "
+                    "modelview matrix there is left from the frame before."
+                ),
+                line=line,
+                identity=identity,
+            )
         inside = [np.linalg.inv(view(work, n)) @ position(lit(work, n)[-1]) for n in FRAMES]
         if near(inside[0], inside[1]):
             x, y, z, _w = np.round(inside[0], 1) + 0.0
             return hint(
-                _("Line {line} is called at the right moment, but puts the light at ({x:.1f}, "
-                  "{y:.1f}, {z:.1f}) of the table, and the lamp hangs at (1.2, 3.2, 0.6)."),
-                line=line, x=x, y=y, z=z,
-            )  # fmt: skip
+                _(
+                    "Line {line} is called at the right moment, but puts the light at ({x:.1f}, "
+                    "{y:.1f}, {z:.1f}) of the table, and the lamp hangs at (1.2, 3.2, 0.6)."
+                ),
+                line=line,
+                x=x,
+                y=y,
+                z=z,
+            )
         return hint(
             _(
                 "Line {line} is called while only a part of the eye's transformation holds: it "

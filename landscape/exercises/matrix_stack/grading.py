@@ -83,9 +83,11 @@ def arm(work, solution):
                     break
                 if lamp_first(work):
                     return hint(
-                        _("The lamp is drawn before the arm now, so the arm stands in the lamp's "
-                          "frame. Leave the order of the calls as it was.")
-                    )  # fmt: skip
+                        _(
+                            "The lamp is drawn before the arm now, so the arm stands in the lamp's "
+                            "frame. Leave the order of the calls as it was."
+                        )
+                    )
                 return hint(
                     _(
                         "A part is no longer where it was: {part}. Between it and the part that "
@@ -115,39 +117,54 @@ def fingers(work, solution):
         names = [call.name for call in calls[first:second]]
         if "glLoadIdentity" in names:
             return hint(
-                _("glLoadIdentity goes back to the eye, and not to the wrist: the frame of the "
-                  "wrist must be kept by glPushMatrix.")
-            )  # fmt: skip
+                _(
+                    "glLoadIdentity goes back to the eye, and not to the wrist: the frame of the "
+                    "wrist must be kept by glPushMatrix."
+                )
+            )
         if "glPopMatrix" in names and "glPushMatrix" not in names:
             return hint(
-                _("glPopMatrix before the second finger goes back too far: the glPushMatrix that "
-                  "belongs to it stands before the wrist. Push right before the first finger.")
-            )  # fmt: skip
+                _(
+                    "glPopMatrix before the second finger goes back too far: the glPushMatrix that "
+                    "belongs to it stands before the wrist. Push right before the first finger."
+                )
+            )
         if "glPopMatrix" in names:
             return hint(
-                _("Between the fingers there is a pop, but a push that does not belong to it: push "
-                  "before the first finger, pop after it.")
-            )  # fmt: skip
+                _(
+                    "Between the fingers there is a pop, but a push that does not belong to "
+                    "it: push "
+                    "before the first finger, pop after it."
+                )
+            )
         wrist_drawn = parts(work, number, WRIST)[0]
         pushed = calls[calls.index(wrist_drawn.call) : first]
         if any(call.name == "glPushMatrix" for call in pushed):
             return hint(
-                _("The second finger still stands on the first one: glPopMatrix is missing "
-                  "{place}."),
+                _(
+                    "The second finger still stands on the first one: glPopMatrix is missing "
+                    "{place}."
+                ),
                 place=between(*draws),
-            )  # fmt: skip
+            )
         if not work.frame(number).find("glPushMatrix"):
             return hint(
-                _("No matrix is kept yet. Begin with the fingers: the second one needs the matrix "
-                  "that was current before the first one. Where is it to be kept, and where to be "
-                  "taken back?"),
-            )  # fmt: skip
+                _(
+                    "No matrix is kept yet. Begin with the fingers: the second one needs the "
+                    "matrix "
+                    "that was current before the first one. Where is it to be kept, and where "
+                    "to be "
+                    "taken back?"
+                ),
+            )
         return hint(
-            _("The second finger stands on the first one: glPushMatrix is missing {push}, and "
-              "glPopMatrix {pop}."),
+            _(
+                "The second finger stands on the first one: glPushMatrix is missing {push}, and "
+                "glPopMatrix {pop}."
+            ),
             push=between(wrist_drawn, draws[0]),
             pop=between(*draws),
-        )  # fmt: skip
+        )
     return None
 
 
@@ -166,29 +183,39 @@ def lamp(work, solution):
     inside = np.linalg.inv(base.modelview) @ found[0]
     if same(inside[:3, 3], np.array((-2.3, 0, 0.6))):
         return hint(
-            _("The lamp turns with the base: the glPushMatrix that belongs to the last glPopMatrix "
-              "stands after the base's rotation. Push {place}."),
+            _(
+                "The lamp turns with the base: the glPushMatrix that belongs to the last "
+                "glPopMatrix "
+                "stands after the base's rotation. Push {place}."
+            ),
             place=between(parts(work, 0, FLOOR)[0], base),
-        )  # fmt: skip
+        )
     if work.frame(0).find("glLoadIdentity"):
         return hint(
-            _("glLoadIdentity before the lamp goes back to the eye, and not to where the base "
-              "began.")
-        )  # fmt: skip
+            _(
+                "glLoadIdentity before the lamp goes back to the eye, and not to where the base "
+                "began."
+            )
+        )
     calls = work.frame(0).calls
     pushed = left_open(calls[: calls.index(parts(work, 0, LAMP)[0].call)])
     if pushed:
         return hint(
-            _("The lamp is drawn in a frame of the arm: the glPushMatrix in line {line} still "
-              "waits for its glPopMatrix, {place}."),
+            _(
+                "The lamp is drawn in a frame of the arm: the glPushMatrix in line {line} still "
+                "waits for its glPopMatrix, {place}."
+            ),
             line=pushed[0].line,
             place=between(parts(work, 0, FINGER)[-1], parts(work, 0, LAMP)[0]),
-        )  # fmt: skip
+        )
     return hint(
-        _("The lamp is drawn in a frame of the arm: glPopMatrix is missing {place}, or it belongs "
-          "to another glPushMatrix."),
+        _(
+            "The lamp is drawn in a frame of the arm: glPopMatrix is missing {place}, or it "
+            "belongs "
+            "to another glPushMatrix."
+        ),
         place=between(parts(work, 0, FINGER)[-1], parts(work, 0, LAMP)[0]),
-    )  # fmt: skip
+    )
 
 
 @test(
@@ -200,10 +227,12 @@ def balanced(work, solution):
     depth = depth_at_end(work, 2)
     if depth > 0:
         return hint(
-            _("Each frame pushes {count} more than it pops, and after some frames the stack is "
-              "full: GL_STACK_OVERFLOW."),
+            _(
+                "Each frame pushes {count} more than it pops, and after some frames the stack is "
+                "full: GL_STACK_OVERFLOW."
+            ),
             count=depth,
-        )  # fmt: skip
+        )
     return None
 
 
@@ -220,11 +249,13 @@ def unchanged(work, solution):
         for call in found if len(found) > len(ours) else ():
             if work.text(call.line) not in known:
                 return hint(
-                    _("{name} in line {line} takes a transformation back. The stack does that "
-                      "without computing: keep the matrix before, and take it back after."),
+                    _(
+                        "{name} in line {line} takes a transformation back. The stack does that "
+                        "without computing: keep the matrix before, and take it back after."
+                    ),
                     name=call.name,
                     line=call.line,
-                )  # fmt: skip
+                )
     return None
 
 

@@ -113,38 +113,58 @@ def mirrored(work, solution):
         if np.linalg.det(found[:3, :3]) > 0:
             if at:
                 return hint(
-                    _("The factors of glScalef in line {line} do not mirror: exactly one of them, "
-                      "that of y, is -1."),
+                    _(
+                        "The factors of glScalef in line {line} do not mirror: exactly one of "
+                        "them, "
+                        "that of y, is -1."
+                    ),
                     line=at,
-                )  # fmt: skip
+                )
             return hint(
-                _("The image is not mirrored: a rotation cannot do that. glScalef with the factor "
-                  "-1 for y can.")
-            )  # fmt: skip
+                _(
+                    "The image is not mirrored: a rotation cannot do that. glScalef with the "
+                    "factor "
+                    "-1 for y can."
+                )
+            )
         if not near(found[:3, :3], MIRROR[:3, :3]):
             return hint(
-                _("The image is mirrored in another direction: only the sign of y changes (line "
-                  "{line})."),
+                _(
+                    "The image is mirrored in another direction: only the sign of y changes (line "
+                    "{line})."
+                ),
                 line=at,
-            )  # fmt: skip
+            )
         told = {
-            0: _("The image is mirrored in the plane y = 0, but the water is at LEVEL: the image "
-                 "hangs too low."),
-            LEVEL: _("The image is moved up by LEVEL, and should be by 2 * LEVEL: the image of the "
-                     "water itself must be at LEVEL."),
-            -LEVEL: _("The image is moved down by LEVEL. After glScalef, up is down: look at the "
-                      "order of glScalef and glTranslatef."),
-            -2 * LEVEL: _("The image is moved down by 2 * LEVEL. After glScalef, up is down: look "
-                          "at the order of glScalef and glTranslatef."),
-        }  # fmt: skip
+            0: _(
+                "The image is mirrored in the plane y = 0, but the water is at LEVEL: the image "
+                "hangs too low."
+            ),
+            LEVEL: _(
+                "The image is moved up by LEVEL, and should be by 2 * LEVEL: the image of the "
+                "water itself must be at LEVEL."
+            ),
+            -LEVEL: _(
+                "The image is moved down by LEVEL. After glScalef, up is down: look at the "
+                "order of glScalef and glTranslatef."
+            ),
+            -2 * LEVEL: _(
+                "The image is moved down by 2 * LEVEL. After glScalef, up is down: look "
+                "at the order of glScalef and glTranslatef."
+            ),
+        }
         for height, text in told.items():
             if near(found[1, 3], height):
                 return hint(text)
         return hint(
-            _("The image of what is at the height 0 is at {x:.2f}, {y:.2f}, {z:.2f}, and not at "
-              "2 * LEVEL."),
-            x=found[0, 3], y=found[1, 3], z=found[2, 3],
-        )  # fmt: skip
+            _(
+                "The image of what is at the height 0 is at {x:.2f}, {y:.2f}, {z:.2f}, and not at "
+                "2 * LEVEL."
+            ),
+            x=found[0, 3],
+            y=found[1, 3],
+            z=found[2, 3],
+        )
     return None
 
 
@@ -159,20 +179,26 @@ def front(work, solution):
             state = draw.state
             if not state["GL_CULL_FACE"]:
                 return hint(
-                    _("GL_CULL_FACE is off for the image: it is to stay on. Another call "
-                      "says which faces are the front.")
-                )  # fmt: skip
+                    _(
+                        "GL_CULL_FACE is off for the image: it is to stay on. Another call "
+                        "says which faces are the front."
+                    )
+                )
             if state["GL_CULL_FACE_MODE"] != "GL_BACK":
                 return hint(
-                    _("glCullFace in line {line} culls the other faces. But that they are the "
-                      "back is wrong already: say which winding is the front."),
+                    _(
+                        "glCullFace in line {line} culls the other faces. But that they are the "
+                        "back is wrong already: say which winding is the front."
+                    ),
                     line=line(work, "glCullFace"),
-                )  # fmt: skip
+                )
             if state["GL_FRONT_FACE"] != "GL_CW":
                 return hint(
-                    _("The image shows the insides: its counter-clockwise triangles have become "
-                      "clockwise, and are culled.")
-                )  # fmt: skip
+                    _(
+                        "The image shows the insides: its counter-clockwise triangles have become "
+                        "clockwise, and are culled."
+                    )
+                )
     return None
 
 
@@ -190,14 +216,20 @@ def sun(work, solution):
             continue
         if near(position, view(solution, number) @ SUN):
             return hint(
-                _("The image is lit from above, by the sun itself: set_sun() has not been called "
-                  "while the mirrored matrix holds.")
-            )  # fmt: skip
+                _(
+                    "The image is lit from above, by the sun itself: set_sun() has not been called "
+                    "while the mirrored matrix holds."
+                )
+            )
         return hint(
-            _("In frame {frame} the image is lit from another direction than that of the mirrored "
-              "sun: with which matrix is the position of line {line} set?"),
-            frame=number, line=line_of_sun(work, images(work, FRAMES[-1])[-1].call),
-        )  # fmt: skip
+            _(
+                "In frame {frame} the image is lit from another direction than that of the "
+                "mirrored "
+                "sun: with which matrix is the position of line {line} set?"
+            ),
+            frame=number,
+            line=line_of_sun(work, images(work, FRAMES[-1])[-1].call),
+        )
     return None
 
 
@@ -214,9 +246,12 @@ def cut(work, solution):
         if not all(found):
             if not given:
                 return hint(
-                    _("The foot of the lighthouse and the keel are in the image, above the water: "
-                      "a clip plane is missing.")
-                )  # fmt: skip
+                    _(
+                        "The foot of the lighthouse and the keel are in the image, above the "
+                        "water: "
+                        "a clip plane is missing."
+                    )
+                )
             if any(found):
                 return hint(_("The plane is enabled for a part of the image only."))
             return hint(
@@ -241,10 +276,16 @@ def cut(work, solution):
                 return hint(text, line=given)
         a, b, c, d = plane + 0.0
         return hint(
-            _("In the coordinates of the things, the plane of line {line} keeps what has "
-              "{a:.2f} x + {b:.2f} y + {c:.2f} z + {d:.2f} >= 0, and not what has y >= LEVEL."),
-            line=given, a=a, b=b, c=c, d=d,
-        )  # fmt: skip
+            _(
+                "In the coordinates of the things, the plane of line {line} keeps what has "
+                "{a:.2f} x + {b:.2f} y + {c:.2f} z + {d:.2f} >= 0, and not what has y >= LEVEL."
+            ),
+            line=given,
+            a=a,
+            b=b,
+            c=c,
+            d=d,
+        )
     return None
 
 
@@ -259,15 +300,20 @@ def restored(work, solution):
         matrix = view(solution, number)
         if not near(draws[0].modelview, matrix):
             return hint(
-                _("The shore, the water and the things are mirrored as well: the modelview matrix "
-                  "is not as it was before draw_image.")
-            )  # fmt: skip
+                _(
+                    "The shore, the water and the things are mirrored as well: the modelview "
+                    "matrix "
+                    "is not as it was before draw_image."
+                )
+            )
         if any(draw.state["GL_FRONT_FACE"] != "GL_CCW" for draw in draws):
             return hint(
-                _("After the image the front is still the clockwise side, since line {line}: now "
-                  "the things themselves show their insides."),
+                _(
+                    "After the image the front is still the clockwise side, since line {line}: now "
+                    "the things themselves show their insides."
+                ),
                 line=line(work, "glFrontFace"),
-            )  # fmt: skip
+            )
         if any(planes(draw) for draw in draws):
             return hint(
                 _("The plane is still enabled after the image: it cuts the things themselves.")
@@ -276,9 +322,11 @@ def restored(work, solution):
             return hint(_("GL_CULL_FACE is off after the image."))
         if not near(draws[-1].state["GL_LIGHT0.GL_POSITION"], matrix @ SUN):
             return hint(
-                _("The things themselves are lit from below: the sun is still the mirrored one. "
-                  "Neither glPopMatrix nor glLoadMatrix moves a light back.")
-            )  # fmt: skip
+                _(
+                    "The things themselves are lit from below: the sun is still the mirrored one. "
+                    "Neither glPopMatrix nor glLoadMatrix moves a light back."
+                )
+            )
     return None
 
 

@@ -115,8 +115,14 @@ def main():
     glfw.set_key_callback(window, on_key)
     glClearColor(0.19, 0.26, 0.37, 1)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
-    for capability in (GL_DEPTH_TEST, GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL,
-                       GL_NORMALIZE):  # fmt: skip
+    for capability in (
+        GL_DEPTH_TEST,
+        GL_CULL_FACE,
+        GL_LIGHTING,
+        GL_LIGHT0,
+        GL_COLOR_MATERIAL,
+        GL_NORMALIZE,
+    ):
         glEnable(capability)
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)

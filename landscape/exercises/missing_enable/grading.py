@@ -13,10 +13,12 @@ def enabled(work, solution):
     for number in FRAMES:
         if vertices(work.frame(number)) < vertices(solution.frame(number)):
             return hint(
-                _("In frame {frame} a part of the boxes is not drawn: it is the depth test that "
-                  "is to decide what is hidden."),
+                _(
+                    "In frame {frame} a part of the boxes is not drawn: it is the depth test that "
+                    "is to decide what is hidden."
+                ),
                 frame=number,
-            )  # fmt: skip
+            )
     boxes = [draw for number in FRAMES for draw in work.frame(number).draws]
     without = [draw for draw in boxes if not draw.state["GL_DEPTH_TEST"]]
     if not without:
@@ -60,8 +62,9 @@ def enabled(work, solution):
             ),
             line=found[0].line,
         )
-    towers, wanted = ([tuple(draw.vertices[0]) for draw in each.frame(0).draws]
-                      for each in (work, solution))  # fmt: skip
+    towers, wanted = (
+        [tuple(draw.vertices[0]) for draw in each.frame(0).draws] for each in (work, solution)
+    )
     if towers != wanted and sorted(towers) == sorted(wanted):
         return hint(
             _(

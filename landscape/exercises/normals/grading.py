@@ -65,20 +65,29 @@ def direction(work, solution):
         return hint(_("All normals point inward: their sign."))
     if like(found, points):
         return hint(
-            _("The normals point away from the centre of the ring, as those of a ball would; they "
-              "must point away from the middle of the tube.")
-        )  # fmt: skip
+            _(
+                "The normals point away from the centre of the ring, as those of a ball would; "
+                "they "
+                "must point away from the middle of the tube."
+            )
+        )
     if like(found, points * (1, 1, 0)):
         return hint(
-            _("The normals depend on u only, and lie in the plane of the ring: v turns them round "
-              "the tube.")
-        )  # fmt: skip
+            _(
+                "The normals depend on u only, and lie in the plane of the ring: v turns them "
+                "round "
+                "the tube."
+            )
+        )
     before = np.vstack([found[1:], found[-1:]])
     if like(before, right) or like(before[:-2], right[:-2]):
         return hint(
-            _("Each vertex has the normal of the vertex before it: glNormal must be called before "
-              "glVertex, which takes the current normal.")
-        )  # fmt: skip
+            _(
+                "Each vertex has the normal of the vertex before it: glNormal must be called "
+                "before "
+                "glVertex, which takes the current normal."
+            )
+        )
     if like(found[:, [1, 0, 2]], right):
         return hint(_("x and y of the normals are swapped: sine and cosine of u."))
     u = np.arctan2(points[:, 1], points[:, 0])
@@ -86,9 +95,11 @@ def direction(work, solution):
     sine, cosine = points[:, 2] / TUBE, across / TUBE
     if like(found, np.stack([sine * np.cos(u), sine * np.sin(u), cosine], axis=1)):
         return hint(
-            _("The normals are perpendicular to what they should be at the top of the tube: sine "
-              "and cosine of v are swapped.")
-        )  # fmt: skip
+            _(
+                "The normals are perpendicular to what they should be at the top of the tube: sine "
+                "and cosine of v are swapped."
+            )
+        )
     return hint(
         _(
             "At the point ({x:.2f}, {y:.2f}, {z:.2f}) the normal is ({a:.2f}, {b:.2f}, {c:.2f}), "

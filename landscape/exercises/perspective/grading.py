@@ -93,15 +93,21 @@ def opening(work, solution):
         return None
     if slope < 0:
         return hint(
-            _("bottom and top are swapped: the third argument of glFrustum is the lower edge, and "
-              "the smaller number.")
-        )  # fmt: skip
+            _(
+                "bottom and top are swapped: the third argument of glFrustum is the lower "
+                "edge, and "
+                "the smaller number."
+            )
+        )
     if slope * NEAR >= 100:
         return hint(
-            _("The edges are as far apart as the window has pixels. glFrustum wants them in units "
-              "of the scene, on the near plane, {near} away from the eye."),
+            _(
+                "The edges are as far apart as the window has pixels. glFrustum wants them in "
+                "units "
+                "of the scene, on the near plane, {near} away from the eye."
+            ),
             near=NEAR,
-        )  # fmt: skip
+        )
     wrong = {
         math.tan(math.radians(40)): _(
             "The angle from edge to edge is now 80 degrees: above the middle there is only half "
@@ -122,9 +128,11 @@ def opening(work, solution):
             return hint(text)
     if near(slope * aspect(work, 0), SLOPE) or near(slope, SLOPE / aspect(work, 0)):
         return hint(
-            _("The 40 degrees go from the left to the right edge; they should go from the lower "
-              "to the upper one.")
-        )  # fmt: skip
+            _(
+                "The 40 degrees go from the left to the right edge; they should go from the lower "
+                "to the upper one."
+            )
+        )
     return hint(
         _("The angle from the lower to the upper edge is {angle:.1f} degrees, and not 40."),
         angle=2 * math.degrees(math.atan(slope)),
@@ -144,21 +152,27 @@ def proportions(work, solution):
         return None
     if ratios[0] < 0:
         return hint(
-            _("left and right are swapped: the first argument of glFrustum is the left edge, and "
-              "the smaller number.")
-        )  # fmt: skip
+            _(
+                "left and right are swapped: the first argument of glFrustum is the left edge, and "
+                "the smaller number."
+            )
+        )
     if near(ratios[0], 1) and near(ratios[1], 1):
         return hint(
-            _("right and top are equal, so that everything is stretched to the window's width: "
-              "right is top * width / height.")
-        )  # fmt: skip
+            _(
+                "right and top are equal, so that everything is stretched to the window's width: "
+                "right is top * width / height."
+            )
+        )
     if near(ratios[0], 1 / wanted[0]):
         return hint(_("Width and height are swapped: the wider the window, the greater is right."))
     if near(ratios[0], wanted[0]):
         return hint(
-            _("It is right for 640 x 480 only: compute the proportions from width and height, "
-              "which change with the window.")
-        )  # fmt: skip
+            _(
+                "It is right for 640 x 480 only: compute the proportions from width and height, "
+                "which change with the window."
+            )
+        )
     return hint(
         _("In a window of 640 x 480 right / top is {ratio:.3f}, and not {wanted:.3f}."),
         ratio=ratios[0],

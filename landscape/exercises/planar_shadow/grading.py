@@ -87,10 +87,15 @@ def twice(work, solution):
         found = len(shadow(work, number)), len(boxes(work, number))
         if found != (COUNT, 2 * COUNT):
             return hint(
-                _("In frame {frame} {shadow} boxes are drawn for the shadow and {whole} for the "
-                  "table, and not {count} each."),
-                frame=number, shadow=found[0], whole=found[1] - found[0], count=COUNT,
-            )  # fmt: skip
+                _(
+                    "In frame {frame} {shadow} boxes are drawn for the shadow and {whole} for the "
+                    "table, and not {count} each."
+                ),
+                frame=number,
+                shadow=found[0],
+                whole=found[1] - found[0],
+                count=COUNT,
+            )
     return None
 
 
@@ -110,35 +115,74 @@ def flat(work, solution):
             continue
         if alike(found, np.eye(4)):
             return hint(
-                _("The shadow is drawn where the table is: no matrix has been multiplied to the "
-                  "modelview matrix before draw_table.")
-            )  # fmt: skip
+                _(
+                    "The shadow is drawn where the table is: no matrix has been multiplied to the "
+                    "modelview matrix before draw_table."
+                )
+            )
         if alike(drawn, wanted) or alike(drawn, wanted.T):
             return hint(
-                _("Line {line} loads the matrix, and with that takes the eye's transformation "
-                  "away: multiply it instead."), line=at,
-            )  # fmt: skip
+                _(
+                    "Line {line} loads the matrix, and with that takes the eye's transformation "
+                    "away: multiply it instead."
+                ),
+                line=at,
+            )
         outer = np.outer(lamp, FLOOR)
         direction = np.append(lamp[:3], 0)
         told = (
-            (wanted.T, _("Rows and columns of the matrix of line {line} are swapped: glMultMatrix "
-                         "reads it column by column.")),
-            (-wanted, _("All numbers of the matrix of line {line} have the wrong sign. The points "
-                        "are the same, but their w is negative, and OpenGL clips them.")),
-            (FLOOR @ lamp * np.eye(4) + outer, _("In the matrix of line {line}, l p^T is added "
-                                                "and not subtracted.")),
-            (-outer, _("The matrix of line {line} has only the part - l p^T: all points meet in "
-                       "the lamp. What is added on the diagonal?")),
-            (flattening(FLOOR, direction), _("The matrix of line {line} is that of a light at "
-                                             "infinity: the lamp's fourth number is 1.")),
-            (flattening(np.append(FLOOR[:3], 0), lamp), _(
-                "The matrix of line {line} flattens onto y = 0, and the floor is at y = -1: what "
-                "is the fourth number of the plane?")),
-            (np.eye(4) - outer, _("In the matrix of line {line} there is 1 on the diagonal and not "
-                                  "p.l.")),
-            (flattening(FLOOR, LAMPS[0]), _("In the first frame the matrix of line {line} is right."
-                                            " But the lamp has moved, and the shadow has not.")),
-        )  # fmt: skip
+            (
+                wanted.T,
+                _(
+                    "Rows and columns of the matrix of line {line} are swapped: glMultMatrix "
+                    "reads it column by column."
+                ),
+            ),
+            (
+                -wanted,
+                _(
+                    "All numbers of the matrix of line {line} have the wrong sign. The points "
+                    "are the same, but their w is negative, and OpenGL clips them."
+                ),
+            ),
+            (
+                FLOOR @ lamp * np.eye(4) + outer,
+                _("In the matrix of line {line}, l p^T is added and not subtracted."),
+            ),
+            (
+                -outer,
+                _(
+                    "The matrix of line {line} has only the part - l p^T: all points meet in "
+                    "the lamp. What is added on the diagonal?"
+                ),
+            ),
+            (
+                flattening(FLOOR, direction),
+                _(
+                    "The matrix of line {line} is that of a light at "
+                    "infinity: the lamp's fourth number is 1."
+                ),
+            ),
+            (
+                flattening(np.append(FLOOR[:3], 0), lamp),
+                _(
+                    "The matrix of line {line} flattens onto y = 0, and the floor is at y = "
+                    "-1: what "
+                    "is the fourth number of the plane?"
+                ),
+            ),
+            (
+                np.eye(4) - outer,
+                _("In the matrix of line {line} there is 1 on the diagonal and not p.l."),
+            ),
+            (
+                flattening(FLOOR, LAMPS[0]),
+                _(
+                    "In the first frame the matrix of line {line} is right."
+                    " But the lamp has moved, and the shadow has not."
+                ),
+            ),
+        )
         for matrix, text in told:
             if alike(found, matrix):
                 return hint(text, line=at)
@@ -146,12 +190,18 @@ def flat(work, solution):
             x, y, z, w = found @ (0, 0, 0, 1)
             place = np.array((x, y, z)) / w
         return hint(
-            _("In frame {frame} the shadow of the point (0, 0, 0) is at ({x:.2f}, {y:.2f}, "
-              "{z:.2f}), and should be at ({a:.2f}, {b:.2f}, {c:.2f})."),
-            frame=number, x=place[0], y=place[1], z=place[2],
-            **dict(zip("abc", (wanted @ (0, 0, 0, 1))[:3] / (wanted @ (0, 0, 0, 1))[3],
-                       strict=True)),
-        )  # fmt: skip
+            _(
+                "In frame {frame} the shadow of the point (0, 0, 0) is at ({x:.2f}, {y:.2f}, "
+                "{z:.2f}), and should be at ({a:.2f}, {b:.2f}, {c:.2f})."
+            ),
+            frame=number,
+            x=place[0],
+            y=place[1],
+            z=place[2],
+            **dict(
+                zip("abc", (wanted @ (0, 0, 0, 1))[:3] / (wanted @ (0, 0, 0, 1))[3], strict=True)
+            ),
+        )
     return None
 
 
@@ -167,34 +217,48 @@ def inside(work, solution):
             state = draw.state
             if not state["GL_STENCIL_TEST"]:
                 return hint(
-                    _("GL_STENCIL_TEST is off while the shadow is drawn: it falls beside the "
-                      "floor, too.")
-                )  # fmt: skip
+                    _(
+                        "GL_STENCIL_TEST is off while the shadow is drawn: it falls beside the "
+                        "floor, too."
+                    )
+                )
             if passes(state, 0) and passes(state, 1):
                 return hint(
-                    _("{function} with {ref} lets 0 and 1 pass: the shadow falls beside the floor, "
-                      "too. Which function of glStencilFunc lets only 1 pass?"),
-                    function=state["GL_STENCIL_FUNC"], ref=state["GL_STENCIL_REF"],
-                )  # fmt: skip
+                    _(
+                        "{function} with {ref} lets 0 and 1 pass: the shadow falls beside the "
+                        "floor, "
+                        "too. Which function of glStencilFunc lets only 1 pass?"
+                    ),
+                    function=state["GL_STENCIL_FUNC"],
+                    ref=state["GL_STENCIL_REF"],
+                )
             if passes(state, 0):
                 return hint(
-                    _("The stencil test of line {line} lets 0 pass and 1 not: the shadow is "
-                      "everywhere but on the floor."), line=at,
-                )  # fmt: skip
+                    _(
+                        "The stencil test of line {line} lets 0 pass and 1 not: the shadow is "
+                        "everywhere but on the floor."
+                    ),
+                    line=at,
+                )
             if not passes(state, 1):
                 return hint(
-                    _("The stencil test of line {line} lets neither 0 nor 1 pass: there is no "
-                      "shadow."), line=at,
-                )  # fmt: skip
+                    _(
+                        "The stencil test of line {line} lets neither 0 nor 1 pass: there is no "
+                        "shadow."
+                    ),
+                    line=at,
+                )
     return None
 
 
 @test(
     _("Each pixel is darkened once"),
-    _("Top and bottom of a box lie over each other in the shadow. The first one must change the "
-      "1, so that all others fail."),
+    _(
+        "Top and bottom of a box lie over each other in the shadow. The first one must change the "
+        "1, so that all others fail."
+    ),
     needs=inside,
-)  # fmt: skip
+)
 def once(work, solution):
     at = line(work, "glStencilOp")
     for number in FRAMES:
@@ -202,22 +266,30 @@ def once(work, solution):
             state = draw.state
             if passes(state, changed(state, "GL_STENCIL_FAIL", 0)):
                 return hint(
-                    _("The first operation of line {line} holds where the test has failed: it "
-                      "turns the 0 beside the floor into a value that passes."), line=at,
-                )  # fmt: skip
+                    _(
+                        "The first operation of line {line} holds where the test has failed: it "
+                        "turns the 0 beside the floor into a value that passes."
+                    ),
+                    line=at,
+                )
             after = changed(state, "GL_STENCIL_PASS_DEPTH_PASS", 1)
             if not passes(state, after):
                 continue
             if passes(state, changed(state, "GL_STENCIL_PASS_DEPTH_FAIL", 1)):
                 return hint(
-                    _("Where the shadow has been drawn, the stencil value stays {value}, and the "
-                      "next side darkens the pixel again: which operation does glStencilOp need?"),
+                    _(
+                        "Where the shadow has been drawn, the stencil value stays {value}, and the "
+                        "next side darkens the pixel again: which operation does glStencilOp need?"
+                    ),
                     value=after,
-                )  # fmt: skip
+                )
             return hint(
-                _("The second operation of glStencilOp in line {line} holds where the depth test "
-                  "fails. The third holds where the pixel is drawn."), line=at,
-            )  # fmt: skip
+                _(
+                    "The second operation of glStencilOp in line {line} holds where the depth test "
+                    "fails. The third holds where the pixel is drawn."
+                ),
+                line=at,
+            )
     return None
 
 
@@ -232,14 +304,19 @@ def restored(work, solution):
         later = draws[draws.index(shadow(work, number)[-1]) + 1 :]
         if not np.allclose(later[0].modelview, view(solution, number), atol=NEAR):
             return hint(
-                _("The table is flattened as well: the modelview matrix is not as it was before "
-                  "draw_shadow.")
-            )  # fmt: skip
+                _(
+                    "The table is flattened as well: the modelview matrix is not as it was before "
+                    "draw_shadow."
+                )
+            )
         if any(draw.state["GL_STENCIL_TEST"] for draw in later):
             return hint(
-                _("GL_STENCIL_TEST is still on after the shadow: only where the floor is seen, and "
-                  "outside of the shadow, is the table drawn.")
-            )  # fmt: skip
+                _(
+                    "GL_STENCIL_TEST is still on after the shadow: only where the floor is "
+                    "seen, and "
+                    "outside of the shadow, is the table drawn."
+                )
+            )
     return None
 
 

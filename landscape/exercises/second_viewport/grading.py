@@ -67,8 +67,10 @@ def twice(work, solution):
         if found != ours:
             return hint(
                 _("In frame {frame} {count} walls are drawn, and not {wanted}: each twice."),
-                frame=number, count=found, wanted=ours,
-            )  # fmt: skip
+                frame=number,
+                count=found,
+                wanted=ours,
+            )
     return None
 
 
@@ -85,16 +87,21 @@ def viewport(work, solution):
             continue
         if close(found, [0, 0, width, height]):
             return hint(
-                _("The viewport is still the whole window while the map is drawn: glViewport must "
-                  "be called in draw_map, before draw_maze.")
-            )  # fmt: skip
+                _(
+                    "The viewport is still the whole window while the map is drawn: glViewport "
+                    "must "
+                    "be called in draw_map, before draw_maze."
+                )
+            )
         values = {"line": line_of_viewport(work), "found": found, "wanted": wanted}
         if number and close(found, square(work, 0)):
             return hint(
-                _("The square of line {line} is right for the first window only: its side is a "
-                  "third of the height that draw_map is given."),
+                _(
+                    "The square of line {line} is right for the first window only: its side is a "
+                    "third of the height that draw_map is given."
+                ),
                 **values,
-            )  # fmt: skip
+            )
         if close(found, [MARGIN, height - MARGIN - wanted[3], *wanted[2:]]):
             return hint(
                 _("The map is at the top: in line {line} y counts from the lower edge upwards."),
@@ -102,10 +109,12 @@ def viewport(work, solution):
             )
         if close(found, [*wanted[:2], MARGIN + wanted[2], MARGIN + wanted[3]]):
             return hint(
-                _("The last two arguments of line {line} are a width and a height, and not the "
-                  "other corner."),
+                _(
+                    "The last two arguments of line {line} are a width and a height, and not the "
+                    "other corner."
+                ),
                 **values,
-            )  # fmt: skip
+            )
         return hint(
             _("Line {line} sets the viewport {found}, and not {wanted}."),
             **values,
@@ -132,39 +141,52 @@ def projection(work, solution):
         if np.abs(matrix[3, :3]).max() > 1e-4:
             if ortho:
                 return hint(
-                    _("glOrtho in line {line} multiplies the perspective of the large picture: "
-                      "GL_PROJECTION must be the identity before."),
+                    _(
+                        "glOrtho in line {line} multiplies the perspective of the large picture: "
+                        "GL_PROJECTION must be the identity before."
+                    ),
                     line=ortho,
-                )  # fmt: skip
+                )
             return hint(
-                _("The map still has the perspective of the large picture: it needs a projection "
-                  "of its own, which glOrtho makes.")
-            )  # fmt: skip
+                _(
+                    "The map still has the perspective of the large picture: it needs a projection "
+                    "of its own, which glOrtho makes."
+                )
+            )
         matrix = matrix / matrix[3, 3]
         if np.abs(matrix[:2, 1]).max() > NEAR:
             return hint(
-                _("The map does not look straight down: of a wall one sees its side as well. A "
-                  "rotation by 90 degrees about the x axis lets one look down, if no other is left "
-                  "in the modelview matrix.")
-            )  # fmt: skip
+                _(
+                    "The map does not look straight down: of a wall one sees its side as well. A "
+                    "rotation by 90 degrees about the x axis lets one look down, if no other "
+                    "is left "
+                    "in the modelview matrix."
+                )
+            )
         across = matrix[:2, [0, 2]] * 6
         if abs(across[0, 1]) > NEAR or abs(across[1, 0]) > NEAR:
             return hint(
-                _("The map turns with the eye: the modelview matrix of the large picture still "
-                  "holds for it.")
-            )  # fmt: skip
+                _(
+                    "The map turns with the eye: the modelview matrix of the large picture still "
+                    "holds for it."
+                )
+            )
         if across[1, 1] > 0:
             return hint(
-                _("The map is upside down: z = -6 must be at its upper edge. From which side does "
-                  "it look at the maze?")
-            )  # fmt: skip
+                _(
+                    "The map is upside down: z = -6 must be at its upper edge. From which side "
+                    "does "
+                    "it look at the maze?"
+                )
+            )
         if across[0, 0] < 0:
             return hint(_("The map is mirrored: x must grow to the right."))
         if np.abs(np.abs(across.diagonal()) - 1).max() > NEAR:
             return hint(
                 _("The map is {x:.1f} units wide and {z:.1f} units high, and not 12 and 12."),
-                x=12 / abs(across[0, 0]), z=12 / abs(across[1, 1]),
-            )  # fmt: skip
+                x=12 / abs(across[0, 0]),
+                z=12 / abs(across[1, 1]),
+            )
         if np.abs(matrix[:2, 3]).max() > NEAR:
             return hint(_("The middle of the maze is not in the middle of the map."))
         if matrix[2, 1] > 0:
@@ -172,9 +194,12 @@ def projection(work, solution):
         heights = matrix[2, 1] * np.array((0, 1)) + matrix[2, 3]
         if np.abs(heights).max() > 1 + 1e-4:
             return hint(
-                _("A part of the walls is not between the near and the far plane of the map: the "
-                  "last two arguments of glOrtho are distances in the direction in which it looks.")
-            )  # fmt: skip
+                _(
+                    "A part of the walls is not between the near and the far plane of the map: the "
+                    "last two arguments of glOrtho are distances in the direction in which it "
+                    "looks."
+                )
+            )
     return None
 
 
@@ -195,29 +220,39 @@ def cleared(work, solution):
         if not state["GL_SCISSOR_TEST"]:
             if box := line(work, "glScissor"):
                 return hint(
-                    _("The scissor box of line {box} has no effect on glClear in line {line}: "
-                      "GL_SCISSOR_TEST is not enabled then."),
-                    box=box, **values,
-                )  # fmt: skip
+                    _(
+                        "The scissor box of line {box} has no effect on glClear in line {line}: "
+                        "GL_SCISSOR_TEST is not enabled then."
+                    ),
+                    box=box,
+                    **values,
+                )
             return hint(
-                _("glClear in line {line} clears the whole window, and the large picture is gone: "
-                  "it does not heed the viewport, but the scissor box."),
+                _(
+                    "glClear in line {line} clears the whole window, and the large picture is "
+                    "gone: "
+                    "it does not heed the viewport, but the scissor box."
+                ),
                 **values,
-            )  # fmt: skip
+            )
         if not close(state["GL_SCISSOR_BOX"], square(work, number)):
             return hint(
                 _("glClear in line {line} clears the box {found}, and not {wanted}."),
-                found=state["GL_SCISSOR_BOX"], wanted=square(work, number), **values,
-            )  # fmt: skip
+                found=state["GL_SCISSOR_BOX"],
+                wanted=square(work, number),
+                **values,
+            )
         bits = " ".join(str(call.args[0]) for call in clears)
         if "COLOR" not in bits:
             return hint(_("glClear in line {line} does not clear the colours."), **values)
         if "DEPTH" not in bits:
             return hint(
-                _("glClear in line {line} does not clear the depths: those of the large picture "
-                  "can hide a part of the map."),
+                _(
+                    "glClear in line {line} does not clear the depths: those of the large picture "
+                    "can hide a part of the map."
+                ),
                 **values,
-            )  # fmt: skip
+            )
         if not same(state["GL_COLOR_CLEAR_VALUE"], PAPER):
             return hint(
                 _("The background of the map is not PAPER when glClear is called in line {line}."),
@@ -236,23 +271,30 @@ def restored(work, solution):
         state = frame_around(work, number).state
         if not close(state["GL_VIEWPORT"], [0, 0, *size(work, number)]):
             return hint(
-                _("The frame around the window is drawn into the square of line {line}: the "
-                  "viewport must be the whole window again."),
+                _(
+                    "The frame around the window is drawn into the square of line {line}: the "
+                    "viewport must be the whole window again."
+                ),
                 line=line_of_viewport(work),
-            )  # fmt: skip
+            )
         if state["GL_SCISSOR_TEST"]:
             return hint(
-                _("GL_SCISSOR_TEST is still on after the map, since line {line}: then only the "
-                  "square is drawn, and cleared in the next picture."),
+                _(
+                    "GL_SCISSOR_TEST is still on after the map, since line {line}: then only the "
+                    "square is drawn, and cleared in the next picture."
+                ),
                 line=line(work, "glEnable", "GL_SCISSOR_TEST"),
-            )  # fmt: skip
+            )
         first = work.frame(number).find("glClear")[0]
         if not same(first.state["GL_COLOR_CLEAR_VALUE"], BACKGROUND):
             return hint(
-                _("From the second picture on, the large one has the colour of PAPER behind it: "
-                  "line {line} still holds for glClear in line {clear}."),
-                line=line(work, "glClearColor"), clear=first.line,
-            )  # fmt: skip
+                _(
+                    "From the second picture on, the large one has the colour of PAPER behind it: "
+                    "line {line} still holds for glClear in line {clear}."
+                ),
+                line=line(work, "glClearColor"),
+                clear=first.line,
+            )
     return None
 
 

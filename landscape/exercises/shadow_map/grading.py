@@ -98,10 +98,14 @@ def copied(work, solution):
         clear = work.frame(number).find("glClear")
         if len(boxes(work, number)) <= 2 * COUNT and not copies(work, number):
             return hint(
-                _("In frame {frame} the scene is drawn only for the camera. What draws it for the "
-                  "lamp is missing {place}."),
-                frame=number, place=between(clear[0] if clear else None, first_lit(work, number)),
-            )  # fmt: skip
+                _(
+                    "In frame {frame} the scene is drawn only for the camera. What draws it "
+                    "for the "
+                    "lamp is missing {place}."
+                ),
+                frame=number,
+                place=between(clear[0] if clear else None, first_lit(work, number)),
+            )
         if not copies(work, number):
             return hint(
                 _("In frame {frame} nothing is copied from the window into the texture."),
@@ -110,32 +114,45 @@ def copied(work, solution):
         copy = copies(work, number)[-1]
         if copy.name == "glCopyTexImage2D" and copy.args[2] not in DEPTHS:
             return hint(
-                _("Line {line} copies into a texture of the format {format}, and that holds no "
-                  "depths."),
-                line=copy.line, format=copy.args[2],
-            )  # fmt: skip
+                _(
+                    "Line {line} copies into a texture of the format {format}, and that holds no "
+                    "depths."
+                ),
+                line=copy.line,
+                format=copy.args[2],
+            )
         if len(from_lamp(work, number)) < COUNT:
             return hint(
-                _("When line {line} copies the depths, the scene has not been drawn for the lamp "
-                  "yet."),
+                _(
+                    "When line {line} copies the depths, the scene has not been drawn for the lamp "
+                    "yet."
+                ),
                 line=copy.line,
-            )  # fmt: skip
+            )
         width, height = copy.args[-3:-1] if copy.name == "glCopyTexImage2D" else copy.args[-2:]
         if (width, height) != (SIZE, SIZE):
             return hint(
-                _("Line {line} copies {width} x {height} pixels, and the lamp's picture has "
-                  "{size} x {size}."),
-                line=copy.line, width=width, height=height, size=SIZE,
-            )  # fmt: skip
+                _(
+                    "Line {line} copies {width} x {height} pixels, and the lamp's picture has "
+                    "{size} x {size}."
+                ),
+                line=copy.line,
+                width=width,
+                height=height,
+                size=SIZE,
+            )
     return None
 
 
 @test(
     _("The depths are those that the lamp sees"),
-    _("Nothing but P V of the lamp leads to its picture: neither projection nor viewing matrix of "
-      "the camera is left."),
+    _(
+        "Nothing but P V of the lamp leads to its picture: neither projection nor viewing "
+        "matrix of "
+        "the camera is left."
+    ),
     needs=copied,
-)  # fmt: skip
+)
 def seen(work, solution):
     for number in FRAMES:
         wanted = lamp_matrix(LAMPS[number])
@@ -144,28 +161,52 @@ def seen(work, solution):
         found = draw.projection @ draw.modelview
         if not alike(found, wanted):
             for matrix, text in (
-                (wanted @ view, _("While the scene is drawn for the lamp, the camera's modelview "
-                                  "matrix is multiplied as well.")),
-                (projection @ wanted, _("While the scene is drawn for the lamp, the camera's "
-                                        "projection matrix is multiplied as well.")),
-                (projection @ view @ wanted, _("look_from_lamp multiplies the camera's matrices: "
-                                               "which call takes them away?")),
-                (projection @ view, _("The scene is drawn as the camera sees it, and not the "
-                                      "lamp.")),
-            ):  # fmt: skip
+                (
+                    wanted @ view,
+                    _(
+                        "While the scene is drawn for the lamp, the camera's modelview "
+                        "matrix is multiplied as well."
+                    ),
+                ),
+                (
+                    projection @ wanted,
+                    _(
+                        "While the scene is drawn for the lamp, the camera's "
+                        "projection matrix is multiplied as well."
+                    ),
+                ),
+                (
+                    projection @ view @ wanted,
+                    _(
+                        "look_from_lamp multiplies the camera's matrices: "
+                        "which call takes them away?"
+                    ),
+                ),
+                (
+                    projection @ view,
+                    _("The scene is drawn as the camera sees it, and not the lamp."),
+                ),
+            ):
                 if alike(found, matrix):
                     return hint(text)
             return hint(
-                _("In frame {frame} the matrices that the scene is drawn with for the lamp are not "
-                  "P V of look_from_lamp."), frame=number,
-            )  # fmt: skip
+                _(
+                    "In frame {frame} the matrices that the scene is drawn with for the lamp "
+                    "are not "
+                    "P V of look_from_lamp."
+                ),
+                frame=number,
+            )
         viewport = [int(value) for value in draw.state["GL_VIEWPORT"]]
         if viewport != [0, 0, SIZE, SIZE]:
             return hint(
-                _("While the scene is drawn for the lamp, the viewport has {width} x {height} "
-                  "pixels; what is copied is only a part of the lamp's picture."),
-                width=viewport[2], height=viewport[3],
-            )  # fmt: skip
+                _(
+                    "While the scene is drawn for the lamp, the viewport has {width} x {height} "
+                    "pixels; what is copied is only a part of the lamp's picture."
+                ),
+                width=viewport[2],
+                height=viewport[3],
+            )
     return None
 
 
@@ -180,20 +221,29 @@ def offset(work, solution):
             state = draw.state
             if not state["GL_POLYGON_OFFSET_FILL"]:
                 return hint(
-                    _("GL_POLYGON_OFFSET_FILL is off while the scene is drawn for the lamp: each "
-                      "face shadows itself in stripes.")
-                )  # fmt: skip
+                    _(
+                        "GL_POLYGON_OFFSET_FILL is off while the scene is drawn for the lamp: each "
+                        "face shadows itself in stripes."
+                    )
+                )
             if state["GL_POLYGON_OFFSET_FACTOR"] < 0 or state["GL_POLYGON_OFFSET_UNITS"] < 0:
                 return hint(
-                    _("glPolygonOffset in line {line} moves the faces toward the lamp: depths grow "
-                      "with the distance."), line=line(work, "glPolygonOffset"),
-                )  # fmt: skip
+                    _(
+                        "glPolygonOffset in line {line} moves the faces toward the lamp: "
+                        "depths grow "
+                        "with the distance."
+                    ),
+                    line=line(work, "glPolygonOffset"),
+                )
             if state["GL_POLYGON_OFFSET_FACTOR"] == 0:
                 return hint(
-                    _("The offset's first number is 0, so faces that are inclined to the lamp are "
-                      "moved no farther than others; see line {line}."),
+                    _(
+                        "The offset's first number is 0, so faces that are inclined to the "
+                        "lamp are "
+                        "moved no farther than others; see line {line}."
+                    ),
                     line=line(work, "glPolygonOffset"),
-                )  # fmt: skip
+                )
     return None
 
 
@@ -206,15 +256,18 @@ def compared(work, solution):
     calls = work.find("glTexParameter", None, "GL_TEXTURE_COMPARE_MODE")
     if not calls or calls[-1].args[-1] in ("GL_NONE", 0):
         return hint(
-            _("GL_TEXTURE_COMPARE_MODE of the texture is GL_NONE: it gives its depths, and r is "
-              "compared with nothing.")
-        )  # fmt: skip
+            _(
+                "GL_TEXTURE_COMPARE_MODE of the texture is GL_NONE: it gives its depths, and r is "
+                "compared with nothing."
+            )
+        )
     functions = work.find("glTexParameter", None, "GL_TEXTURE_COMPARE_FUNC")
     if functions and functions[-1].args[-1] not in ("GL_LEQUAL", "GL_LESS"):
         return hint(
             _("Line {line} compares by {function}: what the lamp sees gets 0, and is dark."),
-            line=functions[-1].line, function=functions[-1].args[-1],
-        )  # fmt: skip
+            line=functions[-1].line,
+            function=functions[-1].args[-1],
+        )
     return None
 
 
@@ -242,37 +295,73 @@ def planes(work, solution):
         if alike(found, wanted):
             continue
         told = (
-            (found, lamp, _("The planes of line {line} are the rows of P V, and s, t and r go from "
-                            "-1 to 1. The texture goes from 0 to 1.")),
-            (eye, wanted, _("When line {line} gives the planes, the modelview matrix is the "
-                            "identity: the shadows stick to the eye.")),
+            (
+                found,
+                lamp,
+                _(
+                    "The planes of line {line} are the rows of P V, and s, t and r go from "
+                    "-1 to 1. The texture goes from 0 to 1."
+                ),
+            ),
+            (
+                eye,
+                wanted,
+                _(
+                    "When line {line} gives the planes, the modelview matrix is the "
+                    "identity: the shadows stick to the eye."
+                ),
+            ),
             (eye, BIAS, OF_LAMP),
             (eye, np.eye(4), OF_LAMP),
-            (found, wanted[[1, 0, 2, 3]], _("The planes of s and t in line {line} have changed "
-                                            "places.")),
-            (found, wanted.T, _("The planes of line {line} are the columns of B P V and not its "
-                                "rows: how does OpenGL store a matrix?")),
-            (found, BIAS @ lamp.T, _(
-                "The planes of line {line} are made of the columns of P V: glGetFloatv gives the "
-                "matrix column by column.")),
-            (found, BIAS @ lamp_matrix(LAMPS[0]), _(
-                "In the first frame the planes of line {line} are right. But the lamp has moved, "
-                "and they have not.")),
-        )  # fmt: skip
+            (
+                found,
+                wanted[[1, 0, 2, 3]],
+                _("The planes of s and t in line {line} have changed places."),
+            ),
+            (
+                found,
+                wanted.T,
+                _(
+                    "The planes of line {line} are the columns of B P V and not its "
+                    "rows: how does OpenGL store a matrix?"
+                ),
+            ),
+            (
+                found,
+                BIAS @ lamp.T,
+                _(
+                    "The planes of line {line} are made of the columns of P V: glGetFloatv "
+                    "gives the "
+                    "matrix column by column."
+                ),
+            ),
+            (
+                found,
+                BIAS @ lamp_matrix(LAMPS[0]),
+                _(
+                    "In the first frame the planes of line {line} are right. But the lamp has "
+                    "moved, "
+                    "and they have not."
+                ),
+            ),
+        )
         for matrix, other, text in told:
             if alike(matrix, other):
                 return hint(text, line=at)
         if alike(found[:3], wanted[:3]):
             return hint(
-                _("s, t and r are right, but q is not: nothing divides them by the distance from "
-                  "the lamp.")
-            )  # fmt: skip
+                _(
+                    "s, t and r are right, but q is not: nothing divides them by the distance from "
+                    "the lamp."
+                )
+            )
         for axis, row in enumerate("strq"):
             if not alike(found[[axis, 3]], wanted[[axis, 3]]):
                 return hint(
                     _("In frame {frame} the plane of {row} is not the row of B P V."),
-                    frame=number, row=row,
-                )  # fmt: skip
+                    frame=number,
+                    row=row,
+                )
     return None
 
 
@@ -289,10 +378,14 @@ def restored(work, solution):
             state = draw.state
             if [int(value) for value in state["GL_VIEWPORT"]] != [0, 0, 640, 480]:
                 return hint(
-                    _("draw_lit draws into a viewport of {width} x {height} pixels: that is still "
-                      "the lamp's."),
-                    width=int(state["GL_VIEWPORT"][2]), height=int(state["GL_VIEWPORT"][3]),
-                )  # fmt: skip
+                    _(
+                        "draw_lit draws into a viewport of {width} x {height} pixels: that is "
+                        "still "
+                        "the lamp's."
+                    ),
+                    width=int(state["GL_VIEWPORT"][2]),
+                    height=int(state["GL_VIEWPORT"][3]),
+                )
             if not np.allclose(draw.projection, projection, atol=NEAR):
                 return hint(_("draw_lit draws with another projection matrix than the camera's."))
             if not np.allclose(draw.modelview, view, atol=NEAR):
@@ -303,21 +396,26 @@ def restored(work, solution):
                 return hint(_("glDepthMask still keeps draw_lit from writing its depths."))
         at = places(work, number)
         cleared = [
-            call for call in work.frame(number).find("glClear")
+            call
+            for call in work.frame(number).find("glClear")
             if at[id(last)] < at[id(call)] < at[id(first_lit(work, number).call)]
-        ]  # fmt: skip
+        ]
         if not any("DEPTH" in str(call.args) for call in cleared):
             return hint(
-                _("When draw_lit begins, the depth buffer still holds the lamp's depths. What "
-                  "clears it is missing {place}."),
+                _(
+                    "When draw_lit begins, the depth buffer still holds the lamp's depths. What "
+                    "clears it is missing {place}."
+                ),
                 place=between(last, first_lit(work, number)),
-            )  # fmt: skip
+            )
         painted = any(any(draw.state["GL_COLOR_WRITEMASK"]) for draw in from_lamp(work, number))
         if painted and not any("COLOR" in str(call.args) for call in cleared):
             return hint(
-                _("The lamp's picture has been drawn in color, and is still there at the lower "
-                  "left of the window.")
-            )  # fmt: skip
+                _(
+                    "The lamp's picture has been drawn in color, and is still there at the lower "
+                    "left of the window."
+                )
+            )
     return None
 
 

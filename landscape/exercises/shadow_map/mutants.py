@@ -22,37 +22,59 @@ CLEAR = "    glClear(GL_DEPTH_BUFFER_BIT)\n"
 
 MUTANTS = {
     "no_copy": Mutant("copies nothing", "copied", [(COPY, "")]),
-    "color_copied": Mutant("copies colors", "copied", [
-        (COPY, COPY.replace("GL_DEPTH_COMPONENT", "GL_RGB"))]),
-    "too_early": Mutant("copies before drawing", "copied", [
-        (COPY, ""), (ENABLE + DRAWN, COPY + ENABLE + DRAWN)]),
-    "quarter": Mutant("copies a quarter", "copied", [
-        (COPY, COPY.replace("SIZE, SIZE", "SIZE // 2, SIZE // 2"))]),
-    "camera_view": Mutant("keeps the camera's modelview matrix", "seen", [
-        (FIRST, FIRST.replace("    glLoadIdentity()\n", ""))]),
-    "camera_projection": Mutant("keeps the camera's projection matrix", "seen", [
-        (LAMP, "    look_from_lamp()\n")]),
+    "color_copied": Mutant(
+        "copies colors", "copied", [(COPY, COPY.replace("GL_DEPTH_COMPONENT", "GL_RGB"))]
+    ),
+    "too_early": Mutant(
+        "copies before drawing", "copied", [(COPY, ""), (ENABLE + DRAWN, COPY + ENABLE + DRAWN)]
+    ),
+    "quarter": Mutant(
+        "copies a quarter", "copied", [(COPY, COPY.replace("SIZE, SIZE", "SIZE // 2, SIZE // 2"))]
+    ),
+    "camera_view": Mutant(
+        "keeps the camera's modelview matrix",
+        "seen",
+        [(FIRST, FIRST.replace("    glLoadIdentity()\n", ""))],
+    ),
+    "camera_projection": Mutant(
+        "keeps the camera's projection matrix", "seen", [(LAMP, "    look_from_lamp()\n")]
+    ),
     "whole_window": Mutant("sets no viewport", "seen", [(VIEWPORT, "")]),
     "no_offset": Mutant("forgets to enable the offset", "offset", [(ENABLE, "")]),
-    "toward": Mutant("moves toward the lamp", "offset", [
-        (OFFSET, OFFSET.replace("3, 4", "-2, -4"))]),
+    "toward": Mutant(
+        "moves toward the lamp", "offset", [(OFFSET, OFFSET.replace("3, 4", "-2, -4"))]
+    ),
     "units_only": Mutant("gives no factor", "offset", [(OFFSET, OFFSET.replace("3, 4", "0, 4"))]),
     "no_compare": Mutant("does not compare", "compared", [(COMPARE, "")]),
-    "greater": Mutant("compares the other way round", "compared", [
-        (COMPARE, COMPARE + COMPARE.replace("MODE", "FUNC").replace(
-            "GL_COMPARE_R_TO_TEXTURE", "GL_GEQUAL"))]),
+    "greater": Mutant(
+        "compares the other way round",
+        "compared",
+        [
+            (
+                COMPARE,
+                COMPARE
+                + COMPARE.replace("MODE", "FUNC").replace("GL_COMPARE_R_TO_TEXTURE", "GL_GEQUAL"),
+            )
+        ],
+    ),
     "no_bias": Mutant("forgets the bias", "planes", [(PLANES, "(x, y, z, w)")]),
-    "identity": Mutant("gives the planes under the identity", "planes", [
-        (LOOP, ""), (POP, "    glMatrixMode(GL_MODELVIEW)\n" + LOOP + "    glPopMatrix()\n")]),
-    "swapped": Mutant("swaps s and t", "planes", [
-        (PLANES, "((y + w) / 2, (x + w) / 2, (z + w) / 2, w)")]),
+    "identity": Mutant(
+        "gives the planes under the identity",
+        "planes",
+        [(LOOP, ""), (POP, "    glMatrixMode(GL_MODELVIEW)\n" + LOOP + "    glPopMatrix()\n")],
+    ),
+    "swapped": Mutant(
+        "swaps s and t", "planes", [(PLANES, "((y + w) / 2, (x + w) / 2, (z + w) / 2, w)")]
+    ),
     "columns": Mutant("takes columns for rows", "planes", [(ROWS, ROWS.replace(".T", ""))]),
-    "no_q": Mutant("gives no plane of q", "planes", [
-        (PLANES, "((x + w) / 2, (y + w) / 2, (z + w) / 2)")]),
+    "no_q": Mutant(
+        "gives no plane of q", "planes", [(PLANES, "((x + w) / 2, (y + w) / 2, (z + w) / 2)")]
+    ),
     "once": Mutant("gives the planes of the first frame", "planes", [(LOOP, ONCE)]),
-    "viewport_left": Mutant("keeps the lamp's viewport", "restored", [
-        ("    glViewport(*viewport)\n", "")]),
+    "viewport_left": Mutant(
+        "keeps the lamp's viewport", "restored", [("    glViewport(*viewport)\n", "")]
+    ),
     "no_depth_clear": Mutant("does not clear the depths", "restored", [(CLEAR, "")]),
     "color_left": Mutant("leaves the colors masked", "restored", [(COLORS, "")]),
     "painted": Mutant("draws the lamp's picture in color", "restored", [(NO_COLORS, "")]),
-}  # fmt: skip
+}

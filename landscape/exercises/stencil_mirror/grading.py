@@ -59,10 +59,15 @@ def passes(state, value):
     mask = state["GL_STENCIL_VALUE_MASK"] & 255
     one, two = state["GL_STENCIL_REF"] & mask, value & mask
     return {
-        "GL_NEVER": False, "GL_ALWAYS": True, "GL_EQUAL": one == two, "GL_NOTEQUAL": one != two,
-        "GL_LESS": one < two, "GL_LEQUAL": one <= two, "GL_GREATER": one > two,
+        "GL_NEVER": False,
+        "GL_ALWAYS": True,
+        "GL_EQUAL": one == two,
+        "GL_NOTEQUAL": one != two,
+        "GL_LESS": one < two,
+        "GL_LEQUAL": one <= two,
+        "GL_GREATER": one > two,
         "GL_GEQUAL": one >= two,
-    }[state["GL_STENCIL_FUNC"]]  # fmt: skip
+    }[state["GL_STENCIL_FUNC"]]
 
 
 def written(state, value):
@@ -72,10 +77,15 @@ def written(state, value):
         operation = state["GL_STENCIL_PASS_DEPTH_PASS"]
     mask = state["GL_STENCIL_WRITEMASK"] & 255
     new = {
-        "GL_KEEP": value, "GL_ZERO": 0, "GL_REPLACE": state["GL_STENCIL_REF"],
-        "GL_INCR": min(value + 1, 255), "GL_DECR": max(value - 1, 0), "GL_INVERT": ~value,
-        "GL_INCR_WRAP": value + 1, "GL_DECR_WRAP": value - 1,
-    }[operation]  # fmt: skip
+        "GL_KEEP": value,
+        "GL_ZERO": 0,
+        "GL_REPLACE": state["GL_STENCIL_REF"],
+        "GL_INCR": min(value + 1, 255),
+        "GL_DECR": max(value - 1, 0),
+        "GL_INVERT": ~value,
+        "GL_INCR_WRAP": value + 1,
+        "GL_DECR_WRAP": value - 1,
+    }[operation]
     return (value & ~mask) | (new & mask & 255)
 
 
@@ -102,13 +112,18 @@ def drawn(work, solution):
         if not marks(work, number):
             if images(work, number)[0].state["GL_STENCIL_TEST"]:
                 return hint(
-                    _("The stencil test is on while the image is drawn, but no glass has been "
-                      "drawn before it, and so there is no mark to compare with.")
-                )  # fmt: skip
+                    _(
+                        "The stencil test is on while the image is drawn, but no glass has been "
+                        "drawn before it, and so there is no mark to compare with."
+                    )
+                )
             return hint(
-                _("When the image is drawn, nothing has marked the glass: draw_glass does not come "
-                  "until afterwards.")
-            )  # fmt: skip
+                _(
+                    "When the image is drawn, nothing has marked the glass: draw_glass does "
+                    "not come "
+                    "until afterwards."
+                )
+            )
     return None
 
 
@@ -123,28 +138,38 @@ def marked(work, solution):
         state = glass.state
         if not state["GL_STENCIL_TEST"]:
             return hint(
-                _("GL_STENCIL_TEST is not enabled when the glass of line {line} is drawn: without "
-                  "the test nothing is written either."),
+                _(
+                    "GL_STENCIL_TEST is not enabled when the glass of line {line} is drawn: "
+                    "without "
+                    "the test nothing is written either."
+                ),
                 line=line_of(glass),
-            )  # fmt: skip
+            )
         before = cleared(work, number) or 0
         if written(state, before) == before:
             if not passes(state, before) and state["GL_STENCIL_FAIL"] == "GL_KEEP":
                 return hint(
-                    _("The glass fails the stencil test everywhere, and for that glStencilOp in "
-                      "line {line} says GL_KEEP: look at the order of its three arguments."),
+                    _(
+                        "The glass fails the stencil test everywhere, and for that glStencilOp in "
+                        "line {line} says GL_KEEP: look at the order of its three arguments."
+                    ),
                     line=line(work, number, "glStencilOp", glass),
-                )  # fmt: skip
+                )
             if state["GL_STENCIL_PASS_DEPTH_PASS"] == "GL_REPLACE":
                 return hint(
-                    _("glStencilFunc gives {value} to be written, which is what the stencil buffer "
-                      "holds anyway."),
+                    _(
+                        "glStencilFunc gives {value} to be written, which is what the stencil "
+                        "buffer "
+                        "holds anyway."
+                    ),
                     value=before,
-                )  # fmt: skip
+                )
             return hint(
-                _("Where the glass is drawn, the stencil buffer keeps what it holds: where tests "
-                  "are passed, glStencilOp is to say something else than GL_KEEP.")
-            )  # fmt: skip
+                _(
+                    "Where the glass is drawn, the stencil buffer keeps what it holds: where tests "
+                    "are passed, glStencilOp is to say something else than GL_KEEP."
+                )
+            )
     return None
 
 
@@ -166,16 +191,21 @@ def unseen(work, solution):
                 continue  # nothing of it is drawn
             if state["GL_DEPTH_WRITEMASK"] and state["GL_DEPTH_TEST"]:
                 return hint(
-                    _("The glass of line {line} writes its depth as well: the image is behind it, "
-                      "and fails the depth test."),
+                    _(
+                        "The glass of line {line} writes its depth as well: the image is "
+                        "behind it, "
+                        "and fails the depth test."
+                    ),
                     line=line_of(glass),
-                )  # fmt: skip
+                )
             if any(state["GL_COLOR_WRITEMASK"]):
                 return hint(
-                    _("The glass of line {line} is drawn in color, and then once more over the "
-                      "image: it is darker than it should be around the image."),
+                    _(
+                        "The glass of line {line} is drawn in color, and then once more over the "
+                        "image: it is darker than it should be around the image."
+                    ),
                     line=line_of(glass),
-                )  # fmt: skip
+                )
     return None
 
 
@@ -194,40 +224,53 @@ def inside(work, solution):
                 return hint(_("GL_STENCIL_TEST is off already while the image is drawn."))
             if not any(state["GL_COLOR_WRITEMASK"]):
                 return hint(
-                    _("While the image is drawn, no color is written: glColorMask is still as it "
-                      "was for the marking.")
-                )  # fmt: skip
+                    _(
+                        "While the image is drawn, no color is written: glColorMask is still as it "
+                        "was for the marking."
+                    )
+                )
             if not state["GL_DEPTH_WRITEMASK"]:
                 return hint(
-                    _("While the image is drawn, no depth is written: what is behind hides what "
-                      "is in front, by the order of drawing.")
-                )  # fmt: skip
+                    _(
+                        "While the image is drawn, no depth is written: what is behind hides what "
+                        "is in front, by the order of drawing."
+                    )
+                )
             in_glass, beside = passes(state, mark), passes(state, before)
             if in_glass and beside:
                 return hint(
-                    _("The image passes the stencil test beside the glass as well: while it is "
-                      "drawn, the function is {function}."),
+                    _(
+                        "The image passes the stencil test beside the glass as well: while it is "
+                        "drawn, the function is {function}."
+                    ),
                     function=state["GL_STENCIL_FUNC"],
-                )  # fmt: skip
+                )
             if beside:
                 return hint(
-                    _("The image is drawn where the marks are not: {function} in line {line} is "
-                      "the opposite."),
+                    _(
+                        "The image is drawn where the marks are not: {function} in line {line} is "
+                        "the opposite."
+                    ),
                     function=state["GL_STENCIL_FUNC"],
                     line=line(work, number, "glStencilFunc", draw),
-                )  # fmt: skip
+                )
             if not in_glass:
                 return hint(
-                    _("The image passes the stencil test nowhere: the glass has written {mark}, "
-                      "and line {line} asks for something else."),
-                    mark=mark, line=line(work, number, "glStencilFunc", draw),
-                )  # fmt: skip
+                    _(
+                        "The image passes the stencil test nowhere: the glass has written {mark}, "
+                        "and line {line} asks for something else."
+                    ),
+                    mark=mark,
+                    line=line(work, number, "glStencilFunc", draw),
+                )
             if written(state, mark) != mark:
                 return hint(
-                    _("The image changes the marks that it is to respect: what is drawn first is "
-                      "left, and the rest fails. See glStencilOp in line {line}."),
+                    _(
+                        "The image changes the marks that it is to respect: what is drawn first is "
+                        "left, and the rest fails. See glStencilOp in line {line}."
+                    ),
                     line=line(work, number, "glStencilOp", draw),
-                )  # fmt: skip
+                )
     return None
 
 
@@ -241,10 +284,12 @@ def fresh(work, solution):
         if cleared(work, number) is None:
             clear, first = work.frame(number).find("glClear"), marks(work, number)[0]
             return hint(
-                _("The stencil buffer is not cleared before the glass marks it: when one goes "
-                  "round, the old marks are still there. What clears it may stand {place}."),
+                _(
+                    "The stencil buffer is not cleared before the glass marks it: when one goes "
+                    "round, the old marks are still there. What clears it may stand {place}."
+                ),
                 place=between(clear[0] if clear else None, first),
-            )  # fmt: skip
+            )
     return None
 
 
@@ -259,14 +304,20 @@ def restored(work, solution):
             state = draw.state
             if state["GL_STENCIL_TEST"]:
                 return hint(
-                    _("After the image the stencil test is still enabled: things and board are cut "
-                      "off at the glass, too.")
-                )  # fmt: skip
+                    _(
+                        "After the image the stencil test is still enabled: things and board "
+                        "are cut "
+                        "off at the glass, too."
+                    )
+                )
             if not all(state["GL_COLOR_WRITEMASK"]) or not state["GL_DEPTH_WRITEMASK"]:
                 return hint(
-                    _("After the image glColorMask or glDepthMask still keeps something from being "
-                      "written.")
-                )  # fmt: skip
+                    _(
+                        "After the image glColorMask or glDepthMask still keeps something from "
+                        "being "
+                        "written."
+                    )
+                )
     return None
 
 

@@ -96,19 +96,24 @@ def textured(work, solution):
     ours = patches(solution)
     for each in (np.min, np.max):
         edges = [
-            each([each(patch.places @ patch.draw.modelview[:3, :3].T, axis=0) for patch in some],
-                 axis=0)
+            each(
+                [each(patch.places @ patch.draw.modelview[:3, :3].T, axis=0) for patch in some],
+                axis=0,
+            )
             for some in (found, ours)
-        ]  # fmt: skip
+        ]
         if np.abs(edges[0] - edges[1]).max() > NEAR:
             return hint(
                 _("The wall is no longer where it was: its corners and the view were right.")
             )
     if all(np.ptp(patch.st, axis=0).max() < NEAR for patch in found):
         return hint(
-            _("All corners have the same texture coordinate: glTexCoord must be called before each "
-              "glVertex.")
-        )  # fmt: skip
+            _(
+                "All corners have the same texture coordinate: glTexCoord must be called "
+                "before each "
+                "glVertex."
+            )
+        )
     return None
 
 
@@ -122,32 +127,43 @@ def upright(work, solution):
         return None
     if late := after_its_vertex(work):
         return hint(
-            _("glTexCoord in line {line} comes after its glVertex, which has taken the coordinates "
-              "that were current before: those of the corner before it."),
+            _(
+                "glTexCoord in line {line} comes after its glVertex, which has taken the "
+                "coordinates "
+                "that were current before: those of the corner before it."
+            ),
             line=late.line,
-        )  # fmt: skip
+        )
     bottom, top = quads(work).sum(axis=0)[2:]
     if abs(top[1] - bottom[1]) < NEAR:
         if abs(top[0] - bottom[0]) > NEAR:
             return hint(
-                _("The picture lies on its side: along the wall t changes, and upwards s. Are s "
-                  "and t swapped, or do COORDINATES begin at another corner than CORNERS?")
-            )  # fmt: skip
+                _(
+                    "The picture lies on its side: along the wall t changes, and upwards s. Are s "
+                    "and t swapped, or do COORDINATES begin at another corner than CORNERS?"
+                )
+            )
         return hint(_("t is the same above and below: it must go from 0 above to 1 below."))
     if top[1] > bottom[1]:
         return hint(
-            _("The boats are upside down: t grows from the lower edge to the upper one, but the "
-              "first row of the image is the top.")
-        )  # fmt: skip
+            _(
+                "The boats are upside down: t grows from the lower edge to the upper one, but the "
+                "first row of the image is the top."
+            )
+        )
     for patch in patches(work):
         for extreme, name in ((np.min, _("lower")), (np.max, _("upper"))):
             t = patch.at(1, extreme)[:, 1]
             if np.ptp(t) > NEAR:
                 return hint(
-                    _("The picture is slanted: along the {edge} edge t goes from {first:.2f} to "
-                      "{last:.2f}, and must be the same at both corners."),
-                    edge=name, first=t[0], last=t[1],
-                )  # fmt: skip
+                    _(
+                        "The picture is slanted: along the {edge} edge t goes from {first:.2f} to "
+                        "{last:.2f}, and must be the same at both corners."
+                    ),
+                    edge=name,
+                    first=t[0],
+                    last=t[1],
+                )
     return None
 
 
@@ -177,18 +193,23 @@ def three(work, solution):
     lefts = [patch.places[:, 0].min() for patch in patches(work)]
     if len(found) > 1 and np.ptp(lefts) < NEAR:
         return hint(
-            _("The wall is drawn {count} times in the same place: each shows what the one before "
-              "it shows."),
+            _(
+                "The wall is drawn {count} times in the same place: each shows what the one before "
+                "it shows."
+            ),
             count=len(found),
-        )  # fmt: skip
+        )
     along = (found[:, 1, 0] - found[:, 0, 0]).sum()
     up = np.abs(found[:, 3, 1] - found[:, 2, 1]).max()
     if up > 8:
         return hint(
-            _("From the lower to the upper edge t changes by {up:.0f}. Texture coordinates do not "
-              "count pixels: the whole image goes from 0 to 1."),
+            _(
+                "From the lower to the upper edge t changes by {up:.0f}. Texture coordinates "
+                "do not "
+                "count pixels: the whole image goes from 0 to 1."
+            ),
             up=up,
-        )  # fmt: skip
+        )
     if abs(up - 3) < NEAR:
         return hint(_("The picture is repeated upwards, too: t goes from 0 to 1 only."))
     if abs(up - 1) > NEAR:
@@ -197,15 +218,20 @@ def three(work, solution):
         )
     if abs(along - 1 / 3) < NEAR:
         return hint(
-            _("Only a third of the picture is to be seen: to repeat it three times, s goes to 3, "
-              "and not to 1/3.")
-        )  # fmt: skip
+            _(
+                "Only a third of the picture is to be seen: to repeat it three times, s goes to 3, "
+                "and not to 1/3."
+            )
+        )
     if abs(along - 3) > NEAR:
         return hint(
-            _("Along the wall s changes by {along:.2f}, so the picture is there {along:.2f} times, "
-              "and not three times."),
+            _(
+                "Along the wall s changes by {along:.2f}, so the picture is there {along:.2f} "
+                "times, "
+                "and not three times."
+            ),
             along=along,
-        )  # fmt: skip
+        )
     return None
 
 
@@ -226,23 +252,30 @@ def repeated(work, solution):
         own, others = wraps(work, axis)
         if axis == "T":
             return hint(
-                _("t goes from {least:.0f} to {most:.0f}. Outside 0 to 1 the edge of the picture "
-                  "is drawn out: GL_TEXTURE_WRAP_T is {way}."),
-                least=part.min(), most=part.max(), way=way,
-            )  # fmt: skip
+                _(
+                    "t goes from {least:.0f} to {most:.0f}. Outside 0 to 1 the edge of the picture "
+                    "is drawn out: GL_TEXTURE_WRAP_T is {way}."
+                ),
+                least=part.min(),
+                most=part.max(),
+                way=way,
+            )
         if way == "GL_MIRRORED_REPEAT":
             return hint(_("GL_MIRRORED_REPEAT mirrors every second boat: use GL_REPEAT."))
         if early := [call for call in own if call.args[2] == "GL_REPEAT"]:
             return hint(
                 _("Line {line} repeats the texture, and line {later} sets GL_TEXTURE_WRAP_S anew."),
-                line=early[-1].line, later=own[-1].line,
-            )  # fmt: skip
+                line=early[-1].line,
+                later=own[-1].line,
+            )
         if other := [call for call in others if call.args[2] == "GL_REPEAT"]:
             return hint(
-                _("Line {line} concerns the texture that is bound then, and the wall's is bound "
-                  "later."),
+                _(
+                    "Line {line} concerns the texture that is bound then, and the wall's is bound "
+                    "later."
+                ),
                 line=other[-1].line,
-            )  # fmt: skip
+            )
         if wrap(work, "T") == "GL_REPEAT":
             return hint(
                 _(
@@ -281,15 +314,20 @@ def picture(work, solution):
             color = patch.draw.colors.min(axis=0)
             if color[:3].min() < 1 - NEAR:
                 return hint(
-                    _("In frame {frame} the texture is multiplied by another colour than white, "
-                      "{color}: that is the current one when the wall is drawn."),
-                    frame=number, color=", ".join(f"{channel:.2f}" for channel in color[:3]),
-                )  # fmt: skip
+                    _(
+                        "In frame {frame} the texture is multiplied by another colour than white, "
+                        "{color}: that is the current one when the wall is drawn."
+                    ),
+                    frame=number,
+                    color=", ".join(f"{channel:.2f}" for channel in color[:3]),
+                )
     if compare(work, solution, box=WALL):
         return hint(
-            _("The coordinates are right, but not what they show: the image must be loaded as it "
-              "was, with the same rows and filters.")
-        )  # fmt: skip
+            _(
+                "The coordinates are right, but not what they show: the image must be loaded as it "
+                "was, with the same rows and filters."
+            )
+        )
     return compare(work, solution)
 
 

@@ -29,8 +29,9 @@ def balls(work, number):
 
 def around(distance, angle):
     """Return the point at a distance and an angle in degrees around the y axis."""
-    return np.array([distance * np.cos(np.radians(angle)), 0,
-                     -distance * np.sin(np.radians(angle))])  # fmt: skip
+    return np.array(
+        [distance * np.cos(np.radians(angle)), 0, -distance * np.sin(np.radians(angle))]
+    )
 
 
 def close(a, b):
@@ -65,10 +66,12 @@ def sun(work, solution):
 
 @test(
     _("The planet goes round the sun"),
-    _("First the planet is moved away from the origin, then all is rotated round it; in the "
-      "program the calls stand the other way round."),
+    _(
+        "First the planet is moved away from the origin, then all is rotated round it; in the "
+        "program the calls stand the other way round."
+    ),
     needs=sun,
-)  # fmt: skip
+)
 def planet(work, solution):
     wanted = {number: around(4.2, YEARS[number]) for number in FRAMES}
     found = {number: balls(work, number)[1] for number in FRAMES}
@@ -77,10 +80,13 @@ def planet(work, solution):
     first, line = found[0], line_of(work, 1)
     if close(first, (0, 0, 0)):
         return hint(
-            _("The planet is still at the origin, inside the sun: a rotation and a translation are "
-              "missing {place}."),
+            _(
+                "The planet is still at the origin, inside the sun: a rotation and a "
+                "translation are "
+                "missing {place}."
+            ),
             place=between(*drawn(work, 0)[:2]),
-        )  # fmt: skip
+        )
     if all(close(each, (4.2, 0, 0)) for each in found.values()):
         return hint(
             _(
@@ -100,17 +106,21 @@ def planet(work, solution):
         return hint(_("glRotatef wants degrees: `year` needs no conversion."))
     if abs(np.linalg.norm(first) - 4.2) < NEAR and abs(first[1]) > NEAR:
         return hint(
-            _("The planet leaves the plane of its orbit: glRotatef must rotate round the y axis, "
-              "0, 1, 0.")
-        )  # fmt: skip
+            _(
+                "The planet leaves the plane of its orbit: glRotatef must rotate round the y axis, "
+                "0, 1, 0."
+            )
+        )
     return hint(
         _(
             "In frame {frame} the planet is at ({x:.2f}, {y:.2f}, {z:.2f}), and not at "
             "({wanted_x:.2f}, 0, {wanted_z:.2f})."
         ),
-        frame=0, **dict(zip("xyz", np.round(first, 2) + 0.0, strict=True)),
-        wanted_x=wanted[0][0], wanted_z=wanted[0][2],
-    )  # fmt: skip
+        frame=0,
+        **dict(zip("xyz", np.round(first, 2) + 0.0, strict=True)),
+        wanted_x=wanted[0][0],
+        wanted_z=wanted[0][2],
+    )
 
 
 @test(
@@ -139,14 +149,19 @@ def moon(work, solution):
         )
     if all(close(found[n], around(1.3, MONTHS[n])) for n in FRAMES):
         return hint(
-            _("The moon goes round the sun: the planet's transformations no longer hold for it. "
-              "Does glPopMatrix or glLoadIdentity come too early?")
-        )  # fmt: skip
+            _(
+                "The moon goes round the sun: the planet's transformations no longer hold for it. "
+                "Does glPopMatrix or glLoadIdentity come too early?"
+            )
+        )
     if all(close(found[n], planets[n] + around(1.3, MONTHS[n])) for n in FRAMES):
         return hint(
-            _("The moon's angle counts from the x axis; it should count from the line through sun "
-              "and planet, so the rotation by `year` must hold for the moon, too.")
-        )  # fmt: skip
+            _(
+                "The moon's angle counts from the x axis; it should count from the line "
+                "through sun "
+                "and planet, so the rotation by `year` must hold for the moon, too."
+            )
+        )
     if all(close(found[n], planets[n] + around(1.3, YEARS[n] - MONTHS[n])) for n in FRAMES):
         return hint(_("The moon goes round clockwise as seen from above: the sign of the angle."))
     calls = work.frame(0).calls
@@ -154,21 +169,29 @@ def moon(work, solution):
     loads = [call for call in calls[before:own] if call.name == "glLoadIdentity"]
     if loads:
         return hint(
-            _("glLoadIdentity in line {line} goes back to the eye: for the moon, it forgets where "
-              "the planet is and how the system is tilted."),
+            _(
+                "glLoadIdentity in line {line} goes back to the eye: for the moon, it forgets "
+                "where "
+                "the planet is and how the system is tilted."
+            ),
             line=loads[0].line,
-        )  # fmt: skip
+        )
     distance = np.linalg.norm(first - planets[0])
     if abs(distance - 1.3) > NEAR:
         return hint(
-            _("The moon is {distance:.1f} away from the planet, and not 1.3. Its translation "
-              "begins at the planet, and not at the sun."),
+            _(
+                "The moon is {distance:.1f} away from the planet, and not 1.3. Its translation "
+                "begins at the planet, and not at the sun."
+            ),
             distance=distance,
-        )  # fmt: skip
+        )
     return hint(
-        _("The moon is at the right distance from the planet, and at the wrong angle: it should be "
-          "year + month, round the y axis.")
-    )  # fmt: skip
+        _(
+            "The moon is at the right distance from the planet, and at the wrong angle: it "
+            "should be "
+            "year + month, round the y axis."
+        )
+    )
 
 
 def regions(solution, number):

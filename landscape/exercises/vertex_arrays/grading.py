@@ -34,20 +34,26 @@ def from_arrays(work, solution):
         return None
     if at := line(work, "glArrayElement"):
         return hint(
-            _("glArrayElement in line {line} takes one vertex from the arrays: that is still a "
-              "call for each corner."),
+            _(
+                "glArrayElement in line {line} takes one vertex from the arrays: that is still a "
+                "call for each corner."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     if at := line(work, "glCallList"):
         return hint(
-            _("The display list of line {line} spares Python the calls, but it is made with "
-              "glBegin. Here the arrays are to be drawn themselves."),
+            _(
+                "The display list of line {line} spares Python the calls, but it is made with "
+                "glBegin. Here the arrays are to be drawn themselves."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     return hint(
-        _("Nothing is drawn from arrays yet. glDrawElements draws from the arrays that are "
-          "enabled, and takes the indices as its last argument.")
-    )  # fmt: skip
+        _(
+            "Nothing is drawn from arrays yet. glDrawElements draws from the arrays that are "
+            "enabled, and takes the indices as its last argument."
+        )
+    )
 
 
 @test(
@@ -76,10 +82,15 @@ def one_call(work, solution):
     found = calls(work)
     if len(found) > 1:
         return hint(
-            _("{name} in line {line} is called {count} times in a frame: it can draw all triangles "
-              "at once."),
-            name=found[0].name, line=found[0].line, count=len(found),
-        )  # fmt: skip
+            _(
+                "{name} in line {line} is called {count} times in a frame: it can draw all "
+                "triangles "
+                "at once."
+            ),
+            name=found[0].name,
+            line=found[0].line,
+            count=len(found),
+        )
     return None
 
 
@@ -93,13 +104,19 @@ def enabled(work, solution):
     if not state:
         return None  # it is not known inside display lists
     told = {
-        "GL_VERTEX_ARRAY": _("glEnableClientState(GL_VERTEX_ARRAY) is missing: without vertices "
-                             "line {line} draws nothing."),
-        "GL_NORMAL_ARRAY": _("GL_NORMAL_ARRAY is not enabled when line {line} draws: each vertex "
-                             "gets the last normal, so the vase is lit like a flat disc."),
-        "GL_COLOR_ARRAY": _("GL_COLOR_ARRAY is not enabled when line {line} draws: each vertex "
-                            "gets the last colour."),
-    }  # fmt: skip
+        "GL_VERTEX_ARRAY": _(
+            "glEnableClientState(GL_VERTEX_ARRAY) is missing: without vertices "
+            "line {line} draws nothing."
+        ),
+        "GL_NORMAL_ARRAY": _(
+            "GL_NORMAL_ARRAY is not enabled when line {line} draws: each vertex "
+            "gets the last normal, so the vase is lit like a flat disc."
+        ),
+        "GL_COLOR_ARRAY": _(
+            "GL_COLOR_ARRAY is not enabled when line {line} draws: each vertex "
+            "gets the last colour."
+        ),
+    }
     for array, text in told.items():
         if not state[array]:
             return hint(text, line=calls(work)[0].line)
@@ -119,25 +136,30 @@ def described(work, solution):
     if size != 3:
         return hint(
             _("Line {line} says that a vertex has {size} coordinates: in VERTICES it has 3."),
-            line=line(work, "glVertexPointer"), size=size,
-        )  # fmt: skip
+            line=line(work, "glVertexPointer"),
+            size=size,
+        )
     drawn = [draw for draw in work.last.draws if draw.call.name != "glBegin"]
     at = line(work, "glColorPointer")
     if drawn and len(drawn[0].colors) and drawn[0].colors.max() > 2:
         return hint(
-            _("The colours of line {line} go up to 255, but it says {type}, for which 1 is the "
-              "full brightness: COLORS has a byte each."),
-            line=at, type=state["GL_COLOR_ARRAY_TYPE"],
-        )  # fmt: skip
-    kind, size, stride = (
-        state[f"GL_COLOR_ARRAY_{word}"] for word in ("TYPE", "SIZE", "STRIDE")
-    )  # fmt: skip
+            _(
+                "The colours of line {line} go up to 255, but it says {type}, for which 1 is the "
+                "full brightness: COLORS has a byte each."
+            ),
+            line=at,
+            type=state["GL_COLOR_ARRAY_TYPE"],
+        )
+    kind, size, stride = (state[f"GL_COLOR_ARRAY_{word}"] for word in ("TYPE", "SIZE", "STRIDE"))
     if (kind, size, stride) == ("GL_UNSIGNED_BYTE", 3, 0) and compare(work, solution):
         return hint(
-            _("Line {line} says that a colour has 3 bytes. In COLORS it has 4, with alpha: so each "
-              "colour begins in the one before it."),
+            _(
+                "Line {line} says that a colour has 3 bytes. In COLORS it has 4, with alpha: "
+                "so each "
+                "colour begins in the one before it."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     for array, call, packed in (
         ("GL_VERTEX_ARRAY", "glVertexPointer", 12),
         ("GL_NORMAL_ARRAY", "glNormalPointer", 12),
@@ -146,24 +168,31 @@ def described(work, solution):
         stride = state[f"{array}_STRIDE"]
         if stride not in (0, packed) and compare(work, solution):
             return hint(
-                _("Line {line} says that a vertex begins {stride} bytes after the one before it. "
-                  "In these arrays nothing lies between them, which is said by 0."),
-                line=line(work, call), stride=stride,
-            )  # fmt: skip
+                _(
+                    "Line {line} says that a vertex begins {stride} bytes after the one before it. "
+                    "In these arrays nothing lies between them, which is said by 0."
+                ),
+                line=line(work, call),
+                stride=stride,
+            )
     if drawn and len(drawn[0].normals):
         lengths = np.linalg.norm(drawn[0].normals, axis=1)
         if np.abs(lengths - 1).max() > 0.05:
             return hint(
-                _("The array of line {line} is not that of the normals: what it holds is not of "
-                  "length 1."),
+                _(
+                    "The array of line {line} is not that of the normals: what it holds is not of "
+                    "length 1."
+                ),
                 line=line(work, "glNormalPointer"),
-            )  # fmt: skip
+            )
     if kind == "GL_BYTE":
         return hint(
-            _("Line {line} says GL_BYTE, for which 127 is the full brightness and more is "
-              "negative: the bytes of COLORS have no sign."),
+            _(
+                "Line {line} says GL_BYTE, for which 127 is the full brightness and more is "
+                "negative: the bytes of COLORS have no sign."
+            ),
             line=at,
-        )  # fmt: skip
+        )
     return None
 
 
@@ -180,21 +209,27 @@ def whole(work, solution):
     if mode not in ("GL_TRIANGLES", "GL_TRIANGLE_STRIP"):
         return hint(
             _("Line {line} draws {mode}; the indices are those of triangles."),
-            line=call.line, mode=mode,
-        )  # fmt: skip
+            line=call.line,
+            mode=mode,
+        )
     if mode == "GL_TRIANGLE_STRIP":
         return hint(
-            _("As a GL_TRIANGLE_STRIP, line {line} makes a triangle of each index and the two "
-              "before it. But the indices are three for each triangle."),
+            _(
+                "As a GL_TRIANGLE_STRIP, line {line} makes a triangle of each index and the two "
+                "before it. But the indices are three for each triangle."
+            ),
             line=call.line,
-        )  # fmt: skip
+        )
     if call.name == "glDrawArrays":
         if call.args[2] <= MESH:
             return hint(
-                _("glDrawArrays in line {line} takes the vertices as they follow each other. They "
-                  "lie in rings: which three make a triangle, only TRIANGLES says."),
+                _(
+                    "glDrawArrays in line {line} takes the vertices as they follow each other. "
+                    "They "
+                    "lie in rings: which three make a triangle, only TRIANGLES says."
+                ),
                 line=call.line,
-            )  # fmt: skip
+            )
         return None
     count = 3 * TRIANGLES
     if call.name == "glDrawElements":
@@ -203,21 +238,29 @@ def whole(work, solution):
         count = np.size(call.args[-1])
     if count == TRIANGLES:
         return hint(
-            _("The count of line {line} is {count}: so many triangles there are, but indices are "
-              "counted, three for each. TRIANGLES.size is all of them."),
-            line=call.line, count=count,
-        )  # fmt: skip
+            _(
+                "The count of line {line} is {count}: so many triangles there are, but indices are "
+                "counted, three for each. TRIANGLES.size is all of them."
+            ),
+            line=call.line,
+            count=count,
+        )
     if count == MESH:
         return hint(
-            _("The count of line {line} is {count}: so many vertices there are, but indices are "
-              "counted. Each vertex is a corner of six triangles."),
-            line=call.line, count=count,
-        )  # fmt: skip
+            _(
+                "The count of line {line} is {count}: so many vertices there are, but indices are "
+                "counted. Each vertex is a corner of six triangles."
+            ),
+            line=call.line,
+            count=count,
+        )
     if count != 3 * TRIANGLES:
         return hint(
             _("Line {line} draws {count} indices, and there are {all}."),
-            line=call.line, count=count, all=3 * TRIANGLES,
-        )  # fmt: skip
+            line=call.line,
+            count=count,
+            all=3 * TRIANGLES,
+        )
     return None
 
 

@@ -36,8 +36,12 @@ def make_vase():
     second = (v[:-1] * SIDES + (u[:-1] + 1) % SIDES).ravel()
     above = first + SIDES, second + SIDES
     triangles = np.stack((first, second, above[1], first, above[1], above[0]), -1).reshape(-1, 3)
-    return (vertices.astype(np.float32), normals.astype(np.float32), colors.astype(np.uint8),
-            triangles.astype(np.uint32))  # fmt: skip
+    return (
+        vertices.astype(np.float32),
+        normals.astype(np.float32),
+        colors.astype(np.uint8),
+        triangles.astype(np.uint32),
+    )
 
 
 VERTICES, NORMALS, COLORS, TRIANGLES = make_vase()

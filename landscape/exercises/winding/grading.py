@@ -135,39 +135,52 @@ def twelve(work, solution):
     vertices = sum(len(draw.vertices) for draw in gem(work) if draw.mode == "GL_TRIANGLES")
     if vertices % 3:
         return hint(
-            _("{count} vertices are drawn: GL_TRIANGLES takes them by threes, so from the face on "
-              "that lists more or fewer, all triangles are wrong."),
+            _(
+                "{count} vertices are drawn: GL_TRIANGLES takes them by threes, so from the "
+                "face on "
+                "that lists more or fewer, all triangles are wrong."
+            ),
             count=vertices,
-        )  # fmt: skip
+        )
     strange = [names for names in found if frozenset(names) not in FACES]
     if strange:
         return hint(
-            _("{face} is drawn, which is no face of the gem: each has one tip and two neighbouring "
-              "points of the ring."),
+            _(
+                "{face} is drawn, which is no face of the gem: each has one tip and two "
+                "neighbouring "
+                "points of the ring."
+            ),
             face=listed(strange[0]),
-        )  # fmt: skip
+        )
     if len(found) < 12:
         return hint(
-            _("Only {count} triangles are drawn: a face with the wrong order is to be turned "
-              "round, and not left out."),
+            _(
+                "Only {count} triangles are drawn: a face with the wrong order is to be turned "
+                "round, and not left out."
+            ),
             count=len(found),
-        )  # fmt: skip
+        )
     if len(found) > 12:
         return hint(
-            _("{count} triangles are drawn: a face that is listed in both orders is always "
-              "visible, from behind as well."),
+            _(
+                "{count} triangles are drawn: a face that is listed in both orders is always "
+                "visible, from behind as well."
+            ),
             count=len(found),
-        )  # fmt: skip
+        )
     missing = set(FACES) - set(map(frozenset, found))
     if missing:
         known = set()
-        again = next(names for names in found if frozenset(names) in known
-                     or known.add(frozenset(names)))  # fmt: skip
+        again = next(
+            names for names in found if frozenset(names) in known or known.add(frozenset(names))
+        )
         return hint(
-            _("{face} is listed twice, in this order or in another, and one of the twelve faces "
-              "is not there: change the order of a face's corners, and not the corners."),
+            _(
+                "{face} is listed twice, in this order or in another, and one of the twelve faces "
+                "is not there: change the order of a face's corners, and not the corners."
+            ),
             face=listed(again),
-        )  # fmt: skip
+        )
     return None
 
 
@@ -183,10 +196,12 @@ def order(work, solution):
     begun = [each for each in wrong if frozenset(each) in TO_MEND and each not in AS_GIVEN]
     if begun and len(wrong) <= 2:
         return hint(
-            _("{face} goes round as before and only begins at another corner. Two of its corners "
-              "must change places."),
+            _(
+                "{face} goes round as before and only begins at another corner. Two of its corners "
+                "must change places."
+            ),
             face=listed(begun[0]),
-        )  # fmt: skip
+        )
     others = [each for each in wrong if frozenset(each) not in TO_MEND]
     if len(wrong) == 1 and not others:
         return hint(
@@ -194,32 +209,41 @@ def order(work, solution):
         )
     if len(wrong) == 12:
         return hint(
-            _("Now all twelve faces are clockwise: only two were wrong. Compare each with its "
-              "neighbour.")
-        )  # fmt: skip
+            _(
+                "Now all twelve faces are clockwise: only two were wrong. Compare each with its "
+                "neighbour."
+            )
+        )
     above = [each for each in wrong if "TOP" in each]
     if len(wrong) == 6 and len(above) in (0, 6):
         return hint(
-            _("The six faces of one half are clockwise: seen from below, the ring goes round the "
-              "other way, so the two halves list its points in opposite orders.")
-        )  # fmt: skip
+            _(
+                "The six faces of one half are clockwise: seen from below, the ring goes round the "
+                "other way, so the two halves list its points in opposite orders."
+            )
+        )
     if not others:
         return hint(
-            _("Two faces are clockwise as seen from outside. Which colours are missing, above and "
-              "below, where the gem is open? Compare their entries with their neighbours: those "
-              "of TOP go round the ring counter-clockwise, those of BOTTOM clockwise.")
-        )  # fmt: skip
+            _(
+                "Two faces are clockwise as seen from outside. Which colours are missing, "
+                "above and "
+                "below, where the gem is open? Compare their entries with their neighbours: those "
+                "of TOP go round the ring counter-clockwise, those of BOTTOM clockwise."
+            )
+        )
     if len(wrong) == 1:
         return hint(
             _("One face is clockwise as seen from outside: {face}. It was right as it stood."),
             face=listed(others[0]),
         )
     return hint(
-        _("{count} faces are clockwise as seen from outside. {face} was right as it stood: turn "
-          "only those that are missing where the gem is open."),
+        _(
+            "{count} faces are clockwise as seen from outside. {face} was right as it stood: turn "
+            "only those that are missing where the gem is open."
+        ),
         count=len(wrong),
         face=listed(others[0]),
-    )  # fmt: skip
+    )
 
 
 @test(
@@ -235,8 +259,10 @@ def picture(work, solution):
     for face, color in colors(solution).items():
         if np.abs(colors(work)[face] - color).max() > NEAR:
             return hint(
-                _("{face} has another colour than before, or another brightness: change only the "
-                  "order of the vertices."),
+                _(
+                    "{face} has another colour than before, or another brightness: change only the "
+                    "order of the vertices."
+                ),
                 face=listed(sorted(face, reverse=True)),
-            )  # fmt: skip
+            )
     return compare(work, solution)

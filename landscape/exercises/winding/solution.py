@@ -22,11 +22,19 @@ RED, ORANGE, CREAM = (0.85, 0.35, 0.2), (0.95, 0.62, 0.35), (0.95, 0.9, 0.8)
 GREEN, BLUE, VIOLET = (0.45, 0.7, 0.35), (0.3, 0.5, 0.8), (0.6, 0.4, 0.7)
 TOP, BOTTOM = 6, 7  # the ring has the points 0 to 5, counter-clockwise as seen from above
 FACES = (
-    (RED, TOP, 0, 1), (ORANGE, TOP, 1, 2), (CREAM, TOP, 2, 3),
-    (GREEN, TOP, 3, 4), (BLUE, TOP, 4, 5), (VIOLET, TOP, 5, 0),
-    (RED, BOTTOM, 1, 0), (ORANGE, BOTTOM, 2, 1), (CREAM, BOTTOM, 3, 2),
-    (GREEN, BOTTOM, 4, 3), (BLUE, BOTTOM, 5, 4), (VIOLET, BOTTOM, 0, 5),
-)  # fmt: skip
+    (RED, TOP, 0, 1),
+    (ORANGE, TOP, 1, 2),
+    (CREAM, TOP, 2, 3),
+    (GREEN, TOP, 3, 4),
+    (BLUE, TOP, 4, 5),
+    (VIOLET, TOP, 5, 0),
+    (RED, BOTTOM, 1, 0),
+    (ORANGE, BOTTOM, 2, 1),
+    (CREAM, BOTTOM, 3, 2),
+    (GREEN, BOTTOM, 4, 3),
+    (BLUE, BOTTOM, 5, 4),
+    (VIOLET, BOTTOM, 0, 5),
+)
 turned = 0  # degrees, by the keys
 
 

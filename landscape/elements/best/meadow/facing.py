@@ -29,9 +29,12 @@ def facing_plain(vertices: np.ndarray, away: np.ndarray, fraction: float) -> np.
 
 
 def facing(
-    columns: np.ndarray, away: np.ndarray, fraction: float, sides: np.ndarray = SIDES,
+    columns: np.ndarray,
+    away: np.ndarray,
+    fraction: float,
+    sides: np.ndarray = SIDES,
     wider: np.ndarray | float = 1.0,
-) -> None:  # fmt: skip
+) -> None:
     """Turn blades in place as :func:`facing_plain` does: a row of all blades at a time.
 
     ``columns``, float32 (5, 3, n), holds each coordinate of each vertex in its own row;

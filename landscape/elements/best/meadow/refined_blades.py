@@ -171,9 +171,13 @@ class Patch:
 
 ARRAYS = tuple(array.name for array in fields(Patch))
 NOTHING = Patch(
-    np.empty((0, 3), np.float32), np.empty((0, 5, 3), np.float32), np.empty((0, 5, 4), np.uint8),
-    np.empty(0, np.float32), np.empty(0, np.uint8), np.empty(0, np.float32),
-)  # fmt: skip
+    np.empty((0, 3), np.float32),
+    np.empty((0, 5, 3), np.float32),
+    np.empty((0, 5, 4), np.uint8),
+    np.empty(0, np.float32),
+    np.empty(0, np.uint8),
+    np.empty(0, np.float32),
+)
 
 
 def showing(

@@ -27,14 +27,36 @@ WIDE_FROM = 1.4  # chosen: times that distance; beyond, cards are widened
 # Chosen, for each kind: half its greatest width and its height, in units of the report's blade
 # before scaling, and how many of a thousand cards are of it where nothing is said of the place.
 LOOKS = np.array(
-    [(0.0245, 0.0255, 250), (0.0255, 0.0240, 200), (0.0245, 0.0265, 260), (0.0230, 0.0230, 80),
-     (0.0480, 0.0118, 280), (0.0170, 0.0300, 14), (0.0180, 0.0285, 32), (0.0190, 0.0240, 28),
-     (0.0340, 0.0265, 0), (0.0340, 0.0250, 0), (0.0310, 0.0240, 0), (0.0290, 0.0215, 0),
-     (0.0350, 0.0275, 0), (0.0340, 0.0280, 0), (0.0330, 0.0275, 0), (0.0290, 0.0230, 0)]
-)  # fmt: skip
+    [
+        (0.0245, 0.0255, 250),
+        (0.0255, 0.0240, 200),
+        (0.0245, 0.0265, 260),
+        (0.0230, 0.0230, 80),
+        (0.0480, 0.0118, 280),
+        (0.0170, 0.0300, 14),
+        (0.0180, 0.0285, 32),
+        (0.0190, 0.0240, 28),
+        (0.0340, 0.0265, 0),
+        (0.0340, 0.0250, 0),
+        (0.0310, 0.0240, 0),
+        (0.0290, 0.0215, 0),
+        (0.0350, 0.0275, 0),
+        (0.0340, 0.0280, 0),
+        (0.0330, 0.0275, 0),
+        (0.0290, 0.0230, 0),
+    ]
+)
 # Chosen: how large the drifts of a kind of flower are, as a wave number, and how common it is.
-DRIFTS = ((1.7, 0.8), (1.7, 0.8), (1.3, 1.0), (2.1, 0.8), (2.9, 0.45), (2.3, 0.5), (2.6, 0.4),
-          (1.5, 0.6))  # fmt: skip
+DRIFTS = (
+    (1.7, 0.8),
+    (1.7, 0.8),
+    (1.3, 1.0),
+    (2.1, 0.8),
+    (2.9, 0.45),
+    (2.3, 0.5),
+    (2.6, 0.4),
+    (1.5, 0.6),
+)
 CARD_HEIGHT = float(LOOKS[:GREEN_KINDS, 1].max())  # of the sheaves, in the same units
 HUES = np.array([(0.97, 1.02, 0.90), (1.09, 1.05, 0.74), (0.91, 1.00, 0.98), (0.93, 1.06, 0.76)])
 DRY, BARE = 0.6, 0.35  # chosen: exponent on how green the ground is, and where it looks bare

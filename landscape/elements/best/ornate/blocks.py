@@ -110,8 +110,10 @@ def add_corbels(blocks: Blocks) -> None:
     for turn in range(4):
         facing = turn * math.pi / 2
         foot = (
-            middle[0] + half * math.cos(facing), top - 0.125, middle[1] + half * math.sin(facing)
-        )  # fmt: skip
+            middle[0] + half * math.cos(facing),
+            top - 0.125,
+            middle[1] + half * math.sin(facing),
+        )
         for off in np.linspace(-half + 0.015, half - 0.015, 8):
             span = (float(off) - 0.008, float(off) + 0.008)
             blocks.add(foot, facing, span, (0.0, 0.030), (-0.01, 0.018))
@@ -149,8 +151,10 @@ def add_copings(blocks: Blocks) -> None:
             continue
         for angle in 2 * np.pi * np.arange(9) / 9:
             foot = (
-                x + radius * math.cos(angle), TOWER_TOP + 0.8 * MERLON, z + radius * math.sin(angle)
-            )  # fmt: skip
+                x + radius * math.cos(angle),
+                TOWER_TOP + 0.8 * MERLON,
+                z + radius * math.sin(angle),
+            )
             half = 0.29 * 2 * math.pi / 9 * radius + 0.005
             blocks.add(foot, float(angle), (-half, half), (0.0, 0.011), (-0.040, 0.006))
             back = (-half, half), (0.0, 0.011), (-0.006, 0.040)

@@ -79,8 +79,9 @@ def passage() -> Mesh:
     half = half_arch()
     line = np.concatenate([half * (1, 1), half[-2::-1] * (-1, 1)])
     depths = np.linspace(0.0, THICK, 3)
-    grid = np.stack([np.column_stack([0.5 + line[:, 0], line[:, 1], 0 * line[:, 0] + z])
-                     for z in depths])  # fmt: skip
+    grid = np.stack(
+        [np.column_stack([0.5 + line[:, 0], line[:, 1], 0 * line[:, 0] + z]) for z in depths]
+    )
     vertices = np.ascontiguousarray(grid.reshape(-1, 3), np.float32)
     triangles = np.ascontiguousarray(grid_triangles(len(line), 3))
     round_ = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
@@ -134,8 +135,10 @@ def hall() -> tuple[Mesh, Mesh]:
         strip = sheet((0.5 + left, y, LONG - 0.2), (wide, 0, 0), (0, 0, -LONG + 0.205))
         plain.append(_lit(strip, np.tile(colour, (len(strip.vertices), 1))))
     plain += [_flame(x, y, z, 0.006, 0.026) for x, y, z in LAMPS]
-    plain += [_lancet(0.5 + dx, low, tall) for dx, low, tall in
-              ((-0.085, 0.13, 0.20), (0.0, 0.12, 0.28), (0.085, 0.13, 0.20))]  # fmt: skip
+    plain += [
+        _lancet(0.5 + dx, low, tall)
+        for dx, low, tall in ((-0.085, 0.13, 0.20), (0.0, 0.12, 0.28), (0.085, 0.13, 0.20))
+    ]
     return stone, merged(plain)
 
 

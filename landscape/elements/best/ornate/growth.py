@@ -58,8 +58,14 @@ def leaves(ground: Ground) -> tuple[Mesh, np.ndarray]:
     uv: list[tuple[float, float]] = []
     normals, tints = [], []
 
-    def put(middle: np.ndarray, right: np.ndarray, up: np.ndarray, normal: np.ndarray,
-            row: int, tint: np.ndarray) -> None:  # fmt: skip
+    def put(
+        middle: np.ndarray,
+        right: np.ndarray,
+        up: np.ndarray,
+        normal: np.ndarray,
+        row: int,
+        tint: np.ndarray,
+    ) -> None:
         places, coordinates = quad(
             middle, right, up, (int(rng.integers(2)), row), bool(rng.integers(2))
         )

@@ -131,9 +131,11 @@ class TorchGlow:
                 s0, s1 = s1, s0
             dx, dz = flame_across(eye or (x, -1.0), x, eye is not None)
             for s, t, along, y in (
-                (s0, t0 + 0.25, -half, low), (s0, t0, -half, high),
-                (s1, t0, half, high), (s1, t0 + 0.25, half, low),
-            ):  # fmt: skip
+                (s0, t0 + 0.25, -half, low),
+                (s0, t0, -half, high),
+                (s1, t0, half, high),
+                (s1, t0 + 0.25, half, low),
+            ):
                 corners.append((s, t, x + along * dx, y, FLAME_Z + along * dz))
         return np.array(corners, np.float32)
 
@@ -142,12 +144,17 @@ class TorchGlow:
         dx, dz = flame_across(eye or (x, -1.0), x, eye is not None)
         return np.array(
             [
-                (s, t, x + (2 * s - 1) * HALO * dx, HALO_Y + (1 - 2 * t) * HALO,
-                 FLAME_Z + (2 * s - 1) * HALO * dz)
+                (
+                    s,
+                    t,
+                    x + (2 * s - 1) * HALO * dx,
+                    HALO_Y + (1 - 2 * t) * HALO,
+                    FLAME_Z + (2 * s - 1) * HALO * dz,
+                )
                 for s, t in ((0, 1), (1, 1), (1, 0), (0, 0))
             ],
             np.float32,
-        )  # fmt: skip
+        )
 
     def release(self) -> None:
         """Delete the disc; may be called twice."""

@@ -240,9 +240,13 @@ class Foam:
         self._list = DisplayList(self._set_units)
 
     def draw(
-        self, frame: Frame, settings: Settings, grid: EyeGrid, vertices: np.ndarray,
+        self,
+        frame: Frame,
+        settings: Settings,
+        grid: EyeGrid,
+        vertices: np.ndarray,
         places: np.ndarray,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Blend the foam of the frame's kt over vertices (n, 3) at places x, z (n, 2)."""
         found = [(each, each.cells(grid)) for each in self._washes]
         found = [(each, triangles) for each, triangles in found if len(triangles)]

@@ -25,9 +25,15 @@ SEEN = 0.45  # chosen: units of depth below which no bottom shows through the wa
 DEPTHS = (0.0, 0.015, 0.05, 0.12, 0.25, 0.43)
 HIDING = (0.0, 0.18, 0.44, 0.74, 0.95, 1.0)
 COLOURS = np.array(
-    [(3.4, 2.25, 1.7), (3.0, 2.2, 1.7), (2.1, 2.05, 1.7), (1.2, 1.75, 1.55), (0.8, 1.25, 1.25),
-     (0.6, 0.95, 1.0)]
-)  # fmt: skip
+    [
+        (3.4, 2.25, 1.7),
+        (3.0, 2.2, 1.7),
+        (2.1, 2.05, 1.7),
+        (1.2, 1.75, 1.55),
+        (0.8, 1.25, 1.25),
+        (0.6, 0.95, 1.0),
+    ]
+)
 CLEAR = 0.085  # chosen: units of depth that hide two thirds of the bottom
 TURQUOISE = np.array([1.05, 1.5, 1.3])  # chosen: times the water's colour where it is shallow
 FLOOR = (0.21, 0.39, 0.37)  # chosen: RGB of the sea floor; the ground has it where it is cut

@@ -18,9 +18,14 @@ from landscape.settings import Plants, Settings
 # Chosen, for each herb in the order of its cells: the range of its heights as fractions of the
 # range of plants' sizes, and its picture's width over its height.
 HERB_LOOKS = np.array(
-    [(0.10, 0.50, 1.55), (0.00, 0.25, 1.15), (0.50, 1.00, 0.80), (0.05, 0.80, 1.15),
-     (0.00, 0.25, 1.70)]
-)  # fmt: skip
+    [
+        (0.10, 0.50, 1.55),
+        (0.00, 0.25, 1.15),
+        (0.50, 1.00, 0.80),
+        (0.05, 0.80, 1.15),
+        (0.00, 0.25, 1.70),
+    ]
+)
 DRIFTS = 101  # chosen: number of the first pattern of drifts, one for each herb
 
 

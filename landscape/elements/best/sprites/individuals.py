@@ -19,16 +19,33 @@ FIRST = ("oak_old.png", "spruce_old.png", "birch_twin.png", "thorn.png", "stag.p
 CONTACT = 15  # a cell that no picture has: the soft shadow at the feet
 MORE = 16
 MORE_FILES = (
-    "oak_leaning.png", "oak_tall.png", "oak_young.png", "hazel.png", "birch_tall.png",
-    "birch_young.png", "pine.png", "spruce_young.png", "bramble.png", "stag_walking.png",
+    "oak_leaning.png",
+    "oak_tall.png",
+    "oak_young.png",
+    "hazel.png",
+    "birch_tall.png",
+    "birch_young.png",
+    "pine.png",
+    "spruce_young.png",
+    "bramble.png",
+    "stag_walking.png",
     "doe_grazing.png",
-)  # fmt: skip
+)
 ROWS = 8
 CELL_COUNT = COLUMNS * ROWS
 (
-    OAK_LEANING, OAK_TALL, OAK_YOUNG, HAZEL, BIRCH_TALL, BIRCH_YOUNG, PINE, SPRUCE_YOUNG, BRAMBLE,
-    STAG_WALKING, DOE_GRAZING,
-) = range(MORE, MORE + len(MORE_FILES))  # fmt: skip
+    OAK_LEANING,
+    OAK_TALL,
+    OAK_YOUNG,
+    HAZEL,
+    BIRCH_TALL,
+    BIRCH_YOUNG,
+    PINE,
+    SPRUCE_YOUNG,
+    BRAMBLE,
+    STAG_WALKING,
+    DOE_GRAZING,
+) = range(MORE, MORE + len(MORE_FILES))
 OAK, SPRUCE, BIRCH, THORN = range(4)
 
 # Chosen, by species: its grown individuals, and what stands around them.

@@ -12,9 +12,13 @@ SHRUB = 3  # the atlas cell of the fourth species of tree
 # Chosen: x, z and radius in units of open ground in the woods: around the rabbit, on the way from
 # the meadow to the castle, and where the eye of the named views is.
 GLADES = (
-    (20.5, 24.0, 1.1), (22.5, 21.5, 1.3), (24.6, 19.6, 1.0), (13.6, 27.2, 1.2), (21.9, 9.9, 0.9),
+    (20.5, 24.0, 1.1),
+    (22.5, 21.5, 1.3),
+    (24.6, 19.6, 1.0),
+    (13.6, 27.2, 1.2),
+    (21.9, 9.9, 0.9),
     (22.6, 10.8, 0.6),
-)  # fmt: skip
+)
 WAVES = 11  # chosen: plane waves whose sum is a pattern of drifts
 
 

@@ -100,9 +100,14 @@ def bodies(
 
 
 def painted_vertices(
-    settings: Settings, ground: Ground, stones: Stones, mine: np.ndarray, shape: Shape,
-    points: np.ndarray, seed: int,
-) -> np.ndarray:  # fmt: skip
+    settings: Settings,
+    ground: Ground,
+    stones: Stones,
+    mine: np.ndarray,
+    shape: Shape,
+    points: np.ndarray,
+    seed: int,
+) -> np.ndarray:
     """Return the vertices VERTEX (m, v) of stones ``mine`` of one shape at ``points`` (m, v, 3)."""
     normals = np.einsum("mij,vj->mvi", stones.turns[mine], shape.normals)
     normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-9)
@@ -130,9 +135,14 @@ def painted_vertices(
 
 
 def albedo(
-    settings: Settings, ground: Ground, stones: Stones, mine: np.ndarray, points: np.ndarray,
-    normals: np.ndarray, seed: int,
-) -> np.ndarray:  # fmt: skip
+    settings: Settings,
+    ground: Ground,
+    stones: Stones,
+    mine: np.ndarray,
+    points: np.ndarray,
+    normals: np.ndarray,
+    seed: int,
+) -> np.ndarray:
     """Return the colours without light, sRGB (m, v, 3) in 0..1: rock, wood, lichen and moss."""
     tone, kind = stones.tones[mine][:, None, None], stones.kinds[mine][:, None, None]
     slate, rock, warm, pale = (np.array(each) / 255.0 for each in (SLATE, ROCK, WARM, PALE))
