@@ -65,6 +65,7 @@ def classes(settings: Settings) -> dict[str, type | None]:
     """Return the class that draws each element: the one of 2006, or one that `best` adds."""
     water = settings.water
     plain_water = not sea.wanted(settings)
+
     # A mirror image in the framebuffer is drawn before the land: there is nothing to query yet.
     queried = water.query and settings.reflection.rippled
     return {
@@ -124,7 +125,9 @@ class Island:
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
         self.settings, self.shown = supported(settings), set(only)
-        self._only, self._assets, self._seed = frozenset(only), assets, seed
+        self._only = frozenset(only)
+        self._assets = assets
+        self._seed = seed
         self._kinds = tuple(name for name in SPRITES if name in only)
         self._owned: list[Any] = []
         try:
@@ -159,7 +162,9 @@ class Island:
 
     def _parts(self, settings: Settings) -> list[Part]:
         """Return all elements but the ground, in the order in which they are built."""
-        kind, own, field = classes(settings), (settings, self._assets), self.ground.field
+        kind = classes(settings)
+        own = (settings, self._assets)
+        field = self.ground.field
         depths = [field, "dragon" in self._only] if kind["water"] is Sea else []
         place = *own, self.ground, self._seed
         return [
@@ -241,6 +246,7 @@ class Island:
             for element in taken:
                 element.apply(self.settings)
             raise
+
         for attribute, element in built.items():
             former = getattr(self, attribute)
             setattr(self, attribute, element)
@@ -249,6 +255,7 @@ class Island:
                 former.release()
             if element is not None:
                 self._owned.append(element)
+
         solid = settings.walk.solid != self.settings.walk.solid
         self.settings = settings
         if solid or not built.keys().isdisjoint(SOLID):
@@ -258,7 +265,9 @@ class Island:
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
-        frame, draw, values = self._begin(moment), self._draw, self.settings
+        frame = self._begin(moment)
+        draw = self._draw
+        values = self.settings
         below = self.under is not None and "water" in self.shown and submerged(frame, values)
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
@@ -363,6 +372,7 @@ class Island:
             if self._sprites_shown:
                 gl.glFlush()
             self._draw_sprites(frame, sort)
+
         begin_pass("main")
 
     def _begin(self, moment: Moment) -> Frame:

@@ -144,6 +144,7 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
         if name:
             checked = dataclasses.replace(getattr(settings, group), **{name: checked})
         settings = dataclasses.replace(settings, **{group: checked})  # type: ignore[type-var]
+
     return settings
 
 
@@ -181,6 +182,7 @@ def flattened(changes: Any) -> dict[str, Any]:
         raise InputError(
             f'settings {short(changes)}: expected a mapping such as {{"fog.density": 0.05}}'
         )
+
     flat: dict[str, Any] = {}
     for key, value in changes.items():
         group = value if isinstance(value, Mapping) else {}
@@ -191,6 +193,7 @@ def flattened(changes: Any) -> dict[str, Any]:
                 )
         inner = {f"{key}.{name}": each for name, each in group.items()}
         flat |= inner if isinstance(value, Mapping) else {key: value}
+
     return flat
 
 
@@ -243,6 +246,7 @@ def read_toml(path: Path) -> dict[str, Any]:
         tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # TOMLDecodeError and UnicodeDecodeError as well
         raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
+
     flat: dict[str, Any] = {}
     for group, table in tables.items():
         if isinstance(table, str):
@@ -251,6 +255,7 @@ def read_toml(path: Path) -> dict[str, Any]:
             flat |= {f"{group}.{name}": value for name, value in table.items()}
         else:
             raise InputError(f"{path}: {group}: expected a table such as [fog] or [grass]")
+
     return flat
 
 
@@ -267,6 +272,7 @@ def _checked(key: str, item: Field, given: Any) -> Value:
         if not isinstance(value, bool):
             raise wrong
         return value
+
     if isinstance(default, str):
         text = os.fspath(value) if isinstance(value, os.PathLike) else value
         if not isinstance(text, str) or (meta["choices"] and text not in meta["choices"]):
@@ -274,11 +280,13 @@ def _checked(key: str, item: Field, given: Any) -> Value:
         if not meta["choices"] and not _names_a_file(text):
             raise wrong
         return text
+
     if isinstance(default, tuple):
         parts = value.split(",") if isinstance(value, str) else value
         if not isinstance(parts, (list, tuple)) or len(parts) != len(default):
             raise wrong
         return tuple(_number(part, meta, wrong, float) for part in parts)
+
     return _number(value, meta, wrong, type(default))
 
 

@@ -190,7 +190,9 @@ def build_parser(run: Commands, language: str = "en") -> argparse.ArgumentParser
     figures.add_argument("--update", action="store_true", help="replace the committed pictures")
     _common(figures, samples=4, preset="the figures of the report are always drawn with 2006")
 
-    pair, count, size = option_values.pair, option_values.count, option_values.size
+    pair = option_values.pair
+    count = option_values.count
+    size = option_values.size
     seconds = option_values.seconds
     frame_options.add(command, _of_a_frame, _one_element, pair, count, seconds, _language)
     frame_options.add_inspect(command, _language)

@@ -91,6 +91,7 @@ class Offscreen:
         self._assets = Assets(None if assets is None else arguments.folder(assets, "assets"))
         self.moment = Moment(Pose(20.0, 1.0, 20.0), self.size)
         self._owned = OwnedContext(self, backend)
+
         try:
             with self._current():
                 self._target = still_target(self._owned.context, self.size, samples)
@@ -182,6 +183,7 @@ class Offscreen:
                     start = state.read()
                 begin = len(recorder.calls)
                 self.submit()
+
             with unnoted():
                 yield Tape(recorder.calls, begin, start, self.size, self.notices)
 

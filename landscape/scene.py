@@ -363,6 +363,7 @@ def listed_views() -> list[dict[str, Any]]:
                     "shows": view.shows,
                 }
             )
+
     return entries
 
 

@@ -15,7 +15,9 @@ from landscape.keys import Renamed, Value, setting, word
 WALKING = ("walk",)
 
 MESH_FILE = "PLY, OBJ, STL, OFF or GLB file"
-DEGREES, UNITS, PER_SECOND = "degrees", "units", "units per second"
+DEGREES = "degrees"
+UNITS = "units"
+PER_SECOND = "units per second"
 REPEATS = "repeats over the map"
 # What reads the colours of the ground's large texture, apart from the ground itself.
 COLOURS_READ = "grass.tinted or trees.grouped or plants.species>1"

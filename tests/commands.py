@@ -179,7 +179,9 @@ def _run(
 
     Python is started anew if its start depends on the environment, and where nothing is copied.
     """
-    words, usual, cwd = list(map(str, args)), environment(), cwd or Path.cwd()
+    words = list(map(str, args))
+    usual = environment()
+    cwd = cwd or Path.cwd()
     env = usual if env is None else env
     if hasattr(os, "fork") and differ_late(usual, env):
         done = Done(*copies(code, words, cwd, env, SECONDS))
@@ -189,6 +191,7 @@ def _run(
             command, capture_output=True, text=True, timeout=SECONDS, env=dict(env), cwd=cwd
         )
         done = Done(ended.returncode, ended.stdout, ended.stderr)
+
     return walked(" ".join((code, *words)), done)
 
 

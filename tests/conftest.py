@@ -75,6 +75,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         left = [item for item in items if not item.get_closest_marker("windows_only")]
         config.hook.pytest_deselected(items=[item for item in items if item not in left])
         items[:] = left
+
     if config.getoption("--all"):
         return
     families: defaultdict[str, list[pytest.Item]] = defaultdict(list)
@@ -87,6 +88,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         assert marker is not None
         every, first = marker.args[0], marker.kwargs.get("first", 0)
         left_out |= {*family} - {*(family[first::every] or family[:1])}
+
     if left_out:
         config.hook.pytest_deselected(items=list(left_out))
         items[:] = [item for item in items if item not in left_out]

@@ -98,6 +98,7 @@ class Copies:
             self._start(env)
         assert self._process is not None
         assert self._process.stdin is not None and self._process.stdout is not None
+
         with tempfile.TemporaryDirectory() as folder:
             streams = [Path(folder, name) for name in ("out", "err")]
             asked = [code, words, str(cwd), dict(env), *map(str, streams)]

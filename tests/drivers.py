@@ -92,6 +92,7 @@ class Driver:
             number = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
             if number and kind_of(name, k, args) == "enum" and not self.knows_value(int(value)):
                 return f"unknown enumerant 0x{int(value):X}"
+
         if name in UNIT_CALLS and int(args[0]) - TEXTURE0 >= self.units:
             return "no such texture unit"
         if name == "glTexEnvi" and int(args[1]) in SOURCES and int(args[2]) in self._all_units():
@@ -99,6 +100,7 @@ class Driver:
                 return "no crossbar"
             if int(args[2]) - TEXTURE0 >= self.units:
                 return "no such texture unit"
+
         any_size = self.has((2, 0), "GL_ARB_texture_non_power_of_two")
         sides = args[3:5] if name == "glTexImage2D" and not any_size else ()
         if any(int(side) & (int(side) - 1) for side in sides):

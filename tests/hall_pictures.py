@@ -35,6 +35,7 @@ class HallPictures:
         values = with_settings(SCENE.settings, settings or {})
         only = only or SCENE.elements
         pose = SCENE.views[where].pose if isinstance(where, str) else where
+
         with self.stage.borrowed():
             hall = self.halls.get(only)
             if hall is None or not hall.apply(values):

@@ -60,6 +60,7 @@ def check(name: str, actual: np.ndarray, update: bool, edges: bool = False) -> N
         Image.fromarray(actual).save(path, optimize=True)
         RENDERER.write_text(renderer(), encoding="utf-8")
         return
+
     assert path.exists(), f"{path} is missing: run pytest --update-golden, then look at it"
     expected = golden(name)
     if agree(expected, actual, same_renderer(), edges):

@@ -107,6 +107,7 @@ def quick(words: list[str], island: bool, folder: Path) -> list[str]:
             return [name, *rest, *out(rest, folder)]
         case "assets":
             return words if rest[0] == "check" else []
+
     return words
 
 

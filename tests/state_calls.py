@@ -161,8 +161,12 @@ def clip_plane(rng: np.random.Generator) -> Expected:
 
 @change
 def current_values(rng: np.random.Generator) -> Expected:
-    color, second, normal = numbers(rng, 4), numbers(rng, 3), numbers(rng, 3)
-    fog, edge, index = number(rng), flag(rng), number(rng)
+    color = numbers(rng, 4)
+    second = numbers(rng, 3)
+    normal = numbers(rng, 3)
+    fog = number(rng)
+    edge = flag(rng)
+    index = number(rng)
     gl.glDisable(gl.GL_COLOR_MATERIAL)
     gl.glColor4f(*color)
     gl.glSecondaryColor3f(*second)
@@ -203,6 +207,7 @@ def raster_position(rng: np.random.Generator) -> Expected:
         gl.glMultiTexCoord4f(enum("GL_TEXTURE0") + k, *values)
         for name in ("CURRENT_TEXTURE_COORDS", "CURRENT_RASTER_TEXTURE_COORDS"):
             expected[f"GL_TEXTURE{k}.GL_{name}"] = values
+
     gl.glWindowPos3f(*position)
     return expected | {
         "GL_COLOR_MATERIAL": False,
@@ -258,7 +263,9 @@ def fog(rng: np.random.Generator) -> Expected:
 
 @change
 def light_model(rng: np.random.Generator) -> Expected:
-    ambient, local, two = numbers(rng, 4), flag(rng), flag(rng)
+    ambient = numbers(rng, 4)
+    local = flag(rng)
+    two = flag(rng)
     control = one(rng, "SINGLE_COLOR SEPARATE_SPECULAR_COLOR")
     gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, array(ambient))
     gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, local)
@@ -472,6 +479,7 @@ def texture_environment(rng: np.random.Generator) -> Expected:
             colors = "" if part == "ALPHA" else "SRC_COLOR ONE_MINUS_SRC_COLOR "
             operand = one(rng, f"{colors}SRC_ALPHA ONE_MINUS_SRC_ALPHA")
             chosen[f"OPERAND{k}_{part}"] = operand
+
     for rest, value in chosen.items():
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, enum(f"GL_{rest}"), enum(value))
     color, scales = numbers(rng, 4), [float(2 ** rng.integers(3)) for _ in range(2)]
@@ -503,7 +511,9 @@ def texture_generation(rng: np.random.Generator) -> Expected:
 
 @change
 def fragment_tests(rng: np.random.Generator) -> Expected:
-    alpha, reference, depth = one(rng, COMPARISONS), number(rng), one(rng, COMPARISONS)
+    alpha = one(rng, COMPARISONS)
+    reference = number(rng)
+    depth = one(rng, COMPARISONS)
     gl.glAlphaFunc(enum(alpha), reference)
     gl.glDepthFunc(enum(depth))
     expected: Expected = {
@@ -526,6 +536,7 @@ def fragment_tests(rng: np.random.Generator) -> Expected:
             f"{prefix}_PASS_DEPTH_PASS": fails[2],
             f"{prefix}_WRITEMASK": written,
         }
+
     return expected
 
 
@@ -546,7 +557,9 @@ def blending(rng: np.random.Generator) -> Expected:
 
 @change
 def masks_and_clearing(rng: np.random.Generator) -> Expected:
-    colors, depth, index = [flag(rng) for _ in range(4)], flag(rng), int(rng.integers(255))
+    colors = [flag(rng) for _ in range(4)]
+    depth = flag(rng)
+    index = int(rng.integers(255))
     color, accum = numbers(rng, 4), numbers(rng, 4, -1, 1)
     values = [number(rng), float(rng.integers(99)), int(rng.integers(99))]
     gl.glColorMask(*colors)

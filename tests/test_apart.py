@@ -23,6 +23,7 @@ def _spoil() -> None:
         "CLIP_PLANE3",
     ):
         gl.glEnable(getattr(gl, f"GL_{name}"))
+
     gl.glScissor(0, 0, 1, 1)
     gl.glAlphaFunc(gl.GL_NEVER, 0.0)
     gl.glDepthFunc(gl.GL_NEVER)
@@ -64,13 +65,16 @@ def test_a_flat_quad_is_drawn_over_anything_and_the_state_is_as_before(fresh) ->
 def test_objects_that_a_program_has_left_are_gone(fresh) -> None:
     fresh()
     new = state.read()
-    texture, listed, buffer = gl.glGenTextures(1), gl.glGenLists(2), gl.glGenBuffers(1)
+    texture = gl.glGenTextures(1)
+    listed = gl.glGenLists(2)
+    buffer = gl.glGenBuffers(1)
     image = np.zeros((4, 4, 3), np.uint8)
     for name in (texture, 0, 77):
         gl.glBindTexture(gl.GL_TEXTURE_2D, name)
         gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER, gl.GL_NEAREST)
         args = gl.GL_RGB, 4, 4, 0, gl.GL_RGB, gl.GL_UNSIGNED_BYTE, image
         gl.glTexImage2D(gl.GL_TEXTURE_2D, 0, *args)
+
     gl.glNewList(listed + 1, gl.GL_COMPILE)
     gl.glEndList()
     gl.glBindBuffer(gl.GL_ARRAY_BUFFER, buffer)

@@ -129,6 +129,7 @@ def test_what_is_taken_is_drawn_as_if_built_so_and_the_rest_is_refused(
                 settings, taken[key] = changed, value
             else:
                 assert opened.settings == settings, f"{key}: refused, and yet changed"
+
     if not taken:
         return
     drawn = pictures(stage, opened)

@@ -96,6 +96,7 @@ def test_what_is_applied_looks_as_if_opened_so(
                 if baked_alike(kind, base, changed) and opened.apply(changed):
                     settings = changed
                     views[view.pose] = view
+
     assert settings != base, groups
     drawn = [picture(stage, opened, view) for view in views.values()]
     assert opened.apply(base)

@@ -101,6 +101,7 @@ def screen() -> Iterator[dict[str, str]]:
     command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp"]
     server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
+
     try:
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
@@ -324,6 +325,7 @@ def test_doctor_json_has_the_documented_fields() -> None:
             )
         else:
             assert set(state) == {"ok", "reason"} and state["reason"]
+
     usable = [name for name in BACKENDS if found["backends"][name]["ok"]]
     assert found["chosen"] == usable[0]
     assert found["packages"]["PyOpenGL"] >= "3.1.10"

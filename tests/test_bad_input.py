@@ -91,6 +91,7 @@ def test_a_height_image_in_any_format_gives_the_same_island_as_8_bit_grey(
             save(colours, path)
         case "TIFF":
             Image.fromarray(GREY.astype(np.float32) / 255).save(path)
+
     picture = succeeded(draw_heights(shell, path.name), shell.cwd / "out.png")
     far = np.abs(picture.astype(int) - plain_heights.astype(int)).max()
     assert far <= (2 if kind == "TIFF" else 0)
@@ -190,7 +191,9 @@ CORNERS = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1.5)]
 QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
 TRIANGLES = [(a, *two) for a, b, c, d in QUADS for two in ((b, c), (c, d))]
 MIXED = [*QUADS[:3], *TRIANGLES[6:]]
-ASCII, LITTLE, BIG = "ascii", "binary_little_endian", "binary_big_endian"
+ASCII = "ascii"
+LITTLE = "binary_little_endian"
+BIG = "binary_big_endian"
 NUMBERS = {"float": "f", "double": "d", "uchar": "B", "int": "i", "uint": "I", "ushort": "H"}
 
 
@@ -229,6 +232,7 @@ def ply(
         else:
             order = "<" if form == LITTLE else ">"
             out += struct.pack(order + "".join(NUMBERS[t] for t in types), *values)
+
     return out
 
 

@@ -60,7 +60,9 @@ def picture(kt: float = 40.0, **settings: Any) -> np.ndarray:
 
 
 def test_mist_lies_over_the_bay_where_it_is_asked_for_and_drifts() -> None:
-    clear, misty, later = (picture(), picture(mist_enabled=True), picture(400.0, mist_enabled=True))
+    clear = picture()
+    misty = picture(mist_enabled=True)
+    later = picture(400.0, mist_enabled=True)
     assert Settings().mist.enabled is False
     # The lower half of the picture is sea.
     assert (misty - clear)[45:].mean() > 15

@@ -177,6 +177,7 @@ def test_the_replay_draws_the_same_picture_as_the_frame(
             replay.release()
         finally:
             island.release()
+
     assert direct.std() > 10
     assert np.abs(direct - replayed).max() <= 1
 

@@ -83,6 +83,7 @@ def test_a_recorded_call_has_its_name_arguments_element_source_and_pass(
             begin_pass("main")
             with drawing("water"):
                 water.draw(frame)
+
     water.release()
     blend = next(call for call in recorder.calls if call.name == "glBlendFunc")
     assert blend.shown == ["GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"]
@@ -91,6 +92,7 @@ def test_a_recorded_call_has_its_name_arguments_element_source_and_pass(
     assert file == "landscape/elements/water_surface.py"
     text = (PACKAGE.parent / file).read_text(encoding="utf-8").splitlines()[int(line) - 1]
     assert "glBlendFunc" in text
+
     # A call in the gl rooms is told where the element asked for it.
     push = next(call for call in recorder.calls if call.name == "glPushAttrib")
     assert push.source.startswith("landscape/elements/water_surface.py:")
@@ -154,6 +156,7 @@ def test_clipping_and_mirroring_own_their_calls_but_not_those_in_the_block(
             gl.glIsEnabled(gl.GL_FOG)
         with inside_water(lambda: None):
             gl.glIsEnabled(gl.GL_FOG)
+
     named: dict[str, set[str]] = {}
     for call in recorder.calls:
         named.setdefault(call.name, set()).add(call.element)
@@ -256,6 +259,7 @@ def test_each_context_knows_its_own_lists(stage: Stage) -> None:
     finally:
         other.release()
         stage.enter()
+
     with stage.borrowed(), recording() as recorder:
         mine.call()
     assert recorder.calls[0].listed, "released in the other context only"
@@ -460,6 +464,7 @@ def test_a_recording_of_running_islands_sees_inside_the_lists_of_each(
             assert [list(map(as_it_is, calls)) for calls in inside] == [
                 list(map(as_it_is, calls)) for calls in traced
             ]
+
     stage.enter()
 
 

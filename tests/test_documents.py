@@ -79,6 +79,7 @@ def _views(options: argparse.Namespace) -> None:
             assert (ROOT / name).exists(), name
         elif name not in RECORDED:
             kinds.append(find_view(name))
+
     kinds = kinds or [(scene(options.scene if "scene" in options else ""), None)]
     changed = [*options.changes, *getattr(options, "diff_set", [])]
     for kind, view in kinds:
@@ -87,6 +88,7 @@ def _views(options: argparse.Namespace) -> None:
         kind.only(options.only)
         element = getattr(options, "element", None)
         assert element is None or element in (*kind.elements, "frame")
+
     other = options.diff if "diff_set" in options else None  # of a trace: another view
     if other and not other.endswith(".py"):
         find_view(other)

@@ -86,11 +86,13 @@ def test_the_castles_door_is_where_its_gate_is_drawn(
         monkeypatch.setattr(
             module, name, lambda mesh, *_: (dark, np.zeros((len(mesh.vertices), 2), np.float32))
         )
+
     values = with_settings(preset("best"), {**PLACED, "castle.yaw": yaw})
     island = Island(values, Assets(), only=("castle",))
     (gate,) = island.doors
     x, y, z = island.castle.base
     turn = math.radians(yaw)
+
     # The gate's place in the castle's own frame, about its middle, is (0, -0.5).
     assert (gate.x, gate.z) == pytest.approx((x - 0.5 * math.sin(turn), z - 0.5 * math.cos(turn)))
     assert math.cos(math.radians(gate.yaw - (180.0 - yaw))) == pytest.approx(1.0)
@@ -177,7 +179,9 @@ def test_nothing_of_the_window_names_a_scene() -> None:
 def test_no_random_walk_in_the_hall_crosses_wall_pillar_plinth_or_pool(seed: int) -> None:
     rng, around = np.random.default_rng(seed), obstacles()
     who = start(door().way_out, Ground(), SCENE.settings)
-    inside, pool, half = plan.INSIDE, plan.POOL, plan.PLINTH[0]
+    inside = plan.INSIDE
+    pool = plan.POOL
+    half = plan.PLINTH[0]
     reached = []
     for _ in range(400):
         intent = Intent(*rng.uniform(-1, 1, 2), turn=rng.uniform(-1, 1), run=rng.random() < 0.3)
@@ -191,6 +195,7 @@ def test_no_random_walk_in_the_hall_crosses_wall_pillar_plinth_or_pool(seed: int
         assert not (pool.west < x < pool.east and pool.north < z < pool.south)
         assert who.y == pytest.approx(SCENE.settings.walk.eye, abs=0.004)
         reached.append((x, z))
+
     assert np.ptp(np.array(reached), axis=0).min() > 0.6, "he hardly moves"
 
 
@@ -283,6 +288,7 @@ def test_one_walks_through_the_door_into_the_hall_and_back(through) -> None:
     scenes = [frame[1] for frame in through["seen"]]
     changes = [k for k in range(1, len(scenes)) if scenes[k] != scenes[k - 1]]
     assert [scenes[0], *(scenes[k] for k in changes)] == ["island", "hall", "island"]
+
     # He comes out of the door of each, with his back to it, and goes on walking.
     into, out = (through["seen"][k] for k in changes)
     assert into[2:5] == pytest.approx([1.6, 2.8 - BEFORE, 0.0])

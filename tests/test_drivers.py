@@ -152,7 +152,10 @@ def test_a_program_that_does_not_ask_is_refused(stage: Any, driver: Driver) -> N
 
 
 def test_a_driver_refuses_what_it_lacks_and_nothing_else(stage: Any) -> None:
-    combine, dot3, source, last = 0x8571, 0x86AF, 0x8580, 0x84C3
+    combine = 0x8571
+    dot3 = 0x86AF
+    source = 0x8580
+    last = 0x84C3
     unit = ("glTexEnvi", (0x2300, combine, dot3))
     other = ("glTexEnvi", (0x2300, source, last))
     assert not Driver().objection(*unit) and not Driver().objection(*other)

@@ -137,6 +137,7 @@ def test_drawing_leaves_the_state_as_found_and_release_leaves_no_name(
             assert not changes(found, snapshot())
             if not is_mirrored:
                 assert (stage.read() != blank).any(), "it should have drawn something"
+
     element.release()
     assert live_names() == before
     element.release()

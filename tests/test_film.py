@@ -225,6 +225,7 @@ def test_a_film_has_its_pictures_in_their_order_size_and_colours(
             frame.reformat(format="rgb24", src_colorspace="ITU709", **levels).to_ndarray()
             for frame in film.decode(video=0)
         ]
+
     assert len(found) == len(shown)
     for got, pixels in zip(found, shown, strict=True):
         assert got.shape == pixels.shape
@@ -376,6 +377,7 @@ def test_ctrl_c_ends_all_processes_and_says_how_much_there_is(tmp_path: Path) ->
             time.sleep(0.05)
         os.killpg(process.pid, signal.SIGINT)
         error = process.communicate(timeout=SECONDS)[1]
+
     assert process.returncode == 130 and error.count("\n") == 1, error
     assert error.startswith(f"landscape: interrupted: {out} has ")
     with Image.open(out) as film:

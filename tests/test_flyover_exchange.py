@@ -41,6 +41,7 @@ def test_an_exported_flight_is_flown_as_the_environment_that_it_was(
         assert main(["flyover", name, "--at", "3", *SMALL, "--out", str(file), "-q"]) == 0
         with Image.open(file) as image:
             pictures.append(np.asarray(image).astype(int))
+
     assert (np.abs(pictures[0] - pictures[1]).max(axis=-1) > 0).mean() < 0.01
 
 

@@ -291,7 +291,9 @@ def test_water_mirrors_the_land_behind_it_as_an_eye_below_the_water_sees_it() ->
 
 
 def test_close_to_the_eye_texels_and_their_parts_of_rock_are_blended_but_not_with_water() -> None:
-    colour, wet, cliff = np.zeros((8, 8, 3)), np.zeros((8, 8)), np.zeros((8, 8))
+    colour = np.zeros((8, 8, 3))
+    wet = np.zeros((8, 8))
+    cliff = np.zeros((8, 8))
     colour[:, 2], cliff[:, 2], wet[:, 6] = 1.0, 1.0, 1.0
     picture = ground.pyramid(colour, wet, cliff, 8.0)
     x, y = np.array([1.5, 1.75, 2.0, 2.5, 5.9, 6.1], np.float32), np.full(6, 3.5, np.float32)

@@ -200,11 +200,13 @@ def test_shipped_paths_look_where_they_go_and_keep_their_distance(name: str) -> 
     environment, settings = open_environment(name), Flyover()
     field = environment.field(settings)
     flight = environment.flight(field, settings)
+
     # The ends of an open path are left out: there is no way to compare with.
     times = np.arange(0.5, flight.duration - 0.6, 0.25)
     seen, later = cameras(flight, times), cameras(flight, times + 0.1)
     way = later[:, :2] - seen[:, :2]
     steps = np.linalg.norm(way, axis=1)
+
     # Between these places the path is curved.
     assert steps.min() / 2.0 > 0.98 and steps.max() / 2.0 < 1.001
     way /= steps[:, None]
@@ -212,6 +214,7 @@ def test_shipped_paths_look_where_they_go_and_keep_their_distance(name: str) -> 
         np.clip(np.sum(way * np.stack([np.cos(seen[:, 5]), np.sin(seen[:, 5])], 1), 1), -1, 1)
     )
     assert np.degrees(off).max() < 60 and np.degrees(np.median(off)) < 30
+
     # No ground at its sides is as high as the eye.
     aside = np.stack([-way[:, 1], way[:, 0]], 1)
     for side in (-2.0, 2.0):

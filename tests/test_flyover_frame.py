@@ -94,7 +94,9 @@ def one_by_one(field: HeightField, camera: Camera, size: tuple[int, int]) -> np.
     heights = field.levels[0].astype(float)
 
     def transformed(i: int, j: int) -> tuple[float, float, float]:
-        x, y, z = i - camera.x, j - camera.y, heights[j, i] - camera.z
+        x = i - camera.x
+        y = j - camera.y
+        z = heights[j, i] - camera.z
         up = cy * z + sy * (sz * y + cz * x)
         aside = cz * y - sz * x
         return cy * (sz * y + cz * x) - sy * z, sx * up + cx * aside, cx * up - sx * aside

@@ -56,12 +56,10 @@ def stage(field: HeightField, camera: Camera, reach: int = 24) -> Stage:
     x, y = (each.ravel() for each in np.meshgrid(*spans))
     points = camera_transform(x - camera.x, y - camera.y, field.height(x, y) - camera.z, camera)
     place = np.arange(x.size).reshape(2 * reach + 1, -1)
-    corner, right, below, across = (
-        place[:-1, :-1].ravel(),
-        place[:-1, 1:].ravel(),
-        place[1:, :-1].ravel(),
-        place[1:, 1:].ravel(),
-    )
+    corner = place[:-1, :-1].ravel()
+    right = place[:-1, 1:].ravel()
+    below = place[1:, :-1].ravel()
+    across = place[1:, 1:].ravel()
     triangles = np.concatenate(
         [np.stack([corner, right, across], 1), np.stack([corner, across, below], 1)]
     )
@@ -98,6 +96,7 @@ def z_buffer(scene: Stage) -> np.ndarray:
         inside = (one >= -1e-9) & (two >= -1e-9) & (one + two <= 1 + 1e-9)
         here = (1 - one - two) / depth[0] + one / depth[1] + two / depth[2]
         np.maximum(part, np.where(inside, here, 0), out=part)
+
     return nearest
 
 
@@ -137,6 +136,7 @@ def test_hidden_lines_equal_a_z_buffer_but_for_pixels_beside_silhouettes(name: s
     scene = stage(field, Camera(x, y, float(field.height(x, y)) + up, *angles))
     row, column = np.divmod(scene.at, SIZE[0])
     near = floating_horizon.Nearness(scene.lines)(scene.owner, column, row)
+
     # A line's pixel is up to half a pixel beside the line: where it is followed at a slant, the
     # triangles there are somewhat nearer.
     expected = drawn(scene.at[near >= z_buffer(scene)[row, column] * 0.96])
@@ -144,9 +144,11 @@ def test_hidden_lines_equal_a_z_buffer_but_for_pixels_beside_silhouettes(name: s
     hidden = drawn(scene.at) & ~ours
     assert expected.sum() > 800 and hidden.sum() > (50 if "steep" in name else 200)
     differ = ours != expected
+
     # Pixels that may differ: those one row away from one that the other picture has, ...
     beside = around(expected, False) & ours | around(ours, False) & expected
     assert differ.sum() < 0.05 * expected.sum(), differ.sum()
+
     # ... and, beside steep silhouettes, a few one column away. Nothing else shines through.
     assert (differ & ~beside).sum() <= 10, (differ & ~beside).sum()
     assert not (ours & ~around(expected, True)).any()

@@ -114,7 +114,9 @@ def test_transform_and_projection_are_the_document_s_formulas() -> None:
 
 
 def test_the_middle_of_the_view_is_the_middle_of_the_picture_and_rows_go_down() -> None:
-    x, y, z = np.full(3, 10.0), np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
+    x = np.full(3, 10.0)
+    y = np.array([0.0, 1.0, 0.0])
+    z = np.array([0.0, 0.0, 1.0])
     column, row = project(x, y, z, Frustum(), (1024, 768))
     assert (column.tolist(), row.tolist()) == ([512, 589, 512], [384, 384, 327])
 

@@ -24,7 +24,9 @@ def test_clouds_have_soft_edges_and_are_bright_above_and_dark_below() -> None:
 def test_layers_of_rock_are_others_elsewhere_and_mountains_are_folded() -> None:
     made = rock.rock(True)
     picture = made.texels[: rock.SIDE**2].reshape(rock.SIDE, -1).astype(float)
-    here, beside, there = picture[:, 100], picture[:, 101], picture[:, 612]
+    here = picture[:, 100]
+    beside = picture[:, 101]
+    there = picture[:, 612]
     assert np.corrcoef(here, beside)[0, 1] > 0.6 > 0.4 > abs(np.corrcoef(here, there)[0, 1])
     assert np.abs(picture[0] - picture[-1]).mean() < 3 * np.abs(picture[0] - picture[1]).mean()
     assert abs(made.texels[-1] - picture.mean()) < 2

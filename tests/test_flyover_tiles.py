@@ -73,6 +73,7 @@ def borders(field: HeightField, camera: Camera, settings: Flyover) -> tuple[int,
         for at in sorted(before.keys() & after.keys()):
             met += len(before[at])
             differing += [at] * (before[at] != after[at])
+
     return met, differing
 
 
@@ -133,6 +134,7 @@ def test_no_pixel_changes_at_the_moment_when_a_tile_changes_its_level() -> None:
                 for morph in (True, False)
             ]
         )
+
     gliding, popping = np.sum(changes, axis=0).tolist()
     assert len(changes) > 4 and gliding < 0.02 * popping
 

@@ -52,7 +52,9 @@ def test_the_window_shows_the_picture_pixel_for_pixel(flying: Flying) -> None:
 
 
 def test_the_flight_follows_the_path_pauses_and_goes_by_steps(flying: Flying) -> None:
-    flying.free, flying.paused, flying.time = False, False, 0.0
+    flying.free = False
+    flying.paused = False
+    flying.time = 0.0
     flying.advance(Intent(), (), 2.0)
     assert flying.camera == flying.flight.camera(2.0)
     flying.advance(Intent(), ("time",), 2.0)
@@ -64,7 +66,10 @@ def test_the_flight_follows_the_path_pauses_and_goes_by_steps(flying: Flying) ->
 
 
 def test_plus_and_minus_change_how_fast_it_goes(flying: Flying) -> None:
-    flying.free, flying.paused, flying.time, flying.speed = False, False, 0.0, 1.0
+    flying.free = False
+    flying.paused = False
+    flying.time = 0.0
+    flying.speed = 1.0
     press(flying, glfw.KEY_KP_ADD)
     press(flying, glfw.KEY_KP_ADD)
     flying.advance(Intent(), (), 1.0)
@@ -75,7 +80,9 @@ def test_plus_and_minus_change_how_fast_it_goes(flying: Flying) -> None:
 
 
 def test_keys_of_flight_leave_the_path_and_f_returns_to_it(flying: Flying) -> None:
-    flying.free, flying.paused, flying.time = False, False, 1.0
+    flying.free = False
+    flying.paused = False
+    flying.time = 1.0
     flying.advance(Intent(), (), 0.0)
     on_path = flying.camera
     flying.advance(Intent(forward=1.0), (), 0.1)

@@ -70,7 +70,9 @@ def test_without_fog_the_colour_is_unchanged(stage: Stage) -> None:
 @pytest.mark.parametrize("radial", [False, True])
 def test_to_the_side_fog_goes_by_the_depth_or_by_the_distance(stage: Stage, radial: bool) -> None:
     settings = small({"fog.radial": radial})
-    depth, aside, half = 8.0, 4.0, 0.2
+    depth = 8.0
+    aside = 4.0
+    half = 0.2
     with stage.frame(settings, Pose(0.0, 0.0, 0.0), fog=True):
         gl.glColor4f(*COLOUR, 1.0)
         corners = [(-half, -half), (half, -half), (half, half), (-half, half)]

@@ -249,6 +249,7 @@ def test_bad_input_is_refused_in_one_line(tmp_path: Path) -> None:
         path.write_bytes(data)
         with pytest.raises(InputError, match=re.escape(words)), Grader() as grader:
             grader.check(path)
+
     with pytest.raises(InputError, match="folder"), Grader() as grader:
         grader.check(tmp_path)
     with pytest.raises(InputError, match="cannot be read"), Grader() as grader:

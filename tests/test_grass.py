@@ -356,7 +356,9 @@ def test_blades_drawn_in_groups_make_the_same_picture_with_few_of_them_in_memory
 ) -> None:
     monkeypatch.setattr(grass_module, "LEAST", 0)
     settings = grass_settings()
-    grass, pictures, most = sow(), [], []
+    grass = sow()
+    pictures = []
+    most = []
     send = Grass._send
     monkeypatch.setattr(
         Grass, "_send", lambda self, at, blades: most.append(len(at)) or send(self, at, blades)
@@ -368,6 +370,7 @@ def test_blades_drawn_in_groups_make_the_same_picture_with_few_of_them_in_memory
         with stage.frame(settings, NORTH) as frame:
             grass.draw(frame)
             pictures.append(stage.read())
+
     assert (pictures[0] == pictures[1]).all() and len(np.unique(pictures[0])) > 5
     assert most[0] > 300 and max(most[1:]) <= 100 and sum(most[1:]) == most[0]
     assert sum(len(blades.positions) for blades in grass._grown.values()) <= 300

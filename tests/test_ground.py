@@ -58,6 +58,7 @@ def test_a_second_pass_blended_over_gives_the_same_product(
         (call,) = (each for each in recorder.calls if each.name == "glCallList")
         sent.append(sum(each.args[1] for each in call.listed if each.name == "glDrawElements"))
         ground.release()
+
     assert sent[1] == 2 * sent[0] > 0
     one, two = pictures
     if not fogged:
@@ -151,6 +152,7 @@ def test_the_clip_plane_removes_everything_below_the_water(stage: Stage, plain_f
             with clipped(level, enabled):
                 ground.draw(frame)
             pictures[enabled] = stage.read()
+
     ground.release()
     shore = level / 6 * 100 / 99 * 40
     column, row = project(pose, (shore, level, 20.0))
@@ -243,6 +245,7 @@ def test_the_ground_accepts_settings_that_it_does_not_use_and_refuses_the_rest(
         ("ground.mid_repeat", 5.0),
     ):
         assert ground.apply(with_settings(settings, {key: value})), key
+
     for key, value in (
         ("ground.resolution", 41),
         ("ground.units", "large"),
@@ -253,6 +256,7 @@ def test_the_ground_accepts_settings_that_it_does_not_use_and_refuses_the_rest(
         ("water.level", 1.0),
     ):
         assert not ground.apply(with_settings(settings, {key: value})), key
+
     ground.release()
 
 

@@ -170,6 +170,7 @@ def lines_of_a_box(view: Offscreen, offset: bool) -> np.ndarray:
             gl.glMatrixMode(mode)
             gl.glPopMatrix()
         gl.glPopAttrib()
+
     return np.asarray(np.abs(found - np.round(np.array(INK) * 255)).max(axis=2) < 8)
 
 
@@ -218,6 +219,7 @@ def edge_pixels(hidden: bool) -> list[np.ndarray]:
             x = (points[:, 0] / -points[:, 2] / 0.5333 + 1) / 2 * SIZE[0]
             y = (1 - points[:, 1] / -points[:, 2] / 0.4) / 2 * SIZE[1]
             found.append(np.stack([x, y], axis=1).astype(int))
+
     return found
 
 

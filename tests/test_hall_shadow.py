@@ -198,6 +198,7 @@ def test_a_relit_surface_is_in_each_part_what_its_light_maps_say(stage, hall, po
                 alone = stage.read()
             part = np.logical_and.reduce([masks[name] for name in without])
             expected[part] = alone[part]
+
     assert np.abs(relit - expected).max(axis=2)[where].max() <= 1
     darker = 15 if pose is AT_WALL else 5  # the floor there is farther from the torch's beam
     assert light == "sun" or ((relit < lit - darker).any(axis=2) & where).sum() > 500

@@ -88,7 +88,9 @@ def leaves_by_an_opening(start: np.ndarray, rays: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("start", [(1.6, 0.3, 1.6), (1.12, 0.1, 0.61), (2.05, 0.5, 2.43)])
 def test_every_line_of_sight_ends_on_the_front_of_stone_or_leaves_by_an_opening(start) -> None:
-    corners, eye, rays = triangles(shell()), np.array(start), all_around(900)
+    corners = triangles(shell())
+    eye = np.array(start)
+    rays = all_around(900)
     hit = first_hits(corners, eye, rays)
     opening = leaves_by_an_opening(eye, rays)
     assert (hit < 0).sum() > 5, "the windows are open"
@@ -125,7 +127,10 @@ def test_charts_lie_in_the_map_and_apart() -> None:
         if lit.chart is None:
             assert (lit.light >= -1e-6).all() and (lit.light <= SIZES[lit.surface.sheet]).all()
             continue
-        x, y, width, height = lit.chart.x, lit.chart.y, lit.chart.width, lit.chart.height
+        x = lit.chart.x
+        y = lit.chart.y
+        width = lit.chart.width
+        height = lit.chart.height
         taken[y - 1 : y + height + 1, x - 1 : x + width + 1] += 1
         assert min(x, y) >= 1 and max(x + width, y + height) < SIDE
         assert lit.light[..., 0].min() >= x + 0.5 and lit.light[..., 1].max() <= y + height - 0.5

@@ -23,7 +23,9 @@ from landscape.window.wheel import Wheel
 
 pytestmark = pytest.mark.window
 
-PRESS, RELEASE, REPEAT = glfw.PRESS, glfw.RELEASE, glfw.REPEAT
+PRESS = glfw.PRESS
+RELEASE = glfw.RELEASE
+REPEAT = glfw.REPEAT
 
 
 def test_keys_make_intents_by_their_positions() -> None:

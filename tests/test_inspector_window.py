@@ -211,6 +211,7 @@ def test_keys_open_it_change_the_fog_and_undo_it(
         assert other.until(lambda now: now["hash"], "its picture")["hash"] == dense["hash"]
     finally:
         other.end()
+
     driven.key("ctrl+s")
     driven.until(lambda now: now["said"] == "saved", "the file of edits")
     (edit,) = read(tmp_path / "edits-0001.json")
@@ -228,6 +229,7 @@ def test_keys_open_it_change_the_fog_and_undo_it(
 def test_the_mouse_drags_a_number_inside_a_display_list(driven: Driven) -> None:
     plain = driven.until(lambda now: now["hash"], "a frame")["hash"]
     driven.open()
+
     # A click into the sky finds its quad, in a display list, and every draw there.
     driven.tool("mousemove", "--window", driven.window, "600", "12", "click", "1")
     found = driven.until(lambda now: now["history"], "the pixel's history")
@@ -246,6 +248,7 @@ def test_the_mouse_drags_a_number_inside_a_display_list(driven: Driven) -> None:
     assert (name, skip) == ("glColor4f", False) and 0.0 < value < 1.0
     driven.key("ctrl+z")
     driven.until(lambda now: not now["edits"] and now["hash"] == plain, "the former sky")
+
     # An enumerant by a click on its name, among the legal ones.
     driven.go("Down", lambda now: now["call"].startswith("glBegin"), "the quad")
     driven.tool(

@@ -86,7 +86,9 @@ class Shown:
     """A lecture that is being shown, and what it has written so far."""
 
     def __init__(self, screen: dict[str, str], folder: Path, process: subprocess.Popen) -> None:
-        self._screen, self._folder, self.process = screen, folder, process
+        self._screen = screen
+        self._folder = folder
+        self.process = process
         name = "A lecture of tests"
         self.window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", f"^{name}")
         xdotool(screen, "windowfocus", "--sync", self.window)
@@ -189,6 +191,7 @@ def test_steps_follow_each_other_in_one_window_each_in_a_new_opengl(
         shown.wait(lambda: shown.notes().count("[1/4]") == 2, "the first step")
         shown.press("Escape")
         assert shown.process.wait(SECONDS) == 0
+
     line = f"landscape: {tmp_path}/failing.py, line 3: the program raised ValueError: no such thing"
     assert shown.errors().startswith(line)
 
@@ -229,6 +232,7 @@ def test_the_list_the_code_the_strip_and_the_inspector_open_and_close(
         shown.wait(lambda: "C’est la dernière étape" in shown.notes(), "the last step")
         shown.press("F1", "Escape", "Escape")
         assert shown.process.wait(SECONDS) == 0
+
     assert shown.errors() == ""
 
 

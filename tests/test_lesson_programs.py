@@ -68,11 +68,13 @@ def test_both_forms_draw_the_same_picture(
         assert drawn.error == "", drawn.details
         width, height = drawn.size
         pictures.append(np.fromfile(written, np.uint8).reshape(height, width, 3).astype(int))
+
     one, two = pictures
     assert one.shape == two.shape
     if name not in TEAPOTS:
         assert np.abs(one - two).max() <= 2
         return
+
     # GLUT divides its patches in its own way: the outlines agree, and where there is light.
     shown, expected = ((picture < 250).all(-1) for picture in pictures)
     rows, columns = (np.flatnonzero(shown.any(axis)) for axis in (1, 0))

@@ -81,6 +81,7 @@ def test_levels_of_detail_from_the_cache_equal_those_just_made(
         pictures.append(stage.read())
         built.append("end")
         dragon.release()
+
     assert np.array_equal(*pictures) and pictures[0].std() > 1
     assert built[-2:] == ["end", "end"] and len(built) > 2
 

@@ -66,6 +66,7 @@ def test_an_edit_inside_a_list_shows_at_once_and_undone_gives_the_former_bytes()
         with view._current():
             recompile({key}, Edits())
         assert np.array_equal(view.draw(), before)
+
     with Offscreen(SIZE, "2006", few, samples=0, edits=Edits([edit])) as view:
         view.look("fig35f")
         assert np.array_equal(view.draw(), edited), "as if the program had drawn lines"

@@ -348,6 +348,7 @@ def test_close_up_layers_grow_only_in_the_squares_that_are_near(
         assert len(patch.positions) > 5_000
         assert sorted(map(bytes, patch.vertices)) == sorted(map(bytes, other.vertices))
         assert sorted(map(bytes, patch.tints)) == sorted(map(bytes, other.tints))
+
     # What has taken shape: cells have up to 3,750 blades, 1,024 of them everywhere.
     shaped = [
         sum(len(patch.positions) for patch in cell.parts.values())

@@ -10,7 +10,9 @@ from landscape.course.exercises import Grader
 from landscape.course.grading import Text
 from landscape.course.mistakes import blocks, close, colors, explained, known
 
-RIGHT, TWICE, LATE = Text("right"), Text("twice"), Text("late")
+RIGHT = Text("right")
+TWICE = Text("twice")
+LATE = Text("late")
 
 
 def test_a_mistake_is_known_only_if_it_explains_all_frames() -> None:

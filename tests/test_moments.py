@@ -87,6 +87,7 @@ def test_from_the_state_at_one_call_a_new_context_comes_to_the_state_at_a_later_
     fresh()
     target = Framebuffer(SIZE)
     here = {name: value for name, value in read().items() if name.endswith("FRAMEBUFFER_BINDING")}
+
     # The frame makes textures and a framebuffer for the mirror image when it first needs them: they
     # must exist, as they do in a context to which a frame is drawn again from its middle.
     for call in laid_open.calls:
@@ -99,6 +100,7 @@ def test_from_the_state_at_one_call_a_new_context_comes_to_the_state_at_a_later_
         masks = [[level["mask"] for level in stack] for stack in stacks]
         got = read(*masks) if any(masks) else read()
         assert difference(without_names(after), without_names(got)) == {}
+
     target.release()
 
 

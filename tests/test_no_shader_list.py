@@ -77,6 +77,7 @@ def entry_points() -> dict[str, set[str]]:
         text = path.read_text(encoding="utf-8")
         for name in re.findall(r"^def (gl(?!Init(?!Names))\w+)\(", text, re.MULTILINE):
             found.setdefault(name, set()).add(module)
+
     return found
 
 

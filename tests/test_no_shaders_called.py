@@ -85,6 +85,7 @@ def traced(tmp_path_factory) -> Iterator[dict[tuple[str, str], set[str]]]:
                     found[preset, view.name] = called(recorder.calls[start:])
                 offscreen.draw()
             found[preset, "opening, reading and closing"] = called(recorder.calls)
+
     yield found
 
 

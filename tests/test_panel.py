@@ -205,5 +205,6 @@ def test_the_panel_shows_its_texels_one_to_one(stage: Stage) -> None:
         panel.draw(stage.size, keys=True)
         assert (stage.read()[stage.size[1] // 2, stage.size[0] // 2] < 255).any()
         assert not changes(before, snapshot())
+
     panel.release()
     panel.release()

@@ -50,6 +50,7 @@ def test_the_history_ends_with_the_frames_pixel_and_its_arithmetic_is_right(pres
                 # Asking has changed nothing.
                 tape.replay()
                 assert np.array_equal(read_pixels(SIZE), frame), view
+
     assert {"drawn", "depth"} <= outcomes
 
 

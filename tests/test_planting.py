@@ -46,7 +46,9 @@ def test_places_are_spread_evenly_over_flat_land() -> None:
 
 
 def test_the_same_seed_gives_the_same_places_and_another_seed_others() -> None:
-    first, again, other = grow(seed=5)[1], grow(seed=5)[1], grow(seed=6)[1]
+    first = grow(seed=5)[1]
+    again = grow(seed=5)[1]
+    other = grow(seed=6)[1]
     for name in ("positions", "sizes", "cells", "flipped"):
         assert (getattr(first, name) == getattr(again, name)).all()
     assert (first.positions != other.positions).any()

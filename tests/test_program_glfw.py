@@ -294,6 +294,7 @@ def test_a_program_finds_its_folder_its_arguments_and_the_users_files(
     cwd = seen.err.split("] ")[1].split()[0]
     assert seen.err.split("]")[0] == f"[{str(path)!r}, '--fast', '2'"
     assert Path(cwd).is_absolute() and cwd != str(tmp_path)
+
     # Another program beside another file of that name gets its own.
     other = tmp_path / "other"
     other.mkdir()

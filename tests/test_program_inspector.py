@@ -396,5 +396,6 @@ def test_a_program_that_cannot_go_on_ends_the_inspector_in_one_line(
     finally:
         process.kill()
         process.wait()
+
     first = told.splitlines()[0]
     assert process.returncode == 2 and first.startswith("landscape: ") and words in first

@@ -46,7 +46,9 @@ def test_the_dragon_is_mapped_by_x_and_z() -> None:
 @pytest.mark.parametrize("name", ["rabbit.ply", "dragon.ply"])
 def test_the_shipped_meshes_fill_minus_1_to_1_with_unit_normals(shipped: Assets, name: str) -> None:
     mesh = read_animal(shipped, name, "key")
-    vertices, normals, triangles = mesh.vertices, mesh.normals, mesh.triangles
+    vertices = mesh.vertices
+    normals = mesh.normals
+    triangles = mesh.triangles
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     assert np.allclose(low + high, 0.0, atol=1e-5)
     assert (high - low).max() == pytest.approx(2.0, abs=1e-5)
@@ -192,6 +194,7 @@ def test_a_glossy_dragon_glints_over_its_texture_and_a_dull_one_does_not(
             dragon.draw(frame)
             got.append(pixel(stage.read(), (80.5, 60.5)))
         dragon.release()
+
     # A quarter of the light's specular colour is added; the texture does not multiply it.
     glint = (got[1] - got[0]) / 255
     assert np.allclose(glint, 0.25 * np.array([1.0, 0.95, 0.85]), atol=0.03)

@@ -94,6 +94,7 @@ def test_rippled_water_has_the_opacity_and_colour_of_its_depth(
                     pass
             sea.draw(frame)
             deep = pixel(stage.read(), project(DOWN, (20.0, LEVEL, 23.5)))
+
         sea.release()
         blue = lit_colour(settings)[2] * COLOURS[-1][2]
         wanted_ = 0.5 * np.array([0, 0, blue * 255]) + 0.5 * BACKGROUND

@@ -196,8 +196,10 @@ def test_shallow_water_shows_the_bottom_and_deep_water_does_not(
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
         sea.draw(frame)
         picture = stage.read()
+
     sea.release()
     shallow, deep = (pixel(picture, project(DOWN, (20.0, LEVEL, z))) for z in (20.02, 23.5))
+
     # The texture holds the background alone: mirror image and bottom are of one colour.
     assert close(deep, opaque * np.array([0, 0, 102]) + (1 - opaque) * BACKGROUND, 6)
     assert close(deep[0], 0.4 * BACKGROUND[0], 4) and close(shallow[0], 0.76 * BACKGROUND[0], 5)

@@ -23,7 +23,9 @@ def asked(stage: Stage, query: SeaQuery, wall: bool, eye_y: float = 2.0) -> tupl
     with stage.frame(SETTINGS, Pose(20.0, eye_y, 20.0, 0.0, -20.0)) as frame:
         expected = query.expected(frame)
         if wall:
-            x, y, z = (0.0, 40.0), (-40.0, 40.0), 19.0
+            x = (0.0, 40.0)
+            y = (-40.0, 40.0)
+            z = 19.0
             quad(np.array([(x[0], y[0], z), (x[1], y[0], z), (x[1], y[1], z), (x[0], y[1], z)]))
         before = stage.read()
         query.ask(frame)

@@ -23,7 +23,9 @@ from landscape.frame import Pose
 from landscape.gl import extensions
 from landscape.keys import with_settings
 
-STEEL, BRASS, LEATHER = (150, 155, 170, 255), (200, 160, 70, 255), (90, 70, 60, 255)
+STEEL = (150, 155, 170, 255)
+BRASS = (200, 160, 70, 255)
+LEATHER = (90, 70, 60, 255)
 BEST = small({"overlay.sheen": 0.5})
 
 

@@ -23,7 +23,10 @@ class Window:
     """A window that takes what it is told, or nothing; in its place stands GLFW."""
 
     def __init__(self, scale: float = 1.0, full: bool = False) -> None:
-        self.size, self.scale, self.full, self.now = (100, 100), scale, full, 0.0
+        self.size = (100, 100)
+        self.scale = scale
+        self.full = full
+        self.now = 0.0
         self.asked: list[tuple[int, int]] = []
 
     def get_window_monitor(self, _: object) -> bool:

@@ -18,7 +18,9 @@ from landscape.frame import Pose
 from landscape.gl.calls import gl
 from landscape.gl.texture import mip_levels
 
-LEVEL, D, H = 0.6, 8.0, 5.0
+LEVEL = 0.6
+D = 8.0
+H = 5.0
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
 BOX = {"water.level": LEVEL, "sky.half_width": D, "sky.height": H}
 COLOURS = {
@@ -196,6 +198,7 @@ def test_a_sky_in_the_background_hides_nothing_beyond_its_walls(
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
         sky.draw(frame)
         picture = stage.read()
+
     sky.release()
     assert close(picture[60, 90], (255, 0, 255)), "what is near stands before any sky"
     assert close(picture[60, 70], 255 if background else COLOURS["north"])

@@ -116,6 +116,7 @@ def test_a_selection_with_a_margin_contains_that_of_every_pose_within_the_margin
     settings = with_settings(Settings(), {**keys, "plants.crossed_within": 4.0})
     start = Pose(20.0, 3.0, 20.0, 33.0, -8.0)
     wide = choose(laid_out, looking(start), settings, 0.06, math.radians(4.0))
+
     for k in range(20):
         aside = rng.uniform(-0.03, 0.03, 3)
         turn = rng.uniform(-1.9, 1.9, 2)
@@ -148,4 +149,5 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
         with stage.frame(small(WIDE), NORTH) as frame:
             sprites.draw(frame)
             assert (stage.read() == there).all(), "refused settings change nothing"
+
     assert close(seen(stage, sprites, transparent__radius=1.0), BACKGROUND)

@@ -233,7 +233,9 @@ def test_sprites_lower_than_min_pixels_are_not_drawn() -> None:
 
 def test_a_sprite_fades_before_the_eye_passes_through_it() -> None:
     keys = {"transparent.clear_near": True, "transparent.fade": 0.0}
-    radius, widths, away = np.full(4, 8.0), np.ones(4), np.array([0.2, 0.35, 0.5, 5.0])
+    radius = np.full(4, 8.0)
+    widths = np.ones(4)
+    away = np.array([0.2, 0.35, 0.5, 5.0])
     plants, trees = np.full(4, PLANT), np.zeros(4, int)
     clear = clearness(with_settings(Settings(), keys), plants, radius, widths, away)
     assert clear == pytest.approx([0.0, 0.5, 1.0, 1.0])
@@ -328,12 +330,15 @@ def test_a_trimmed_quad_shows_the_same_picture_in_less_area(
             shown.append(calm(stage, sprites, transparent__trimmed=trimmed))
             a, b, c = triangles_drawn(stage, sprites, transparent__trimmed=trimmed).swapaxes(0, 1)
             areas.append(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
     whole, trimmed = shown
+
     # Along its outline the filter mixes a little more of the transparent surround in.
     off = np.abs(whole - trimmed).max(axis=2)
     assert (off > 8).sum() < 0.1 * covered(whole).sum() and off.max() < 64
     assert covered(whole).sum() > 400
     assert areas[0] == pytest.approx(1.0, abs=0.01) and areas[1] < 0.5
+
     # Mirrored, the trunk stands right of the middle by as much as it stood left.
     columns = np.flatnonzero(covered(trimmed)[int(project(NORTH, (20.0, 3.1, 17.0))[1])])
     aside = (0.5 - 230 / 512) * (1 if flipped else -1)

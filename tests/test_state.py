@@ -239,6 +239,7 @@ def test_attributes_that_are_pushed_are_read_and_restored_with_their_masks(fresh
         gl.glPushAttrib(mask)
         scrambled(mask % 97, 30)
         middle.append(read())
+
     gl.glPushClientAttrib(client[0])
     scrambled(11, 30)
     plain = read()
@@ -272,6 +273,7 @@ def test_restoring_closes_what_half_a_frame_leaves_open(fresh: Fresh) -> None:
         gl.glMatrixMode(mode)
         gl.glPushMatrix()
         gl.glRotatef(90.0, 0.0, 0.0, 1.0)
+
     state = read()
     gl.glPushAttrib(gl.GL_ALL_ATTRIB_BITS)
     gl.glPushAttrib(gl.GL_FOG_BIT)

@@ -76,6 +76,7 @@ def test_a_wall_facing_away_from_the_sun_gets_ambient_and_fill_light(
         gl.glColor3f(1.0, 1.0, 1.0)
         quad(np.array([(22.0, 0.0, 20.0), (18.0, 0.0, 20.0), (18.0, 2.0, 20.0), (22.0, 2.0, 20.0)]))
         got = stage.read()[60, 80]
+
     # The fill comes from the north, half as high as far.
     cosine = 1.0 / math.hypot(1.0, 0.5)
     assert close(got, np.array(ambient) * (1.0 + fill * cosine) * 255, 2)

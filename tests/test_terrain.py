@@ -127,6 +127,7 @@ def test_the_mirrored_ground_alone_is_coarser(stage: Stage, shipped: Assets) -> 
         ]
         sent.append(sum(counts))
         ground.release()
+
     straight, mirrored_, straight_, coarser = pictures
     assert (straight == straight_).all()
     assert (mirrored_ != coarser).any()
@@ -290,6 +291,7 @@ def test_the_terrain_accepts_settings_read_each_frame_and_refuses_the_rest(
         assert ground.apply(with_settings(settings, {"camera.cull": True, "ground.clip": True}))
         with recording() as recorder:
             ground.draw(frame)
+
     assert any("CULL_FACE" in str(call.shown) for call in recorder.calls) and every > 0
     for changes in (
         {"ground.tiles": 5},
@@ -300,5 +302,6 @@ def test_the_terrain_accepts_settings_read_each_frame_and_refuses_the_rest(
         {"reflection.lod_scale": 8.0},
     ):
         assert not ground.apply(with_settings(settings, changes))
+
     assert ground.apply(with_settings(settings, {"reflection.lod_scale": 0.5 + 0.5}))
     ground.release()

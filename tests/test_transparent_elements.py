@@ -267,6 +267,7 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
         with stage.frame(small(WIDE), NORTH) as frame:
             sprites.draw(frame)
             assert (stage.read() == there).all(), "refused settings change nothing"
+
     near = seen(stage, sprites, transparent__radius=1.0, fog__density=0.5)
     assert close(near, BACKGROUND)
 
@@ -299,6 +300,7 @@ def test_the_plain_sprites_are_used_in_2006_and_not_in_best() -> None:
         "ground.shadows",
     ):
         assert wanted(small({key: True})), key
+
     for key in ("transparent.fade", "transparent.min_pixels", "plants.radius"):
         assert wanted(small({key: 0.5})), key
     assert wanted(small({"plants.species": 2})) and wanted(small({"plants.quads": 3}))

@@ -9,7 +9,9 @@ from landscape.render import Offscreen
 from landscape.voxel.blocks import AIR, block
 from landscape.voxel.horizon import ALONG, ROWS, Horizon, solid_heights
 
-SIDE, TALL, REGION = 80, 30, 16
+SIDE = 80
+TALL = 30
+REGION = 16
 ROCK, LEAVES = block("rock"), block("oak leaves")
 
 
@@ -69,6 +71,7 @@ def test_nothing_that_can_be_seen_is_called_hidden_and_a_quarter_of_what_cannot_
                     hidden += 1
                 else:
                     missed += unseen
+
     assert hidden > 100 and hidden > (hidden + missed) / 4
 
 
@@ -94,6 +97,7 @@ def test_one_sees_through_a_gap_that_was_dug_into_a_ridge() -> None:
         island = view.scene
         assert island is not None
         ground = island.land.world.ground
+
         # From behind the highest column across to the other side of it.
         x, z = np.unravel_index(int(ground[20:80, 20:80].argmax()), (60, 60))
         x, z = int(x) + 20, int(z) + 20

@@ -124,7 +124,9 @@ def test_shade_is_that_of_a_brute_force_count() -> None:
             place = low + 1
             place[direction.axis] += direction.sign
             for corner, (s, t) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
-                side, other, behind = place.copy(), place.copy(), place.copy()
+                side = place.copy()
+                other = place.copy()
+                behind = place.copy()
                 side[direction.along] += s
                 other[direction.across] += t
                 behind[direction.along] += s
@@ -183,6 +185,7 @@ def test_a_distant_region_has_walls_where_its_neighbours_are_lower(size: int) ->
     wide = size + size % 2
     assert low[[0, 2]] == pytest.approx([size, 0], abs=0.02)
     assert high == pytest.approx([size + wide, 6, wide], abs=0.02)
+
     # Two blocks of the neighbours close each cell, but for the uppermost, with one block of land.
     # Cells that reach into a neighbour have walls down to the bottom.
     open_to = dict.fromkeys(("west", "south"), 2 if size % 2 == 0 else 0)

@@ -247,6 +247,7 @@ def walked(model: np.ndarray, start: tuple[int, int, int]) -> np.ndarray:
                     if room:
                         found[there] = True
                         waiting.append(there)
+
     return found[1:-1, 1:-1]
 
 

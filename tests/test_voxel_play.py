@@ -236,6 +236,7 @@ def test_through_water_the_block_is_picked_that_is_seen_there() -> None:
         passed = {tuple(each) for each in np.floor(points).astype(int).tolist()}
         assert hit.block in passed
         picks += 1
+
     assert picks > 200
 
 
@@ -308,6 +309,7 @@ def unit_faces(mesh: RegionMesh, sea: int) -> dict[tuple, tuple]:
                 key = (turn, *(low + cell).tolist())
                 assert key not in found, "a face is drawn twice"
                 found[key] = tile, dark
+
     return found
 
 
@@ -355,6 +357,7 @@ def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_a
                 land.change({(x, z, y - 1): [AIR, block("brick")][number % 2], (x, z, y): AIR})
                 if number % 3 == 2:
                     drawn.submit()
+
         for _ in range(2):
             picture = drawn.draw()
         with drawn.targeted():
@@ -363,10 +366,12 @@ def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_a
             before = [unit_faces(mesh, land.world.sea) for mesh in land.meshes]
             for region in range(4):
                 land.rebuild(region)
+
         for patched_faces, mesh in zip(before, land.meshes, strict=True):
             assert {key: face[0] for key, face in patched_faces.items()} == {
                 key: face[0] for key, face in unit_faces(mesh, land.world.sea).items()
             }
+
         # All of the picture of depths is drawn again: not only the parts that have changed.
         assert (np.abs(picture.astype(int) - drawn.draw()).max(axis=-1) > 12).sum() < 8
 

@@ -92,6 +92,7 @@ def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
             Light(times, np.arange(9, 16, dtype=np.uint8), slope),
         ):
             buffer.relight(light)
+
         assert buffer.replace(1, meshes[4])  # in the light it was made in
         for share, mesh in enumerate((meshes[0], meshes[4], meshes[2], meshes[3])):
             turns = np.repeat(np.arange(7), mesh.counts.sum(axis=1))

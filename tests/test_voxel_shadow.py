@@ -97,6 +97,7 @@ def test_shadows_lie_where_rays_to_the_sun_meet_blocks() -> None:
             clip = clip_matrix()
         world = view.scene.land.world
         towards = sun.direction(view.scene.settings.sun).astype(float)
+
     solid = SOLID[world.blocks]
     wanted, found = [], []
     for x, z in rng.uniform(45, 85, (4000, 2)):
@@ -116,6 +117,7 @@ def test_shadows_lie_where_rays_to_the_sun_meet_blocks() -> None:
             pixel = int((1 - row) / 2 * height), int((column + 1) / 2 * width)
             wanted.append(near[0])
             found.append(picture[pixel] > 20)
+
     dark, shown = ~np.array(wanted), ~np.array(found)
     assert len(dark) > 150 and 0.05 < dark.mean() < 0.8
     assert (dark & shown).sum() / (dark | shown).sum() > 0.97
@@ -134,7 +136,9 @@ def test_shadows_are_drawn_again_only_when_the_eye_has_left_or_a_block_has_chang
     far: bool,
 ) -> None:
     with opened(shadow__far=far) as view:
-        shadow, land, sent = view.scene.shadow, view.scene.land, []
+        shadow = view.scene.shadow
+        land = view.scene.land
+        sent = []
         draw_shapes = land.draw_shapes
         land.draw_shapes = lambda choice: (sent.append(1), draw_shapes(choice))
         view.draw()

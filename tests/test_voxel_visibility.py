@@ -142,6 +142,7 @@ def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
                 view.look(pose)
                 pictures.append(view.draw())
             shown.append(pictures)
+
     for k, (whole, *culled_ones) in enumerate(zip(*shown, strict=True)):
         for picture in culled_ones:
             assert (picture == whole).all(), poses[k]
@@ -171,6 +172,7 @@ def samples_in_front(land: Land, sent: Choice) -> int:
         gl.glBeginQuery(gl.GL_SAMPLES_PASSED, query)
         buffer._send(starts[some].astype(np.int32), counts[some].astype(np.int32))
         gl.glEndQuery(gl.GL_SAMPLES_PASSED)
+
     found = int(np.ravel(gl.glGetQueryObjectuiv(query, gl.GL_QUERY_RESULT))[0])
     gl.glDeleteQueries(1, np.array([query], np.uint32))
     return found
@@ -297,5 +299,6 @@ def test_no_background_shows_through_level_ground_at_a_grazing_angle(
         around = np.pad(sky[1], 1, mode="edge")
         beside = [around[i:, k:][:300, :400] for i in range(3) for k in range(3)]
         holes = sky[0] & ~np.any(beside, axis=0)
+
         # A gap between trees may be too narrow for the other picture's pixels.
         assert not holes.any() or not (holes & ~any_sky(pose)).any(), pose

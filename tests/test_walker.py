@@ -281,6 +281,7 @@ def test_no_random_flight_enters_the_ground_the_water_or_the_castle():
             if o.gap(walker.x, walker.z)[0] < RADIUS - 1e-5:
                 over += 1
                 assert walker.y >= o.top + FLOOR - 1e-9
+
     assert low > 100
     assert over > 20, "the flights met too little to prove anything"
 

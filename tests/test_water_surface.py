@@ -44,7 +44,10 @@ def test_the_normals_at_time_0_are_those_computed_by_hand() -> None:
 
 
 def test_normals_and_coordinates_follow_the_report_at_any_time() -> None:
-    px, py, t, repeat = 0.3, 0.7, 1.9, 4.0
+    px = 0.3
+    py = 0.7
+    t = 1.9
+    repeat = 4.0
     x = 0.25 * math.sin(2 * t - 2 * math.pi * py) ** 2
     z = 0.5 * math.sin(3 * t - 2 * math.pi * px) ** 2
     length = math.sqrt(x * x + 1 + z * z)

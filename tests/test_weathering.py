@@ -52,7 +52,9 @@ def test_sand_on_steep_ground_turns_to_rock_without_streaks() -> None:
 
 def test_the_pattern_of_rock_stands_upright_on_both_axes() -> None:
     rows = np.tile((np.arange(64) // 8 % 2 * 255).astype(np.uint8)[:, None, None], (1, 64, 3))
-    at, zero, one = np.linspace(0.0, 3.0, 50), np.zeros(50), np.ones(50)
+    at = np.linspace(0.0, 3.0, 50)
+    zero = np.zeros(50)
+    one = np.ones(50)
     for rises in ((one, zero), (zero, one)):
         level = upright(rows, at, at, zero, *rises)
         assert np.ptp(level) == 0.0, "layers are level"

@@ -524,6 +524,7 @@ def test_f11_in_a_walk_that_began_full_screen_comes_back_to_its_size(
     process = subprocess.Popen(
         [sys.executable, "-m", "landscape", *words, *SET, "--only", "sky"], env=screen
     )
+
     try:
         window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^landscape")
         xdotool(screen, "windowfocus", "--sync", window)

@@ -72,7 +72,9 @@ class Watch:
     def __init__(
         self, wanted: int | None = None, each: bool = False, grids: bool = False, file: str = ""
     ) -> None:
-        self.each, self.wanted, self._with_grids = each or grids, wanted, grids
+        self.each = each or grids
+        self.wanted = wanted
+        self._with_grids = grids
         self._file = file
         self.pictures: list[str] = []
         self.grids: list[Any] = []

@@ -62,5 +62,6 @@ class Buffers:
             gl.glDepthFunc(gl.GL_ALWAYS)
             gl.glColorMask(False, False, False, False)
             gl.glDrawPixels(width, height, gl.GL_DEPTH_COMPONENT, gl.GL_FLOAT, self.depth)
+
         gl.glPopClientAttrib()
         gl.glPopAttrib()

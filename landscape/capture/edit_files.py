@@ -66,6 +66,7 @@ def read(path: Path, sources: Path | None = None) -> list[Edit]:
         raise
     except (ValueError, RecursionError) as error:
         raise InputError(f"{path}: expected edits as JSON ({error})") from None
+
     version = found.get("version") if isinstance(found, dict) else None
     if version != VERSION or not _is_number(version):
         raise InputError(f'{path}: expected {{"version": {VERSION}, "edits": [...]}}')

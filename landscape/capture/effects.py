@@ -58,6 +58,7 @@ def effects(tape: Tape) -> dict[str, Effect]:
             if before:
                 found[step.place] = Effect(before, read_some(names))
         inside = inside and call.name != "glEnd"
+
     return found
 
 

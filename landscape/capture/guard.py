@@ -198,6 +198,7 @@ def _await(child: _Child, path: str) -> int:
         raise
     finally:
         signal.signal(signal.SIGINT, before)
+
     if late:
         raise InputError(f"{path}: was ended within one call that nothing can interrupt")
     if SHARED.unpack(_shared[:])[-1]:

@@ -69,7 +69,9 @@ def _of_pygame(name: str, function: Callable[..., Any], found: Origins) -> Calla
 
 def _of_pil(image: Any, found: Origins) -> dict[str, Any]:
     """Return what takes the place of an image's methods; flips are followed by an attribute."""
-    new_image, transpose, tobytes = image._new, image.transpose, image.tobytes
+    new_image = image._new
+    transpose = image.transpose
+    tobytes = image.tobytes
 
     def _new(self: Any, core: Any) -> Any:
         derived = new_image(self, core)

@@ -69,6 +69,7 @@ def _read_at(tape: Tape, place: str) -> State:
             f"call {short(place)}: it is made before the frame begins, whose calls are "
             f"{tape.begin} to {len(tape.calls) - 1}"
         )
+
     tape.rewind()
     pushed = Pushed()
     for call in tape.calls[tape.begin : until]:
@@ -80,6 +81,7 @@ def _read_at(tape: Tape, place: str) -> State:
                 break
             issue(step.call)
             pushed.follow(step.call)
+
     return pushed.read()
 
 

@@ -72,10 +72,12 @@ class Setters:
         elif name == "glColorMaterial":
             self._known["GL_COLOR_MATERIAL_FACE"] = getattr(call.args[0], "name", "")
             self._known["GL_COLOR_MATERIAL_PARAMETER"] = getattr(call.args[1], "name", "")
+
         try:
             names = sets(name, call.args, self._known)
         except (KeyError, TypeError, ValueError, IndexError):
             return
+
         if not names:
             self._silent.add(name)
         for variable in names:

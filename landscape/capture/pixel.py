@@ -86,6 +86,7 @@ def history(tape: Tape, x: int, y: int) -> list[Row]:
         raise InputError(
             f"pixel {x},{y}: expected one of the picture, 0,0 to {width - 1},{height - 1}"
         )
+
     tape.rewind()
     place = x, height - 1 - y
     probe = Probe(*place, tape.size)
@@ -100,7 +101,9 @@ def history(tape: Tape, x: int, y: int) -> list[Row]:
 
 class _History:
     def __init__(self, tape: Tape, probe: Probe, place: tuple[int, int]) -> None:
-        self._tape, self._probe, self._place = tape, probe, place
+        self._tape = tape
+        self._probe = probe
+        self._place = place
         self._list = int(gl.glGenLists(1))
         self._whole = any(step.call.name.startswith(COPIES) for step in tape.steps())
 
@@ -216,16 +219,19 @@ class _History:
             alpha = probe.fragment(draw)[0][3]
             compared = token(number("GL_ALPHA_TEST_FUNC"), COMPARISONS)
             return "alpha", f"alpha {alpha:.3f} {compared} {number('GL_ALPHA_TEST_REF'):.3f}: fails"
+
         if enabled("GL_STENCIL_TEST") and not probe.count(draw, ["clip", "alpha", "stencil"]):
             compared = token(number("GL_STENCIL_FUNC"), COMPARISONS)
             ref, marked = int(number("GL_STENCIL_REF")), probe.read().stencil
             return "stencil", f"reference {ref} {compared} {marked} in the stencil buffer: fails"
+
         if enabled("GL_DEPTH_TEST") and not probe.count(
             draw, ["clip", "alpha", "stencil", "depth"]
         ):
             depth, held = probe.fragment(draw)[1], probe.read().depth
             compared = token(number("GL_DEPTH_FUNC"), COMPARISONS)
             return "depth", f"depth {depth:.6f} {compared} {held:.6f}: fails"
+
         if not any(np.ravel(number("GL_COLOR_WRITEMASK"))):
             return "masked", "the colour mask lets no component through"
         return "drawn", ""
@@ -301,6 +307,7 @@ class _History:
             what = completeness(texture)
         finally:
             gl.glActiveTexture(active)
+
         if what is None:
             return ""
         _, value, sizes = what
@@ -333,6 +340,7 @@ class _History:
         own = [0.0, 0.0, float(width), float(height)]
         if enabled("GL_SCISSOR_TEST"):
             own = number("GL_SCISSOR_BOX")
+
         for left, low, wide, high in boxes:
             right, top = min(left + wide, own[0] + own[2]), min(low + high, own[1] + own[3])
             left, low = max(left, int(own[0])), max(low, int(own[1]))

@@ -157,7 +157,9 @@ def _of_elements(call: Call) -> Primitives:
 
 
 def _of_arrays(call: Call) -> Primitives:
-    mode, begin, count = call.args[0], int(call.args[1]), int(call.args[2])
+    mode = call.args[0]
+    begin = int(call.args[1])
+    count = int(call.args[2])
     named = _mode(mode)
 
     def draw(first: int, last: int) -> None:

@@ -147,6 +147,7 @@ class Probe:
             gl.glReadPixels(*self._box, gl.GL_DEPTH_COMPONENT, gl.GL_FLOAT, depth)
             gl.glClampColor(gl.GL_CLAMP_FRAGMENT_COLOR, gl.GL_FIXED_ONLY)
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self.target)
+
         return color.astype(np.float64), float(depth[0])
 
     def units(self) -> list[int]:

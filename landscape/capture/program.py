@@ -228,6 +228,7 @@ class Run:
             if early != here:
                 window.early_line = early[1]
                 break
+
         use_lists({})
         if gl.glGetString(gl.GL_VERSION) is None:
             raise self.refuse(f"its context has no OpenGL, or {no_context()}")
@@ -241,6 +242,7 @@ class Run:
                 "asks for a core profile, which has no fixed function; its calls are shown, but "
                 "not what shaders do"
             )
+
         if self.source.past:
             self.notice(f"calls of OpenGL by {self.source.past}, past PyOpenGL, are not seen")
         with self._watched():
@@ -466,6 +468,7 @@ def run(
         with state.watchdog:
             _execute(state, module)
         guard.go_on(1.0)  # its objects may do anything when they are deleted
+
     if state.failure is not None:
         raise state.failure
     if not state.over and state.window is None:

@@ -30,11 +30,13 @@ def bind(source: Source, backend: str) -> str:
     elif backend != "auto":
         prepare(backend, source.checked)
         return backend
+
     order = list(BACKENDS)
     if "glut" in source.modules:
         order.sort(key=lambda name: name != "glfw")
     elif "nurbs" in source.modules:
         order.sort(key=lambda name: name == "osmesa")
+
     reasons: dict[str, NoOpenGLError] = {}
     for name in order:
         try:
@@ -42,6 +44,7 @@ def bind(source: Source, backend: str) -> str:
             return name
         except NoOpenGLError as error:
             reasons[name] = error
+
     raise reasons[TOLD]
 
 

@@ -149,12 +149,14 @@ def _entries(path: Path) -> list[Any]:
         raise InputError(f"{path}: cannot be read ({error.strerror})") from None
     except UnicodeDecodeError:
         raise InputError(f"{path}: is not text; expected events as JSON") from None
+
     if text.lstrip().startswith("["):
         try:
             entries = json.loads(text)
         except (ValueError, RecursionError) as error:
             raise InputError(f"{path}: is not JSON ({error})") from None
         return list(entries)
+
     found = []
     for number, line in enumerate(text.splitlines(), 1):
         if line.strip():
@@ -162,6 +164,7 @@ def _entries(path: Path) -> list[Any]:
                 found.append(json.loads(line))
             except (ValueError, RecursionError) as error:
                 raise InputError(f"{path}: line {number} is not JSON ({error})") from None
+
     return found
 
 
@@ -171,6 +174,7 @@ def _event(entry: Any, where: str) -> Event:
         raise InputError(
             f'{where}: {short(entry)} is not an object such as {{"frame": 3, "key": "SPACE"}}'
         )
+
     kinds = [kind for kind in KINDS if kind in entry]
     if len(kinds) != 1:
         raise InputError(f"{where}: expected exactly one of {', '.join(KINDS)}")
@@ -188,6 +192,7 @@ def _event(entry: Any, where: str) -> Event:
         if given is not True:
             raise InputError(f'{where}: "close" is {short(given)}, expected true')
         return Event(frame, kind)
+
     if not pressing:
         return Event(frame, kind, value=_pair(given, kind, where))
     actions = ("press", "release", "repeat")[: 3 if kind == "key" else 2]

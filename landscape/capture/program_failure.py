@@ -38,10 +38,12 @@ def raised(path: Path, error: BaseException) -> ProgramError:
         name = error.name.split(".")[0]
         if name not in ("OpenGL", path.stem):
             return ProgramError(f"{path}: needs the Python package {name}, not installed", details)
+
     try:
         text = str(error).strip().splitlines()
     except Exception:  # the program's own error may be unable to say what it is
         text = []
+
     reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
     if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
         reason = _of_opengl(error)
@@ -51,6 +53,7 @@ def raised(path: Path, error: BaseException) -> ProgramError:
         reason += guard.memory()
     if isinstance(error, EOFError):
         reason += f" ({NO_INPUT})"
+
     # The last of the program's own lines, which calls what is not its own.
     line = f", line {calls[-1].tb_lineno}" if calls else ""
     return ProgramError(f"{path}{line}: the program raised {reason}", details)

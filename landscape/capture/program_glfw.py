@@ -141,6 +141,7 @@ class _Glfw:
             if self._run.live is not None:
                 self._run.live.attach(real, self._window, self._keys)
             return self._window
+
         real.window_hint(real.VISIBLE, self._run.live is not None)
         real.window_hint(real.SAMPLES, 0)
         if self._backend == "osmesa":
@@ -149,6 +150,7 @@ class _Glfw:
             real.window_hint(real.CLIENT_API, real.NO_API)
         else:
             real.window_hint(real.CONTEXT_CREATION_API, real.NATIVE_CONTEXT_API)
+
         self._size = self._run.sized(width, height)
         self._window = real.create_window(*self._size, title, None, None)
         if self._backend == "osmesa":
@@ -157,6 +159,7 @@ class _Glfw:
             self._run.reason = f"GLFW: {real.get_error()[1]!s}"
         elif self._run.live is not None:
             self._run.live.attach(real, self._window, self._keys)
+
         return self._window
 
     def destroy_window(self, window: Any) -> None:

@@ -117,6 +117,7 @@ class _Glut:
         self._leaving = False
         self._ready = False
         self._quiet = 0  # turns of the loop since the last frame
+
         # What an earlier program in this process left. The program may choose before glutInit.
         self._real.glutInitDisplayMode(DEPTH)  # freeglut's default
         self._real.glutInitWindowSize(*self._size)
@@ -330,6 +331,7 @@ class _Glut:
             self._stirred = True
         elif not self._posted:
             self._wait()
+
         self._quiet = 0 if run.frames > frames else self._quiet + 1
         if self._quiet:
             run.clock.move(IDLE)
@@ -363,7 +365,9 @@ class _Glut:
         self._posted = False
         frames = run.frames
         showing = run.showing
-        showing.forced, showing.stirred, showing.again = self._forced, self._stirred, False
+        showing.forced = self._forced
+        showing.stirred = self._stirred
+        showing.again = False
         self._forced = False
         if not self._call("Display"):
             raise run.refuse("has no display callback: it never calls glutDisplayFunc")

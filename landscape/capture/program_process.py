@@ -26,8 +26,11 @@ def as_main(source: Source, arguments: list[str], given: Any) -> Iterator[None]:
     modules = set(sys.modules)
     folder = str(source.path.resolve().parent)
     thread: Any = threading.current_thread()
-    end, stdin, us = os._exit, sys.stdin, os.getpid()
+    end = os._exit
+    stdin = sys.stdin
+    us = os.getpid()
     tell = threading.excepthook
+
     # What was there before is no garbage of the program: forget() need not look through all of it.
     gc.freeze()
     try:

@@ -107,6 +107,7 @@ def _choose(run: Run, pygame: Any) -> str:
         os.environ["SDL_VIDEODRIVER"] = "dummy"  # the window that is seen is one of GLFW
         prepare("glfw", run.source.checked)
         return "glfw"
+
     refused = {"osmesa": "OSMesa", "cgl": "CGL"}
     if run.backend in refused:
         reason = f"pygame draws by EGL or on a screen, not by {refused[run.backend]}"
@@ -120,6 +121,7 @@ def _choose(run: Run, pygame: Any) -> str:
         # SDL knows its driver there, and has none that draws by EGL.
         ways, order = {"glfw": ("native", "native")}, ["glfw"]
         check_thread()
+
     reasons = []
     for backend in order if run.backend in ("auto", "software") else [run.backend]:
         driver, platform = ways.get(backend, ("", ""))
@@ -138,6 +140,7 @@ def _choose(run: Run, pygame: Any) -> str:
             reasons.append(f"{driver}: {error}")
         finally:
             pygame.display.quit()
+
     why = "; ".join(reasons)
     raise NoOpenGLError(f"{run.source.path}: pygame opens no window for OpenGL here ({why})")
 
@@ -221,6 +224,7 @@ class _Pygame:
             if self._live.pixels() != self._size:
                 self._live.resize(self._size)
             return surface
+
         bits = {"DEPTH_BITS": self._depth_bits}
         for name in ("STENCIL", "ALPHA", "ACCUM_RED", "ACCUM_GREEN", "ACCUM_BLUE", "ACCUM_ALPHA"):
             bits[f"{name}_BITS"] = self._asked.get(getattr(pygame, f"GL_{name}_SIZE"), 0)

@@ -48,6 +48,7 @@ def qt_program(run: Run) -> Iterator[None]:
             f"{path}: the inspector shows GLFW, GLUT and pygame programs; trace, pixel, state and "
             "strip look into this one"
         )
+
     if sys.platform != "linux" or run.backend in ("osmesa", "egl", "cgl"):
         raise NoOpenGLError(f"{path}: a program with Qt is drawn by X11's OpenGL only, on Linux")
     if run.backend == "software":
@@ -202,6 +203,7 @@ class _Qt:
                 self.found.grabFramebuffer()
             quiet = 0 if self.run.frames > frames else quiet + 1
             self._wait(quiet)
+
         if self._failure is not None:
             raise self._failure
         return 0

@@ -132,6 +132,7 @@ def _read(
     """
     seen.add(path.resolve())
     opens |= _opened(data, tree)
+
     # Without its comments, which takes as long as compiling it, so only where a word is there.
     text = ast.unparse(tree) if any(word in data for word in WORDS) else ""
     checked = "ERROR_CHECKING = False" not in text
@@ -152,6 +153,7 @@ def _read(
             for file in _beside(path.parent, parts):
                 if file.resolve() not in seen:
                     checked = _read_other(file, modules, opens, seen) and checked
+
     return checked
 
 

@@ -67,7 +67,10 @@ class _Taping(ExitStack):
         self, use: Callable[[Tape], Any], path: str, frame: int, edits: Edits | None
     ) -> None:
         super().__init__()
-        self._use, self._path, self._frame, self._edits = use, path, frame, edits
+        self._use = use
+        self._path = path
+        self._frame = frame
+        self._edits = edits
         self._notices: list[str] = []
         self._start: state.State = {}
         self._before: Buffers | None = None
@@ -117,6 +120,7 @@ class _Taping(ExitStack):
             *without_effect(self._recorder.glu),
         ]
         self._notices += [f"{self._path}: {text}" for text in dict.fromkeys(told)]
+
         with unnoted():
             tape = Tape(
                 calls,

@@ -102,6 +102,7 @@ def _readable(target: int) -> Iterator[None]:
     packed = int(gl.glGetIntegerv(gl.GL_PIXEL_PACK_BUFFER_BINDING))
     gl.glPushClientAttrib(gl.GL_CLIENT_PIXEL_STORE_BIT)
     gl.glPushAttrib(gl.GL_PIXEL_MODE_BIT)
+
     try:
         for name, value in STORED.items():
             gl.glPixelStorei(getattr(gl, f"GL_PACK_{name}"), value)

@@ -35,16 +35,19 @@ def shown_otherwise(window: Window, calls: Sequence[Call], begin: int) -> Iterat
             "the display callback returns without glFlush: with a single buffer the window may "
             "show nothing of this picture"
         )
+
     if showing.way == "swap" and doubled and (line := front_line(calls)):
         yield (
             f"line {line}: draws to the front buffer, which the swap then replaces: "
             "the window shows the back buffer, not this picture"
         )
+
     if showing.forced and showing.stirred:
         yield (
             "nothing asks for this redraw (glutPostRedisplay), though callbacks were called: "
             "a window goes on to show the frame before"
         )
+
     if showing.again and showing.way == "swap" and not drew:
         yield (
             f"line {showing.line}: swaps once more without drawing in between: the window shows "

@@ -37,6 +37,7 @@ def written(name: str, index: int, args: Sequence[Any]) -> str:
         text = enumerant(name, index, args)
         if text:
             return text if np.ndim(value) == 0 else f"({text},)"
+
     if kind == "bits" and number(value) is not None:
         return f"0x{int(value) & 0xFFFFFFFF:X}"
     known = function(name)
@@ -105,6 +106,7 @@ def parsed(name: str, index: int, args: Sequence[Any], text: str) -> Any:
         if match:
             return ctypes.c_void_p(int(match[1]))
         return None if text == "None" else _refuse(name, found, text, "a number of bytes")
+
     raise InputError(f"{name} {found.name}: an argument of this kind cannot be changed")
 
 

@@ -128,8 +128,10 @@ def restore(state: Mapping[str, Any]) -> None:
         kept = 0 if levels is not None else state.get(f"{stack}_DEPTH", whole(f"{stack}_DEPTH"))
         while whole(f"{stack}_DEPTH") > kept:
             getattr(raw, POP[stack])()
+
     now = _values(read_now())
     target = {**now, **{name: value for name, value in state.items() if name in now}}
+
     # The attribute stacks share no variable: first the one is built, then the other on top of it.
     server_bottom, client_bottom = (
         {
@@ -206,6 +208,7 @@ def changed(state: Mapping[str, Any], size: tuple[int, int] | None = None) -> di
             initial[name] = box
         elif not all(box[2:]):
             initial.pop(name, None)  # no window begins with a box without area
+
     for name in ("GL_DRAW_BUFFER", "GL_READ_BUFFER"):
         if state.get(name) in SINGLE_OR_DOUBLE:
             initial[name] = state[name]

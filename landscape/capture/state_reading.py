@@ -149,6 +149,7 @@ def read_now() -> State:
         raw.glClientActiveTexture(enum(UNITS[unit]))
         _run(todo, unit, found)
         found[f"GL_TEXTURE{unit}.GL_TEXTURE_STACK"] = _below("GL_TEXTURE", found, unit)
+
     raw.glActiveTexture(enum(active))
     raw.glClientActiveTexture(enum(client))
     for name in ("GL_MODELVIEW", "GL_PROJECTION"):
@@ -274,6 +275,7 @@ def _read_images(found: State) -> None:
         values = (ctypes.c_float * size)()
         raw.glGetPixelMapfv(enum(name), values)
         found[name] = values[:]
+
     if bound:
         raw.glBindBuffer(enum("GL_PIXEL_PACK_BUFFER"), bound)
     for name in changed:

@@ -126,6 +126,7 @@ def _set_stacks(now: State, target: Mapping[str, Any]) -> None:
             if variable.unit is not None:
                 raw.glActiveTexture(enum(UNITS[variable.unit]))
             _call(variable, target)
+
     stacks = [name for name in now if name.endswith("_STACK") and "ATTRIB" not in name]
     for name in stacks:
         variable, top = VARIABLES[name], name.replace("_STACK", "_MATRIX")
@@ -174,6 +175,7 @@ def _set_rest(now: State, target: Mapping[str, Any]) -> None:
             if own not in done:
                 done.add(own)
                 _call(variable, target)
+
     _set_together(now, target)
 
 
@@ -255,6 +257,7 @@ def _set_arrays(now: State, target: Mapping[str, Any]) -> None:
             raw.glBindBuffer(enum("GL_ARRAY_BUFFER"), bound)
             args = [v for part in parts[:-1] for v in _numbers(VARIABLES[part], target[part])]
             getattr(raw, function)(*args)
+
     if bound != target[name]:
         raw.glBindBuffer(enum("GL_ARRAY_BUFFER"), target[name])
 
@@ -267,6 +270,7 @@ def _set_modes(now: State, target: Mapping[str, Any]) -> None:
             raw.glEndQuery(enum("GL_SAMPLES_PASSED"))
         if target[query]:
             raw.glBeginQuery(enum("GL_SAMPLES_PASSED"), target[query])
+
     names = [name for name in now if name.startswith(("GL_SELECTION_", "GL_FEEDBACK_"))]
     names += ["GL_RENDER_MODE", "GL_NAME_STACK_DEPTH"]
     if all(now[name] == target[name] for name in names):

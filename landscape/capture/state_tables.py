@@ -15,7 +15,12 @@ from typing import Any
 
 from landscape.capture.spec_table import names
 
-FLAG, BOOL, INT, MASK, FLOAT, DOUBLE = "flag", "boolean", "integer", "mask", "float", "double"
+FLAG = "flag"
+BOOL = "boolean"
+INT = "integer"
+MASK = "mask"
+FLOAT = "float"
+DOUBLE = "double"
 POINTER, LIST = "pointer", "list"
 
 MOST = 8  # chosen: lights, clip planes and texture units; no fixed-function OpenGL has more

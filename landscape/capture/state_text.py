@@ -52,6 +52,7 @@ def as_text(state: Mapping[str, Any]) -> Iterator[str]:
                 marks = ["*" if name in marked else " " for name in members]
                 shown = [_shown(name, state[name]) for name in members]
                 rows += zip(marks, members, shown, strict=True)
+
         width = max(len(name) for _, name, _ in rows)
         for mark, name, lines in rows:
             yield from _lines(f"  {mark} {name:{width}}  ", lines)

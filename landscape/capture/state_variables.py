@@ -81,12 +81,14 @@ def variables() -> Iterator[Variable]:
         yield Variable(
             f"{name}.equation", "transform", DOUBLE, nothing, "glGetClipPlane", (name,), None, how
         )
+
     yield from _plain("current values", CURRENT)
     for k in range(MOST):
         for name in ("GL_CURRENT_TEXTURE_COORDS", "GL_CURRENT_RASTER_TEXTURE_COORDS"):
             how = f"glMultiTexCoord4f GL_TEXTURE{k} $" if "RASTER" not in name else ""
             row = (name, FLOAT, (0.0, 0.0, 0.0, 1.0), how)
             yield from _plain("current values", [row], k)
+
     yield from _plain("colouring and lighting", COLOURING)
     for face in ("GL_FRONT", "GL_BACK"):
         yield from _asked("colouring and lighting", "glGetMaterial", face, MATERIAL)
@@ -96,6 +98,7 @@ def variables() -> Iterator[Variable]:
         white = {"GL_DIFFUSE": (1.0,) * 4, "GL_SPECULAR": (1.0,) * 4} if k == 0 else {}
         rows = [(row[0], row[1], white.get(row[0], row[2])) for row in LIGHT]
         yield from _asked("colouring and lighting", "glGetLight", name, rows)
+
     yield from _plain("rasterization", RASTERIZATION)
     yield Variable(
         *("GL_POLYGON_STIPPLE.pattern", "rasterization", LIST, (EVERY,) * 32),
@@ -165,6 +168,7 @@ def _unit(k: int) -> Iterator[Variable]:
             (binding, INT, 0, f"glBindTexture {target} $", since),
         ]
         yield from _plain("texturing", rows, k)
+
     yield from _asked("texturing", "glGetTexEnv", "GL_TEXTURE_ENV", ENVIRONMENT, k)
     bias = [("GL_TEXTURE_LOD_BIAS", FLOAT, 0.0)]
     yield from _asked("texturing", "glGetTexEnv", "GL_TEXTURE_FILTER_CONTROL", bias, k)
@@ -179,6 +183,7 @@ def _unit(k: int) -> Iterator[Variable]:
             ("GL_EYE_PLANE", FLOAT, plane),
         ]
         yield from _asked("texturing", "glGetTexGen", f"GL_{axis}", rows, k)
+
     rows = [
         ("GL_TEXTURE_STACK_DEPTH", INT, 1),
         ("GL_TEXTURE_MATRIX", FLOAT, IDENTITY),

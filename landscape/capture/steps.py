@@ -61,11 +61,13 @@ def _expanded(step: Step) -> Iterator[Step]:
         if call.name not in ("glCallList", "glCallLists"):
             yield step
         return
+
     inner = [
         each
         for index, listed in enumerate(call.listed)
         for each in _expanded(Step(f"{step.place}.{index}", listed, step.top))
     ]
+
     # A list has its arrays in itself. Its pointer calls were made when it was compiled, so making
     # them here must leave the client state alone.
     guarded = any(each.call.name in CLIENT or each.call.arrays for each in inner)
@@ -73,6 +75,7 @@ def _expanded(step: Step) -> Iterator[Step]:
         yield _added(call, "glPushClientAttrib", gl.GL_CLIENT_VERTEX_ARRAY_BIT)
         for name in ARRAYS:
             yield _added(call, "glDisableClientState", getattr(gl, f"GL_{name}_ARRAY"))
+
     yield from inner
     if guarded:
         yield _added(call, "glPopClientAttrib")

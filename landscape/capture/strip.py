@@ -91,6 +91,7 @@ def groups(tape: Tape, by: str) -> list[Group]:
         pending = []
         if first.call.name != "glClear":
             group.elements += [name for name in first.elements if name not in group.elements]
+
     if found:
         found[-1].items += pending
     return found
@@ -180,6 +181,7 @@ def survey(tape: Tape, parts: Sequence[Group], buffers: Sequence[str]) -> Survey
     finally:
         player.release()
         tape.rewind()
+
     return Survey(lens, (min(depths), max(depths)) if depths else None, layers)
 
 

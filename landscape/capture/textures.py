@@ -22,13 +22,16 @@ def completeness(texture: int) -> tuple[str, Any, dict[str, Any]] | None:
         width, height = sizes[0]
         level = 0
         while (width > 1 or height > 1) and level < most:
-            width, height, level = max(width // 2, 1), max(height // 2, 1), level + 1
+            width = max(width // 2, 1)
+            height = max(height // 2, 1)
+            level = level + 1
             if size_of(level) != (width, height):
                 return (
                     "GL_TEXTURE_MIN_FILTER",
                     MIN_FILTERS[wanted],
                     {"level": level, "width": width, "height": height},
                 )
+
         return None
     finally:
         gl.glBindTexture(gl.GL_TEXTURE_2D, former)

@@ -82,6 +82,7 @@ def matrix(name: str, args: Sequence[Any]) -> np.ndarray | None:
         found = np.array(args[0], float).reshape(4, 4)
     elif base != "glLoadIdentity":
         return None
+
     return found
 
 
@@ -167,6 +168,7 @@ def _drawn(calls: Sequence[Item], numbers: Numbers, now: _Current, listed: bool)
             rows.append((call, now.values()))
             now.give(call, numbers)
             continue
+
         base = call.base
         if call.state:
             now.take(call.state)
@@ -183,6 +185,7 @@ def _drawn(calls: Sequence[Item], numbers: Numbers, now: _Current, listed: bool)
                     call.inside,
                     call.way,
                 )
+
         if call.name == "glBegin":
             begun, rows = call, []
         elif call.name == "glEnd" and begun is not None:
@@ -281,6 +284,7 @@ def _from_arrays(call: Call, now: _Current) -> list[list[list[float]]]:
         if kind == "glColor" and (suffix == "ub" or args[1:2] == ["GL_UNSIGNED_BYTE"]):
             rows = [[value / 255 for value in row] for row in rows]
         arrays[kind] = [(row + [0.0, 0.0, 0.0, 1.0][len(row) :]) for row in rows]
+
     points = arrays.get("glVertex", [])
     if call.name == "glDrawArrays":
         indices = list(range(int(call.args[1]), int(call.args[1]) + int(call.args[2])))
@@ -290,6 +294,7 @@ def _from_arrays(call: Call, now: _Current) -> list[list[list[float]]]:
             indices = indices[: int(call.args[-3])]
     else:
         return []
+
     others = (
         [row[:3] for row in arrays.get("glNormal", [])],
         arrays.get("glColor", []),
@@ -305,4 +310,5 @@ def _from_arrays(call: Call, now: _Current) -> list[list[list[float]]]:
             for array, value in zip(others, current, strict=True)
         ]
         found.append([points[index], *more])
+
     return found

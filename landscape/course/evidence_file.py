@@ -92,6 +92,7 @@ class Writer:
                 found.append(run)
                 run = 0
             found.append(self._written(call, more, inside[place - before]))
+
         run += self._take(brief[begin:])
         return [*found, run] if run else found
 
@@ -197,6 +198,7 @@ def load(path: Path, answer: Mapping[str, Any], folder: Path, wanted: Sequence[i
         picture = pixels.reshape(height, width, 3)
         calls = reader.calls(found["calls"])
         frames[number] = Frame(number, picture, setup, calls, reader.numbers)
+
     source = path.read_text(encoding="utf-8", errors="replace").splitlines()
     early = answer.get("early")
     return Evidence(path, source, frames, (str(early[0]), int(early[1])) if early else None)

@@ -127,6 +127,7 @@ def as_json(report: Report, _: Translator) -> dict[str, Any]:
                 "hint": told.written(_) if told is not None else "",
             }
         )
+
     found: dict[str, Any] = {
         "exercise": report.exercise.name,
         "passed": report.passed,
@@ -157,6 +158,7 @@ def as_text(report: Report, _: Translator, columns: int = WIDTHS[1]) -> list[str
                 break_long_words=False,
                 break_on_hyphens=False,
             )
+
     count = sum(result.passed is True for result in report.results)
     total = _("{passed} of {tests} tests passed")
     if count < 2:  # a singular in French

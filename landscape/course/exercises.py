@@ -166,18 +166,21 @@ def named_in(path: Path) -> Exercise:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{path}: is not text, expected a Python program") from None
+
     names = MARKER.findall(text)
     if not names:
         raise InputError(
             f"{path}: expected a line such as `# exercise: {NAMES[0]}`, which says of which "
             "exercise it is; `landscape exercise start` writes it"
         )
+
     if len(set(names)) > 1:
         raise InputError(f"{path}: names two exercises, {names[0]} and {names[1]}; expected one")
     if names[0] not in NAMES:
         raise InputError(
             f"{path}: {short(names[0])}: expected an exercise, one of {', '.join(NAMES)}"
         )
+
     return exercise(names[0])
 
 
@@ -225,6 +228,7 @@ class Grader:
             if not isinstance(solution, Evidence):
                 raise InputError(f"{model}: the solution cannot be run here ({solution['word']})")
             self._solutions[found.name] = solution
+
         work = _evidence(path, outcomes[0], names["FRAMES"])
         if not isinstance(work, Evidence):
             values = {"seconds": self._seconds, "megabytes": jobs[0].megabytes}
@@ -254,6 +258,7 @@ def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence |
         if outcome.line:
             return {"word": "crashed_at", "signal": outcome.ended, "line": outcome.line}
         return {"word": "crashed", "signal": outcome.ended}
+
     died = {"word": "died", "signal": outcome.ended or "status 0"}
     if outcome.answer is None:
         return died

@@ -91,6 +91,7 @@ def between(first: Call | Draw | None, second: Call | Draw | None) -> Hint:
         line, name = (before or after)[-1]
         text = _("after line {line} ({name})") if before else _("before line {line} ({name})")
         return hint(text, line=line, name=name)
+
     depth = 0
     while depth < min(len(before), len(after)) - 1 and before[depth] == after[depth]:
         depth += 1
@@ -356,6 +357,7 @@ def compare(
                 percent=100 * fraction,
                 where=_where(found & _mask(box, found)),
             )
+
     return None
 
 

@@ -30,6 +30,7 @@ def heat_map(work: Evidence, solution: Evidence) -> np.ndarray:
         parts = [mine, (middle * 255).astype(np.uint8), wanted]
     else:
         parts = [mine, np.full_like(mine, 255), wanted]
+
     height = max(part.shape[0] for part in parts)
     white = np.full((height, GAP, 3), 255, np.uint8)
     row = []

@@ -136,6 +136,7 @@ def _step(path: Path, block: Lines) -> Step:
             raise InputError(f"{where}: code: {name} is a view; expected it at a lesson or program")
         else:
             step.code = (step.code or frozenset()) | _lines(where, step.file, value)
+
     step.caption = " ".join(captions)
     return step
 
@@ -190,6 +191,7 @@ def _lines(where: str, file: Path, value: str) -> frozenset[int]:
         if not fragment or not mine:
             raise InputError(f"{where}: code: {short(item)}: is not in {file.name}")
         found |= mine
+
     return frozenset(found)
 
 

@@ -14,7 +14,9 @@ from landscape.window.list_image import wrapped
 
 # Of the window's height: the largest and the smallest letters of a caption, chosen so that the
 # smallest can be read from the back row.
-LARGEST, SMALLEST, LEAST = 24, 42, 9
+LARGEST = 24
+SMALLEST = 42
+LEAST = 9
 SPACING = 1.3  # chosen: line height, in font sizes
 # Chosen: of a band's width, the second where a long title would need more lines than the caption.
 TITLE_PARTS = 0.27, 0.36
@@ -23,9 +25,17 @@ LIST_LETTERS = (32, 62)  # chosen: likewise
 TAB = 4  # columns
 
 # Chosen: RGB.
-BAND, PAPER, RULE, MARK = (24, 30, 39), (15, 20, 27), (230, 126, 76), (58, 52, 32)
-TITLE, WORDS, DIM, NUMBER = (255, 226, 178), (242, 242, 236), (142, 152, 164), (104, 114, 128)
-CODE, COMMENT, STRONG = (176, 184, 194), (120, 140, 130), (255, 250, 236)
+BAND = (24, 30, 39)
+PAPER = (15, 20, 27)
+RULE = (230, 126, 76)
+MARK = (58, 52, 32)
+TITLE = (255, 226, 178)
+WORDS = (242, 242, 236)
+DIM = (142, 152, 164)
+NUMBER = (104, 114, 128)
+CODE = (176, 184, 194)
+COMMENT = (120, 140, 130)
+STRONG = (255, 250, 236)
 CHOSEN = (62, 82, 104)
 
 
@@ -50,6 +60,7 @@ def caption_image(
         for words, colour, bold in lines:
             pen.text((left, y), words, colour, font(pixels, bold), "la")
             y += SPACING * pixels
+
     small = font(max(height // 60, LEAST))
     corner = (size[0] - pixels // 2, size[1] - pixels // 3)
     pen.text(corner, place, DIM, small, "rd")
@@ -115,6 +126,7 @@ def _caption(size: tuple[int, int], pixels: int, title: str, text: str, part: fl
                 [(line, TITLE, True) for line in titles] + [(line, WORDS, False) for line in lines],
             )
         ]
+
     left = round(part * size[0])
     titles = wrapped(title, bold, left - 2 * edge)
     lines = wrapped(text, face, size[0] - left - 4 * edge)
@@ -152,6 +164,7 @@ def code_image(
         left = (digits + 2) * letter
         if all(left + (len(line) + 1) * letter <= size[0] for line in strong):
             break
+
     step = round(SPACING * pixels)
     image = Image.new("RGBA", size, (*PAPER, 255))
     pen = ImageDraw.Draw(image)
@@ -176,6 +189,7 @@ def code_image(
         pen.text((letter, y), f"{number:{digits}}", NUMBER, face)
         pen.text((left, y), writable(line, face), colour, face)
         y += step
+
     pen.line((0, 0, 0, height), RULE, max(height // 400, 1))
     return np.asarray(image)
 
@@ -235,6 +249,7 @@ def steps_image(
         columns = min(-(-len(steps) // rows), max(width // (36 * pixels), 1))
         if rows * columns >= len(steps):
             break
+
     rows = min(rows, -(-len(steps) // columns)) if rows * columns >= len(steps) else rows
     image = Image.new("RGBA", size, (*BAND, 252))
     pen = ImageDraw.Draw(image)
@@ -260,6 +275,7 @@ def steps_image(
         pen.text((at_x, y + pixels // 6), what, TITLE if index == now else WORDS, face)
         pen.text((right, y + pixels // 3), name, DIM, mono)
         found.boxes.append((x, y, x + across, y + line, index))
+
     for line_ in wrapped(writable(foot, face), face, width - 2 * pixels)[:1]:
         pen.text((pixels, height - pixels // 2), line_, DIM, face, "ld")
     found.image = np.asarray(image)

@@ -26,7 +26,9 @@ class StepList:
 
     def toggle(self, index: int) -> None:
         """Open the list with the step shown now as the chosen one; or close it."""
-        self.open, self.chosen, self._typed = not self.open, index, ""
+        self.open = not self.open
+        self.chosen = index
+        self._typed = ""
 
     @property
     def foot(self) -> str:
@@ -64,6 +66,7 @@ class StepList:
             self._look_for(self._typed[:-1])
         else:
             return False
+
         return True
 
     def type(self, letter: str) -> None:

@@ -120,7 +120,9 @@ class ProgramPlayer(ProgramInspector):
 
     def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
         """Take what the stage passes on."""
-        self._glfw, self._window, self._keys = glfw, window, keys
+        self._glfw = glfw
+        self._window = window
+        self._keys = keys
         self._size = self._stage.area()
         self._stage.player = self
 

@@ -65,6 +65,7 @@ class Stage(GLFWContext):
             checked=True,
             monitor=screen,
         )
+
         # While a program runs, the module's functions are not GLFW's own.
         self.glfw = types.SimpleNamespace(**vars(self.glfw))
         self.glfw.set_window_attrib(self.window, self.glfw.AUTO_ICONIFY, False)
@@ -150,8 +151,12 @@ class Stage(GLFWContext):
 
     def begin(self, index: int) -> None:
         """Begin a step, in a context that is as a new one."""
-        self.index, self.to, self.player = index, None, None
-        self._first, self.wants_strip, self._strip = None, False, None
+        self.index = index
+        self.to = None
+        self.player = None
+        self._first = None
+        self.wants_strip = False
+        self._strip = None
         file = self.step.file
         self._source = file.read_text("utf-8", "replace").splitlines() if file else []
         self.settle()
@@ -216,7 +221,9 @@ class Stage(GLFWContext):
             lambda: caption_image(where.caption, size[1], *said),
         )
         if where.code is not None and self.step.file is not None:
-            box, name, marked = where.code, self.step.file.name, texts.marked(self.step)
+            box = where.code
+            name = self.step.file.name
+            marked = texts.marked(self.step)
             self.plates.draw(
                 "code",
                 (size[0] - box[0], 0),
@@ -262,6 +269,7 @@ class Stage(GLFWContext):
             if self._list.press(glfw, key):
                 self.changed = True
                 return
+
         steps = {
             glfw.KEY_PAGE_DOWN: self.index + 1,
             glfw.KEY_PAGE_UP: self.index - 1,
@@ -329,7 +337,9 @@ class Stage(GLFWContext):
 
     def _escape(self) -> None:
         if self._busy or self.wants_strip:
-            self._list.open, self._strip, self.wants_strip = False, None, False
+            self._list.open = False
+            self._strip = None
+            self.wants_strip = False
         elif self.player is None or not self.player.escape():
             self.to = -1
 

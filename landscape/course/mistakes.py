@@ -55,6 +55,7 @@ def explained(
         parts = [form for form, _text in forms]
         if all(same(seen[number], made(number, *parts)) for number in frames):
             return tuple(text for _form, text in forms)
+
     return None
 
 

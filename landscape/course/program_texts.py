@@ -63,6 +63,7 @@ def translated(source: str, translate: Callable[[str], str]) -> str:
             new = _wrapped(text, f"{indent}# ")
         if text != remark.text:
             rows[remark.row : remark.end] = new
+
     return "\n".join(rows) + "\n"
 
 
@@ -122,6 +123,7 @@ def _remarks(source: str) -> Iterator[Remark]:
             place = node.body[0]
             end = place.end_lineno or place.lineno
             yield Remark(" ".join(text.split()), place.lineno - 1, end, place.col_offset, True)
+
     block: list[tokenize.TokenInfo] = []
     for token in tokenize.generate_tokens(io.StringIO(source).readline):
         if token.type != tokenize.COMMENT or _TAG.match(token.string):
@@ -135,6 +137,7 @@ def _remarks(source: str) -> Iterator[Remark]:
             yield Remark(token.string[2:], row - 1, row, column, beside=True)
         else:
             block.append(token)
+
     if block:
         yield _joined(block)
 

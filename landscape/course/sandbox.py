@@ -122,11 +122,13 @@ class Sandbox:
             self._folder = tempfile.TemporaryDirectory(
                 prefix="landscape-", ignore_cleanup_errors=True
             )
+
         places = []
         for _ in jobs:
             self._count += 1
             places.append(Path(self._folder.name) / str(self._count))
             places[-1].mkdir()
+
         asked = [
             {**asdict(job), "folder": str(place), "cwd": os.getcwd()}
             for job, place in zip(jobs, places, strict=True)
@@ -139,6 +141,7 @@ class Sandbox:
         except BaseException:
             self.close()
             raise
+
         return [
             Outcome(job.path, place, _read(place / ANSWER), reason)
             for job, place, reason in zip(jobs, places, reasons, strict=True)

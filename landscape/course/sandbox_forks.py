@@ -46,6 +46,7 @@ def _run(jobs: list[dict[str, Any]]) -> list[str]:
             run_program(job, us)
         os.close(held)
         running[ends] = index, pid, time.monotonic() + job["seconds"] + GRACE
+
     reasons = [""] * len(jobs)
     while running:
         left = min(end for _, _, end in running.values()) - time.monotonic()
@@ -58,6 +59,7 @@ def _run(jobs: list[dict[str, Any]]) -> list[str]:
             reasons[index] = ended(status, ends not in ready)
             os.close(ends)
             del running[ends]
+
     return reasons
 
 

@@ -81,6 +81,7 @@ def _trouble(
         if witness.window is None and "call" in trouble:
             trouble["word"] = "early"  # where calls without a context are errors, as on Windows
         return trouble
+
     if "shows a frame before" in str(error):
         return {"word": "no_context"}
     if witness.window is None:
@@ -97,6 +98,7 @@ def _trouble(
     ):
         if part in reason:
             return {"word": word}
+
     return {"word": "refused", "reason": reason}
 
 
@@ -194,6 +196,7 @@ class Witness(ExitStack):
                 "pixels": name,
                 "calls": self._block(frame, brief, len(calls) - len(frame)),
             }
+
         if number == max(self._wanted):
             self.finished()
 

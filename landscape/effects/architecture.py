@@ -135,6 +135,7 @@ def floor() -> list[Surface]:
         # Its texture is as wide as the band, and stretched to slabs of 1.5 by 3 metres.
         plain = (points[..., [0, 2]] - (part.west, 0.0)) / (2 * band, 4 * band)
         found.append(Surface(points, "band", plain, 1.0, "floor"))
+
     picture = flat(medallion, 0.0, "medallion", "floor", 0.1)
     u = (picture.points[..., [0, 2]] - (medallion.west, medallion.north)) / (2 * plan.MEDALLION)
     return [*found, Surface(picture.points, "medallion", u, 1.0, "floor")]
@@ -177,11 +178,13 @@ def walls() -> list[Surface]:
         openings += embrasure(middle, window, to, outside, plan.WINDOW_SPLAY)
         found += wall_with_opening(bay, recess, across_x(inside.west))
         openings += alcove(middle, inside.west)
+
     spans = [(inside.west, plan.ROWS[0]), plan.ROWS, (plan.ROWS[1], inside.east)]
     for z, sheet in ((inside.north, "north"), (inside.south, "hall")):
         for span in (spans[0], spans[2]):
             part = upright(halves(*span), level(0.0), bay_arch(*span), across_z(z))
             found.append(Surface(part.points, part.material, part.plain, 1.0, sheet))
+
     to = across_z(inside.south)
     found += wall_with_opening(spans[1], door, to)
     outside = np.array([0.0, 0.0, plan.WALL])

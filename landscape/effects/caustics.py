@@ -186,6 +186,7 @@ class Caustics:
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-1.0, -1.0)  # the meshes are finer than those drawn before
             gl.glDisable(gl.GL_LIGHTING)
+
             # Unit 0: the stone times the vertex's light; unit 1: times the net.
             gl.glActiveTexture(gl.GL_TEXTURE1)
             self._lay_net(frame, planes(self._settings, UPRIGHT) / np.float32(LARGER))

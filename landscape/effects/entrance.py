@@ -28,7 +28,9 @@ SIGNS: Texts = {"door": "the door leads out to the island"}
 # All chosen.
 FAR, WIDE, HIGH = 0.5, 0.7, 0.75  # of the picture of the sky: how far, half its width, its top
 HORIZON = 0.1  # its lower edge: the height of a walker's eye
-MEADOW, PATH, HAZE = (0.40, 0.50, 0.20), (0.78, 0.68, 0.48), (0.66, 0.74, 0.66)
+MEADOW = (0.40, 0.50, 0.20)
+PATH = (0.78, 0.68, 0.48)
+HAZE = (0.66, 0.74, 0.66)
 ROWS = (0.0, 0.12, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0)  # of the meadow, from the door to the horizon
 HALF_PATH = 0.030, 0.003  # half the path's width at the door and at the horizon
 BEND = 0.045  # how far the path bends to the east on its way
@@ -132,7 +134,9 @@ class Entrance:
         gl.glEnd()
 
     def _send_sky(self) -> None:
-        west, east, end = plan.AXIS - WIDE, plan.AXIS + WIDE, plan.INSIDE.south + FAR
+        west = plan.AXIS - WIDE
+        east = plan.AXIS + WIDE
+        end = plan.INSIDE.south + FAR
         self._sky.bind()
         gl.glBegin(gl.GL_QUADS)
         # Someone who looks south has the west at his right.

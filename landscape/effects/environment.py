@@ -130,6 +130,7 @@ def cube_around(
             face = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{name}")
             gl.glCopyTexSubImage2D(face, 0, 0, 0, 0, 0, side, side)
             gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
+
     target.release()
     make_levels(gl.GL_TEXTURE_CUBE_MAP, cube.name)
     return cube
@@ -185,6 +186,7 @@ class Environment:
             self.cube.bind()
             with texture_matrix(turn):
                 self._send_disc()
+
         make_levels(gl.GL_TEXTURE_2D, self._ball.name)
 
     def _send_disc(self) -> None:

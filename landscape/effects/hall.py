@@ -94,6 +94,7 @@ class Hall(Ground):
         except BaseException:
             self.release()
             raise
+
         self.obstacles, self.doors = obstacles(), (door(),)
 
     def _built(self, names: tuple[str, ...], kind: type, *given: Any) -> Any:
@@ -163,6 +164,7 @@ class Hall(Ground):
             with drawing("exhibits"):
                 self.exhibits.draw_first(frame)  # needs an empty depth buffer
         self._draw("room", self.room, frame)
+
         # OpenGL executes the calls so far while Python goes on; so below.
         gl.glFlush()
         if frame.mirrored and not self.settings.mirror.clip:

@@ -22,7 +22,9 @@ def kept_meshes(
     left = iter(arrays)
     found: dict[Any, Mesh] = {}
     for key, units, coloured in json.loads(table.tobytes()):
-        vertices, normals, triangles = next(left), next(left), next(left)
+        vertices = next(left)
+        normals = next(left)
+        triangles = next(left)
         coordinates = tuple(next(left) for _ in range(units))
         colors = next(left) if coloured else None
         found[tuple(key)] = Mesh(vertices, normals, triangles, coordinates, colors)

@@ -25,7 +25,9 @@ KEYS: dict[str, Toggle] = {
 # Chosen: what a drag of 100 pixels does to the light that it carries: degrees around the statue,
 # and units up; the lamp's distance from the statue's middle, its lowest and its highest place.
 TURN, LIFT = 40.0, 0.12
-AWAY, LOW, HIGH = 0.48, 0.16, 0.56
+AWAY = 0.48
+LOW = 0.16
+HIGH = 0.56
 
 
 def carried(settings: Any, right: float, down: float) -> dict[str, Value]:

@@ -26,7 +26,9 @@ GAMMA = 2.2  # of the textures' coding
 FILE = "hall_light.png"
 # Where the picture in FILE holds what: x and y. In the parts red is the sun, green the torch.
 PICTURE = 2048
-HALL, FLOOR, NORTH = (0, 0), (1024, 0), (1024, 1024)
+HALL = (0, 0)
+FLOOR = (1024, 0)
+NORTH = (1024, 1024)
 PARTS = {"floor": (1536, 0), "north": (1536, 1024)}
 BASES = {"floor": FLOOR, "north": NORTH}
 BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for

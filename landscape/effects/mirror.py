@@ -100,6 +100,7 @@ class Mirror:
                 gl.glEnable(gl.GL_STENCIL_TEST)
                 gl.glStencilFunc(gl.GL_EQUAL, FLOOR, FLOOR)
                 gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
+
             groups = gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT | gl.GL_TRANSFORM_BIT
             with matrix(), attrib(groups):
                 gl.glMultMatrixf(MIRROR)

@@ -34,12 +34,16 @@ LOWEST = -0.12  # chosen: radians below the horizon, where the walls hide the do
 FLATNESS = 0.22  # chosen: height of the horizon under the clouds' ceiling, which is 1 high
 ZENITH, HORIZON = (0.20, 0.42, 0.78), (0.78, 0.87, 0.95)  # chosen: RGB
 # Chosen: the sea's depth below the eye and its radius, units; RGB below the viewer and far away.
-SEA, DEEP, HAZE = (0.5, 16.0), (0.10, 0.30, 0.38), (0.62, 0.75, 0.84)
+SEA = (0.5, 16.0)
+DEEP = (0.10, 0.30, 0.38)
+HAZE = (0.62, 0.75, 0.84)
 # Of the high and the low layer: textures per unit of the ceiling, textures per kt, RGB; chosen.
 HIGH = 0.16, (0.00008, 0.00002), (1.0, 0.99, 0.97)
 LOW = 0.37, (0.0004, 0.00012), (0.72, 0.76, 0.82)
 
-INSIDE, ROSE, HALF = plan.INSIDE, plan.ROSE, plan.WINDOW_HALF
+INSIDE = plan.INSIDE
+ROSE = plan.ROSE
+HALF = plan.WINDOW_HALF
 # The corners (4, 3) of rectangles around the openings: windows, rose window and door.
 OPENINGS = [
     *(
@@ -133,6 +137,7 @@ def openings_in_view(frame: Frame, vault: bool = True) -> tuple[int, int, int, i
             continue
         if part := part_of_polygon(frame, corners):
             found.append((part.x, part.y, part.x + part.width, part.y + part.height))
+
     if not found:
         return None
     left, bottom, right, top = zip(*found, strict=True)
@@ -185,6 +190,7 @@ class MovingSky:
                 self._take_off(unit)
                 gl.glDisable(gl.GL_TEXTURE_2D)
             self._sea.call()
+
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
     def _lay(self, unit: int, layer: Layer, kt: float) -> None:

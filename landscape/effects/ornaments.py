@@ -182,6 +182,7 @@ def ribs() -> list[Surface]:
             ]
             place = [(radius, plan.CROWN + height) for radius, height in boss]
             found.append(turned((west + east) / 2, (north + south) / 2, place, "stone", 12))
+
     for x in edges:
         found += [rib((x, north), (x, south), TRANSVERSE) for north, south in bays]
     return found
@@ -232,6 +233,7 @@ def rose_tracery() -> list[Surface]:
         reach = petal + 0.030 * np.sqrt(np.maximum(1 - across**2, 0.0))
         ring = np.cos(turns)[:, None] * right + np.sin(turns)[:, None] * up
         paths.append(centre + reach[:, None] * ring)
+
     return bars(paths, np.array([0.0, 0.0, 1.0]))
 
 
@@ -248,6 +250,7 @@ def mouldings() -> list[Surface]:
         # From north to south seen from within, so that the profile's right side is outside.
         found.append(hood(outline(middle, window, across_x(inside.east)), east))
         found.append(hood(outline(middle, recess, across_x(inside.west)), west))
+
     found.append(hood(outline(plan.AXIS, door, across_z(inside.south)), south))
     height, radius = plan.ROSE
     ring = circle(
@@ -266,6 +269,7 @@ def mouldings() -> list[Surface]:
         (across_z(inside.south), wide, south, plan.ALCOVE_TOP + 0.040),
     ):
         found.append(sweep(to(ends, np.full(2, y)), out, COURSE))
+
     return found
 
 
@@ -307,7 +311,9 @@ def plinth() -> list[Surface]:
 def hanging() -> list[Surface]:
     """Return the map of the island that hangs over the door, and the rod that it hangs from."""
     (half, low), z = plan.HANGING, plan.INSIDE.south - 0.006
-    east, west, top = plan.AXIS + half, plan.AXIS - half, low + 2 * half
+    east = plan.AXIS + half
+    west = plan.AXIS - half
+    top = low + 2 * half
     # Whoever looks south has the east at the left.
     points = np.array([[[east, top, z], [west, top, z]], [[east, low, z], [west, low, z]]])
     cloth = Surface(points, "hanging", np.array([[[0.0, 0], [1, 0]], [[0, 1], [1, 1]]]), 1.5)
@@ -356,6 +362,7 @@ def door_leaves() -> list[Surface]:
             for out, start in ((-thick, low), (thick, low + thick)):
                 strip = start[[0, -2]] + y * UP
                 found.append(sweep(strip, out / 0.008, STRAP, "iron"))
+
     return found
 
 
@@ -412,6 +419,7 @@ def torches() -> list[Surface]:
                 "iron",
             )
         )
+
     return found
 
 

@@ -31,7 +31,9 @@ SPRINGING, CROWN = 0.44, 0.74  # heights where the vault begins, and of its top
 
 # East wall: a lancet window in the middle of each bay.
 WINDOW_HALF = 0.07
-WINDOW_SILL, WINDOW_SPRINGING, WINDOW_TOP = 0.17, 0.46, 0.58
+WINDOW_SILL = 0.17
+WINDOW_SPRINGING = 0.46
+WINDOW_TOP = 0.58
 WINDOW_SPLAY = 0.012  # how much narrower windows are outside than inside, on each side
 # North wall: a round window.
 ROSE = (0.52, 0.13)  # height of its centre, and radius

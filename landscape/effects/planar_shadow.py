@@ -197,6 +197,7 @@ class PlanarShadow:
                 outline = rectangle(corners, receiver.plane)
                 if part := part_of_polygon(frame, outline):
                     seen[name] = light, part
+
         return seen
 
     def darken(self, frame: Frame, receiver: Receiver) -> None:
@@ -243,6 +244,7 @@ class PlanarShadow:
                 gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_OBJECT_LINEAR)
                 gl.glTexGenfv(coordinate, gl.GL_OBJECT_PLANE, np.array(plane, np.float32) / wide)
                 gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+
             gl.glColor3f(*(strength * each for each in FIRELIGHT))
             receiver.send()
 
@@ -268,6 +270,7 @@ class PlanarShadow:
                 gl.glStencilMask(bit)
                 gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER | bit, inside | RECEIVER)
                 self._flatten(frame, receiver, light, name)
+
         groups = gl.GL_ENABLE_BIT | gl.GL_STENCIL_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_SCISSOR_BIT):
             gl.glEnable(gl.GL_STENCIL_TEST)

@@ -48,6 +48,7 @@ def sheets(towards: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
             z = middle + aside - length * towards[2]
             triangles.append(grid + len(vertices) * ROWS * COLUMNS)
             vertices.append(np.stack([x, start - length * towards[1], z], axis=-1).reshape(-1, 3))
+
     return (
         np.ascontiguousarray(np.concatenate(vertices), np.float32),
         np.tile(bright.ravel(), len(vertices)),

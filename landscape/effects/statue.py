@@ -43,7 +43,9 @@ FIRE, REACH = (0.9, 0.62, 0.34), 1.0  # chosen: RGB of the torch's light; units 
 GLINT, SHININESS = (0.5, 0.42, 0.26, 1.0), 60.0  # chosen
 # Chosen: sides of the cubes whose vertices are merged, of a mesh of 2: for its image, and for its
 # shadows, from afar and from nearby.
-COARSE, COARSEST, COARSER = 0.025, 0.045, 0.03
+COARSE = 0.025
+COARSEST = 0.045
+COARSER = 0.03
 FROM_AFAR = 0.0125, 0.02  # chosen: the same for the statue itself from afar
 BALL, BALL_GRID = 0.62, (64, 128)  # chosen: the ball's radius, in a mesh of 2; its rows and columns
 SHARP = (
@@ -178,6 +180,7 @@ class Statue:
                     send()
             else:
                 send()
+
         # In Mesa glPopAttrib does not restore the colour here.
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 

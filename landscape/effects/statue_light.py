@@ -56,5 +56,6 @@ def soft_light(points: np.ndarray, normals: np.ndarray, ground: float) -> np.nda
             blocked[inside] |= full[tuple(cell[inside].T)]
             left[blocked] = 0.0
         total[some] += light * met[some] * left
+
     up = np.maximum(ways[:, 1], 0.0)
     return np.asarray(total / (bright * up)[up > GRAZING].sum())

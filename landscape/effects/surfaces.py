@@ -75,16 +75,20 @@ def charts(surfaces: Sequence[Surface], side: int, texels: float) -> list[Chart]
         sizes.append(
             [max(round(length * texels * surface.density), 2) for length in surface.lengths]
         )
+
     found: dict[int, Chart] = {}
     x = y = row = 0
     for index in sorted(range(len(sizes)), key=lambda k: (-sizes[k][0], -sizes[k][1], k)):
         height, width = (length + 2 * BORDER for length in sizes[index])
         if x + width > side:
-            x, y, row = 0, y + row, 0
+            x = 0
+            y = y + row
+            row = 0
         if x + width > side or y + height > side:
             raise ValueError(f"the charts do not fit into {side} x {side} texels")
         found[index] = Chart(x + BORDER, y + BORDER, width - 2 * BORDER, height - 2 * BORDER)
         x, row = x + width, max(row, height)
+
     return [found[index] for index in range(len(sizes))]
 
 
@@ -136,7 +140,10 @@ def cells(surface: Surface, chart: Chart) -> tuple[np.ndarray, np.ndarray]:
     r, c = corner[0][:, None], corner[1][None, :]
 
     def between(grid: np.ndarray) -> np.ndarray:
-        here, right, below, across = grid[r, c], grid[r, c + 1], grid[r + 1, c], grid[r + 1, c + 1]
+        here = grid[r, c]
+        right = grid[r, c + 1]
+        below = grid[r + 1, c]
+        across = grid[r + 1, c + 1]
         lower = here + b * (below - here) + a * (across - below)
         upper = here + a * (right - here) + b * (across - right)
         return np.where(b >= a, lower, upper)
@@ -165,6 +172,7 @@ def needed(points: np.ndarray, axis: int, tolerance: float) -> list[int]:
                 break
             end += 1
         kept.append(end)
+
     return kept
 
 

@@ -102,11 +102,13 @@ class Tone:
             gl.glBlendFunc(gl.GL_ONE, gl.GL_SRC_ALPHA)
             cover(bias, bias, bias, scale)
             return
+
         if scale <= 1.0:
             gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_ALPHA)
             cover(0.0, 0.0, 0.0, scale)
             self._add(bias)
             return
+
         # A scale above 1 comes last: what it makes too bright or too dark, it makes so in the end.
         self._add(bias / scale)
         gl.glBlendFunc(gl.GL_DST_COLOR, gl.GL_ONE)

@@ -48,7 +48,9 @@ class Animal(ABC):
     ) -> None:
         """Scale a mesh of -1..1 to ``scale`` units and place it at ``place``."""
         self._settings, self._built_from = settings, self.built_from(settings)
-        self._place, self._yaw, self._scale = place, yaw_deg, scale
+        self._place = place
+        self._yaw = yaw_deg
+        self._scale = scale
         self._vertices = mesh.vertices
         self._reach = scale * float(np.linalg.norm(mesh.vertices, axis=1).max(initial=0.0))
         self._closed = is_closed(mesh.triangles)

@@ -54,6 +54,7 @@ def draw_fire(sheet: Texture, kt: float, eye: tuple[float, float], faces: bool) 
         ):
             place = (x + along * across_x, y, FLAME_Z + along * across_z)
             corners.append((s + ds, t + dt, *place))
+
     gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
     gl.glDepthMask(gl.GL_FALSE)
     sheet.bind()

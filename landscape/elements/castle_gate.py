@@ -28,6 +28,7 @@ def draw_gate_in_layers(
     """
     gl.glEnable(gl.GL_TEXTURE_2D)
     gl.glEnable(gl.GL_BLEND)
+
     # From a distance the depth buffer cannot separate the layers from the wall.
     gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
     gl.glNormal3f(0.0, 0.0, -1.0)

@@ -19,7 +19,9 @@ from landscape.gl.features import possible
 from landscape.settings import Fog
 
 # Of GL_NV_fog_distance; the last is GL_EYE_PLANE_ABSOLUTE_NV, which OpenGL begins with in Mesa.
-FOG_DISTANCE_MODE, EYE_RADIAL, EYE_PLANE = 0x855A, 0x855B, 0x855C
+FOG_DISTANCE_MODE = 0x855A
+EYE_RADIAL = 0x855B
+EYE_PLANE = 0x855C
 
 
 def visibility(distance: np.ndarray, density: float) -> np.ndarray:

@@ -143,7 +143,9 @@ def check_loop(count: int) -> None:
 
 def built_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the blades' number, places and shapes depend on."""
-    ground, grass, castle = settings.ground, settings.grass, settings.castle
+    ground = settings.ground
+    grass = settings.grass
+    castle = settings.castle
     return (
         *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
@@ -157,7 +159,9 @@ class Grass:
 
     def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
         """Distribute the blades over the cells at random, by ``seed``."""
-        self._settings, self._seed, self._field = settings, seed, ground.field
+        self._settings = settings
+        self._seed = seed
+        self._field = ground.field
         self._built_from = built_from(settings)
         self._suits = partial(bears_grass, ground.field, settings.castle)
         self._across = int(np.ceil(ground.field.size / CELL))
@@ -255,7 +259,9 @@ class Grass:
         """Apply new settings; return False, changing nothing, if the blades must be regrown."""
         if wanted(settings) or built_from(settings) != self._built_from:
             return False
-        self._settings, self._selected, self._cells = settings, None, []
+        self._settings = settings
+        self._selected = None
+        self._cells = []
         return True
 
     def release(self) -> None:

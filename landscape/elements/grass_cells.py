@@ -89,6 +89,7 @@ def places_in_cells(
                 luck = np.array_split(lucks[k], 2)[part]
                 kept[wanted[k]].append(half[luck < likely])
                 missing[wanted[k]] -= len(kept[wanted[k]][-1])
+
     return [np.concatenate(parts)[:count] for parts, count in zip(kept, counts, strict=True)]
 
 

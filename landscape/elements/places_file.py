@@ -55,6 +55,7 @@ def read_places(
             f"{path}: expected a first line with {', '.join(NEEDED)} and perhaps "
             f"{', '.join(MORE_COLUMNS)}, not {short(','.join(names))}"
         )
+
     numbers: list[list[float]] = []
     cells, pictures = [], []
     try:
@@ -74,6 +75,7 @@ def read_places(
             numbers.append([*place, *size, flipped, *tint])
     except csv.Error as error:
         raise InputError(f"{path}, line {rows.line_num}: {error}") from None
+
     all_cells = np.array(cells, int)
     kept = np.isin(group_of(all_cells), sorted(kinds))
     table = np.array(numbers, float).reshape(-1, 8)[kept]

@@ -102,7 +102,9 @@ def random_sprites(
         heights = field.terrain_height(posts[:, 0], posts[:, 1])
         on_land = np.insert(posts, 1, heights, axis=1)[heights > field.water_level][:n]
         positions[: len(on_land)] = on_land
+
     sizes = rng.uniform(group.size_min, max(group.size_min, group.size_max), (n, 2))
+
     # Of one kind of deer or of two: the other random numbers are the same.
     drawn = rng.integers(max(species, 2) if kind == "deer" else species, size=n)
     return Sprites(positions, sizes, first + drawn % species, rng.random(n) < 0.5)
@@ -123,7 +125,9 @@ def plant(settings: Settings, field: HeightField, seed: int, kinds: set[str]) ->
 
 def site(settings: Settings) -> tuple[object, ...]:
     """Return the settings that determine where there is land and what else stands on it."""
-    ground, castle, rabbit = settings.ground, settings.castle, settings.rabbit
+    ground = settings.ground
+    castle = settings.castle
+    rabbit = settings.rabbit
     return (
         *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y),

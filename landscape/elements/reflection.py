@@ -47,6 +47,7 @@ def inside_water(mark: Callable[[], None] | None) -> Iterator[None]:
         return
     outside = drawn_now()
     groups = gl.GL_STENCIL_BUFFER_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
+
     with drawing("reflection"), attrib(groups):
         gl.glEnable(gl.GL_STENCIL_TEST)
         gl.glStencilFunc(gl.GL_ALWAYS, 1, 1)

@@ -55,6 +55,7 @@ def face_corners(d: float, h: float) -> dict[str, np.ndarray]:
             ],
             np.float32,
         )
+
     faces["top"] = np.array([(-d, h, -d), (-d, h, d), (d, h, d), (d, h, -d)], np.float32)
     return faces
 
@@ -153,6 +154,7 @@ class SkyBox:
                 gl.glDepthRange(1.0, 1.0)
                 gl.glDepthFunc(gl.GL_LEQUAL)
                 gl.glDepthMask(gl.GL_FALSE)
+
             if sky.unfogged:
                 gl.glDisable(gl.GL_FOG)
             if sky.anchored:
@@ -163,6 +165,7 @@ class SkyBox:
                 foot = mirrored_height(y, level) if frame.mirrored else y
             else:
                 foot = level
+
             gl.glTranslatef(x, foot - sky.sunk, z)
             self._list.call()
             if self._clouds is not None:

@@ -121,6 +121,7 @@ class WaterSurface:
                 for kx in PATCHES:
                     for kz in PATCHES:
                         self._draw_patch(kx * water.patch, kz * water.patch)
+
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def _draw_patch(self, x: float, z: float) -> None:

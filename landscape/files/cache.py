@@ -87,6 +87,7 @@ def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
         found = make()
         with contextlib.suppress(InputError):
             _write(path, found)
+
     return found
 
 
@@ -149,6 +150,7 @@ def _read(path: Path) -> Arrays | None:
         os.utime(path)  # the time of its last use: older files are deleted first
     except OSError:
         return None
+
     begin = _begin(path)
     head, body = data[:HEAD_BYTES].tobytes(), data[HEAD_BYTES:]
     if len(head) < HEAD_BYTES or not head.startswith(begin):
@@ -164,6 +166,7 @@ def _read(path: Path) -> Arrays | None:
             at += size + -size % ALIGNED
     except (ValueError, TypeError):
         return None
+
     return tuple(arrays)
 
 

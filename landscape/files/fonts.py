@@ -12,7 +12,9 @@ from PIL.ImageFont import FreeTypeFont
 
 from landscape.files.assets import shipped
 
-REGULAR, BOLD, MONOSPACED = "DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf"
+REGULAR = "DejaVuSans.ttf"
+BOLD = "DejaVuSans-Bold.ttf"
+MONOSPACED = "DejaVuSansMono.ttf"
 
 
 def font(size: int, bold: bool = False) -> FreeTypeFont:

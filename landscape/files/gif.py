@@ -58,7 +58,9 @@ class GifFile:
         self, out: Writable, size: tuple[int, int], fps: float, palette: np.ndarray
     ) -> None:
         """Write the header: ``size`` in pixels, palette uint8 (n, 3), repeated without end."""
-        self._out, self._fps, self._size = out, fps, size
+        self._out = out
+        self._fps = fps
+        self._size = size
         self._nearest = nearest(palette)
         rows, columns = -(-size[1] // 8), -(-size[0] // 8)
         pattern = np.tile(PATTERN, (rows, columns))[: size[1], : size[0], None]
@@ -87,6 +89,7 @@ class GifFile:
             self._before = shown, numbers
         else:
             self._before = pixels, numbers
+
         # Rounded to where the frame begins and ends, so that the film is as long as it should be.
         begin, end = (round(100 * k / self._fps) for k in (self._written, self._written + 1))
         self._written += 1

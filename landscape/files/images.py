@@ -82,6 +82,7 @@ def decoded_image(file: BinaryIO, name: str) -> Image.Image:
         # A decoder may raise any kind of exception: all of them mean a damaged file.
         reason = str(error).split(" <_io")[0].split(f" {name!r}")[0] or type(error).__name__
         raise InputError(f"{name}: expected an image such as PNG ({reason})") from None
+
     return image
 
 
@@ -137,6 +138,7 @@ def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
         colour = np.where(alpha > 1e-3, colour, fallback)
         out = np.concatenate([colour, np.clip(alpha * scale, 0, 1)], axis=2)
         chain.append((np.clip(out, 0, 1) * 255 + 0.5).astype(np.uint8))
+
     return chain
 
 
@@ -159,6 +161,7 @@ def bled(rgba: np.ndarray, steps: int = 2) -> np.ndarray:
         found = total // count[row, column, None]
         out[row, column, :3] = found
         colour[row + 1, column + 1], known[row + 1, column + 1] = found, True
+
     return out
 
 

@@ -159,6 +159,7 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
             if len(known or lists) != 1:
                 raise ValueError("its faces have no list named vertex_indices")
             triangles = _fans(columns[(known or lists)[0]])
+
     places = np.ascontiguousarray(vertices, np.float32)
     return places, triangles.astype(np.int64), colours
 
@@ -269,9 +270,11 @@ def _fans(polygons: np.ndarray | list[np.ndarray]) -> np.ndarray:
         groups = [np.stack(alike[length]) for length in sorted(alike)]
     else:
         groups = [polygons] if polygons.ndim == 2 else []
+
     total = sum(len(group) * max(group.shape[1] - 2, 0) for group in groups)
     if total > MOST_TRIANGLES:
         raise ValueError(f"its faces make {total} triangles, expected at most {MOST_TRIANGLES}")
+
     # The first triangle of every polygon of a group, then the second of every one, and so on.
     fans = [
         np.stack(np.broadcast_arrays(group[:, :1], group[:, 1:-1], group[:, 2:]), axis=2)

@@ -40,6 +40,7 @@ def read_by_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
         )
     except subprocess.TimeoutExpired:
         raise InputError(allowed) from None
+
     if limits.crash(done.returncode):  # ended by the system, for its time or its memory
         raise InputError(allowed)
     if done.returncode > 0:

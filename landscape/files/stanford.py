@@ -150,6 +150,7 @@ def download(scan: Scan, url: str, quiet: bool = False) -> bytes:
         raise InputError(f"{url}: not a whole .tar.gz archive ({error})") from error
     except ValueError as error:
         raise InputError(f"{url}: {scan.member}: {error}") from error
+
     return data
 
 

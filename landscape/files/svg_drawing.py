@@ -60,10 +60,12 @@ def drawn(
         for child in list(parent):
             if child.get(LABEL, "").lower() in left_out:
                 parent.remove(child)
+
     for image in root.iter(f"{SVG}image"):
         for name in LINKS:
             if name in image.attrib and not image.get(name, "").strip().startswith("data:"):
                 image.set(name, embedded(linked(image.get(name, ""))))
+
     root.set("width", repr(page[0]))
     root.set("height", repr(page[1]))
     outer = ElementTree.Element(
@@ -86,6 +88,7 @@ def drawn(
         )
     except ValueError as error:
         raise InputError(f"{path}: cannot be drawn ({error})") from None
+
     return decoded_image(io.BytesIO(bytes(data)), f"{path}: its picture").convert("RGB")
 
 

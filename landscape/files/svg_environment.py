@@ -104,6 +104,7 @@ def _read(path: Path) -> SvgEnvironment:
         raise InputError(
             f'{path}: expected a path of more than one point on the layer "{CAMERA}"{hint}'
         )
+
     if found.image is None and not found.shapes:
         raise InputError(f"{path}: expected the height image, embedded or linked")
     image, to_pixels, notices = _map(path, found)
@@ -131,6 +132,7 @@ def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, 
         size = _powers(width, height)
         to_pixels = np.diag([size[0] / width, size[1] / height, 1.0])
         return draws((0.0, 0.0, width, height), size), to_pixels, ()
+
     element, place = found.image
     image = _image(path, element.attributes.get("href", ""))
     with _named(path):
@@ -182,6 +184,7 @@ def _collect(element: Element, around: Place, found: Found) -> None:
         shown = not (around.hidden or element.hidden)
         found.shapes += shown and element.tag in (*SHAPES, "use")
         return
+
     place = around._replace(
         transform=around.transform @ _transform(found.text(element.get("transform"))),
         hidden=around.hidden or element.hidden,
@@ -192,6 +195,7 @@ def _collect(element: Element, around: Place, found: Found) -> None:
         place = _viewport(element, place)
         if outermost:
             found.page = _page(element, place)
+
     label = element.get("inkscape:label").lower()
     if element.tag == "g" and label in (CAMERA, TARGETS):
         place = place._replace(layer=label)
@@ -217,6 +221,7 @@ def _collect(element: Element, around: Place, found: Found) -> None:
         curves = _subpaths(found.text(_path_data(element)))
         found.subpaths += [_moved(place.transform, each) for each in curves]
         found.curves += sum(map(len, curves))
+
     if found.curves > MOST_CURVES or len(found.targets) > MOST_TARGETS:
         most = f"{MOST_CURVES} nodes and {MOST_TARGETS} points to look at"
         raise InputError(f"expected at most {most}")
@@ -268,9 +273,11 @@ def _viewport(element: Element, place: Place) -> Place:
         x, y, width, height = map(float, numbers or ("0", "0", "nan", "nan"))
     except ValueError:
         raise InputError("expected a viewBox of four numbers") from None
+
     if numbers and not (width > 0 and height > 0 and np.isfinite([x, y, width, height]).all()):
         raise InputError("expected a viewBox of finite size")
     inside = (x, y, width, height) if numbers else (0.0, 0.0, *outer)
+
     # The outermost <svg> is as large as its viewBox says where its size is not given.
     whole = outer if any(outer) else inside[2:]
     corner = [_length(element, key, side, 0.0) for key, side in zip("xy", whole, strict=True)]
@@ -396,7 +403,9 @@ def _image(path: Path, link: str) -> Image.Image:
         if not embedded:
             raise InputError(f"{path}: <image>: expected data in base64")
         return decoded_image(io.BytesIO(embedded), f"{path}: embedded image")
+
     name = unquote(link.strip().removeprefix("file://"))
+
     # Compared as they are written: a symbolic link in the folder is the user's own.
     folder = os.path.abspath(path.parent)
     target = os.path.abspath(os.path.join(folder, name))
@@ -405,6 +414,7 @@ def _image(path: Path, link: str) -> Image.Image:
             f"{path}: <image>: expected an embedded image or a file in the same folder, not "
             f"{short(link)}"
         )
+
     try:
         return open_image(Path(target))
     except InputError as error:

@@ -16,7 +16,10 @@ from landscape.files.fonts import font, writable
 INK, SHADE = (255, 252, 240), (8, 14, 20)  # chosen: RGB of text and shadow
 COME, GO = 0.7, 0.7  # chosen: seconds in which a caption comes and goes
 # Chosen: as fractions of the picture's height.
-TITLE, UNDER, LINE, SMALL = 0.115, 0.042, 0.052, 0.034
+TITLE = 0.115
+UNDER = 0.042
+LINE = 0.052
+SMALL = 0.034
 EDGE = 0.075
 SMALLEST = 7  # chosen: pixels, size of a font
 SHADOW = 0.85  # chosen: opacity of the shadow
@@ -65,6 +68,7 @@ def _layer(text: str, below: str, title: bool, size: tuple[int, int]) -> tuple[i
         while pixels > SMALLEST and font(pixels, bold).getlength(words) > (1 - 2 * EDGE) * width:
             pixels -= 1
         faces.append((writable(words, font(pixels, bold)), font(pixels, bold), pixels))
+
     (words, face, large), (more, small, little) = faces
     mask = Image.new("L", size, 0)
     pen = ImageDraw.Draw(mask)
@@ -76,6 +80,7 @@ def _layer(text: str, below: str, title: bool, size: tuple[int, int]) -> tuple[i
         left, low = EDGE * width / 2 + EDGE * height / 2, height * (1 - EDGE)
         pen.text((left, low), more, 255, small, "ls")
         pen.text((left, low - (1.45 * little if more else 0)), words, 255, face, "ls")
+
     ink = np.asarray(mask, np.float32) / 255.0
     reach = max(0.006 * height, 1.0)
     soft = np.asarray(mask.filter(ImageFilter.GaussianBlur(reach)), np.float32) / 255.0

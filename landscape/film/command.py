@@ -80,6 +80,7 @@ def write(film: Film, out: Path, jobs: int, quiet: bool = True) -> int:
     finally:
         if encoded is not None:
             encoded.discard()
+
     return done
 
 

@@ -67,6 +67,7 @@ class Projector:
             for k, part in enumerate(film.parts)
             if self._starts[k] <= now < self._starts[k] + part.clip.seconds
         ]
+
         # Rounding may leave the last frame just after the end.
         running = running or [len(film.parts) - 1]
         self._open = {k: v for k, v in self._open.items() if k in running}
@@ -83,6 +84,7 @@ class Projector:
                 pixels = own if share == 1.0 else mixed(np.zeros_like(own), own, share)
             else:
                 pixels = mixed(pixels, own, share)
+
         assert pixels is not None
         left = self._starts[-1] - now
         if film.ending > 0.0 and left < film.ending:

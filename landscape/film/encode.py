@@ -61,6 +61,7 @@ def check(out: Path, size: tuple[int, int], fps: Fraction) -> None:
         if max(size) > MOST_OF_GIF:
             raise InputError(f"--size: a GIF has at most {MOST_OF_GIF} pixels a side")
         return
+
     if size[0] % 2 or size[1] % 2:
         text = f"{size[0]}x{size[1]}"
         raise InputError(f"--size {text}: expected an even width and height for {ending}")
@@ -124,6 +125,7 @@ class _Video:
         codec, options = CODECS[ending]
         self._output = Output(out, self._name)
         self._container: Any = None
+
         try:
             with self._named():
                 self._container = self._av.open(self._output.place, "w", format=ending[1:])

@@ -56,7 +56,9 @@ class Replay:
 
     def __init__(self, plan: Plan, ticks: tuple[Tick, ...], stage: Stage) -> None:
         """Open nothing yet."""
-        self._plan, self._ticks, self._stage = plan, ticks, stage
+        self._plan = plan
+        self._ticks = ticks
+        self._stage = stage
         self.ends = np.cumsum([tick.seconds for tick in ticks])
         self._places: Places | None = None
         self._next = 0
@@ -92,6 +94,7 @@ class Replay:
         """Carry out the walk up to a time, and return what is seen then."""
         if self._places is None or (self._next and seconds < self.ends[self._next - 1]):
             self._begin()
+
         # The frame that ends at this time or after it; what happened until then has happened.
         while self._next < len(self._ticks) and (
             self._next == 0 or self.ends[self._next - 1] < seconds
@@ -99,6 +102,7 @@ class Replay:
             with self._stage.offscreen.targeted():
                 self.advance(self._ticks[self._next])
             self._next += 1
+
         end = self.ends[self._next - 1] if self._next else 0.0
         length = self._ticks[self._next - 1].seconds if self._next else 0.0
         share = min(max(1.0 - float(end - seconds) / length, 0.0), 1.0) if length > 0.0 else 1.0

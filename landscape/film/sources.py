@@ -125,6 +125,7 @@ def _through(words: Sequence[str], wanted: Wanted) -> list[Part]:
         kind, view = find_view(words[0])
         still = Still(look_at(kind, view, wanted), view.pose, wanted.seconds or MOMENT)
         return [Part(still)]
+
     groups: list[tuple[Look, list[View]]] = []
     for kind, view in map(find_view, words):
         look = look_at(kind, view, wanted, flown=True)
@@ -132,6 +133,7 @@ def _through(words: Sequence[str], wanted: Wanted) -> list[Part]:
             groups[-1][1].append(view)
         else:
             groups.append((look, [view]))
+
     found: list[Still | Flight] = []
     for look, views in groups:
         poses = tuple(view.pose for view in views)
@@ -139,6 +141,7 @@ def _through(words: Sequence[str], wanted: Wanted) -> list[Part]:
             found.append(Still(look, poses[0], GLANCE))
         else:
             found.append(Flight(look, poses, spans(_high(look, poses), look.values.walk.speed)))
+
     if wanted.seconds is not None:
         scale = wanted.seconds / sum(clip.seconds for clip in found)
         found = [clip.lasting(scale * clip.seconds) for clip in found]

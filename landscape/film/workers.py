@@ -39,6 +39,7 @@ def drawn(
     frames = range(film.frames) if numbers is None else numbers
     count = len(frames)
     crew = [_Worker(film) for _ in range(min(jobs, count))]
+
     try:
         with one_core(), starting_workers():
             for worker in crew:

@@ -59,13 +59,16 @@ def between_four(
     """
     both = u * v
     both >>= BYTE
+
     # Rounded like this the four weights are never negative, and their sum is 256.
     u -= both
     v -= both
     rest = np.uint32(256) - both
     rest -= u
     rest -= v
-    pair, other, part = corners[0] & PAIR, corners[0], np.empty_like(u)
+    pair = corners[0] & PAIR
+    other = corners[0]
+    part = np.empty_like(u)
     pair *= rest
     other >>= BYTE
     other &= PAIR
@@ -78,6 +81,7 @@ def between_four(
         corner &= PAIR
         corner *= weight
         other += corner
+
     pair >>= BYTE
     pair &= PAIR
     other &= ~PAIR

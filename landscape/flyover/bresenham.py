@@ -142,6 +142,7 @@ def clipped(
     back = u1 < u0
     u, v = np.minimum(u0, u1), np.where(back, v1, v0)
     du, dv = np.abs(u1 - u0), np.where(back, v0 - v1, v1 - v0)
+
     # Halfway between two pixels, the line goes on in the direction in which it was given.
     down = (v1 < v0).astype(np.int64)
     first, last = np.zeros_like(du), du.copy()
@@ -154,6 +155,7 @@ def clipped(
     seen = np.flatnonzero(last >= first)
     u, v, du, dv, down, first = (each[seen] for each in (u, v, du, dv, down, first))
     longer = np.maximum(du, 1)  # it is 0 for a line of one pixel
+
     # Halfway between two pixels, half of the least difference that there can be, 1 / 2 du, decides.
     start = v + 0.5 + (0.25 - 0.5 * down) / longer
     count = last[seen] - first + 1
@@ -175,6 +177,7 @@ def on_screen(
     first for a line that is not on it.
     """
     first, last = np.maximum(-u, 0), np.minimum(longest - 1 - u, du)
+
     # The shorter side has made s(k) = floor((2 k dv + du - down) / 2 du) steps. It is below the
     # lower edge while s(k) < -v, and above the upper edge where s(k) >= highest - v.
     enter, leave = (2 * du * steps - du + down for steps in (-v, highest - v))
@@ -194,7 +197,9 @@ def steps(runs: Runs) -> tuple[np.ndarray, np.ndarray]:
     """Return u and v of each pixel of all runs, by the closed form."""
     owner = np.repeat(np.arange(len(runs.count)), runs.count)
     k = np.arange(len(owner)) + (runs.first - np.cumsum(runs.count) + runs.count)[owner]
-    du, dv, down = runs.du[owner], runs.dv[owner], runs.down[owner]
+    du = runs.du[owner]
+    dv = runs.dv[owner]
+    down = runs.down[owner]
     made = (2 * k * dv + du - down) // np.maximum(2 * du, 1)
     return runs.u[owner] + k, runs.v[owner] + made
 

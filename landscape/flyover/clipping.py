@@ -112,6 +112,7 @@ def projected(points: Points, edges: Edges, volume: Frustum, size: tuple[int, in
         cut_z = z[inside] + part * (z[outside] - z[inside])
         near = np.full(len(at), volume.near)
         column[at], row[at] = project(near, cut_y, cut_z, volume, size)
+
     if edges.fading is not None:
         shorten(ends[0], ends[1], edges.fading)
         shorten(ends[1], ends[0], -edges.fading)

@@ -43,6 +43,7 @@ def close_up(
     ``x`` and ``y`` are in texels, ``away`` in units.
     """
     close = away < CLOSE
+
     # Open water has few colours: its texels are seen right before the eye only.
     close &= (colour < OPAQUE) | (away < BEFORE)
     near = np.flatnonzero(close)
@@ -66,6 +67,7 @@ def close_up(
         np.subtract(np.uint32(256), keep, out=keep)
         lit = smooth.take(grained)
         smooth[grained] = darker(lit, keep) | lit & OPAQUE
+
     colour[near] = smooth
 
 

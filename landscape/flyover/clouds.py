@@ -44,6 +44,7 @@ def clouds(
         here *= through
         shown += here * found[1] / np.maximum(found[0], np.float32(1e-6))
         through -= here
+
     near = smooth_step(0.035, 0.16, tangent)
     solid = 1 - through
     shown /= np.maximum(solid, 1e-6)
@@ -59,6 +60,7 @@ def lit_slices(size: int, towards: np.ndarray) -> list[tuple[np.ndarray, np.ndar
     Both are float32 (size, size) of 0..1.
     """
     where = noise(size, SEED, 1.2, 3, 9)
+
     # Noise folded at 0 has round heaps with creases between them.
     heaps = [np.abs(noise(size, SEED + 1 + k, 0.6, 10 * 2**k, 20 * 2**k)) for k in range(4)]
     puffs = sum(heap * 0.55**k for k, heap in enumerate(heaps))
@@ -77,6 +79,7 @@ def lit_slices(size: int, towards: np.ndarray) -> list[tuple[np.ndarray, np.ndar
         bright = np.clip(0.16 + 0.6 * sky + 0.60 * sun, 0, 1)
         found.append((each, (each * bright).astype(np.float32)))
         above = np.roll(above + each * step, (-row, -column), (0, 1))
+
     return found[::-1]
 
 
@@ -116,6 +119,7 @@ def looked_up(
             (each[::2, ::2] + each[1::2, ::2] + each[::2, 1::2] + each[1::2, 1::2]) / 4
             for each in layers
         )
+
     return found
 
 

@@ -91,6 +91,7 @@ def background(
     sin, cos = math.sin(camera.theta_x), math.cos(camera.theta_x)
     ahead = -math.sin(camera.theta_y) * volume.near
     steep = math.cos(camera.theta_y)
+
     # How far the ray of each pixel rises; a picture that does not roll has one for each row.
     rise = ahead + steep * cos * up[:, None]
     if sin:
@@ -125,7 +126,9 @@ class Ink:
 
         ``marks`` (n,) has NOTHING for each of its pixels, and is written to.
         """
-        self.palette, self.visible, self.marks = palette, visible, marks
+        self.palette = palette
+        self.visible = visible
+        self.marks = marks
         self.lowest, self.relief = field.lowest, max(field.highest - field.lowest, 1e-6)
         self.drawn: list[np.ndarray] = []
 

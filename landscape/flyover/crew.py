@@ -143,6 +143,7 @@ class Crew:
                 worker.ask(Task(camera, new, size, columns))
             except OSError as error:
                 failed.append((columns, _reason(error)))
+
         self._settings = settings
         drawn = frame.draw(self.terrain, camera, settings, size, parts[0], canvas)
         times, counts = [time.perf_counter() - started], [drawn.counts]
@@ -156,6 +157,7 @@ class Crew:
                 continue
             times.append(seconds)
             counts.append(found)
+
         for columns, _ in failed:
             alone = frame.draw(self.terrain, camera, settings, size, columns, canvas)
             counts.append(alone.counts)
@@ -163,6 +165,7 @@ class Crew:
             self._give_up(failed[0][1])
         else:
             self._cuts[key] = balanced(cuts, times)
+
         total = {name: sum(each[name] for each in counts) for name in drawn.counts}
         return frame.Frame(drawn.rgba, total)
 
@@ -174,7 +177,9 @@ class Crew:
 
     def close(self) -> None:
         """End the other processes; may be called twice. Pictures can still be drawn."""
-        workers, self._workers, self._ready = self._workers, [], False
+        workers = self._workers
+        self._workers = []
+        self._ready = False
         for worker in workers:
             worker.end()
 
@@ -294,6 +299,7 @@ def _work(given: _Given) -> None:
     canvas = frame.Canvas(np.empty((0, 0), np.uint32))
     settings = Settings()
     pipe = given.pipe
+
     with contextlib.suppress(EOFError, OSError):
         pipe.send(True)
         while True:

@@ -24,10 +24,17 @@ def facing(points: Points, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     triangles corner, right, across, and for the triangles corner, across, below.
     """
     x, y, z = points
-    ax, ay, az = x[:, :-1, :-1], y[:, :-1, :-1], z[:, :-1, :-1]
-    cx, cy, cz = x[:, 1:, 1:], y[:, 1:, 1:], z[:, 1:, 1:]
+    ax = x[:, :-1, :-1]
+    ay = y[:, :-1, :-1]
+    az = z[:, :-1, :-1]
+    cx = x[:, 1:, 1:]
+    cy = y[:, 1:, 1:]
+    cz = z[:, 1:, 1:]
+
     # Both triangles share the diagonal: one cross product, across x corner, serves both.
-    nx, ny, nz = cy * az - cz * ay, cz * ax - cx * az, cx * ay - cy * ax
+    nx = cy * az - cz * ay
+    ny = cz * ax - cx * az
+    nz = cx * ay - cy * ax
     right, below = np.s_[:, :-1, 1:], np.s_[:, 1:, :-1]
     least = (LEAST * area)[:, None, None]
     first = nx * x[right] + ny * y[right] + nz * z[right]

@@ -46,5 +46,6 @@ def vertices(
         y = (row[:, :, None] - part * (row & 1)[:, :, None]) * unit[:, None] - camera.y
         z *= 1.0 - part
         z += part * field.at(tiles.level + 1, row >> 1, column >> 1)
+
     z -= camera.z
     return (np.broadcast_to(x, shape), np.broadcast_to(y, shape), z), part

@@ -12,8 +12,12 @@ from landscape.flyover.ground import colour
 from landscape.flyover.sunlight import smooth_step
 
 # Colours, sRGB 0..1, chosen.
-ZENITH, BLUE, HORIZON = colour(0.16, 0.34, 0.66), colour(0.40, 0.62, 0.88), colour(0.78, 0.85, 0.91)
-GLOW, LIT, SHADED = colour(1.0, 0.93, 0.78), colour(1.0, 0.985, 0.96), colour(0.62, 0.68, 0.77)
+ZENITH = colour(0.16, 0.34, 0.66)
+BLUE = colour(0.40, 0.62, 0.88)
+HORIZON = colour(0.78, 0.85, 0.91)
+GLOW = colour(1.0, 0.93, 0.78)
+LIT = colour(1.0, 0.985, 0.96)
+SHADED = colour(0.62, 0.68, 0.77)
 DISC = colour(1.0, 0.98, 0.90)
 
 
@@ -39,6 +43,7 @@ def dome(towards: np.ndarray, cloudy: bool, rows: int) -> np.ndarray:
         shown = SHADED + (LIT - SHADED) * light[..., None]
         shown = shown + (GLOW - shown) * (0.4 * to_sun**8)
         sky = sky + (shown - sky) * amount[..., None]
+
     sun = np.maximum(smooth_step(0.99982, 0.99990, to_sun), 0.6 * to_sun**900)
     if cloudy:
         sun = sun * (1 - 0.8 * amount[..., None])

@@ -56,7 +56,9 @@ def of_triangles(code: np.ndarray, facing: Facing | None = None) -> Edges:
         (row, row + 1, across & below, 1),
         (0, row, corner & below, 1),
     )
-    starts, ends, on_screen = [], [], 0
+    starts = []
+    ends = []
+    on_screen = 0
     for first, second, off, triangle in sides:
         drawn = off == 0
         on_screen += int(np.count_nonzero(drawn))
@@ -65,6 +67,7 @@ def of_triangles(code: np.ndarray, facing: Facing | None = None) -> Edges:
         start = places[drawn]
         starts.append(start + first)
         ends.append(start + second)
+
     return Edges(np.concatenate(starts), np.concatenate(ends), None, on_screen)
 
 
@@ -98,7 +101,10 @@ def of_strips(
     # As large as the grid, so that an edge's place there is that of its first vertex.
     drawn = np.zeros(code.shape, bool)
     corner = moved(code, 0, 0)
-    starts, ends, vanishing, on_screen = [], [], [], 0
+    starts = []
+    ends = []
+    vanishing = []
+    on_screen = 0
     for family, way in enumerate(FAMILIES):
         seen = (corner & moved(code, *way)) == 0
         on_screen += int(np.count_nonzero(seen))

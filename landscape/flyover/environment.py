@@ -109,6 +109,7 @@ def checked(environment: Environment, any_size: bool, path: Path | str = "") -> 
             raise InputError(
                 f"{path}: {what} is outside the map: expected {ends} pixels, not {x:.6g}, {y:.6g}"
             )
+
     return environment
 
 

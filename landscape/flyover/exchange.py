@@ -26,7 +26,10 @@ from landscape.files.output import write_whole
 from landscape.flyover.environment import WHITE16, Environment, checked
 from landscape.flyover.settings import Flyover
 
-FINE, COARSE, PATH, FLIGHT = "heights.png", "heights.bmp", "path.json", "flight.csv"
+FINE = "heights.png"
+COARSE = "heights.bmp"
+PATH = "path.json"
+FLIGHT = "flight.csv"
 HEAD = "seconds,x,y,z,theta_x,theta_y,theta_z"
 MOST_BYTES = 4 << 20  # chosen: of path.json
 VERSION = 1

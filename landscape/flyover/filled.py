@@ -77,6 +77,7 @@ def steepest(volume: Frustum, roll: float) -> float:
 def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
     """Return the rays of a picture of ``size`` (width, height)."""
     width, height = size
+
     # Pixel p holds what the projection rounds up to p: its centre is half a pixel before that.
     across = np.arange(width) - 0.5
     across = (volume.left + across / width * (volume.right - volume.left)) / volume.near
@@ -96,6 +97,7 @@ def view(camera: Camera, volume: Frustum, size: tuple[int, int]) -> View:
         lateral = np.arange(min(ends), max(ends) + pixel, pixel)
         highest, lowest = max(z for _, z in turned), min(z for _, z in turned)
         rows = up if roll == 0 else np.arange(highest, lowest - step, -step)
+
     slopes = (rows * cos - sin) / (cos + rows * sin)
     return View(
         across.astype(np.float32),
@@ -259,6 +261,7 @@ def pixels(
         at = np.arange(part.start, part.stop, dtype=np.int32)[:, None] * columns + column
         slope = np.broadcast_to(rays.slopes[part, None], at.shape)
         return at, column, slope, np.broadcast_to(rays.lateral[rays.inside :], at.shape)
+
     # Without a roll these are the same all along a row of the picture.
     y, z = rays.across, up[:, None]
     if rays.roll:

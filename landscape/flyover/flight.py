@@ -46,7 +46,9 @@ class Flight:
 
         ``targets`` (m, 2) are places on the ground to look at; without any the camera looks ahead.
         """
-        self._path, self._ground, self._settings = path, ground, settings
+        self._path = path
+        self._ground = ground
+        self._settings = settings
         self.duration = path.length / settings.speed
         # A path of one closed part goes on where it began, and the camera turns on.
         self._endless = path.closed == (True,)
@@ -78,11 +80,13 @@ class Flight:
         step = (at[1] - at[0]) / settings.speed
         if settings.smooth:
             z = smoothed(z, round(settings.smooth / (at[1] - at[0])), self._endless)
+
         # Near the end it keeps looking in the direction that it has.
         start = inside if self._endless else np.maximum(np.minimum(inside, last - AHEAD), first)
         ahead = (start + AHEAD) % last if self._endless else np.minimum(start + AHEAD, last)
         away = self._path.at(ahead) - self._path.at(start)
         theta_z = np.arctan2(away[:, 1], away[:, 0])
+
         # Up and down it looks farther ahead: else it would nod at each bump.
         far = (start + 3 * AHEAD) % last if self._endless else np.minimum(start + 3 * AHEAD, last)
         apart = (far - start) % last if self._endless else far - start
@@ -97,6 +101,7 @@ class Flight:
             if settings.ahead:
                 aside = np.clip((aside + math.pi) % math.tau - math.pi, -ASIDE, ASIDE)
             theta_z = theta_z + aside
+
         theta_y = np.clip(np.arctan2(below, apart), -STEEPEST, STEEPEST)
         rate = math.radians(settings.turn)
         angles = []
@@ -106,6 +111,7 @@ class Flight:
                 speed = float(turned[-1] - turned[-2]) / step
                 turned = follow(wanted, step, rate, settings.ease, (float(turned[-1]), speed))
             angles.append(turned)
+
         return at, z, *angles
 
 
@@ -153,6 +159,7 @@ def follow(
         speed += min(max(aim - speed, -change), change)
         angle += speed * step
         turned.append(angle)
+
     return np.array(turned)
 
 

@@ -58,10 +58,12 @@ class Horizon:
         self.width = levelled.size[0]
         self.first, self.last = levelled.span(columns or range(self.width))
         farthest = max(lines.depth0.max(initial=0), lines.depth1.max(initial=0), volume.near)
+
         # Level distances differ from those along the line of sight.
         self.rings = rings(1 / np.array([self.levelled.least * volume.near / 1.25, 2 * farthest]))
         shape = int(np.ptp(self.rings)) + 1, self.last - self.first + 1
         self.nearness = Nearness(lines)
+
         # Hidden lines raise nothing. Most of them are found when only the nearest are entered.
         away = np.minimum(lines.depth0, lines.depth1)
         count = int(len(away) * NEAREST)
@@ -104,6 +106,7 @@ class Horizon:
         least: np.ndarray | float = 1.0
         if level0 is not None and level1 is not None:
             least = np.minimum(level0, level1)
+
         # A pixel is up to one beside the line, which may be more on the level picture.
         aside = 2 / least
         top = np.minimum(row0, row1) - (SLACK + 1) * aside * aside
@@ -126,6 +129,7 @@ class Horizon:
             begin += end[at] - ((1 << k) - 1)
             np.maximum(row, horizon.ravel().take(begin), out=row)
             hidden[at] = top[at] > row
+
         return hidden
 
     def shows(self, at: np.ndarray, owner: np.ndarray) -> np.ndarray:
@@ -163,6 +167,7 @@ class Horizon:
             near /= level
             row -= SLACK / (level * level)
             meaningless = level <= LEAST
+
         np.maximum(column, self.first, out=column)
         np.minimum(column, self.last, out=column)
         column += np.float32(0.5 - self.first)
@@ -202,7 +207,9 @@ def rows_by_ring(
         ring *= columns
         ring += column
         np.minimum.at(flat, ring, row)
+
     table = flat.reshape(count, columns)
+
     # In place and row by row: eight times as fast as minimum.accumulate along columns.
     for nearer, farther in pairwise(table[begin:]):
         np.minimum(nearer, farther, out=farther)
@@ -274,6 +281,7 @@ def crossings(lines: Lines, levelled: Levelled, first: int, last: int) -> Iterat
     (x0, y0, near0, level0), (x1, y1, near1, level1) = ends
     begin = np.ceil(np.maximum(np.minimum(x0, x1), levelled.first))
     end = np.floor(np.minimum(np.maximum(x0, x1), last))
+
     # A line within one column raises nothing that the other edges at its ends do not raise, too.
     crossing = (end >= np.maximum(begin, first)) & (x0 != x1)
     if level0 is not None and level1 is not None:
@@ -287,6 +295,7 @@ def crossings(lines: Lines, levelled: Levelled, first: int, last: int) -> Iterat
     row, near = y0 + rise * (begin - x0), near0 + approach * (begin - x0)
     if not len(count):
         return
+
     # From the whole picture's first column on float32 is exact enough.
     along = [
         (a.astype(np.float32), b.astype(np.float32)) for a, b in ((rise, row), (approach, near))

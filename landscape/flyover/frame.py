@@ -99,6 +99,7 @@ def draw(
     counts = dict.fromkeys(COUNTS, 0)
     counts |= {"boxes": tested, "tiles": len(tiles)}
     before = int(ours.back_faces and ours.strips)
+
     # What is above the screen may hide what is on it; and what is beside it, where the camera looks
     # up or down: a vertical plane then leaves the screen at its side.
     hiders = clipping.TOP | clipping.LEFT | clipping.RIGHT
@@ -125,10 +126,12 @@ def draw(
         counts["lines"] += len(drawn.a)
         if not ours.hidden_lines:
             counts["pixels"] += draw_lines(*found.pop(), ink, None, size, columns)
+
     if found:
         lines, colour = clipping.joined([each for each, _ in found]), [each for _, each in found]
         horizon = floating_horizon.Horizon(lines, levelled, volume, columns)
         counts["pixels"] += draw_lines(lines, np.concatenate(colour), ink, horizon, size, columns)
+
     colours.background(canvas.picture, ink.palette, camera, volume, columns)
     ink.on(canvas.picture.reshape(-1))
     return Frame(rgba, counts)
@@ -157,6 +160,7 @@ def draw_lines(
             at, owner = at.take(seen), owner.take(seen)
         ink.draw(at, colour.take(owner))
         count += len(at)
+
     return count
 
 

@@ -22,14 +22,22 @@ def colour(red: float, green: float, blue: float) -> np.ndarray:
 
 # Colours of surfaces and of light, all chosen.
 SAND, WET_SAND = colour(0.80, 0.71, 0.52), colour(0.52, 0.44, 0.30)
-LUSH, DRY, FOREST = colour(0.29, 0.41, 0.13), colour(0.53, 0.50, 0.24), colour(0.12, 0.22, 0.08)
-ROCK, DARK_ROCK, SNOW = colour(0.58, 0.53, 0.48), colour(0.29, 0.27, 0.26), colour(0.93, 0.95, 0.99)
+LUSH = colour(0.29, 0.41, 0.13)
+DRY = colour(0.53, 0.50, 0.24)
+FOREST = colour(0.12, 0.22, 0.08)
+ROCK = colour(0.58, 0.53, 0.48)
+DARK_ROCK = colour(0.29, 0.27, 0.26)
+SNOW = colour(0.93, 0.95, 0.99)
 WARM_ROCK, RED_ROCK, PALE_ROCK = (
     colour(*each) for each in ((0.66, 0.54, 0.40), (0.58, 0.38, 0.27), (0.72, 0.70, 0.66))
 )
 SNOW_LINE, ALPINE_SNOW_LINE = 0.62, 0.33  # of the land's height; the latter of mountain ranges
-SHALLOW, DEEP, FOAM = colour(0.16, 0.50, 0.50), colour(0.01, 0.11, 0.20), colour(0.90, 0.94, 0.95)
-SUN, SKY, BOUNCE = colour(1.30, 1.14, 0.90), colour(0.34, 0.45, 0.64), colour(0.10, 0.085, 0.06)
+SHALLOW = colour(0.16, 0.50, 0.50)
+DEEP = colour(0.01, 0.11, 0.20)
+FOAM = colour(0.90, 0.94, 0.95)
+SUN = colour(1.30, 1.14, 0.90)
+SKY = colour(0.34, 0.45, 0.64)
+BOUNCE = colour(0.10, 0.085, 0.06)
 GREEN, DARK_GREEN = colour(0.13, 0.23, 0.18), colour(0.01, 0.08, 0.075)  # of a plateau's river
 WET = 128  # in the highest byte of a texel: there is water
 CLEAR = 5.0  # depth at which a third of the bottom is still seen, % of the heights' range, chosen
@@ -83,6 +91,7 @@ def resampled(field: np.ndarray, size: int) -> np.ndarray:
             )
             field = sum(w * field[(knot + k - 1) % n] for k, w in enumerate(weights))
         field = np.ascontiguousarray(field.T, np.float32)
+
     return field
 
 
@@ -128,6 +137,7 @@ def surface(
     woods *= smooth_step(0.03, 0.07, level) * (1 - smooth_step(0.42, 0.55, level))
     found = mix(found, FOREST, woods * 0.9)
     found = mix(found, DARK_ROCK, smooth_step(0.55, 0.75, level) * 0.5)
+
     # A cliff's own detail is drawn in each frame, see :mod:`.rock`: here it would become bars.
     found += (stone(n, up, plateau, range_) - found) * cliff[..., None]
     line = SNOW_LINE + (ALPINE_SNOW_LINE - SNOW_LINE) * range_ + plateau
@@ -177,6 +187,7 @@ def bake(
     scale = size / period
     wet = smooth_step(0.0, 0.006 * range_, np.float32(sea) - rough)
     land = np.maximum(rough, np.float32(sea))
+
     # Of the ground below the water, too: a wall is one down to its foot.
     plain = normals(rough * np.float32(scale))[2]
     cliff = cliffs(rough, sea, 1 - plain) * (1 - wet)
@@ -191,6 +202,7 @@ def bake(
     else:
         base = laid_over(image, size)
         cliff[:] = 0
+
     depth = np.clip(np.float32(sea) - rough, 0, None) / np.float32(CLEAR / 100 * range_)
     river = np.float32(character(heights, sea)[0])
     shallow, deep = SHALLOW + (GREEN - SHALLOW) * river, DEEP + (DARK_GREEN - DEEP) * river
@@ -221,8 +233,11 @@ def pyramid(colour: np.ndarray, wet: np.ndarray, cliff: np.ndarray, period: floa
     """
     level: np.ndarray = np.concatenate([colour, wet[..., None], cliff[..., None]], 2)
     level = level.astype(np.float32)
-    parts, offsets, at = [], [], 0
+    parts = []
+    offsets = []
+    at = 0
     bits = len(level).bit_length() - 1
+
     while True:
         packed = (level[..., :4] * (255, 255, 255, 127) + 0.5).astype(np.uint8)
         dry = (level[..., 4] * 127 + 0.5).astype(np.uint8)

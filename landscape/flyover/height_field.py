@@ -152,6 +152,7 @@ def height_field(
         longest = max(np.shape(image))
         image = sampled(image, settings.resolution)
         unit *= longest / settings.resolution
+
     check_image(image, name)
     values = np.asarray(image, np.float32)
     heights = WHITE - values if settings.black_high else values.copy()

@@ -53,7 +53,9 @@ PATH = [
     (14.7, 28.3),
     (13.1, 28.4),
 ]
-SUMMIT, SECOND_SUMMIT, CASTLE = (13.0, 10.0), (18.3, 7.1), (26.5, 16.7)
+SUMMIT = (13.0, 10.0)
+SECOND_SUMMIT = (18.3, 7.1)
+CASTLE = (26.5, 16.7)
 
 
 def image() -> np.ndarray:

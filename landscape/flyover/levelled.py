@@ -33,6 +33,7 @@ class Levelled:
         self.unchanged = camera.theta_x == 0 and camera.theta_y == 0
         pixel = (volume.right - volume.left) / volume.near / width
         line = (volume.top - volume.bottom) / volume.near / height
+
         # A pixel holds what the projection rounds up to it: its centre is half a pixel before.
         # Offsets to the right and up, as a + b column + c row.
         y = np.array([volume.left / volume.near - pixel / 2, pixel, 0])
@@ -54,6 +55,7 @@ class Levelled:
         columns, levels = self.corners(range(width))
         self.least = 1.0 if levels is None else float(levels.min())
         self.first, self.last = math.floor(columns.min()), math.ceil(columns.max())
+
         # Of points in the camera's frame: distances along the level line of sight, and to the right
         # in columns per unit of them.
         turned = math.sin(camera.theta_x), math.cos(camera.theta_x)

@@ -80,6 +80,7 @@ def levels(field: HeightField, camera: Camera, volume: Frustum, settings: Flyove
     patch = int(settings.patch)
     if not settings.detail:
         far = min(far, settings.far_undetailed)
+
     # The corners of the far plane are farther than the plane.
     aside = max(abs(volume.left), abs(volume.right), 1e-9) / volume.near
     along = max(abs(volume.top), abs(volume.bottom)) / volume.near
@@ -98,6 +99,7 @@ def levels(field: HeightField, camera: Camera, volume: Frustum, settings: Flyove
                 f" flyover.unit={field.unit:g}, not {far:g}"
             )
         return Levels(patch, 0.0, 1.0, reach, coarsest, 0.0)
+
     above = max(camera.z - field.top(camera.x, camera.y), 0.0)
     overlap = (settings.density + 2 * math.sqrt(2) * patch) / (2 * settings.density)
     glide = max(1.0 - settings.morph_part, overlap) if settings.morph else 1.0

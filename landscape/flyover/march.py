@@ -73,6 +73,7 @@ def looked_up(level: np.ndarray, u: np.ndarray, v: np.ndarray, bilinear: bool) -
     at = top.astype(np.int32)
     at *= width
     at += left.astype(np.int32)
+
     # On the last row or column the next vertex is another one, or none, and has no weight.
     upper = flat.take(at, mode="clip")
     at += 1
@@ -136,6 +137,7 @@ def walk(
             coarse -= found[some:]
             coarse *= blend[some:, None]
             found[some:] += coarse
+
         np.maximum(found, np.float32(sea), out=found)
         if outside is not None:
             found[outside] = NOTHING
@@ -151,6 +153,7 @@ def filled_by(tops: np.ndarray, height: int) -> np.ndarray:
     np.maximum(tops, 0, out=tops)
     np.minimum(tops, height, out=tops)
     highest = np.ceil(tops, out=tops).astype(np.int16)
+
     # In place and row by row: several times as fast as minimum.accumulate along columns.
     for before, after in pairwise(highest):
         np.minimum(before, after, out=after)

@@ -101,6 +101,7 @@ def select(view: View) -> tuple[Tiles, int]:
         near = view.levels.splits(level, *view.origin(nodes))
         chosen.append(nodes[~near])
         nodes = children(nodes[near])
+
     columns = zip(*((each.level, each.column, each.row) for each in chosen), strict=True)
     found = Tiles(*(np.concatenate(each) for each in columns))
     if ours.bounding_volumes and not descending:

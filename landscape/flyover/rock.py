@@ -42,10 +42,12 @@ class Rock:
 def rock(folded: bool) -> Rock:
     """Return the picture of rock: of a plateau, or ``folded``, of a mountain range."""
     bend = BEND * noise(SIDE, SEED, 1.8, 2, 40) + 1.5 * noise(SIDE, SEED + 1, 0.8, 30)
+
     # Faults are no straight lines, either.
     column = np.arange(SIDE) + np.rint(9 * noise(SIDE, SEED + 11, 1.3, 1, 60)).astype(int)
     at = np.arange(SIDE)[:, None] + bend + dip(folded)[column % SIDE]
     thin, thick = (beds(at, *each) for each in ((SEED + 4, 90, 0.7), (SEED + 5, 26, 1.0)))
+
     # What is beside each other changes sooner than what is above each other.
     kinds = noise(SIDE, SEED + 6, 1.0, 2, 7), noise(SIDE, SEED + 7, 1.0, 2, 7)
     some, massive = smooth_step(-0.5, 0.5, kinds[0]), smooth_step(0.2, 1.2, kinds[1])
@@ -58,7 +60,9 @@ def rock(folded: bool) -> Rock:
     level += 0.07 * noise(SIDE, SEED + 3, 0.5, 40) + 0.08 * upright(noise(SIDE, SEED + 9, 0.9, 3))
     low, high = np.percentile(level, (1, 99))
     level = DARKEST + (1 - DARKEST) * np.clip((level - low) / (high - low), 0, 1)
-    parts, offsets, count = [], [], 0
+    parts = []
+    offsets = []
+    count = 0
     while True:
         parts.append((level * 255 + 0.5).astype(np.uint8).ravel())
         offsets.append(count)

@@ -268,11 +268,13 @@ def check(settings: Settings) -> None:
                 f"setting flyover.{low}: expected less than flyover.{high} "
                 f"({getattr(ours, high):g}), not {getattr(ours, low):g}"
             )
+
     if ours.resolution == 1 or ours.resolution & (ours.resolution - 1):
         raise InputError(
             "setting flyover.resolution: expected 0 or a power of two from 2, not "
             f"{ours.resolution}"
         )
+
     least = LEAST_DENSITY * int(ours.patch)
     if ours.detail and ours.density < least:
         raise InputError(

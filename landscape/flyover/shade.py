@@ -68,11 +68,14 @@ class Colouring:
 
         ``widest`` is how far to either side those of the whole picture go.
         """
-        self.scene, self.look, self.switches = scene, look, settings.filled
+        self.scene = scene
+        self.look = look
+        self.switches = settings.filled
         visible = settings.flyover.visible
         far = scene.distances
         pyramid = look.ground
         self.texel = pyramid.period / (1 << pyramid.bits)
+
         # The ground is seen at a slant: along the ray a pixel holds more of it than across.
         wide = SLANT * pixel * far / self.texel
         thick = THICK * pixel * far / self.texel
@@ -85,9 +88,11 @@ class Colouring:
         haze = 1 - np.exp(-((far * (2.3 / visible)) ** 1.4))
         haze = haze / haze[-1] if self.switches.fog else far * 0
         self.haze = (haze * 256 + 0.5).astype(np.uint32)
+
         # Both distances between which a ray meets the ground are looked up at once.
         self.between = np.empty(len(far), np.complex64)
         self.between.real, self.between.imag = far, far[np.maximum(np.arange(len(far)) - 1, 0)]
+
         # The plane in texels. Whole periods make all coordinates positive: then rounding to 0 is
         # rounding down.
         around = math.ceil(2 * float(far[-1]) / pyramid.period * widest + 1)
@@ -100,6 +105,7 @@ class Colouring:
             )
         )
         self.ashore = np.float32(look.sea - scene.eye[2] + ASHORE)
+
         # Whole pictures of rock make heights positive, too.
         self.bottom = np.float32(scene.eye[2] * THICK / self.texel % SIDE + ROCK_BELOW * SIDE)
         columns = look.sky.shape[1]
@@ -107,6 +113,7 @@ class Colouring:
             scene.forward[1] + scene.right[1] * lateral, scene.forward[0] + scene.right[0] * lateral
         )
         self.azimuth = (turn / (2 * np.pi) % 1 * columns).astype(np.int32) % columns
+
         # Rise per distance over the ground, of rays that rise by 1 per level distance.
         self.flatness = (1 / np.sqrt(1 + lateral * lateral)).astype(np.float32)
         self.horizon = look.sky[0].take(self.azimuth)
@@ -125,11 +132,14 @@ class Colouring:
         and ``lateral`` their direction to the right, per unit of level distance.
         """
         shape = step.shape
+
         # The pixels that may share a mirrored ray have a number in common.
         across = np.arange(shape[1], dtype=np.int32) // BESIDE
         beside = (np.arange(shape[0], dtype=np.int32)[:, None] * shape[1] + across).ravel()
         step = step.ravel()
-        column, slope, lateral = column.ravel(), slope.ravel(), lateral.ravel()
+        column = column.ravel()
+        slope = slope.ravel()
+        lateral = lateral.ravel()
         last = len(self.scene.distances)
         ground = np.flatnonzero(step < last)
         if len(ground) == len(step):
@@ -209,6 +219,7 @@ class Colouring:
         heights = scene.heights.ravel()
         place = step * columns
         place += column
+
         # How far the ray is below the ground there, and above it here.
         below = heights.take(place)
         place -= columns
@@ -309,6 +320,7 @@ class Colouring:
         close = np.flatnonzero(away < BEFORE)
         if len(close) and self.switches.smooth:
             dark[close] = layered(self.look.rock.texels, SIDE, x.take(close), up.take(close))
+
         # As much less of the layers as there is less rock.
         np.subtract(np.uint32(256), dark, out=dark)
         dark *= own >> np.uint32(24)
@@ -377,6 +389,7 @@ class Colouring:
             return
         step = step.take(meets).astype(np.intp)
         up, column, lateral = (each.take(meets) for each in (up, column, lateral))
+
         # The heights are those of the column that the mirror image was made from.
         away = self.distance(column - column % ACROSS, step, up, found.lift)
         x, y = self.place(away, lateral)

@@ -40,6 +40,7 @@ def sun_light(heights: np.ndarray, towards: np.ndarray) -> np.ndarray:
         return np.ones_like(heights)
     step, rise = towards[:2] / flat, np.float32(towards[2] / flat)
     reach = float(np.ptp(heights)) / max(float(rise), 1e-3)
+
     # The nearest texels are left out: a slope that is turned away is dark by its normal already.
     highest = moved(heights, *(step * NEAREST)) - np.float32(NEAREST) * rise
     length = 1.0
@@ -47,9 +48,11 @@ def sun_light(heights: np.ndarray, towards: np.ndarray) -> np.ndarray:
         further = moved(highest, *(step * length)) - np.float32(length) * rise
         np.maximum(highest, further, out=highest)
         length *= 2
+
     # On a wall the next texel is much higher. The edge of a shadow is then wide enough for some of
     # them, as otherwise it would show them as teeth.
     wide = np.float32(PENUMBRA) + np.float32(TEETH) * steepness(heights)
+
     # Ground that nothing shades is just so much above the plane of the nearest texels' rays.
     return smooth_step(-1, 0, (heights - highest - np.float32(NEAREST) * rise) / wide)
 

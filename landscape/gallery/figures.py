@@ -136,6 +136,7 @@ def check(
         save_png(picture, out / f"{panel.name}_actual.png")
         print(f"{panel.name}: {'differs' if path.exists() else 'missing'}; see {out}")
         failed += 1
+
     if not quiet:
         print(f"{len(wanted.panels) - failed} of {len(wanted.panels)} panels agree")
     return 1 if failed else 0

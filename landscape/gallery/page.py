@@ -161,6 +161,7 @@ def page(language: str = "en") -> str:
             for panel in every:
                 if panel.figure == str(figure):
                     lines += figure_entry(panel, _)
+
     by_name = {panel.name: panel for panel in every}
     heading = ""
     for fix in FIXES:
@@ -169,6 +170,7 @@ def page(language: str = "en") -> str:
             heading = wanted
             lines += [f"## {_(heading)}", "", _(FIXES_TEXT[heading]), ""]
         lines += fix_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)
+
     return "\n".join(lines)
 
 

@@ -76,6 +76,7 @@ class PanelRenderer:
             options = {k: v for k, v in self._options.items() if k not in ("settings", "only")}
             self._offscreen = Offscreen(SIZE, REPORT_PRESET, changes, only=only, **options)
             self._opened_for = wanted
+
         assert self._offscreen is not None
         self._offscreen.look(view, kt)
         return self._offscreen.draw()
@@ -98,6 +99,7 @@ class PanelRenderer:
             shown = self._options.get("only") or only
             self._offscreen = Offscreen(size, None, changes, only=shown, place=place, **options)
             self._opened_for = wanted
+
         assert self._offscreen is not None
         self._offscreen.look(view, kt)
         return self._offscreen.draw()

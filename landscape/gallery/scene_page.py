@@ -67,7 +67,9 @@ def _fix_panel(kind: Scene, fix: Any, after: bool) -> FigurePanel:
         return renderer.scene_picture(kind.name, pose, settings, fix.kt, PAIR_SIZE, only)
 
     when = "after" if after else "before"
-    name, title, drawn_by = f"{fix.name}_{when}", f"{fix.title}: {when}", shlex.join(command)
+    name = f"{fix.name}_{when}"
+    title = f"{fix.title}: {when}"
+    drawn_by = shlex.join(command)
     return FigurePanel(name, title, fix.seen[after], fix.look, drawn_by, draw)
 
 
@@ -87,6 +89,7 @@ def page(name: str, language: str = "en") -> str:
         lines += [f"## {_(heading)}", "", _(text), ""]
         for step in steps:
             lines += view_entry(by_name[step.name], _, level="###")
+
     lines += [f"## {_('Safeguards, off and on')}", "", _(PAIRS_TEXT), ""]
     for fix in kind.fixes:
         lines += pair_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)

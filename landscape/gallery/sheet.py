@@ -31,4 +31,5 @@ def contact_sheet(folder: Path | None = None) -> np.ndarray:
         sheet.paste(checks.crop((0, 0, *picture.size)), corner)
         sheet.paste(picture, corner, picture)
         pen.text((corner[0] + 4, corner[1] + CELL + 2), name, fill=(230, 230, 230))
+
     return np.asarray(sheet)

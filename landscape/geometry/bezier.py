@@ -32,7 +32,10 @@ def through(points: np.ndarray, closed: bool) -> np.ndarray:
     """
     ends = (points[-1:], points[:2]) if closed else (points[:1], points[-1:])
     row = np.concatenate([ends[0], points, ends[1]])
-    before, start, end, after = row[:-3], row[1:-2], row[2:-1], row[3:]
+    before = row[:-3]
+    start = row[1:-2]
+    end = row[2:-1]
+    after = row[3:]
     return np.stack([start, start + (end - before) / 6, end - (after - start) / 6, end], axis=1)
 
 

@@ -57,6 +57,7 @@ def centripetal(places: np.ndarray) -> list[np.ndarray]:
             + (3 * t**2 - 2 * t**3) * c
             + (t**3 - t**2) * into
         )
+
     return spans
 
 
@@ -180,6 +181,7 @@ def _beside(
         away = np.abs(np.arange(len(points)) - stop) * STEP
         near = max(own, 0.0)
         keeps = np.minimum(keeps, near + (AROUND - near) * away / (4 * AROUND))
+
     moved = np.zeros_like(points)
     for round_ in range(ROUNDS):
         here = points + moved
@@ -198,6 +200,7 @@ def _beside(
         moved += pushed
         if round_ < ROUNDS - 1:
             moved = blurred(moved, room, round(SPREAD / 4 / STEP))
+
     return points + moved
 
 

@@ -43,7 +43,9 @@ def in_view(frame: Frame, positions: np.ndarray, reach: np.ndarray) -> np.ndarra
 def ball_in_view(frame: Frame, middle: Sequence[float], reach: float) -> bool:
     """Return what in_view returns, for one sphere and without arrays: in a tenth of the time."""
     pose = frame.pose
-    x, y, z = middle[0] - pose.x, middle[1] - frame.eye_y, middle[2] - pose.z
+    x = middle[0] - pose.x
+    y = middle[1] - frame.eye_y
+    z = middle[2] - pose.z
     return all(
         a * x + b * y + c * z > -reach * math.sqrt(a * a + b * b + c * c)
         for a, b, c in frame.frustum_rows

@@ -143,6 +143,7 @@ def height_field(image: np.ndarray, settings: GroundSettings, water_level: float
                 f"ground.subdivide={settings.subdivide} make"
             )
         heights = smoothed(heights, settings.subdivide, settings.smooth)
+
     field = heights.astype(np.float32)
     return HeightField(field, settings.size, water_level, settings.exact_height)
 

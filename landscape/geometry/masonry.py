@@ -20,8 +20,14 @@ WALL = 0.045  # chosen: thickness of the walls
 
 def box_quads(x0: float, y0: float, z0: float, x1: float, y1: float, z1: float) -> np.ndarray:
     """Return a box's five faces without the bottom one, quads (5, 4, 3)."""
-    a, b, c, d = (x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1)
-    e, f, g, h = (x0, y1, z0), (x1, y1, z0), (x1, y1, z1), (x0, y1, z1)
+    a = (x0, y0, z0)
+    b = (x1, y0, z0)
+    c = (x1, y0, z1)
+    d = (x0, y0, z1)
+    e = (x0, y1, z0)
+    f = (x1, y1, z0)
+    g = (x1, y1, z1)
+    h = (x0, y1, z1)
     faces = [(b, a, e, f), (c, b, f, g), (d, c, g, h), (a, d, h, e), (h, g, f, e)]
     return np.array(faces, np.float64)
 

@@ -29,7 +29,9 @@ def grid_triangles(columns: int, rows: int) -> np.ndarray:
     """
     c, r = np.meshgrid(np.arange(columns - 1), np.arange(rows - 1))
     corner = (c + r * columns).ravel()
-    right, below, across = corner + 1, corner + columns, corner + columns + 1
+    right = corner + 1
+    below = corner + columns
+    across = corner + columns + 1
     two = np.stack([corner, below, across, corner, across, right], axis=1)
     return np.ascontiguousarray(two.reshape(-1, 3), np.uint32)
 
@@ -72,6 +74,7 @@ def revolve(
             s = angle / (2 * np.pi) * repeat[0]
             t = np.full_like(s, (1 - along[end]) * repeat[1])
             coordinates.append(np.stack([s, t], axis=1))
+
     band = grid_triangles(sides + 1, 2)[:, ::-1]
     v = np.ascontiguousarray(np.concatenate(vertices), np.float32)
     starts = np.arange(len(points) - 1)[:, None, None] * 2 * (sides + 1)
@@ -82,6 +85,7 @@ def revolve(
         last = ring_start + sides
         mean = n[ring_start] + n[last]
         n[ring_start] = n[last] = mean / np.linalg.norm(mean)
+
     return Mesh(v, n, t, (np.ascontiguousarray(np.concatenate(coordinates), np.float32),))
 
 

@@ -78,6 +78,7 @@ def _without_holes(discs: np.ndarray, candidates: np.ndarray) -> np.ndarray:
             cells.setdefault((column, row), []).append(k)
             for root in groups:
                 group[root] = k
+
     return solid
 
 

@@ -102,6 +102,7 @@ def slerp(p: np.ndarray, q: np.ndarray, t: float, short: bool = True) -> np.ndar
         # Perpendicular to p, so that the arc from p over it to -p is half a circle.
         across = np.array([-p[1], p[0], -p[3], p[2]])
         return np.asarray(np.cos(np.pi * t) * p + np.sin(np.pi * t) * across)
+
     return np.asarray((p * np.sin((1 - t) * angle) + q * np.sin(t * angle)) / np.sin(angle))
 
 

@@ -24,6 +24,7 @@ def spline_weights(count: int, parts: int, kind: str) -> np.ndarray:
     span = np.minimum(at.astype(int), count - 2)
     t = (at - span)[:, None] ** np.arange(3, -1, -1)  # t^3, t^2, t, 1
     weights = t @ SPLINES[kind]
+
     # The added knots, -1 and count, are 2 p[0] - p[1] and 2 p[count-1] - p[count-2].
     wide = np.zeros((len(at), count + 2))
     for k in range(4):

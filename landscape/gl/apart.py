@@ -49,6 +49,7 @@ def apart(size: tuple[int, int]) -> Iterator[None]:
     for kind in ("UNPACK", "PACK"):
         for name in ("ROW_LENGTH", "SKIP_ROWS", "SKIP_PIXELS", "SWAP_BYTES", "LSB_FIRST"):
             gl.glPixelStorei(getattr(gl, f"GL_{kind}_{name}"), 0)
+
     # The stacks may be full.
     saved = {name: np.array(gl.glGetDoublev(getattr(gl, f"GL_{name}_MATRIX"))) for name in MATRICES}
     for name in MATRICES:

@@ -90,7 +90,9 @@ class Listing:
     """
 
     def __init__(self, site: Site, element: str, occurrence: int) -> None:
-        self.site, self.element, self.occurrence = site, element, occurrence
+        self.site = site
+        self.element = element
+        self.occurrence = occurrence
         self._notes: list[Any] = []
         self._calls: list[Call] | None = None
 
@@ -204,7 +206,10 @@ def unnoted() -> Iterator[None]:
     """Make the block's calls without a note of them and without edits: a tool's own calls."""
     global _recorder, _edits, _open, _lists
     before = _recorder, _edits, _open, _lists
-    _recorder, _edits, _open, _lists = None, None, None, {}
+    _recorder = None
+    _edits = None
+    _open = None
+    _lists = {}
     namespace, gl.__dict__ = gl.__dict__, _plain
     try:
         yield
@@ -287,12 +292,14 @@ def noting_function(
         else:
             site, pass_ = caller(sys._getframe(1)), current_pass
             elements = (site.function,) if by_function else drawn_now()
+
         skipped = False
         if _edits is not None:
             changed = _edits.change(name, args, elements, pass_, site)
             skipped = changed is None
             if changed is not None and changed is not args:
                 given, args = args, changed
+
         values, kept = (*args, *named.values()), None
         arrays: Sequence[Any] = ()
         if _recorder is not None:
@@ -302,12 +309,14 @@ def noting_function(
                 values = frozen(values)
             elif any(isinstance(value, (np.ndarray, list)) for value in values):
                 kept = shown(name, values)  # now: the caller may overwrite an array later
+
         where = (elements, pass_, site, kept, given, skipped, arrays)
         call = None
         if _open is not None and name != "glEndList":
             _open.note(name, values, where)
         elif _recorder is not None:
             call = _recorder.add(Call(name, values, *where))
+
         if skipped:
             return None
         result = function(*args, **named)

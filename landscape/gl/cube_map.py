@@ -63,6 +63,7 @@ class CubeMap:
                 sides = len(part), len(part), 0
                 pixels = np.ascontiguousarray(part)
                 gl.glTexImage2D(target, level, kept, *sides, form, gl.GL_UNSIGNED_BYTE, pixels)
+
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
         gl.glBindTexture(kind, 0)
 

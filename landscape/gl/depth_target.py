@@ -65,6 +65,7 @@ class DepthTarget:
         previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
         viewport = gl.glGetIntegerv(gl.GL_VIEWPORT).tolist()
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)
+
         try:
             gl.glViewport(0, 0, self.side, self.side)
             with attrib(gl.GL_SCISSOR_BIT):

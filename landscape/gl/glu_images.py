@@ -30,6 +30,7 @@ def gluBuild2DMipmaps(
         GL.glTexParameteri(target, GL.GL_GENERATE_MIPMAP, GL.GL_TRUE)
         GL.glTexImage2D(target, 0, internal, width, height, 0, format, type, data)
         return 0
+
     image = _read(width, height, format, type, data)
     image = scaled(image, _fitting(width), _fitting(height))
     GL.glPushClientAttrib(GL.GL_CLIENT_PIXEL_STORE_BIT)
@@ -41,6 +42,7 @@ def gluBuild2DMipmaps(
         if rows == columns == 1:
             break
         image, level = halved(image), level + 1
+
     GL.glPopClientAttrib()
     return 0
 
@@ -53,6 +55,7 @@ def gluBuild1DMipmaps(
         GL.glTexParameteri(target, GL.GL_GENERATE_MIPMAP, GL.GL_TRUE)
         GL.glTexImage1D(target, 0, internal, width, 0, format, type, data)
         return 0
+
     image = scaled(_read(width, 1, format, type, data), _fitting(width), 1)
     GL.glPushClientAttrib(GL.GL_CLIENT_PIXEL_STORE_BIT)
     _tightly("UNPACK")
@@ -63,6 +66,7 @@ def gluBuild1DMipmaps(
         if columns == 1:
             break
         image, level = halved(image), level + 1
+
     GL.glPopClientAttrib()
     return 0
 

@@ -12,8 +12,13 @@ from typing import Any
 import OpenGL.GL as GL
 
 # The enumerants of GLU.
-SMOOTH, FLAT, NONE = 100000, 100001, 100002
-POINT, LINE, FILL, SILHOUETTE = 100010, 100011, 100012, 100013
+SMOOTH = 100000
+FLAT = 100001
+NONE = 100002
+POINT = 100010
+LINE = 100011
+FILL = 100012
+SILHOUETTE = 100013
 OUTSIDE, INSIDE = 100020, 100021
 MOST = 239  # slices and stacks: GLU has no room for more
 
@@ -33,7 +38,9 @@ class Quadric:
 
     def draw(self, mode: int, vertices: Iterable[Vertex]) -> None:
         """Draw one primitive."""
-        normal, coordinate, vertex = GL.glNormal3f, GL.glTexCoord2f, GL.glVertex3f
+        normal = GL.glNormal3f
+        coordinate = GL.glTexCoord2f
+        vertex = GL.glVertex3f
         GL.glBegin(mode)
         for at, place, position in vertices:
             if at is not None and self.normals != NONE:

@@ -23,10 +23,12 @@ def forget_objects() -> None:
         for name in range(1, NAMES):
             if is_one(name):
                 delete(1, (ctypes.c_uint * 1)(name))
+
     for level in range(LEVELS):
         image = gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, None
         raw.glTexImage1D(gl.GL_TEXTURE_1D, level, gl.GL_RGBA, 0, 0, *image)
         raw.glTexImage2D(gl.GL_TEXTURE_2D, level, gl.GL_RGBA, 0, 0, 0, *image)
+
     for target in (gl.GL_TEXTURE_1D, gl.GL_TEXTURE_2D):
         for name, value in (
             (gl.GL_TEXTURE_MIN_FILTER, gl.GL_NEAREST_MIPMAP_LINEAR),

@@ -32,6 +32,7 @@ class ScreenPicture:
             empty = np.zeros((high, wide, 4), np.uint8)
             self._texture = Texture(empty, repeat=False, mipmaps=False)
             self._size = wide, high
+
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), flat_projection(0, 1, 0, 1, -1, 1):
             gl.glDisable(gl.GL_DEPTH_TEST)
             gl.glEnable(gl.GL_TEXTURE_2D)

@@ -94,6 +94,7 @@ def client_arrays(
             gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
         gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, array)
+
     try:
         yield
     finally:

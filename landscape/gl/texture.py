@@ -126,6 +126,7 @@ class Texture:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAX_LEVEL, len(images) - 1)
         elif len(images) == 1 and mipmaps:
             gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_GENERATE_MIPMAP, gl.GL_TRUE)
+
         # By default every row must begin at a multiple of 4 bytes; rows of RGB images may not.
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for level, image in enumerate(images):
@@ -135,6 +136,7 @@ class Texture:
             gl.glTexImage2D(
                 gl.GL_TEXTURE_2D, level, kept, width, height, 0, form, gl.GL_UNSIGNED_BYTE, image
             )
+
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 4)
         gl.glBindTexture(gl.GL_TEXTURE_2D, previous)
 

@@ -19,7 +19,9 @@ import glfw
 from OpenGL.GL import *
 from text import _, write
 
-CORAL, CREAM, TEAL = (0.85, 0.35, 0.2), (0.95, 0.9, 0.8), (0.25, 0.6, 0.6)
+CORAL = (0.85, 0.35, 0.2)
+CREAM = (0.95, 0.9, 0.8)
+TEAL = (0.25, 0.6, 0.6)
 LABELS = ("mean by glAccum", "mean by blending", "sum in 8 bits")
 count, rough = 16, False
 
@@ -112,6 +114,7 @@ def main():
         write(16, 16, LABELS[way])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

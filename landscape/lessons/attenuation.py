@@ -31,7 +31,9 @@ def draw_ball():
             angle = n * math.pi / 16
             for latitude in (ring * math.pi / 24, (ring + 1) * math.pi / 24):
                 radius = math.sin(latitude)
-                x, y, z = radius * math.cos(angle), radius * math.sin(angle), math.cos(latitude)
+                x = radius * math.cos(angle)
+                y = radius * math.sin(angle)
+                z = math.cos(latitude)
                 glNormal3f(x, y, z)
                 glVertex3f(0.6 * x, 0.6 * y, 0.6 * z)
         glEnd()
@@ -53,6 +55,7 @@ def draw_row(row):
         draw_ball()
         glPopMatrix()
         write(-30, -18, "f {f:.2f}", at=(x, y - 0.62, 0), f=1 / (kc + kl * d + kq * d * d))
+
     glDisable(GL_LIGHTING)
     glColor3f(1, 1, 0.8)
     glBegin(GL_POINTS)
@@ -96,6 +99,7 @@ def main():
         write(16, 16, "constant term {kc}", kc=constant)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -25,7 +25,10 @@ far = np.hypot(x, y)
 z = 17 * np.exp(-((far - 6) ** 2) / 45) + 1.8 * np.sin(x / 3.1) * np.cos(y / 2.7 + 1)
 points = np.stack((x, y, z), 2).reshape(-1, 3).astype(float)
 number = np.arange(SIDE * SIDE).reshape(SIDE, SIDE)
-a, b, c, d = number[:-1, :-1], number[:-1, 1:], number[1:, :-1], number[1:, 1:]
+a = number[:-1, :-1]
+b = number[:-1, 1:]
+c = number[1:, :-1]
+d = number[1:, 1:]
 # Two triangles a square of the grid: (b - a) x (d - a) points up, as does (d - a) x (c - a).
 triangles = np.stack(((a, b, d), (a, d, c)), 1).reshape(3, -1).T
 LEVELS = -2, 1, 6, 11, 17  # heights, and their red, green and blue
@@ -108,6 +111,7 @@ def main():
         write(16, 16, "{lines} of {every} lines", lines=lines, every=every)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

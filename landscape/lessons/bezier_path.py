@@ -112,6 +112,7 @@ def main():
         write(16, 16, "curve {curve}, t = {t:.2f}", curve=int(place), t=place % 1)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

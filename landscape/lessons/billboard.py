@@ -112,6 +112,7 @@ def main():
         write(16, 16, LABELS[way])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

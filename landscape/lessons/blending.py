@@ -89,6 +89,7 @@ def main():
         write(16, 16, "opposite order" if backward else "red, amber, blue")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -112,6 +112,7 @@ def main():
         draw(CORNERS[seen], TINTS[seen])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -21,7 +21,9 @@ LABELS = "Bresenham: the error term", "round(mx + b): hundredths of a pixel besi
 SIDE, COLUMNS, ROWS = 32, 20, 15  # a pixel of the small screen is a square of SIDE
 SLATE, CREAM, AMBER = np.array(((33, 41, 54), (245, 232, 205), (242, 158, 70)))
 CORAL, TEAL = np.array(((205, 82, 52), (58, 140, 140)))
-end, rounding, swapping = [17, 9], False, True
+end = [17, 9]
+rounding = False
+swapping = True
 numbers, picture = [], None  # the numbers with the column and row of their pixels
 
 
@@ -31,7 +33,9 @@ def bresenham(x0, y0, x1, y1, swap):
     if dy > dx and swap:
         return [(x, y, error) for y, x, error in bresenham(y0, x0, y1, x1, swap)]
     step_x, step_y = (1 if x1 > x0 else -1), (1 if y1 > y0 else -1)
-    y, error, pixels = y0, 2 * dy - dx, []
+    y = y0
+    error = 2 * dy - dx
+    pixels = []
     for x in range(x0, x1 + step_x, step_x):
         pixels.append((x, y, error))
         if error >= 0:  # in the next column the line is halfway to the next row, or beyond
@@ -63,6 +67,7 @@ def draw():
         for column, row, number in (rounded if rounding else bresenham)(*line, swapping):
             screen[row, column] = color if (column, row) in right else AMBER
             numbers.append((column, row, number))
+
     picture = screen.repeat(SIDE, 0).repeat(SIDE, 1)
     picture[::SIDE] = picture[:, ::SIDE] = 0.7 * SLATE
     places = np.stack(np.meshgrid(np.arange(COLUMNS * SIDE), np.arange(ROWS * SIDE)), 2) + 0.5
@@ -112,6 +117,7 @@ def main():
         write(16, 16, "steep: x and y swapped" if swapping else "steep: x and y not swapped")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

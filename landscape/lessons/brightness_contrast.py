@@ -22,7 +22,9 @@ from PIL import Image
 from text import _, write
 
 KEYS = glfw.KEY_D, glfw.KEY_O, glfw.KEY_C, glfw.KEY_S
-contrast, brightness, on = 2, -0.4, [True] * len(KEYS)
+contrast = 2
+brightness = -0.4
+on = [True] * len(KEYS)
 
 
 def load(name, kind):
@@ -53,6 +55,7 @@ def change_blended(doubling, brightness_first):
         glBlendFunc(GL_ONE, GL_SRC_ALPHA)  # brightness * 1 + contrast * c
         cover(brightness, contrast)
         return
+
     if contrast < 1:
         brightness_first = False  # nothing leaves 0 to 1 before the brightness is added
     for step in "+*" if brightness_first else "*+":
@@ -124,6 +127,7 @@ def main():
         write(16, 16, "doubling" if doubling else "no doubling")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -106,6 +106,7 @@ def main():
         write(16, 16, "light first, then the view" if carried else "view first, then the light")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

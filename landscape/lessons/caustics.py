@@ -26,7 +26,9 @@ K, L, HEIGHT, SPEED = np.array(WAVES).T[:, :, None, None]
 STARS = ((-1.6, 0.8, 0.9), (1.7, -0.9, 0.7), (0.2, -0.3, 1.1), (1.5, 1.6, 0.6), (-1.5, -1.7, 0.8))
 SIDE, TURN = 64, math.tau / 64  # texels; what one of them is of a wave's circle
 Y, X = np.mgrid[: 4 * SIDE, : 4 * SIDE] / 4  # sixteen rays for each texel
-chosen, net, doubled = 2, True, True
+chosen = 2
+net = True
+doubled = True
 
 
 def load_light(time):
@@ -112,6 +114,7 @@ def main():
         write(16, 16, "GL_DST_COLOR, GL_SRC_COLOR" if doubled else "GL_ZERO, GL_SRC_COLOR")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -79,6 +79,7 @@ def draw_chain(points, width, height):
     glMatrixMode(GL_MODELVIEW)
     glLoadIdentity()
     top = height / scale - 12
+
     for number, point in enumerate(points):
         y = top - 95 * number
         glColor3f(0.2, 0.25, 0.32)

@@ -111,6 +111,7 @@ def main():
         glDisable(GL_CLIP_PLANE0)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -109,6 +109,7 @@ def main():
         write(16, 16, "alpha test on" if alpha_test else "alpha test off")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -25,7 +25,9 @@ DATA = Path(__file__).parent / "data"
 LABELS = "+x", "-x", "+y", "-y", "+z", "-z"
 PLACES = 1, 3, 4, 5, 2, 0
 TINTS = (1, 0.4, 0.2), (1, 0.7, 0.3), (0.4, 0.8, 0.4), (0.3, 0.6, 0.6), (0.4, 0.6, 1), (0.7, 0.5, 1)
-turn, tinted, as_taken = 295, False, False
+turn = 295
+tinted = False
+as_taken = False
 
 
 def load_faces():
@@ -112,6 +114,7 @@ def main():
         write(16, 16, "pictures as they were taken" if as_taken else "mirrored, as OpenGL expects")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

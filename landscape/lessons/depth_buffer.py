@@ -93,6 +93,7 @@ def main():
         write(16, 16, "near plane {near}, far plane 100", near=near)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -106,6 +106,7 @@ def main():
         write(16, 16, "times compiled: {count}; called 240 times a frame", count=compiled)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

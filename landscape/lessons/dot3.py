@@ -68,6 +68,7 @@ def main():
         for row, plane in enumerate(((1 / 2.6, 0, 0, 0.5), (0, 0.5, 0, 0.5))):
             glTexGeni(GL_S + row, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR)
             glTexGenfv(GL_S + row, GL_OBJECT_PLANE, plane)
+
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_DOT3_RGB)
     grids = make_grid(24), make_grid(1)
     while not glfw.window_should_close(window):
@@ -106,6 +107,7 @@ def main():
         write(16, 16, LABELS[chosen])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

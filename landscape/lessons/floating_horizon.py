@@ -23,7 +23,10 @@ SLATE, CREAM, CORAL = np.array(((33, 41, 54), (245, 232, 205), (215, 82, 52)))
 SHADES = (245, 242, 90, 52), (232, 165, 150, 74), (205, 90, 150, 108)  # red, green, blue; near, far
 distances = 70 * 1.028 ** np.arange(ROWS)  # of the rows from the camera
 colors = np.stack([np.interp(np.arange(ROWS), (0, 24, 48, ROWS), each) for each in SHADES], 1)
-across, drawn, hiding, backwards = 0, ROWS, True, False
+across = 0
+drawn = ROWS
+hiding = True
+backwards = False
 
 
 def height(x, y):
@@ -48,7 +51,9 @@ def draw(columns):
     """Return the picture (480, columns, 3), how many pixels are drawn, and how many there are."""
     picture = np.full((480, columns, 3), SLATE, np.uint8)
     horizon = np.full(columns, 480)  # rows count from the top, so this is below the picture
-    order, seen, every = range(drawn), 0, 0
+    order = range(drawn)
+    seen = 0
+    every = 0
     for number in reversed(order) if backwards else order:
         away = distances[number]
         x = (np.arange(columns + 1) - columns / 2) * away / LENS + across
@@ -58,12 +63,16 @@ def draw(columns):
         column, row = column[on], row[on]
         visible = (row < horizon[column]) | (not hiding)
         picture[row[visible], column[visible]] = colors[number]
-        seen, every, before = seen + visible.sum(), every + len(row), horizon
+        seen = seen + visible.sum()
+        every = every + len(row)
+        before = horizon
         horizon = np.minimum.reduce((horizon, line[:-1], line[1:]))
+
     if hiding and drawn < ROWS:  # show the last comparison: what is hidden, and the horizon
         picture[row[~visible], column[~visible]] = CORAL
         column, row = pixels(np.append(before, before[-1]).clip(1, 479))
         picture[row - 1, column] = picture[row, column] = CREAM
+
     return picture, seen, every
 
 
@@ -102,6 +111,7 @@ def main():
         write(16, 16, "{seen} of {every} pixels drawn", seen=seen, every=every)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

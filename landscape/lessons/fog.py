@@ -21,7 +21,9 @@ from text import _, write
 MODES = GL_LINEAR, GL_EXP, GL_EXP2
 LABELS = "linear: f = ({end} - d) / {end}", "exp: f = exp(-{c} d)", "exp2: f = exp(-({c} d)²)"
 FOG = 0.68, 0.74, 0.76
-mode, density, matched = 2, 0.05, True
+mode = 2
+density = 0.05
+matched = True
 TREES = [(2.8 + 0.6 * math.sin(4 * row), 4 + 2.5 * row) for row in range(14)]  # x, distance
 
 
@@ -112,6 +114,7 @@ def main():
         write(16, 16, LABELS[mode], c=round(density, 3), end=round(2 / density))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -25,7 +25,10 @@ FACES = np.array(((4, 6, 7, 5), (0, 1, 3, 2), (2, 3, 7, 6), (1, 5, 7, 3), (0, 2,
 SHADES = np.repeat((0.75, 0.6, 1, 0.85, 0.5), 4)
 # The heights from which a column is sand, grass, rock.
 TINTS = np.array(((0.6, 0.55, 0.5), (0.93, 0.84, 0.62), (0.5, 0.68, 0.35), (0.62, 0.58, 0.55)))
-level, reach, by_depth, clamped = 0, 8, True, False
+level = 0
+reach = 8
+by_depth = True
+clamped = False
 
 
 def make_columns():
@@ -107,6 +110,7 @@ def main():
         write(16, 16, "sea level {level}, visibility {reach}", level=level, reach=reach)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -127,6 +127,7 @@ def main():
             write_matrix(height)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -20,8 +20,12 @@ from text import _, write
 
 LABELS = "reflection", "refraction", "alpha", "mix without the eye", "mix"
 COLORS = np.array(((0, 0, 0), (235, 212, 158), (124, 172, 78), (214, 98, 62), (250,) * 3)) / 255
-SHADES, WATER, SEA = ((0.62, 0.85), (0.72, 1), (0.75, 0.7)), np.array((0.8, 0.93, 0.95)), 7
-SQUARE, DEEP, SKY = ((0, 0), (1, 0), (1, 1), (0, 1)), (0.05, 0.28, 0.36, 1), (0.62, 0.79, 0.92, 1)
+SHADES = ((0.62, 0.85), (0.72, 1), (0.75, 0.7))
+WATER = np.array((0.8, 0.93, 0.95))
+SEA = 7
+SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
+DEEP = (0.05, 0.28, 0.36, 1)
+SKY = (0.62, 0.79, 0.92, 1)
 UNITS = {GL_TEXTURE0: GL_TEXTURE_2D, GL_TEXTURE1: GL_TEXTURE_2D, GL_TEXTURE2: GL_TEXTURE_CUBE_MAP}
 SOURCES = GL_TEXTURE0, GL_TEXTURE1, GL_TEXTURE2, GL_TEXTURE0, GL_TEXTURE0
 PASSES = (GL_TEXTURE0, -1, 1, SKY), (GL_TEXTURE1, 0.75, -1, DEEP), (0, 1, 1, SKY)
@@ -60,11 +64,13 @@ def main():
         glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR)
         for name in (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T):
             glTexParameteri(target, name, GL_CLAMP_TO_EDGE)
+
     t, s = np.mgrid[-1:1:512j, -1:1:512j]
     for face in range(6):  # by Schlick's formula
         cosine = np.abs(1 if face in (2, 3) else t) / np.sqrt(1 + s * s + t * t)
         data = GL_ALPHA, GL_UNSIGNED_BYTE, np.uint8(5 + 250 * (1 - cosine) ** 5)
         glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_ALPHA8, 512, 512, 0, *data)
+
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE)
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE1_RGB, GL_TEXTURE1)
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE2_RGB, GL_TEXTURE2)  # its alpha is how much of source 0
@@ -112,6 +118,7 @@ def main():
         write(16, 16, LABELS[chosen])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -31,7 +31,9 @@ def make_texture():
             light = (row // 4 + column // 4) % 2
             red, green, blue = (240, 230, 205) if light else (64, 128, 140)
             if row == 0 or column == 0:  # a line along two edges shows where the image begins
-                red, green, blue = 217, 89, 51
+                red = 217
+                green = 89
+                blue = 51
             texels += bytes((red, green, blue))
     glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, True)  # must come before the image
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIZE, SIZE, 0, GL_RGB, GL_UNSIGNED_BYTE, bytes(texels))
@@ -92,6 +94,7 @@ def main():
         write(16, 416, "GL_REPEAT" if repeated else "GL_CLAMP_TO_EDGE")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -89,6 +89,7 @@ def main():
         write(16, 16, "turned by half a segment" if half else "not turned")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -20,7 +20,9 @@ from text import _, write
 
 LABELS = "immediate mode", "display list", "vertex arrays"
 SKY = (70, (0.1, 0.2, 0.3)), (35, (0.3, 0.4, 0.5)), (0, (1, 0.65, 0.35)), (-2, (0, 0.08, 0.08))
-way, grass_list, count = 0, 0, 2000
+way = 0
+grass_list = 0
+count = 2000
 
 
 def make_blades():
@@ -112,6 +114,7 @@ def main():
         write(16, 16, "{count} blades, OpenGL calls: {calls}", count=count, calls=calls)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

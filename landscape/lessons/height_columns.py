@@ -41,7 +41,9 @@ FACES = np.array(
     ]
 )
 NORMALS = np.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)])
-side, relief, shared = 32, 0.7, False
+side = 32
+relief = 0.7
+shared = False
 cubes = 0
 
 
@@ -50,6 +52,7 @@ def make_cubes():
     global cubes
     heights = np.asarray(IMAGE.resize((side, side), Image.Resampling.NEAREST)) / 65535
     levels = 1 + np.round(relief * np.maximum(heights, SEA) * side / 2).astype(int)
+
     # Which cubes of a box of side x levels x side are there: those below the height of the column.
     filled = np.arange(levels.max())[:, None] < levels[:, None, :]
     places = np.argwhere(filled)[:, ::-1]  # z, y, x become x, y, z
@@ -106,6 +109,7 @@ def main():
         write(16, 16, "{side} × {side} columns, {cubes} cubes", side=side, cubes=cubes)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

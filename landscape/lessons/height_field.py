@@ -109,6 +109,7 @@ def main():
         write(16, 16, "{side} × {side} vertices", side=side)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -21,7 +21,9 @@ LABELS = "1 all faces: {n}", "2 exposed faces: {n}", "3 runs of faces: {n}"
 PALETTE = np.array(((95, 85, 62), (55, 70, 33), (30, 50, 30), (62, 58, 55), (55, 40, 28))) / 100
 # The six directions, each an axis and a step along it, and how bright the faces there are.
 SHADES = {(0, 1): 0.6, (0, -1): 0.7, (1, 1): 1, (1, -1): 0.5, (2, 1): 0.85, (2, -1): 0.75}
-mode, cut, cull = 1, True, False
+mode = 1
+cut = True
+cull = False
 
 
 def make_blocks():  # of a hill with a cave: the kinds of the voxels, [x, y, z], where 0 is air
@@ -112,6 +114,7 @@ def main():
         write(448, 16, "culling on" if cull else "culling off")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -17,10 +17,14 @@ import glfw
 from OpenGL.GL import *
 from text import _, write
 
-x, y, w = 3.0, 1.5, 2.0
+x = 3.0
+y = 1.5
+w = 2.0
 direction = False  # W is 0
 
-GREY, CORAL, AMBER = (0.35, 0.4, 0.47), (0.85, 0.35, 0.2), (0.95, 0.62, 0.35)
+GREY = (0.35, 0.4, 0.47)
+CORAL = (0.85, 0.35, 0.2)
+AMBER = (0.95, 0.62, 0.35)
 TEAL, CREAM = (0.3, 0.65, 0.65), (0.95, 0.9, 0.8)
 
 

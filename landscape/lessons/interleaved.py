@@ -37,7 +37,9 @@ COLOR_TYPES = (
 position, color = 0, 0  # which type
 told = True  # the stride is passed
 
-BLUE, CORAL, GREY = (0.35, 0.55, 0.8), (0.85, 0.35, 0.2), (0.6, 0.65, 0.7)
+BLUE = (0.35, 0.55, 0.8)
+CORAL = (0.85, 0.35, 0.2)
+GREY = (0.6, 0.65, 0.7)
 
 
 def make_array():

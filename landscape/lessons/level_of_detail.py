@@ -19,11 +19,15 @@ from text import _, write
 
 N, HALF, CORAL = 10, 144, (255, 84, 50)  # steps of a grid to each side; half of the terrain's side
 COLORS = np.array(((245, 232, 205), (242, 158, 70), (80, 180, 172), (112, 150, 220)))
-turn, tilt, morphing = 30, 42, True
+turn = 30
+tilt = 42
+morphing = True
 number = np.arange((2 * N + 1) ** 2).reshape(2 * N + 1, -1)  # of each vertex of a grid
 edges = np.append(number[:-1], number[:, :-1]), np.append(number[1:], number[:, 1:])
 sides = np.stack((number[0], number[-1], number[:, 0], number[:, -1]))
-before, odd, after = sides[:, :-1:2], sides[:, 1::2], sides[:, 2::2]
+before = sides[:, :-1:2]
+odd = sides[:, 1::2]
+after = sides[:, 2::2]
 edges, cracks = np.array(edges), np.array(((before, odd, before), (odd, after, after)))
 
 
@@ -112,6 +116,7 @@ def main():
         write(16, 16, "{lines} of {every} lines", lines=lines, every=2 * 96 * 97)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -22,7 +22,10 @@ from PIL import Image, ImageOps
 from text import _, write
 
 LABELS = "bricks", "light map", "bricks times light map"
-light_x, light_y, shown, repeat = -0.6, 1.4, 3, False
+light_x = -0.6
+light_y = 1.4
+shown = 3
+repeat = False
 
 
 def make_texture(image):
@@ -79,6 +82,7 @@ def main():
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     bricks = make_texture(Image.open(Path(__file__).parent / "data" / "brick.png").convert("RGB"))
+
     # The gradient is 0 in the middle and 181 at the edge: from the flame to the blue of the night.
     colors, levels = ("#fff4d8", "#303c68", "#c08850"), (0, 181, 80)
     glow = make_texture(ImageOps.colorize(Image.radial_gradient("L"), *colors, *levels))
@@ -112,6 +116,7 @@ def main():
         write(16, 16, LABELS[shown - 1], (0, 0, 0) if shown == 1 else (1, 1, 1))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

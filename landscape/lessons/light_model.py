@@ -33,7 +33,9 @@ def draw_ball():
             angle = n * math.pi / 20
             for latitude in (ring * math.pi / 32, (ring + 1) * math.pi / 32):
                 radius = math.sin(latitude)
-                x, y, z = radius * math.cos(angle), radius * math.sin(angle), math.cos(latitude)
+                x = radius * math.cos(angle)
+                y = radius * math.sin(angle)
+                z = math.cos(latitude)
                 glNormal3f(x, y, z)
                 glVertex3f(x, y, z)
         glEnd()
@@ -94,6 +96,7 @@ def main():
             write(16 + 120 * n, 16, LABELS[n], (1, 1, 1) if on[n] else (0.4, 0.45, 0.5))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -24,8 +24,12 @@ to_light, to_viewer = 50, -30  # degrees from N
 exponent = 8
 specular = True
 
-GREY, CREAM, TEAL = (0.45, 0.5, 0.57), (0.95, 0.9, 0.8), (0.4, 0.8, 0.8)
-AMBER, CORAL, BLUE = (0.95, 0.72, 0.35), (0.95, 0.5, 0.35), (0.6, 0.75, 1)
+GREY = (0.45, 0.5, 0.57)
+CREAM = (0.95, 0.9, 0.8)
+TEAL = (0.4, 0.8, 0.8)
+AMBER = (0.95, 0.72, 0.35)
+CORAL = (0.95, 0.5, 0.35)
+BLUE = (0.6, 0.75, 1)
 
 
 def draw_arrow(name, degrees, color, length=1.0):
@@ -95,6 +99,7 @@ def draw(width, height):
         draw_arrow("R", -to_light, CORAL, 0.95)
         draw_arrow("H", half, BLUE, 0.95)
         draw_arrow("V", to_viewer, TEAL)
+
     draw_arrow("L", to_light, AMBER, 1.1)
     draw_arrow("N", 0, CREAM, 1.1)
     glViewport(0, 0, width, height)
@@ -105,6 +110,7 @@ def draw(width, height):
         write(280, 88, "Phong: cos^{n} = {s:.2f}", CORAL, n=exponent, s=phong)
         write(16, 64, "angle N, H: {a:.0f}°", BLUE, a=abs(half))
         write(280, 64, "OpenGL: cos^{n} = {s:.2f}", BLUE, n=exponent, s=blinn)
+
     write(16, 16, "lit" if lit else "the light is below the surface: neither term")
 
 

@@ -20,7 +20,9 @@ LABELS = ("cut nowhere", "cut at the screen"), ("cut at the near plane", "cut at
 SLATE, LENS, NEAR, FAR = (20, 27, 38), 240, 1.5, 2000  # LENS: pixels of a unit at distance 1
 TINTS = np.array(((34, 10, 6), (-8, 24, 24), (22, 22, -8), (6, 10, 38)))  # what each bit adds
 COLORS = np.array(((245, 232, 205), (242, 158, 70), (110, 142, 196)))  # whole, cut, dropped
-turn, near_plane, screen_clip = -8, True, True
+turn = -8
+near_plane = True
+screen_clip = True
 track = [((-40, y, -4), (400, y, -4)) for y in (-2, 2)]  # x ahead, y to the right, z up
 track += [((x, -3, -4), (x, 3, -4)) for x in range(-40, 160, 3)]
 for x in range(-50, 400, 15):
@@ -112,6 +114,7 @@ def main():
         write(16, 16, "{whole} whole, {cut} cut, {out} dropped", whole=whole, cut=parts, out=out)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -24,7 +24,9 @@ width, factor = 3, 2
 smooth = True
 hatching = 0
 
-AMBER, TEAL, CREAM = (0.95, 0.62, 0.35), (0.3, 0.65, 0.65), (0.95, 0.9, 0.8)
+AMBER = (0.95, 0.62, 0.35)
+TEAL = (0.3, 0.65, 0.65)
+CREAM = (0.95, 0.9, 0.8)
 
 
 def stipple():

@@ -70,6 +70,7 @@ def draw(width, height):
         glColor3f(*color)
         glVertex3f(*eye)
         glVertex3f(*end)
+
     glEnd()
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()

@@ -97,6 +97,7 @@ def on_key(window, key, scancode, action, mods):
 
 def main():
     glfw.init()
+
     # What the framebuffer must have is said before the window is made.
     glfw.window_hint(glfw.DOUBLEBUFFER, True)  # False: draw where it is seen, then glFlush
     glfw.window_hint(glfw.DEPTH_BITS, 24)  # a depth buffer, for GL_DEPTH_TEST
@@ -116,6 +117,7 @@ def main():
             glfw.poll_events()
         else:
             glfw.wait_events()  # sleeps until there is one
+
     glfw.terminate()
 
 

@@ -96,6 +96,7 @@ def draw(width, height):
         write(16, y, "{a:6.2f} {b:6.2f} {c:6.2f} {d:6.2f}", a=row[0], b=row[1], c=row[2], d=row[3])
         write(310, y, "{value:5.2f}", (0.95, 0.62, 0.35), value=column[line])
         write(400, y, "{value:6.2f}", (0.95, 0.5, 0.35), value=image[line].round(2) + 0)
+
     write(378, 52, "=")
     write(296, 52, "×")
 

@@ -111,6 +111,7 @@ def main():
         write(16, 16, "matrix stack on" if stack else "matrix stack off")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

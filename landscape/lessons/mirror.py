@@ -25,7 +25,9 @@ front_face = clip_plane = stencil = True
 def make_knot():
     """Make a tube along a curve that winds around a ring; return the indices of its strip."""
     turn, around = np.meshgrid(np.linspace(0, 2 * np.pi, 193), np.linspace(0, 2 * np.pi, 25))
-    x, y, z = np.cos(2 * turn), np.sin(2 * turn), 0 * turn
+    x = np.cos(2 * turn)
+    y = np.sin(2 * turn)
+    z = 0 * turn
     outward = np.array((x * np.cos(3 * turn), y * np.cos(3 * turn), np.sin(3 * turn)))
     center = np.array((x, y + 1.15, z)) + outward / 2  # some of it is below y = 0
     across = np.cross(np.gradient(center, axis=2), outward, axis=0)
@@ -111,6 +113,7 @@ def main():
         write(16, 16, "stencil test on" if stencil else "stencil test off")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

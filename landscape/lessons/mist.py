@@ -21,7 +21,9 @@ from text import _, write
 
 HEIGHTS = [0.12 + 0.12 * n for n in range(8)]  # of the sheets
 CIRCLE = [(math.cos(n * math.pi / 16), math.sin(n * math.pi / 16)) for n in range(33)]
-eye, sort, write_depth = 2.4, True, False
+eye = 2.4
+sort = True
+write_depth = False
 
 
 def make_clouds():
@@ -109,6 +111,7 @@ def main():
         write(16, 16, "depth written" if write_depth else "depth not written")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -46,6 +46,7 @@ def make_football():
             for c in near[a]
             if a < b < c and c in near[b]
         ]
+
     faces = []
     for middle in middles:
         middle = middle / np.linalg.norm(middle)
@@ -54,6 +55,7 @@ def make_football():
         side = np.cross(middle, corners[own[0]])
         angles = np.arctan2(corners[own] @ side, corners[own] @ np.cross(side, middle))
         faces.append(own[np.argsort(angles)])  # counter-clockwise, seen from outside
+
     return corners, middles, faces
 
 
@@ -63,7 +65,10 @@ def make_arrays():
     A corner has another normal in each of its faces, so it is there three times.
     """
     corners, middles, faces = make_football()
-    normals, colors, vertices, indices = [], [], [], []
+    normals = []
+    colors = []
+    vertices = []
+    indices = []
     for middle, face in zip(middles, faces, strict=True):
         normal = middle / np.linalg.norm(middle)
         color = (0.2, 0.28, 0.33) if len(face) == 5 else (0.95, 0.9, 0.8)
@@ -72,6 +77,7 @@ def make_arrays():
             normals.append(normal)
             colors.append(color)
             vertices.append(corners[corner])
+
     arrays = [np.array(rows, np.float32) for rows in (normals, colors, vertices)]
     return *arrays, indices
 
@@ -140,6 +146,7 @@ def main():
         write(16, 16, "calls: {calls}", calls=calls)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -20,7 +20,9 @@ from OpenGL.GL import *
 from text import _, write
 
 ROUND, ACROSS = 20, 10  # faces around the ring and around its tube
-smooth, normalizing, lines = True, True, True
+smooth = True
+normalizing = True
+lines = True
 
 
 def point(m, n):
@@ -35,7 +37,9 @@ def normalized(*vector):
 
 def face_normal(m, n):
     """Return the cross product of two edges, of length 1."""
-    a, b, c = point(m, n), point(m + 1, n), point(m, n + 1)
+    a = point(m, n)
+    b = point(m + 1, n)
+    c = point(m, n + 1)
     (ux, uy, uz), (vx, vy, vz) = ([q - p for p, q in zip(a, end, strict=True)] for end in (b, c))
     return normalized(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx)
 
@@ -112,6 +116,7 @@ def main():
         write(16, 16, "normalized" if normalizing else "not normalized")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

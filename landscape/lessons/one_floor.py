@@ -24,7 +24,9 @@ on = [True, True, True, False]
 angle, height = 2.3, 6.0  # of the light: radians around the dinosaur, and units above the floor
 last, dragging = (0.0, 0.0), False
 ALL, WIDE = 0xFFFFFFFF, 7  # WIDE: half the side of the floor
-SKIN, BELLY, LEGS = (0.42, 0.62, 0.25), (0.75, 0.72, 0.42), (0.34, 0.5, 0.22)
+SKIN = (0.42, 0.62, 0.25)
+BELLY = (0.75, 0.72, 0.42)
+LEGS = (0.34, 0.5, 0.22)
 PARTS = [((0, 1.8, 0), (1.35, 0.85, 0.75), SKIN), ((-0.05, 1.55, 0), (1.15, 0.7, 0.66), BELLY)]
 PARTS += [((x, 0.65, z), (0.28, 0.66, 0.24), LEGS) for x in (-0.7, 0.75) for z in (-0.4, 0.4)]
 for n in range(9):  # a neck that rises to the right, and a tail that sinks to the left
@@ -181,6 +183,7 @@ def main():
         write(16, 16, "drag the mouse: the light")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

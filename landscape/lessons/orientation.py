@@ -54,6 +54,7 @@ def draw():
     glLoadIdentity()
     glScalef(0.54, 0.54 * width / height, 1)
     glLineWidth(height / 240)
+
     # Front faces filled, back faces as lines: the lesson polygon_modes says more.
     glPolygonMode(GL_FRONT, GL_FILL)
     glPolygonMode(GL_BACK, GL_LINE)

@@ -112,6 +112,7 @@ def main():
         write(16, 16, "depth test on" if depth_test else "depth test off", (0, 0, 0))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

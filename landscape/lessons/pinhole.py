@@ -46,6 +46,7 @@ def draw():
     draw_shape(GL_POLYGON, house, (0.85, 0.35, 0.2))
     for point, seen in zip(house, images, strict=True):
         draw_shape(GL_LINES, (seen, point), (0.95, 0.62, 0.35))
+
     # From back to front: the plane covers what is behind it, and the rays come out in front.
     draw_shape(GL_POLYGON, plane, (0.22, 0.27, 0.34))
     draw_shape(GL_LINE_LOOP, plane, (0.6, 0.65, 0.7))
@@ -101,6 +102,7 @@ def main():
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -112,6 +112,7 @@ def main():
             write(340, 88 - 24 * line, "{m[0]:6.2f} {m[1]:6.2f} {m[2]:6.2f} {m[3]:6.2f}", m=row)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

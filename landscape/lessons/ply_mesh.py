@@ -23,7 +23,9 @@ from PIL import Image
 from text import _, write
 
 LABELS = "plane: s = x, t = y", "cylinder: s = {angle}, t = y", "sphere: s = {angle}, t = latitude"
-mapping, absolute, turn = 1, True, 50
+mapping = 1
+absolute = True
+turn = 50
 meshed = False  # the triangles are drawn as lines, too
 
 
@@ -38,7 +40,9 @@ def read_ply(path):
 
 def sum_normals(vertices, faces):
     """Return the unit normal of each vertex: larger faces count more."""
-    a, b, c = vertices[faces[:, 0]], vertices[faces[:, 1]], vertices[faces[:, 2]]
+    a = vertices[faces[:, 0]]
+    b = vertices[faces[:, 1]]
+    c = vertices[faces[:, 2]]
     normals = np.zeros_like(vertices)
     for corner in range(3):
         np.add.at(normals, faces[:, corner], np.cross(b - a, c - a))
@@ -130,6 +134,7 @@ def main():
         write(16, 16, LABELS[mapping], angle="|angle|" if absolute else "angle")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -74,13 +74,17 @@ def choose():
         else:
             size = lines[sub_marked]
     elif marked is not None and not lines:
-        color, size, place = "coral", "medium", [400.0, 260.0]
+        color = "coral"
+        size = "medium"
+        place = [400.0, 260.0]
     opened = None
 
 
 def open_menu(x, y):
     global marked, opened, sub_marked
-    opened, marked, sub_marked = (x, y), None, None
+    opened = (x, y)
+    marked = None
+    sub_marked = None
 
 
 def draw_box(window, left, bottom, width, height, color):

@@ -63,13 +63,17 @@ def draw():
         glLoadIdentity()
         glOrtho(0, across, 0, up, -1, 1)
         # An outline in the middle of the cell, above its name, with room for the numbers.
-        x, y, right, top = across / 2, up / 2 + 10, across / 2 - 24, up / 2 - 36
+        x = across / 2
+        y = up / 2 + 10
+        right = across / 2 - 24
+        top = up / 2 - 36
         outline = [(x + u * right, y + v * top) for u, v in (AROUND if around else ZIGZAG)]
         draw_kind(kind, outline[:count])
         for number, (u, v) in enumerate(outline[:count]):
             out = 1 + 13 / math.hypot(u - x, v - y)
             write(x + out * (u - x) - 5, y + out * (v - y) - 10, "{number}", number=number)
         write(x - 5 * len(name), 4, "{name}", (0.95, 0.9, 0.8), name=name)
+
     glViewport(0, 0, width, height)
     write(16, 40, "{count} vertices", count=count)
     write(16, 16, "around" if around else "zigzag")

@@ -38,7 +38,9 @@ for grid in sun, ground:
 colors = np.stack([np.interp(points[:, 3], LEVELS, each) for each in COLORS], 1)
 SUMMIT = u.size + heights.argmax()
 theta = np.array((0, 10, 0))  # degrees about x, y and z: it rolls, looks down and turns
-divided, square, cut = True, False, False
+divided = True
+square = False
+cut = False
 
 
 def camera_transform():
@@ -112,6 +114,7 @@ def main():
         write(16, 16, "summit: {a:.2f}, {b:.2f}: pixel {x:.0f}, {y:.0f}", a=column, b=row, x=x, y=y)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -23,7 +23,10 @@ CAMERA = np.array((30, 250, 100))  # column, row, height
 LEVELS = 18, 19, 28, 56, 78, 100  # heights, and their red, green and blue
 SHADES = (48, 160, 92, 112, 146, 240), (88, 152, 124, 108, 132, 236), (122, 118, 78, 78, 112, 228)
 CORAL, CREAM = (205, 82, 52), (250, 238, 210)
-turn, tilt, descending, sized = 0, 10, True, True
+turn = 0
+tilt = 10
+descending = True
+sized = True
 
 
 def make_heights(columns):
@@ -67,10 +70,12 @@ def draw(columns):
         culled = (tested & ~inside).repeat(side, 0).repeat(side, 1)[:, :columns]
         picture[culled] *= 0.35
         picture[culled & ((row % side == 0) | (column % side == 0))] = CORAL
+
     for edge in ahead - WIDE * right, ahead + WIDE * right:
         x, y = (CAMERA + np.linspace(0, FAR, 1500)[:, None] * edge).astype(int).T[:2]
         on = (x >= 0) & (x < columns) & (y >= 0) & (y < 480)
         picture[y[on], x[on]] = CREAM
+
     return picture.clip(0, 255).astype(np.uint8), count, seen.sum(), seen.size
 
 
@@ -111,6 +116,7 @@ def main():
         write(16, 16, "{seen} of {leaves} small tiles seen", seen=seen, leaves=leaves)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

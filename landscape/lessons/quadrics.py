@@ -70,6 +70,7 @@ def draw_shapes():
             glTranslatef(0, 0, -0.75)
         draw_quadric(quadric, number)
         glPopMatrix()
+
     glDisable(GL_TEXTURE_2D)
     gluDeleteQuadric(quadric)
 
@@ -126,6 +127,7 @@ def main():
         write(16, 16, "{slices} slices", slices=slices)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -143,6 +143,7 @@ def main():
         write(16, 16, "a flat ceiling" if flat else "plain angles")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -36,7 +36,9 @@ def draw_sphere(radius):
             height, ring = math.cos(m * math.pi / 16), math.sin(m * math.pi / 16)
             for side in (n + 1, n):
                 angle = side * math.pi / 16
-                x, y, z = ring * math.cos(angle), height, -ring * math.sin(angle)
+                x = ring * math.cos(angle)
+                y = height
+                z = -ring * math.sin(angle)
                 glNormal3f(x, y, z)
                 glVertex3f(radius * x, radius * y, radius * z)
         glEnd()
@@ -94,6 +96,7 @@ def main():
         write(16, 16, LABELS[mode])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

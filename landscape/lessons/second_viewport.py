@@ -110,6 +110,7 @@ def main():
         write(16, 16, "scissor test on" if scissor else "scissor test off")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

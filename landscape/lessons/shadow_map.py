@@ -61,6 +61,7 @@ def main():
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, sampling)
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, sampling)
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 48, 24, 0, GL_RGB, GL_UNSIGNED_BYTE, np.uint8(tiles))
+
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_INTERPOLATE)  # of sun and sky with sky alone
     for number, source in enumerate((GL_PRIMARY_COLOR, GL_CONSTANT, GL_TEXTURE)):
         glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB + number, source)
@@ -112,6 +113,7 @@ def main():
         write(16, 16, LABELS[chosen])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -23,7 +23,10 @@ CUBE = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 FACES = np.array([[*map(int, face)] for face in ("0132", "4675", "0451", "2376", "0264", "1573")])
 TILTED = CUBE @ ((0.4, 0.4, -0.3), (-0.45, 0.45, 0), (0.26, 0.26, 0.52))
 COLORS = (0.85, 0.35, 0.2, 1), (0.95, 0.65, 0.3, 1), (0.25, 0.6, 0.6, 1), (0.5, 0.56, 0.63, 1)
-volumes, back, low, fail = False, True, 0, False
+volumes = False
+back = True
+low = 0
+fail = False
 
 
 def make_volume(points):
@@ -113,6 +116,7 @@ def main():
         write(16, 16, "depth test failed" if fail else "depth test passed", (0, 0, 0))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

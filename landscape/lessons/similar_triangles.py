@@ -23,7 +23,9 @@ WIDTH = 3  # of the picture, in the units of the scene
 angle = 60  # degrees
 x, z = 1.75, 5.5  # of P
 
-GREY, AMBER, CREAM = (0.45, 0.5, 0.57), (0.95, 0.62, 0.35), (0.95, 0.9, 0.8)
+GREY = (0.45, 0.5, 0.57)
+AMBER = (0.95, 0.62, 0.35)
+CREAM = (0.95, 0.9, 0.8)
 
 
 def draw_shape(kind, points, color):

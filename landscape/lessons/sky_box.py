@@ -112,6 +112,7 @@ def main():
         write(16, 16, "eye at x {east:.1f}, z {south:.1f}", east=x, south=z)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -27,7 +27,9 @@ PAIRS = np.array(
     )
 )
 LABELS = ("over the vertical", "near the vertical", "level, by 210°", "far from the vertical")
-CORAL, AMBER, CREAM = (0.85, 0.35, 0.2), (0.95, 0.7, 0.35), (0.95, 0.9, 0.8)
+CORAL = (0.85, 0.35, 0.2)
+AMBER = (0.95, 0.7, 0.35)
+CREAM = (0.95, 0.9, 0.8)
 pair, short = 0, True
 
 
@@ -118,6 +120,7 @@ def main():
         write(16, 40, "{y:.0f}°, {p:.0f}°, {r:.0f}°", y=yaw, p=pitch, r=roll)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -111,6 +111,7 @@ def main():
         write(16, 16, "alpha test" if alpha_test else "blending")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -42,7 +42,9 @@ def make_maps():
 
 def make_torus():
     turn, around = np.meshgrid(np.linspace(0, 2 * np.pi, 97), np.linspace(0, 2 * np.pi, 49))
-    x, y, radius = np.cos(turn), np.sin(turn), np.cos(around)
+    x = np.cos(turn)
+    y = np.sin(turn)
+    radius = np.cos(around)
     normals = np.array((radius * x, radius * y, np.sin(around)), np.float32)
     glVertexPointer(3, GL_FLOAT, 0, (0.5 * normals + np.array((x, y, 0 * x))).T.astype(np.float32))
     glNormalPointer(GL_FLOAT, 0, normals.T.copy())
@@ -112,6 +114,7 @@ def main():
         write(16, 16, "cube map" if cube else "sphere map", (0, 0, 0))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -89,6 +89,7 @@ def main():
         write(16, 16, "mesh of {cells} × {cells} quads", cells=cells)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

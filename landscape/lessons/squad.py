@@ -19,7 +19,9 @@ from OpenGL.GL import *
 from text import _, write
 
 KEYS = dict(zip((glfw.KEY_I, glfw.KEY_J, glfw.KEY_K), np.eye(4)[1:], strict=True))  # i, j and k
-CORAL, AMBER, CREAM = (0.85, 0.35, 0.2), (0.95, 0.7, 0.35), (0.95, 0.9, 0.8)
+CORAL = (0.85, 0.35, 0.2)
+AMBER = (0.95, 0.7, 0.35)
+CREAM = (0.95, 0.9, 0.8)
 SECONDS, STEPS = 2, 60  # from attitude to attitude; steps of graph and trail between two
 squad_on, extra = True, np.array((1.0, 0, 0, 0))
 
@@ -183,6 +185,7 @@ def main():
         write(16, 172, "turning speed, 0 to 100° a second")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

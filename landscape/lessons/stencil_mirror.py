@@ -112,6 +112,7 @@ def main():
         write(16, 16, "GL_NORMALIZE on" if normalize else "GL_NORMALIZE off")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

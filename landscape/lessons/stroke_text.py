@@ -87,6 +87,7 @@ def draw(wide, high):
         glColor3f(0.95, 0.82 - 0.06 * number, 0.6 - 0.06 * number)
         draw_text(text)
         glPopMatrix()
+
     glDisable(GL_LINE_STIPPLE)
     top = high / (high // 480 or high / 480)  # as write counts
     write(16, top - 30, "lines of {width} pixels", (0.6, 0.65, 0.7), width=width)

@@ -89,6 +89,7 @@ def draw(height):
         draw_sphere(1.3, 24, 12)
     else:
         draw_teapot(1.5)
+
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
     write(16, 64, LABELS[shape], (0.95, 0.72, 0.5))
     x, y, z = eye

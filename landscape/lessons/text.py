@@ -66,11 +66,13 @@ def write(x, y, text, /, color=(1, 1, 1), size=1, at=None, **values):
         glRasterPos3f(*at)  # is transformed like a vertex, and can be read in pixels
         point = glGetFloatv(GL_CURRENT_RASTER_POSITION)[:2]
         x, y = (x, y) + ((point - (left, bottom)) / scale).round()
+
     text = _(text).format(**values) if values else _(text)
     for mode in (GL_PROJECTION, GL_MODELVIEW):
         glMatrixMode(mode)
         glPushMatrix()
         glLoadIdentity()
+
     glListBase(lists)
     glOrtho(0, width / scale, 0, height / scale, -1, 1)
     for shift, shade in ((1, (0, 0, 0)), (0, color)):  # first a shadow, for bright backgrounds
@@ -80,6 +82,7 @@ def write(x, y, text, /, color=(1, 1, 1), size=1, at=None, **values):
         glScalef(size, size, 1)
         glCallLists(text.encode("cp1252", "replace"))
         glPopMatrix()
+
     glPopMatrix()
     glMatrixMode(GL_PROJECTION)
     glPopMatrix()

@@ -28,7 +28,9 @@ s, t = 0.6, 0.65
 textured = True
 picture = 0, 0  # texels
 
-CORAL, TEAL, CREAM = (0.95, 0.45, 0.3), (0.4, 0.85, 0.85), (0.95, 0.9, 0.8)
+CORAL = (0.95, 0.45, 0.3)
+TEAL = (0.4, 0.85, 0.85)
+CREAM = (0.95, 0.9, 0.8)
 
 
 def flat(s, t):

@@ -23,7 +23,9 @@ from text import _, write
 DATA = Path(__file__).parent / "data"
 MODES = GL_COMBINE, GL_MODULATE, GL_ADD, GL_REPLACE
 LABELS = "unit 1: GL_COMBINE", "unit 1: GL_MODULATE", "unit 1: GL_ADD", "unit 1: GL_REPLACE"
-RELIEF, REPEAT, STEP = 0.45, 32, 2
+RELIEF = 0.45
+REPEAT = 32
+STEP = 2
 switched_on = [True, True]
 mode = 0
 
@@ -80,6 +82,7 @@ def main():
     glEnable(GL_DEPTH_TEST)
     load(GL_TEXTURE0, "ground.png")
     load(GL_TEXTURE1, "detail.png")
+
     # GL_COMBINE, here: twice the product. So the mean grey of the detail, 0.5, changes nothing.
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_MODULATE)
     glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 2)
@@ -110,6 +113,7 @@ def main():
         write(16, 416, LABELS[mode] if switched_on[1] else "unit 1: off", dark)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -91,6 +91,7 @@ def main():
         write(16, 16, "last column: s = 1" if seam else "last column: s = 0")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -103,6 +103,7 @@ def draw(width, height):
         draw_house()
         write(16, height / 2 / scale - 28, "{product}", (0.95, 0.62, 0.35), product=product)
         write(16, 8, LABELS[place])
+
     glViewport(0, 0, width, height)
     name = "y" if axis[1] else "z"
     write(

@@ -112,6 +112,7 @@ def main():
         write(16, 16 if swapped else 40, "glTranslatef(3, 0, 0)")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -29,7 +29,9 @@ DISTANCE = 6
 turn, lift = 50, 25  # of the camera: degrees around the teapot, degrees above it
 carried = False  # the light is given in the camera's frame
 
-CAMERA_LIGHT, WORLD_LIGHT, GREY = (1, 0.6, 0.45), (0.55, 0.85, 0.85), (0.45, 0.5, 0.57)
+CAMERA_LIGHT = (1, 0.6, 0.45)
+WORLD_LIGHT = (0.55, 0.85, 0.85)
+GREY = (0.45, 0.5, 0.57)
 
 
 def draw_teapot(size):
@@ -163,6 +165,7 @@ def main():
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

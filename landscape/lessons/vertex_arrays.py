@@ -113,6 +113,7 @@ def main():
         write(16, 16, "calls to draw the knot: {calls}", calls=calls)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

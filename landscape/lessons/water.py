@@ -83,7 +83,9 @@ def main():
         glEnable(cap)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
     glDepthFunc(GL_LEQUAL)  # the second layer of waves is as deep as the first
-    ground, waves, island = load("ground.png"), load("water.png"), make_island()
+    ground = load("ground.png")
+    waves = load("water.png")
+    island = make_island()
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -112,6 +114,7 @@ def main():
         write(16, 16, "surface last" if surface_last else "surface first")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -16,7 +16,9 @@ import glfw
 from OpenGL.GL import *
 from text import _, write
 
-red, green, blue = 0.85, 0.35, 0.2
+red = 0.85
+green = 0.35
+blue = 0.2
 
 
 def draw():

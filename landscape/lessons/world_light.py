@@ -105,6 +105,7 @@ def main():
         write(16, 16, "view first, then the light" if fixed else "light first, then the view")
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

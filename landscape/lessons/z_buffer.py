@@ -85,6 +85,7 @@ def draw(width, height):
                     digit = int(depths[row][column])
                     write(-5, -10, "{digit}", ink, at=(column + 0.5, row + 0.5, 0), digit=digit)
         write(0, 8, "depths" if deep else "colours", (0.95, 0.9, 0.8), at=(0, ROWS, 0))
+
     glViewport(0, 0, width, height)
     write(16, 64, "{count} triangles", count=count)
     write(16, 40, "the last one first" if reverse else "the first one first")

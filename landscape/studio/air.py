@@ -145,6 +145,7 @@ def scattered(scene: Scene, direction: np.ndarray, sun: np.ndarray) -> np.ndarra
         total_glow += transmitted * (RAYLEIGH * air_r[..., None] + MIE * air_m[..., None])
         total_r += attenuation * air_r[..., None]
         total_m += attenuation * air_m[..., None]
+
     single = total_r * RAYLEIGH * phase_r[..., None] + total_m * MIE * phase_m[..., None]
     return 20.0 * np.array(scene.tint) * single + np.array(scene.glow) * total_glow
 

@@ -71,6 +71,7 @@ def stones(rng: np.random.Generator) -> np.ndarray:
                 if tall:
                     above.append((x0 % 1.0, x0 % 1.0 + x1 - x0))
         taken = above
+
     return np.array(boxes)
 
 
@@ -107,6 +108,7 @@ def stone_fields(size: int, rng: np.random.Generator) -> tuple[np.ndarray, np.nd
         index = tuple(axis[better] for axis in np.nonzero(near))
         within[index], number[index] = distance[better], k
         place[index] = np.stack([a[better], b[better]], axis=1)
+
     return number, within, place
 
 
@@ -178,6 +180,7 @@ def castle_slate() -> np.ndarray:
             better = mine & (top > height)
             height = np.where(better, top, height)
             number = np.where(better, 1 + (row % SLATE_ROWS) * SLATE_COLUMNS + column, number)
+
     height = ndimage.gaussian_filter(height, 0.8, mode="wrap") + 0.0005 * fine + 0.0006 * soft
     shade = light_relief(height, size, 0.016, tile=True)
     count = 1 + SLATE_ROWS * SLATE_COLUMNS
@@ -219,10 +222,14 @@ def leaves(seed: int, ivy: bool) -> np.ndarray:
         if ivy:
             away, turn = 0.36 * np.sqrt(rng.random()), rng.uniform(0, 2 * np.pi)
             px, py = 0.5 + away * np.cos(turn), 0.5 + away * np.sin(turn)
-            angle, length, lobes = rng.normal(-1.57, 0.7), rng.uniform(0.10, 0.17), 5
+            angle = rng.normal(-1.57, 0.7)
+            length = rng.uniform(0.10, 0.17)
+            lobes = 5
         else:
             px, py = 0.5 + rng.normal(0, 0.06), rng.uniform(0.01, 0.05)
-            angle, length, lobes = rng.normal(1.57, 0.38), rng.uniform(0.30, 0.90), 0
+            angle = rng.normal(1.57, 0.38)
+            length = rng.uniform(0.30, 0.90)
+            lobes = 0
             bend = rng.normal(0.0, 0.28)
         dx, dy = x - px, y - py
         if not ivy:
@@ -242,11 +249,13 @@ def leaves(seed: int, ivy: bool) -> np.ndarray:
             under = np.roll(cover, (int(0.010 * size), int(0.006 * size)), (0, 1))
             under = 0.30 * under * (1.0 - cover)
             picture[..., :3] *= 1.0 - under[..., None]
+
     small = shrink(np.dstack([picture[..., :3] * picture[..., 3:], picture[..., 3]]), scale)
     colour = small[..., :3] / np.maximum(small[..., 3:], 1e-4)
     rgba = to_uint8(np.dstack([to_srgb(colour), small[..., 3]]))
     rgba[[0, -1], :, 3] = 0
     rgba[:, [0, -1], 3] = 0
+
     # Five bits per colour are enough for leaves, and make the file smaller.
     rgba[..., :3] = (rgba[..., :3] >> 3) * 8 + 4
     return rgba

@@ -65,7 +65,9 @@ def form(
     """Return trunks, polylines (k, 3) from the foot, with their ``boughs`` and those' pads."""
     points: list[np.ndarray] = [np.zeros(3)]
     parents = [-1]
-    centres, radii, dead = [], [], []
+    centres = []
+    radii = []
+    dead = []
     for trunk, own in zip(trunks, boughs, strict=True):
         run = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(trunk, axis=0), axis=1))])
         count = max(3, int(run[-1] / 0.035))
@@ -97,6 +99,7 @@ def form(
                 centres.append(end - back + jitter * (0.4 + 0.6 * (k > 0)))
                 radii.append(size)
                 dead.append(bough.dead)
+
     start = Skeleton(np.array(points), np.array(parents))
     return Form(start, np.array(centres), np.array(radii), np.array(dead))
 

@@ -159,12 +159,14 @@ def encoded(made: Any, colours: int = 0, made_from: str = "") -> bytes:
         visible = made[made[..., 3] > 0]
         mean = np.rint(visible[:, :3].mean(axis=0))
         made = np.where(made[..., 3:] > 0, made, np.append(mean, 0)).astype(np.uint8)
+
     image = Image.fromarray(np.ascontiguousarray(made))
     if colours:
         # Of the two, only the octree keeps an alpha channel.
         tree = image.mode == "RGBA"
         method = Image.Quantize.FASTOCTREE if tree else Image.Quantize.MEDIANCUT
         image = image.quantize(colours, method, dither=Image.Dither.NONE)
+
     buffer, info = io.BytesIO(), PngInfo()
     if made_from:
         info.add_text(MADE_FROM, made_from)
@@ -186,6 +188,7 @@ def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
     if count == 1:
         yield from ((name, make(name)) for name in names)
         return
+
     # Spawned, not forked: forking a process that has threads can deadlock.
     spawn = multiprocessing.get_context("spawn")
     pool = ProcessPoolExecutor(count, spawn, initializer=begin_worker)
@@ -216,6 +219,7 @@ def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> 
     except ImportError as error:
         add = how_to_add(*NEEDED, extra="studio")
         raise InputError(f"assets build: {error}; run `{add}`") from None
+
     selected = list(dict.fromkeys(names)) or list(makers)
     for name in selected:
         if name not in makers:
@@ -225,10 +229,12 @@ def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> 
         target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(f"--assets {target}: cannot be created ({error.strerror})") from None
+
     with Progress(len(selected), quiet) as progress, closing(make_all(selected)) as made:
         for name, data in made:
             write_whole(target / name, data)
             progress.step(name)
             if not quiet and not progress.shown:
                 print(target / name, flush=True)
+
     return 0

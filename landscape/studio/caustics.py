@@ -39,7 +39,9 @@ def sea(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     k_x, k_y = (a.ravel() for a in np.meshgrid(*[np.arange(-most, most + 1)] * 2))
     number = np.hypot(k_x, k_y)
     kept = (number >= CRESTS[0]) & (number <= CRESTS[1])
-    k_x, k_y, number = k_x[kept], k_y[kept], number[kept]
+    k_x = k_x[kept]
+    k_y = k_y[kept]
+    number = number[kept]
     passes = np.maximum(np.rint(0.8 * np.sqrt(number)), 1).astype(int)
     size = number**STEEPNESS * rng.rayleigh(size=len(number))
     return k_x, k_y, passes, size * np.exp(2j * np.pi * rng.random(len(number)))

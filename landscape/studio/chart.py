@@ -82,7 +82,10 @@ def draw_compass(pen: ImageDraw.ImageDraw, x: float, y: float, r: float) -> None
                 b = a + side * math.pi / 4
                 waist = (x + 0.20 * r * math.sin(b), y - 0.20 * r * math.cos(b))
                 pen.polygon([(x, y), tip, waist], fill=fill, outline=INK)
-    left, right, low, high = x - 0.16 * r, x + 0.16 * r, y - 1.10 * r, y - 1.52 * r
+    left = x - 0.16 * r
+    right = x + 0.16 * r
+    low = y - 1.10 * r
+    high = y - 1.52 * r
     pen.line([(left, low), (left, high), (right, low), (right, high)], fill=INK, width=13)
 
 
@@ -123,6 +126,7 @@ def draw_serpent(pen: ImageDraw.ImageDraw, x: float, y: float, s: float) -> None
             if by < y:
                 pen.ellipse((bx - br - grow, by - br - grow, bx + br + grow, by + br + grow), fill)
         pen.polygon(snout, fill=fill, outline=INK, width=9)
+
     pen.ellipse((head_x, head_y - 0.04 * s, head_x + 0.03 * s, head_y - 0.01 * s), fill=INK)
     for k in range(4):
         wave = x + (0.27 * k - 0.08) * s
@@ -142,7 +146,9 @@ def drawings() -> np.ndarray:
     draw_castle(pen, COURT[0] * scale, (COURT[1] + 0.6) * scale, 2.3 * scale)
     draw_compass(pen, 34.4 * scale, 33.6 * scale, 2.9 * scale)
     draw_serpent(pen, 3.4 * scale, 34.8 * scale, 5.2 * scale)
-    inner, outer, marks = 0.62 * scale, 0.12 * scale, 20
+    inner = 0.62 * scale
+    outer = 0.12 * scale
+    marks = 20
     paper = (232, 214, 172)
     pen.rectangle((0, 0, size - 1, size - 1), outline=paper, width=round(inner))
     step = size / marks
@@ -152,6 +158,7 @@ def drawings() -> np.ndarray:
         pen.rectangle((a + step, size - inner, b + step, size - outer), fill=INK)
         pen.rectangle((outer, a + step, inner, b + step), fill=INK)
         pen.rectangle((size - inner, a, size - outer, b), fill=INK)
+
     pen.rectangle((0, 0, size - 1, size - 1), outline=INK, width=round(outer))
     pen.rectangle((inner, inner, size - inner, size - inner), outline=INK, width=8)
     rgba = np.asarray(sheet, float) / 255.0

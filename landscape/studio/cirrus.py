@@ -99,7 +99,9 @@ def _tufts() -> np.ndarray:
     drawn out into fibres that are hooked at first, and then lie along the wind.
     """
     rng = np.random.default_rng(TUFT_SEED)
-    street, tuft, each = (STREETS, 1, 1), (STREETS, TUFTS, 1), (STREETS, TUFTS, FIBRES)
+    street = (STREETS, 1, 1)
+    tuft = (STREETS, TUFTS, 1)
+    each = (STREETS, TUFTS, FIBRES)
 
     def vary(spread: float, shape: tuple[int, ...]) -> np.ndarray:
         return spread * rng.standard_normal(shape)

@@ -95,7 +95,9 @@ def _worley(size: int, cells: int, points: np.ndarray) -> np.ndarray:
     for i in range(size):
         for j in range(size):
             for k in range(size):
-                x, y, z = i * cells / size, j * cells / size, k * cells / size
+                x = i * cells / size
+                y = j * cells / size
+                z = k * cells / size
                 best = 9.0
                 for a in range(int(x) - 1, int(x) + 2):
                     for b in range(int(y) - 1, int(y) + 2):
@@ -133,8 +135,12 @@ def wisps() -> np.ndarray:
 @numba.njit
 def _depth(field: np.ndarray, x: float, y: float, z: float) -> float:
     """Look up the distance field (decimetres) trilinearly at a voxel position; return metres."""
-    i, j, k = int(x), int(y), int(z)
-    f, g, h = x - i, y - j, z - k
+    i = int(x)
+    j = int(y)
+    k = int(z)
+    f = x - i
+    g = y - j
+    h = z - k
     a = field[i, k, j] * (1 - g) + field[i, k, j + 1] * g
     b = field[i, k + 1, j] * (1 - g) + field[i, k + 1, j + 1] * g
     c = field[i + 1, k, j] * (1 - g) + field[i + 1, k, j + 1] * g
@@ -159,7 +165,9 @@ def _density(
     A negative density is minus a distance that is free of cloud. A negative displacement marks a
     crease, which sees little of the sky.
     """
-    u, v, w = x / VOXEL + ACROSS // 2, (y - BASE) / VOXEL + BELOW, z / VOXEL + ACROSS // 2
+    u = x / VOXEL + ACROSS // 2
+    v = (y - BASE) / VOXEL + BELOW
+    w = z / VOXEL + ACROSS // 2
     if v < 0.0 or v >= field.shape[2] - 1.001:
         return -60.0, 0.0
     if u < 1.0 or u > ACROSS - 2.0 or w < 1.0 or w > ACROSS - 2.0:
@@ -183,12 +191,15 @@ def _density(
         s = billow_volume.shape[0] / body.curl_period
         shift = 3.0 * fray
         displaced += body.curl * trilinear(billow_volume, z * s + shift, x * s, y * s - shift)
+
     loose = 1.0 - min(1.0, max(0.0, up / 300.0))  # more ragged towards the base
     value += (
         displaced + WISP * fray * (body.frayed + (1.0 - body.frayed) * loose) - 14.0 - 10.0 * loose
     )
+
     # The base is nearly flat: water condenses from one height upwards.
     value = min(value, up * 1.2 + 14.0 * fray)
+
     # Wisps surround the body and are much thinner.
     edge = value + body.haze * min(1.0, max(0.0, fray - 0.1))
     if edge <= 0.0:
@@ -221,10 +232,17 @@ def march(
             continue
         t, end = (BASE - 40.0) / slope, min((BASE + body.depth) / slope, FAR)
         cos = d[i, 0] * sun[0] + d[i, 1] * sun[1] + d[i, 2] * sun[2]
-        through, lit, filled, seen, weight, jump = 1.0, 0.0, 0.0, 0.0, 1e-6, 0.0
+        through = 1.0
+        lit = 0.0
+        filled = 0.0
+        seen = 0.0
+        weight = 1e-6
+        jump = 0.0
         while t < end and through > 0.01:
             fine = steps_m + 0.0012 * t
-            x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
+            x = d[i, 0] * t
+            y = slope * t
+            z = d[i, 2] * t
             rho, displaced = _density(body, field, clear, billow_volume, wisp_volume, x, y, z, True)
             if rho <= 0.0:
                 jump = max(fine, -rho)
@@ -235,7 +253,9 @@ def march(
                 low, high = t - jump, t
                 for _ in range(5):
                     t = 0.5 * (low + high)
-                    x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
+                    x = d[i, 0] * t
+                    y = slope * t
+                    z = d[i, 2] * t
                     if (
                         _density(body, field, clear, billow_volume, wisp_volume, x, y, z, True)[0]
                         > 0.0
@@ -244,7 +264,9 @@ def march(
                     else:
                         low = t
                 t, jump = high + 0.35 * fine, 0.0
-                x, y, z = d[i, 0] * t, slope * t, d[i, 2] * t
+                x = d[i, 0] * t
+                y = slope * t
+                z = d[i, 2] * t
                 rho, displaced = _density(
                     body, field, clear, billow_volume, wisp_volume, x, y, z, True
                 )
@@ -256,14 +278,19 @@ def march(
             tau = EXTINCTION * rho * previous
             for s in range(body.from_sample, 6):
                 r = 0.5 * (previous + reaches[s])
-                at_x, at_y, at_z = x + sun[0] * r, y + sun[1] * r, z + sun[2] * r
+                at_x = x + sun[0] * r
+                at_y = y + sun[1] * r
+                at_z = z + sun[2] * r
                 q, _ = _density(
                     body, field, clear, billow_volume, wisp_volume, at_x, at_y, at_z, s < 3
                 )
                 tau += EXTINCTION * max(q, 0.0) * (reaches[s] - previous)
                 previous = reaches[s]
             # Octaves of reduced extinction and anisotropy approximate multiple scattering.
-            glow, gain, extinction_scale, g = 0.0, 1.0, 1.0, 0.60
+            glow = 0.0
+            gain = 1.0
+            extinction_scale = 1.0
+            g = 0.60
             for _ in range(4):
                 forward = (1 - g * g) / (1 + g * g - 2 * g * cos) ** 1.5
                 back = (1 - 0.06) / (1 + 0.06 + 0.5 * cos) ** 1.5
@@ -273,7 +300,9 @@ def march(
                     * np.exp(-tau * extinction_scale)
                     / (4 * np.pi)
                 )
-                gain, extinction_scale, g = gain * body.gain, extinction_scale * 0.3, g * 0.5
+                gain = gain * body.gain
+                extinction_scale = extinction_scale * 0.3
+                g = g * 0.5
             up = (y - BASE) / body.depth
             crease = 1.0 / (1.0 + np.exp(-0.06 * displaced))
             lit += through * absorbed * (0.85 + 1.25 * crease) * glow
@@ -290,6 +319,7 @@ def march(
         out[i, 0], out[i, 1] = lit, filled
         out[i, 2] = max(0.0, (through - 0.01) / 0.99)
         out[i, 3] = seen / weight if weight > 1e-5 else FAR
+
     return out
 
 
@@ -306,6 +336,7 @@ def add_cumulus(scene: Scene, look: Look, d: np.ndarray, sky: np.ndarray) -> np.
     lit, filled = lit[..., None] / cover, filled[..., None] / cover
     cloud = lit * np.array(scene.sun) + filled * np.array(scene.shade)
     cloud += 0.7 * np.clip(1.0 - filled, 0.0, None) * np.array(scene.bounce)
+
     # Chosen: white where lit, grey in the shade.
     cloud = look.bright * cloud**look.contrast
     bright = np.maximum(cloud.max(axis=-1, keepdims=True), 1e-6)

@@ -95,6 +95,7 @@ def sprite_of(leaves: Leaves, stems: Stems, extinction: float, sunk: float = 0.0
         run = np.concatenate([np.linalg.norm(np.gradient(p, axis=0), axis=1) for p in paths])
         none = np.zeros_like(points)
         occluders = join([leaves, Leaves(points, none, none, run, 4.0 * thick, none)])
+
     density = foliage_density(occluders)
     canvas = Canvas.blank(SIDE)
     for path, (_, foot, tip, colour) in zip(paths, stems, strict=True):
@@ -105,6 +106,7 @@ def sprite_of(leaves: Leaves, stems: Stems, extinction: float, sunk: float = 0.0
         flat = np.zeros_like(radii)
         lights = light_on_limbs(density, ends, extinction)
         draw_limbs(canvas, ends, radii, lights, skin, colour, flat, flat[:, 0])
+
     draw_leaves(canvas, leaves, density, extinction, 0.08)
     return quantised(canvas.finish())
 

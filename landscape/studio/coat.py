@@ -105,6 +105,7 @@ def convolve_along(noise, along, steps):  # type: ignore[no-untyped-def]
                     x += sign * along[i, j, 0]
                     y += sign * along[i, j, 1]
             out[row, column] = total / np.sqrt(2.0 * steps)
+
     return out
 
 
@@ -140,7 +141,9 @@ def paint_coat(traced: Traced, mane: float) -> np.ndarray:
     ``mane`` (0 to 1) is the strength of the neck's colour. Returns the mask of the long hair,
     (side, side) in 0..1.
     """
-    x, y, up = traced.x, traced.y, traced.normal[..., 1]
+    x = traced.x
+    y = traced.y
+    up = traced.normal[..., 1]
 
     def paint(colour: tuple[float, float, float], amount: np.ndarray) -> None:
         weight = (amount * (traced.hair > 0.5))[..., None]
@@ -171,11 +174,9 @@ def grow_fur(traced: Traced, long_hair: np.ndarray, rng: np.random.Generator) ->
     def noise(blur: float) -> np.ndarray:
         return ndimage.gaussian_filter(rng.standard_normal(traced.hit.shape), blur)
 
-    fine, locks, patches = (
-        convolve_along(noise(0.8), traced.along, 9),
-        convolve_along(noise(2.5), traced.along, 24),
-        noise(22),
-    )
+    fine = convolve_along(noise(0.8), traced.along, 9)
+    locks = convolve_along(noise(2.5), traced.along, 24)
+    patches = noise(22)
     fur = fine / fine[traced.hit].std() + (0.4 + long_hair) * 0.8 * locks / locks[traced.hit].std()
     fur *= traced.hair
     gy, gx = np.gradient(ndimage.gaussian_filter(fur, 0.8))
@@ -190,7 +191,9 @@ def deepen(traced: Traced) -> None:
 
     Seen from afar, these contrasts make a body of what is otherwise one brown.
     """
-    x, y, up = traced.x, traced.y, traced.normal[..., 1]
+    x = traced.x
+    y = traced.y
+    up = traced.normal[..., 1]
     furry = traced.hair > 0.5
     saddle = smoothstep(0.05, 0.80, up) * smoothstep(0.70, 0.92, y) * smoothstep(-0.75, -0.35, x)
     flank = smoothstep(0.88, 0.72, y) * smoothstep(0.52, 0.66, y) * (0.5 + 0.5 * np.abs(up))
@@ -220,6 +223,7 @@ def shade(
     gloss = np.maximum(traced.normal @ (half / np.linalg.norm(half)), 0)
     bare = 1.0 - smoothstep(0.2, 0.6, traced.hair)
     shine = (0.05 * gloss**12 + 0.6 * bare * gloss**50) * traced.sun
+
     # Rim light: hair transmits light at the silhouette.
     shine += 0.10 * (1 - front) ** 3 * traced.hair * np.clip(0.3 + up, 0, 1) * traced.sky
     light = (
@@ -244,6 +248,7 @@ def render(model: Model, seed: int, mane: float, deep: bool = False) -> np.ndarr
         deepen(traced)
     grow_fur(traced, long_hair, rng)
     colour, covered = shade(traced, *light), traced.hit.astype(float)
+
     # Single hairs over the silhouette and the mane, because fur has no sharp edge.
     edge = traced.hit & (ndimage.distance_transform_edt(traced.hit) < 5) & (traced.hair > 0.6)
     chance = np.maximum(0.25 * edge, 0.05 * long_hair)

@@ -63,7 +63,10 @@ class Model:
 def round_cone(cone, x, y, z):  # type: ignore[no-untyped-def]
     """Return the distance to one round cone; a flatness under 1 narrows it along z."""
     flat = cone[9]
-    bx, by, bz = cone[4] - cone[0], cone[5] - cone[1], cone[6] - cone[2]
+    bx = cone[4] - cone[0]
+    by = cone[5] - cone[1]
+    bz = cone[6] - cone[2]
+
     # Flatten about the cone's own axis, so that left and right limbs stay in place.
     px, py = x - cone[0], y - cone[1]
     r1, r2 = cone[3], cone[7]
@@ -77,7 +80,9 @@ def round_cone(cone, x, y, z):  # type: ignore[no-untyped-def]
     il2 = 1.0 / l2
     yy = px * bx + py * by + pz * bz
     zz = yy - l2
-    ex, ey, ez = px * l2 - bx * yy, py * l2 - by * yy, pz * l2 - bz * yy
+    ex = px * l2 - bx * yy
+    ey = py * l2 - by * yy
+    ez = pz * l2 - bz * yy
     x2 = ex * ex + ey * ey + ez * ez
     y2 = yy * yy * l2
     z2 = zz * zz * l2
@@ -88,6 +93,7 @@ def round_cone(cone, x, y, z):  # type: ignore[no-untyped-def]
         d = np.sqrt(x2 + y2) * il2 - r1
     else:
         d = (np.sqrt(x2 * a2 * il2) + yy * rr) * il2 - r1
+
     return d
 
 
@@ -105,15 +111,21 @@ def distance(cones, selected, count, x, y, z):  # type: ignore[no-untyped-def]
     A smooth union bulges where two cones overlap. Cones of one chain share their ends, so they are
     joined more sharply than different chains; otherwise every joint would be a knob.
     """
-    d, chain_d, chain, chain_k = 1e3, 1e3, -1.0, 1.0
+    d = 1e3
+    chain_d = 1e3
+    chain = -1.0
+    chain_k = 1.0
     for i in range(count):
         cone = cones[selected[i]]
         e = round_cone(cone, x, y, z)
         if cone[11] != chain:
             d = smooth_union(d, chain_d, chain_k)
-            chain_d, chain, chain_k = e, cone[11], cone[8]
+            chain_d = e
+            chain = cone[11]
+            chain_k = cone[8]
         else:
             chain_d = smooth_union(chain_d, e, CHAIN_BLEND * chain_k)
+
     return max(smooth_union(d, chain_d, chain_k), -y)
 
 
@@ -139,18 +151,25 @@ def bake(cones, low, shape, cell):  # type: ignore[no-untyped-def]
 @njit
 def sample(grid, low, cell, x, y, z):  # type: ignore[no-untyped-def]
     """Look up a grid trilinearly; outside it, return 1 (empty space)."""
-    fx, fy, fz = (x - low[0]) / cell, (y - low[1]) / cell, (z - low[2]) / cell
-    i, j, k = int(np.floor(fx)), int(np.floor(fy)), int(np.floor(fz))
+    fx = (x - low[0]) / cell
+    fy = (y - low[1]) / cell
+    fz = (z - low[2]) / cell
+    i = int(np.floor(fx))
+    j = int(np.floor(fy))
+    k = int(np.floor(fz))
     n, m, o = grid.shape
     if i < 0 or j < 0 or k < 0 or i >= n - 1 or j >= m - 1 or k >= o - 1:
         return 1.0
-    u, v, w = fx - i, fy - j, fz - k
+    u = fx - i
+    v = fy - j
+    w = fz - k
     total = 0.0
     for di in range(2):
         for dj in range(2):
             for dk in range(2):
                 weight = (u if di else 1 - u) * (v if dj else 1 - v) * (w if dk else 1 - w)
                 total += weight * grid[i + di, j + dj, k + dk]
+
     return total
 
 
@@ -209,7 +228,9 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                         cones, selected, count, x, y, z - e
                     )
                     norm = np.sqrt(nx * nx + ny * ny + nz * nz) + 1e-12
-                    nx, ny, nz = nx / norm, ny / norm, nz / norm
+                    nx = nx / norm
+                    ny = ny / norm
+                    nz = nz / norm
                     total = 0.0
                     for c in range(count):
                         cone = cones[selected[c]]
@@ -220,7 +241,9 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                         if cone[10] == 0.0:
                             weight *= 40.0
                         total += weight
-                        ax, ay, az = cone[4] - cone[0], cone[5] - cone[1], cone[6] - cone[2]
+                        ax = cone[4] - cone[0]
+                        ay = cone[5] - cone[1]
+                        az = cone[6] - cone[2]
                         size = np.sqrt(ax * ax + ay * ay + az * az)
                         out[row, column, 10] += weight * ax / size * cone[10]
                         out[row, column, 11] += weight * ay / size * cone[10]
@@ -257,4 +280,5 @@ def trace(cones, colours, side, left, top, pixel, grid, low, cell, sun):  # type
                     out[row, column, 4], out[row, column, 5], out[row, column, 6] = nx, ny, nz
                     out[row, column, 13] = lit
                     out[row, column, 14] = max(0.10, 1.0 - 6.5 * occlusion)
+
     return out

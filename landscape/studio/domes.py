@@ -68,6 +68,7 @@ def cloud_spheres(
         u, v = 0.5 * width * along * stretch**0.5, 0.5 * width * across / stretch**0.5
         at = x + u * np.cos(turn) - v * np.sin(turn), z + u * np.sin(turn) + v * np.cos(turn)
         lobes.append(_lobe(rng, *at, wide, up))
+
     bodies = np.concatenate(lobes)
     first = _buds(rng, bodies[bodies[:, 3] < 0.5 * tall + 200.0], 5)
     return np.concatenate([bodies, first, _buds(rng, first, 4)])

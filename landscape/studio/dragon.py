@@ -160,6 +160,7 @@ def _tail_fin(x: float, y: float, z: float) -> float:
 def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
     """Return the distance to the head: origin at the nape, x to the muzzle, y up, mirrored in z."""
     a = abs(z)
+
     # Skull and upper jaw, with knobs at the back, then the nostrils.
     d = ellipsoid(x - 0.07, y - 0.02, a, 0.145, 0.098, 0.098)
     upper = limb(x, y * 1.15, a * 0.85, 0.10, 0.015, 0.0, 0.080, 0.34, 0.0, 0.0, 0.052)
@@ -169,20 +170,24 @@ def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
     d = union(d, ellipsoid(x - 0.355, y - 0.045, a - 0.028, 0.035, 0.026, 0.024), 0.025)
     d = union(d, limb(x, y, a, 0.20, 0.075, 0.0, 0.02, 0.33, 0.05, 0.0, 0.012), 0.03)
     d = carve(d, ellipsoid(x - 0.378, y - 0.052, a - 0.034, 0.014, 0.012, 0.010), 0.01)
+
     # Lower jaw and cheeks.
     lower = limb(x, y * 1.1, a * 0.8, 0.05, -0.07, 0.0, 0.060, 0.30, -0.165, 0.0, 0.034)
     d = union(d, lower, 0.03)
     d = union(d, ellipsoid(x - 0.03, y + 0.045, a - 0.07, 0.08, 0.06, 0.04), 0.03)
+
     # Brow, eye socket and eye.
     d = union(d, limb(x, y, a, 0.03, 0.085, 0.055, 0.026, 0.195, 0.078, 0.078, 0.020), 0.02)
     d = carve(d, ellipsoid(x - 0.145, y - 0.045, a - 0.095, 0.044, 0.030, 0.025), 0.015)
     d = union(d, ellipsoid(x - 0.145, y - 0.045, a - 0.072, 0.032, 0.027, 0.024), 0.006)
+
     # Horn with its growth rings.
     i, t, distance = nearest(horn_curve, x, y, a)
     ring = math.sin(((i + t) / (HORN_SAMPLES - 1)) ** 1.3 * 60.0)
     thick = mix(horn_curve[i, 3], horn_curve[i + 1, 3], t)
     horn = distance - thick * (1.0 + 0.07 * ring)
     d = union(d, horn, 0.02)
+
     # Ear fin: three spines with skin between them.
     p, q = turn(x, a - 0.075, 0.60)
     fan = 1e9
@@ -205,13 +210,16 @@ def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
             ),
             0.10,
         )
+
     d = union(d, fan * 0.7, 0.015)
+
     # Teeth, fangs above and below, and the beard.
     for k in range(4):
         tx = 0.16 + 0.05 * k
         d = union(
             d, limb(x, y, a, tx, -0.02, 0.052, 0.014, tx + 0.005, -0.075, 0.050, 0.005), 0.006
         )
+
     d = union(d, limb(x, y, a, 0.345, -0.02, 0.035, 0.016, 0.35, -0.10, 0.035, 0.005), 0.006)
     d = union(d, limb(x, y, a, 0.28, -0.13, 0.026, 0.014, 0.285, -0.085, 0.026, 0.005), 0.006)
     return union(d, limb(x, y, a, 0.28, -0.18, 0.0, 0.022, 0.22, -0.27, 0.0, 0.006), 0.02)
@@ -239,18 +247,26 @@ def dragon_field(x: float, y: float, z: float, data: Any) -> float:
         d -= _relief(mix(curve[i, 4], curve[i + 1, 4], t), math.atan2(v, u), radius)
         if s > 0.0 and ahead > 0.0:  # beyond the ends of the curve the frame is undefined
             d = union(d, _crest(spine, s, ahead, y, u, v, radius), 0.012)
+
     end = curve.shape[0] - 1
     hx, hy = turn(x - curve[end, 0], y - curve[end, 1], -pitch)
     if hx * hx + hy * hy < 0.36:
         d = union(d, _head(hx, hy, z - curve[end, 2], horn), 0.03)
-    tx, ty, tz = x - curve[0, 0], y - curve[0, 1], z - curve[0, 2]
+    tx = x - curve[0, 0]
+    ty = y - curve[0, 1]
+    tz = z - curve[0, 2]
     if tx * tx + ty * ty + tz * tz < 0.16:
-        bx, by, bz = curve[0, 5], curve[0, 6], curve[0, 7]
-        sx, sy, sz = curve[0, 8], curve[0, 9], curve[0, 10]
+        bx = curve[0, 5]
+        by = curve[0, 6]
+        bz = curve[0, 7]
+        sx = curve[0, 8]
+        sy = curve[0, 9]
+        sz = curve[0, 10]
         # back x side is the tangent, which points to the head; the fin points the other way.
         out = -(tx * (by * sz - bz * sy) + ty * (bz * sx - bx * sz) + tz * (bx * sy - by * sx))
         up, side = tx * bx + ty * by + tz * bz, tx * sx + ty * sy + tz * sz
         d = union(d, _tail_fin(out, up, side), 0.02)
+
     return d
 
 

@@ -117,6 +117,7 @@ def canyon() -> np.ndarray:
     bed = np.stack(splev(np.linspace(0, 1, 4000), spline), axis=1)
     away = cKDTree(bed).query(np.stack(warped, axis=-1))[0]
     width = 30.0 + 8.0 * spectral_noise(SIZE, 2.2, 64, 2.0)
+
     # Side canyons: branches where ridged noise is highest, wider towards the river.
     branch = smoothstep(0.62, 0.9, ridged(65, 3, 3.0)) * np.exp(-away / 70.0)
     level = np.clip((away - 9.0) / np.maximum(width, 14.0), 0.0, 1.0) - 0.9 * branch

@@ -30,6 +30,7 @@ def _drain(h: np.ndarray, order: np.ndarray, receiver: np.ndarray) -> None:
             heapq.heappush(heap, (flat[p], p))
             seen[p] = True
             receiver[p] = p
+
     count = 0
     while len(heap) > 0:
         level, p = heapq.heappop(heap)
@@ -64,7 +65,10 @@ def rivers(
     cell is cut below ``low``. Returns the drainage area (n, n) of each cell.
     """
     n = h.shape[0]
-    flat, bound, rise, k = h.ravel(), low.ravel(), uplift.ravel(), power.ravel()
+    flat = h.ravel()
+    bound = low.ravel()
+    rise = uplift.ravel()
+    k = power.ravel()
     order, receiver = np.empty(n * n, np.int64), np.empty(n * n, np.int64)
     area = np.empty(n * n)
     for _ in range(steps):
@@ -85,6 +89,7 @@ def rivers(
                 flat[p] = max(bound[p], min(flat[p], cut))
         for _slide in range(2):
             slide_once(h, 1.2 * cell)
+
     return area.reshape(n, n)
 
 
@@ -127,11 +132,18 @@ def rain(
         x, z = rng.random() * (n - 2), rng.random() * (n - 2)
         if h[int(z), int(x)] < sea:
             continue
-        dx, dz, speed, water, load = 0.0, 0.0, 1.0, 1.0, 0.0
+        dx = 0.0
+        dz = 0.0
+        speed = 1.0
+        water = 1.0
+        load = 0.0
         for _life in range(60):
             i, j = int(x), int(z)
             u, v = x - i, z - j
-            a, b, c, d = h[j, i], h[j, i + 1], h[j + 1, i], h[j + 1, i + 1]
+            a = h[j, i]
+            b = h[j, i + 1]
+            c = h[j + 1, i]
+            d = h[j + 1, i + 1]
             here = (a * (1 - u) + b * u) * (1 - v) + (c * (1 - u) + d * u) * v
             dx = dx * 0.05 - ((b - a) * (1 - v) + (d - c) * v) * 0.95
             dz = dz * 0.05 - ((c - a) * (1 - u) + (d - b) * u) * 0.95
@@ -174,4 +186,5 @@ def rain(
                 break
             speed = math.sqrt(max(0.0, speed * speed - rise * 4.0))
             water *= 0.99
+
     return passes

@@ -51,11 +51,14 @@ class Flame:
         k_x = np.fft.rfftfreq(GRID)[None, :]
         k_y = np.fft.fftfreq(GRID)[:, None]
         k2 = np.maximum(k_x**2 + k_y**2, 1e-12)
-        self.k_x, self.k_y, self.k2 = k_x, k_y, k2
+        self.k_x = k_x
+        self.k_y = k_y
+        self.k2 = k2
         x = (self.columns + 0.5) / GRID - 0.5
         y = (self.rows + 0.5) / GRID
         bowl = np.hypot(x / SOURCE_WIDTH, (y - 0.055) / 0.055)
         self.source = 1.0 - smoothstep(0.55, 1.15, bowl)
+
         # The domain is periodic: heat that leaves at the top must not re-enter at the bottom.
         self.keep = 1.0 - smoothstep(0.78, 0.95, y)
         self.damping = smoothstep(0.5, 0.30, np.abs(x)) * (1.0 - smoothstep(0.93, 0.99, y))
@@ -65,12 +68,14 @@ class Flame:
     def step(self) -> None:
         """Advance by one step: source, buoyancy, confinement, projection, advection, cooling."""
         self.time += 1
+
         # Slow flicker of the source between left and right.
         t = self.time
         swing = np.sin(0.071 * t) + 0.7 * np.sin(0.113 * t + 1.0) + 0.5 * np.sin(0.197 * t + 2.2)
         burn = self.source * (0.9 + 0.25 * np.sin(34.0 * self.x + 1.6 * swing))
         self.heat = np.maximum(self.heat, burn)
         self.v += BUOYANCY * self.heat
+
         # Entrainment: the flame draws in the surrounding air, which tapers it to a tip.
         self.u -= 0.016 * np.sign(self.x) * np.minimum(np.abs(self.x) / 0.06, 1.0) * self.heat
         self.u += 0.012 * swing * self.heat * self.y

@@ -121,11 +121,15 @@ def fill_limbs(  # type: ignore[no-untyped-def]
     h, w = depth.shape
     m = bark.shape[0]
     texel = np.zeros(4)
-    lx, ly, lz = towards[0], towards[1], towards[2]
+    lx = towards[0]
+    ly = towards[1]
+    lz = towards[2]
     for i in range(ends.shape[0]):
         ax, ay, az = ends[i, 0]
         bx, by, bz = ends[i, 1]
-        dx, dy, dz = bx - ax, by - ay, bz - az
+        dx = bx - ax
+        dy = by - ay
+        dz = bz - az
         flat = np.sqrt(dx * dx + dy * dy)
         length = np.sqrt(flat * flat + dz * dz)
         if length < 1e-6:
@@ -135,10 +139,16 @@ def fill_limbs(  # type: ignore[no-untyped-def]
             px, py = 1.0, 0.0
         else:
             px, py = -dy / flat, dx / flat
+
         # The direction perpendicular to the limb that faces the viewer: axis x across.
-        qx, qy, qz = -dz * py / length, dz * px / length, (dx * py - dy * px) / length
+        qx = -dz * py / length
+        qy = dz * px / length
+        qz = (dx * py - dy * px) / length
         if qz < 0:
-            qx, qy, qz = -qx, -qy, -qz
+            qx = -qx
+            qy = -qy
+            qz = -qz
+
         for row in range(max(0, int(min(ay, by) - thick)), min(h, int(max(ay, by) + thick) + 1)):
             for column in range(
                 max(0, int(min(ax, bx) - thick)), min(w, int(max(ax, bx) + thick) + 1)
@@ -171,7 +181,9 @@ def fill_limbs(  # type: ignore[no-untyped-def]
                     texel[k] = above * (1 - wv) + below * wv
                 s = min(0.99, max(-0.99, s + texel[3] * min(1.0, r / 12.0)))
                 up = np.sqrt(1.0 - s * s)
-                nx, ny, nz = px * s + qx * up, py * s + qy * up, qz * up
+                nx = px * s + qx * up
+                ny = py * s + qy * up
+                nz = qz * up
                 t = min(1.0, max(0.0, t))
                 sunlit = lights[i, 0, 0] + (lights[i, 1, 0] - lights[i, 0, 0]) * t
                 open_sky = lights[i, 0, 1] + (lights[i, 1, 1] - lights[i, 0, 1]) * t
@@ -264,6 +276,7 @@ def draw_leaves(
     """
     sun, sky = light_at(density, leaves.centre, extinction, towards)
     sky = min_sky + (1.0 - min_sky) * sky
+
     # The normal of the crown, from the gradient of the density. Leaves point in all directions, so
     # shaded by their own normals alone a crown looks flat.
     soft = ndimage.gaussian_filter(density, 3.0)
@@ -276,6 +289,7 @@ def draw_leaves(
         cells = (leaves.centre - GRID_LOW) / GRID_SPAN * GRID
         passed = optical_depth(density, cells, FROM_BEHIND, 0.9, GRID)
         behind = glow * np.exp(-1.6 * extinction * passed)
+
     across = unit(np.cross(leaves.axis, leaves.normal))
     half_length, half_width = leaves.length[:, None] / 2, leaves.width[:, None] / 2
     base = leaves.centre - leaves.axis * half_length
@@ -317,6 +331,7 @@ def draw_leaves(
             np.stack([lit * 0.7, lit, lit * 1.1], 1),
             np.stack([lit * 0.7, lit * 1.1, lit], 1),
         ]
+
     screen = canvas.to_screen(np.concatenate(corners))
     fill_triangles(canvas.colour, canvas.depth, screen, np.concatenate(shades).astype(np.float32))
 

@@ -177,6 +177,7 @@ def add_stones(gate: Gate) -> np.ndarray:
     fraction = fraction - np.floor(fraction)
     length = np.where(above, radius * apex / VOUSSOIRS, JAMB)
     along = np.minimum(fraction, np.where(key, 2.0, 1.0 - fraction)) * length
+
     # Long-and-short work: every other stone reaches further into the wall.
     reach = RING - 0.009 * (number % 2) + np.where(key, 0.006, 0.0)
     inner = arch(gate.x, gate.y, 0.0)
@@ -184,6 +185,7 @@ def add_stones(gate: Gate) -> np.ndarray:
     inside = np.minimum(along - 0.0011, np.minimum(inner + 0.001, reach - inner))
     stone = number + np.where(gate.x > 0, 30, 0) * np.where(key, 0, 1)
     height, albedo = stone_face(gate, inside, stone, 41)
+
     # The inner third is chamfered towards the door.
     height = height - 0.9 * np.clip(0.013 - inner, 0.0, None)
     gate.add_layer(outline, height, albedo)
@@ -197,6 +199,7 @@ def castle_door() -> np.ndarray:
     add_iron(gate)
     outline = add_stones(gate)
     shade = light_relief(gate.height, gate.texels, 0.006, tile=False)
+
     # The arch stands in front of the door and casts a shadow to the lower right.
     blocked = np.roll(arch(gate.x, gate.y, 0.0), (40, 36), axis=(0, 1)) * gate.texels
     recessed = smoothstep(-0.012, -0.016, gate.height)
@@ -211,6 +214,7 @@ def castle_door() -> np.ndarray:
     linear = gate.albedo * shade[..., None] + 0.22 * glint[..., None]
     linear = np.clip(linear, 0.0, 1.0)
     alpha = smoothstep(0.7, -0.7, outline * gate.texels)
+
     # A thin contact shadow on the wall around the stones, wider below and to the right.
     fall = np.roll(np.clip(outline, 0.0, None), (5, 5), axis=(0, 1))
     contact = 0.5 * np.exp(-np.minimum(fall, np.clip(outline, 0.0, None) * 1.6) / 0.0022)
@@ -224,6 +228,7 @@ def castle_door() -> np.ndarray:
     rows, columns = cover.shape
     left = (GATE_SIZE - columns) // 2
     picture[GATE_SIZE - rows :, left : left + columns] = to_uint8(np.dstack([rgb, cover]))
+
     # Texels of very low alpha have unreliable colours: replace them before bleeding.
     picture[..., :3] = bleed(picture, 9)[..., :3]
     return bleed(picture)

@@ -21,10 +21,18 @@ def bilinear(grid: np.ndarray, u: float, v: float) -> float:
 def trilinear(grid: np.ndarray, x: float, y: float, z: float) -> float:
     """Look up a tiling cubic grid trilinearly; x, y and z in texels."""
     n = grid.shape[0]
-    i, j, k = int(np.floor(x)), int(np.floor(y)), int(np.floor(z))
-    f, g, h = x - i, y - j, z - k
-    i, j, k = i % n, j % n, k % n
-    i1, j1, k1 = (i + 1) % n, (j + 1) % n, (k + 1) % n
+    i = int(np.floor(x))
+    j = int(np.floor(y))
+    k = int(np.floor(z))
+    f = x - i
+    g = y - j
+    h = z - k
+    i = i % n
+    j = j % n
+    k = k % n
+    i1 = (i + 1) % n
+    j1 = (j + 1) % n
+    k1 = (k + 1) % n
     a = grid[i, j, k] * (1 - h) + grid[i, j, k1] * h
     b = grid[i, j1, k] * (1 - h) + grid[i, j1, k1] * h
     c = grid[i1, j, k] * (1 - h) + grid[i1, j, k1] * h

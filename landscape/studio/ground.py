@@ -72,7 +72,9 @@ def sun_shadow(h: np.ndarray, cell: float, sun: np.ndarray, blur: float) -> np.n
     n = h.shape[0]
     out = np.ones((n, n))
     level = math.hypot(sun[0], sun[2])
-    ux, uz, rise = sun[0] / level, sun[2] / level, sun[1] / level
+    ux = sun[0] / level
+    uz = sun[2] / level
+    rise = sun[1] / level
     top = h.max()
     for j in range(n):
         for i in range(n):
@@ -93,6 +95,7 @@ def sun_shadow(h: np.ndarray, cell: float, sun: np.ndarray, blur: float) -> np.n
                     break
                 t += max(1.0, 0.03 * t)
             out[j, i] = min(1.0, max(0.0, 0.5 + 0.5 * clear))
+
     return out
 
 
@@ -118,6 +121,7 @@ def sky_view(h: np.ndarray, cell: float, directions: int, reach: float) -> np.nd
                     steepest = max(steepest, (h[z, x] - h[j, i]) / (t * cell))
                     t *= 1.35
                 out[j, i] += 1.0 / (1.0 + steepest * steepest)
+
     return out / directions
 
 
@@ -247,6 +251,7 @@ def ground_large() -> np.ndarray:
     n = normals(h, terrain.WORLD / LARGE)
     slope = np.hypot(n[..., 0], n[..., 2]) / n[..., 1]
     cracks = rock_cracks(LARGE)
+
     # Relief that is too small for the mesh affects the lighting only: blocks of rock, tussocks
     # elsewhere. The sea floor has none: it is seen through water, and would cost a fifth of the
     # file.
@@ -258,11 +263,14 @@ def ground_large() -> np.ndarray:
     shadow, sky = relief()
     sun = light.sun_direction()
     direct = np.maximum(n @ sun, 0.0) / sun[1] * shadow
+
     # Under water, keep only a hint of the shading: the water surface is lit, not the floor.
     direct = np.where(h < terrain.WATER_LEVEL, 0.6 + 0.4 * direct, direct)
+
     # A soft shoulder, or slopes that face the sun would be overexposed.
     direct = direct * 1.35 / (1.0 + 0.35 * direct)
     blue = light.SKY_COLOR / light.SKY_COLOR.mean()
+
     # Brighten ribs and darken gullies, which the sun alone hides where it is perpendicular.
     fold = enlarge(ndimage.gaussian_filter(coarse, 1.8) - coarse, LARGE)
     direct = direct * (1.0 - np.clip(6.0 * fold, -0.16, 0.30))
@@ -314,7 +322,9 @@ def draw_pebbles(
     size = tone.shape[0]
     for _ in range(count):
         cx, cy = rng.uniform(0, size, 2)
-        a, b, turn = rng.uniform(1.6, 5.0), rng.uniform(0.6, 1.0), rng.uniform(0, math.pi)
+        a = rng.uniform(1.6, 5.0)
+        b = rng.uniform(0.6, 1.0)
+        turn = rng.uniform(0, math.pi)
         value, warm = rng.uniform(0.45, 0.85), rng.uniform(-1.5, 1.5)
         reach = np.arange(-9, 10)
         u, v = np.meshgrid(reach, reach)

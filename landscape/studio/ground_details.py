@@ -114,8 +114,10 @@ def ground_rock() -> np.ndarray:
         patchy = smoothstep(-0.6, 0.7, spectral_noise(n, 2.0, seed + 3, 2.0))
         height += weight * patchy * (faces - 0.05 * n / cells * clefts)
         hollow = np.maximum(hollow, weight * patchy * clefts)
+
     height = ndimage.gaussian_filter(height, 1.1, mode="wrap")
     height += 0.5 * spectral_noise(n, 1.1, 74, 50.0)
+
     # Ambient occlusion: low areas see less of the sky.
     low = ndimage.gaussian_filter(height, 14.0, mode="wrap") - height
     tone = 0.62 * shade_slopes(height) - 0.40 * hollow - 0.022 * np.clip(low, 0.0, 12.0)

@@ -71,6 +71,7 @@ def colonise(
     """
     rng = np.random.default_rng(seed)
     nodes, origin = start.points, start.parents
+
     # If every node of a stem could branch, the limbs would look like the teeth of a comb.
     fertile = rng.random(len(nodes)) < 0.4
     fertile[start.child_counts() == 0] = True
@@ -100,6 +101,7 @@ def colonise(
         origin = np.concatenate([origin, growing[free]])
         fertile = np.concatenate([fertile, np.ones(free.sum(), bool)])
         attractors = attractors[cKDTree(nodes).query(attractors)[0] > 2.0 * step]
+
     return Skeleton(nodes, origin)
 
 
@@ -164,12 +166,15 @@ def hang_twigs(
             points.append(points[last] + step * direction)
             parents.append(last)
             last = len(points) - 1
+
     return Skeleton(np.array(points), np.array(parents))
 
 
 def spruce_limbs(rng: np.random.Generator) -> tuple[Skeleton, np.ndarray]:
     """Return the spruce's trunk, whorls and hanging twigs, and the nodes (k,) that bear needles."""
-    points, parents, twigs = [np.zeros(3)], [-1], []
+    points = [np.zeros(3)]
+    parents = [-1]
+    twigs = []
 
     def grow(
         start: int, direction: np.ndarray, length: float, step: float, bend: float, green: bool
@@ -191,6 +196,7 @@ def spruce_limbs(rng: np.random.Generator) -> tuple[Skeleton, np.ndarray]:
             made.append(last)
             if green:
                 twigs.append(last)
+
         return made
 
     trunk = [0]

@@ -56,7 +56,9 @@ def texels() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
     The last is their column and row on the canvas.
     """
-    place, normal, at = [], [], []
+    place = []
+    normal = []
+    at = []
 
     def add(points: np.ndarray, facing: np.ndarray, x: int, y: int) -> None:
         rows, columns = np.mgrid[y : y + points.shape[0], x : x + points.shape[1]]
@@ -78,7 +80,10 @@ def parts() -> list[tuple[slice, slice]]:
     found = []
     for lit in placed(hall()):
         if lit.chart is not None:
-            x, y, width, height = lit.chart.x, lit.chart.y, lit.chart.width, lit.chart.height
+            x = lit.chart.x
+            y = lit.chart.y
+            width = lit.chart.width
+            height = lit.chart.height
             found.append((slice(y, y + height), slice(x, x + width)))
     for sheet in ("floor", "north"):
         (x, y), (width, height) = ORIGINS[sheet], SIZES[sheet]
@@ -117,7 +122,9 @@ def masonry() -> np.ndarray:
 
     Each wall is a rectangle with a rectangle left out around each opening.
     """
-    inside, wall, top = plan.INSIDE, plan.WALL, plan.CROWN + 0.05
+    inside = plan.INSIDE
+    wall = plan.WALL
+    top = plan.CROWN + 0.05
     quads = []
 
     def upright(axis: int, at: float, edges: list[float], holes: list[tuple[float, float]]) -> None:
@@ -155,7 +162,9 @@ def masonry() -> np.ndarray:
 
 def triangles() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return corners (n, 3, 3), their places on the canvas (n, 3, 2) and linear colours (n, 3)."""
-    corners, where, colours = [], [], []
+    corners = []
+    where = []
+    colours = []
     for lit in placed(hall()):
         rows, columns = lit.surface.points.shape[:2]
         index = grid_triangles(columns, rows)
@@ -183,11 +192,14 @@ def portals() -> np.ndarray:
     """Return the openings' outer sides as parallelograms (n, 3, 3): a corner and two edges."""
     inside, wall = plan.INSIDE, plan.WALL
     found = []
-    half, low, top = plan.WINDOW_HALF, plan.WINDOW_SILL, plan.WINDOW_TOP
+    half = plan.WINDOW_HALF
+    low = plan.WINDOW_SILL
+    top = plan.WINDOW_TOP
     for middle in plan.ALCOVES:
         found.append(
             [(inside.east + wall, low, middle - half), (0, top - low, 0), (0, 0, 2 * half)]
         )
+
     height, radius = plan.ROSE
     found.append(
         [
@@ -263,7 +275,9 @@ def direct(scene, place, normal, sun, doors, flames, front, seed):  # type: igno
         cosine = n[0] * sun[0] + n[1] * sun[1] + n[2] * sun[2]
         if cosine > 0.0:
             disc = SUN_RADIUS if o[1] > -0.001 else SUN_IN_WATER
-            seen, cast, total = 0, 0, 8
+            seen = 0
+            cast = 0
+            total = 8
             while cast < total:
                 state, p = _random(state)
                 state, q = _random(state)
@@ -320,6 +334,7 @@ def direct(scene, place, normal, sun, doors, flames, front, seed):  # type: igno
                     for k in range(3):
                         weight = facing * min(area / (gap * gap), 2.0) / math.pi / SKY_SAMPLES
                         out[i, SKY, k] += light[k] * weight
+
     return out
 
 
@@ -368,4 +383,5 @@ def gather(scene, uv, colour, glow, place, normal, count, seed):  # type: ignore
                 for k in range(3):
                     out[i, light, k] += glow[row, column, light, k] * colour[t, k] / count
         opened[i] = 1.0 - backs / count
+
     return out, opened

@@ -126,6 +126,7 @@ def hall_floor() -> np.ndarray:
     x, y = tile_axes(size)
     rng = np.random.default_rng(470)
     u, v = x * slabs, y * slabs
+
     # Each slab is cut from its own place in the block.
     pale = marble(size, 471, CREAM, CREAM_VEIN)
     dark = marble(size, 491, DARK, DARK_VEIN, 3.0)

@@ -59,6 +59,7 @@ def pinnate(path: np.ndarray, roll: float, size: float, rng: np.random.Generator
     span = flat * np.cos(roll) + np.cross(flat, tangent) * np.sin(roll)
     face = np.cross(span, tangent)
     face *= np.where(face[:, 1:2] < 0, -1.0, 1.0)
+
     # Lanceolate outline: widest at a third of the length, with a long fine tip.
     reach = (
         size * np.minimum((fractions / 0.33) ** 0.75, 1.06 * (1.0 - fractions) ** 0.85 + 0.30)
@@ -86,6 +87,7 @@ def pinnate(path: np.ndarray, roll: float, size: float, rng: np.random.Generator
                 green = FERN_OLD + (FERN_YOUNG - FERN_OLD) * (0.75 * fractions + 0.25 * t)[:, None]
                 green = green * tone * rng.uniform(0.82, 1.16, (count, 1))
                 parts.append(kites(at, axis, normal, small, 0.52 * small + 0.004, green))
+
     return join(parts)
 
 
@@ -163,12 +165,14 @@ def oxeye() -> np.ndarray:
         green = HERB_LEAF * rng.uniform(0.9, 1.5, (leaf_count, 1))
         small = rng.uniform(0.12, 0.2, leaf_count)
         parts.append(kites(at, out, np.cross(out, way) + UP, small, 0.26 * small, green))
+
     for _ in range(120):
         foot = np.array([rng.uniform(-0.72, 0.72), 0.0, rng.normal(0, 0.14)])
         azimuth = rng.uniform(0, 2 * np.pi)
         reach = rng.uniform(0.35, 1.15) * (1.0 - 0.5 * abs(foot[0]))
         path = stem(foot, reach, rng.uniform(0.03, 0.4), rng.uniform(0.1, 0.9), azimuth, 14)
         stems.append((path, 0.012, 0.003, GRASS * rng.uniform(0.6, 1.3)))
+
     return sprite_of(join(parts), stems, 0.30)
 
 
@@ -244,6 +248,7 @@ def willowherb() -> np.ndarray:
                 BUD * rng.uniform(0.8, 1.5, (n, 1)),
             )
         )
+
     return sprite_of(join(parts), stems, 0.40)
 
 
@@ -261,6 +266,7 @@ def marram() -> np.ndarray:
         path = stem(foot, rng.uniform(0.75, 1.65) * (0.85 if dry else 1.0), lean, bend, azimuth, 26)
         colour = MARRAM[3] if dry else MARRAM[rng.integers(3)]
         stems.append((path, 0.0105, 0.0028, colour * rng.uniform(0.82, 1.18)))
+
     parts = []
     for k in range(6):
         x = (k - 2.5) * 0.06 + rng.uniform(-0.02, 0.02)
@@ -276,6 +282,7 @@ def marram() -> np.ndarray:
         thick = np.sin(np.pi * (fractions - 0.83) / 0.18) * 0.5 + 0.5
         tone = SEED_HEAD * rng.uniform(0.75, 1.2, (n, 1))
         parts.append(kites(at, out, VIEWER + 0 * out, 0.07 * thick + 0.01, 0.026, tone))
+
     return sprite_of(join(parts), stems, 0.30, 0.05)
 
 
@@ -304,6 +311,7 @@ def heather() -> np.ndarray:
         side = 0.5 * way + whorl(way, rng.uniform(0, 6.3, n))
         tone = HEATH_BELL * rng.uniform(0.65, 1.35, (n, 1)) * rng.uniform(0.85, 1.1)
         parts.append(kites(at, side, side + VIEWER, rng.uniform(0.035, 0.05, n), 0.030, tone))
+
     return sprite_of(join(parts), stems, 0.55, 0.05)
 
 

@@ -95,6 +95,7 @@ def _sweep(
                         out[j, i, 0], out[j, i, 1], out[j, i, 2] = 1.0, lit, t
                     filled = row
             t *= 1.0022
+
     return out
 
 
@@ -122,6 +123,7 @@ def add_islands(scene: Scene, d: np.ndarray, sky: np.ndarray, haze: np.ndarray) 
     cover = np.where(elevation < PANORAMA_DEG - 0.1, cover, 0.0)
     whole = np.maximum(cover, 1e-4)
     lit, clear = lit / whole, clear / whole
+
     # The foot of the land fades into the haze; above it, the air in front of it is bluer.
     risen = 1.0 - np.exp(-np.clip(elevation, 0.0, None)[..., None] / FOOT_DEG)
     clear = clear[..., None] * risen

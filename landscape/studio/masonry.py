@@ -169,6 +169,7 @@ def torch_stone() -> np.ndarray:
         strand = 0.020 * np.sqrt(np.clip(1.0 - distance**2, 0.0, 1.0)) + 0.006 * sign * over
         strand = strand - 0.007 * np.exp(-((distance / 0.22) ** 2))  # a groove along the strand
         height = np.where((distance < 1.0) & (strand > height), strand, height)
+
     edge = 0.5 - np.abs(middle)
     roll = 0.016 * np.sqrt(np.clip(1.0 - ((edge - 0.035) / 0.055) ** 2, 0.0, 1.0))
     height = np.where(edge < 0.09, roll, height)

@@ -14,20 +14,20 @@ from numba import njit
 from landscape.studio.shapes import clamp, ellipsoid, limb, mix, nearest, noise, step_smooth, turn
 
 # All chosen.
-COAT, BACK, CREAM = (0.66, 0.53, 0.39), (0.46, 0.35, 0.25), (0.97, 0.91, 0.82)
-EAR_INSIDE, EAR_TIP, NOSE, RABBIT_EYE = (
-    (0.86, 0.65, 0.58),
-    (0.30, 0.23, 0.18),
-    (0.55, 0.36, 0.32),
-    (0.07, 0.05, 0.05),
-)
-FLANK, SPINE, PLATES = (0.26, 0.56, 0.50), (0.10, 0.31, 0.36), (0.93, 0.84, 0.60)
-FIN, FIN_EDGE, HORN, TOOTH = (
-    (0.72, 0.38, 0.26),
-    (0.93, 0.66, 0.36),
-    (0.80, 0.73, 0.60),
-    (1.0, 0.96, 0.86),
-)
+COAT = (0.66, 0.53, 0.39)
+BACK = (0.46, 0.35, 0.25)
+CREAM = (0.97, 0.91, 0.82)
+EAR_INSIDE = (0.86, 0.65, 0.58)
+EAR_TIP = (0.30, 0.23, 0.18)
+NOSE = (0.55, 0.36, 0.32)
+RABBIT_EYE = (0.07, 0.05, 0.05)
+FLANK = (0.26, 0.56, 0.50)
+SPINE = (0.10, 0.31, 0.36)
+PLATES = (0.93, 0.84, 0.60)
+FIN = (0.72, 0.38, 0.26)
+FIN_EDGE = (0.93, 0.66, 0.36)
+HORN = (0.80, 0.73, 0.60)
+TOOTH = (1.0, 0.96, 0.86)
 DRAGON_EYE, MOUTH = (1.0, 0.72, 0.12), (0.55, 0.16, 0.16)
 
 
@@ -44,7 +44,9 @@ def _rabbit_colours(positions, normals, head_yaw):  # type: ignore[no-untyped-de
     """Return the colours (n, 3) of positions (n, 3) in the rabbit's own frame (see rabbit.py)."""
     out = np.empty_like(positions)
     for i in range(len(positions)):
-        x, y, z = positions[i, 0], positions[i, 1], positions[i, 2]
+        x = positions[i, 0]
+        y = positions[i, 1]
+        z = positions[i, 2]
         up = normals[i, 1]
         hair = noise(9 * x + 4 * y, 24 * y - 6 * x, 24 * z)
         colour = np.array(COAT)
@@ -81,6 +83,7 @@ def _rabbit_colours(positions, normals, head_yaw):  # type: ignore[no-untyped-de
                 _blend(colour, EAR_TIP, 0.7 * step_smooth(0.78, 0.98, t))
         for k in range(3):
             out[i, k] = colour[k]
+
     return out
 
 
@@ -91,7 +94,9 @@ def _dragon_colours(positions, normals, data):  # type: ignore[no-untyped-def]
     out = np.empty_like(positions)
     end = curve.shape[0] - 1
     for n in range(len(positions)):
-        x, y, z = positions[n, 0], positions[n, 1], positions[n, 2]
+        x = positions[n, 0]
+        y = positions[n, 1]
+        z = positions[n, 2]
         i, t, distance = nearest(curve, x, y, z)
         radius = mix(curve[i, 3], curve[i + 1, 3], t)
         u = v = 0.0
@@ -142,13 +147,16 @@ def _dragon_colours(positions, normals, data):  # type: ignore[no-untyped-def]
             gap -= mix(horn[j, 3], horn[j + 1, 3], s) * 1.1
             along = (j + s) / (horn.shape[0] - 1)
             _blend(colour, HORN, step_smooth(0.012, 0.002, gap) * step_smooth(0.05, 0.2, along))
-        tx, ty, tz = x - curve[0, 0], y - curve[0, 1], z - curve[0, 2]
+        tx = x - curve[0, 0]
+        ty = y - curve[0, 1]
+        tz = z - curve[0, 2]
         far = math.sqrt(tx * tx + ty * ty + tz * tz)
         if i < 3:
             _blend(colour, FIN, step_smooth(0.05, 0.12, far))
             _blend(colour, FIN_EDGE, step_smooth(0.16, 0.28, far))
         for k in range(3):
             out[n, k] = colour[k]
+
     return out
 
 

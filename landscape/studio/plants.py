@@ -91,6 +91,7 @@ def frond(path: np.ndarray, roll: float, size: float, rng: np.random.Generator) 
             green = np.array([0.058, 0.122, 0.028]) * (1 - s) + np.array([0.125, 0.190, 0.042]) * s
             albedo = green * tone * rng.uniform(0.84, 1.14) * (0.85 + 0.3 * t)[:, None]
             parts.append(Leaves(spine, axis, normal, length, width, albedo))
+
     return join(parts)
 
 
@@ -114,10 +115,12 @@ def plant() -> np.ndarray:
         roll = -side * rng.uniform(0.45, 0.75)
         fronds.append(frond(path, roll, size, rng))
         paths.append(path)
+
     leaves = join(fronds)
     leaves.centre, leaves.axis, leaves.normal = map(
         tilt, (leaves.centre, leaves.axis, leaves.normal)
     )
+
     # The base of the tuft is below the ground, so that it already spreads at the last row.
     leaves.centre[:, 1] -= 0.05
     paths = [tilt(p) - np.array([0.0, 0.05, 0.0]) for p in paths]
@@ -148,6 +151,7 @@ def blade() -> np.ndarray:
     tip_colour = np.array([0.300, 0.320, 0.070])
     colour = base_colour + (middle_colour - base_colour) * smoothstep(0.0, 0.55, tip)
     colour = colour + (tip_colour - colour) * smoothstep(0.45, 1.05, tip)
+
     # The middle of the strip is at u = 0.5 everywhere, so the midrib is straight.
     across = u - 0.5
     rib = np.exp(-((across / 0.035) ** 2)) - 0.45 * np.exp(

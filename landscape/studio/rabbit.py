@@ -43,6 +43,7 @@ def _ear(x, y, z):  # type: ignore[no-untyped-def]
 def _head(x, y, z):  # type: ignore[no-untyped-def]
     """Return the distance to the head: origin between the cheeks, x to the nose, mirrored in z."""
     a = abs(z)
+
     # Skull, muzzle, cheeks, lips, chin and nose.
     u, v = turn(x, y, 0.25)
     d = ellipsoid(u + 0.03, v - 0.04, a, 0.33, 0.27, 0.225)
@@ -51,11 +52,13 @@ def _head(x, y, z):  # type: ignore[no-untyped-def]
     d = union(d, ellipsoid(x - 0.31, y + 0.075, a - 0.055, 0.075, 0.065, 0.06), 0.025)
     d = union(d, ellipsoid(x - 0.29, y + 0.16, a, 0.075, 0.05, 0.055), 0.025)
     d = union(d, ellipsoid(x - 0.375, y + 0.02, a, 0.04, 0.035, 0.05), 0.02)
+
     # Split lip and mouth, then eye socket and eye.
     d = carve(d, limb(x, y, a, 0.40, -0.06, 0.0, 0.010, 0.385, -0.13, 0.0, 0.010), 0.02)
     d = carve(d, limb(x, y, a, 0.39, -0.135, 0.0, 0.008, 0.29, -0.15, 0.10, 0.008), 0.02)
     d = carve(d, ellipsoid(x - 0.11, y - 0.075, a - 0.225, 0.098, 0.080, 0.045), 0.03)
     d = union(d, ellipsoid(x - 0.11, y - 0.075, a - 0.162, 0.080, 0.068, 0.055), 0.01)
+
     # Ears: set wide, spread to the sides, laid back to 41 degrees from the horizontal.
     u, w = turn(x + 0.10, a - 0.098, 0.23)
     u, v = turn(u, y - 0.19, 0.72 - math.pi)
@@ -66,12 +69,14 @@ def _head(x, y, z):  # type: ignore[no-untyped-def]
 def rabbit_field(x: float, y: float, z: float, data: Any) -> float:
     """Return the signed distance to the rabbit: x to the front, y up, z to its right."""
     a = abs(z)
+
     # Trunk, chest, neck, throat.
     u, v = turn(x + 0.36, y - 0.58, 0.20)
     d = ellipsoid(u, v, a, 0.60, 0.52, 0.42)
     d = union(d, ellipsoid(x - 0.22, y - 0.62, a, 0.36, 0.46, 0.33), 0.25)
     d = union(d, limb(x, y, a, 0.20, 0.85, 0.0, 0.30, 0.46, 1.08, 0.0, 0.23), 0.15)
     d = union(d, ellipsoid(x - 0.42, y - 0.70, a, 0.22, 0.27, 0.23), 0.12)
+
     # Haunch and hind foot, foreleg and paw, with three toes on each.
     u, v = turn(x + 0.38, y - 0.40, -0.35)
     d = union(d, ellipsoid(u, v, a - 0.35, 0.43, 0.36, 0.19), 0.03)
@@ -86,11 +91,13 @@ def rabbit_field(x: float, y: float, z: float, data: Any) -> float:
         d = union(d, toe, 0.018)
         toe = ellipsoid(x - 0.70 - reach, y - 0.055, a - 0.16 - 0.050 * k, 0.09, 0.055, 0.032)
         d = union(d, toe, 0.015)
+
     tuft = noise(6 * x, 6 * y, 6 * z)
     d = union(d, ellipsoid(x + 0.98, y - 0.45, a, 0.19, 0.19, 0.18) + 0.02 * tuft, 0.035)
     hx, hz = turn(x - 0.62, z, HEAD_YAW)
     d = union(d, _head(hx, y - 1.18, hz), 0.10)
     d = max(d, -y)
+
     # Fur that points backward; head and ears have none.
     fur = noise(4 * x + 2 * y, 11 * y - 4 * x, 11 * z)
     fur += 0.6 * noise(7 * x + 3 * y + 5, 17 * y - 6 * x, 17 * z)

@@ -36,6 +36,7 @@ def tree(corners: np.ndarray) -> tuple[np.ndarray, ...]:
         # The first child is popped next; the second one writes its number into the parent.
         stack.append((middle, end, number))
         stack.append((first, middle, -1))
+
     return np.array(boxes), np.array(nodes, np.int64), order
 
 
@@ -62,7 +63,10 @@ def hit(scene, o, d, far, nearest):  # type: ignore[no-untyped-def]
     iy = 1.0 / d[1] if abs(d[1]) > 1e-12 else 1e12
     iz = 1.0 / d[2] if abs(d[2]) > 1e-12 else 1e12
     stack = np.empty(64, np.int64)
-    count, found, best_u, best_v = 1, -1, 0.0, 0.0
+    count = 1
+    found = -1
+    best_u = 0.0
+    best_v = 0.0
     stack[0] = 0
     while count > 0:
         count -= 1
@@ -81,18 +85,26 @@ def hit(scene, o, d, far, nearest):  # type: ignore[no-untyped-def]
             det = e1[k, 0] * px + e1[k, 1] * py + e1[k, 2] * pz
             if abs(det) < 1e-14:
                 continue
-            tx, ty, tz = o[0] - v0[k, 0], o[1] - v0[k, 1], o[2] - v0[k, 2]
+            tx = o[0] - v0[k, 0]
+            ty = o[1] - v0[k, 1]
+            tz = o[2] - v0[k, 2]
             u = (tx * px + ty * py + tz * pz) / det
             if u < 0.0 or u > 1.0:
                 continue
-            qx, qy, qz = ty * e1[k, 2] - tz * e1[k, 1], tz * e1[k, 0] - tx * e1[k, 2], 0.0
+            qx = ty * e1[k, 2] - tz * e1[k, 1]
+            qy = tz * e1[k, 0] - tx * e1[k, 2]
+            qz = 0.0
             qz = tx * e1[k, 1] - ty * e1[k, 0]
             v = (d[0] * qx + d[1] * qy + d[2] * qz) / det
             if v < 0.0 or u + v > 1.0:
                 continue
             t = (e2[k, 0] * qx + e2[k, 1] * qy + e2[k, 2] * qz) / det
             if 0.0 < t < far:
-                far, found, best_u, best_v = t, k, u, v
+                far = t
+                found = k
+                best_u = u
+                best_v = v
                 if not nearest:
                     return found, far, best_u, best_v
+
     return found, far, best_u, best_v

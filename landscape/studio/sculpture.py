@@ -178,6 +178,7 @@ def collapse_to(vertices: np.ndarray, faces: np.ndarray, count: int) -> Mesh:
         vertices[a] = middle
         frozen |= around[a] | around[b] | {a, b}
         left -= 1
+
     if left != count:
         raise ValueError(f"{left} vertices left instead of {count}: lower FACE_MARGIN")
     out = np.array([t for t in triangles if t], dtype=np.int64)

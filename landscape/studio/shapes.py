@@ -67,10 +67,16 @@ def limb(
     rb: float,
 ) -> float:
     """Return the distance to a limb: a segment from a to b whose radius goes from ra to rb."""
-    dx, dy, dz = bx - ax, by - ay, bz - az
-    px, py, pz = x - ax, y - ay, z - az
+    dx = bx - ax
+    dy = by - ay
+    dz = bz - az
+    px = x - ax
+    py = y - ay
+    pz = z - az
     t = clamp((px * dx + py * dy + pz * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
-    px, py, pz = px - t * dx, py - t * dy, pz - t * dz
+    px = px - t * dx
+    py = py - t * dy
+    pz = pz - t * dz
     return math.sqrt(px * px + py * py + pz * pz) - mix(ra, rb, t)
 
 
@@ -93,10 +99,18 @@ def _lattice(i: int, j: int, k: int) -> float:
 @njit
 def noise(x: float, y: float, z: float) -> float:
     """Return value noise in -1..1 with a lattice spacing of one unit."""
-    i, j, k = math.floor(x), math.floor(y), math.floor(z)
-    u, v, w = x - i, y - j, z - k
-    u, v, w = u * u * (3 - 2 * u), v * v * (3 - 2 * v), w * w * (3 - 2 * w)
-    i, j, k = int(i), int(j), int(k)
+    i = math.floor(x)
+    j = math.floor(y)
+    k = math.floor(z)
+    u = x - i
+    v = y - j
+    w = z - k
+    u = u * u * (3 - 2 * u)
+    v = v * v * (3 - 2 * v)
+    w = w * w * (3 - 2 * w)
+    i = int(i)
+    j = int(j)
+    k = int(k)
     low = mix(
         mix(_lattice(i, j, k), _lattice(i + 1, j, k), u),
         mix(_lattice(i, j + 1, k), _lattice(i + 1, j + 1, k), u),
@@ -120,7 +134,10 @@ def catmull_rom(points: np.ndarray, samples: int) -> np.ndarray:
     t = np.linspace(0, len(points) - 1, 40 * len(points))
     i = np.minimum(t.astype(int), len(points) - 2)
     f = (t - i)[:, None]
-    p0, p1, p2, p3 = ends[i], ends[i + 1], ends[i + 2], ends[i + 3]
+    p0 = ends[i]
+    p1 = ends[i + 1]
+    p2 = ends[i + 2]
+    p3 = ends[i + 3]
     fine = p1 + 0.5 * f * (
         p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0))
     )
@@ -141,13 +158,25 @@ def nearest(curve: np.ndarray, x: float, y: float, z: float) -> tuple[int, float
         d = (x - curve[i, 0]) ** 2 + (y - curve[i, 1]) ** 2 + (z - curve[i, 2]) ** 2
         if d < best:
             best, corner = d, i
-    best, best_i, best_t = 1e30, 0, 0.0
+
+    best = 1e30
+    best_i = 0
+    best_t = 0.0
     for i in range(max(corner - 1, 0), min(corner + 1, curve.shape[0] - 1)):
-        ax, ay, az = curve[i, 0], curve[i, 1], curve[i, 2]
-        dx, dy, dz = curve[i + 1, 0] - ax, curve[i + 1, 1] - ay, curve[i + 1, 2] - az
-        px, py, pz = x - ax, y - ay, z - az
+        ax = curve[i, 0]
+        ay = curve[i, 1]
+        az = curve[i, 2]
+        dx = curve[i + 1, 0] - ax
+        dy = curve[i + 1, 1] - ay
+        dz = curve[i + 1, 2] - az
+        px = x - ax
+        py = y - ay
+        pz = z - az
         t = clamp((px * dx + py * dy + pz * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
         d = (px - t * dx) ** 2 + (py - t * dy) ** 2 + (pz - t * dz) ** 2
         if d < best:
-            best, best_i, best_t = d, i, t
+            best = d
+            best_i = i
+            best_t = t
+
     return best_i, best_t, math.sqrt(best)

@@ -58,10 +58,12 @@ def block(rng: np.random.Generator, middle: np.ndarray, half: np.ndarray, chips:
         for sign in (-1.0, 1.0):
             normals.append(sign * turned[axis] + rng.normal(0.0, 0.06, 3))
             offsets.append(half[axis])
+
     for _ in range(chips):
         way = rng.choice([-1.0, 1.0], 3) * rng.uniform(0.3, 1.0, 3)
         normals.append(turned.T @ way)
         offsets.append(float(np.abs(way) @ half) * rng.uniform(0.66, 0.9))
+
     n = np.array(normals)
     length = np.linalg.norm(n, axis=1)
     n, d = n / length[:, None], np.array(offsets) / np.where(np.arange(len(n)) < 6, 1.0, length)
@@ -86,6 +88,7 @@ def crag(seed: int) -> Shape:
             middle = np.array([(west + east) / 2, top - half[1], out - half[2]])
             blocks.append(block(rng, middle, half, 4))
         level, front = level + high, front - rng.uniform(0.22, 0.42)
+
     starts = np.cumsum([0, *(len(each) for each in blocks)])
     return np.concatenate(blocks), starts, np.array([0.022, 0.016, float(seed)])
 
@@ -119,7 +122,9 @@ def stone_field(x: float, y: float, z: float, data: Any) -> float:
             inside = max(inside, n[0] * x + n[1] * (y + bend) + n[2] * z - n[3])
         best = min(best, inside)
     best = max(best, math.sqrt(x * x + y * y + z * z) - 1.4)
-    u, v, w = x + weather[2], y + 0.37 * weather[2], z
+    u = x + weather[2]
+    v = y + 0.37 * weather[2]
+    w = z
     best += weather[0] * noise(3.1 * u, 3.1 * v, 3.1 * w)
     best += 0.5 * weather[0] * noise(8.0 * u, 8.0 * v, 8.0 * w)
     layer = (LAYERS * (y + bend + 0.1 * x)) % 1.0
@@ -193,6 +198,7 @@ def stones() -> PaintedMesh:
         for k, count in enumerate(counts):
             shape = boulder(421 + 10 * first + k, flat, planes, rough)
             made.append((stone_field, shape, STEP, count))
+
     for bend, count in zip((1.0, -1.0), LOGS, strict=True):
         made.append((log_field, np.array([bend, 0.2 * bend, 6.0 - 3.0 * bend]), STEP / 2, count))
     parts = []
@@ -201,6 +207,7 @@ def stones() -> PaintedMesh:
             parts.append(
                 (points + np.array([APART * k, 0.0, APART * level], np.float32), faces, colours)
             )
+
     starts = np.cumsum([0, *(len(points) for points, _, _ in parts)])
     return (
         np.concatenate([points for points, _, _ in parts]),

@@ -111,6 +111,7 @@ def blade(
     colour = ROOT + (GREEN - ROOT) * np.clip(s / 0.45, 0, 1)
     colour = colour + (TIP - colour) * np.clip((s - 0.35) / 0.75, 0, 1) ** 1.3
     colour += (STRAW * (0.35 + 0.65 * np.clip(path[:, 1:2] / 0.7, 0, 1)) - colour) * dry
+
     # The lower part of a sward is in the shade of all around it.
     dark = root + (1.0 - root) * np.clip(path[:, 1:2] / 0.9, 0, 1) ** 0.8
     colour = colour * dark * rng.uniform(0.72, 1.25) * (1.0 + rng.uniform(-0.08, 0.08, 3))
@@ -189,6 +190,7 @@ def panicles() -> np.ndarray:
             tone = (SEEDS + (PURPLISH - SEEDS) * rng.random((5, 1))) * rng.uniform(0.8, 1.2)
             tip = np.tile(direction, (5, 1)) + rng.normal(0, 0.3, (5, 3))
             parts.append(kites(seeds, tip, np.tile(VIEWER, (5, 1)), 0.055, 0.024, tone))
+
     for x, lean, bend in ((-0.16, -0.12, -0.9), (0.12, 0.15, 0.9), (0.02, -0.1, 0.5)):
         blade(canvas, rng, curve(x, rng.uniform(0.8, 1.2), lean, bend), 0.04, 0.1)
     lit_leaves(canvas, parts)
@@ -211,6 +213,7 @@ def spikes() -> np.ndarray:
         tone = (SEEDS + (STEM * 1.3 - SEEDS) * rng.uniform(0, 0.7)) * rng.uniform(0.75, 1.2, (n, 1))
         kernels = kites(at, way + 0.5 * out, VIEWER + 0.4 * out, 0.05 * thick + 0.01, 0.024, tone)
         parts.append(kernels)
+
     for x, lean, bend in ((-0.15, -0.2, -0.7), (0.17, 0.1, 1.0)):
         blade(canvas, rng, curve(x, rng.uniform(0.7, 1.1), lean, bend), 0.045, 0.2)
     lit_leaves(canvas, parts)
@@ -237,6 +240,7 @@ def straws() -> np.ndarray:
             limit = reach(path[:, 1])
             path[:, 0] = np.clip(path[:, 0], -limit, limit)
         stalk(canvas, path, rng.uniform(0.024, 0.034), STRAW * rng.uniform(0.8, 1.15), 0.40)
+
     return canvas.finish()
 
 
@@ -266,17 +270,21 @@ def flowers(
         parts.append(
             kites(at, out, np.cross(out, way) + 0.6 * VIEWER, lengths, narrow * lengths, green)
         )
+
     for k in range(7):
         x = (k - 3) / 3
         foot = curve(0.10 * x, rng.uniform(0.35, 0.75), 0.35 * x, 0.8 * x + 0.1)
         blade(canvas, rng, foot, 0.05, rng.choice([0.0, 0.0, 0.6]))
+
     lit_leaves(canvas, parts)
     return canvas.finish()
 
 
 def cells() -> list[np.ndarray]:
     """Return the pictures (HEIGHT, WIDTH, 4) in order: eight of the grass, eight of flowers."""
-    long, fern, broad = (0.22, 0.16, 9), (0.20, 0.30, 12), (0.17, 0.55, 7)
+    long = (0.22, 0.16, 9)
+    fern = (0.20, 0.30, 12)
+    broad = (0.17, 0.55, 7)
     return [
         sheaf(401, 23, 0.052, (1.1, 2.3), 0.06, 0.7),
         sheaf(402, 19, 0.048, (0.9, 2.3), 0.25, 1.2),

@@ -34,7 +34,13 @@ KEYS = np.array(
     ]
 )
 
-STEEL, BRASS, WRAP, GLOVE, CUFF, SLEEVE, TRIM = 0, 1, 2, 3, 4, 5, 6
+STEEL = 0
+BRASS = 1
+WRAP = 2
+GLOVE = 3
+CUFF = 4
+SLEEVE = 5
+TRIM = 6
 # Chosen: linear albedo of each material.
 ALBEDO = np.array(
     [
@@ -113,12 +119,14 @@ def _hand(x, y, z, wx, wy, wz):  # type: ignore[no-untyped-def]
         f = union(f, limb(x, y, z, bx, fy, bz, r * 1.05, cx, fy - 0.002, cz, r * 0.96), 0.005)
         f = union(f, limb(x, y, z, cx, fy - 0.002, cz, r, ex, fy - 0.004, ez, r * 0.9), 0.005)
         d = union(d, f, 0.0035)
+
     palm = 1e9
     for k in range(4):
         ax, az = _polar(0.050, -18.0)
         palm = union(
             palm, limb(x, y, z, wx, wy, wz, 0.026, ax, 0.062 - 0.0255 * k, az, 0.0155), 0.014
         )
+
     tx, tz = _polar(0.046, 78.0)
     palm = union(palm, limb(x, y, z, wx, wy, wz, 0.025, tx, 0.0, tz, 0.021), 0.02)
     d = union(d, palm, 0.008)
@@ -149,7 +157,9 @@ def _scene(x, y, z, arm):  # type: ignore[no-untyped-def]
     if d < 0.03:
         d = _blade(x, y, z)
     hx, hz = arm[0] * x + arm[1] * z, -arm[1] * x + arm[0] * z
-    wx, wy, wz = arm[2], arm[3], arm[4]
+    wx = arm[2]
+    wy = arm[3]
+    wz = arm[4]
     if far > 0.22:
         d = min(d, far - 0.16)
     else:
@@ -160,20 +170,32 @@ def _scene(x, y, z, arm):  # type: ignore[no-untyped-def]
             sx, sz = _polar(0.0655 - 0.0006 * k, -26.0)
             stud = ellipsoid(hx - sx, y - 0.062 + 0.0255 * k, hz - sz, 0.0055, 0.0055, 0.0055)
             d, m = _nearer(d, m, stud, BRASS)
-    ux, uy, uz = arm[5] - wx, arm[6] - wy, arm[7] - wz
+
+    ux = arm[5] - wx
+    uy = arm[6] - wy
+    uz = arm[7] - wz
     length = math.sqrt(ux * ux + uy * uy + uz * uz)
-    ux, uy, uz = ux / length, uy / length, uz / length
-    px, py, pz = hx - wx, y - wy, hz - wz
+    ux = ux / length
+    uy = uy / length
+    uz = uz / length
+    px = hx - wx
+    py = y - wy
+    pz = hz - wz
     along = px * ux + py * uy + pz * uz
-    px, py, pz = px - along * ux, py - along * uy, pz - along * uz
+    px = px - along * ux
+    py = py - along * uy
+    pz = pz - along * uz
     off = math.sqrt(px * px + py * py + pz * pz)
     if off > 0.10:
         return _nearer(d, m, off - 0.08, SLEEVE)
+
     # The angle around the arm, measured from the direction perpendicular to arm and sword.
     qx, qz = uz, -ux
     q = math.sqrt(qx * qx + qz * qz) + 1e-9
     qx, qz = qx / q, qz / q
-    rx, ry, rz = uy * qz, uz * qx - ux * qz, -uy * qx
+    rx = uy * qz
+    ry = uz * qx - ux * qz
+    rz = -uy * qx
     angle = math.atan2(px * rx + py * ry + pz * rz, px * qx + pz * qz)
     flare = mix(0.036, 0.057, clamp(along / 0.15, 0.0, 1.0))
     crease = 0.0012 * math.sin(along * 260.0 + 1.5 * math.sin(2.0 * angle))
@@ -185,6 +207,7 @@ def _scene(x, y, z, arm):  # type: ignore[no-untyped-def]
         wide = (0.008, 0.0035, 0.009)[k]
         ring = max(off - flare - 0.0035, abs(along - place) - wide) * 0.9
         d, m = _nearer(d, m, ring, TRIM)
+
     turns = angle / (2 * math.pi) * 14.0
     around = (turns - math.floor(turns + 0.5)) * 2 * math.pi / 14.0 * flare
     rivet = ellipsoid(off - flare, along - 0.135, around, 0.005, 0.005, 0.005)
@@ -228,13 +251,16 @@ def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-
     else:
         grain = noise(x * 900, y * 30, z * 900)
         rough = 0.00002
+
     if m == STEEL:
         nx *= 2.4  # hollow-ground look: the flats reflect different parts of the sky
     nx += rough * grain
     ny += rough * noise(x * 400 + 9, y * 400, z * 400)
     nz += rough * noise(x * 400, y * 400 + 9, z * 400)
     n = max(math.sqrt(nx * nx + ny * ny + nz * nz), 1e-12)
-    nx, ny, nz = nx / n, ny / n, nz / n
+    nx = nx / n
+    ny = ny / n
+    nz = nz / n
     open_sky = 1.0
     for k in range(1, 5):
         h = 0.008 * k
@@ -252,10 +278,13 @@ def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-
         t += clamp(d, 0.004, 0.05)
         if lit < 0.0 or t > 0.5:
             break
+
     lit = clamp(lit, 0.0, 1.0)
     facing = max(nx * sun[3] + ny * sun[4] + nz * sun[5], 0.0) * lit
     back = nx * ray[0] + ny * ray[1] + nz * ray[2]
-    rx, ry, rz = ray[0] - 2 * back * nx, ray[1] - 2 * back * ny, ray[2] - 2 * back * nz
+    rx = ray[0] - 2 * back * nx
+    ry = ray[1] - 2 * back * ny
+    rz = ray[2] - 2 * back * nz
     up = frame[0, 1] * nx + frame[1, 1] * ny + frame[2, 1] * nz
     vx = frame[0, 0] * rx + frame[1, 0] * ry + frame[2, 0] * rz
     vy = frame[0, 1] * rx + frame[1, 1] * ry + frame[2, 1] * rz
@@ -270,6 +299,7 @@ def _shade(p, ray, frame, arm, m, sun, tables, out):  # type: ignore[no-untyped-
         dash = math.sin(math.atan2(z, x) * 26.0)
         thread = math.exp(-((f / 0.045) ** 2)) * step_smooth(-0.3, 0.3, dash)
         thread *= 1.0 if x * arm[0] + z * arm[1] < 0.022 and y > -0.03 else 0.0
+
     for c in range(3):
         base = mix(albedo[m, c] * tone, albedo[TRIM, c], thread)
         ambient = mix(bounce[c], sky_rgb[c], 0.5 + 0.5 * up) * open_sky
@@ -291,18 +321,23 @@ def _expose(frame, grip, arm, sun, offset, view, tables, image):  # type: ignore
         for k in range(3):
             eye[i] -= frame[i, k] * grip[k]
     colour = np.zeros(3)
+
     for j in range(h):
         for i in range(w):
             sx = ((i + offset[0]) / w * 2 - 1) * view[0]
             sy = (1 - (j + offset[1]) / h * 2) * view[1]
             n = math.sqrt(sx * sx + sy * sy + 1.0)
-            sx, sy, sz = sx / n, sy / n, -1.0 / n
+            sx = sx / n
+            sy = sy / n
+            sz = -1.0 / n
             dx = frame[0, 0] * sx + frame[0, 1] * sy + frame[0, 2] * sz
             dy = frame[1, 0] * sx + frame[1, 1] * sy + frame[1, 2] * sz
             dz = frame[2, 0] * sx + frame[2, 1] * sy + frame[2, 2] * sz
             t = 0.12
             for _ in range(90):
-                x, y, z = eye[0] + dx * t, eye[1] + dy * t, eye[2] + dz * t
+                x = eye[0] + dx * t
+                y = eye[1] + dy * t
+                z = eye[2] + dz * t
                 d, m = _scene(x, y, z, arm)
                 if d < 0.0003:
                     _shade((x, y, z), (dx, dy, dz), frame, arm, m, sun, tables, colour)
@@ -334,6 +369,7 @@ def pose(time: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     edge = _unit(key[6:9] - along * (key[6:9] @ along))
     frame = np.stack([edge, along, np.cross(edge, along)])
     elbow = frame @ (key[9:12] - grip)
+
     # Rotate the hand around the grip until the wrist faces the elbow.
     turn = math.atan2(elbow[2], elbow[0]) - math.radians(48.0)
     c, s = math.cos(turn), math.sin(turn)

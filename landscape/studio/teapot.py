@@ -67,6 +67,7 @@ def patches() -> np.ndarray:
                     for radius, height in profile
                 ]
             )
+
     for half in (*HANDLE, *SPOUT):
         found.append([[(x, -width, height) for x, width, height in row] for row in half])
         found.append([[(x, width, height) for x, width, height in row[::-1]] for row in half])

@@ -222,12 +222,14 @@ def erode(
     soft = smoothstep(0.02, 0.5, massif) + 0.35 * smoothstep(0.1, 0.6, spur)
     soft = np.clip(soft, 0.0, 1.0) * (coast > 0.0)
     h = ground + 0.45 * massif * (1.0 + 0.25 * spectral_noise(SIZE, 1.2, 16, 8.0))
+
     # Long rivers form on a grid of half the resolution, their branches on the full grid.
     half = [shrink(g[..., None], 2)[..., 0] for g in (h, low, massif, soft)]
     rivers(half[0], half[1], 0.030 * half[2], 0.08 * half[3] + 0.004, 2.0 * CELL, 45)
     coarse = ndimage.zoom(half[0], 2, order=3, grid_mode=True, mode="nearest")
     h += (coarse - h) * np.minimum(1.0, 1.5 * soft)
     area = rivers(h, low, 0.026 * massif, 0.08 * soft + 0.002, CELL, 9)
+
     # Smooth gentle ground, where the eight drainage directions show as straight trenches.
     gentle = smoothstep(1.3, 0.5, massif) * smoothstep(0.0, 0.05, massif) * (coast > 0.0)
     h += (ndimage.gaussian_filter(h, 2.0) - h) * gentle

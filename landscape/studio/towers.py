@@ -40,6 +40,7 @@ def _cloud_spheres(rng: np.random.Generator, x: float, z: float, width: float) -
             if up + 0.6 * r > top:
                 break
             u, v = u + rng.normal(0.12, 0.22) * r, v + rng.normal(0.0, 0.22) * r
+
     parents = list(spheres)
     for children in (6, 4):
         born = []
@@ -53,6 +54,7 @@ def _cloud_spheres(rng: np.random.Generator, x: float, z: float, width: float) -
                     born.append([u + d[0] * reach, up + d[1] * reach, v + d[2] * reach, small])
         spheres += born
         parents = born
+
     return spheres
 
 

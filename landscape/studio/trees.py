@@ -108,6 +108,7 @@ def draw_skeleton(
     child = np.flatnonzero(skeleton.parents >= 0)
     parent = skeleton.parents[child]
     points = skeleton.points
+
     # Flare the foot: a trunk that meets the ground as a cylinder looks stuck into it.
     wide = radii * (1.0 + 0.55 * np.exp(-points[:, 1] / (1.6 * radii[0])))
     ends = np.stack([points[parent], points[child]], 1)
@@ -122,6 +123,7 @@ def draw_skeleton(
         r = np.array([0.70, 0.66, 0.58, 0.42, 0.2]) * foot
         ends = np.concatenate([ends, np.stack([curve[:-1], curve[1:]], 1)])
         thick = np.concatenate([thick, np.stack([r[:-1], r[1:]], 1)])
+
     height = np.zeros(len(points))
     turn = np.zeros(len(points))
     for i, p in zip(child, parent, strict=True):
@@ -301,6 +303,7 @@ def shrub() -> np.ndarray:
     r = skeleton.radii(0.0030, 0.072)
     albedos = np.array([[0.062, 0.094, 0.040], [0.098, 0.122, 0.046], [0.046, 0.074, 0.040]])
     at = np.flatnonzero(r < 0.0062)
+
     # The windward side is bare; its dead twigs make this tree recognisable from afar.
     bare = smoothstep(-0.58, -0.22, skeleton.points[at, 0] + 0.25 * (skeleton.points[at, 1] - 0.9))
     at = at[rng.random(len(at)) < 0.04 + 0.96 * bare]

@@ -84,6 +84,7 @@ def rock() -> np.ndarray:
     lean = rng.normal(0.0, 0.014, (len(facets), 2))
     tone = rng.normal(0.0, 0.075, len(facets)) + rng.normal(0.0, 0.05, len(blocks))[block]
     value = 0.56 + tone[found.own] + (lean[found.own] * found.offset).sum(axis=-1)
+
     # Ridges between facets of one block catch the light; between blocks there are cracks.
     value = value + 0.10 * found.light(2.2)
     cracked = found._replace(
@@ -179,6 +180,7 @@ def turf_side() -> np.ndarray:
             path = curve((x, top), np.pi / 2 + rng.normal(0, 0.2), length, rng.normal(0, 0.35))
             tones = tone + rng.normal(0, 0.05) + np.linspace(-0.04, 0.08, 7)
             canvas.stroke(path, blade_widths(3.0, belly=0.45), GRASS, tones, 0.05)
+
     return canvas.colour
 
 

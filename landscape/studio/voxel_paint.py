@@ -153,6 +153,7 @@ class Canvas:
             side = self.alpha.shape[1 - axis]
             place = np.arange(first, last + 1)
             places.append(place if wrap else place[(place >= 0) & (place < side)])
+
         if not all(len(place) for place in places):
             return
         x, y = np.meshgrid((places[1] + 0.5) / OVER, (places[0] + 0.5) / OVER)
@@ -229,6 +230,7 @@ class Canvas:
                 normal = np.array([-step[1], step[0]]) / length
                 lit = np.sign(normal @ TO_LIGHT) or 1.0
                 side = np.where(nearer, cross * lit, side)
+
             edge = np.clip(side / np.maximum(half, 0.3) * 2.0, -1.0, 1.0)
             return ramp(colours, tone + fold * edge), np.clip(0.5 - best * 2.0, 0.0, 1.0)
 

@@ -65,6 +65,7 @@ def fern(canvas: Canvas, rng: np.random.Generator) -> None:
                     + np.linspace(-0.08, 0.1, 7)
                 )
                 canvas.stroke(leaf, leaf_widths(1.15, 7), FERN, tones)
+
         canvas.stroke(path, np.linspace(0.9, 0.4, 20), FERN, np.full(20, tone + 0.18))
 
 

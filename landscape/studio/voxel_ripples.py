@@ -8,7 +8,9 @@ from landscape.studio.images import to_uint8
 from landscape.voxel.tiles import RIPPLES_FILE, RIPPLES_SIDE
 
 # All chosen. Wave numbers are in waves per tile.
-PEAK, LONGEST, SHORTEST = 5.0, 2.5, 12.0
+PEAK = 5.0
+LONGEST = 2.5
+SHORTEST = 12.0
 WIND = 0.6  # radians from the x axis
 FOCUS = 2.0  # exponent of the cosine of the angle to the wind
 SLOPE = 0.20  # root mean square of the slope

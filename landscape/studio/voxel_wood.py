@@ -47,6 +47,7 @@ def birch_bark() -> np.ndarray:
         dark = rng.choice([0.08, 0.3, 0.5], p=[0.4, 0.3, 0.3])
         canvas.stroke(path + [0.0, 0.9], np.array([0.1, 0.8, 0.1]), BIRCH, np.full(3, 0.98))
         canvas.stroke(path, np.array([0.15, rng.uniform(0.6, 1.1), 0.15]), BIRCH, np.full(3, dark))
+
     for place in spread(3, 127):
         size = rng.uniform(3.0, 6.0)
         for k in range(5):
@@ -59,6 +60,7 @@ def birch_bark() -> np.ndarray:
                 ]
             )
             canvas.stroke(path, np.array([0.2, 1.0, 0.2]), BIRCH, np.full(3, 0.02 + 0.03 * k))
+
     return levelled(canvas.colour, 2.5, 0.3)
 
 
@@ -76,6 +78,7 @@ def log_top() -> np.ndarray:
         off = np.abs((angle - place + np.pi) % (2 * np.pi) - np.pi) * radius
         long = smoothstep(start, start + 4, radius) * smoothstep(end, end - 3, radius)
         value = value - 0.35 * long * smoothstep(1.0, 0.3, off)
+
     wood = ramp(WOOD, stepped(value, 14, 0.35))
     rim = np.maximum(np.abs(x - 32), np.abs(y - 32)) + 0.5 * noise(1.6, 134, 2.0)
     plates = np.cos(np.arctan2(y - 32, x - 32) * 26 + 0.8 * noise(1.8, 135, 2.0))

@@ -45,7 +45,9 @@ def brick() -> np.ndarray:
         left = np.where(here, own - ends[stone], left)
         right = np.where(here, ends[stone + 1] - own, right)
         number = np.where(here, 3 * k + stone, number)
+
     top = y % high
+
     # The distance inside a box with rounded corners.
     away = np.stack([left, right, top, high - top]) - 0.75
     inside = -0.7 * np.log(np.exp(-away / 0.7).sum(axis=0))
@@ -57,6 +59,7 @@ def brick() -> np.ndarray:
     pits = smoothstep(1.75, 2.1, noise(1.5, 215, 7.0)) * smoothstep(1.0, 2.0, inside)
     tint = rng.normal(0, 1.0, 12)[number][..., None] * np.array([0.012, 0.0, -0.02])
     stone_colour = ramp(LIMESTONE, stepped(value, 18, 0.3) - 0.16 * pits) + tint
+
     # The shadow of a stone's lower edge falls on the joint below it.
     joint = np.array(MORTAR) / 255.0 * (1.0 - 0.22 * smoothstep(0.0, 1.2, high - top))[..., None]
     cover = smoothstep(-0.15, 0.35, inside)[..., None]
@@ -127,10 +130,12 @@ def planks() -> np.ndarray:
                 place = np.array([joints[k] + aside, k * high + up])
                 canvas.blob(place + 0.4, (1.2, 1.2), 0.0, PLANK, 0.12, 0.0)
                 canvas.blob(place, (0.95, 0.95), 0.0, IRON, 0.62, 0.5)
+
     for k, across in ((0, 44.0), (2, 55.0)):
         place = np.array([across, k * high + rng.uniform(6, 9)])
         for size, dark in ((3.2, 0.42), (2.2, 0.30), (1.2, 0.16)):
             canvas.blob(place, (1.35 * size, 0.8 * size), 0.0, PLANK, dark, 0.0)
+
     return levelled(canvas.colour, 1.5, 0.3)
 
 
@@ -160,6 +165,7 @@ def lamp() -> np.ndarray:
     far = np.maximum(np.abs(u), np.abs(v))
     warm = 1.0 - np.hypot(u, 0.9 * (v - 3.0)) / 38.0
     glow = ramp(GLOW, stepped(0.25 + 0.85 * warm + 0.02 * noise(1.8, 251), 9, 0.4))
+
     # A thicker frame outside, thin bars between the panes.
     inside = np.minimum(26.0 - far, np.minimum(np.abs(u), np.abs(v)) - 1.7)
     frame = np.clip(0.5 - inside * 2.0, 0.0, 1.0)[..., None]
@@ -176,4 +182,5 @@ def lamp() -> np.ndarray:
         for sy in (-1, 1):
             place = np.array([SIDE / 2 + 29 * sx, SIDE / 2 + 29 * sy])
             canvas.blob(place, (1.5, 1.5), 0.0, IRON, 0.68, 0.4)
+
     return canvas.colour

@@ -37,8 +37,10 @@ def wave_field(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     k = np.hypot(k_x, k_y)
     angle = np.arctan2(k_y, k_x) - np.radians(WIND_DEG)
     safe = np.maximum(k, 1.0)
+
     # Phillips: energy ~ k^-4, limited below by the longest wave of the wind, above by viscosity.
     energy = np.exp(-((PEAK / safe) ** 2)) * safe**-4.3 * np.exp(-((k / FINEST) ** 2))
+
     # Short ripples travel in all directions, long waves with the wind.
     spread = np.abs(np.cos(angle)) ** (2.0 * SPREAD / (1.0 + k / 60.0)) + 0.04
     amplitude = np.where(k >= LONGEST, np.sqrt(energy * spread), 0.0)
@@ -63,12 +65,14 @@ def water() -> np.ndarray:
     """Return the tile, uint8 (512, 512, 3), with mean brightness ``MEAN``."""
     height, slope_x, slope_y = wave_field(SEED)
     height = equalised(height, 40.0)
+
     # Like Gerstner waves, but without horizontal displacement: narrow crests, wide troughs.
     crest = height + 0.22 * (height**2 - 1.0)
     wind = np.radians(WIND_DEG)
     facing = slope_x * np.cos(wind) + slope_y * np.sin(wind)
     facing = equalised(facing, 26.0)
     tone = 0.12 * np.tanh(0.8 * facing) + 0.06 * np.tanh(crest)
+
     # Glints: facets near the slope that reflects the sun, strongest on the crests.
     across = equalised(-slope_x * np.sin(wind) + slope_y * np.cos(wind), 26.0)
     glint = np.exp(-(((facing - 1.9) / 0.42) ** 2) - (across / 0.9) ** 2)
@@ -77,6 +81,7 @@ def water() -> np.ndarray:
     tone = tone + 0.30 * glint
     rgb = (tone - tone.mean() + MEAN)[..., None] * TINT / TINT.mean()
     rgb = rgb + 0.14 * glint[..., None] * np.array([1.0, 0.5, 0.3])  # glints are not tinted
+
     # A tile may start at any column: start where neighbouring columns differ least.
     change = np.abs(rgb - np.roll(rgb, 1, axis=1)).mean(axis=(0, 2))
     return to_uint8(np.roll(rgb, -int(change.argmin()), axis=1))

@@ -201,12 +201,14 @@ def check_tiles(assets: Assets) -> Iterator[Finding]:
         )
         values = {s.axis: s.change for s in found}
         yield Finding(name, "seam", all(s.ok for s in found), text, values)
+
     for name, tile in tiles(assets).items():
         # The ends of grass and snow that hang over earth meet only beside each other.
         found = [s for s in seams(tile) if s.axis == "columns" or not name.endswith("_side")]
         text = ", ".join(f"{s.axis}: {s.change:.2f} (limit {s.change_inside:.2f})" for s in found)
         ok = all(s.ok for s in found)
         yield Finding(TILES_FILE, "seam", ok, f"{name}, {text}", {s.axis: s.change for s in found})
+
     for name in MID_GREY:
         means = read_image(assets.path(name), "RGB").mean(axis=(0, 1))
         worst = float(np.abs(means - 127.5).max())
@@ -234,6 +236,7 @@ def check_sky(assets: Assets) -> Iterator[Finding]:
             most = max(sky_edges(faces).values())
             text += f", single texels {most:.0f} (limit {CODED_MOST:.0f})"
             ok = ok and most <= CODED_MOST
+
         yield Finding(f"{prefix}*.{suffix}", "edges", ok, text, edges)
         last_rows = np.stack(
             [faces[face][-1] - 255.0 * np.array(horizon) for face in SKY_FACES[:4]]
@@ -269,11 +272,13 @@ def check_sprites(assets: Assets) -> Iterator[Finding]:
         empty = int((rgba[..., 3] == 0).sum())
         text = f"{wrong} of {empty} transparent texels lack the colour of the nearest visible one"
         yield Finding(name, "bleeding", wrong == 0, text, {"wrong": wrong})
+
     for name in (*CELLS, *HERBS, *FIRST, *MORE_FILES):
         first, last = coverage(read_image(assets.path(name)))
         change = last / max(first, 1e-9) - 1.0
         text = f"{first:.4f} at mip 0, {last:.4f} at mip {MIP}: {change:+.1%} (limit 5%)"
         yield Finding(name, "coverage", abs(change) <= 0.05, text, {"change": change})
+
     for name, side in SHEETS.items():
         steps = loop_steps(frames(read_image(assets.path(name)), side))
         text = f"difference last to first frame {steps[-1]:.2f},"
@@ -320,6 +325,7 @@ def check_meshes(assets: Assets) -> Iterator[Finding]:
             text = f"{len(levels)} shapes, {sum(levels)} with their coarser levels"
             yield Finding(name, "row", True, text, {"shapes": len(levels)})
             continue
+
         normals = vertex_normals(vertices, triangles)
         length = float(np.abs(np.linalg.norm(normals.astype(float), axis=1) - 1.0).max())
         crossed = flipped_normals(vertices, triangles, normals)

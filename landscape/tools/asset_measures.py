@@ -90,6 +90,7 @@ def count_unbled(rgba: np.ndarray) -> int:
     if empty.all() or not empty.any():
         return 0
     colour = rgba[..., :3].astype(np.int64) @ np.array([65536, 256, 1])
+
     # In each column, the nearest visible texel above and the nearest below.
     far = 4 * (height + width)
     rows = np.arange(height)[:, None]
@@ -119,6 +120,7 @@ def count_unbled(rgba: np.ndarray) -> int:
             same = ties & counts & (source == own[remaining][:, None])
             fits[remaining] |= same.any(axis=1)
         wrong += int((~fits).sum())
+
     return wrong
 
 

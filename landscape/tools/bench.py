@@ -133,6 +133,7 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
             target.release()
     finally:
         context.release()
+
     result["startup_ms"] = None
     if options.starts:
         result["startup_ms"] = _told(measure_startup(options), "start", done)
@@ -165,6 +166,7 @@ def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, An
             times |= _measure_group(options, scene(kind_name), values, names, layer, calls, done)
     finally:
         layer.release()
+
     layer_ms = median(t for k, v in times.items() if k.endswith(" layer") for t in v)
     views = {}
     for name in calls:
@@ -177,6 +179,7 @@ def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, An
             "python_tax": frame_ms / replay_ms,
             "gl_calls": calls[name],
         }
+
     return {"layer_ms": layer_ms, "views": views}
 
 
@@ -216,6 +219,7 @@ def _measure_group(
             }
             before[f"{name} frame"] = partial(draw, arriving=True)
             done(name)
+
         return in_turns(actions, options.rounds, before)
     finally:
         for list_ in lists:
@@ -242,6 +246,7 @@ def draw_view(
         back = values.walk.speed / RATE
         pose = replace(pose, x=pose.x - back * x, z=pose.z - back * z, yaw=pose.yaw - LOOK / RATE)
         kt -= values.clock.kt_per_second / RATE
+
     wireframe = options.wireframe or view.wireframe
     moment = Moment(pose, options.size, kt, stroke=view.stroke, wireframe=wireframe, walking=True)
     opened.draw(moment)
@@ -310,6 +315,7 @@ def measure_startup(options: Options) -> float:
             times.append((time.perf_counter() - start) * 1e3)
         if answer.strip() != b"drawn":
             raise InputError("bench: the program started in another process drew no frame")
+
     return median(times[1:])
 
 
@@ -324,11 +330,13 @@ def report(result: Mapping[str, Any]) -> str:
             "",
             f"{'view':{wide}}  frame ms  layers  replay ms  python ms   tax   calls",
         ]
+
     for name, view in result["views"].items():
         lines.append(
             f"{name:{wide}} {view['frame_ms']:9.1f} {view['layers']:7.1f} {view['replay_ms']:10.1f}"
             f" {view['python_ms']:10.1f} {view['python_tax']:5.2f} {view['gl_calls']:7d}"
         )
+
     lines += bench_blades.report(result) + bench_tone.report(result["tone"])
     if result["startup_ms"] is not None:
         lines += ["", f"from the command to the first frame: {result['startup_ms']:.0f} ms"]

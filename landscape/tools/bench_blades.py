@@ -67,6 +67,7 @@ def measure_grass(
     finally:
         for owner in reversed(owned):
             owner.release()
+
     return {
         "count": count,
         "select_ms": median(times["select"]),
@@ -98,6 +99,7 @@ def measure_ways(
     finally:
         for owner in reversed(owned):
             owner.release()
+
     count = len(blades.positions)
     return [{"name": name, "count": count, "ms": median(spent)} for name, spent in times.items()]
 

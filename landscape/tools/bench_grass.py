@@ -97,17 +97,22 @@ class OneByOne:
 
     def __init__(self, blades: Blades, texture: Texture) -> None:
         """Keep the blades as plain numbers, as an array in C would."""
-        self._texture, self._radius, self._scale_x = texture, blades.radius, blades.scale_x
+        self._texture = texture
+        self._radius = blades.radius
+        self._scale_x = blades.scale_x
         self._positions = blades.positions.tolist()
         self._vertices = blades.vertices.tolist()
 
     def draw(self, frame: Frame) -> None:
         """Test, bend and send each blade."""
-        ex, ez, kt = frame.pose.x, frame.pose.z, frame.kt
+        ex = frame.pose.x
+        ez = frame.pose.z
+        kt = frame.kt
         ax, ay, az = frame.modelview[[2, 6, 10]].tolist()
         offset, square = float(frame.modelview[14]), self._radius**2
         coordinates = COORDINATES.tolist()
         texture_coordinate, vertex = gl.glTexCoord2f, gl.glVertex3f
+
         with textured(self._texture):
             for (x, y, z), corners in zip(self._positions, self._vertices, strict=True):
                 if (x - ex) ** 2 + (z - ez) ** 2 >= square or ax * x + ay * y + az * z >= -offset:

@@ -121,6 +121,7 @@ def _measure(walk: Walk, options: Options) -> dict[str, float]:
     whole = [replace(frame.moment, detail=FULL) for frame in frames]
     fps_full = _fps_full(walk, place.scene, whole)
     place.scene.shown -= set(place.kind.overlay)
+
     # The second of each pair is compared with its still; the first tells how they flicker.
     step = max(len(frames) // SAMPLES, 2)
     chosen = [n for n in range(1, len(frames)) if n % step == 1]
@@ -128,12 +129,15 @@ def _measure(walk: Walk, options: Options) -> dict[str, float]:
     as_walked = pictures(place.scene, [frame.moment for frame in frames], pairs)
     stills = pictures(place.scene, [whole[n] for n in sorted(pairs)], set(range(len(pairs))))
     stills = dict(zip(sorted(pairs), stills.values(), strict=True))
-    offs, flickers, flickers_full = [], [], []
+    offs = []
+    flickers = []
+    flickers_full = []
     for n in chosen:
         offs.append(off(as_walked[n].pixels, stills[n].pixels))
         seen = carried(stills[n - 1], stills[n])
         flickers.append(flicker(as_walked[n - 1].pixels, as_walked[n].pixels, seen))
         flickers_full.append(flicker(stills[n - 1].pixels, stills[n].pixels, seen))
+
     return {
         "fps": len(frames) / seconds if frames else 0.0,
         "off": float(np.mean(offs)) if offs else 0.0,
@@ -166,6 +170,7 @@ def _walk(walk: Walk, seconds: float) -> tuple[list[Drawn], float]:
         frames.append(Drawn(replace(walk.moment, detail=walk.steady.detail), walk.steady.level))
         walk.present()
         now = glfw.get_time()
+
     return frames, now - begin
 
 
@@ -255,6 +260,7 @@ def carried(earlier: Picture, later: Picture) -> np.ndarray:
     nearest = np.rint(at).astype(int)
     inside = (nearest >= 0).all(axis=2) & (nearest < (height, width)).all(axis=2) & (back[3] > 0)
     nearest[~inside] = 0
+
     # Depths are crowded at 1: their distance from it is what is compared, by a twentieth.
     then = 1.0 - earlier.depths[nearest[..., 0], nearest[..., 1]]
     now = 1.0 - (depth + 1.0) / 2.0

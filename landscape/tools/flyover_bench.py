@@ -92,6 +92,7 @@ def measure(
                     ms = timed(crew, camera, values, size)[0]
                 together[name].append(ms)
                 step(name)
+
     result = {}
     for name in rows:
         ms = float(np.median(together[name]))
@@ -105,6 +106,7 @@ def measure(
             "alone_ms": round(float(np.median(alone[name])), 3),
             **means,
         }
+
     return {
         "environment": environment.name,
         "hash": environment.hash,

@@ -56,6 +56,7 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) ->
         environment = exchange.read(Path(options.file), any_size)
     else:
         environment = open_environment(options.file, any_size)
+
     for line in () if options.quiet else environment.notices:
         print(f"landscape: {line}", file=sys.stderr)
     duration = environment.duration(values.flyover)
@@ -63,6 +64,7 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) ->
         raise InputError(
             f"--at {options.at:g}: expected less than the {duration:.1f} seconds of the flight"
         )
+
     if options.bench:
         return bench(environment, values, options, version)
     if options.profile:
@@ -72,6 +74,7 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) ->
         if not options.quiet:
             print(*written, sep="\n")
         return 0
+
     if options.out is None:
         return watch(environment, values, options)
     if options.out.suffix.lower() in FILMS:
@@ -120,6 +123,7 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
             camera = flight.camera(options.at + number / options.fps)
             save_png(drawing.draw(camera, values, size).picture, path)
             progress.step(path.name)
+
     if not options.quiet:
         print(*paths, sep="\n")
     return 0

@@ -37,6 +37,7 @@ def profile(
             crew.draw(camera, values, size)
             profiler.disable()
             step("profile")
+
     table = io.StringIO()
     stats = pstats.Stats(profiler, stream=table)
     stats.sort_stats("tottime").print_stats(LINES)

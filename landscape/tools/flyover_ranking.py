@@ -60,4 +60,5 @@ def ranking(results: Sequence[dict[str, Any]]) -> str:
                 f"{each['version']:<7}  {machine['processor']}, {machine['python']}, "
                 f"{machine['numpy']}, {each['file']}"
             )
+
     return "\n".join(lines)

@@ -110,6 +110,7 @@ def add(
     language(why)
     for sub in (trace, pixel, state, why):
         sub.add_argument("--json", action="store_true", help="print JSON")
+
     for sub in (trace, pixel, state, strip, why):
         sub.add_argument("--frame", type=count, default=0, metavar="N", help=FRAME)
         sub.add_argument("--events", type=Path, metavar="FILE", help=EVENTS)

@@ -30,10 +30,12 @@ def as_text(
         depth = "" if pixel.depth is None else f", depth {pixel.depth:.6f}"
         stencil = "" if pixel.stencil is None else f", stencil {pixel.stencil}"
         yield f"{'':21}then RGBA {' '.join(map(str, pixel.color))}{depth}{stencil}"
+
     if not rows and before is not None:
         yield f"nothing was drawn there in this frame; earlier ones left RGB {_numbers(before)}"
     elif not rows:
         yield "nothing was drawn there"
+
     if unseen:
         yield ""
         yield "draws that leave no trace in the picture:"

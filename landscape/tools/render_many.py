@@ -53,6 +53,7 @@ def render_all(
                 save_png(offscreen.draw(), path)
                 done(name)
         return watched.missed()
+
     # Spawned, not forked: a fork of a process that has used OpenGL may hang.
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(count, spawn, _prepare, (dict(SCENES),)) as pool:
@@ -69,6 +70,7 @@ def render_all(
             raise InputError("render: a process was killed (perhaps out of memory)") from None
         finally:
             pool.shutdown(cancel_futures=True)
+
     return watched.missed()
 
 

@@ -52,6 +52,7 @@ def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list
             first = listed.setdefault((row["key"], row["does"]), row)
             if first is not row:
                 first["scenes"][name] = row["value"]
+
     found = list(listed.values())
     groups = list(dict.fromkeys(map(_group, found)))
     if word in groups:
@@ -63,6 +64,7 @@ def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list
             f"settings {word!r}: expected part of a key, a word of a description, or a group: "
             f"{', '.join((*groups, *FLYOVER.groups()))}"
         )
+
     return kept
 
 
@@ -124,6 +126,7 @@ def _lines(row: Row, kind: type) -> Iterator[str]:
     elsewhere = {name: each for name, each in row["scenes"].items() if each != value}
     differs = "".join(f"; {name}: {value_text(each)}" for name, each in elsewhere.items())
     lines = [row["does"], f"{_accepted(row)}; {presets}{differs}"]
+
     # What is shown is plain from the group's name.
     needs = keys.fields(kind)[row["key"]].metadata["needs"]
     told = [in_words(kind, each) for each in needs if any(t.is_setting for t in terms(each))]

@@ -53,6 +53,7 @@ def report(tape: Tape, at: str = "", diff: str = "") -> Report:
             {f"{diff} leaves, {pass_} pass": part for pass_, part in leaks(tape, diff).items()},
             True,
         )
+
     first = place_of(tape, at) if at else ""
     if diff == INITIAL:
         title = f"a new context -> {_where(tape, first)}"

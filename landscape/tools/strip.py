@@ -112,6 +112,7 @@ def _cells(
             if before is not None and color is not None:
                 lines.append(_changed(request.language, before, color))
             before = color
+
         if layers := tones.layers(shot):
             lines.append(layers)
         calls = _calls(shot.group, request)
@@ -122,6 +123,7 @@ def _cells(
             pictures.append(
                 text(request.language, missing) if buffer is None else tones.picture(name, buffer)
             )
+
         label = str(index + 1)
         if request.by == "draw":
             label = shot.group.draws[0].first.place

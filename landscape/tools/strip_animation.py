@@ -77,6 +77,7 @@ def _frame(page: Page, cell: Cell) -> Image.Image:
         row, column = divmod(index, columns)
         frame.paste(scaled(picture, box, name == "stencil"), (column * box[0], row * box[1]))
     y = rows * box[1]
+
     # How far the frame has grown.
     pen.rectangle((0, y, across, y + 3), RULE)
     pen.rectangle((0, y, across * cell.number // page.count, y + 3), INK)
@@ -94,6 +95,7 @@ def _frame(page: Page, cell: Cell) -> Image.Image:
         for line in wrapped(each, words, across - 2 * EDGE):
             pen.text((EDGE, y), line, GREY, words, "la")
             y += round(SPACING * SMALL)
+
     y = frame.height - legend - EDGE // 2
     for each_legend in legends:
         y += draw_legend(pen, each_legend, (EDGE, y), LEGEND, across - 2 * EDGE)

@@ -65,6 +65,7 @@ def as_html(page: Page, cells: Iterable[Cell]) -> list[bytes]:
         label = escape(cell.label)
         links.append(f'<li><a href="#s{cell.number}"><span>{label}</span>{title}</a></li>')
         steps.append("\n".join(_step(page, cell)).encode())
+
     wide = ' class="wide"' if len(page.buffers) > 1 else ""
     head = [
         "<!DOCTYPE html>",
@@ -117,6 +118,7 @@ def _step(page: Page, cell: Cell) -> Iterable[str]:
         if len(page.buffers) > 1:
             yield f"<figcaption>{escape(what)}</figcaption>"
         yield "</figure>"
+
     yield "</div>"
     yield from _calls(page.language, cell.calls, cell.group)
     yield "</section>\n"

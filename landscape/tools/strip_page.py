@@ -73,6 +73,7 @@ def scaled(picture: Image.Image | str, box: tuple[int, int], sharp: bool) -> Ima
             picture = picture.resize(size, how)
         if size == box:
             return picture
+
     plate = Image.new("RGB", box, PLATE)
     if isinstance(picture, Image.Image):
         plate.paste(picture, ((box[0] - picture.width) // 2, (box[1] - picture.height) // 2))
@@ -109,7 +110,9 @@ def draw_legend(
     pen: ImageDraw.ImageDraw, legend: Legend, corner: tuple[int, int], size: int, width: int
 ) -> int:
     """Draw a legend with text of ``size`` pixels; return its height in pixels."""
-    face, x, y = font(size), corner[0], corner[1]
+    face = font(size)
+    x = corner[0]
+    y = corner[1]
     line, side = round(1.6 * size), size
     heading = writable(legend.heading, face)
     pen.text((x, y + line / 2), heading, INK, face, "lm")
@@ -120,6 +123,7 @@ def draw_legend(
         y, x = y + line, corner[0]
     else:
         x += length
+
     for color, text in entries:
         step = round(face.getlength(text)) + side + 2 * size
         if x + step > corner[0] + width + size and x > corner[0]:
@@ -128,4 +132,5 @@ def draw_legend(
         pen.rectangle((x, top, x + side, top + side), color, RULE)
         pen.text((x + side + size // 2, y + line / 2), text, INK, face, "lm")
         x += step
+
     return y + line - corner[1]

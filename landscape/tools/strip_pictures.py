@@ -114,6 +114,7 @@ class Tones:
             heading = "legend.depth" if self._logarithmic else "legend.window_depth"
             empty = (EMPTY, EMPTY, EMPTY), text(language, "nothing")
             return Legend(text(language, heading), [*entries, empty])
+
         if name == "stencil":
             present = sorted(self._stencil)
             if not present:
@@ -123,6 +124,7 @@ class Tones:
                 left = text(language, "more", n=len(present) - VALUES)
                 entries.append(((128, 128, 128), left))
             return Legend(text(language, "legend.stencil"), entries)
+
         if name == "overdraw":
             ends = [first for first, _ in LAYERS[1:]]
             entries = [
@@ -132,6 +134,7 @@ class Tones:
             first, color = LAYERS[-1]
             entries.append((color, text(language, "or_more", n=first)))
             return Legend(text(language, "legend.overdraw"), entries)
+
         return None
 
     def _even(self) -> list[float]:

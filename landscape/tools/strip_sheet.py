@@ -55,6 +55,7 @@ def as_png(page: Page, cells: Iterable[Cell]) -> bytes:
         for index, block in enumerate(row):
             sheet.paste(block, (MARGIN + index * (width + GAP), y))
         y += height + GAP
+
     buffer = io.BytesIO()
     sheet.save(buffer, "PNG", compress_level=1)
     return buffer.getvalue()
@@ -123,6 +124,7 @@ def _block(page: Page, cell: Cell, box: tuple[int, int], side: int) -> Image.Ima
         if names:
             what = writable(text(page.language, name), words)
             pen.text((x, box[1] + 3), what, GREY, words, "la")
+
     y = box[1] + INSIDE + names
     pen.text((0, y), writable(label, title), GREY, title, "la")
     for x, line, face, ink, step in lines:

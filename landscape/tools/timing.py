@@ -44,6 +44,7 @@ def in_turns(
             spent = timed(action)
             if turn >= 0:
                 times[name].append(spent)
+
     return times
 
 

@@ -34,6 +34,7 @@ def find(
         with suppress(InputError):
             again = after.look(lambda tape: _swapped_again(tape, limit, language), past=True)
             return again or found
+
     return found
 
 

@@ -15,7 +15,9 @@ from landscape.voxel.tiles import plants, tiles
 SIDE = 0.062  # of a slot
 GAP = 0.16  # of a slot's side, between slots
 SHADE = {"top": 1.0, "left": 0.8, "right": 0.62}
-PLATE, FRAME, NUMBER = (12, 20, 28, 150), (255, 214, 120, 255), (240, 240, 235, 255)
+PLATE = (12, 20, 28, 150)
+FRAME = (255, 214, 120, 255)
+NUMBER = (240, 240, 235, 255)
 
 
 class Icons:
@@ -33,8 +35,10 @@ class Icons:
             column = PLANT_TILES.index(block.top)
             picture = Image.fromarray(self._plants[:, column * wide : (column + 1) * wide])
             return picture.convert("RGBA").resize((side, side), Image.Resampling.LANCZOS)
+
         found = Image.new("RGBA", (side, side))
         half, quarter = side / 2, side / 4
+
         # Each face: where its upper left, upper right and lower left corners go.
         faces = (
             ("top", (0, quarter), (half, 0), (half, half)),
@@ -50,6 +54,7 @@ class Icons:
             size = side, side
             laid = face.transform(size, Image.Transform.AFFINE, numbers, Image.Resampling.BILINEAR)
             found.alpha_composite(laid)
+
         return found
 
     def _face(self, block: Block, name: str) -> Image.Image:
@@ -92,4 +97,5 @@ def bar_image(
             thick = max(gap // 2, 1)
             box = (x - thick, y - thick, x + side + thick - 1, y + side + thick - 1)
             draw.rectangle(box, None, FRAME, thick)
+
     return np.asarray(image)

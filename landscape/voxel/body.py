@@ -97,6 +97,7 @@ def slide(blocks: np.ndarray, box: Box, axis: int, way: float) -> float:
         first, last = math.ceil(face), math.ceil(face + way + GAP)
     else:
         first, last = math.floor(face + way - GAP), math.floor(face)
+
     ranges[axis] = slice(min(max(first, 0), end), min(max(last, 0), end))
     found = SOLID[blocks[tuple(ranges)]].any(axis=tuple(a for a in range(3) if a != axis))
     stops = np.flatnonzero(found)
@@ -106,6 +107,7 @@ def slide(blocks: np.ndarray, box: Box, axis: int, way: float) -> float:
         way = max(way, min(ranges[axis].start + int(stops[-1]) + 1 + GAP - face, 0.0))
     elif axis == 2 and face + way < GAP:  # the rock below the world
         way = max(way, min(GAP - face, 0.0))
+
     box.shift(axis, way)
     return way
 

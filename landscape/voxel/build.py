@@ -127,6 +127,7 @@ def world(values: Voxel, assets: Assets, seed: int) -> World:
         if gate:
             goals = [*gate, *sites[2:], *jetty]
             kinds = lay_paths(blocks, tops, kinds, values.sea, goals, rng)
+
     if values.trees:
         shore = abs(tops - values.sea + 0.5) < 1
         grow(blocks, tops, kinds, free_columns(len(blocks), sites), shore, rng)
@@ -231,7 +232,9 @@ def meshed(
     where something is built.
     """
     blocks, origin = place.with_edge(region, number, rows)
-    size, merge, plain = place.region_size, values.merge, seen_from_afar(colours)
+    size = place.region_size
+    merge = values.merge
+    plain = seen_from_afar(colours)
     shown = shown_in(blocks)
     near = region_meshes(
         blocks, size, origin, colours, merge, values.occlusion, plants=True, shown=shown

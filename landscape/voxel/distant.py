@@ -65,12 +65,14 @@ def cells_of(blocks: np.ndarray, size: int) -> np.ndarray:
         apart = inner.reshape(rows, size, number, size, -1)
         apart = np.pad(apart, [(0, 0), (0, 1), (0, 0), (0, 1), (0, 0)])
         inner = apart.reshape(rows * (size + 1), number * (size + 1), -1)
+
     halves = halved(inner)
     half, tall = (size + 1) // 2, halves.shape[2]
     side = half + 2 * EDGE
     found = np.zeros((rows, side, number, side, tall), np.uint8)
     within = slice(EDGE, -EDGE)
     found[:, within, :, within] = halves.reshape(rows, half, number, half, tall)
+
     # The blocks in front of a region: before its first and, if it ends with a whole cell, after its
     # last.
     for end in (0,) if odd else (0, -1):
@@ -79,6 +81,7 @@ def cells_of(blocks: np.ndarray, size: int) -> np.ndarray:
         along = blocks[within, first::size][:, :number].reshape(rows, size, number, -1)
         found[:, end, :, within] = closed(across)
         found[:, within, :, end] = closed(along.swapaxes(1, 2)).swapaxes(1, 2)
+
     return found
 
 
@@ -101,6 +104,7 @@ def distant_meshes(
     whole[..., 0] = block("rock")
     whole[..., EDGE:-EDGE] = own
     cells = whole.reshape(rows * side, number * side, -1)
+
     # Nothing is drawn of the regions' edges, where their neighbours begin.
     within = np.zeros(whole.shape, bool)
     within[:, EDGE:-EDGE, :, EDGE:-EDGE] = True
@@ -116,12 +120,15 @@ def distant_meshes(
         faces.low[:, 0] += row * (size - CELL * side)
         faces.low[:, 1] += column * (size - CELL * side)
         parts.append(part_of(faces, row * number + column, (x, z, bottom), look))
+
     return assembled(parts, rows * number)
 
 
 def in_blocks(faces: Faces) -> Faces:
     """Return faces of cells as faces of blocks."""
-    low, long, wide = CELL * faces.low, CELL * faces.long, CELL * faces.wide
+    low = CELL * faces.low
+    long = CELL * faces.long
+    wide = CELL * faces.wide
     return Faces(faces.direction, low, long, wide, faces.block, faces.shade, CELL, faces.firm)
 
 

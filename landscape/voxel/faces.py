@@ -170,6 +170,7 @@ def shown_in(blocks: np.ndarray) -> Shown:
                 places.append(np.flatnonzero(within[:-step] > density[step:]) + first)
             else:
                 places.append(np.flatnonzero(within[step:] > density[:-step]) + (first + step))
+
     return Shown(whole > 0, [np.concatenate(places) for places in found])
 
 
@@ -203,6 +204,7 @@ def visible_faces(
     low = np.stack(np.unravel_index(at, blocks.shape)) - EDGE
     along, across = low[direction.along], low[direction.across]
     long = wide = np.ones(len(at), np.intp)
+
     # A face is one number, of which the last 12 bits are its place along: sorted, faces follow each
     # other that may be joined, and the difference of two says whether they are alike.
     if merge != "none":
@@ -217,11 +219,13 @@ def visible_faces(
         layer, across, kinds, shade, along = split(key, parts)
         low = rows(direction, layer, along, across)
         wide = np.ones(len(key), np.intp)
+
     if merge == "rectangles":
         parts = ((layer, 12), (along, 12), (long, 5), (kinds, 8), (shade, 8), (across, 12))
         key, wide = joined(parts, EVEN_ACROSS, 0 if direction.across == 2 else region_size, widest)
         layer, along, long, kinds, shade, across = split(key, parts)
         low = rows(direction, layer, along, across)
+
     corners = shade[:, None] >> np.array([6, 4, 2, 0], np.uint8) & 3
     found = Faces(direction, low.T, long, wide, kinds.astype(np.uint8), corners.astype(np.uint8))
     return with_firm_sides(found, shown.solid)
@@ -272,6 +276,7 @@ def joined(
         starts |= (key & ((1 << parts[-1][1]) - 1)) % size == 0
     first = np.flatnonzero(starts)
     count = np.diff(first, append=len(key))
+
     # A run that is too long is cut into pieces.
     pieces = (count + (longest - 1)) // longest
     many = np.repeat(np.arange(len(first)), pieces)

@@ -74,6 +74,7 @@ def draw_crosshair(frame: Frame) -> None:
     low = [-right, -up]
     high = [edge + side / scale for edge, side in zip(low, frame.viewport, strict=True)]
     groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
+
     with attrib(groups), flat_projection(low[0], high[0], low[1], high[1], -1, 1):
         for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING, gl.GL_TEXTURE_2D, gl.GL_CULL_FACE):
             gl.glDisable(off)

@@ -110,6 +110,7 @@ class Highlights:
                 gl.glNormal3f(*NORMALS[k].tolist())
                 land.buffer.draw(choice.shares, facing, choice.part, choice.last)
             gl.glActiveTexture(gl.GL_TEXTURE1)  # whose matrix is put back
+
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
     def _set_units(self, shadow: ShadowMap | None) -> None:

@@ -170,6 +170,7 @@ class Land:
             elif part == UNDER:
                 seen &= self.low[:, 1] < (self.world.water + 1) * self.scale
             regions = regions[seen[regions]]
+
         level = np.searchsorted((near, max(near, far)), around.away[regions], "right")
         if self._stale:
             for region in regions[level == DISTANT]:
@@ -192,6 +193,7 @@ class Land:
             or not world.is_air(x, z, y, CLEAR)
         ):
             return choice
+
         if self._horizon is None:
             self._horizon = Horizon(solid_heights(world.blocks), world.region_size)
         hidden = self._horizon.hidden(x, z, y)[choice.regions]

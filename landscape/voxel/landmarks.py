@@ -18,9 +18,15 @@ from landscape.voxel.models.trees import KINDS, bush, tree
 from landscape.voxel.sites import bay_site, level_site, window_ends
 
 # All chosen, in blocks.
-CASTLE_REACH, CASTLE_ABOVE, CASTLE_HIGH = 22, 4, 0.35
-RABBIT_REACH, RABBIT_ABOVE, RABBIT_HIGH = 10, 3, 0.02
-DRAGON_LENGTH, DRAGON_REACH, DRAGON_LAND = 60, 14, 70
+CASTLE_REACH = 22
+CASTLE_ABOVE = 4
+CASTLE_HIGH = 0.35
+RABBIT_REACH = 10
+RABBIT_ABOVE = 3
+RABBIT_HIGH = 0.02
+DRAGON_LENGTH = 60
+DRAGON_REACH = 14
+DRAGON_LAND = 70
 JETTY_NORTH = 34  # of the dragon's middle
 CLEARING = 5  # around a building, without trees
 WAY = 30  # in front of the castle's gate, without trees
@@ -175,6 +181,7 @@ def grow(
         model = shapes[kind][int(rng.integers(SHAPES))]
         turned = np.rot90(model, int(rng.integers(4)))
         put(blocks, turned[::-1] if rng.random() < 0.5 else turned, (x, z, int(tops[x, z])))
+
     scatter(blocks, tops, grass & free, own)
     below = np.take_along_axis(blocks, tops[..., None].astype(np.intp) - 1, axis=2)[..., 0]
     sown = plants((kinds == block("grass")) & (below == block("grass")), rng)

@@ -69,6 +69,7 @@ def map_picture(world: World, assets: Assets) -> np.ndarray:
         sea = [np.interp(depth, [1, DEEP / 3, DEEP], DEPTHS[:, c]) for c in range(3)]
         found = np.where(depth[..., None] > 0, np.stack(sea, axis=2), land)
         whole[:, start : start + AT_ONCE] = np.clip(found, 0, 255)
+
     return whole
 
 
@@ -77,7 +78,9 @@ class Map:
 
     def __init__(self, settings: Settings, assets: Assets, land: Land) -> None:
         """Draw no picture yet: changed blocks may follow."""
-        self._settings, self._assets, self._land = settings, assets, land
+        self._settings = settings
+        self._assets = assets
+        self._land = land
         self._texture: Texture | None = None
         self._shows = 0  # the land's version of which the picture is
 
@@ -99,6 +102,7 @@ class Map:
         side, gap = round(PART * height), round(GAP * height)
         place = place_on_map(frame.pose.x, frame.pose.z, self._land.world.size)
         groups = gl.GL_ENABLE_BIT | gl.GL_VIEWPORT_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
+
         with attrib(groups), flat_projection(-1, 1, -1, 1, 0.1, 2):
             gl.glViewport(gap, height - gap - side, side, side)
             gl.glDisable(gl.GL_DEPTH_TEST)

@@ -97,6 +97,7 @@ def profiles(kinds: np.ndarray, height: int, shifts: int) -> np.ndarray:
                 columns[top, :, max(top - 1 - SOIL, 0) : top] = soils[kind]
             if kind != block("rock"):
                 columns[top, :, top - 1] = kind
+
     return found
 
 

@@ -54,7 +54,9 @@ def face_tiles() -> np.ndarray:
 
 TIP, TUFT = block("spruce tip"), block("tall grass")
 # Chosen: tufts of grass have these shares of a plant's size, alike within CLUMP columns.
-SMALLEST, LARGEST, CLUMP = 0.5, 1.05, 3
+SMALLEST = 0.5
+LARGEST = 1.05
+CLUMP = 3
 UP = [each.name for each in DIRECTIONS].index("up")
 FACE_TILES = face_tiles()
 TINTS = np.array([block.tint for block in BLOCKS], np.float32)
@@ -243,6 +245,7 @@ def plant_quads(
     """
     kinds = blocks[tuple(place.T)]
     place = place + np.array(origin)
+
     # A number from the place, so that a plant stays where it is when its region is built again.
     jitter = (place @ np.array([73, 151, 37]))[:, None] * np.array([0.61803, 0.75488])
     moved = np.where(kinds == TIP, 0.0, 0.5)[:, None] * (jitter % 1.0 - 0.5)
@@ -266,6 +269,7 @@ def plant_quads(
             shaded = tint * (1.0 if top else 0.72)
             vertex["colour"][:, :3] = np.clip(shaded, 0, 255)
             vertex["colour"][:, 3] = 255
+
     return found.reshape(-1, 4)
 
 

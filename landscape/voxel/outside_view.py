@@ -85,6 +85,7 @@ class OutsideView:
         at = width - side - side // 20, height - side - side // 20
         groups = gl.GL_VIEWPORT_BIT | gl.GL_SCISSOR_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT
         groups |= gl.GL_LINE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_TEXTURE_BIT
+
         with attrib(groups), flat_projection():
             gl.glViewport(*at, side, side)
             gl.glScissor(*at, side, side)

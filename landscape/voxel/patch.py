@@ -62,6 +62,7 @@ def touched(
         a, b = one[near, column], other[near, column]
         close = (np.minimum(a, b) < high[axis] + 0.5) & (np.maximum(a, b) > low[axis] - 0.5)
         near = np.flatnonzero(close) if axis == 0 else near[close]
+
     ends = one[near][:, X_Z_Y], other[near][:, X_Z_Y]
     least, most = np.minimum(*ends), np.maximum(*ends)
     found = np.zeros(len(key), bool)
@@ -81,6 +82,7 @@ def touched(
             found[m] = True
             if turn != PLANTS:
                 rectangles[turn].append(Rectangle(begin, end))
+
     return found, rectangles
 
 
@@ -130,6 +132,7 @@ def faces_again(
         sizes = sides[:, direction.along], sides[:, direction.across]
         faces = Faces(direction, at, *sizes, kinds, shade)
         found.append(with_firm_sides(faces, solid))
+
     return found, place
 
 
@@ -169,4 +172,5 @@ def patched(
         blocks = world.blocks[inner]
         crossed = plant_quads(blocks, plant_places(blocks), (low[0], low[1], low[2]), look)
         parts.append(part_of_plants(crossed, 0, look))
+
     return assembled(parts, 1)[0]

@@ -60,6 +60,7 @@ def picked(
     """
     cell = [math.floor(each) for each in eye]
     step = [1 if each > 0 else -1 for each in way]
+
     # Per axis: how far along the ray its next boundary is, and how far apart its boundaries are.
     apart = [1 / abs(each) if each else math.inf for each in way]
     next_ = [
@@ -78,4 +79,5 @@ def picked(
         gone = next_[axis]
         cell[axis] += step[axis]
         next_[axis] += apart[axis]
+
     return None

@@ -39,7 +39,9 @@ MOST_SENT = 1 << 19  # vertices, chosen: so many of a large world are drawn at a
 # The sets of faces that are drawn, from one to another: all of them, those that are not wholly
 # under water, and those that are not wholly above it.
 Part = tuple[int, int]
-ALL, ABOVE, UNDER = (WET, SETS - 1), (SHORE, SETS - 1), (WET, SHORE)
+ALL = (WET, SETS - 1)
+ABOVE = (SHORE, SETS - 1)
+UNDER = (WET, SHORE)
 
 
 class Light(NamedTuple):
@@ -93,10 +95,12 @@ class RegionBuffer:
         self._free = int(self.room.sum())
         self._end = self._free + RESERVE
         self._multi_draw = possible("glMultiDrawArrays")
+
         # Their colours in the light that they were made in, once they are shown in another.
         self._made: np.ndarray | None = None
         self._light: Light | None = None
         self._arrays: dict[tuple[int, bool], int] | None = None  # names of vertex array objects
+
         # The vertices, where OpenGL does not keep them.
         self._kept = None if possible("vertex buffers") else np.zeros(self._end, VERTEX)
         if self._kept is None and vertex_arrays and possible("voxel.vertex_arrays"):
@@ -148,12 +152,14 @@ class RegionBuffer:
             self.start[share], self.room[share] = self._free, room
             self._free += room
             self._moved(share)
+
         begin, vertices = int(self.start[share]), mesh.vertices
         if self._made is not None and self._light:
             self._made[begin:][:size] = vertices["colour"]
             turns = np.repeat(np.arange(len(TURNS)), mesh.counts.sum(axis=1))
             vertices = vertices.copy()
             vertices["colour"] = self._light.on(vertices["colour"], turns, vertices["position"])
+
         self._write(begin, vertices)
         self._enter(share, mesh)
         return True
@@ -170,6 +176,7 @@ class RegionBuffer:
         first = self._made is None
         if self._made is None:
             self._made = np.zeros((self._end, 4), np.uint8)
+
         # Where each direction of each share begins, and so, up to the next, which one it is.
         starts = self.at[:, :, 0].ravel()
         order = np.argsort(starts, kind="stable")

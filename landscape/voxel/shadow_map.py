@@ -79,6 +79,7 @@ class ShadowMap:
                 self._change(self._next, self._coming, touched, draw)
             self._draw_next(matrix, draw)
             return
+
         self._parts = 0
         if known and (matrix == self.matrix).all():
             self._change(self.target, matrix, touched, draw)

@@ -78,6 +78,7 @@ def sky_colours(
         at = np.flatnonzero(beyond & (up >= 0) & (up < HEIGHT))
         s = (along[at] / reach[at] + 1) / 2
         found[at] = sampled(pictures[name], s, 1 - up[at] / HEIGHT)
+
     at = np.flatnonzero((y > 0) & (up >= HEIGHT))
     s, t = ((each[at] / y[at] * HEIGHT + 1) / 2 for each in (x, z))
     found[at] = sampled(pictures["top"], s, t)

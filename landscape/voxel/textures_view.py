@@ -67,6 +67,7 @@ class TexturesView:
                 up = min(aspect, 2 * side) / 2
                 self._show(shown[whole], *ends, aspect / 2 - up, aspect / 2 + up)
                 return
+
             high = (step - MARGIN) * aspect
             for k, name in enumerate(PICTURES):
                 left = MARGIN + k * step
@@ -98,6 +99,7 @@ class TexturesView:
                 combine({"COMBINE_RGB": "SUBTRACT", "SRC0_RGB": source, "SRC1_RGB": "CONSTANT"})
                 gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, START)
                 gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 4.0)
+
         gl.glBegin(gl.GL_QUADS)
         for s, t, x, y in (
             (0, 0, left, low),
@@ -107,6 +109,7 @@ class TexturesView:
         ):
             gl.glTexCoord2f(float(s), float(t))
             gl.glVertex2f(x, y)
+
         gl.glEnd()
         if compares:
             gl.glTexParameteri(*mode, gl.GL_COMPARE_R_TO_TEXTURE)

@@ -9,7 +9,9 @@ from landscape.voxel.blocks import HOLED, PLANT_TILES, TILES
 
 SIDE = 32  # chosen: texels per side of a tile
 RIPPLES_SIDE = 128  # chosen
-FILE, PLANTS_FILE, RIPPLES_FILE = "voxel_tiles.png", "voxel_plants.png", "voxel_ripples.png"
+FILE = "voxel_tiles.png"
+PLANTS_FILE = "voxel_plants.png"
+RIPPLES_FILE = "voxel_ripples.png"
 
 
 def tiles(assets: Assets) -> dict[str, np.ndarray]:

@@ -94,6 +94,7 @@ class Voxel(Played, Ground):
         self.textures, self.outside = TexturesView(), OutsideView(assets)
         try:
             begin_pass("setup")
+
             # First, since it takes much memory for a moment, and the land from then on.
             self.sky = self._built(("sky",), Sky, settings, assets)
             give_back()
@@ -153,6 +154,7 @@ class Voxel(Played, Ground):
             if not done:
                 for each in taken:
                     each.apply(self.settings)
+
         self.settings = settings
         return True
 
@@ -168,6 +170,7 @@ class Voxel(Played, Ground):
         self._draw_shadows(frame, moment.walking)
         begin_pass("main")
         shore = self._shore(frame)
+
         # Without pictures the ground under water is seen through it.
         opaque = shore is not None and self.water.images is not None
         part = UNDER if self._under else ABOVE if opaque else ALL
@@ -183,6 +186,7 @@ class Voxel(Played, Ground):
                 depth = self.depth(shore)
                 fades_into = haze.color if self._under else ()
                 self.water.draw(frame, clip, shore.points, depth, fades_into)
+
         begin_pass("overlay")
         self.draw_aim(frame)
         self._draw_debug(frame, clip)
@@ -294,6 +298,7 @@ class Voxel(Played, Ground):
         if "land" not in self.shown or not (values.regions or values.edges or textures):
             return
         choice = land.choose(clip, frame.eye, self._around, *self._detail(frame))
+
         with drawing("land"):
             if values.regions:
                 draw_boxes(land, choice, clip)
@@ -364,6 +369,7 @@ class Voxel(Played, Ground):
                 lambda mirror: self._draw_mirrored(frame, clip @ mirror),
                 not self._under,
             )
+
         begin_pass("refraction")
         with drawing("water"):
             if self._under:

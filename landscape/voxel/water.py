@@ -130,6 +130,7 @@ class Water:
             self._combined()
             gl.glFogfv(gl.GL_FOG_COLOR, np.array([*(haze or values.horizon), 1.0], np.float32))
             gl.glDrawElements(gl.GL_QUADS, self._quads.size, gl.GL_UNSIGNED_INT, self._quads)
+
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
     def _draw_plain(self, points: np.ndarray) -> None:
@@ -195,9 +196,11 @@ class Water:
             self._normals.bind()
             combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "TEXTURE"})
             combine({"SRC1_RGB": "PRIMARY_COLOR"})
+
         gl.glActiveTexture(self._unit(1))
         gl.glEnable(gl.GL_TEXTURE_2D)
         images.refraction.bind()
+
         # What remains of the alpha above a threshold, four times as much; unit 2 makes it 32 times.
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"})
         combine({"COMBINE_ALPHA": "SUBTRACT", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "CONSTANT"})
@@ -225,6 +228,7 @@ class Water:
         elif self._normals:  # a unit without a texture would be left out
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._normals.bind()
+
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
         if self._normals:
@@ -302,6 +306,7 @@ def arrays(points: np.ndarray, half: np.ndarray, coordinates: list[np.ndarray]) 
         gl.glClientActiveTexture(int(gl.GL_TEXTURE0) + unit)
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
         gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, array)
+
     try:
         yield
     finally:

@@ -27,7 +27,9 @@ PER_DEPTH = 2.5  # times the depth of the water
 PER_DISTANCE = 0.22  # times the distance from the eye
 # Glints are dim in less water, and nearer to the eye, than this many units: they would be large
 # spots. How much shorter half vectors are there; all chosen.
-CALM_DEPTH, CALM_DISTANCE, CALM = 0.5, 1.6, 0.045
+CALM_DEPTH = 0.5
+CALM_DISTANCE = 1.6
+CALM = 0.045
 INDEX = 1.33  # the refractive index of water
 FLATTEST = 0.2  # chosen: how little a refracted ray may sink per unit of its length
 FADE = 4  # rows and columns at the screen's edges, beyond which there is no picture to look up
@@ -60,6 +62,7 @@ def water_grid(frame: Frame, level: float, far: float) -> np.ndarray | None:
     side = top * frame.size[0] / frame.size[1]
     across, rise = ACROSS * side, RISE * top
     height = frame.eye_y - level
+
     # A line of sight, back * -1 + right * across + up * rise, sinks by -(...).y per unit of depth.
     # Without roll ``right`` is level, so that a row of the screen sinks all alike.
     down, up = (float(axis[1]) for axis in (frame.back, frame.up))
@@ -77,6 +80,7 @@ def water_grid(frame: Frame, level: float, far: float) -> np.ndarray | None:
         horizon = (down - side_of_it * least) / up if up else 0.0
         near = -MARGIN * top if (height > 0) == (up > 0) else MARGIN * top
         rise = horizon + (near - horizon) * np.arange(ROWS) / (ROWS - 1)
+
     rays = (frame.up * rise[:, None] - frame.back)[:, None] + frame.right * across[:, None]
     rays = rays.reshape(-1, 3).astype(np.float32)
     sink = rays[:, 1] * -side_of_it

@@ -131,6 +131,7 @@ class WaterImages:
         values = self.values
         self.refraction = self._target(self.refraction, viewport)
         groups = gl.GL_FOG_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
+
         with attrib(groups):
             gl.glClearColor(*values.color, 1.0)
             with self.refraction.drawing(), matrix():

@@ -60,6 +60,7 @@ def decoded(data: bytes, name: str, world: World, land: Mapping[str, Any]) -> di
         unpacked = zlib.decompressobj().decompress(body, size + 1)
     except zlib.error:
         raise InputError(f"{name}: cannot be decompressed; {WHAT}") from None
+
     if len(unpacked) != size:
         raise InputError(f"{name}: expected {count} changed blocks, as its first line says")
     places = np.frombuffer(unpacked, PLACE, count)

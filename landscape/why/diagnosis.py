@@ -121,6 +121,7 @@ def diagnose(
             f"pixel {pixel[0]},{pixel[1]}: expected one of the picture, 0,0 to "
             f"{width - 1},{height - 1}"
         )
+
     until = time.monotonic() + limit
     found = survey(tape, pixel)
     try:
@@ -169,6 +170,7 @@ def _diagnosed(
             proven.append((suspect, pixels))
         else:
             failed.append(suspect)
+
     if not proven:
         for first, second in combinations(failed[:PAIRS], 2):
             if time.monotonic() > until or first.change is None or second.change is None:
@@ -188,6 +190,7 @@ def _diagnosed(
             if pixels:
                 proven = [(first, pixels), (second, pixels)]
                 break
+
     step(len(suspects), len(suspects))
     proven = _ordered(proven)
     causes = [_cause(found, suspect, pixels) for suspect, pixels in _distinct(proven)][:MOST]
@@ -268,6 +271,7 @@ def _cause(found: Survey, suspect: Suspect, pixels: int) -> Cause:
     elif suspect.draws:
         number = suspect.draws[0].number
         source = source or suspect.draws[0].call.source
+
     values = {"state": suspect.state, "value": suspect.value, **suspect.values}
     return Cause(
         suspect.cause,

@@ -131,6 +131,7 @@ def _of_begin(draw: Draw) -> Vertices:
             coord = (components(step.call)[1:] + [0.0])[:2]
         elif name.startswith("glNormal"):
             normal = components(step.call)[:3]
+
     found.positions = np.array(positions, np.float64).reshape(-1, 4)
     found.places = places
     found.faces = faces_of(mode, len(positions))
@@ -216,6 +217,7 @@ def _of_arrays(call: Call) -> Vertices | None:
             whole = np.frombuffer(buffer_bytes(buffer), TYPES[kind], offset=offset)
             order = whole[:count]
         order = order[order < len(array)].astype(np.int64)
+
     order = order[:MOST]
     positions = np.zeros((len(order), 4))
     positions[:, 3] = 1.0
@@ -261,6 +263,7 @@ def _of_shape(draw: Draw) -> Vertices | None:
         gl.glMatrixMode(gl.GL_PROJECTION)
         gl.glPopMatrix()
         gl.glPopAttrib()
+
     points: list[tuple[float, ...]] = []
     faces: list[list[int]] = []
     for corners in _primitives(result):
@@ -330,6 +333,7 @@ def placed(found: Vertices, modelview: Any, projection: Any) -> Placed:
             "near": clip[:, 2] < -w,
             "far": clip[:, 2] > w,
         }
+
     whole = {
         name: sum(bool(np.all(flags[face])) for face in found.faces[:5000])
         for name, flags in out.items()
@@ -360,7 +364,9 @@ def crossed_faces(found: Vertices) -> list[int]:
 
 def _crosses(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> bool:
     """Return whether the sides ab and cd of a flat quad cross."""
-    u, v, w = b - a, d - c, c - a
+    u = b - a
+    v = d - c
+    w = c - a
     normal = np.cross(u, v)
     length = float(normal @ normal)
     scale = float((u @ u) * (v @ v))
@@ -392,6 +398,7 @@ def concave(found: Vertices) -> list[int]:
         scale = float(np.abs(signed).max())
         if scale > 0.0 and (signed < -0.05 * scale).any():
             bad.append(index)
+
     return bad
 
 
@@ -419,6 +426,7 @@ def against_neighbours(found: Vertices) -> list[int]:
             return []
         for a, b in zip(face, face[1:] + face[:1], strict=True):
             edges.setdefault((ids[a], ids[b]), []).append(index)
+
     wrong: dict[int, int] = {}
     right: dict[int, int] = {}
     for (a, b), along in edges.items():
@@ -427,6 +435,7 @@ def against_neighbours(found: Vertices) -> list[int]:
                 wrong[face_index] = wrong.get(face_index, 0) + 1
             if (b, a) in edges:
                 right[face_index] = right.get(face_index, 0) + 1
+
     bad = [face for face, count in wrong.items() if count > right.get(face, 0)]
     return bad if len(bad) * 2 < len(found.faces) else []
 

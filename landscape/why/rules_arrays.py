@@ -153,6 +153,7 @@ def _pointer(
             {"offset": offset, "call": written(call)},
         )
         return
+
     stored = buffers.data.get(buffer) if buffer else None
     if stored is not None:
         upload, array = stored
@@ -246,6 +247,7 @@ def _stride(
         right = 0
     else:
         return
+
     if not buffer:
         return
     args = (*call.args[:-2], right, call.args[-1])
@@ -271,6 +273,7 @@ def _indices(draw: Drawn, bound: dict[int, int], buffers: Buffers) -> Iterator[S
             "index-type", call, None, 40, value=kind, values={"call": written(call)}, pixels=1
         )
         return
+
     wanted = np.dtype(TYPES[kind])
     stored = buffers.data.get(bound.get(ELEMENTS, 0))
     if stored is not None and not isinstance(indices, np.ndarray):
@@ -314,6 +317,7 @@ def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
     if not isinstance(array, np.ndarray) or array.ndim < 2:
         return
     first, count = int(call.args[1]), int(call.args[2])
+
     # A third: who counts triangles instead of vertices.
     third = len(array) - 3 <= count * 3 and count <= len(array) // 2
     if first or not (count == 0 or third):

@@ -31,6 +31,7 @@ def ranges(survey: Survey) -> Iterator[Suspect]:
                 small[step.place] = (call, numbers)
         elif max(numbers[:3]) >= 16.0 and all(n == int(n) for n in numbers[:3]):
             large[step.place] = (call, numbers)
+
     if large:
         first, numbers = next(iter(large.values()))
         instead: dict[str, Any] = {}
@@ -51,6 +52,7 @@ def ranges(survey: Survey) -> Iterator[Suspect]:
             {"call": written(first)},
             everywhere=True,
         )
+
     if small:
         first, numbers = next(iter(small.values()))
         yield Suspect(
@@ -142,6 +144,7 @@ def _colored(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> It
             everywhere=True,
         )
         return
+
     if draw.state["GL_LIGHTING"]:
         place = str(raster.number)
         yield Suspect(
@@ -158,6 +161,7 @@ def _colored(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> It
             draws=mine,
             everywhere=True,
         )
+
     if draw.state["GL_TEXTURE0.GL_TEXTURE_2D"]:
         place = str(raster.number)
         around = {

@@ -31,6 +31,7 @@ def late_clear(survey: Survey) -> Iterator[Suspect]:
     drawn = 0
     read = False
     index = 0
+
     for step in survey.tape.steps():
         if step.call.name.startswith(READS):
             read = True
@@ -59,6 +60,7 @@ def no_clear(survey: Survey) -> Iterator[Suspect]:
     if survey.tape.before is None or not survey.shapes:
         return
     first = survey.shapes[0]
+
     for name, bit, cause in (
         ("GL_COLOR_BUFFER_BIT", "COLOR", "no-clear"),
         ("GL_DEPTH_BUFFER_BIT", "DEPTH", "no-depth-clear"),
@@ -91,6 +93,7 @@ def masked_clear(survey: Survey) -> Iterator[Suspect]:
                 {"mask": "glDepthMask(GL_TRUE)", "clear": draw.call.site.line},
                 everywhere=True,
             )
+
         if bits & int(gl.GL_COLOR_BUFFER_BIT) and not all(draw.state["GL_COLOR_WRITEMASK"]):
             yield Suspect(
                 "clear-masked",
@@ -146,6 +149,7 @@ def leaks(survey: Survey) -> Iterator[Suspect]:
     if past is None or past.frame == 0 or not past.now:
         return
     before = _made_before(survey)
+
     for name, actions in LEAKING.items():
         former, now = _plain(past.first.get(name)), _plain(past.now.get(name))
         if former is None or former == now or name in before:
@@ -212,6 +216,7 @@ def accumulated(survey: Survey) -> Iterator[Suspect]:
             values={"frames": past.frame + 1, "matrix": name},
             everywhere=True,
         )
+
     yield from _drifted(survey)
 
 

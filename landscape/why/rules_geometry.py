@@ -62,6 +62,7 @@ def shapes(survey: Survey) -> Iterator[Suspect]:
             )
         elif not draw.covered and count:
             yield from _flat(draw, found)
+
         if bad := crossed_faces(found):
             yield _crossed(survey, draw, found, bad)
         elif bad := concave(found):
@@ -106,6 +107,7 @@ def _flat(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
             draws=[draw],
         )
         return
+
     points = found.positions[:, :3]
     if found.mode == "GL_POINTS" or not np.isfinite(points).all():
         return
@@ -206,7 +208,9 @@ def ears(points: np.ndarray) -> list[tuple[int, int, int]]:
     found = []
     while len(left) > 3:
         for at in range(len(left)):
-            a, b, c = left[at - 1], left[at], left[(at + 1) % len(left)]
+            a = left[at - 1]
+            b = left[at]
+            c = left[(at + 1) % len(left)]
             if _turn(flat[a], flat[b], flat[c]) <= 0:
                 continue
             others = (k for k in left if k not in (a, b, c))
@@ -216,6 +220,7 @@ def ears(points: np.ndarray) -> list[tuple[int, int, int]]:
                 break
         else:
             break
+
     return [*found, (left[0], left[1], left[2])]
 
 
@@ -294,6 +299,7 @@ def _of_glu(survey: Survey, note: GluCall) -> Iterator[Suspect]:
                 {"call": written(note)},
                 everywhere=True,
             )
+
     if note.name == "gluLookAt" and len(args) == 9:
         yield from _look_at(survey, note, args)
 
@@ -341,6 +347,7 @@ def _look_at(survey: Survey, note: GluCall, args: list[float]) -> Iterator[Suspe
     else:
         axis = up if np.linalg.norm(up) else np.array([0.0, 1.0, 0.0])
         center = eye + np.array([0.0, 0.0, -1.0]) if not np.linalg.norm(forward) else center
+
     better = (*eye.tolist(), *center.tolist(), *axis.tolist())
     yield Suspect(
         "look-at-up" if parallel else "look-at-nowhere",
@@ -394,6 +401,7 @@ def _wide(survey: Survey) -> Iterator[Suspect]:
         if call is not None and call.name == "glFrustum":
             groups.setdefault(id(call), []).append(draw)
             calls[id(call)] = call
+
     for key, draws in groups.items():
         call = calls[key]
         left, right, bottom, top, near, _ = (float(a) for a in call.args)
@@ -451,6 +459,7 @@ def _radians(survey: Survey) -> Iterator[Suspect]:
             whole = abs(steps - round(steps)) < 1e-5 and round(steps) != 0
             if whole and abs(angle) < 6.3 and abs(angle - round(angle)) > 1e-4:
                 found.append(call)
+
     if found:
         yield Suspect(
             "rotate-radians",
@@ -502,6 +511,7 @@ def _wiped(survey: Survey) -> Iterator[Suspect]:
                 if not _again_after(survey, call):
                     wiped.append((note, mode, call))
                 break
+
     for note, mode, call in wiped:
         matrix = _matrix_by(survey, note)
         if matrix is None:
@@ -593,6 +603,7 @@ def _wrong_stack(survey: Survey) -> Iterator[Suspect]:
                 everywhere=True,
             )
             break
+
     yield from _left_mode(survey)
 
 
@@ -622,6 +633,7 @@ def _left_mode(survey: Survey) -> Iterator[Suspect]:
     known = survey.past.setters.last.get("GL_MATRIX_MODE") if survey.past else None
     if survey.tape.begin and known is not None:
         mode_call, mode = known, _named(known)
+
     for call in survey.calls:
         if call.name == "glMatrixMode":
             mode_call, mode = call, _named(call)
@@ -689,6 +701,7 @@ def _scaled_again(survey: Survey) -> Iterator[Suspect]:
                 values={"function": calls[0].site.function, "times": len(calls)},
                 everywhere=True,
             )
+
         return
 
 
@@ -719,6 +732,7 @@ def _undone(survey: Survey, function: str) -> Change | None:
             if run is None:
                 before.setdefault(str(call.number), []).append(("glPushMatrix", ()))
             run, last = (outer, line), _end_of(survey, call)
+
     if run is not None:
         after.setdefault(last, []).append(("glPopMatrix", ()))
     return Change(before=before, after=after) if before else None
@@ -755,8 +769,10 @@ def unbalanced(survey: Survey) -> Iterator[Suspect]:
                     "GL_MODELVIEW_STACK_DEPTH",
                     everywhere=True,
                 )
+
     if not pushes:
         return
+
     # Where it was forgotten nobody can tell: after a draw that follows, or at the end.
     after = [draw for draw in survey.shapes if draw.number > pushes[-1].number]
     ends = [_end_of(survey, draw.call) for draw in after if "." not in draw.place][:TRIED]
@@ -823,6 +839,7 @@ def _placed(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
             return
         yield from _units(survey, mine, values)
         return
+
     lensed = perspective(mine[0].state["GL_PROJECTION_MATRIX"])
     if lensed and behind == count:
         yield from _behind(survey, mine, values, farthest - nearest)
@@ -957,6 +974,7 @@ def _beside(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterat
                 draws=mine,
                 appear=True,
             )
+
     if survey.empty:
         moved = np.eye(4)
         points = np.concatenate([d.placed.eye[:, :3] for d in mine if d.placed is not None])
@@ -997,6 +1015,7 @@ def near_cuts(survey: Survey) -> Iterator[Suspect]:
         front = (placed.eye[:, 2] < 0) & (-placed.eye[:, 2] < near)
         if front.any() and near >= 0.5:
             mine.append(draw)
+
     if mine:
         values: dict[str, Any] = {"near": near_far(mine[0].state["GL_PROJECTION_MATRIX"])[0]}
         placed = mine[0].placed

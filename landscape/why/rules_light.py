@@ -53,6 +53,7 @@ def lights(survey: Survey) -> Iterator[Suspect]:
                 draws=dark,
             )
         return
+
     if mine:
         setters = mine[-1].setters.last
         for name in LIGHTS:
@@ -69,6 +70,7 @@ def lights(survey: Survey) -> Iterator[Suspect]:
                     everywhere=True,
                     draws=mine,
                 )
+
     yield from _unlit(survey)
     yield from _far_side(survey, mine)
 
@@ -163,6 +165,7 @@ def normals(survey: Survey) -> Iterator[Suspect]:
             continue
         if draw.setter("GL_CURRENT_NORMAL") is None and not draw.state["GL_NORMAL_ARRAY"]:
             bare.append(draw)
+
     bare = [d for d in bare if d.covered and d.call.name in WITH_VERTICES]
     if bare:
         change = _with_normals(bare)
@@ -177,6 +180,7 @@ def normals(survey: Survey) -> Iterator[Suspect]:
             everywhere=True,
             draws=bare,
         )
+
     scaled = []
     factor = 1.0
     for draw in mine:
@@ -199,6 +203,7 @@ def normals(survey: Survey) -> Iterator[Suspect]:
         if lengths.size and (np.median(lengths) < 0.6 or np.median(lengths) > 1.6):
             scaled.append(draw)
             factor = float(np.median(lengths))
+
     if scaled:
         chain = scaled[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
         scale = next((c for c in reversed(chain) if c.name.startswith("glScale")), None)
@@ -215,6 +220,7 @@ def normals(survey: Survey) -> Iterator[Suspect]:
             everywhere=True,
             draws=scaled,
         )
+
     yield from _inward(survey, mine)
 
 
@@ -253,6 +259,7 @@ def _with_normals(draws: Sequence[Drawn]) -> Change:
                 ]
         else:
             instead[draw.place] = [_as_triangles(draw, normal_of)]
+
     return Change(instead=instead)
 
 
@@ -279,6 +286,7 @@ def _inward(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         away, facing = sum(a for a, _ in sides), sum(f for _, f in sides)
         if away and away > 9 * facing:
             wrong += group
+
     if wrong:
         call = next(
             (step.call for step in wrong[0].steps if step.call.name.startswith("glNormal")),
@@ -309,13 +317,16 @@ def _sides(draw: Drawn) -> tuple[int, int]:
         turned = found.normals @ np.linalg.inv(matrix[:3, :3]).T
     except np.linalg.LinAlgError:
         return 0, 0
+
     facing = away = 0
     winding = 1.0 if draw.state["GL_FRONT_FACE"] == "GL_CCW" else -1.0
     lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
     for face in found.faces[:3000]:
         if len(face) < 3:
             continue
-        a, b, c = eye[face[0]], eye[face[1]], eye[face[2]]
+        a = eye[face[0]]
+        b = eye[face[1]]
+        c = eye[face[2]]
         front = winding * np.cross(b - a, c - a)
         if front @ (a if lensed else AHEAD) >= 0:
             continue  # turned away from the eye, or without area
@@ -323,6 +334,7 @@ def _sides(draw: Drawn) -> tuple[int, int]:
             away += 1
         else:
             facing += 1
+
     return away, facing
 
 
@@ -412,6 +424,7 @@ def _emission(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         first = users[0].call.site.function == setter.site.function
         if first or (own is not None and own.number > setter.number):
             left.append(draw)
+
     if left:
         setter = left[0].setter("GL_FRONT.GL_EMISSION")
         yield Suspect(
@@ -455,6 +468,7 @@ def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
             everywhere=True,
             draws=dark,
         )
+
     for name in LIGHTS:
         if not all(d.state[name] for d in mine):
             continue
@@ -499,6 +513,7 @@ def moving_light(survey: Survey) -> Iterator[Suspect]:
         and len(call.args) == 3
         and int(call.args[1]) == int(gl.GL_POSITION)
     ]
+
     for call in mine:
         position = [float(v) for v in np.ravel(np.asarray(call.args[2]))]
         if abs(position[0]) + abs(position[1]) < 1e-6:

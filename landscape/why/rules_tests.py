@@ -75,6 +75,7 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
             {"function": mine[0].state["GL_ALPHA_TEST_FUNC"], "reference": ref},
             draws=mine,
         )
+
     if mine := [d for d in _of(group, "GL_STENCIL_TEST") if not _marks(d)]:
         state = mine[0].state
         yield Suspect(
@@ -87,6 +88,7 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
             {"function": state["GL_STENCIL_FUNC"], "reference": state["GL_STENCIL_REF"]},
             draws=mine,
         )
+
     if mine := _of(group, "GL_SCISSOR_TEST"):
         yield Suspect(
             "scissor-test",
@@ -98,6 +100,7 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
             {"box": mine[0].state["GL_SCISSOR_BOX"]},
             draws=mine,
         )
+
     for plane in range(6):
         if mine := _of(group, f"GL_CLIP_PLANE{plane}"):
             yield Suspect(
@@ -110,6 +113,7 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
                 {"plane": plane},
                 draws=mine,
             )
+
     if masked and not any(draw.state["GL_STENCIL_TEST"] for draw in masked):
         yield Suspect(
             "color-mask",
@@ -120,6 +124,7 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
             [False] * 4,
             draws=masked,
         )
+
     if mine := _of(group, "GL_POLYGON_STIPPLE"):
         yield Suspect(
             "stipple",
@@ -158,6 +163,7 @@ def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Sus
             state["GL_CULL_FACE_MODE"],
             draws=mine,
         )
+
     if state["GL_FRONT_FACE"] != "GL_CCW":
         yield Suspect(
             "front-face",
@@ -168,6 +174,7 @@ def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Sus
             state["GL_FRONT_FACE"],
             draws=mine,
         )
+
     matrix = matrix_of(mine[0], "GL_MODELVIEW")
     affine = np.allclose(matrix[:, 3], (0.0, 0.0, 0.0, 1.0))
     if affine and np.linalg.det(matrix[:3, :3]) < 0:
@@ -182,6 +189,7 @@ def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Sus
             draws=mine,
         )
         return
+
     if _inside(mine):
         at = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
         moves = [call for call in at if call.name.startswith("glTranslate")]
@@ -196,6 +204,7 @@ def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Sus
             draws=mine,
         )
         return
+
     yield Suspect(
         "culled",
         _setter(mine, "GL_CULL_FACE"),
@@ -299,6 +308,7 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             {"clear": state["GL_DEPTH_CLEAR_VALUE"]},
             draws=mine,
         )
+
     cleared = [d for d in survey.draws if d.call.name == "glClear"]
     if any(d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999 for d in cleared):
         clear = next(d for d in cleared if d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999)
@@ -311,6 +321,7 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             clear.state["GL_DEPTH_CLEAR_VALUE"],
             draws=mine,
         )
+
     if list(state["GL_DEPTH_RANGE"]) != [0.0, 1.0]:
         yield Suspect(
             "depth-range",
@@ -321,6 +332,7 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             list(state["GL_DEPTH_RANGE"]),
             draws=mine,
         )
+
     if survey.empty:
         yield Suspect(
             "depth-test",
@@ -343,6 +355,7 @@ def near_zero(survey: Survey) -> Iterator[Suspect]:
             near, far = near_far(projection)
             if not np.isfinite(near) or near <= 0 or near < abs(far) * 1e-6:
                 mine.append(draw)
+
     if mine:
         near, far = near_far(mine[0].state["GL_PROJECTION_MATRIX"])
         far = far if np.isfinite(far) and far > 0 else 1000.0
@@ -383,6 +396,7 @@ def _blended(group: list[Drawn]) -> Iterator[Suspect]:
             },
             draws=mine,
         )
+
     plain = [
         d
         for d in group
@@ -467,6 +481,7 @@ def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
         after = cleared[-1].place if cleared and int(cleared[-1].call.args[0]) & color else ""
         clear = [("glClear", (gl.GL_DEPTH_BUFFER_BIT,))]
         change |= Change(after={after: clear}) if after else Change(first=clear)
+
     area = survey.base.shape[0] * survey.base.shape[1]
     yield Suspect(
         "no-depth-test",
@@ -499,6 +514,7 @@ def translucent_first(survey: Survey) -> Iterator[Suspect]:
         and d.passed
         and d.state["GL_BLEND_DST_RGB"] not in ("GL_ZERO",)
     ]
+
     # What lies behind a plane of water may well be hidden: a smaller share proves less.
     share = 3 if survey.pixel is None else 5
     for glass in glasses[:20]:
@@ -611,6 +627,7 @@ def viewports(survey: Survey) -> Iterator[Suspect]:
         x, y, w, h = draw.state["GL_VIEWPORT"]
         if w <= 0 or h <= 0 or x >= width or y >= height or x + w <= 0 or y + h <= 0:
             mine.append(draw)
+
     if mine:
         box = [int(v) for v in mine[0].state["GL_VIEWPORT"]]
         yield Suspect(
@@ -639,6 +656,7 @@ def other_target(survey: Survey) -> Iterator[Suspect]:
             mine[0].state["GL_RENDER_MODE"],
             draws=mine,
         )
+
     start = survey.tape.start.get("GL_DRAW_FRAMEBUFFER_BINDING", 0)
     name = "GL_DRAW_FRAMEBUFFER_BINDING"
     aside = [d for d in survey.draws if d.state.get(name) != start]
@@ -676,6 +694,7 @@ def wireframe(survey: Survey) -> Iterator[Suspect]:
         setter = draw.setter("GL_POLYGON_MODE")
         if mode != filled and setter is not None:
             setters.setdefault(id(setter), (setter, []))[1].append(draw)
+
     for setter, draws in setters.values():
         own = [d for d in draws if d.call.site.function == setter.site.function]
         others = [d for d in draws if d.call.site.function != setter.site.function]

@@ -100,6 +100,7 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
                 pixels=1,
                 everywhere=True,
             )
+
         yield from _upside_down(survey, call, texture, image)
 
 
@@ -207,6 +208,7 @@ def _nothing_bound(survey: Survey, mine: Sequence[Drawn], texture: int) -> Itera
     setter = given[0].setter(BOUND) if given else None
     if not given or (setter is not None and int(setter.args[1]) == 0):
         return  # who binds 0 may well mean it
+
     for call, other, _ in reversed(uploads(survey)):
         if other == texture or completeness(other) is not None:
             continue
@@ -408,6 +410,7 @@ def tinted(survey: Survey) -> Iterator[Suspect]:
         if max(draw.state["GL_CURRENT_COLOR"][:3]) > 0.12 or draw.state["GL_BLEND"]:
             continue
         mine.append(draw)
+
     if mine:
         yield Suspect(
             "texture-times-black",

@@ -99,6 +99,7 @@ def begin_and_end(survey: Survey) -> Iterator[Suspect]:
             assert last is not None
             yield from _within(survey, steps, index, begin, last)
             return
+
     if begin is not None and last is not None and survey.past and survey.past.error is None:
         yield Suspect(
             "no-end",
@@ -119,6 +120,7 @@ def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> It
         if later.call.name == "glEnd":
             ended = True
             break
+
     if not ended or step.call.name == "glBegin":
         yield Suspect(
             "no-end",
@@ -129,6 +131,7 @@ def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> It
             everywhere=True,
         )
         return
+
     moved, instead = [], {}
     for later in steps[index:]:
         name = later.call.name
@@ -137,6 +140,7 @@ def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> It
         if not name.startswith(INSIDE):
             moved.append((name, later.call.args))
             instead[later.place] = ()
+
     yield Suspect(
         "inside-begin",
         step.call,
@@ -185,6 +189,7 @@ def refused(survey: Survey) -> Iterator[Suspect]:
             everywhere=True,
         )
         return
+
     for place, call, said in survey.errors[:3]:
         yield Suspect(
             "refused",

@@ -208,6 +208,7 @@ class Survey:
                 if mine <= unseen and not mine & done:
                     done |= mine
                     yield group
+
         for draw in shapes:
             missed = draw.at_pixel[1] > 0 and draw.at_pixel[0] == 0
             if draw.index in unseen and draw.index not in done and (self.empty or missed):
@@ -271,6 +272,7 @@ def survey(tape: Tape, pixel: tuple[int, int] | None) -> Survey:
             found.chain = past.chains.get(found.number, ())
             if "." in found.place:
                 found.chain += (("list", item.call.site.line),)
+
         if len(draws) < MOST_DRAWS and not found.clears:
             found.vertices = vertices(item.draw)
         draws.append(found)
@@ -281,6 +283,7 @@ def survey(tape: Tape, pixel: tuple[int, int] | None) -> Survey:
         except Exception as error:
             found.error = _short(error)
             errors.append((item.place, item.call, found.error))
+
         _drain(errors, item)
         for step in item.draw.steps:
             setters.follow(step.call)

@@ -160,6 +160,7 @@ class Trial:
             self._clear()  # or a frame that clears nothing would begin on its own picture
         self._target = int(gl.glGetIntegerv(gl.GL_DRAW_FRAMEBUFFER_BINDING))
         began = False
+
         try:
             _act(change.start)
             for item in self.items:

@@ -98,6 +98,7 @@ def _numbers(draw: Drawn, language: str) -> Iterator[str]:
                 near=f"{near:.4g}",
                 far=f"{far:.4g}",
             )
+
     yield _text(language, "fragments", covered=draw.covered, passed=draw.passed)
     if draw.changed is not None:
         yield _text(language, "changed", n=draw.changed)

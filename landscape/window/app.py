@@ -73,8 +73,14 @@ class Walk:
         self.kt = plan.kt
         self.seconds = self._stood = 0.0  # that the walk went on, and stood still
         self._language = plan.language
-        self._wireframe, self._help, self._message, self._until = plan.wireframe, False, "", 0.0
-        self._note, self._shoot, self._row, self._done = "", False, "", ""
+        self._wireframe = plan.wireframe
+        self._help = False
+        self._message = ""
+        self._until = 0.0
+        self._note = ""
+        self._shoot = False
+        self._row = ""
+        self._done = ""
         self._assets, self._seed = assets, plan.seed
         self.resizer = Resizer()
         self._size = (0, 0)
@@ -87,6 +93,7 @@ class Walk:
         )
         self.inspection = Inspection(edits, plan.language)
         self._full_screen = FullScreen(self._context.size)
+
         try:
             self._open(plan)
         except BaseException:
@@ -171,10 +178,14 @@ class Walk:
         size = self._context.pixels()
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
         picks, self.hands.picks = self.hands.picks, []
-        kind, settings, chooser = self.place.kind, self.place.settings, self.place.chooser
+        kind = self.place.kind
+        settings = self.place.settings
+        chooser = self.place.chooser
         changes = chooser.follow(picks, settings)
         switches, toggled, said = pressed(kind, settings, switches, self._language)
-        note, self._note, changes = self._note or said, "", changes | toggled
+        note = self._note or said
+        self._note = ""
+        changes = changes | toggled
         drag = self.hands.carried()
         if kind.carried is not None and any(drag):
             changes = {**changes, **kind.carried(keys.with_settings(settings, changes), *drag)}
@@ -245,6 +256,7 @@ class Walk:
             self._tell("fly", self.walker.flying)
         elif self.walker.swimming != before.swimming:
             self._tell("swim", self.walker.swimming)
+
         if self.walker.at_edge and not before.at_edge:
             self._say(self._word("edge"))
         self._size = tick.size
@@ -358,10 +370,12 @@ class Walk:
     def draw(self) -> None:
         """Draw the frame and the panel into the window's back buffer."""
         assert self._panel is not None and self._context is not None
+
         # Making the context current gives OSMesa a buffer of the window's new size.
         self._context.make_current()
         moment = self.moment
         scene, shows = self.place.scene, self.place.shows(moment)
+
         # A screenshot has all the detail, and so has what the inspector looks into.
         whole = self._shoot or self.inspection.open
         draw = partial(self.steady.draw, moment, scene.draw, whole, shows)
@@ -371,6 +385,7 @@ class Walk:
             self._panel.set_rows(
                 help_rows(self.place.kind, self.place.settings, self._language, system_name)
             )
+
         left = max(self._until - self.seconds - self._stood, 0.0)
         message, opacity = self._message if left else "", min(left / FADE, 1.0)
         cross, bar = self.inspection.cross(), self._builder.bar(scene, self._size)

@@ -14,7 +14,9 @@ from landscape import keys
 from landscape.gl.glfw_library import glfw
 from landscape.window import words
 
-HELD, SWITCH, ORDER = "held", "switch", "order"
+HELD = "held"
+SWITCH = "switch"
+ORDER = "order"
 
 
 @dataclass(frozen=True)
@@ -200,6 +202,7 @@ def layout(name: Namer, more: Collection[str] = ()) -> dict[str, int]:
                 letters = (key for key in free if chr(key).isalpha())
                 found[letter] = ord(letter) if ord(letter) in free else next(letters)
                 del free[found[letter]]
+
     return found
 
 

@@ -95,12 +95,14 @@ def walk(
             preset=kind.preset_of(begin),
             given=_checked(settings, given or {}),
         )
+
     changes = read_edits(edits) if edits is not None else []
     kept_world = None
     if world is not None:
         if not scene(plan.scene).blocks:
             raise InputError(f"world {world}: expected a view of a scene of blocks, such as voxel")
         kept_world = WorldFile(world, keep=ticks is None)
+
     writer = Writer(record, plan) if record is not None else None
     try:
         kept_rate = fps if ticks is None else 0.0
@@ -121,10 +123,12 @@ def walk(
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.
         kept = writer is not None and writer.finish()
+
     if kept and not quiet:
         print(record)
         if changes:
             print("landscape:", words.text(plan.language, "inspector.record"), file=sys.stderr)
+
     return 0
 
 

@@ -25,7 +25,9 @@ class Course:
     ) -> None:
         """Plan the flight over an open scene and what stands there, at eye height."""
         self._flight = SceneFlight(environment, Roofs(terrain), settings.walk.eye, Flyover())
-        self._seconds, self._flown, self._language = 0.0, True, language
+        self._seconds = 0.0
+        self._flown = True
+        self._language = language
         self._says = "path"
 
     def take(self, tick: Tick) -> Tick:

@@ -84,6 +84,7 @@ def show(environment: Environment, settings: Settings, options: argparse.Namespa
         seconds = time.perf_counter() - begun
     finally:
         window.close()
+
     if not options.quiet and drawn:
         told = {
             "frames": f"{drawn:,}",
@@ -91,6 +92,7 @@ def show(environment: Environment, settings: Settings, options: argparse.Namespa
             "rate": f"{drawn / seconds:.1f}",
         }
         print(words.text(language, "flyover.mean", **told))
+
     return 0
 
 
@@ -126,8 +128,13 @@ class Flying:
         except BaseException:
             self.crew.close()
             raise
-        self._headless, self._help, self._shoot = headless, False, False
-        self._message, self._until, self._counted = "", 0.0, ""
+
+        self._headless = headless
+        self._help = False
+        self._shoot = False
+        self._message = ""
+        self._until = 0.0
+        self._counted = ""
         self._picture = ScreenPicture()
         window = self.context.window
         glfw.set_window_title(window, f"landscape, {environment.name}")
@@ -254,6 +261,7 @@ class Flying:
             self._shoot = False
             name = save_screenshot(read_pixels(size))
             self._say(self._word("saved", name=name) if name else self._word("not_saved"))
+
         now = glfw.get_time()
         self._count(drawn.counts, now)
         if self._help:

@@ -72,6 +72,7 @@ class Hands:
         self.listing = False  # whether the list of settings is open
         self.picks: list[str] = []  # what was asked of it, see PICKS
         self.inspecting = False  # whether the inspector is open: it has some keys, and the mouse
+
         # Names of keys; and what the mouse did, at x and y, with a number: see Inspection.point.
         self.inspected: list[str | tuple[str, float, float, float]] = []
         self.orders: list[str] = []
@@ -79,6 +80,7 @@ class Hands:
         self._tapped: set[int] = set()
         self._switches: list[str] = []
         self._look = [0.0, 0.0]
+
         # In a scene of blocks the buttons dig and build; while the mouse is free, dragging the left
         # one turns the view.
         self.building = False
@@ -126,6 +128,7 @@ class Hands:
             if action == glfw.PRESS or picked in REPEATED:
                 self._pick(picked)
             return
+
         if action != glfw.PRESS:
             return
         self._held.add(key)
@@ -166,6 +169,7 @@ class Hands:
                 what = "press" if action == glfw.PRESS else "release"
                 self.inspected.append((what, *self._at, float(bool(mods & glfw.MOD_SHIFT))))
             return
+
         if self.building:
             if button in TOOLS:
                 self._use(TOOLS[button], action == glfw.PRESS)
@@ -236,7 +240,9 @@ class Hands:
             self._tapped.clear()
             self._look = [0.0, 0.0]
             self._clicked, self._using = set(), set()
-            self._pressed, self._dragging, self.carrying = None, False, False
+            self._pressed = None
+            self._dragging = False
+            self.carrying = False
             self._carried = [0.0, 0.0]
             if self.captured:
                 self.orders.append("release")
@@ -272,5 +278,7 @@ class Hands:
             placing="place" in self._using,
         )
         self._clicked = set()
-        self._tapped, self._switches, self._look = set(), [], [0.0, 0.0]
+        self._tapped = set()
+        self._switches = []
+        self._look = [0.0, 0.0]
         return intent, tuple(name for name in switches if name not in ("strike", "fly"))

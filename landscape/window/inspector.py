@@ -133,7 +133,9 @@ class Inspector:
         while above is not None:
             self.opened.add(above.identity)
             above = above.parent
-        self.selected, self.first, self.place = node.identity, None, None
+        self.selected = node.identity
+        self.first = None
+        self.place = None
         self._list()
 
     def go_to(self, place: str) -> None:
@@ -174,7 +176,9 @@ class Inspector:
             self._fragment(self.fragment + way)
         elif self.rows:
             to = min(max(self.index + way, 0), len(self.rows) - 1)
-            self.selected, self.first, self.place = self.rows[to].identity, None, None
+            self.selected = self.rows[to].identity
+            self.first = None
+            self.place = None
 
     def _down(self) -> None:
         self._up(1)

@@ -92,6 +92,7 @@ class Inspection:
         model = self.model
         model.open = not model.open
         self._language = language
+
         # The user may have changed the keyboard's layout.
         self.letters = {
             "letter": letter or labels(BY_ACTION["inspector"], language, system_name),
@@ -103,6 +104,7 @@ class Inspection:
             model.stopped = True
             model.wants.add("under")
             model.pixel = None
+
         return model.open
 
     def listen(self, asked: Sequence[Any], scale: float) -> bool:
@@ -162,6 +164,7 @@ class Inspection:
                 self._record(draw, size, shows)
             else:
                 draw()
+
         if self._rewinds and changed:
             self._leaks = leaks(self._edits.edits, self._usual)
         if self.model.open:

@@ -31,7 +31,9 @@ STEP = 0.9  # chosen: font sizes, by which each depth of the tree is moved to th
 LABEL = 6.4  # chosen: font sizes, the column of the arguments' names
 
 PLATE = (13, 19, 26, 226)  # chosen: RGBA, like all colours below
-CHOSEN, CHOSEN_CELL, RULE = (52, 78, 104, 255), (104, 88, 40, 255), (70, 84, 98, 255)
+CHOSEN = (52, 78, 104, 255)
+CHOSEN_CELL = (104, 88, 40, 255)
+RULE = (70, 84, 98, 255)
 COLOURS = {
     "text": (226, 228, 224),
     "title": (255, 255, 255),
@@ -242,12 +244,14 @@ class _Draw:
             right -= self._length(span.text)
             self._text(right, y, span.text, span.style)
             right -= pixels / 2
+
         # Passes and elements stand at the left edge, as calls have a number there.
         left = pixels + line.depth * STEP * pixels
         if line.number:
             left += max(NUMBER * pixels, self._length(line.number) - (line.depth - 1) * pixels)
             number = line.number
             self._text(left - 1.1 * pixels - self._length(number), y, number, "dim")
+
         if line.sign:
             self._sign(left - 0.2 * pixels, y + 0.3 * pixels, line.sign, line.target, y)
         if line.sign or not line.number:

@@ -86,6 +86,7 @@ def _line(model: Inspector, node: Node, index: int, language: str) -> Line:
         style = "pass" if node.kind == "pass" else "element"
         name = Span(_name(model, node, language), style)
         return Line("", node.depth, sign, (name,), (count,), target, chosen)
+
     off = model.is_off(node.found)
     edited = bool(model.edits_of(node.found))
     effect = model.effects.get(node.place)
@@ -182,6 +183,7 @@ def details(model: Inspector, language: str) -> Iterator[Block]:
         about = words.counted(language, f"inspector.about_{node.kind}", node.count, name=name)
         yield Block((Span(about, "text"),))
         return
+
     call, edits = node.call, model.edits_of(node.found)
     args = current(call, edits)
     off = model.is_off(node.found)
@@ -222,6 +224,7 @@ def _values(model: Inspector, call: Call, language: str) -> Iterator[Block]:
         for cell in mine:
             spans += _cell(cell, before.get(cell.place), cell == chosen)
         yield Block(tuple(spans), label)
+
     if chosen is None:
         return
     args = current(call, model.edits_of(model.found) if model.found else ())
@@ -231,6 +234,7 @@ def _values(model: Inspector, call: Call, language: str) -> Iterator[Block]:
         known = spec.parameter(call.name, chosen.argument, args)
         name = chosen.bit or str(chosen.value)
         texts.append(spec.explain_enumerant(name, language, known.of if known else ""))
+
     limits = _limits(chosen, language)
     if limits not in meaning:
         texts.append(limits)

@@ -79,11 +79,9 @@ def cells(call: Call, edits: Sequence[Edit] = ()) -> list[Cell]:
 
 
 def _of(name: str, index: int, args: Sequence[Any], given: Sequence[Any]) -> list[Cell]:
-    found, value, text = (
-        spec.parameter(name, index, args),
-        args[index],
-        spec.written(name, index, args),
-    )
+    found = spec.parameter(name, index, args)
+    value = args[index]
+    text = spec.written(name, index, args)
     label = found.name if found else f"{index + 1}"
     whole = Cell(index, label, "fixed", text, value)
     if found is None or not may_be_changed(name, index, given):
@@ -109,16 +107,19 @@ def _of(name: str, index: int, args: Sequence[Any], given: Sequence[Any]) -> lis
             )
             for k in range(len(flat))
         ]
+
     if flat is not None:
         if kind in NUMBERS and len(flat) == 1:
             number = flat[0].item()
             return [replace(whole, kind="number", value=number, component=0, low=low, high=high)]
         return [whole]
+
     if kind == "mask":
         return [
             replace(whole, name=bit, kind="bit", bit=bit, text=_mark(value, bit), value=int(value))
             for bit in spec.legal(name, index, args)
         ]
+
     if kind == "boolean":
         return [replace(whole, kind="boolean", value=bool(value))]
     if kind == "enum":
@@ -126,6 +127,7 @@ def _of(name: str, index: int, args: Sequence[Any], given: Sequence[Any]) -> lis
         if len(choices) < 2:
             return [whole]
         return [replace(whole, kind="enum", value=text, choices=choices)]
+
     counted = kind in ("int", "count", "bits", "object")
     return [replace(whole, kind="number", value=value, low=low, high=high, whole=counted)]
 

@@ -41,4 +41,5 @@ def run(
         walk.draw()
         walk.present()
         drawn += 1
+
     return drawn

@@ -59,6 +59,7 @@ def keys_image(
         height = line * (len(rows) + 1) + 2 * edge + edge // 2
         if width <= size[0] and height <= size[1]:
             break
+
     image = Image.new("RGBA", (width, height), PLATE)
     draw = ImageDraw.Draw(image)
     draw.text((edge, edge), title, TITLE, face, "la")
@@ -67,6 +68,7 @@ def keys_image(
         draw.text((edge + left, y), keys, KEYS, face, "ra")
         draw.text((2.5 * edge + left, y), what, WORDS, face, "la")
         y += line
+
     return np.asarray(image)
 
 
@@ -179,21 +181,25 @@ class Panel:
                 plate = self._plate("cross", size, cross[2])
                 low = size[1] - 1 - cross[1] - plate.height // 2
                 plate.draw(cross[0] - plate.width // 2, low, 1.0)
+
             covered = below_message = 0
             if bar is not None and not keys:
                 plate = self._plate("bar", *bar)
                 plate.draw((size[0] - plate.width) // 2, size[1] // (3 * MARGIN), 1.0)
                 below_message = plate.height
+
             if left is not None:
                 plate = self._plate("left", (left[0], size), left[1])
                 plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
                 covered = size[1] // 48 + plate.width
+
             if keys:
                 below = below_keys(size, self.dpi)
                 shown = self._title, self._rows, (size[0], size[1] - below), self.dpi
                 plate = self._plate("keys", shown, lambda: keys_image(*shown))
                 lower = below + (size[1] - below - plate.height) // 2
                 plate.draw((size[0] - plate.width) // 2, lower, 1.0)
+
             if message:
                 plate = self._plate(
                     "line", (message, size), lambda: line_image(message, size, self.dpi)

@@ -67,6 +67,7 @@ def inspect(
             observer=inspector,
             live=inspector,
         )
+
     return [*inspector.notices, *inspector.inspection.missed()]
 
 
@@ -158,6 +159,7 @@ class ProgramInspector(ExitStack):
                 break
             self._glfw.swap_buffers(self._window)
             time.sleep(PAUSE)
+
         if covered and not self.inspection.open:
             self._redraw(tape, number)
         with unnoted():
@@ -203,6 +205,7 @@ class ProgramInspector(ExitStack):
                 self._setup.replay()
                 self._built = state.read()
             self._setup.rewind()
+
         with self.inspection.building(anew=True):
             self._draw(self._setup, 0)
         built = state.read()
@@ -232,7 +235,9 @@ class ProgramInspector(ExitStack):
 
     def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
         """Listen to the window."""
-        self._glfw, self._window, self._keys = glfw, window, keys
+        self._glfw = glfw
+        self._window = window
+        self._keys = keys
         glfw.set_key_callback(window, lambda _, key, __, action, mods: self._key(key, action, mods))
         glfw.set_mouse_button_callback(window, lambda _, *what: self._button(*what))
         glfw.set_cursor_pos_callback(window, lambda _, x, y: self._motion(x, y))

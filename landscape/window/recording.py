@@ -135,7 +135,9 @@ class Writer:
 
     def __init__(self, path: Path, plan: Plan) -> None:
         """Begin the file; InputError if it cannot be written."""
-        self._size, self._row, self._count = plan.size, "", 0
+        self._size = plan.size
+        self._row = ""
+        self._count = 0
         self._output = Output(path, f"--record {path}")
         self._write(plan_line(plan))
 
@@ -180,6 +182,7 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
         plan = _plan(first)
     except (InputError, ValueError, TypeError, KeyError) as error:
         raise InputError(f"{path}:1: {_reason(error)}") from None
+
     ticks, before = [], Tick(0.0, Intent(), (), plan.size)
     for number, line in enumerate(lines[1:-1], 2):
         frame = _object(path, number, line)
@@ -188,6 +191,7 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
         except (InputError, ValueError, TypeError, KeyError) as error:
             raise InputError(f"{path}:{number}: {_reason(error)}") from None
         ticks.append(before)
+
     return plan, ticks
 
 
@@ -276,6 +280,7 @@ def _plan(line: Mapping[str, Any]) -> Plan:
     x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
     x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -MAX_NUMBER, MAX_NUMBER)
     y = None if y is None else _number(y, "pose", -MAX_NUMBER, MAX_NUMBER)
+
     # Older recordings name no scene: they are of the first one.
     kind = scene(_kind(line.get("scene", ""), "scene", str))
     only = kind.only(_names(line["only"], "only"))
@@ -320,6 +325,7 @@ def _tick(line: Mapping[str, Any], before: Tick, first: str) -> Tick:
             intent[item.name] = _kind(value, item.name, bool)
         else:
             intent[item.name] = _number(value, item.name, -1, 1)
+
     known = {item.name for item in fields(Intent)} | {"dt", "do", "size", "note", "list", "set"}
     if not set(line) <= known:
         raise ValueError(f"unknown: {', '.join(sorted(set(line) - known))}")

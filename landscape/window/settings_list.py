@@ -108,6 +108,7 @@ def stepped(row: Row, value: Any, way: int, usual: float) -> Any:
         step = max(1, round(step))
     at = value / step
     at = math.floor(at + 1e-6) + 1 if way > 0 else math.ceil(at - 1e-6) - 1
+
     # Ten digits hide the error of multiplying by a step such as 0.002.
     number = float(f"{at * step:.10g}")
     return type(value)(min(max(number, meta["low"]), meta["high"]))
@@ -227,6 +228,7 @@ def page(
             limits = words.text(language, "list.range", range=_limits(row, language), default=usual)
             below = f"{row.key}\n{described(row, language)}\n{limits}"
             note = note or reworded(idle, IGNORED, translator(language, "window"))
+
     text = words.text
     texts = (*below.split("\n"), note, text(language, "list.choose"), text(language, "list.change"))
     return Page(text(language, "list.title"), tuple(lines), texts)

@@ -116,6 +116,7 @@ class Stretch:
             assert self._small is not None
             with drawing("stretch"), whole.drawing(clear=False):
                 _cover(self._small, self._part)
+
         detail = replace(moment.detail, shift=phase_shift(pixel, side))
         small = self._draw_small(replace(moment, detail=detail), draw, -math.log2(side))
         with drawing("stretch"):
@@ -125,6 +126,7 @@ class Stretch:
                 _cover(small, self._part, stipple(pixel, side))
             gl.glViewport(0, 0, *moment.size)
             _cover(whole, moment.size, exact=True)
+
         self._frame += 1
 
     def release(self) -> None:
@@ -190,6 +192,7 @@ def _cover(
         kind = gl.GL_NEAREST if near else gl.GL_LINEAR
         gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAG_FILTER, kind)
         gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER, kind)
+
         # Not modulated by a colour: that would cost another third.
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
         gl.glBegin(gl.GL_QUADS)

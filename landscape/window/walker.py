@@ -152,6 +152,7 @@ def advance(
     walker = _strike(walker, intent, seconds * settings.clock.kt_per_second, settings)
     turned = intent.turn * walk.turn * seconds + intent.look[0] * walk.mouse
     pitch = walker.pitch - intent.look[1] * walk.mouse
+
     # In a turn, the heading half-way through the frame makes the path depend least on its length.
     heading = walker.yaw + turned / 2
     walker = replace(
@@ -171,6 +172,7 @@ def advance(
         afloat = walker.afloat + seconds if _sunk(walker.x, walker.z, ground, settings) else 0.0
         walker = replace(walker, afloat=afloat)
         walker = _walk(walker, intent, heading, reach, ground, obstacles, settings)
+
     return _placed(walker, ground, settings)
 
 
@@ -244,12 +246,16 @@ def _walk(
 ) -> Walker:
     """Walk up to ``reach`` units towards ``heading`` in degrees, on the ground or in the water."""
     long = math.hypot(intent.forward, intent.right)
+
     # Two keys held together are no faster than one.
     left = min(reach * min(long, 1.0), 2 * ground.size)
     c, s = math.cos(math.radians(heading)), math.sin(math.radians(heading))
     ux = (intent.forward * s + intent.right * c) / (long or 1.0)
     uz = (-intent.forward * c + intent.right * s) / (long or 1.0)
-    x, z, step, afloat = walker.x, walker.z, walker.step, walker.afloat
+    x = walker.x
+    z = walker.z
+    step = walker.step
+    afloat = walker.afloat
     around = Surroundings(obstacles)
     y = eye_height(x, z, step, ground, settings, afloat) + walker.drop
     x, z = freed((x, z), y, ground, around)
@@ -275,6 +281,7 @@ def _walk(
         step += stride * min(moved, 1.0) * settings.walk.steps_per_unit
         x, z = there
         left -= stride * effort
+
     y = eye_height(x, z, step, ground, settings, afloat) + walker.drop
     return replace(walker, x=x, y=y, z=z, step=step)
 
@@ -339,7 +346,9 @@ def _fly(
     speed = max(math.sqrt(vx * vx + vy * vy + vz * vz), 1.0)
     if not (vx or vy or vz):
         return walker
-    x, y, z = walker.x, walker.y, walker.z
+    x = walker.x
+    y = walker.y
+    z = walker.z
     around = Surroundings(obstacles)
     x, z = freed((x, z), y, ground, around)
     left = min(reach, 3 * ground.size)
@@ -352,6 +361,7 @@ def _fly(
         under = [o.top for o in near if o.gap(x, z)[0] < RADIUS - 1e-6 and y >= o.top + FLOOR]
         lowest = ground.bed(x, z) if isinstance(ground, Diveable) else ground.height(x, z)
         floor = max([float(lowest), *under]) + FLOOR
+
         # The ceiling is as high as the map is wide: from there all of it is in view.
         y = min(max(y + stride * vy, floor), max(ground.size, floor))
         left -= stride * speed

@@ -45,6 +45,7 @@ def main() -> int:
             found += readme.stale(language)
         strangers = sorted(set(folder.rglob("*.po")) - wanted.keys())
         found += [f"{path}: stale: no texts belong to it" for path in strangers]
+
     here = f"{Path.cwd()}{os.sep}"
     print("\n".join(line.removeprefix(here) for line in found) or "every text is translated")
     return 1 if found and options.command == "check" else 0

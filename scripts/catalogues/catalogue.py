@@ -55,6 +55,7 @@ def update(path: Path, language: str, messages: Iterable[Message]) -> list[str]:
             if old:
                 entry.flags, entry.tcomment = old.flags, old.tcomment
             new.append(entry)
+
     path.parent.mkdir(parents=True, exist_ok=True)
     new.save(str(path))
     return [
@@ -69,6 +70,7 @@ def faults(path: Path, messages: Iterable[Message]) -> Iterator[str]:
     except ValueError as error:
         yield str(error)
         return
+
     sources, contexts = _wanted(messages)
     found = [_key(entry) for entry in entries]
     for text, files in sources.items():

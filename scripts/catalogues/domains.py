@@ -166,6 +166,7 @@ def gallery() -> Iterator[Message]:
         for fix in kind.fixes:
             texts += [fix.flaw, *fix.seen, fix.look, fix.how]
         yield from (Message(text, source) for text in texts)
+
     yield from flyover_gallery()
     yield from (Message(line, source) for line in INTRODUCTION if line)
     for part in PARTS:

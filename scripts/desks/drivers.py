@@ -143,6 +143,7 @@ def main() -> int:
             if wrong := verdict(driver, folder, own, refused, wrong):
                 print(f"{driver.name}: {wrong}")
                 failed += 1
+
     return min(failed, 1)
 
 

@@ -91,6 +91,7 @@ class Worker:
                 reason = "hangs, without using the processor"
             elif self._megabytes() > MEGABYTES:
                 reason = f"took more than {MEGABYTES} MB of memory"
+
         if reason and not answer.endswith(b"\n"):
             self.close()
             return None, [reason]

@@ -84,6 +84,7 @@ def image(rng: random.Random) -> Case:
     else:
         case.args[case.args.index("../assets")] = "mine"
         case.add(f"mine/{name}", data)
+
     case.args += [f"--set={group}.count=40" for group in ("trees", "grass")]
     return case
 
@@ -96,6 +97,7 @@ def mesh(rng: random.Random) -> Case:
         data = shape.export(file_type="ply", encoding="ascii")
     else:
         data = shape.export(file_type=form)
+
     data = data.encode() if isinstance(data, str) else data
     if rng.random() < 0.3:
         words = [b"0", b"-1", b"nan", b"inf", b"1e39", b"99999999999", b"999999999", b""]
@@ -103,6 +105,7 @@ def mesh(rng: random.Random) -> Case:
             b"vertex"
         ]
         data = data.replace(rng.choice(numbers), rng.choice(words), rng.choice([1, 3, 10**6]))
+
     data = damaged(rng, data, rng.choice([0, 1, 1, 2, 5]))
     name = f"in.{form[:3]}"
     element = rng.choice(["rabbit", "dragon"])
@@ -167,6 +170,7 @@ def recording(rng: random.Random) -> Case:
         line = rng.choice(lines)
         key = rng.choice([*line, "extra", "forward", "size", "do", "set", "list", "pose", "strike"])
         line[key] = rng.choice(odd)
+
     data = "\n".join(json.dumps(line) for line in lines).encode()
     if rng.random() < 0.3:
         data = damaged(rng, data, rng.randint(1, 3))
@@ -220,6 +224,7 @@ def edit_cache(rng: random.Random, folder: Path) -> None:
                 path.write_bytes(b"")
             case _:
                 path.write_bytes(damaged(rng, entries[path], rng.randint(1, 3)))
+
     if rng.random() < 0.1:
         shutil.rmtree(folder)
         folder.write_bytes(b"")

@@ -77,6 +77,7 @@ def command(rng: random.Random) -> Case:
         args += ["--only", rng.choice(ELEMENTS), *rng.sample(VIEWS, rng.choice([0, 1]))]
     elif name == "settings":
         args += rng.sample(["fog", "light", "zzz", rng.choice(list(FIELDS))], rng.choice([0, 1]))
+
     for _ in range(rng.randint(0, 4)):
         match rng.random():
             case x if x < 0.6:
@@ -86,6 +87,7 @@ def command(rng: random.Random) -> Case:
                 args.append(rng.choice(FLAGS))
             case _:
                 args.insert(rng.randint(1, len(args)), rng.choice(WORDS))
+
     case = Case(args=args, outputs=["in.png"])
     case.add("in.png", picture(rng))
     case.add("in.toml", b"[fog]\ndensity = 0.1\n")

@@ -33,7 +33,9 @@ def run(case: Case, folder: Path) -> tuple[int, list[str]]:
     before = contents(folder)
     drains = [Drain(folder / name) for name in case.pipes]
     text = tempfile.TemporaryFile()  # noqa: SIM115
-    status, value, wrong = 0, None, []
+    status = 0
+    value = None
+    wrong = []
     saved = os.dup(2)
     os.dup2(text.fileno(), 2)
     out = io.StringIO()
@@ -51,6 +53,7 @@ def run(case: Case, folder: Path) -> tuple[int, list[str]]:
         os.close(saved)
         for drain in drains:
             drain.close()
+
     text.seek(0)
     errors = text.read().decode(errors="replace")
     wrong += complaints(status, errors, case)
@@ -132,6 +135,7 @@ def wrong_files(case: Case, folder: Path, before: dict[str, bytes], status: int)
             wrong.append(f"{name}: gone")
         elif after[name] != data and (status in (2, 3) or name not in case.outputs):
             wrong.append(f"{name}: changed, with status {status}")
+
     for name in after.keys() - before.keys():
         if any(part in name for part in HALF_WRITTEN):
             wrong.append(f"{name}: left behind")
@@ -143,6 +147,7 @@ def wrong_files(case: Case, folder: Path, before: dict[str, bytes], status: int)
                 wrong.append(f"{name}: half-written ({error})")
             else:
                 wrong += wrong_picture(pixels, case.size if status == 0 else None)
+
     return wrong
 
 

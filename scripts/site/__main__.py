@@ -106,6 +106,7 @@ def write(folder: Path, language: str, drawn: Drawn) -> None:
         path = folder / f"{name}.md"
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
+
     links = {name: entry.page for name, entry in index.items()}
     (folder / "calls.json").write_text(json.dumps(links), encoding="utf-8")
     theme.write_words(folder, language)

@@ -53,10 +53,12 @@ def index(drawn: Drawn) -> dict[str, Entry]:
             lines = entry.lessons.setdefault(seen.user, [])
             if int(line) not in lines:
                 lines.append(int(line))
+
     for entry in entries.values():
         entry.variants.sort()
         entry.lessons = {n: sorted(entry.lessons[n]) for n in NAMES if n in entry.lessons}
         entry.elements = {n: sorted(entry.elements[n]) for n in sorted(entry.elements)}
+
     return {name: entry for entry in entries.values() for name in (entry.base, *entry.variants)}
 
 
@@ -98,6 +100,7 @@ def _page(entry: Entry, language: str) -> str:
         parts.append(
             _("Called as {names}.").format(names=", ".join(f"`{n}`" for n in entry.variants))
         )
+
     parts.append(_("Since OpenGL {version}.").format(version=entry.since))
     shown = next(iter(entry.lessons), "")
     if shown:
@@ -113,6 +116,7 @@ def _page(entry: Entry, language: str) -> str:
             title = title_link(lesson(name), language, "../lessons/")
             lines.append(_("{name}: {text}").format(name=title, text=which.format(numbers=at)))
         parts += [f"## {_('In the lessons')}", _list(lines)]
+
     if entry.elements:
         lines = []
         for name, places in entry.elements.items():
@@ -120,6 +124,7 @@ def _page(entry: Entry, language: str) -> str:
             at = ", ".join(f"`{place}`" for place in places)
             lines.append(_("{name}: {text}").format(name=what, text=at))
         parts += [f"## {_('On the island')}", _list(lines)]
+
     return "\n\n".join(parts) + "\n"
 
 

@@ -58,6 +58,7 @@ def _looked_at(browser: Browser, site: Path) -> Iterator[str]:
             if page.evaluate(TOO_WIDE):
                 yield f"{where}: is wider than a phone"
             page.set_viewport_size(DESK)
+
         yield from _slider(page, home)
         yield from _search(page, home)
         yield from _dark(browser, home)

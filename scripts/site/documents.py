@@ -30,6 +30,7 @@ def pages(language: str) -> dict[str, str]:
         translate = by_cell(translate) if name in BY_CELL else translate
         text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
         found[f"documents/{name}"] = _without_outside(as_markdown(blocks(text, translate)))
+
     lists = {
         "teaching": (
             _("Teaching with it"),
@@ -55,6 +56,7 @@ def pages(language: str) -> dict[str, str]:
         found[f"documents/{name}"] = (
             f"# {heading}\n\n{text}\n\n```{{toctree}}\n:maxdepth: 2\n\n{tree}\n```\n"
         )
+
     return found
 
 

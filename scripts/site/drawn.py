@@ -74,6 +74,7 @@ def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
             loop=0,
             quality=MOVING,
         )
+
     target = Target(str(found.file), frame=found.frame, limit=LIMIT)
     calls = target.look(all_calls)
     draws = sum(call.name in ("glBegin", "glEnd") or "Draw" in call.name for call in calls)

@@ -57,6 +57,7 @@ def pages(language: str) -> dict[str, str]:
                 if panel.figure == str(number):
                     lines += _figure(panel, language)
         found[f"figures/{name}"] = "\n\n".join(lines) + "\n"
+
     found["figures/fixes"] = _fixes({panel.name: panel for panel in every}, language)
     found[f"{flyover_page.NAME}/index"] = _flyover(language)
     return {**found, **{f"{name}/index": _scene(name, language) for name in VIEW_TEXTS}}

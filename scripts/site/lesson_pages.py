@@ -29,6 +29,7 @@ def pages(language: str, drawn: Drawn) -> dict[str, str]:
                 f"## {_(TOPICS[topic])}",
                 f"::::{{grid}} 1 2 3 3\n:gutter: 3\n\n{cards}\n::::",
             ]
+
     front.append("```{toctree}\n:hidden:\n\n" + "\n".join(e.name for e in every) + "\n```")
     found = {"lessons/index": "\n\n".join(front) + "\n"}
     for each in every:
@@ -96,6 +97,7 @@ def _plain_programs(each: Lesson, language: str) -> list[str]:
             for toolkit, file in zip(("GLFW", "GLUT"), program_files(name), strict=True)
         )
         parts.append(f"::::{{tab-set}}\n{forms}::::")
+
     return parts
 
 

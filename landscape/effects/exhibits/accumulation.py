@@ -104,11 +104,13 @@ class Accumulation:
                     with looking(projections[number]):
                         gl.glViewport(*corner, *size)
                         draw(number)
+
             with self.mean.drawing(clear=False):
                 if first:
                     clear(size, (0.0, 0.0, 0.0, 0.0))
                 gl.glViewport(0, 0, *size)
                 self._add(size, corners, 1.0 / count)
+
             first = False
 
     def _add(self, size: tuple[int, int], corners: list[tuple[int, int]], weight: float) -> None:
@@ -169,6 +171,7 @@ class Accumulation:
             moved = np.eye(4)
             moved[:2, 3] = 2 * shift / size
             shaken.append(moved @ enlarged @ lens)
+
         self.gather(size, shaken, draw)
         self.show(found, size, frame.viewport)
         return True

@@ -88,6 +88,7 @@ class Cabinet:
         effects = {each for each in shown if near(frame, each) and not frame.mirrored}
         if not self._stencil:
             effects.discard(VOLUME)
+
         # The shadow volume draws its alcove itself.
         faded = frame.mirrored and self._settings.mirror.fades
         plain = [each for each in seen if each != VOLUME or each not in effects]
@@ -139,7 +140,9 @@ def through_opening(frame: Frame, number: int) -> bool:
     From the hall one sees of the depth of the alcove what is between two upright planes, through
     the eye and the sides of the opening.
     """
-    x, z, middle = frame.pose.x - plan.INSIDE.west, frame.pose.z, plan.ALCOVES[number]
+    x = frame.pose.x - plan.INSIDE.west
+    z = frame.pose.z
+    middle = plan.ALCOVES[number]
     if x <= 0.0:
         return True  # within the alcoves
     for side in (-1.0, 1.0):

@@ -310,6 +310,7 @@ def lit_by(
         gl.glEnable(gl.GL_LIGHTING)
         gl.glEnable(gl.GL_COLOR_MATERIAL)
         yield
+
     # In Mesa glPopAttrib does not restore the colour here.
     gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 

@@ -68,6 +68,7 @@ Volume = tuple[np.ndarray, np.ndarray]  # vertices (n, 3), triangles (m, 3)
 def trefoil() -> Mesh:
     """Return a knot in a tube, closed, upright in the plane x = 0 around the origin, in units."""
     t = np.arange(ALONG) / ALONG * 2 * np.pi
+
     # The trefoil on a torus: three loops, interlaced.
     line = np.stack(
         [-np.sin(3 * t), np.cos(t) - 2 * np.cos(2 * t), np.sin(t) + 2 * np.sin(2 * t)], axis=1
@@ -141,6 +142,7 @@ class ShadowVolume:
             self._add_light(frame.kt)
             # The floor's mirror, too, finds the stencil buffer empty.
             gl.glClear(gl.GL_STENCIL_BUFFER_BIT)
+
         self._draw_torch(frame, light)
         if self._settings.exhibits.volume_shown:
             self._show_volume(frame.kt)
@@ -192,9 +194,11 @@ class ShadowVolume:
             gl.glEnable(gl.GL_STENCIL_TEST)
             gl.glStencilFunc(gl.GL_ALWAYS, 0, 0xFF)
             gl.glEnable(gl.GL_CULL_FACE)
+
             # The near cap must lie behind the surface that it equals.
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(0.0, BIAS)
+
             # Counted up before down: without wrapping, a count stops at 0.
             for culled, change in (
                 (gl.GL_FRONT if behind else gl.GL_BACK, more),
@@ -244,6 +248,7 @@ class ShadowVolume:
                 side = 2 * s - 1
                 low = y - LOW * height
                 gl.glVertex3f(x + side * right[0], low + (1 - t) * height, z + side * right[1])
+
             gl.glEnd()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 

@@ -241,6 +241,7 @@ class SoftShadow:
                     gl.glTexCoord2f(float(s), float(t))
                     gl.glVertex3f(*(corner + s * receiver.along + t * receiver.up).tolist())
                 gl.glEnd()
+
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
     def release(self) -> None:

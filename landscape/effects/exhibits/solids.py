@@ -61,7 +61,9 @@ def beam(inside_out: bool) -> Mesh:
     t = np.linspace(-1.0, 1.0, FINE + 1)
     u, v = (each.ravel() for each in np.meshgrid(t, t))
     corner = (np.arange(FINE)[:, None] * row + np.arange(FINE)).ravel()
-    right, above, across = corner + 1, corner + row, corner + row + 1
+    right = corner + 1
+    above = corner + row
+    across = corner + row + 1
     quads = np.stack([corner, right, across, corner, across, above], axis=1)
     triangles = []
     for axis in range(3):
@@ -71,6 +73,7 @@ def beam(inside_out: bool) -> Mesh:
             flip = (side < 0) != inside_out
             triangles.append(quads.reshape(-1, 3)[:, :: -1 if flip else 1] + row * row * len(faces))
             faces.append(points * BEAM)
+
     vertices = np.ascontiguousarray(np.concatenate(faces), np.float32)
     joined = np.ascontiguousarray(np.concatenate(triangles), np.uint32)
     return Mesh(vertices, vertex_normals(vertices, joined), joined)
@@ -82,7 +85,9 @@ class Solids:
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Compile the solids."""
         self._settings = settings
-        ball, bar, hole = sphere(), beam(False), beam(True)
+        ball = sphere()
+        bar = beam(False)
+        hole = beam(True)
         self._ball = DisplayList(lambda: draw_mesh(ball))
         self._bar = DisplayList(lambda: draw_mesh(bar))
         self._hole = DisplayList(lambda: draw_mesh(hole))
@@ -121,6 +126,7 @@ class Solids:
                 for surface, _, _ in parts:
                     surface()
                 return
+
             # In the floor's mirror, only where the floor is visible.
             kept = FLOOR if gl.glIsEnabled(gl.GL_STENCIL_TEST) else 0
             gl.glEnable(gl.GL_STENCIL_TEST)

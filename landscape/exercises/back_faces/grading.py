@@ -23,7 +23,9 @@ FEWEST = 6  # chosen: pixels that may differ, as sums may be rounded in other wa
 
 def angles():
     """Return the turn and the tilt of each frame, in degrees."""
-    turned, tilted, found = 12, 20, {}
+    turned = 12
+    tilted = 20
+    found = {}
     for number in FRAMES:
         letters = PRESSED.get(number, "")
         turned += 10 * (letters.count("R") - letters.count("L"))

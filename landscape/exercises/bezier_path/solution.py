@@ -36,7 +36,9 @@ STEPS = 400  # points of each curve
 
 def bezier(a, b, c, d, t):
     """Return the point of a curve with four control points, for t from 0 to 1."""
-    ab, bc, cd = a + t * (b - a), b + t * (c - b), c + t * (d - c)
+    ab = a + t * (b - a)
+    bc = b + t * (c - b)
+    cd = c + t * (d - c)
     abc, bcd = ab + t * (bc - ab), bc + t * (cd - bc)
     return abc + t * (bcd - abc)
 

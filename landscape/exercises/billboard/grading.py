@@ -110,6 +110,7 @@ def places(work, solution):
             x=worst[0],
             z=worst[1],
         )
+
     return None
 
 
@@ -141,6 +142,7 @@ def upright(work, solution):
             frame=number,
             line=turning(work),
         )
+
     return None
 
 
@@ -156,6 +158,7 @@ def facing(work, solution):
         angles, right = headings(corners), wanted(corners, solution, number)
         if np.abs(off(angles, right)).max() > CLOSE:
             wrong[number] = corners, angles, right
+
     if not wrong:
         return None
     at = turning(work)
@@ -173,6 +176,7 @@ def facing(work, solution):
             ),
             line=at,
         )
+
     if number != FRAMES[0]:
         return hint(
             _(
@@ -182,6 +186,7 @@ def facing(work, solution):
             ),
             frame=number,
         )
+
     difference = off(angles, right)
     if all(np.abs(a).max() < CLOSE for _c, a, _r in wrong.values()):
         return hint(_("The trees do not turn yet: their fronts look along the x axis."))
@@ -193,6 +198,7 @@ def facing(work, solution):
             ),
             line=at,
         )
+
     if np.ptp(every) < CLOSE and abs(abs(difference[0]) - 90) < CLOSE:
         return hint(
             _(
@@ -201,6 +207,7 @@ def facing(work, solution):
             ),
             line=at,
         )
+
     every_angle = np.concatenate([a for _c, a, _r in wrong.values()])
     every_right = np.concatenate([r for _c, _a, r in wrong.values()])
     told = {
@@ -228,6 +235,7 @@ def facing(work, solution):
                 "must face the eye from its own place."
             )
         )
+
     worst = int(np.abs(difference).argmax())
     return hint(
         _(

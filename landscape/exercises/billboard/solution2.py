@@ -136,6 +136,7 @@ def main():
         draw_orchard()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -74,6 +74,7 @@ def opaque_first(work, solution):
             ),
             frame=number,
         )
+
     return None
 
 
@@ -103,6 +104,7 @@ def blended(work, solution):
                     line=at,
                 )
             return hint(_("GL_BLEND is off while the tubes are drawn, so alpha has no effect."))
+
     return None
 
 
@@ -141,11 +143,13 @@ def function(work, solution):
                 "what is there."
             )
         )
+
     if found[1] == 1:
         return hint(
             _("Line {line} adds the glass to all of what is there: that is light, and not glass."),
             line=at,
         )
+
     if None not in found and np.allclose(found, (1 - ALPHA, ALPHA), atol=NEAR):
         return hint(_("In line {line} the two factors are swapped."), line=at)
     return hint(
@@ -257,6 +261,7 @@ def restored(work, solution):
                 _("GL_BLEND is still on when the opaque things are drawn in frame {frame}."),
                 frame=number,
             )
+
     return None
 
 

@@ -109,6 +109,7 @@ def main():
         draw_scene()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -301,6 +301,7 @@ def ends(work, solution):
             x=x,
             y=y,
         )
+
     return None
 
 
@@ -344,6 +345,7 @@ def whole(work, solution):
             count=len(holes),
             **values,
         )
+
     return None
 
 
@@ -414,6 +416,7 @@ def close(work, solution):
             x=x,
             y=y,
         )
+
     return None
 
 
@@ -448,7 +451,9 @@ def once(work, solution):
 )
 def order(work, solution):
     for number in FRAMES:
-        found, turned, wrong = parts(work, number), [], []
+        found = parts(work, number)
+        turned = []
+        wrong = []
         lines = [line for line in given(number) if not point(line)]
         for line in lines:
             seen = np.array([found[y, x] for x, y in pixels(line)])
@@ -480,6 +485,7 @@ def order(work, solution):
             count=len(wrong),
             line=named(wrong[0]),
         )
+
     return None
 
 

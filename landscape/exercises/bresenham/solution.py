@@ -63,6 +63,7 @@ def segment(x0, y0, x1, y1):
             y += step_y
         else:
             x += step_x
+
     return pixels
 
 

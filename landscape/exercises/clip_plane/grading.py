@@ -60,6 +60,7 @@ def cut(work, solution):
             ),
             line=enabled[0].line,
         )
+
     if not given:
         return hint(_("There is no plane yet: glClipPlane gives one to OpenGL."))
     for number in FRAMES:
@@ -94,6 +95,7 @@ def cut(work, solution):
                 line=given[-1].line,
                 plane=given[-1].args[0],
             )
+
     return None
 
 
@@ -110,6 +112,7 @@ def place(work, solution):
             inside = [plane @ draw.modelview for plane in found]
             if not any(near(plane, PLANE) for plane in inside) and wrong is None:
                 wrong = number, found[0], inside[0], draw
+
     if wrong is None:
         return None
     number, plane, inside, draw = wrong
@@ -122,6 +125,7 @@ def place(work, solution):
             ),
             line=at,
         )
+
     flipped = {
         (0, 0, 1, -0.3): _(
             "The plane of line {line} keeps the front and leaves out the rest: "
@@ -141,6 +145,7 @@ def place(work, solution):
             ),
             line=at,
         )
+
     hill = parts(work, number, "hill")[0].modelview
     if near(plane @ hill, PLANE):
         return hint(
@@ -151,6 +156,7 @@ def place(work, solution):
             ),
             line=at,
         )
+
     moved = hill.copy()
     moved[:, 3] = draw.modelview[:, 3]
     if near(plane @ moved, PLANE):
@@ -161,6 +167,7 @@ def place(work, solution):
             ),
             line=at,
         )
+
     a, b, c, d = inside + 0.0
     return hint(
         _(
@@ -199,6 +206,7 @@ def whole(work, solution):
                     "tower's plane."
                 )
             )
+
     return None
 
 

@@ -44,7 +44,9 @@ def draw_stair():
     draw_round(((0.12, 0), (0.12, 3.6)), 12, (0.6, 0.62, 0.65))
     glColor3f(0.25, 0.6, 0.6)
     for step in range(30):
-        a, b, y = math.radians(24 * step), math.radians(24 * step + 24), 0.11 * step
+        a = math.radians(24 * step)
+        b = math.radians(24 * step + 24)
+        y = 0.11 * step
         inner, outer = 0.1, 0.85
         corners = [
             (r * math.sin(t), r * math.cos(t))
@@ -115,6 +117,7 @@ def main():
         draw_hill()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

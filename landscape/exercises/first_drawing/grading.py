@@ -116,12 +116,14 @@ def hull(work, solution):
             x=corner[0],
             y=corner[1],
         )
+
     if draw.mode in LINES:
         return hint(
             _("The hull is only an outline: line {line} asks for {mode}, and not for a face."),
             line=draw.line,
             mode=draw.mode,
         )
+
     if draw.mode == "GL_TRIANGLES" and len(draw.vertices) == 4:
         return hint(
             _(
@@ -130,6 +132,7 @@ def hull(work, solution):
             ),
             line=draw.line,
         )
+
     color = draw.colors[0, :3]
     if color.max() > 2:
         return hint(
@@ -138,6 +141,7 @@ def hull(work, solution):
                 "than that looks the same; these numbers are made for 255."
             )
         )
+
     if np.abs(color - SEA).max() < NEAR:
         return hint(
             _(
@@ -146,6 +150,7 @@ def hull(work, solution):
             ),
             line=draw.line,
         )
+
     if np.abs(color - (0.55, 0.33, 0.2)).max() > NEAR:
         return hint(
             _(
@@ -156,6 +161,7 @@ def hull(work, solution):
             green=color[1],
             blue=color[2],
         )
+
     if draw.mode == "GL_TRIANGLE_STRIP" and around(draw):
         return hint(
             _(
@@ -164,6 +170,7 @@ def hull(work, solution):
             ),
             line=draw.line,
         )
+
     if draw.mode in ("GL_QUADS", "GL_POLYGON") and not around(draw):
         return hint(
             _(
@@ -171,6 +178,7 @@ def hull(work, solution):
                 "in the order in which one meets them going around it."
             )
         )
+
     return None
 
 
@@ -188,6 +196,7 @@ def sail(work, solution):
         if corner is None or all(lacking(work, [each]) is not None for each in SAIL):
             return hint(_("There is no sail yet: draw_sail draws nothing of it."))
         return hint(_("The sail has no corner at ({x:.2f}, {y:.2f})."), x=corner[0], y=corner[1])
+
     if draw.mode == "GL_QUADS":
         return hint(
             _(
@@ -196,12 +205,14 @@ def sail(work, solution):
             ),
             line=draw.line,
         )
+
     if draw.mode in LINES:
         return hint(
             _("The sail has no cloth: with {mode} in line {line}, only lines join its corners."),
             mode=draw.mode,
             line=draw.line,
         )
+
     if draw.state["GL_SHADE_MODEL"] == "GL_FLAT":
         return hint(
             _(
@@ -209,6 +220,7 @@ def sail(work, solution):
                 "glShadeModel(GL_FLAT) takes that of the last one for the whole face."
             )
         )
+
     points = places(draw)
     given = np.array(
         [draw.colors[np.abs(points - corner).max(axis=1).argmin(), :3] for corner in SAIL]
@@ -220,6 +232,7 @@ def sail(work, solution):
                 "set."
             )
         )
+
     if np.abs(given[1:] - COLORS[:-1]).max() < NEAR:
         return hint(
             _(
@@ -227,6 +240,7 @@ def sail(work, solution):
                 "glColor must come before its glVertex."
             )
         )
+
     wrong = int(np.abs(given - COLORS).max(axis=1).argmax())
     if np.abs(given - COLORS).max() > NEAR:
         return hint(
@@ -240,6 +254,7 @@ def sail(work, solution):
             green=given[wrong, 1],
             blue=given[wrong, 2],
         )
+
     return None
 
 
@@ -260,6 +275,7 @@ def pennant(work, solution):
                 return hint(_("There is no pennant yet, {place}."), place=between(ends[-1], None))
             return hint(_("There is no pennant yet: draw_pennant draws nothing."))
         return hint(_("The pennant has no corner at ({x:.2f}, {y:.2f})."), x=corner[0], y=corner[1])
+
     if draw.mode in (*LINES, "GL_POINTS"):
         return hint(
             _(
@@ -269,11 +285,13 @@ def pennant(work, solution):
             mode=draw.mode,
             line=draw.line,
         )
+
     color = draw.colors[0, :3]
     if np.abs(color - COLORS).max(axis=1).min() < NEAR:
         return hint(
             _("The pennant has the colour of a corner of the sail: no other one was set since.")
         )
+
     return None
 
 

@@ -58,6 +58,7 @@ def compile_lists():
     ):
         glColor3fv(color)
         glVertex2fv(place)
+
     glEnd()
     glEndList()
     glNewList(PENNANT, GL_COMPILE)

@@ -333,6 +333,7 @@ def front(work, solution):
             frame=number,
             **place(lacking),
         )
+
     return None
 
 
@@ -362,6 +363,7 @@ def hidden(work, solution):
                 row=row,
                 **at,
             )
+
     return None
 
 
@@ -389,6 +391,7 @@ def seen(work, solution):
                 row=int(right[at["height"], at["x"]]),
                 **at,
             )
+
     return None
 
 

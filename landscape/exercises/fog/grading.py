@@ -75,6 +75,7 @@ def fogged(work, solution):
             line=line(work, "glEnable", "GL_FOG"),
             frame=number,
         )
+
     return None
 
 
@@ -185,6 +186,7 @@ def sky(work, solution):
             line=line(work, "glClearColor"),
             color=rounded(last),
         )
+
     return None
 
 

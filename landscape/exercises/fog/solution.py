@@ -84,6 +84,7 @@ def main():
         draw_bay()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -92,6 +92,7 @@ def main():
         glDisable(GL_FOG)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -67,6 +67,7 @@ def main():
     glfw.set_key_callback(window, on_key)
     glClearColor(0.3, 0.5, 0.8, 1)
     glEnable(GL_DEPTH_TEST)
+
     # Your code goes here.
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
@@ -82,6 +83,7 @@ def main():
         draw_bay()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -316,6 +316,7 @@ def on_rim(work, solution):
                     x=place[0],
                     y=place[1],
                 )
+
     return None
 
 

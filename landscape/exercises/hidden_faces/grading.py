@@ -213,6 +213,7 @@ def squares(work, solution):
                 ),
                 **values,
             )
+
     return None
 
 
@@ -279,6 +280,7 @@ def whole(work, solution):
                 "cubes: these are the sides of the air, and not those of the cubes."
             )
         )
+
     if missing == BORDER:
         return hint(
             _(
@@ -286,6 +288,7 @@ def whole(work, solution):
                 "outside of it. What should a cube at the border be compared with?"
             )
         )
+
     if missing == WRAPPED:
         return hint(
             _(
@@ -293,6 +296,7 @@ def whole(work, solution):
                 "opposite border: what np.roll moves out at one end comes in again at the other."
             )
         )
+
     return hint(
         _("{count} faces are missing, such as {face}."),
         count=len(missing),
@@ -333,6 +337,7 @@ def order(work, solution):
         return hint(
             _("All faces are clockwise as seen from outside, so one sees the gate from inside.")
         )
+
     if complete and len(turned) == 3 and len({axis for axis, _step in turned}) == 3:
         return hint(
             _(
@@ -341,6 +346,7 @@ def order(work, solution):
             ),
             directions=", ".join(direction(*each) for each in sorted(turned)),
         )
+
     if complete and len({axis for axis, _step in turned}) == 1:
         return hint(
             _(
@@ -349,6 +355,7 @@ def order(work, solution):
             ),
             axis=AXES[wrong[0][0]],
         )
+
     return hint(
         _("{count} faces are clockwise as seen from outside, such as {face}."),
         count=len(wrong),

@@ -91,6 +91,7 @@ def main():
         draw(faces)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

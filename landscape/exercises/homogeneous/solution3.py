@@ -49,7 +49,9 @@ def rotation(angle):
     """Return the matrix of a rotation around the y axis by an angle in degrees."""
     # The axes of the turned frame are the columns.
     turn = np.exp(1j * np.radians(angle))
-    right, up, back = (turn.real, 0, -turn.imag), (0, 1, 0), (turn.imag, 0, turn.real)
+    right = (turn.real, 0, -turn.imag)
+    up = (0, 1, 0)
+    back = (turn.imag, 0, turn.real)
     matrix = np.identity(4)
     matrix[:3, :3] = np.transpose((right, up, back))
     return matrix

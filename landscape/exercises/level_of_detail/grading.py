@@ -196,6 +196,7 @@ def mountains(number, step_at, height_of):
         step = step_at(distance)
         if x % step == 0:
             vertices.append((x, height_of(x, step, distance), step))
+
     found = np.full((HEIGHT, WIDTH), -1)
     steps = list(COLORS)
     for (x, height, step), (next_x, next_height, _step) in zip(vertices, vertices[1:]):
@@ -206,6 +207,7 @@ def mountains(number, step_at, height_of):
         for column, row in zip(columns, rows):
             found[row:, column] = color
             found[row : row + 2, column] = 9 if column == x else 5 + color
+
     found[:4, EYES[number]] = 9
     return found
 
@@ -270,6 +272,7 @@ def grid(work, solution):
                 x=x,
                 distance=abs(x - EYES[number]),
             )
+
     return None
 
 

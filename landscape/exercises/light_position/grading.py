@@ -72,6 +72,7 @@ def place(work, solution):
                 light=others[-1].args[0],
             )
         return hint(_("There is no glLightfv(GL_LIGHT0, GL_POSITION, ...) any more."))
+
     given = calls[-1].args[2]
     if isinstance(given, list) and len(given) < 4:
         return hint(
@@ -83,6 +84,7 @@ def place(work, solution):
             line=calls[-1].line,
             count=len(given),
         )
+
     found = position(lit(work, FRAMES[-1])[-1])
     if abs(found[3]) < NEAR:
         return hint(
@@ -92,6 +94,7 @@ def place(work, solution):
             ),
             line=calls[-1].line,
         )
+
     return None
 
 
@@ -136,6 +139,7 @@ def at_the_lamp(work, solution):
             ),
             line=line,
         )
+
     if near(first, wanted[0]) and near(later, wanted[0]):
         return hint(
             _(
@@ -144,6 +148,7 @@ def at_the_lamp(work, solution):
             ),
             line=line,
         )
+
     if all(near(position(draw), wanted[n]) for n in FRAMES for draw in lit(work, n)):
         return None
     order = work.frame(last).calls
@@ -157,6 +162,7 @@ def at_the_lamp(work, solution):
             ),
             line=line,
         )
+
     if set_at < drawn[0] and not _twice(work, first):
         if identity := _left_over(order[set_at : drawn[0]]):
             return hint(
@@ -188,6 +194,7 @@ def at_the_lamp(work, solution):
             ),
             line=line,
         )
+
     if _twice(work, first):
         return hint(
             _(
@@ -196,6 +203,7 @@ def at_the_lamp(work, solution):
             ),
             line=line,
         )
+
     return hint(
         _(
             "Line {line} is called while the modelview matrix is that of a piece, or moved in "

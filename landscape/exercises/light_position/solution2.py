@@ -79,6 +79,7 @@ def draw_scene():
         glTranslatef(x, 0, z)
         draw_piece()
         glPopMatrix()
+
     glPushMatrix()
     glTranslatef(*LAMP[:3])
     glDisable(GL_LIGHTING)
@@ -119,6 +120,7 @@ def main():
         draw_scene()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -101,6 +101,7 @@ def main():
     glEnable(GL_LIGHT0)
     glLightfv(GL_LIGHT0, GL_DIFFUSE, (1.7, 1.6, 1.4, 1))
     glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.08)
+
     # Your code goes here.
     glLightfv(GL_LIGHT0, GL_POSITION, LAMP)
     while not glfw.window_should_close(window):
@@ -118,6 +119,7 @@ def main():
         draw_scene()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -14,7 +14,10 @@ EVENTS = [
 ]
 TURNED = {0: 0, 1: 20, 2: -40, 3: 120}
 WIDTH, HEIGHT = 80, 60  # the picture of start.py, and its lines
-LEFT, TOP, RIGHT, BOTTOM = 22, 16, 58, 44
+LEFT = 22
+TOP = 16
+RIGHT = 58
+BOTTOM = 44
 COLORS = ((242, 150, 60), (225, 170, 120), (200, 200, 200), (120, 170, 215), (50, 140, 230))
 LINES = (
     ((-15, -6), (12, 8)),
@@ -66,6 +69,7 @@ def clipped(
             first = max(first, enters)
         if cuts[1]:
             last = min(last, leaves)
+
     if first > last and not misses:
         return None
     ends = np.array(line).reshape(2, 2)
@@ -317,6 +321,7 @@ def outside(work, solution):
                 column=int(column),
                 row=int(row),
             )
+
     return None
 
 
@@ -346,6 +351,7 @@ def kept(work, solution):
                 column=int(column),
                 row=int(row),
             )
+
     return None
 
 

@@ -24,7 +24,10 @@ from OpenGL.GL import *
 
 WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
 SIDE = 128  # of the texture: a power of two
-LEFT, TOP, RIGHT, BOTTOM = 22, 16, 58, 44
+LEFT = 22
+TOP = 16
+RIGHT = 58
+BOTTOM = 44
 OUTSIDE, INSIDE = (26, 32, 42), (54, 66, 82)
 COLORS = ((242, 150, 60), (225, 170, 120), (200, 200, 200), (120, 170, 215), (50, 140, 230))
 LINES = (  # from the middle of the frame, before they are turned
@@ -61,6 +64,7 @@ def clip(x0, y0, x1, y1):
             enters, leaves = leaves, enters
         first = max(first, enters)
         last = min(last, leaves)
+
     if first > last:
         return None
     return (

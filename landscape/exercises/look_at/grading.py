@@ -276,6 +276,7 @@ def axes(work, solution):
                     **dict(zip(("x", "y", "z"), found[row])),
                     **dict(zip(("right_x", "right_y", "right_z"), wanted[row])),
                 )
+
     return None
 
 

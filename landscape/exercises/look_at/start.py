@@ -28,7 +28,9 @@ BOXES = (  # the middle of each, half its size, its colour
     ((1.5, 0.3, 1), (0.3, 0.3, 0.6), (0.3, 0.6, 0.6)),
     ((-1.4, 0.6, -1.4), (0.3, 0.6, 0.3), (0.55, 0.4, 0.6)),
 )
-turned, lifted, leaning = 30, 2.5, False
+turned = 30
+lifted = 2.5
+leaning = False
 
 
 def look(eye, target, up):
@@ -81,6 +83,7 @@ def main():
         draw_boxes()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -113,6 +113,7 @@ def body(work, solution):
                 "and their front faces are seen."
             )
         )
+
     if plain and work.last.find("glColor"):
         return hint(
             _(
@@ -120,6 +121,7 @@ def body(work, solution):
                 "has no effect. What reflects light is the material."
             )
         )
+
     if plain:
         return hint(
             _(
@@ -127,6 +129,7 @@ def body(work, solution):
                 "begins with."
             )
         )
+
     if same(diffuse, shade) and same(ambient, wanted):
         return hint(
             _(
@@ -134,6 +137,7 @@ def body(work, solution):
                 "reflection have changed places."
             )
         )
+
     if same(diffuse, wanted) and same(ambient, DEFAULT["GL_AMBIENT"]):
         return hint(
             _(
@@ -141,6 +145,7 @@ def body(work, solution):
                 "still the one that OpenGL begins with."
             )
         )
+
     if same(ambient, shade) and same(diffuse, DEFAULT["GL_DIFFUSE"]):
         return hint(
             _(
@@ -148,6 +153,7 @@ def body(work, solution):
                 "still the one that OpenGL begins with."
             )
         )
+
     if same(diffuse, wanted) and same(ambient, wanted):
         return hint(
             _(
@@ -155,6 +161,7 @@ def body(work, solution):
                 "colour, and not 0.4 times the colour."
             )
         )
+
     if wrong := first_wrong(work, solution, "GL_DIFFUSE"):
         return told(*wrong, _("The diffuse reflection of {ball} is {value}, and not its colour."))
     if wrong := first_wrong(work, solution, "GL_AMBIENT"):
@@ -195,14 +202,17 @@ def highlights(work, solution):
             *first_wrong(work, solution, "GL_SPECULAR"),
             _("The specular reflection of {ball} is {value}."),
         )
+
     if same(shininess, np.zeros((4, 1))):
         return hint(
             _("The highlights cover all that the lamp lights: the shininess is 0 for all balls.")
         )
+
     if same(shininess, hard / 128):
         return hint(
             _("The highlights are far too large: shininess is not counted up to 1, but up to 128.")
         )
+
     if wrong := first_wrong(work, solution, "GL_SHININESS"):
         return told(*wrong, _("The shininess of {ball} is {value}."))
     return None
@@ -230,6 +240,7 @@ def glows(work, solution):
                 "until it is set again."
             )
         )
+
     return told(
         *first_wrong(work, solution, "GL_EMISSION"), _("The emission of {ball} is {value}.")
     )
@@ -257,6 +268,7 @@ def sky(work, solution):
             ),
             value=", ".join(f"{each:.2f}" for each in ambient),
         )
+
     if specular.max() > NEAR:
         return hint(_("The balls have a second highlight, at the top: that of the sky's light."))
     if diffuse.max() < NEAR:
@@ -266,6 +278,7 @@ def sky(work, solution):
                 "black for their diffuse light."
             )
         )
+
     places = [light(work, "GL_POSITION", number) for number in FRAMES]
     ways = [light(solution, "GL_POSITION", number) for number in FRAMES]
     if abs(places[0][3]) > NEAR:
@@ -276,6 +289,7 @@ def sky(work, solution):
             ),
             w=places[0][3],
         )
+
     if all(same(place, (0, 0, 1, 0)) for place in places):
         return hint(
             _(
@@ -283,6 +297,7 @@ def sky(work, solution):
                 "begins with."
             )
         )
+
     if all(same(place[:3], -way[:3]) for place, way in zip(places, ways)):
         return hint(_("The light of the sky comes from below."))
     if all(same(place, (0, 1, 0, 0)) for place in places):
@@ -292,11 +307,13 @@ def sky(work, solution):
                 "set before the camera is placed."
             )
         )
+
     if not same(diffuse, light(solution, "GL_DIFFUSE")[:3]):
         return hint(
             _("The diffuse light of the sky is {value}, and not SKY."),
             value=", ".join(f"{each:.2f}" for each in diffuse),
         )
+
     return None
 
 

@@ -108,6 +108,7 @@ def main():
         draw_balls()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -96,6 +96,7 @@ def main():
         draw_balls()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

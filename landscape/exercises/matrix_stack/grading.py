@@ -95,6 +95,7 @@ def arm(work, solution):
                     ),
                     part=name,
                 )
+
     return None
 
 
@@ -165,6 +166,7 @@ def fingers(work, solution):
             push=between(wrist_drawn, draws[0]),
             pop=between(*draws),
         )
+
     return None
 
 
@@ -190,6 +192,7 @@ def lamp(work, solution):
             ),
             place=between(parts(work, 0, FLOOR)[0], base),
         )
+
     if work.frame(0).find("glLoadIdentity"):
         return hint(
             _(
@@ -197,6 +200,7 @@ def lamp(work, solution):
                 "began."
             )
         )
+
     calls = work.frame(0).calls
     pushed = left_open(calls[: calls.index(parts(work, 0, LAMP)[0].call)])
     if pushed:
@@ -208,6 +212,7 @@ def lamp(work, solution):
             line=pushed[0].line,
             place=between(parts(work, 0, FINGER)[-1], parts(work, 0, LAMP)[0]),
         )
+
     return hint(
         _(
             "The lamp is drawn in a frame of the arm: glPopMatrix is missing {place}, or it "

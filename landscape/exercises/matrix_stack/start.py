@@ -104,6 +104,7 @@ def main():
         draw_scene()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -56,6 +56,7 @@ def corners(work, solution):
             mode=draws[0].mode,
             line=draws[0].line,
         )
+
     if len(found) == 1:
         return hint(_("The gem has only one of its eight faces yet."))
     one = draws[0].mode if len(draws) == 1 else ""
@@ -67,6 +68,7 @@ def corners(work, solution):
             ),
             line=draws[0].line,
         )
+
     if one in ("GL_POLYGON", "GL_TRIANGLE_FAN") and len(draws[0].vertices) > 6:
         return hint(
             _(
@@ -75,6 +77,7 @@ def corners(work, solution):
             ),
             line=draws[0].line,
         )
+
     if found == [(0, 1, 2), (3, 4, 5)]:
         return hint(
             _(
@@ -82,6 +85,7 @@ def corners(work, solution):
                 "three belong together, only FACES says."
             )
         )
+
     if {frozenset((n + 1) % 6 for n in face) for face in found} == RIGHT:
         return hint(
             _(
@@ -89,6 +93,7 @@ def corners(work, solution):
                 "the numbers of FACES, which count from 0, as Python does."
             )
         )
+
     shifted = [face for face in found if frozenset(face) not in RIGHT]
     if len(shifted) > len(found) / 2:
         return hint(
@@ -97,6 +102,7 @@ def corners(work, solution):
             all=len(found),
             face=named(shifted[0]),
         )
+
     for face in shifted:
         if len(set(face)) < 3:
             return hint(
@@ -115,6 +121,7 @@ def corners(work, solution):
                 b=pair[1],
             )
         return hint(_("A face has a corner that is not in VERTICES."))
+
     return None
 
 
@@ -137,6 +144,7 @@ def all_faces(work, solution):
             face=named(sorted(twice[0])),
             missing=named(missing[0]),
         )
+
     if len(missing) == 4 and all(5 in face for face in missing):
         return hint(_("The gem has no lower half: four faces meet in corner 5, too."))
     count = len(found)
@@ -148,6 +156,7 @@ def all_faces(work, solution):
             ),
             count=count,
         )
+
     return hint(
         _(
             "{count} faces are drawn. One of those that are missing joins the corners {a}, {b} "
@@ -179,6 +188,7 @@ def order(work, solution):
                 "sees the inside of those behind."
             )
         )
+
     if len(wrong) == 4 and all(5 in face for face in wrong):
         return hint(
             _(
@@ -186,11 +196,13 @@ def order(work, solution):
                 "what is counter-clockwise from above is clockwise from below."
             )
         )
+
     if len(wrong) == 1:
         return hint(
             _("The face {face} is clockwise from outside, so there is a hole in the gem."),
             face=named(wrong[0]),
         )
+
     return hint(
         _("{count} faces are clockwise from outside, so there are holes; the first one is {face}."),
         count=len(wrong),
@@ -227,6 +239,7 @@ def picture(work, solution):
                     "its vertices."
                 )
             )
+
     return compare(work, solution)
 
 

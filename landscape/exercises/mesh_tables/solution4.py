@@ -83,6 +83,7 @@ def main():
         draw_gem()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

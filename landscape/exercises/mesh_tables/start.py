@@ -77,6 +77,7 @@ def main():
         draw_gem()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -165,6 +165,7 @@ def mirrored(work, solution):
             y=found[1, 3],
             z=found[2, 3],
         )
+
     return None
 
 
@@ -199,6 +200,7 @@ def front(work, solution):
                         "clockwise, and are culled."
                     )
                 )
+
     return None
 
 
@@ -230,6 +232,7 @@ def sun(work, solution):
             frame=number,
             line=line_of_sun(work, images(work, FRAMES[-1])[-1].call),
         )
+
     return None
 
 
@@ -286,6 +289,7 @@ def cut(work, solution):
             c=c,
             d=d,
         )
+
     return None
 
 
@@ -327,6 +331,7 @@ def restored(work, solution):
                     "Neither glPopMatrix nor glLoadMatrix moves a light back."
                 )
             )
+
     return None
 
 

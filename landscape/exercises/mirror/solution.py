@@ -125,6 +125,7 @@ def main():
         GL_NORMALIZE,
     ):
         glEnable(capability)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -144,6 +145,7 @@ def main():
         draw_things()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -19,6 +19,7 @@ def enabled(work, solution):
                 ),
                 frame=number,
             )
+
     boxes = [draw for number in FRAMES for draw in work.frame(number).draws]
     without = [draw for draw in boxes if not draw.state["GL_DEPTH_TEST"]]
     if not without:
@@ -30,6 +31,7 @@ def enabled(work, solution):
             _("Line {off} turns the depth test off again, and what is drawn later is not tested."),
             off=off.line,
         )
+
     if calls:
         return hint(
             _(
@@ -38,6 +40,7 @@ def enabled(work, solution):
             ),
             line=calls[0].line,
         )
+
     if found := work.find("glDepthFunc"):
         return hint(
             _(
@@ -46,6 +49,7 @@ def enabled(work, solution):
             ),
             line=found[0].line,
         )
+
     if found := work.find("glDepthMask"):
         return hint(
             _(
@@ -54,6 +58,7 @@ def enabled(work, solution):
             ),
             line=found[0].line,
         )
+
     if found := work.find("glEnable", "GL_CULL_FACE"):
         return hint(
             _(
@@ -62,6 +67,7 @@ def enabled(work, solution):
             ),
             line=found[0].line,
         )
+
     towers, wanted = (
         [tuple(draw.vertices[0]) for draw in each.frame(0).draws] for each in (work, solution)
     )
@@ -73,6 +79,7 @@ def enabled(work, solution):
                 "order indifferent."
             )
         )
+
     return hint(
         _(
             "The call that turns the depth test on is missing {place}. One function turns on "

@@ -70,6 +70,7 @@ def main():
         glPopAttrib()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

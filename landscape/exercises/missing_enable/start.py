@@ -52,6 +52,7 @@ def main():
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     # Your code goes here.
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
@@ -68,6 +69,7 @@ def main():
         draw_scene()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

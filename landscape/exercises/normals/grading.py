@@ -71,6 +71,7 @@ def direction(work, solution):
                 "must point away from the middle of the tube."
             )
         )
+
     if like(found, points * (1, 1, 0)):
         return hint(
             _(
@@ -79,6 +80,7 @@ def direction(work, solution):
                 "the tube."
             )
         )
+
     before = np.vstack([found[1:], found[-1:]])
     if like(before, right) or like(before[:-2], right[:-2]):
         return hint(
@@ -88,6 +90,7 @@ def direction(work, solution):
                 "glVertex, which takes the current normal."
             )
         )
+
     if like(found[:, [1, 0, 2]], right):
         return hint(_("x and y of the normals are swapped: sine and cosine of u."))
     u = np.arctan2(points[:, 1], points[:, 0])
@@ -100,6 +103,7 @@ def direction(work, solution):
                 "and cosine of v are swapped."
             )
         )
+
     return hint(
         _(
             "At the point ({x:.2f}, {y:.2f}, {z:.2f}) the normal is ({a:.2f}, {b:.2f}, {c:.2f}), "

@@ -95,6 +95,7 @@ def main():
             draw_normals()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

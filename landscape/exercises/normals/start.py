@@ -97,6 +97,7 @@ def main():
             draw_normals()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -46,6 +46,7 @@ def projected(work, solution):
             ),
             line=calls[-1].line if calls else 0,
         )
+
     if calls and np.allclose(projection, np.eye(4)):
         return hint(
             _(
@@ -54,11 +55,13 @@ def projected(work, solution):
             ),
             line=calls[-1].line,
         )
+
     if found := work.find("glOrtho"):
         return hint(
             _("glOrtho in line {line} is the projection without perspective: use glFrustum."),
             line=found[-1].line,
         )
+
     return hint(_("set_projection sets no perspective projection yet: glFrustum makes one."))
 
 
@@ -99,6 +102,7 @@ def opening(work, solution):
                 "the smaller number."
             )
         )
+
     if slope * NEAR >= 100:
         return hint(
             _(
@@ -108,6 +112,7 @@ def opening(work, solution):
             ),
             near=NEAR,
         )
+
     wrong = {
         math.tan(math.radians(40)): _(
             "The angle from edge to edge is now 80 degrees: above the middle there is only half "
@@ -133,6 +138,7 @@ def opening(work, solution):
                 "to the upper one."
             )
         )
+
     return hint(
         _("The angle from the lower to the upper edge is {angle:.1f} degrees, and not 40."),
         angle=2 * math.degrees(math.atan(slope)),
@@ -157,6 +163,7 @@ def proportions(work, solution):
                 "the smaller number."
             )
         )
+
     if near(ratios[0], 1) and near(ratios[1], 1):
         return hint(
             _(
@@ -164,6 +171,7 @@ def proportions(work, solution):
                 "right is top * width / height."
             )
         )
+
     if near(ratios[0], 1 / wanted[0]):
         return hint(_("Width and height are swapped: the wider the window, the greater is right."))
     if near(ratios[0], wanted[0]):
@@ -173,6 +181,7 @@ def proportions(work, solution):
                 "which change with the window."
             )
         )
+
     return hint(
         _("In a window of 640 x 480 right / top is {ratio:.3f}, and not {wanted:.3f}."),
         ratio=ratios[0],

@@ -202,6 +202,7 @@ def flat(work, solution):
                 zip("abc", (wanted @ (0, 0, 0, 1))[:3] / (wanted @ (0, 0, 0, 1))[3], strict=True)
             ),
         )
+
     return None
 
 
@@ -248,6 +249,7 @@ def inside(work, solution):
                     ),
                     line=at,
                 )
+
     return None
 
 
@@ -290,6 +292,7 @@ def once(work, solution):
                 ),
                 line=at,
             )
+
     return None
 
 
@@ -317,6 +320,7 @@ def restored(work, solution):
                     "outside of the shadow, is the table drawn."
                 )
             )
+
     return None
 
 

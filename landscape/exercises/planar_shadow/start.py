@@ -119,6 +119,7 @@ def main():
         draw_lamp()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -253,6 +253,7 @@ def sun(work, solution):
                 ),
                 line=line_of(work, draw),
             )
+
     return told(
         work,
         solution,

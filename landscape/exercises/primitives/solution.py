@@ -109,6 +109,7 @@ def main():
         draw_sun()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -128,6 +128,7 @@ def main():
         draw_sun()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -23,7 +23,10 @@ FEWEST = 6  # chosen: pixels that may differ, as sums may be rounded in other wa
 
 def cameras():
     """Return the eye, and the degrees of turn and tilt, of each frame."""
-    height, turned, tilted, found = 4.2, 9, -11, {}
+    height = 4.2
+    turned = 9
+    tilted = -11
+    found = {}
     for number in FRAMES:
         letters = PRESSED.get(number, "")
         turned += 15 * (letters.count("L") - letters.count("R"))

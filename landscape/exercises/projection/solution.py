@@ -39,7 +39,9 @@ turned, tilted = 9, -11  # degrees
 
 def into_camera(x, y, z):
     """Return how far a point is ahead, to the right and above, in the frame of the camera."""
-    east, north, above = x - eye[0], y - eye[1], z - eye[2]
+    east = x - eye[0]
+    north = y - eye[1]
+    above = z - eye[2]
     cos, sin = math.cos(math.radians(turned)), math.sin(math.radians(turned))
     level = cos * east + sin * north
     right = sin * east - cos * north

@@ -102,6 +102,7 @@ def tree(
                 before,
             )
         )
+
     return [square] * parents + list(join(lists, []))
 
 

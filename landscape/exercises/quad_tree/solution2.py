@@ -34,7 +34,9 @@ COLORS = {  # of the tiles, by their size
     8: (150, 180, 90),
     4: (225, 160, 70),
 }
-OUTSIDE, INSIDE, ACROSS = "outside", "inside", "across"
+OUTSIDE = "outside"
+INSIDE = "inside"
+ACROSS = "across"
 turned = 10
 calls = 0
 
@@ -67,7 +69,9 @@ def visible(x, y, size):
         tile = waiting.pop()
         where = look(*tile)
         if where == ACROSS and tile[2] > SMALLEST:
-            x, y, half = tile[0], tile[1], tile[2] // 2
+            x = tile[0]
+            y = tile[1]
+            half = tile[2] // 2
             waiting += [(x, y, half), (x + half, y, half), (x, y + half, half)]
             waiting.append((x + half, y + half, half))
         elif where != OUTSIDE:

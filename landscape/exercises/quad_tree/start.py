@@ -35,7 +35,9 @@ COLORS = {  # of the tiles, by their size
     8: (150, 180, 90),
     4: (225, 160, 70),
 }
-OUTSIDE, INSIDE, ACROSS = "outside", "inside", "across"
+OUTSIDE = "outside"
+INSIDE = "inside"
+ACROSS = "across"
 turned = 10
 calls = 0
 

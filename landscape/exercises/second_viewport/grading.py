@@ -119,6 +119,7 @@ def viewport(work, solution):
             _("Line {line} sets the viewport {found}, and not {wanted}."),
             **values,
         )
+
     return None
 
 
@@ -200,6 +201,7 @@ def projection(work, solution):
                     "looks."
                 )
             )
+
     return None
 
 
@@ -258,6 +260,7 @@ def cleared(work, solution):
                 _("The background of the map is not PAPER when glClear is called in line {line}."),
                 **values,
             )
+
     return None
 
 
@@ -295,6 +298,7 @@ def restored(work, solution):
                 line=line(work, "glClearColor"),
                 clear=first.line,
             )
+
     return None
 
 

@@ -135,6 +135,7 @@ def main():
         draw_frame()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

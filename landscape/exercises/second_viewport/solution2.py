@@ -133,6 +133,7 @@ def main():
         draw_frame()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

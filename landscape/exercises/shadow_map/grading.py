@@ -29,7 +29,9 @@ def lamp_matrix(degrees):
     projection = np.zeros((4, 4))
     projection[[0, 1], [0, 1]] = 1 / 0.42
     projection[2, 2:], projection[3, 2] = (-21 / 19, -40 / 19), -1
-    back, down, around = np.eye(4), np.eye(4), np.eye(4)
+    back = np.eye(4)
+    down = np.eye(4)
+    around = np.eye(4)
     back[2, 3] = -10
     down[1:3, 1:3] = (np.cos(tilt), -np.sin(tilt)), (np.sin(tilt), np.cos(tilt))
     around[::2, ::2] = (np.cos(turn), np.sin(turn)), (-np.sin(turn), np.cos(turn))
@@ -141,6 +143,7 @@ def copied(work, solution):
                 height=height,
                 size=SIZE,
             )
+
     return None
 
 
@@ -207,6 +210,7 @@ def seen(work, solution):
                 width=viewport[2],
                 height=viewport[3],
             )
+
     return None
 
 
@@ -244,6 +248,7 @@ def offset(work, solution):
                     ),
                     line=line(work, "glPolygonOffset"),
                 )
+
     return None
 
 
@@ -362,6 +367,7 @@ def planes(work, solution):
                     frame=number,
                     row=row,
                 )
+
     return None
 
 
@@ -416,6 +422,7 @@ def restored(work, solution):
                     "left of the window."
                 )
             )
+
     return None
 
 

@@ -92,6 +92,7 @@ def make_shadow_map():
     )
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, SIZE, SIZE)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+
     # B P V, by the matrix stack itself.
     glLoadIdentity()
     glTranslatef(0.5, 0.5, 0.5)
@@ -145,6 +146,7 @@ def main():
         draw_lit()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

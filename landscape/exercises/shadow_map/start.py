@@ -117,6 +117,7 @@ def main():
         draw_lit()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -124,6 +124,7 @@ def drawn(work, solution):
                     "until afterwards."
                 )
             )
+
     return None
 
 
@@ -170,6 +171,7 @@ def marked(work, solution):
                     "are passed, glStencilOp is to say something else than GL_KEEP."
                 )
             )
+
     return None
 
 
@@ -206,6 +208,7 @@ def unseen(work, solution):
                     ),
                     line=line_of(glass),
                 )
+
     return None
 
 
@@ -271,6 +274,7 @@ def inside(work, solution):
                     ),
                     line=line(work, number, "glStencilOp", draw),
                 )
+
     return None
 
 
@@ -318,6 +322,7 @@ def restored(work, solution):
                         "written."
                     )
                 )
+
     return None
 
 

@@ -150,6 +150,7 @@ def main():
         draw_board(-4, 0)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

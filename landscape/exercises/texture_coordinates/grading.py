@@ -59,7 +59,9 @@ def right(work, solution):
 def wraps(work, axis):
     """Return the calls that set GL_TEXTURE_WRAP_S or _T of the wall's texture, and of others."""
     used = patches(work)[0].draw.state["GL_TEXTURE0.GL_TEXTURE_BINDING_2D"]
-    bound, own, others = 0, [], []
+    bound = 0
+    own = []
+    others = []
     later = [call for frame in work.frames.values() for call in frame.calls]
     for call in (*work.last.setup, *later):
         if call.is_("glBindTexture", "GL_TEXTURE_2D"):
@@ -106,6 +108,7 @@ def textured(work, solution):
             return hint(
                 _("The wall is no longer where it was: its corners and the view were right.")
             )
+
     if all(np.ptp(patch.st, axis=0).max() < NEAR for patch in found):
         return hint(
             _(
@@ -114,6 +117,7 @@ def textured(work, solution):
                 "glVertex."
             )
         )
+
     return None
 
 
@@ -134,6 +138,7 @@ def upright(work, solution):
             ),
             line=late.line,
         )
+
     bottom, top = quads(work).sum(axis=0)[2:]
     if abs(top[1] - bottom[1]) < NEAR:
         if abs(top[0] - bottom[0]) > NEAR:
@@ -144,6 +149,7 @@ def upright(work, solution):
                 )
             )
         return hint(_("t is the same above and below: it must go from 0 above to 1 below."))
+
     if top[1] > bottom[1]:
         return hint(
             _(
@@ -151,6 +157,7 @@ def upright(work, solution):
                 "first row of the image is the top."
             )
         )
+
     for patch in patches(work):
         for extreme, name in ((np.min, _("lower")), (np.max, _("upper"))):
             t = patch.at(1, extreme)[:, 1]
@@ -164,6 +171,7 @@ def upright(work, solution):
                     first=t[0],
                     last=t[1],
                 )
+
     return None
 
 
@@ -199,6 +207,7 @@ def three(work, solution):
             ),
             count=len(found),
         )
+
     along = (found[:, 1, 0] - found[:, 0, 0]).sum()
     up = np.abs(found[:, 3, 1] - found[:, 2, 1]).max()
     if up > 8:
@@ -210,12 +219,14 @@ def three(work, solution):
             ),
             up=up,
         )
+
     if abs(up - 3) < NEAR:
         return hint(_("The picture is repeated upwards, too: t goes from 0 to 1 only."))
     if abs(up - 1) > NEAR:
         return hint(
             _("From the lower to the upper edge t changes by {up:.2f}, and not by 1."), up=up
         )
+
     if abs(along - 1 / 3) < NEAR:
         return hint(
             _(
@@ -223,6 +234,7 @@ def three(work, solution):
                 "and not to 1/3."
             )
         )
+
     if abs(along - 3) > NEAR:
         return hint(
             _(
@@ -232,6 +244,7 @@ def three(work, solution):
             ),
             along=along,
         )
+
     return None
 
 
@@ -291,6 +304,7 @@ def repeated(work, solution):
             ),
             way=way,
         )
+
     return None
 
 
@@ -309,6 +323,7 @@ def picture(work, solution):
                 _("The frieze begins in the middle of a boat: at the left edge s is {start:.2f}."),
                 start=start,
             )
+
     for number in FRAMES:
         for patch in patches(work, number):
             color = patch.draw.colors.min(axis=0)
@@ -321,6 +336,7 @@ def picture(work, solution):
                     frame=number,
                     color=", ".join(f"{channel:.2f}" for channel in color[:3]),
                 )
+
     if compare(work, solution, box=WALL):
         return hint(
             _(
@@ -328,6 +344,7 @@ def picture(work, solution):
                 "was, with the same rows and filters."
             )
         )
+
     return compare(work, solution)
 
 

@@ -100,6 +100,7 @@ def main():
         draw_wall()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -23,7 +23,9 @@ FILTERS = {
     0x2702: "GL_NEAREST_MIPMAP_LINEAR",
     0x2703: "GL_LINEAR_MIPMAP_LINEAR",
 }
-MIN, MAG, GENERATE = "GL_TEXTURE_MIN_FILTER", "GL_TEXTURE_MAG_FILTER", "GL_GENERATE_MIPMAP"
+MIN = "GL_TEXTURE_MIN_FILTER"
+MAG = "GL_TEXTURE_MAG_FILTER"
+GENERATE = "GL_GENERATE_MIPMAP"
 BOUND = "GL_TEXTURE0.GL_TEXTURE_BINDING_2D"
 THINGS = ("floor", "sign", "window")
 MOST = 0.004  # chosen: the fraction of a thing's pixels that may differ
@@ -76,6 +78,7 @@ def textures(work):
             now.complete = now.generates or len({*now.levels}) > 5
         elif call.name.startswith(("glGenerateMipmap", "gluBuild2DMipmaps")):
             now.complete = True
+
     return found
 
 
@@ -160,6 +163,7 @@ def sign(work, solution):
                 "begins with needs mipmaps."
             )
         )
+
     if texture.larger[0] == "GL_LINEAR":
         if MAG in texture.filters:
             return hint(
@@ -175,6 +179,7 @@ def sign(work, solution):
                 "other one begins with GL_LINEAR."
             )
         )
+
     return None
 
 
@@ -196,6 +201,7 @@ def sky(work, solution):
                 "texture. Which one is bound in make_floor?"
             )
         )
+
     if texture.white:
         if MIN in texture.filters:
             return hint(
@@ -209,11 +215,13 @@ def sky(work, solution):
                 "texture has filters of its own."
             )
         )
+
     if texture.larger[0] == "GL_NEAREST":
         return hint(
             _("The window consists of squares: line {line} takes the nearest texel for it."),
             line=texture.larger[1],
         )
+
     return None
 
 
@@ -254,6 +262,7 @@ def floor(work, solution):
                 )
             )
         return hint(_("The floor is white: no filter is set for its texture."))
+
     if "MIPMAP" not in texture.smaller[0]:
         if texture.smaller[0] == "GL_LINEAR":
             return hint(
@@ -270,6 +279,7 @@ def floor(work, solution):
             ),
             line=texture.smaller[1],
         )
+
     if texture.larger[0] == "GL_NEAREST":
         return hint(
             _(
@@ -278,6 +288,7 @@ def floor(work, solution):
             ),
             line=texture.larger[1],
         )
+
     if texture.smaller[0].startswith("GL_NEAREST"):
         return hint(
             _(
@@ -286,6 +297,7 @@ def floor(work, solution):
             ),
             line=texture.smaller[1],
         )
+
     return None
 
 

@@ -116,6 +116,7 @@ def main():
         draw_hall()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -123,6 +123,7 @@ def main():
         draw_hall()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -120,6 +120,7 @@ def main():
         draw_hall()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -113,6 +113,7 @@ def main():
         draw_hall()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

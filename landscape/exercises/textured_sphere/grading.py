@@ -91,6 +91,7 @@ def north(work, solution):
             s=s[0],
             t=t[0],
         )
+
     if after_vertex(work):
         return hint(
             _(
@@ -98,6 +99,7 @@ def north(work, solution):
                 "come before glVertex."
             )
         )
+
     if near(s, wanted) and turns(t[off_poles(places)], wanted_s[off_poles(places)]):
         return hint(
             _(
@@ -105,6 +107,7 @@ def north(work, solution):
                 "longitude and t to the way from the north to the south."
             )
         )
+
     if near(t, 1 - wanted):
         return hint(
             _(
@@ -112,6 +115,7 @@ def north(work, solution):
                 "north."
             )
         )
+
     if near(t, (1 - places[:, 1]) / 2):
         return hint(
             _(
@@ -119,6 +123,7 @@ def north(work, solution):
                 "grows with the height, and should grow with the angle."
             )
         )
+
     if near(t, wanted * np.pi):
         return hint(
             _(
@@ -127,6 +132,7 @@ def north(work, solution):
             ),
             t=t.max(),
         )
+
     if near(t, places[:, 1]):
         return hint(
             _(
@@ -134,10 +140,12 @@ def north(work, solution):
                 "as y does."
             )
         )
+
     if near(t, wanted / 2):
         return hint(
             _("The planet has only the northern half of the map, twice as high: t ends at 0.5.")
         )
+
     if not near(t, wanted):
         first = int(np.argmax(np.abs(t - wanted)))
         x, y, z = places[first]
@@ -149,6 +157,7 @@ def north(work, solution):
             t=t[first],
             wanted=wanted[first],
         )
+
     return None
 
 
@@ -172,6 +181,7 @@ def east(work, solution):
                 "What does the division of two whole numbers give?"
             )
         )
+
     if turns(s, -wanted):
         return hint(_("The map is mirrored, and goes west: s must grow with the longitude."))
     if turns(s, wanted * 2 * np.pi, 2 * np.pi):
@@ -181,6 +191,7 @@ def east(work, solution):
                 "not its part of a whole turn."
             )
         )
+
     if turns(s, 2 * wanted, 2) and s.max() > 1.5:
         return hint(_("The map goes around the planet twice: a whole turn is two pi, and not pi."))
     if near(s, (places[kept, 0] + 1) / 2):
@@ -190,12 +201,14 @@ def east(work, solution):
                 "back behind the planet. It should follow the longitude."
             )
         )
+
     shift = (s - wanted)[0] % 1
     if turns(s, wanted + shift) and shift > NEAR:
         return hint(
             _("The map is turned by {part:.2f} of a whole turn: s is to be 0 in column 0."),
             part=min(shift, 1 - shift),
         )
+
     return None
 
 
@@ -227,6 +240,7 @@ def closed(work, solution):
             ),
             count=COLUMNS,
         )
+
     for factor, text in (
         (
             COLUMNS / (COLUMNS + 1),
@@ -242,6 +256,7 @@ def closed(work, solution):
     ):
         if near(s[~first], wanted[~first] * factor):
             return hint(text, s=s.max())
+
     return None
 
 

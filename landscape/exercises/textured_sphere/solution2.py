@@ -103,6 +103,7 @@ def main():
         draw_planet()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

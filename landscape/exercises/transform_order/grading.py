@@ -87,6 +87,7 @@ def planet(work, solution):
             ),
             place=between(*drawn(work, 0)[:2]),
         )
+
     if all(close(each, (4.2, 0, 0)) for each in found.values()):
         return hint(
             _(
@@ -96,6 +97,7 @@ def planet(work, solution):
             ),
             line=line,
         )
+
     if all(close(found[n], around(4.2, -YEARS[n])) for n in FRAMES):
         return hint(_("The planet goes round clockwise as seen from above: the sign of the angle."))
     if all(close(found[n], around(4.2, MONTHS[n])) for n in FRAMES):
@@ -104,6 +106,7 @@ def planet(work, solution):
         close(found[n], around(4.2, np.radians(YEARS[n]))) for n in FRAMES
     ):
         return hint(_("glRotatef wants degrees: `year` needs no conversion."))
+
     if abs(np.linalg.norm(first) - 4.2) < NEAR and abs(first[1]) > NEAR:
         return hint(
             _(
@@ -111,6 +114,7 @@ def planet(work, solution):
                 "0, 1, 0."
             )
         )
+
     return hint(
         _(
             "In frame {frame} the planet is at ({x:.2f}, {y:.2f}, {z:.2f}), and not at "
@@ -139,6 +143,7 @@ def moon(work, solution):
         return hint(
             _("The moon is inside the planet: a rotation and a translation are missing before it.")
         )
+
     if all(close(found[n], planets[n] + around(1.3, YEARS[n])) for n in FRAMES):
         return hint(
             _(
@@ -147,6 +152,7 @@ def moon(work, solution):
             ),
             line=line,
         )
+
     if all(close(found[n], around(1.3, MONTHS[n])) for n in FRAMES):
         return hint(
             _(
@@ -154,6 +160,7 @@ def moon(work, solution):
                 "Does glPopMatrix or glLoadIdentity come too early?"
             )
         )
+
     if all(close(found[n], planets[n] + around(1.3, MONTHS[n])) for n in FRAMES):
         return hint(
             _(
@@ -162,6 +169,7 @@ def moon(work, solution):
                 "and planet, so the rotation by `year` must hold for the moon, too."
             )
         )
+
     if all(close(found[n], planets[n] + around(1.3, YEARS[n] - MONTHS[n])) for n in FRAMES):
         return hint(_("The moon goes round clockwise as seen from above: the sign of the angle."))
     calls = work.frame(0).calls
@@ -176,6 +184,7 @@ def moon(work, solution):
             ),
             line=loads[0].line,
         )
+
     distance = np.linalg.norm(first - planets[0])
     if abs(distance - 1.3) > NEAR:
         return hint(
@@ -185,6 +194,7 @@ def moon(work, solution):
             ),
             distance=distance,
         )
+
     return hint(
         _(
             "The moon is at the right distance from the planet, and at the wrong angle: it "

@@ -88,6 +88,7 @@ def main():
         draw_system(200 + 90 * time, 50 + 300 * time)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -40,6 +40,7 @@ def from_arrays(work, solution):
             ),
             line=at,
         )
+
     if at := line(work, "glCallList"):
         return hint(
             _(
@@ -48,6 +49,7 @@ def from_arrays(work, solution):
             ),
             line=at,
         )
+
     return hint(
         _(
             "Nothing is drawn from arrays yet. glDrawElements draws from the arrays that are "
@@ -139,6 +141,7 @@ def described(work, solution):
             line=line(work, "glVertexPointer"),
             size=size,
         )
+
     drawn = [draw for draw in work.last.draws if draw.call.name != "glBegin"]
     at = line(work, "glColorPointer")
     if drawn and len(drawn[0].colors) and drawn[0].colors.max() > 2:
@@ -150,6 +153,7 @@ def described(work, solution):
             line=at,
             type=state["GL_COLOR_ARRAY_TYPE"],
         )
+
     kind, size, stride = (state[f"GL_COLOR_ARRAY_{word}"] for word in ("TYPE", "SIZE", "STRIDE"))
     if (kind, size, stride) == ("GL_UNSIGNED_BYTE", 3, 0) and compare(work, solution):
         return hint(
@@ -160,6 +164,7 @@ def described(work, solution):
             ),
             line=at,
         )
+
     for array, call, packed in (
         ("GL_VERTEX_ARRAY", "glVertexPointer", 12),
         ("GL_NORMAL_ARRAY", "glNormalPointer", 12),
@@ -175,6 +180,7 @@ def described(work, solution):
                 line=line(work, call),
                 stride=stride,
             )
+
     if drawn and len(drawn[0].normals):
         lengths = np.linalg.norm(drawn[0].normals, axis=1)
         if np.abs(lengths - 1).max() > 0.05:
@@ -185,6 +191,7 @@ def described(work, solution):
                 ),
                 line=line(work, "glNormalPointer"),
             )
+
     if kind == "GL_BYTE":
         return hint(
             _(
@@ -193,6 +200,7 @@ def described(work, solution):
             ),
             line=at,
         )
+
     return None
 
 
@@ -212,6 +220,7 @@ def whole(work, solution):
             line=call.line,
             mode=mode,
         )
+
     if mode == "GL_TRIANGLE_STRIP":
         return hint(
             _(
@@ -220,6 +229,7 @@ def whole(work, solution):
             ),
             line=call.line,
         )
+
     if call.name == "glDrawArrays":
         if call.args[2] <= MESH:
             return hint(
@@ -231,11 +241,13 @@ def whole(work, solution):
                 line=call.line,
             )
         return None
+
     count = 3 * TRIANGLES
     if call.name == "glDrawElements":
         count = call.args[1]
     elif call.name.startswith("glDrawElements"):
         count = np.size(call.args[-1])
+
     if count == TRIANGLES:
         return hint(
             _(
@@ -245,6 +257,7 @@ def whole(work, solution):
             line=call.line,
             count=count,
         )
+
     if count == MESH:
         return hint(
             _(
@@ -254,6 +267,7 @@ def whole(work, solution):
             line=call.line,
             count=count,
         )
+
     if count != 3 * TRIANGLES:
         return hint(
             _("Line {line} draws {count} indices, and there are {all}."),
@@ -261,6 +275,7 @@ def whole(work, solution):
             count=count,
             all=3 * TRIANGLES,
         )
+
     return None
 
 

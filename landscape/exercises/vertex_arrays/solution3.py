@@ -96,6 +96,7 @@ def main():
         draw_table()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -99,6 +99,7 @@ def main():
         draw_table()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -111,6 +111,7 @@ def front(work, solution):
             ),
             line=line,
         )
+
     state = next((each for each in states if each["GL_CULL_FACE_MODE"] != "GL_BACK"), states[0])
     if state["GL_CULL_FACE_MODE"] != "GL_BACK":
         line = work.find("glCullFace")[-1].line
@@ -122,6 +123,7 @@ def front(work, solution):
             mode=state["GL_CULL_FACE_MODE"],
             line=line,
         )
+
     return None
 
 
@@ -142,6 +144,7 @@ def twelve(work, solution):
             ),
             count=vertices,
         )
+
     strange = [names for names in found if frozenset(names) not in FACES]
     if strange:
         return hint(
@@ -152,6 +155,7 @@ def twelve(work, solution):
             ),
             face=listed(strange[0]),
         )
+
     if len(found) < 12:
         return hint(
             _(
@@ -160,6 +164,7 @@ def twelve(work, solution):
             ),
             count=len(found),
         )
+
     if len(found) > 12:
         return hint(
             _(
@@ -168,6 +173,7 @@ def twelve(work, solution):
             ),
             count=len(found),
         )
+
     missing = set(FACES) - set(map(frozenset, found))
     if missing:
         known = set()
@@ -181,6 +187,7 @@ def twelve(work, solution):
             ),
             face=listed(again),
         )
+
     return None
 
 
@@ -202,11 +209,13 @@ def order(work, solution):
             ),
             face=listed(begun[0]),
         )
+
     others = [each for each in wrong if frozenset(each) not in TO_MEND]
     if len(wrong) == 1 and not others:
         return hint(
             _("One face is still clockwise as seen from outside: {face}."), face=listed(wrong[0])
         )
+
     if len(wrong) == 12:
         return hint(
             _(
@@ -214,6 +223,7 @@ def order(work, solution):
                 "neighbour."
             )
         )
+
     above = [each for each in wrong if "TOP" in each]
     if len(wrong) == 6 and len(above) in (0, 6):
         return hint(
@@ -222,6 +232,7 @@ def order(work, solution):
                 "other way, so the two halves list its points in opposite orders."
             )
         )
+
     if not others:
         return hint(
             _(
@@ -231,11 +242,13 @@ def order(work, solution):
                 "of TOP go round the ring counter-clockwise, those of BOTTOM clockwise."
             )
         )
+
     if len(wrong) == 1:
         return hint(
             _("One face is clockwise as seen from outside: {face}. It was right as it stood."),
             face=listed(others[0]),
         )
+
     return hint(
         _(
             "{count} faces are clockwise as seen from outside. {face} was right as it stood: turn "

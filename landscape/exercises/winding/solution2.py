@@ -18,8 +18,12 @@ import math
 import glfw
 from OpenGL.GL import *
 
-RED, ORANGE, CREAM = (0.85, 0.35, 0.2), (0.95, 0.62, 0.35), (0.95, 0.9, 0.8)
-GREEN, BLUE, VIOLET = (0.45, 0.7, 0.35), (0.3, 0.5, 0.8), (0.6, 0.4, 0.7)
+RED = (0.85, 0.35, 0.2)
+ORANGE = (0.95, 0.62, 0.35)
+CREAM = (0.95, 0.9, 0.8)
+GREEN = (0.45, 0.7, 0.35)
+BLUE = (0.3, 0.5, 0.8)
+VIOLET = (0.6, 0.4, 0.7)
 TOP, BOTTOM = 6, 7  # the ring has the points 0 to 5, counter-clockwise as seen from above
 RING = tuple((number, (number + 1) % 6) for number in range(6))
 COLORS = RED, ORANGE, CREAM, GREEN, BLUE, VIOLET
@@ -78,6 +82,7 @@ def main():
         draw_gem()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

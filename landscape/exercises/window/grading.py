@@ -77,11 +77,13 @@ def filled(work, solution):
                 "window is filled. What is filled first, and what is drawn after it?"
             )
         )
+
     bright = shown.min(axis=2) > 200
     if not bright[: shown.shape[0] // 3].any():
         return hint(
             _("The moon has gone: the sky is drawn after it. In which order does main call them?")
         )
+
     black = all((sky(work)(number) == 0).all() for number in FRAMES)
     if black:
         cleared = work.find("glClear")
@@ -109,6 +111,7 @@ def filled(work, solution):
             ),
             place=between(None, first_draw(work)),
         )
+
     early = FRAMES[:-1]
     same = {tuple(sky(work)(number)) for number in early}
     if len(same) == 1 and not any(
@@ -122,6 +125,7 @@ def filled(work, solution):
                 "trail, and the keys will not change the sky."
             )
         )
+
     for number in FRAMES:
         picture = work.frame(number).picture.astype(int)
         above, below = picture[FREE], picture[int(LOW[0] * len(picture)), LOW[1]]
@@ -133,6 +137,7 @@ def filled(work, solution):
                 "own coordinates the window reaches from -1 to 1, both ways, whatever its size."
             )
         )
+
     return None
 
 

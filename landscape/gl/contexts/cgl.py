@@ -64,7 +64,9 @@ class CGLContext:
     def _create(self, attributes: tuple[int, ...]) -> int:
         """Create a context of a pixel format; return CGL's error, 0 also if there is no format."""
         flat = (ctypes.c_uint32 * (len(attributes) + 1))(*attributes, 0)
-        pixel_format, count, context = _POINTER(), ctypes.c_int32(), _POINTER()
+        pixel_format = _POINTER()
+        count = ctypes.c_int32()
+        context = _POINTER()
         error = self._cgl.CGLChoosePixelFormat(
             flat, ctypes.byref(pixel_format), ctypes.byref(count)
         )

@@ -20,13 +20,23 @@ from landscape.gl.contexts.software import check_software
 from landscape.gl.libraries import functions, require
 
 SURFACELESS_MESA, DEVICE = 0x31DD, 0x313F  # platforms
-OPENGL_API, EXTENSIONS, NONE = 0x30A2, 0x3055, 0x3038
-SURFACE_TYPE, PBUFFER_BIT, RENDERABLE_TYPE, OPENGL_BIT = 0x3033, 1, 0x3040, 8
-RED_SIZE, ALPHA_SIZE, DEPTH_SIZE, STENCIL_SIZE = 0x3024, 0x3021, 0x3025, 0x3026
+OPENGL_API = 0x30A2
+EXTENSIONS = 0x3055
+NONE = 0x3038
+SURFACE_TYPE = 0x3033
+PBUFFER_BIT = 1
+RENDERABLE_TYPE = 0x3040
+OPENGL_BIT = 8
+RED_SIZE = 0x3024
+ALPHA_SIZE = 0x3021
+DEPTH_SIZE = 0x3025
+STENCIL_SIZE = 0x3026
 WIDTH, HEIGHT = 0x3057, 0x3056
 MOST = 64  # configurations, and devices; chosen
 
-_POINTER, _INT, _BOOL = ctypes.c_void_p, ctypes.c_int32, ctypes.c_uint
+_POINTER = ctypes.c_void_p
+_INT = ctypes.c_int32
+_BOOL = ctypes.c_uint
 FUNCTIONS = {
     "eglBindAPI": (_BOOL, (ctypes.c_uint,)),
     "eglChooseConfig": (_BOOL, (_POINTER, _POINTER, _POINTER, _INT, _POINTER)),

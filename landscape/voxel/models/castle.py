@@ -99,6 +99,7 @@ def _walls(model: np.ndarray) -> None:
         ):
             plan = (along, across) if along_x else (across, along)
             _stone(model, (*plan, levels), dark)
+
         # A dark course below the walk, and slits between.
         plan = (run, slice(outer, outer + 1)) if along_x else (slice(outer, outer + 1), run)
         _stone(model, (*plan, slice(WALK - 1, WALK)), dark=True)
@@ -119,6 +120,7 @@ def _tower(model: np.ndarray, x: int, z: int, radius: int, above: int, cone: int
     ring = shell & ~room
     model[..., WALK - 1][ring] = block("dark brick")
     inward = (1 if x == WEST else -1, 1 if z == NORTH else -1)
+
     # Doors where the walk meets the tower, two blocks wide and three high.
     sides = slice(*sorted((x, x + inward[0] * 1))), slice(*sorted((z, z + inward[1] * 1)))
     near_x = slice(sides[0].start, sides[0].start + 2)
@@ -127,13 +129,16 @@ def _tower(model: np.ndarray, x: int, z: int, radius: int, above: int, cone: int
     far_z = slice(z + 1, z + radius + 1) if inward[1] > 0 else slice(z - radius, z)
     model[far_x, near_z, WALK : WALK + 3] = 0
     model[near_x, far_z, WALK : WALK + 3] = 0
+
     # Windows look outward, one of them lit; a lamp hangs from the ceiling.
     for dx, dz in ((-inward[0], 0), (0, -inward[1])):
         at = (x + dx * radius, z + dz * radius)
         model[(*at, slice(WALK + 1, WALK + 3))] = 0
         model[(*at, slice(FLOOR + 3, FLOOR + 5))] = block("pane")
         model[(*at, slice(FLOOR + 2, FLOOR + 6, 3))] = block("dark brick")
+
     model[x, z, top - 2] = block("lamp")
+
     # A jutting course under the eaves, then the cone.
     model[..., top - 1][disc(PLAN, (x, z), radius + 0.4)] = block("dark brick")
     for level in range(cone):
@@ -157,6 +162,7 @@ def _gatehouse(model: np.ndarray) -> None:
         for level, wide in enumerate((3.4, 2.9, 2.3, 2.0, 1.5, 1.0, 0.5, 0.2)):
             model[..., tall + level][disc(PLAN, (x, SOUTH + 2), wide)] = block("slate")
         model[x, SOUTH + 4, WALK + 3 : WALK + 5] = block("lamp")
+
     # The passage, an arch six blocks high, the raised grille in it.
     passage = slice(SOUTH - 3, SOUTH + 5)
     model[GATE : GATE + 3, passage, FLOOR : FLOOR + 5] = 0
@@ -166,6 +172,7 @@ def _gatehouse(model: np.ndarray) -> None:
     model[GATE + 1, SOUTH + 1, FLOOR + 5] = block("dark")
     model[GATE : GATE + 3, SOUTH - 2, FLOOR + 5] = block("planks")
     model[GATE - 1 : GATE + 4 : 4, SOUTH + 3, FLOOR + 3] = block("lamp")
+
     # The guardroom, through which the wall-walk goes.
     room = (slice(GATE - 5, GATE + 8), slice(SOUTH - 1, SOUTH + 1))
     model[(*room, slice(WALK, WALK + 3))] = 0
@@ -176,6 +183,7 @@ def _gatehouse(model: np.ndarray) -> None:
     _stone(model, (*body, slice(top - 1, top)), dark=True)
     for x in range(GATE - 3, GATE + 6, 2):
         model[x, SOUTH - 2 : SOUTH + 3 : 4, top] = block("brick")
+
     # A banner over the arch, and one on each turret that ends in a point.
     model[GATE + 1, SOUTH + 3, FLOOR + 7 : WALK + 3] = block("red cloth")
     model[GATE : GATE + 3, SOUTH + 3, WALK + 3] = block("oak log")

@@ -27,6 +27,7 @@ def keep(model: np.ndarray, floor: int) -> None:
     _top(model, top)
     _stairs_inside(model, floor, top)
     _door(model, floor)
+
     # A lamp on a long chain, a table, and a carpet from the door.
     model[x + wide // 2, z + deep // 2, floor + 8 : top - 1] = block("dark")
     model[x + wide // 2, z + deep // 2, floor + 7] = block("lamp")
@@ -80,6 +81,7 @@ def _top(model: np.ndarray, top: int) -> None:
         model[cx, z - 1 : z + deep + 1 : deep + 1, top + 1] = 0
     for cz in range(z, z + deep + 1, 3):
         model[x - 1 : x + wide + 1 : wide + 1, cz, top + 1] = 0
+
     # The turret, on the north-eastern corner, with a lit window and a cone.
     cx, cz = x + wide - 2, z + 1
     plan = model.shape[:2]
@@ -92,6 +94,7 @@ def _top(model: np.ndarray, top: int) -> None:
         model[..., top + 6 + level][disc((plan[0], plan[1]), (cx, cz), 3.3 * (1 - level / 9))] = (
             block("slate")
         )
+
     flag(model, cx, cz, top + 14)
 
 
@@ -105,7 +108,10 @@ def flag(model: np.ndarray, x: int, z: int, low: int) -> None:
 def _stairs_inside(model: np.ndarray, floor: int, top: int) -> None:
     """Steps of planks climb along the walls, once around, and come out on the platform."""
     (x, z), (wide, deep) = KEEP, SIDE
-    low_x, high_x, low_z, high_z = x + 2, x + wide - 3, z + 2, z + deep - 3
+    low_x = x + 2
+    high_x = x + wide - 3
+    low_z = z + 2
+    high_z = z + deep - 3
     way = [(at, high_z) for at in range(low_x + 1, high_x)]
     way += [(high_x, at) for at in range(high_z, low_z, -1)]
     way += [(at, low_z) for at in range(high_x, low_x, -1)]
@@ -141,6 +147,7 @@ def hall(model: np.ndarray, floor: int) -> None:
         model[x : x + wide, gable, floor + 5 + step] = block("brick")
         for row in rows:
             model[x - 1 : x + wide, row, floor + 4 + step : floor + 6 + step] = block("slate")
+
     inside = (slice(x + 1, x + wide - 1), slice(z + 1, z + deep - 1))
     model[(*inside, slice(floor, floor + 5))] = 0
     model[(*inside, slice(floor - 1, floor))] = block("planks")
@@ -151,5 +158,6 @@ def hall(model: np.ndarray, floor: int) -> None:
     model[x + 3 : x + 5, z, floor + 2 : floor + 4] = block("pane")
     model[x + wide // 2, z + deep // 2, floor + 4] = block("lamp")
     model[x + 2 : x + 7, z + 1, floor] = block("planks")
+
     # The chimney.
     model[x + 1, z + 1, floor : floor + 11] = block("dark brick")

@@ -40,7 +40,9 @@ DRAGON: Palette = (
     ("dark", (1.0, 0.72, 0.12), 6.0),
 )
 # Chosen, in the rabbit's mesh: where its head is and how far it is turned, and where ears begin.
-HEAD_X, NECK_Y, HEAD_YAW_RAD = 0.62, (-0.15, 0.05), 0.22
+HEAD_X = 0.62
+NECK_Y = (-0.15, 0.05)
+HEAD_YAW_RAD = 0.22
 EARS_Y, SPREAD = (0.30, 0.55), 0.13
 THINNEST = 20.0  # times its size along its measured axis: how long a mesh may be, chosen
 BLACK = 0.16  # colours darker than this are the eyes, chosen
@@ -59,15 +61,18 @@ def rabbit(path: Path, height: int = 14) -> np.ndarray:
     places, shape = _grid(path, _straight(centred(vertices)), height, 1, odd=True)
     model = _voxels(places, shape, triangles, colours, RABBIT)
     model = np.maximum(model, model[:, ::-1])  # where the sides differ, the lighter block
+
     # Half a block wide, an eye would have no block of its own, or two.
     black = np.zeros(len(places), bool) if colours is None else colours.max(axis=1) < 255 * BLACK
     if black.any():
         x, _, y = (places[black].min(axis=0) + places[black].max(axis=0)).astype(int) // 2
         across = np.flatnonzero(model[x, :, y])
         model[x, [*across[:1], *across[-1:]], y] = block("dark")
+
     # Only its ears and its nose are pink; elsewhere that is the border between brown and white.
     low = model[..., : round(0.7 * model.shape[2])]
     low[low == block("pink")] = block("light fur")
+
     # The nose is the foremost block of the face.
     middle = model[:, model.shape[1] // 2, model.shape[2] // 2 :]
     for x, y in sorted(np.argwhere(middle).tolist())[-1:]:
@@ -141,11 +146,13 @@ def _voxels(
         mean = colours[triangles].mean(axis=1) / 255.0
         named = np.array([colour for _, colour, _ in palette])
         nearest = ((mean[:, None] - named) ** 2).sum(axis=2).argmin(axis=1)
+
     weights = np.array([weight for _, _, weight in palette])[nearest][whose]
     elected = numbers[nearest][whose]
     kinds = np.unique(numbers)
     votes = [np.bincount(flat, areas * weights * (elected == kind), count) for kind in kinds]
     chosen = kinds[np.argmax(votes, axis=0)].reshape(shape)
+
     # What nobody sees inside is of the first kind.
     chosen[area == 0] = numbers[0]
     solid = (area >= ENOUGH) | (_enclosed(area > 0) & (area == 0))

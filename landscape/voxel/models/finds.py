@@ -23,6 +23,7 @@ def ruin(rng: np.random.Generator) -> np.ndarray:
     model[..., : FLOOR - 1][disc(plan, middle, 4.4)] = block("rock")
     model[..., FLOOR - 1][disc(plan, middle, 3.1)] = block("gravel")
     x, z = np.ogrid[:15, :15]
+
     # The wall is highest in one direction, and falls off on either side of it in jagged steps.
     turn = rng.uniform(-0.5, 0.5)
     angle = np.arctan2(z - 7.0, x - 7.0) - turn
@@ -32,12 +33,14 @@ def ruin(rng: np.random.Generator) -> np.ndarray:
     model[standing] = block("brick")
     model[standing & (rng.random(model.shape) < 0.22)] = block("dark brick")
     model[..., : FLOOR + 1][wall] = block("dark brick")
+
     # A door to the west, where it is lowest, and a window high up in the east.
     model[2:5, 6:8, FLOOR : FLOOR + 3] = 0
     model[10:12, 7, FLOOR + 5 : FLOOR + 7] = 0
     way = [(5, 9), (6, 10), (7, 10), (8, 10), (9, 9), (10, 8), (10, 7), (10, 6)]
     for step, (cx, cz) in enumerate(way[:6]):
         model[cx, cz, FLOOR : FLOOR + step + 1] = block("brick")
+
     # Ivy hangs down outside; what has fallen lies around.
     outer = disc(plan, middle, 5.4) & ~disc(plan, middle, 4.4)
     for cx, cz in np.argwhere(outer & (rng.random(plan) < 0.4)):
@@ -46,6 +49,7 @@ def ruin(rng: np.random.Generator) -> np.ndarray:
         if len(behind) and behind[-1] > FLOOR + 1:
             top = int(behind[-1]) + 1
             model[cx, cz, max(top - int(rng.integers(2, 6)), FLOOR) : top] = block("oak leaves")
+
     for cx, cz in np.argwhere(~disc(plan, middle, 5.4) & disc(plan, middle, 7.3)):
         if rng.random() < 0.14:
             model[cx, cz, FLOOR - 2 : FLOOR + int(rng.integers(0, 2))] = block("brick")
@@ -118,6 +122,7 @@ def stone_circle(rng: np.random.Generator) -> np.ndarray:
         model[cx + ax, cz + az, :top] = block("rock")
         if k < 2:
             gate.append((cx, cz, FLOOR + 5))
+
     line(model, gate[0], gate[1], block("rock"))
     model[8:11, 8:11, : FLOOR + 1] = block("rock")
     model[9, 9, FLOOR + 1] = block("lamp")

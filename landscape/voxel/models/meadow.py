@@ -93,6 +93,7 @@ def forest(
             continue
         taken[x, z] = True
         found.append((kind, x, z))
+
     return found
 
 

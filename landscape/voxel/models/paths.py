@@ -62,6 +62,7 @@ def _tree(ground: np.ndarray, step: int, sea: int, start: Place) -> np.ndarray:
             if total < cost[other]:
                 cost[other], before[other] = total, cell
                 heapq.heappush(queue, (total, other))
+
     return before
 
 

@@ -50,11 +50,13 @@ def _oak(model: np.ndarray, rng: np.random.Generator) -> None:
         x, z = MIDDLE + far * np.cos(angle), MIDDLE + far * np.sin(angle)
         y = middle + rng.uniform(-0.25, 0.3) * size
         blob(model, (x, z, y), (wide, wide, 0.8 * wide), leaves, 2.0)
+
     _thin(model, leaves, rng, 0.4)
     for number in range(limbs if big else 0):
         angle = turn + 2 * np.pi * number / limbs
         x, z = MIDDLE + 2.6 * np.cos(angle), MIDDLE + 2.6 * np.sin(angle)
         _limb(model, (MIDDLE, MIDDLE, trunk + 1), (x, z, middle + 0.5), log)
+
     model[MIDDLE, MIDDLE, : int(middle) + 1] = log
 
 
@@ -73,8 +75,10 @@ def _birch(model: np.ndarray, rng: np.random.Generator) -> None:
         x, z = MIDDLE + 0.45 * np.cos(turn), MIDDLE + 0.45 * np.sin(turn)
         blob(model, (x, z, y), (size, size, 1.3), leaves, 2.0)
         y += rng.uniform(1.7, 2.5)
+
     blob(model, (MIDDLE, MIDDLE, height + 0.6), (1.2, 1.2, 1.7), leaves, 2.0)
     _thin(model, leaves, rng, 0.3)
+
     # Twigs hang one or two blocks from the outermost leaves.
     for twig_x, twig_z, end in _undersides(model, leaves, rng, 5):
         model[twig_x, twig_z, max(end - int(rng.integers(1, 3)), 3) : end] = leaves

@@ -70,7 +70,9 @@ class MistSheets:
         eye sees a sheet fade.
         """
         self._texture, self._levels = Texture(picture, trilinear=trilinear), levels
-        self._mask, self._edges, self._thin = None, (0.0, 0.0, 1.0, 1.0), thin
+        self._mask = None
+        self._edges = (0.0, 0.0, 1.0, 1.0)
+        self._thin = thin
         if mask is not None and possible("mist.clear"):
             white = np.full((*mask.picture.shape, 4), 255, np.uint8)
             white[..., 3] = mask.picture
@@ -115,6 +117,7 @@ class MistSheets:
                 away = abs(float(self._levels[number]) - frame.eye_y)
                 near = clear and away < self._thin
                 self._draw_sheet(number, drift, away / self._thin if near else 1.0)
+
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
     def _lay_mask(self, mask: Texture) -> None:

@@ -19,6 +19,7 @@ def by_axis(mesh: Mesh, repeat: float) -> Mesh:
     """
     facing = np.abs(mesh.normals[mesh.triangles].sum(axis=1)).argmax(axis=1)
     count = len(mesh.vertices)
+
     # One number per vertex and chart: chart * count + vertex.
     corners, triangles = np.unique(mesh.triangles + facing[:, None] * count, return_inverse=True)
     chart, own = np.divmod(corners, count)

@@ -91,7 +91,10 @@ class Growth:
         ``ends`` are the mean colours (3,) of the blade's texture, at its upper part and its foot;
         of the sward's, those of each kind (kinds, 3).
         """
-        self._settings, self._ground, self._seed, self._ends = settings, ground, seed, ends
+        self._settings = settings
+        self._ground = ground
+        self._seed = seed
+        self._ends = ends
         self.across = int(np.ceil(ground.field.size / CELL))
         share, count = cover(self._painted, self.across), settings.grass.count
         self.near = nearness(count / (share.sum() * CELL**2)) if share.any() else NEAR
@@ -145,6 +148,7 @@ class Growth:
                 have = end
                 if total == 0:
                     break
+
         made = self._shape(self._sow(missing)) if missing else []
         for (number, first, end), more in zip(missing, made, strict=True):
             cell = self._cells.setdefault(number, Cell())
@@ -155,11 +159,13 @@ class Growth:
             if len(more.positions) < end - first:
                 # Few places here are suitable: the cell keeps the blades that have one.
                 self.counts[number] = first + len(more.positions)
+
         found = []
         for number in cells:
             # Put back last, as the most recently used.
             cell = self._cells[number] = self._cells.pop(number)
             found.append(cell.patch)
+
         return found
 
     def parts(
@@ -186,10 +192,12 @@ class Growth:
                     if (first, part) not in cell.parts:
                         shapeless.append((cell, first, part))
             first *= 2
+
         if shapeless:
             made = self._shape([cell.sown_in(first, part) for cell, first, part in shapeless])
             for (cell, first, part), patch in zip(shapeless, made, strict=True):
                 cell.parts[first, part] = patch
+
         return [cell.parts[first, part] for cell, first, part in chosen]
 
     def _wanted(
@@ -267,6 +275,7 @@ class Growth:
             if grass.fade:
                 ranges = self._ranges(cell, first, first + count)
             sown.append(Sown(roots, np.arange(count) // each, ranges, lots))
+
         return sown
 
     def _shape(self, layers: Sequence[Sown]) -> list[Patch]:
@@ -279,12 +288,14 @@ class Growth:
             # Outwards, the way a blade leans: its tip bends to (sin, cos) of its angle.
             away = self.tuft_radius * np.sqrt(lots["outwards"])
             xz = xz + away[:, None] * np.stack([np.sin(angles), np.cos(angles)], axis=1)
+
         positions = np.insert(xz, 1, self._ground.field.terrain_height(xz[:, 0], xz[:, 1]), axis=1)
         grow = self._cards if grass.sward else self._blades
         vertices, tints, kinds = grow(positions, angles, whole)
         places, ranges = positions.astype(np.float32), whole.ranges.astype(np.float32)
         patch = Patch(places, vertices, tints, ranges, kinds, sizes_of(places, vertices))
         ends = np.cumsum([len(layer.tuft) for layer in layers]).tolist()
+
         # Copies: a part of an array would keep all of it in memory.
         return [
             patch.only(np.arange(end - len(layer.tuft), end))
@@ -295,7 +306,10 @@ class Growth:
         self, positions: np.ndarray, angles: np.ndarray, sown: Sown
     ) -> tuple[np.ndarray, ...]:
         """Return vertices, tints and kinds of blades, all of them of the report's shape."""
-        grass, roots, tuft, lots = self._settings.grass, sown.roots, sown.tuft, sown.lots
+        grass = self._settings.grass
+        roots = sown.roots
+        tuft = sown.tuft
+        lots = sown.lots
         vertices = blade_vertices(positions, arched(blade_corners(angles), grass.arch), grass.scale)
         if grass.fade:
             grown = np.empty((len(positions), 1, 3))
@@ -306,6 +320,7 @@ class Growth:
             grown[:, 0, 1] *= 1.0 + grass.variety * tallness(roots, lots["size"])[tuft]
             feet = positions[:, None]
             vertices = ((vertices - feet) * grown + feet).astype(np.float32)
+
         tints = np.full((len(positions), 5, 4), 255, np.uint8)
         if grass.tinted:
             colour = self._ground.drawn_colour(roots[:, 0], roots[:, 1])
@@ -315,13 +330,16 @@ class Growth:
             colour *= self._ground.light(roots[:, 0], roots[:, 1])
             brightness = between(0.92, 1.28, lots["brightness"])
             tints[..., :3] = blade_tints(colour[tuft], brightness, *self._ends)
+
         return vertices, tints, np.zeros(len(positions), np.uint8)
 
     def _cards(
         self, positions: np.ndarray, angles: np.ndarray, sown: Sown
     ) -> tuple[np.ndarray, ...]:
         """Return vertices, tints and kinds of the sward's cards."""
-        grass, tuft, lots = self._settings.grass, sown.tuft, sown.lots
+        grass = self._settings.grass
+        tuft = sown.tuft
+        lots = sown.lots
         x, z = sown.roots.T
         bold = np.minimum(sown.ranges / self.near, 40.0) ** sward.BOLD
         kinds = sward.kinds_at(x, z, tuft, lots["kind"], bold, grass.flowers)
@@ -335,15 +353,19 @@ class Growth:
             feet, tops = self._card_colours(sown, kinds)
             tints[:, :2, :3] = feet[:, None]
             tints[:, 2:, :3] = tops[:, None]
+
         return vertices, tints, kinds
 
     def _card_colours(self, sown: Sown, kinds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the tints, uint8 (n, 3), of cards at their feet, and above."""
-        grass, tuft, lots = self._settings.grass, sown.tuft, sown.lots
+        grass = self._settings.grass
+        tuft = sown.tuft
+        lots = sown.lots
         x, z = sown.roots.T
         colour, light = self._ground.drawn_colour(x, z), self._ground.light(x, z)
         tone = between(0.84, 1.16, lots["tone"]) * (1.0 + 0.10 * sward.waves(x, z, 1.3, 28))
         colour, tone = colour[tuft], tone[tuft]
+
         # Half of a tuft's cards have its hue, the others their own.
         own_hue = lots["own_hue"]
         hue = sward.hues(np.where(own_hue < 0.5, lots["hue"][tuft], 2 * own_hue - 1), tone, colour)
@@ -355,6 +377,7 @@ class Growth:
         colour = np.where(low, 0.6 * bare + 0.4 * colour, colour)
         shade = np.where(own, 0.5, colour / (2.0 * self._ends[0][kinds]))
         shade *= light[tuft] * np.where(own, 0.45 + 0.5 * brightness, brightness)
+
         # In the thick of the sward roots are dark; where a card stands alone, it has light.
         alone = np.clip(np.log(sown.ranges / self.near) / 2.0, 0.0, 1.0)[:, None]
         foot = np.where(own, shade, (1.0 + sward.ROOTS * alone) * shade)

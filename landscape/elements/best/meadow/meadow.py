@@ -98,6 +98,7 @@ def cut_out() -> Iterator[None]:
             gl.glAlphaFunc(gl.GL_GREATER, 0.5)
             yield
             return
+
         gl.glEnable(gl.GL_SAMPLE_ALPHA_TO_COVERAGE)
         gl.glAlphaFunc(gl.GL_GREATER, 0.1)
         if not has(DITHER_CONTROL):
@@ -158,6 +159,7 @@ class Meadow:
             levels = [read_image(assets.path("blade.png"), "RGB")]
             ends, trilinear = blade_ends(levels[0]), True
             self._corners, self._height = COORDINATES[None], TALLEST
+
         self._growth = Growth(settings, ground, seed, ends)
         self._widening = 1.0, 0.0
         if settings.grass.sward and settings.grass.fade:
@@ -202,6 +204,7 @@ class Meadow:
             counts = count_at(
                 growth.shared[numbers], growth.near, nearest, frame.detail.grass, growth.thinning
             )
+
         # With fade, what is beyond the first layers grows only where it is near.
         wanted = (np.minimum(counts, FAR_LAYERS) if grass.fade else counts).tolist()
         patches = growth.patches(numbers.tolist(), wanted)
@@ -209,12 +212,14 @@ class Meadow:
             parts = growth.parts(frame, numbers[counts > FAR_LAYERS], radius, margin, angle)
             patches += parts
             wanted += [len(part.positions) for part in parts]
+
         whole = joined(patches, wanted) if patches else NOTHING
         if grass.fade:
             kept = in_range(frame, whole, radius, self._widening, margin, angle, growth.thinning)
             whole = whole.only(kept)
             if frame.detail.grass < 1.0:
                 whole = widened(whole, frame.detail.grass)
+
         self._in_view = round(len(whole.positions) / frame.detail.grass)
         return whole
 
@@ -277,11 +282,13 @@ class Meadow:
             facing(columns, away, grass.facing, CARD_SIDES, wider)
         elif grass.facing > 0:
             facing(columns, away, grass.facing)
+
         if grass.fade:
             left = np.clip(4.0 * (1.0 - far / self._ranges(frame, patch)), 0.0, 1.0)
             columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left
             gone = np.flatnonzero(left <= 0.0)
             columns[..., gone] = places[:, gone]
+
         return np.ascontiguousarray(columns.transpose(2, 0, 1))
 
     def _wider(self, far: np.ndarray, patch: Patch) -> np.ndarray:
@@ -322,6 +329,7 @@ class Meadow:
             else:
                 # Twice texture times tint: a tint can make a blade lighter than its texture.
                 multiply(2.0)
+
             with client_arrays(vertices, None, tinted, [coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)
             if tinted is not None:

@@ -200,7 +200,10 @@ def showing(
     near = x * x + z * z
     reach = ranges + np.float32(margin)
     found = np.flatnonzero(near < reach * reach)
-    x, y, z, near = x[found], y[found], z[found], near[found]
+    x = x[found]
+    y = y[found]
+    z = z[found]
+    near = near[found]
 
     def along(axis: np.ndarray) -> np.ndarray:
         a, b, c = axis.astype(np.float32)

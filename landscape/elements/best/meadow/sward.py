@@ -218,6 +218,7 @@ def kinds_at(
         drift = np.clip(1.9 * waves(x, z, k, 30 + number // 2 * 2) - 0.55, 0.0, 1.0)
         drift *= np.clip(0.9 + 1.2 * waves(x, z, 7.0, 40 + number), 0.0, 1.0)
         places[:, STANDING + number] = drift
+
     weights = places[tuft]
     common = np.array([common for _, common in DRIFTS], np.float32)
     drifts = np.minimum(weights[:, STANDING:] * bold[:, None].astype(np.float32), 2.0)

@@ -70,6 +70,7 @@ def solids() -> tuple[list[Box], list[Cylinder]]:
         a = share * (x1 - x0) / 2 - 0.05 * (1 - share)
         y = top + share * KEEP_ROOF
         boxes.append((x0 + a, y, z0 + a, x1 - a, y + KEEP_ROOF / 4, z1 - a))
+
     round_ = [(x, z, TOWER_RADIUS, -FOOT, TOWER_TOP - 0.12) for x, z in CORNERS]
     round_ += [(x, z, TOWER_RADIUS + 0.03, TOWER_TOP - 0.11, TOWER_TOP) for x, z in CORNERS]
     radius, tip = CONE
@@ -77,6 +78,7 @@ def solids() -> tuple[list[Box], list[Cylinder]]:
         low = TOWER_TOP + share * (tip - TOWER_TOP)
         high = low + (tip - TOWER_TOP) / 4
         round_ += [(x, z, radius * (1 - share), low, high) for x, z in ROOFED]
+
     return boxes, round_
 
 
@@ -101,15 +103,19 @@ def _stopped(places: np.ndarray, ray: np.ndarray) -> np.ndarray:
             np.maximum(enter, (first - p) / d, out=enter)
             np.minimum(leave, (last - p) / d, out=leave)
         hit |= enter < leave
+
     across = dx * dx + dz * dz
     for cx, cz, radius, y0, y1 in round_:
         nearest = -((x - cx) * dx + (z - cz) * dz) / across
         off = np.square(x + nearest * dx - cx) + np.square(z + nearest * dz - cz)
         near = np.flatnonzero(off < radius * radius)
-        nearest, off, height = nearest[near], off[near], y[near]
+        nearest = nearest[near]
+        off = off[near]
+        height = y[near]
         half = np.sqrt((radius * radius - off) / across)
         enter = np.maximum(np.maximum(nearest - half, (y0 - height) / dy), 0.0)
         hit[near] |= enter < np.minimum(nearest + half, (y1 - height) / dy)
+
     return hit
 
 
@@ -231,6 +237,7 @@ def arriving(
     sunny = open_to(places, normals, around(towards, SUN_RAYS, PENUMBRA))[:, None]
     left = EXPOSURE * ((ambient + fill) * seen + direct * sunny)
     left += torches * torchlight(places, normals)
+
     # Where no light comes from anywhere, there is none to block.
     lit = np.clip(ambient + fill + direct, 1e-6, 1.0)
     return np.asarray(left / lit)
@@ -246,7 +253,9 @@ def shelves(sizes: list[tuple[int, int]], side: int = SIDE) -> list[tuple[int, i
     for k in sorted(range(len(sizes)), key=lambda k: -sizes[k][1]):
         wide, high = sizes[k]
         if x + wide > side:
-            x, y, shelf = 0, y + shelf, 0
+            x = 0
+            y = y + shelf
+            shelf = 0
         if wide > side or y + high > side:
             raise ValueError(f"the light map needs more than {side} texels a side")
         corners[k] = x, y
@@ -288,7 +297,9 @@ def light_map(
     sizes = box_sizes(mesh, strips)
     picture = np.full((SIDE, SIDE, 3), 255, np.uint8)
     coordinates = np.zeros((len(mesh.vertices), 2), np.float32)
-    places, normals, boxes = [], [], []
+    places = []
+    normals = []
+    boxes = []
     for strip, (wide, high), (x, y) in zip(strips, sizes, shelves(sizes), strict=True):
         along = x + 0.5 + np.linspace(0.0, wide - 1.0, strip.shape[1])
         coordinates[strip, 0] = along / SIDE
@@ -296,6 +307,7 @@ def light_map(
         places.append(spread(mesh.vertices[strip].astype(float), wide, high).reshape(-1, 3))
         normals.append(spread(mesh.normals[strip].astype(float), wide, high).reshape(-1, 3))
         boxes.append((slice(y, y + high), slice(x, x + wide)))
+
     facing = np.concatenate(normals)
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-9)
     shades = np.minimum(light(np.concatenate(places), facing, sun, yaw, torches) / 2.0, 1.0)
@@ -305,4 +317,5 @@ def light_map(
         shape = box[0].stop - box[0].start, box[1].stop - box[1].start, 3
         picture[box] = colours[first : first + len(points)].reshape(shape)
         first += len(points)
+
     return picture, coordinates

@@ -24,7 +24,9 @@ from landscape.geometry.mesh import Mesh
 SHARE = 0.45  # of the wall's texture coordinates: a block shows one or two of its stones
 FRAME = 0.010  # units that a window's frame stands out from the wall
 # Faces of a box by the corners' numbers, whose bits are across, up, out.
-FRONT, LEFT, RIGHT = (4, 5, 7, 6), (0, 4, 6, 2), (5, 1, 3, 7)
+FRONT = (4, 5, 7, 6)
+LEFT = (0, 4, 6, 2)
+RIGHT = (5, 1, 3, 7)
 TOP, BELOW = (6, 7, 3, 2), (0, 1, 5, 4)
 ALL = (FRONT, LEFT, RIGHT, TOP, BELOW)
 
@@ -88,6 +90,7 @@ def add_frames(blocks: Blocks) -> None:
                 span = (half, reach) if side > 0 else (-reach, -half)
                 out = deep * blocks.rng.uniform(0.75, 1.15)
                 blocks.add(foot, facing, span, (low, high), (-0.01, out), (FRONT, LEFT, RIGHT))
+
         over = half + rim + 0.005
         blocks.add(foot, facing, (-over, over), (tall, tall + 0.020), (-0.01, deep + 0.003))
         blocks.add(foot, facing, (-over, over), (-0.015, 0.0), (-0.01, deep + 0.006), slope=0.004)
@@ -145,6 +148,7 @@ def add_copings(blocks: Blocks) -> None:
         blocks.add(foot, math.pi / 2, (-half, half), (0.0, high), (-deep, deep))
         back = (-half, half), (0.0, high), (-deep, deep)
         blocks.add(foot, -math.pi / 2, *back, (FRONT,))
+
     radius = TOWER_RADIUS + 0.03
     for x, z in CORNERS:
         if (x, z) in ROOFED:

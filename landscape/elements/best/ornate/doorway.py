@@ -33,7 +33,9 @@ LAMP, REACH = np.array([1.75, 1.02, 0.46]), 0.15  # a lamp's light, where it is 
 AMBIENT = np.array([0.055, 0.045, 0.042])
 DAY = np.array([0.62, 0.62, 0.60])  # daylight on the floor behind the door
 END = np.array([1.5, 1.35, 1.05])  # light of the windows at the end of the hall
-STONE, CARPET, BRAID = np.array([0.95, 0.92, 0.86]), (0.50, 0.085, 0.07), (0.62, 0.46, 0.16)
+STONE = np.array([0.95, 0.92, 0.86])
+CARPET = (0.50, 0.085, 0.07)
+BRAID = (0.62, 0.46, 0.16)
 PANE = np.array([(0.92, 0.74, 0.46), (0.98, 0.93, 0.80)])  # windows, from their foot to their top
 FLAME = np.array([1.0, 0.74, 0.32])
 
@@ -113,7 +115,9 @@ def light(places: np.ndarray, normals: np.ndarray) -> np.ndarray:
 
 def hall() -> tuple[Mesh, Mesh]:
     """Return the hall, textured with stones, and its carpet and flames, which are plain."""
-    x0, x1, far = 0.5 - WIDE, 0.5 + WIDE, LONG - THICK
+    x0 = 0.5 - WIDE
+    x1 = 0.5 + WIDE
+    far = LONG - THICK
     parts = [
         sheet((x0, 0.0, LONG), (2 * WIDE, 0, 0), (0, 0, -LONG - 0.02)),  # floor
         sheet((x0, HIGH, THICK), (2 * WIDE, 0, 0), (0, 0, far)),
@@ -134,6 +138,7 @@ def hall() -> tuple[Mesh, Mesh]:
         y = 0.002 if colour is CARPET else 0.003
         strip = sheet((0.5 + left, y, LONG - 0.2), (wide, 0, 0), (0, 0, -LONG + 0.205))
         plain.append(_lit(strip, np.tile(colour, (len(strip.vertices), 1))))
+
     plain += [_flame(x, y, z, 0.006, 0.026) for x, y, z in LAMPS]
     plain += [
         _lancet(0.5 + dx, low, tall)

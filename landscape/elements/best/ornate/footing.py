@@ -43,6 +43,7 @@ def ball() -> tuple[np.ndarray, np.ndarray]:
             a, b = 1 + ring * sides, 1 + (ring + 1) * sides
             found += [(a + k, a + after, b + k), (b + k, a + after, b + after)]
         found.append((last, last - sides + k, last - sides + after))
+
     return points, np.array(found, np.uint32)
 
 
@@ -84,6 +85,7 @@ def outside_of_walls(count: int, spread: float, rng: np.random.Generator) -> np.
         before_gate = GATE[0] - 0.02 < at[0] < GATE[1] + 0.02 and at[1] < 0.5
         if not inside and not in_tower and not before_gate:
             places.append(at)
+
     return np.array(places)
 
 
@@ -113,6 +115,7 @@ def rubble(ground: Ground) -> tuple[Mesh, np.ndarray]:
         # What touches the ground is darker, and mossy.
         above = np.clip((one.vertices[:, 1] - y) / (0.6 * size), 0.0, 1.0)[:, None]
         tints.append(tint * (np.array([0.50, 0.50, 0.42]) + above * (0.50, 0.50, 0.58)))
+
     return merged(meshes), np.concatenate(tints)
 
 

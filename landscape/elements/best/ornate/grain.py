@@ -58,4 +58,5 @@ def grained(tile: Texture) -> Iterator[None]:
             gl.glMatrixMode(gl.GL_MODELVIEW)
             yield
             gl.glMatrixMode(gl.GL_TEXTURE)
+
         gl.glMatrixMode(gl.GL_MODELVIEW)

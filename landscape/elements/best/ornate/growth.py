@@ -25,7 +25,9 @@ def stems(width: float, height: float, rng: np.random.Generator) -> np.ndarray:
     found = []
     for k in range(STEMS):
         part = (k + rng.uniform(0.2, 0.8)) / STEMS * 2.0 - 1.0
-        u, y, lean = width * part, -0.02, rng.normal(0.25 * part, 0.35)
+        u = width * part
+        y = -0.02
+        lean = rng.normal(0.25 * part, 0.35)
         tall = height * (1.0 - 0.75 * part * part) * rng.uniform(0.45, 1.0)
         while y < tall:
             found.append((u, y))

@@ -29,7 +29,10 @@ def openings() -> list[Opening]:
     def open_at(*numbers: float) -> None:
         found.append(Opening(*map(float, numbers)))
 
-    east, south, west, north = 0.0, 0.5 * np.pi, np.pi, 1.5 * np.pi
+    east = 0.0
+    south = 0.5 * np.pi
+    west = np.pi
+    north = 1.5 * np.pi
     for x in (0.0, 1.0):
         for z in (0.0, 1.0):
             for turn, y in ((-0.62, 0.36), (0.62, 0.62), (0.0, 0.98)):

@@ -18,7 +18,9 @@ from landscape.gl.texture import Texture
 
 # The opening in the picture of the gate (studio/gate.py): half its width, the height where the arch
 # begins, and how far the centre of each arc is on the other side.
-HALF, SPRING, CENTRE = 0.094, 0.238, 0.038
+HALF = 0.094
+SPRING = 0.238
+CENTRE = 0.038
 ARC = 9  # chosen: points of each side of the arch
 TURNED = math.radians(112.0)  # chosen: how far the leaves are open
 GLOW, DARK = (0.62, 0.40, 0.19), (0.045, 0.034, 0.028)  # chosen: torchlight on the floor; above it
@@ -87,4 +89,5 @@ def send_open_door(door: Texture) -> None:
             gl.glTexCoord2f(0.5, 1.0 - height)
             gl.glVertex3f(*far[k].tolist())
         gl.glEnd()
+
     gl.glBindTexture(gl.GL_TEXTURE_2D, 0)

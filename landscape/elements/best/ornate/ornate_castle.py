@@ -196,7 +196,9 @@ class OrnateCastle(CastleInOnePass):
 
     def visible(self, frame: Frame) -> bool:
         """Return whether the bounding sphere, mirrored if the frame is, meets the view frustum."""
-        x, y, z = self.base[0], self.base[1] + 0.5, self.base[2]
+        x = self.base[0]
+        y = self.base[1] + 0.5
+        z = self.base[2]
         if frame.mirrored:
             y = mirrored_height(y, self._settings.water.level)
         return ball_in_view(frame, (x, y, z), REACH)

@@ -61,7 +61,9 @@ def belt(low: float, high: float, out: float, gate: tuple[float, float]) -> np.n
 def ring_of_merlons(radius: float, base: float, count: int) -> np.ndarray:
     """Return battlements around a tower about the y axis, quads (n, 4, 3)."""
     quads = []
-    inner, top, half = radius - 0.035, base + 0.8 * MERLON, 0.29 * 2 * np.pi / count
+    inner = radius - 0.035
+    top = base + 0.8 * MERLON
+    half = 0.29 * 2 * np.pi / count
     for middle in 2 * np.pi * np.arange(count) / count:
         a, b = middle - half, middle + half
         p, q = ((radius * np.cos(v), radius * np.sin(v)) for v in (a, b))
@@ -77,13 +79,16 @@ def ornate_tower(repeat: float, crowned: bool) -> tuple[Mesh, list[np.ndarray]]:
 
     It has battlements if ``crowned``, otherwise none, as it gets a roof.
     """
-    r, top, sides = TOWER_RADIUS, TOWER_TOP, 24
+    r = TOWER_RADIUS
+    top = TOWER_TOP
+    sides = 24
     low, high, out = PLINTH
     profile = [(r + out, low), (r + out, high), (r, high + out), (r, BAND[0])]
     profile += [(r + BAND[2], BAND[0]), (r + BAND[2], BAND[1]), (r, BAND[1] + BAND[2])]
     profile += [(r, top - 0.16), (r + 0.03, top - 0.10), (r + 0.03, top)]
     profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
     shaft = revolve(profile, sides, (max(1, round(2 * np.pi * r * repeat)), 1))
+
     # Texture coordinates by height, so that the courses of towers and walls line up.
     round_, _ = shaft.coordinates[0].T
     level = np.stack([round_, (1.0 - shaft.vertices[:, 1]) * repeat], axis=1).astype(np.float32)
@@ -116,4 +121,5 @@ def ornate_masonry(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
         first = sum(len(mesh.vertices) for mesh in meshes)
         strips += [row + first for row in rows]
         meshes.append(moved(tower, x, z))
+
     return merged(meshes), strips

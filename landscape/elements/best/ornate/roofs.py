@@ -30,6 +30,7 @@ def roofs(repeat: float) -> Mesh:
         (ax, az), (bx, bz) = eaves[(k + 1) % 4], eaves[k]
         corners += [(ax, top, az), (bx, top, bz), peak]
         uv += [(0.0, 2.0), (2.0, 2.0), (1.0, 0.0)]
+
     below = [(x, top, z) for x, z in eaves]
     corners += [below[k] for k in (0, 1, 2, 0, 2, 3)]
     uv += [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.0, 1.0)]

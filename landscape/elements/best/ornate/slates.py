@@ -56,6 +56,7 @@ def cone_roof(x: float, z: float, rng: np.random.Generator) -> list[Mesh]:
             under = inner + (x, low + 0.012, z)
             below = np.stack([under, grid[0]])
             meshes.append(surface(below, np.broadcast_to(BARE, (2, SIDES + 1, 2))))
+
     return meshes
 
 
@@ -108,6 +109,7 @@ def hip_roof(rng: np.random.Generator) -> list[Mesh]:
                 [[(0.03 * k, 0.0), (0.03 * k + 0.02, 0.0), (0.03 * k + 0.04, 0.0)]] * 2
             )
             meshes.append(surface(grid_, patch))
+
     return meshes
 
 

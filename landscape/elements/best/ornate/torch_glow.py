@@ -99,6 +99,7 @@ class TorchGlow:
                 part = strength * flicker(frame.kt, number)
                 gl.glColor3f(*(part * COLOUR).tolist())
                 self._send(self._halo(x, eye))
+
             if torches > 0.0:
                 self._light_ground(frame.kt, glow * torches)
 

@@ -176,6 +176,7 @@ class WeatheredCastle(OrnateCastle):
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-2.0, -4.0)
             self._marks_list.call()
+
         with attrib(groups):
             gl.glDisable(gl.GL_BLEND)
             gl.glEnable(gl.GL_TEXTURE_2D)

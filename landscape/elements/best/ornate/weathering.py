@@ -58,7 +58,9 @@ def streaks(places: np.ndarray, normals: np.ndarray) -> np.ndarray:
         below = ledge - y
         reach = RUN * (0.45 + 1.3 * wide)
         wet = np.maximum(wet, np.where(below > -0.003, np.exp(-np.abs(below) / reach), 0.0))
+
     dark = 0.42 * thread * (0.10 + 0.90 * wet) + 0.10 * wet * wet
+
     # Below each opening, dirt runs down from the two ends of the sill.
     for x, foot, z, _, half, _ in openings():
         near = (np.abs(places[:, 0] - x) < 0.05) & (np.abs(places[:, 2] - z) < 0.05)
@@ -69,6 +71,7 @@ def streaks(places: np.ndarray, normals: np.ndarray) -> np.ndarray:
         line = np.exp(-(((away - half - 0.004) / 0.007) ** 2)) + 0.5 * np.exp(-((away / half) ** 2))
         run = np.exp(-(foot - y[near]) / (0.05 + 0.10 * wide[near]))
         dark[near] += 0.42 * line * run * (0.4 + 0.8 * narrow[near])
+
     upright = np.clip(1.0 - np.abs(normals[:, 1]) * 1.3, 0.0, 1.0)
     return np.asarray(1.0 - np.clip(dark * upright, 0.0, 0.72))[:, None]
 
@@ -110,6 +113,7 @@ def worn_light_map(
         part = slice(ends[k], ends[k + 1])
         points[part] = spread(mesh.vertices[strip].astype(float), wide, high).reshape(-1, 3)
         facing[part] = spread(mesh.normals[strip].astype(float), wide, high).reshape(-1, 3)
+
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-9)
     coarse = warmed(arriving(points, facing, sun, yaw, torches), facing, sun, yaw)
     coarse *= stains(points, facing)
@@ -128,4 +132,5 @@ def worn_light_map(
         flat = coarse[ends[k] : ends[k + 1]].reshape(*sizes[k][::-1], 3)
         shades = between(flat) * streaks(at, turned).reshape(high, wide, 1)
         picture[y : y + high, x : x + wide] = np.minimum(shades / 2.0, 1.0) * 255 + 0.5
+
     return picture, coordinates

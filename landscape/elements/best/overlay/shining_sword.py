@@ -110,6 +110,7 @@ def strip(found: Blade) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
         vertices.append(flat)
         normals.append(tilt)
         triangles.append(grid_triangles(ALONG + 1, 2) + 2 * (ALONG + 1) * len(triangles))
+
     flat, tilt = np.concatenate(vertices), np.concatenate(normals)
     towards = np.sqrt(1 - (tilt**2).sum(axis=1))
     square = np.column_stack([flat[:, 0] / ASPECT, flat[:, 1], np.full(len(flat), -1.0)])
@@ -175,6 +176,7 @@ class ShiningSword(Sword):
         if compiled is None or self._around is None:
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
+
         with attrib(groups), matrix():
             self._place(frame)
             gl.glEnable(gl.GL_BLEND)

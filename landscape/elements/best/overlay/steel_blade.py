@@ -94,7 +94,10 @@ def face() -> Mesh:
     creases = (-1.0, -0.80, -0.36, 0.36, 0.80, 1.0)
     share = np.linspace(0.0, 1.0, ROWS + 1)
     share = 1.0 - (1.0 - share) ** 1.25  # more rows where the outline is curved
-    vertices, normals, triangles, coordinates = [], [], [], []
+    vertices = []
+    normals = []
+    triangles = []
+    coordinates = []
     first = 0
     for left, right in zip(creases, creases[1:], strict=False):
         columns = 9 if left == -0.36 else 2
@@ -112,6 +115,7 @@ def face() -> Mesh:
         coordinates.append(np.stack([3.0 * v, (u + 1) / 2], axis=-1).reshape(-1, 2))
         triangles.append(grid_triangles(columns, ROWS + 1) + np.uint32(first))
         first += columns * (ROWS + 1)
+
     return Mesh(
         np.concatenate(vertices),
         np.concatenate(normals),
@@ -143,6 +147,7 @@ def steel_mesh() -> Mesh:
     light = np.clip(DARK + 9.0 * share, 0.0, 1.0) * np.where(groove, 0.80, 1.0)
     colours = np.ones((len(square), 4))
     colours[:, :3] = light[:, None]
+
     # The soft edge: the outline, and beside it the same with no opacity.
     rim = np.linspace(0.0, 1.0, ROWS + 1)
     rim = 1.0 - (1.0 - rim) ** 1.25
@@ -220,8 +225,10 @@ def finer(picture: np.ndarray) -> np.ndarray:
         shape = list(values.shape)
         shape[axis] *= 2
         values = both.reshape(shape)
+
     cover = np.clip(values[..., 3:], 0, 255)
     colours = np.clip(values[..., :3] / np.maximum(cover / 255, 1e-3), 0, 255)
+
     # Where nothing is covered, the colour of what is near must remain.
     near = np.repeat(np.repeat(picture[..., :3], 2, axis=0), 2, axis=1)
     colours = np.where(cover > 8, colours, near)
@@ -262,7 +269,9 @@ def scratches() -> np.ndarray:
     x, y = np.meshgrid(np.arange(along), np.arange(across))
     for _ in range(110):
         turn = rng.normal(0.0, 0.5) if rng.random() < 0.75 else rng.uniform(-1.5, 1.5)
-        cx, cy, long = rng.uniform(0, along), rng.uniform(0, across), rng.gamma(2.0, 9.0)
+        cx = rng.uniform(0, along)
+        cy = rng.uniform(0, across)
+        long = rng.gamma(2.0, 9.0)
         dx, dy = (x - cx + along / 2) % along - along / 2, y - cy
         u, v = dx * math.cos(turn) + dy * math.sin(turn), dy * math.cos(turn) - dx * math.sin(turn)
         line = np.exp(-((v / 0.6) ** 2)) * np.clip(1.0 - np.abs(u) / long, 0.0, 1.0)
@@ -331,6 +340,7 @@ class SteelBlade(ShiningSword):
                 generate("REFLECTION_MAP")
                 with texture_matrix(frame.to_world):
                     self._blade.call()
+
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glColor3f(*painted(self._settings.sun, self._facing(frame)))
             self._hilt.bind()

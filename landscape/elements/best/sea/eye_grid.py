@@ -80,6 +80,7 @@ def eye_grid(frame: Frame, level: float, reach: float) -> "EyeGrid | None":
     horizon = np.arctan(height / reach)
     if angles is None or angles[3] <= horizon:
         return None
+
     # A picture with half the pixels does with every second line.
     every = 2 if frame.detail.coarser >= 2.0 else 1
     azimuth = grid_lines(angles[0], angles[1], every * AZIMUTH_STEP)

@@ -136,6 +136,7 @@ class Where:
         """
         none = grid.triangles[:0].reshape(-1, 6)
         apart = np.maximum(np.abs(self._corner + self._size / 2 - grid.eye) - self._size / 2, 0.0)
+
         # The rings become smaller from row to row.
         first = int((grid.ring >= FARTHEST).sum())
         if np.hypot(*apart) > FARTHEST or first == len(grid.ring):
@@ -149,6 +150,7 @@ class Where:
         ring, cell = grid.ring[first:], grid.cell[first:]
         step = math.hypot(grid.east[1] - grid.east[0], grid.south[1] - grid.south[0])
         half = (0.5 * np.hypot(cell, ring * step) + self._texel).astype(np.float32)
+
         # What is outside looks up any texel.
         place = row.astype(np.int32) * side + column.astype(np.int32)
         near = self._least.take(place, mode="clip") <= half[:, None]
@@ -271,6 +273,7 @@ class Foam:
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             self._list.call()
+
             # Spray is as bright from all sides, as it scatters light.
             colour = np.array([*(painted(settings.sun, FACING) * COLOUR), 1.0], np.float32)
             drift = frame.kt / LACE_DRIFT % 1.0

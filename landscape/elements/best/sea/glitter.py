@@ -96,6 +96,7 @@ class Glitter:
         intensity = sun_intensity(grid, *slopes, towards, spread)
         if settings.fog.enabled and settings.fog.mode == "exp2":
             intensity *= visibility(grid.sight, settings.fog.density).astype(np.float32)
+
         # The strip up to the horizon is so long that its texture coordinates are inexact.
         first = int(grid.ring[0] > LONG * grid.ring[1])
         strip = 2 * (intensity.shape[1] - 1)

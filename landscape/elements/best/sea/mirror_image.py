@@ -63,6 +63,7 @@ def mirror_unit(mirror: Taken | None, unit: int, depths: int | None) -> Iterator
         else:
             combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{depths}"})
             combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
+
         name = getattr(gl, f"GL_TEXTURE{unit}")
         gl.glClientActiveTexture(name)
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
@@ -115,6 +116,7 @@ class MirrorImage:
             self.release()
             drawn_into = possible("reflection.rippled without a copy")
             self._target = TextureTarget(texels) if drawn_into else CopiedTarget(texels)
+
         # OpenGL returns and takes matrices in column-major order.
         seen = np.array(gl.glGetFloatv(gl.GL_PROJECTION_MATRIX), np.float64).reshape(4, 4).T
         projection = widened(seen, MARGIN)
@@ -129,6 +131,7 @@ class MirrorImage:
                     yield replace(frame, size=(width, height), fov=fov, detail=small)
             finally:
                 gl.glMatrixMode(gl.GL_PROJECTION)
+
         gl.glMatrixMode(gl.GL_MODELVIEW)
         self._matrix = BIAS @ projection @ frame.modelview.reshape(4, 4).T
         self._drawn, self._served = (frame, self._matrix), 1

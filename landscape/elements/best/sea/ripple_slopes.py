@@ -36,6 +36,7 @@ def slopes(seed: int, size: int = SIZE) -> np.ndarray:
     k = np.maximum(np.hypot(k_x, k_y), 1e-9)
     octave = np.log2(k)
     heading = np.arctan2(k_y, k_x) - TURNED * np.sin(2.3 * octave + 1.7 * seed)
+
     # Per area of the plane of wave numbers: an octave's area grows with k squared.
     energy = (np.abs(np.cos(heading)) ** (2 * SPREAD) + ASTRAY) / k**2
     energy *= np.exp(-((LONGEST / k) ** 4) - (k / SHORTEST) ** 2)
@@ -43,6 +44,7 @@ def slopes(seed: int, size: int = SIZE) -> np.ndarray:
     step = 2j * np.pi / size
     along = [np.fft.ifft2(height * step * each).real for each in (k_x, k_y)]
     scale = np.sqrt(np.mean(np.square(along)))
+
     # Water moves towards the crests, as in Gerstner's waves: narrow crests, wide troughs.
     drawn = [np.fft.ifft2(height * 1j * each / k).real / scale for each in (k_x, k_y)]
     at = [

@@ -111,6 +111,7 @@ def sights(
         limited = np.minimum(part * gain, 0.5)
         colours[..., 0] = 0.5 + limited * grid.east
         colours[..., 1] = 0.5 + limited * grid.south
+
     out[..., 2] = 0.5 + 0.5 * root
     out[..., 3] = share
     one, two = out.reshape(2, -1, 4)
@@ -163,6 +164,7 @@ class Ripples:
             cosine = facing(grid, slope_x, slope_z, rough)
             level = opacity(cosine, water.color[3])
             change = change_of_opacity(grid, cosine, water.color[3])
+
         change = (change + np.float32(MUTED)) * rough * np.float32(STEEP * RANGE * water.ripples)
         one, two = sights(grid, level, change, mirror is None)
         repeat = water.repeat / water.patch
@@ -178,6 +180,7 @@ class Ripples:
                 mirror_places(grid, y, move_x * rough, move_z * rough, tilt.astype(np.float32))
                 for tilt in (apart, -apart)
             ]
+
         with (
             attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT),
             client_arrays(vertices, None, one, layers),

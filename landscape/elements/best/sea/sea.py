@@ -162,6 +162,7 @@ class Sea:
             self._texture = water_texture(settings, assets)
             if settings.water.shallow and possible("water.shallow"):
                 self._shallows = Shallows(depths, field.size)
+
         self._foam = Foam(settings, assets, field, dragon) if settings.water.foam else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
 
@@ -240,6 +241,7 @@ class Sea:
         depths = None if self._shallows is None else 1
         lit(self._settings.shading)
         gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
+
         with (
             self._texture_units(),
             client_arrays(vertices, normals, colors, layers),

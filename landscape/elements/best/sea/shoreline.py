@@ -26,6 +26,7 @@ def crossings(
     """
     wet = rise[triangles] < 0
     triangles = triangles[wet.any(axis=1) & ~wet.all(axis=1)]
+
     # Turned so that the first corner lies alone on its side of the water's level.
     wet = rise[triangles] < 0
     alone = np.where(wet.sum(axis=1) == 1, wet.argmax(axis=1), (~wet).argmax(axis=1))
@@ -75,6 +76,7 @@ def nearest_pieces(
     longest = float(np.abs(ends[:, 1] - ends[:, 0]).max(initial=0.0))
     radius = int(np.ceil((reach + longest) / texel))
     offsets = np.stack(np.meshgrid(*[np.arange(-radius, radius + 1)] * 2), axis=2).reshape(-1, 2)
+
     # The least of (distance, number), as one whole number.
     far = int(np.iinfo(np.int64).max)
     nearest = np.full(texels * texels, far, np.int64)
@@ -89,6 +91,7 @@ def nearest_pieces(
         kept &= np.maximum(column, row) < texels
         key = (apart[kept] * 1e6).astype(np.int64) << 24 | number[kept]
         np.minimum.at(nearest, (row * texels + column)[kept], key)
+
     found = nearest < far
     away = np.where(found, (nearest >> 24) * 1e-6, reach).reshape(texels, texels)
     return away, np.where(found, nearest & (1 << 24) - 1, -1).reshape(texels, texels)

@@ -191,6 +191,7 @@ class UnderWater:
                 gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
                 gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, np.array(plane, np.float32))
                 gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+
             send()
 
     def _shine(self) -> None:
@@ -236,6 +237,7 @@ class UnderWater:
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE_MINUS_SRC_ALPHA)
             with client_arrays(vertices, None, self._veil(sight, away[:, 0], normals)):
                 gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
+
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
     @staticmethod

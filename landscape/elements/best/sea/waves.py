@@ -96,6 +96,7 @@ def waves(
     calls. ``moved`` (waves, rows) adds two more arrays: the sums of the slopes times these factors.
     """
     slope = damped_slopes(cell)[..., None]
+
     # Reduced to one turn before the sum: float32 has too few digits for a large t.
     turns = (PHASES - FREQUENCIES * t) % (2 * np.pi)
     phase = x * ALONG_X + (z * ALONG_Z + turns.astype(np.float32)[:, None, None])

@@ -8,7 +8,9 @@ from landscape.settings import Settings
 
 def wanted(settings: Settings) -> bool:
     """Return whether the settings ask for more than the sprites of 2006 can show."""
-    shared, trees, plants = settings.transparent, settings.trees, settings.plants
+    shared = settings.transparent
+    trees = settings.trees
+    plants = settings.plants
     return bool(
         (shared.sunward or shared.contact)
         or (shared.faces != "plane" or shared.follow_slope)

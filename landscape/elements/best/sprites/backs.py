@@ -45,6 +45,7 @@ def _lay_body(out: np.ndarray, view: np.ndarray, body: np.ndarray, columns: np.n
     half = NARROW * deep * np.where(top < trunk - 0.04 * SIDE, NECK, 1.0)
     padded = np.pad(half, SOFT, mode="edge")
     half = np.convolve(padded, np.full(2 * SOFT + 1, 1.0 / (2 * SOFT + 1)), mode="valid")
+
     # Round ends: the muzzle and the rump.
     end = np.minimum(np.arange(len(half)), np.arange(len(half))[::-1]) + 1.0
     half = np.minimum(half, np.sqrt(end * (2.0 * half.mean())))
@@ -52,6 +53,7 @@ def _lay_body(out: np.ndarray, view: np.ndarray, body: np.ndarray, columns: np.n
     inside = np.abs(across) <= 1.0
     rows = top + np.abs(across).clip(0.0, 1.0) ** 1.5 * FLANK * deep
     picked = view[rows.astype(int).clip(0, SIDE - 1), columns]
+
     # The back is flat, and the flanks fall away from the light above.
     picked[..., :3] = (
         picked[..., :3] * (1.0 - DARKER * np.abs(across).clip(0.0, 1.0) ** 2)[..., None]

@@ -40,7 +40,9 @@ from landscape.settings import Settings
 FOOT = 0.07  # chosen: half a trunk's width, times the tree's width
 # Chosen: how high the picture from above lies, times the height of a plant, of a herb that flowers,
 # and of a tree.
-ROSETTE_HEIGHT, BLOOM_HEIGHT, CROWN_HEIGHT = 0.30, 0.65, 0.62
+ROSETTE_HEIGHT = 0.30
+BLOOM_HEIGHT = 0.65
+CROWN_HEIGHT = 0.62
 
 
 def rooted(sprites: TintedSprites) -> np.ndarray:
@@ -79,13 +81,17 @@ class LaidOut:
             True: np.ascontiguousarray(rooted(sprites), np.float32),
         }
         self.sizes = np.ascontiguousarray(sprites.sizes, np.float32)
-        self.cells, self.flipped, self.slopes = sprites.cells, sprites.flipped, sprites.slopes
+        self.cells = sprites.cells
+        self.flipped = sprites.flipped
+        self.slopes = sprites.slopes
         self.tops = top_heights(sprites.cells, self.sizes[:, 1]).astype(np.float32)
         self.leaning = leaning(sprites.slopes).astype(np.float32)
         self.tints = sprites.tints.astype(np.uint8)
         self.pictures = sprites.pictures
         self.st = cell_coordinates(sprites.pictures, sprites.flipped, QUAD_S, QUAD_T, rows)
-        self.outlines, self.outline_st, self.rows = outlines, outline_st, rows
+        self.outlines = outlines
+        self.outline_st = outline_st
+        self.rows = rows
         boards = np.flatnonzero(sprites.cells < PLANT)
         self.neighbours = boards[neighbours(sprites.positions[boards], sprites.sizes[boards, 0])]
 
@@ -148,6 +154,7 @@ def choose(
         which = in_window(laid_out, frame, settings, radius, margin, angle)
     else:
         which = visible(frame, places, radius)
+
     cells, flipped = laid_out.cells[which], laid_out.flipped[which].astype(int)
     pictures = laid_out.pictures[which]
     return Choice(

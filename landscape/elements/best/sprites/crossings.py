@@ -43,6 +43,7 @@ def neighbours(positions: np.ndarray, widths: np.ndarray) -> np.ndarray:
     order = np.argsort(cell, kind="stable")
     sorted_cells = cell[order]
     found = []
+
     # Each pair is found once: in the same cell, or in one of four of the eight around it.
     for step in (0, 1, across - 1, across, across + 1):
         first = np.searchsorted(sorted_cells, cell + step, "left")
@@ -52,6 +53,7 @@ def neighbours(positions: np.ndarray, widths: np.ndarray) -> np.ndarray:
         other = order[np.repeat(first, count) + nth]
         kept = one < other if step == 0 else np.ones(len(one), bool)
         found.append(np.stack([one[kept], other[kept]], axis=1))
+
     pairs = np.concatenate(found)
     one, other = pairs.T
     near = np.hypot(x[one] - x[other], z[one] - z[other]) < 0.5 * (widths[one] + widths[other])
@@ -74,6 +76,7 @@ def cuts(quads: np.ndarray, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     slope = np.where(at_s, by_s, by_u)
     steady = np.abs(slope) > 1e-9 * np.linalg.norm(normal, axis=1)
     at = -(start + 0.5 * np.where(at_s, by_u, by_s)) / np.where(steady, slope, 1.0)
+
     # The two meet only where that line is on the other one, too.
     s, u = np.where(at_s, at, 0.5), np.where(at_s, 0.5, at)
     point = low + s[:, None] * across + u[:, None] * rise - low_b

@@ -36,13 +36,16 @@ def herb_chances(
 
     Flowers and heather come in drifts of a unit or two; a place that suits no herb stays bare.
     """
-    field, level, species = ground.field, settings.water.level, settings.plants.species
+    field = ground.field
+    level = settings.water.level
+    species = settings.plants.species
     woods = woodland(seed)
     drifts = [drifts_of(seed, DRIFTS + k) for k in range(species)]
 
     def chances(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         height, slope = field.terrain_height(x, z) - level, field.slope(x, z)
         green = greenness(ground.colour(x, z))
+
         # The woods as planted: no tree is near the castle, in a glade, or on a steep slope.
         court = np.hypot(x - settings.castle.x, z - settings.castle.z) - COURT
         shade = np.clip(1.6 * woods(x, z), 0.0, 1.0) * outside_glades(x, z)

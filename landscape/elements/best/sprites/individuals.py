@@ -64,7 +64,9 @@ AROUND = (
 POSES = ((DEER, STAG_WALKING), (DEER + 1, DOE_GRAZING, DOE_GRAZING))
 # Chosen, times trees.size_max: the least and greatest height of a grown tree and of a young one,
 # and of the cells of bushes, whose pictures leave room above.
-TALL, YOUNG, BUSHY = (0.62, 1.12), (0.32, 0.72), (0.30, 0.62)
+TALL = (0.62, 1.12)
+YOUNG = (0.32, 0.72)
+BUSHY = (0.30, 0.62)
 STATURE = {PINE: 1.06, BIRCH_TALL: 1.0, OAK_TALL: 1.1, THORN: 0.66, BRAMBLE: 0.9}  # chosen
 UNDERGROWTH = 0.34  # chosen: fraction of all trees that are young, or bushes
 NEAR = (0.05, 0.34)  # units, chosen: how far these are from the tree that they are beside

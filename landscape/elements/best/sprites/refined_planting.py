@@ -44,7 +44,9 @@ from landscape.settings import Settings
 
 # Chosen: how green the ground is and how steep at most where deer stand, and how far in units one
 # of the fixed places is moved to such ground.
-GREEN, GENTLE, MOVES = 0.6, 0.55, 1.6
+GREEN = 0.6
+GENTLE = 0.55
+MOVES = 1.6
 # Chosen: which of the fixed places is the islet's, and x, z of the edge of the water there.
 ISLET, BRINK = 2, (34.17, 20.32)
 SUNK = 0.025  # chosen, times a deer's height: its hooves are down in the grass
@@ -117,7 +119,9 @@ def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]
             assert woods is not None
             suits = individuals.in_groups(suits, woods, seed)
         found = random_sprites(kind, settings, field, rng, suits)
-        positions, sizes, cells = found.positions, found.sizes, found.cells
+        positions = found.positions
+        sizes = found.sizes
+        cells = found.cells
         if grazes:
             positions = at_the_water(positions, moved_to(positions, suits, field, rng), field)
         n, pictures = len(positions), cells
@@ -155,6 +159,7 @@ def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]
         if pictures is found.cells:
             pictures = cells
         parts.append(TintedSprites(positions, sizes, cells, found.flipped, tints, slopes, pictures))
+
     arrays = zip(*(vars(part).values() for part in parts), strict=True)
     return TintedSprites(*(np.concatenate(each) for each in arrays))
 
@@ -229,6 +234,7 @@ def moved_to(
                 field.terrain_height(x[best : best + 1], z[best : best + 1])[0],
                 z[best],
             )
+
     return out
 
 
@@ -252,7 +258,9 @@ def leaf_tints(rng: np.random.Generator, count: int) -> np.ndarray:
 
 def slopes_under(ground: HeightField, positions: np.ndarray, widths: np.ndarray) -> np.ndarray:
     """Return dy/dx and dy/dz (n, 2) of the ground from one end of a sprite's foot to the other."""
-    x, z, half = positions[:, 0], positions[:, 2], 0.5 * widths
+    x = positions[:, 0]
+    z = positions[:, 2]
+    half = 0.5 * widths
     dx = ground.terrain_height(x + half, z) - ground.terrain_height(x - half, z)
     dz = ground.terrain_height(x, z + half) - ground.terrain_height(x, z - half)
     return np.stack([dx, dz], axis=1) / (2.0 * half)[:, None]

@@ -104,6 +104,7 @@ class RefinedSprites:
         else:
             path = assets.path(settings.transparent.places, "transparent.places")
             self.stand(planted_by_file(settings, path, ground.field, kinds))
+
         self._texture = Texture(levels, repeat=False, trilinear=settings.transparent.trilinear)
         self._topped = False
 
@@ -189,6 +190,7 @@ class RefinedSprites:
                 tops = settings.trees.crown, settings.plants.rosette, backs_fit(settings)
                 if any(tops) and not self._topped:
                     self._fill_tops()
+
             with client_arrays(vertices, None, tints, [coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)

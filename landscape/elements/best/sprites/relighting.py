@@ -17,7 +17,9 @@ BULGE = np.sqrt(0.5)  # chosen: the cylinder's normals at a quad's sides are 45 
 # where leaves let through yellow-green light; how sunny a side is that the sun grazes, and how much
 # sunnier one that faces it; and how much less the foot is lit.
 UNDER_SKY, AGAINST = np.array([0.44, 0.52, 0.64]), np.array([0.70, 0.74, 0.46])
-GRAZED, FACED, LOW_BY_DAY = 0.66, 0.95, 0.16
+GRAZED = 0.66
+FACED = 0.95
+LOW_BY_DAY = 0.16
 LOW = 0.35  # chosen: how much less the foot faces the sun, in the long shadows around it
 
 

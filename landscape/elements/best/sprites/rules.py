@@ -62,6 +62,7 @@ def clearness(
         plant = (cells[near] >= PLANT)[:, None]
         gone, whole = np.where(plant, PLANT_CLEARS, TRUNK_CLEARS).T
         out[near] *= np.clip((away[near] / widths[near] - gone) / (whole - gone), 0.0, 1.0)
+
     return out
 
 
@@ -79,7 +80,9 @@ def crossing(settings: Settings, away: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 def has_top(settings: Settings, cells: np.ndarray) -> np.ndarray:
     """Return which sprites (n,) have a picture from above, by their atlas cells."""
-    plants, trees, deer = settings.plants.rosette, settings.trees.crown, backs_fit(settings)
+    plants = settings.plants.rosette
+    trees = settings.trees.crown
+    deer = backs_fit(settings)
     return np.asarray(np.select([cells >= PLANT, cells >= DEER], [plants, deer], trees))
 
 

@@ -45,7 +45,9 @@ from landscape.settings import Settings
 # first two it fades in, between the others the upright picture fades out.
 COMES, GOES = (0.35, 0.70), (0.80, 0.97)
 # Chosen: the picture's width, times that of a plant, of a herb that flowers, and of a tree.
-ROSETTE_WIDTH, BLOOM_WIDTH, CROWN_WIDTH = 1.25, 0.90, 0.95
+ROSETTE_WIDTH = 1.25
+BLOOM_WIDTH = 0.90
+CROWN_WIDTH = 0.95
 TRIM_WITHIN = 8.0  # chosen: units; farther billboards are too small for trimming to pay off
 CUT_WITHIN = 5.0  # chosen: units; of farther ones one does not see which is in front
 # Chosen: units that the eye may move, radians that it may turn, and the time, in kt, that may pass
@@ -112,6 +114,7 @@ class SpritesInView:
             given = choice, seen.away, seen.alpha, seen.depth, slopes
             shadows = contact_quads(frame, settings, *given)
             parts += [shadows] if shadows else []
+
         crossed *= seen.alpha[plants]
         near = np.flatnonzero(crossed)
         if len(near):
@@ -119,11 +122,13 @@ class SpritesInView:
             # Their quads stand at all angles: each has the mean light.
             relit = light if changes(settings.sun) else None
             parts.append(crosses if relit is None else crosses.lit(relit.mean(axis=0)))
+
         top = np.flatnonzero(choice.topped & (seen.below > COMES[0]))
         if len(top):
             crowns = self._from_above(frame, settings, choice, seen, top)
             overhead = painted(settings.sun, float(direction(settings.sun)[1]))
             parts.append(crowns.lit(overhead) if changes(settings.sun) else crowns)
+
         quads = Quads.join(parts) if len(parts) > 1 else parts[0]
         return (
             np.ascontiguousarray(quads.vertices, np.float32),
@@ -191,6 +196,7 @@ class SpritesInView:
             pairs = choice.neighbours[cuttable[choice.neighbours].all(axis=1)]
             pieces = cut(*cuts(quads, pairs))
             board[pieces.owner] = False
+
         close = board & (seen.away < (TRIM_WITHIN if settings.transparent.trimmed else 0.0))
         far, near = np.flatnonzero(board & ~close), np.flatnonzero(close)
         parts = [
@@ -207,6 +213,7 @@ class SpritesInView:
             boxes = points_of(quads[near], corners)
             own = self._own(settings, choice, near, light, corners)
             parts.append(Quads.of(boxes, st, own, TWO_BOXES, seen.depth[near]))
+
         if pieces is not None and len(pieces.owner):
             which, corners = pieces.owner, box_corners(pieces.boxes)
             boxes, st = points_of(quads[which], corners), points_of(choice.st[which], corners)
@@ -218,11 +225,14 @@ class SpritesInView:
             parts.append(
                 Quads.of(boxes.astype(np.float32), st.astype(np.float32), own, QUAD, depth)
             )
+
         return parts
 
     def _quads(self, frame: Frame, settings: Settings, choice: Choice) -> np.ndarray:
         """Return the rectangles (n, 4, 3) of all sprites of a choice as billboards."""
-        shared, positions, sizes = settings.transparent, choice.positions, choice.sizes
+        shared = settings.transparent
+        positions = choice.positions
+        sizes = choice.sizes
         if shared.faces == "place":
             middles = positions.copy()
             middles[:, 1] += 0.5 * sizes[:, 1]
@@ -231,12 +241,14 @@ class SpritesInView:
             right, up = (axis.astype(np.float32) for axis in upright_axes(frame.right))
         else:
             right, up = frame.right.astype(np.float32), frame.up.astype(np.float32)
+
         quads = billboards(positions, sizes, right, up)
         tilted = np.flatnonzero(choice.cells < PLANT) if shared.follow_slope else choice.deer
         if (shared.follow_slope or settings.deer.follow_slope) and len(tilted):
             own = right[tilted] if right.ndim == 2 else frame.right
             axes = slope_axes(own, self._all.leaning[choice.which[tilted]])
             quads[tilted] = billboards(positions[tilted], sizes[tilted], *axes)
+
         return quads
 
     def _own(
@@ -278,7 +290,9 @@ class SpritesInView:
     ) -> Quads:
         """Return the half quads of the plants ``near``, indexed as in choice.crossed."""
         crossed, count = choice.crossed, settings.plants.quads
-        which, turns, quads = crossed.which[near], crossed.turns[near], crossed.still[near]
+        which = crossed.which[near]
+        turns = crossed.turns[near]
+        quads = crossed.still[near]
         positions, sizes = choice.positions[which], choice.sizes[which]
         winds = sway(frame.kt, positions, settings.plants.sway)
         if settings.plants.sway_by_size:
@@ -319,7 +333,9 @@ class SpritesInView:
         """
         if rooted not in self._tops:
             every = self._all
-            cells, sizes, middles = every.cells, every.sizes, every.places[rooted].copy()
+            cells = every.cells
+            sizes = every.sizes
+            middles = every.places[rooted].copy()
             plant = cells >= PLANT
             looks = [plant & np.isin(cells, FLOWERING), plant]
             middles[:, 1] += every.tops

@@ -27,8 +27,13 @@ SOFTER = 0.6  # exponent of how open a vertex is to the sky
 DIRTY = 0.45  # of the radius: how far up earth and shadow cling to a stone
 GAMMA = 2.2
 # sRGB in full sun: two rocks, a warm and a pale pebble, bleached wood, moss, lichen.
-SLATE, ROCK, WARM, PALE = (116, 112, 108), (152, 145, 134), (154, 136, 112), (184, 178, 166)
-WOOD, MOSS, LICHEN = (158, 148, 133), (88, 97, 52), (160, 160, 142)
+SLATE = (116, 112, 108)
+ROCK = (152, 145, 134)
+WARM = (154, 136, 112)
+PALE = (184, 178, 166)
+WOOD = (158, 148, 133)
+MOSS = (88, 97, 52)
+LICHEN = (160, 160, 142)
 SUN, SKY, BOUNCE = (0.66, 0.60, 0.52), (0.42, 0.48, 0.60), (0.03, 0.03, 0.02)  # linear light
 ALIKE = 0.8  # how far a stone has the hue of bare ground around it
 WET = 0.55  # of the colour is left on wet stone
@@ -70,7 +75,9 @@ def bodies(
     settings: Settings, ground: Ground, stones: Stones, shapes: list[list[Shape]], seed: int
 ) -> Bodies:
     """Return all stones as they lie on the ground; what hardly sticks out of it is left out."""
-    parts, rows, total = [], [], 0
+    parts = []
+    rows = []
+    total = 0
     for k, levels in enumerate(shapes):
         mine = np.flatnonzero(stones.shapes == k)
         middles = np.insert(stones.places[mine], 1, seated(ground, levels[0], stones, mine), axis=1)
@@ -83,18 +90,17 @@ def bodies(
                 over = points[..., 1] - ground.terrain_height(points[..., 0], points[..., 2])
                 high = np.ptp(shape.vertices[:, 1]) * stones.radii[mine]
                 kept = over.max(axis=1) > LEAST * high
-                mine, middles, points, firsts = (
-                    mine[kept],
-                    middles[kept],
-                    points[kept],
-                    firsts[kept],
-                )
+                mine = mine[kept]
+                middles = middles[kept]
+                points = points[kept]
+                firsts = firsts[kept]
                 tops = points[..., 1].max(axis=1)
             made = painted_vertices(settings, ground, stones, mine, shape, points, seed)
             parts.append(made.reshape(-1))
             firsts[:, level] = total + len(shape.vertices) * np.arange(len(mine))
             total += made.size
         rows.append((firsts, np.full(len(mine), k), middles, stones.radii[mine], tops))
+
     columns = [np.concatenate(column) for column in zip(*rows, strict=True)]
     return Bodies(np.concatenate(parts), *columns)
 
@@ -116,6 +122,7 @@ def painted_vertices(
     over = y - ground.terrain_height(x, z)
     light, sunny = daylight(settings, normals, shape.openness**SOFTER * np.ones_like(x))
     colour = albedo(settings, ground, stones, mine, points, normals, seed) * light
+
     # Earth and shadow where it meets the ground, whose colour there is the stone's, too.
     earth = ground.drawn_colour(x.ravel(), z.ravel()).reshape(*x.shape, 3)
     if settings.sun.relit:
@@ -155,6 +162,7 @@ def albedo(
     found = found * (1.0 + 0.16 * (rng.random((len(mine), 1, 1)) - 0.5))
     fine = patches(seed + 4, 600, settings.ground.size)(x + 0.7 * y, z - 0.6 * y)
     found = found * (1.0 + 0.3 * (fine - 0.5)[..., None])
+
     # Rock has the hue of the rock around it.
     earth = ground.drawn_colour(*stones.places[mine].T)
     hue = (earth / np.maximum(earth.mean(axis=1, keepdims=True), 0.05))[:, None]

@@ -157,6 +157,7 @@ def strewn(settings: Settings, ground: Ground, seed: int) -> Stones:
         low, high = RADII[kind]
         radii = low + (high - low) * rng.random(len(found)) ** RARER[kind]
         parts.append((found, radii, np.full(len(found), kind)))
+
     places, radii, kinds = (np.concatenate(each) for each in zip(*parts, strict=True))
     firsts = np.array([first_shape(kind) for kind in range(len(KINDS))])
     shapes = firsts[kinds] + (rng.random(len(kinds)) * np.array(KINDS)[kinds]).astype(int)
@@ -200,9 +201,11 @@ def lying(
         mine = kinds == kind
         reach = 0.2 if kind in (CRAG, LOG) else 0.06
         fall[mine] = downhill(ground, places[mine, 0], places[mine, 1], reach)
+
     face = np.arctan2(-fall[:, 0], -fall[:, 1])  # the yaw at which +z points downhill
     yaw = np.where(kinds == CRAG, face + rng.normal(0, 0.25, n), rng.uniform(-np.pi, np.pi, n))
     yaw = np.where(kinds == LOG, face + rng.normal(0, 0.35, n), yaw)
+
     # Bedrock has layers, which lie level; what is loose lies on the slope.
     lean = np.where(kinds == CRAG, 0.15, np.where(kinds == LOG, 1.0, 0.6))
     up = np.stack([-lean * fall[:, 0], np.ones(n), -lean * fall[:, 1]], axis=1)

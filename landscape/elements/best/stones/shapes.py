@@ -80,12 +80,14 @@ def split(vertices: np.ndarray, triangles: np.ndarray, openness: np.ndarray, k: 
         near = same & ((flat @ flat.T)[face][:, face] > CREASE)
         normals = near @ area[face]
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+
     if k >= first_shape(LOG):
         axis[:] = 4
     rows = np.column_stack([corners, np.repeat(axis, 3), np.round(normals * 64)])
     _, first, number = np.unique(rows, axis=0, return_index=True, return_inverse=True)
     points, side = vertices[corners[first]], np.repeat(axis, 3)[first]
     x, y, z = points.T
+
     # Level layers: t is the height wherever a side is not seen from above. A trunk's grain is long.
     s = np.choose(side, [z, x, x, x + 0.4 * y, 0.35 * x])
     t = np.choose(side, [y, z, y, z + 0.7 * y, 2.5 * (y + z)])

@@ -50,7 +50,9 @@ AHEAD = 1.5  # times the radius: how far towards the sun the light on a stone is
 
 def built_from(settings: Settings, seed: int) -> tuple[object, ...]:
     """Return the settings that the stones and their light depend on."""
-    ground, castle, rabbit = settings.ground, settings.castle, settings.rabbit
+    ground = settings.ground
+    castle = settings.castle
+    rabbit = settings.rabbit
     return (
         *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
@@ -65,7 +67,9 @@ class Stones:
 
     def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
         """Scatter the stones on the ground by ``seed`` and upload them."""
-        self._settings, self._ground, self._seed = settings, ground, seed
+        self._settings = settings
+        self._ground = ground
+        self._seed = seed
         path = assets.path(FILE)
         shapes = read_shapes(path)
         what = "stones", repr(built_from(settings, seed)), content(path)
@@ -124,6 +128,7 @@ class Stones:
                 left = 65535 - hidden[mine, None].astype(np.uint32) * some[..., 3]
                 some[..., :3] = some[..., :3] * left[..., None] >> 16
                 colours[which] = some
+
         vertices["colour"][:, 3] = 255
         self._upload(vertices)
 
@@ -175,6 +180,7 @@ class Stones:
             # A frame may turn by REUSE_ANGLE until the next choice.
             drawn &= in_view(frame, middles, 1.2 * found.radii + margin + REUSE_ANGLE * away)
         numbers = np.flatnonzero(drawn)
+
         # Coarser frames of a walk have the same shapes: a slab that becomes round is seen at once.
         whole = pixels[numbers] * np.float32(frame.detail.coarser)
         shapes, fine = found.shapes[numbers], (whole / EDGE_PIXELS) ** 2
@@ -187,6 +193,7 @@ class Stones:
                 starts = found.firsts[rest[now], level]
                 corners.append((starts[:, None] + shape.triangles.reshape(1, -1)).ravel())
                 rest, detail = rest[~now], detail[~now]
+
         return np.concatenate(corners).astype(np.uint32)
 
     def draw(self, frame: Frame) -> None:

@@ -81,7 +81,9 @@ class BedLight:
 
     def _set_units(self, level: float) -> None:
         """Set what is the same in each frame, from the ground's last unit on."""
-        env, film, fade = gl.GL_TEXTURE_ENV, LAST + 1, LAST + 3
+        env = gl.GL_TEXTURE_ENV
+        film = LAST + 1
+        fade = LAST + 3
         grey = np.array([0.0, 0.0, 0.0, 0.5], np.float32)
         gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LAST}"))
         combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{film + 1}"})
@@ -103,6 +105,7 @@ class BedLight:
         self._fade.bind()
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+
         # Depth 0 and DEEPEST are at the centres of the first and last texels.
         along, half = (TEXELS - 1) / TEXELS / DEEPEST, 0.5 / TEXELS
         generate((0.0, -along, 0.0, level * along + half), (0.0, 0.0, 0.0, 0.5))

@@ -137,7 +137,9 @@ def look_up(mixture: int) -> None:
         first = {"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"}
         combine({"COMBINE_RGB": "INTERPOLATE"} | mixed if before else first)
         before = True
+
     gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{len(SOURCES)}"))
+
     # Twice a mid grey leaves the large colour as it is.
     combine({"COMBINE_RGB": "MODULATE" if mixture else "REPLACE", "SRC0_RGB": "TEXTURE"})
     gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0 if mixture else 1.0)

@@ -89,7 +89,9 @@ class ShadowMap:
         if level < 1e-6:
             return np.zeros((len(feet), 2))
         away = -self._sun[[0, 2]] / level
-        x, z, step = feet[:, 0], feet[:, 2], 2.0 * self.texel
+        x = feet[:, 0]
+        z = feet[:, 2]
+        step = 2.0 * self.texel
         ahead = self.field.terrain_height(x + step * away[0], z + step * away[1])
         behind = self.field.terrain_height(x - step * away[0], z - step * away[1])
         steep = np.maximum(self._sun[1] / level + (ahead - behind) / (2 * step), self._flattest)
@@ -122,6 +124,7 @@ class ShadowMap:
             hidden = amount * np.clip(1.0 - away / radii[some][:, None], 0.0, 1.0) ** 2
             kept = hidden > 0
             self._add(sky, column[kept], row[kept], -np.log1p(-hidden[kept]))
+
         if coarser > 1:
             image = Image.fromarray(sky.astype(np.float32))
             self._sky += np.asarray(image.resize(self._sky.shape, Image.Resampling.BILINEAR))
@@ -186,11 +189,13 @@ def cast_sprites(shadows: ShadowMap, sprites: Sprites, pictures: list[np.ndarray
         small = Image.fromarray(picture).resize((columns, rows), Image.Resampling.BOX)
         alpha = np.asarray(small, np.float32) / 255
         row, column = np.nonzero(alpha > 0.1)
+
         # Samples run along the second axis: u, v is the place on the board, as in on_board.
         u = ((column + 0.5) / columns - 0.5).astype(np.float32)
         v = (1.0 - (row + 0.5) / rows).astype(np.float32)
         wide = sizes[:, :1] * np.where(sprites.flipped[mine], -1, 1)[:, None] * across
         high = sizes[:, 1:] * offset
+
         # The area of shadow of a sample: its fraction of the board, times the length of the offset.
         area = sizes.prod(axis=1) * np.hypot(*offset.T) / (columns * rows * shadows.texel**2)
         for some in batches(len(mine), len(u)):

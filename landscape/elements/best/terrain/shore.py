@@ -26,7 +26,9 @@ def moved_shore(
     ``large`` is the texture (n, n, 3), ``painted`` the heights of the image in units, (h, w);
     ``knots`` is N, the number of vertices a side that sample it.
     """
-    side, size, level = len(large), field.size, field.water_level
+    side = len(large)
+    size = field.size
+    level = field.water_level
 
     def heights(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return how high above the water x, z is drawn, and how far below it is painted."""
@@ -48,7 +50,10 @@ def moved_shore(
         # On beaches, where this is little, the shift is not seen.
         weight *= np.clip((drawn + below) / EDGE - 1.0, 0.0, 1.0)
         kept = weight > 0.0
-        x, z, rows, columns = x[kept], z[kept], rows[kept], columns[kept]
+        x = x[kept]
+        z = z[kept]
+        rows = rows[kept]
+        columns = columns[kept]
         own = large[rows, columns]
         there = centred(large, *painted_at(x, z, painted, field, knots, side))
         texels.append(rows * side + columns)

@@ -104,6 +104,7 @@ class Terrain(Ground):
         else:
             both = [(self._splat, 1.0), (detail("detail_texture"), ground.detail_repeat)]
             layers = chosen(both, ground.units)
+
         detail_uv = self._low_stretch() if ground.low_stretch else None
         mesh = ground_mesh(self.field, tuple(repeat for _, repeat in layers), detail_uv)
         if self._mixed:
@@ -111,6 +112,7 @@ class Terrain(Ground):
             colors = np.full((len(mesh.vertices), 4), 255, np.uint8)
             colors[:, 3] = rock_share(mesh.normals, self.drawn_colour(x, z)) * 255
             mesh = replace(mesh, colors=colors)
+
         self._bed = BedLight.made(self._settings, assets)
         self._compile(mesh, [texture for texture, _ in layers], ground.tiles)
 
@@ -153,7 +155,9 @@ class Terrain(Ground):
 
     def _materials(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
         """Return the large colours, and the fraction of turf as alpha, uint8 (n, n, 4)."""
-        large, repeat, patterns = self._drawn, ground.mid_repeat, list[Path]()
+        large = self._drawn
+        repeat = ground.mid_repeat
+        patterns = list[Path]()
         if repeat > 0 or ground.weathered:
             patterns.append(assets.path(ground.detail_texture, "ground.detail_texture"))
         if ground.weathered:

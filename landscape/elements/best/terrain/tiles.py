@@ -49,6 +49,7 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
             None if mesh.colors is None else np.ascontiguousarray(mesh.colors[used]),
         )
         parts.append(Tile(part, vertices.min(axis=0), vertices.max(axis=0), numbers))
+
     return parts
 
 
