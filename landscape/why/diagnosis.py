@@ -179,10 +179,9 @@ def _diagnosed(
                 continue
             both = Suspect(
                 first.cause,
-                first.at,
-                first.change | second.change,
-                min(first.strength, second.strength),
-                everywhere=False,
+                at=first.at,
+                change=first.change | second.change,
+                strength=min(first.strength, second.strength),
             )
             if not (found.empty or found.pixel):
                 break

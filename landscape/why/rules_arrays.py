@@ -111,13 +111,12 @@ def _not_enabled(draw: Drawn, buffers: Buffers) -> Iterator[Suspect]:
 
         yield Suspect(
             "array-not-enabled",
-            call,
-            Change(before={draw.place: [start]}, after={draw.place: [stop]}),
-            92 if kind == "GL_VERTEX_ARRAY" else 78,
-            kind,
-            False,
-            {"array": kind, "call": written(call)},
-            everywhere=True,
+            at=call,
+            change=Change(before={draw.place: [start]}, after={draw.place: [stop]}),
+            strength=92 if kind == "GL_VERTEX_ARRAY" else 78,
+            state=kind,
+            value=False,
+            values={"array": kind, "call": written(call)},
             draws=[draw],
         )
 
@@ -161,16 +160,19 @@ def _pointer(
             converted = np.ascontiguousarray(array.astype(wanted))
             yield Suspect(
                 "dtype",
-                upload,
-                Change(
+                at=upload,
+                change=Change(
                     first=[_refill(buffer, converted)],
                     after=_after_upload(upload, buffer, converted),
                 ),
-                95,
-                f"{kind}_TYPE",
-                str(array.dtype),
-                {"dtype": str(array.dtype), "wanted": TYPES[type_], "type": TYPE_NAMES[type_]},
-                everywhere=True,
+                strength=95,
+                state=f"{kind}_TYPE",
+                value=str(array.dtype),
+                values={
+                    "dtype": str(array.dtype),
+                    "wanted": TYPES[type_],
+                    "type": TYPE_NAMES[type_],
+                },
                 draws=[draw],
             )
             return
@@ -225,13 +227,12 @@ def _changed(
 ) -> Suspect:
     return Suspect(
         cause,
-        call,
-        Change(before={draw.place: [lambda: _point(call, buffer, args)]}),
-        strength,
-        state,
-        value,
-        values,
-        everywhere=True,
+        at=call,
+        change=Change(before={draw.place: [lambda: _point(call, buffer, args)]}),
+        strength=strength,
+        state=state,
+        value=value,
+        values=values,
         draws=[draw],
     )
 
@@ -270,7 +271,13 @@ def _indices(draw: Drawn, bound: dict[int, int], buffers: Buffers) -> Iterator[S
     kind, indices = int(call.args[-2]), call.args[-1]
     if kind not in TYPES:
         yield Suspect(
-            "index-type", call, None, 40, value=kind, values={"call": written(call)}, pixels=1
+            "index-type",
+            at=call,
+            change=None,
+            strength=40,
+            value=kind,
+            values={"call": written(call)},
+            pixels=1,
         )
         return
 
@@ -283,26 +290,24 @@ def _indices(draw: Drawn, bound: dict[int, int], buffers: Buffers) -> Iterator[S
             refill = _refill(bound[ELEMENTS], converted, ELEMENTS)
             yield Suspect(
                 "index-type",
-                upload,
-                Change(before={draw.place: [refill]}),
-                95,
-                "GL_ELEMENT_ARRAY_BUFFER",
-                str(array.dtype),
-                {"dtype": str(array.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
-                everywhere=True,
+                at=upload,
+                change=Change(before={draw.place: [refill]}),
+                strength=95,
+                state="GL_ELEMENT_ARRAY_BUFFER",
+                value=str(array.dtype),
+                values={"dtype": str(array.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
                 draws=[draw],
             )
     elif isinstance(indices, np.ndarray) and indices.dtype.itemsize != wanted.itemsize:
         converted = np.ascontiguousarray(indices.astype(wanted))
         yield Suspect(
             "index-type",
-            call,
-            Change(instead={draw.place: [(call.name, (*call.args[:-1], converted))]}),
-            90,
-            "GL_ELEMENT_ARRAY_BUFFER",
-            str(indices.dtype),
-            {"dtype": str(indices.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
-            everywhere=True,
+            at=call,
+            change=Change(instead={draw.place: [(call.name, (*call.args[:-1], converted))]}),
+            strength=90,
+            state="GL_ELEMENT_ARRAY_BUFFER",
+            value=str(indices.dtype),
+            values={"dtype": str(indices.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
             draws=[draw],
         )
 
@@ -324,12 +329,11 @@ def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
         return
     yield Suspect(
         "count",
-        call,
-        Change(instead={draw.place: [(call.name, (call.args[0], 0, len(array)))]}),
-        68,
-        "",
-        count,
-        {"n": count, "all": len(array), "call": written(call)},
+        at=call,
+        change=Change(instead={draw.place: [(call.name, (call.args[0], 0, len(array)))]}),
+        strength=68,
+        value=count,
+        values={"n": count, "all": len(array), "call": written(call)},
         draws=[draw],
     )
 
@@ -346,13 +350,12 @@ def lists(survey: Survey) -> Iterator[Suspect]:
         for number in full[:3]:
             yield Suspect(
                 "list-unknown",
-                call,
-                Change(instead={str(call.number): [("glCallList", (number,))]}),
-                66,
-                "GL_LIST_BASE",
-                int(call.args[0]),
-                {"list": int(call.args[0]), "other": number},
-                everywhere=True,
+                at=call,
+                change=Change(instead={str(call.number): [("glCallList", (number,))]}),
+                strength=66,
+                state="GL_LIST_BASE",
+                value=int(call.args[0]),
+                values={"list": int(call.args[0]), "other": number},
             )
         del known
         return

@@ -44,31 +44,29 @@ def ranges(survey: Survey) -> Iterator[Suspect]:
                 instead[place] = [("glColor4f", (*scaled, alpha if len(values) > 3 else 1.0))]
         yield Suspect(
             "color-range",
-            first,
-            Change(instead=instead),
-            90,
-            "GL_COLOR_CLEAR_VALUE" if first.name == "glClearColor" else "GL_CURRENT_COLOR",
-            numbers,
-            {"call": written(first)},
-            everywhere=True,
+            at=first,
+            change=Change(instead=instead),
+            strength=90,
+            state="GL_COLOR_CLEAR_VALUE" if first.name == "glClearColor" else "GL_CURRENT_COLOR",
+            value=numbers,
+            values={"call": written(first)},
         )
 
     if small:
         first, numbers = next(iter(small.values()))
         yield Suspect(
             "color-range-bytes",
-            first,
-            Change(
+            at=first,
+            change=Change(
                 instead={
                     place: [("glColor4f", (*values[:3], 1.0))]
                     for place, (_, values) in small.items()
                 }
             ),
-            84,
-            "GL_CURRENT_COLOR",
-            numbers,
-            {"call": written(first)},
-            everywhere=True,
+            strength=84,
+            state="GL_CURRENT_COLOR",
+            value=numbers,
+            values={"call": written(first)},
         )
 
 
@@ -111,12 +109,12 @@ def _invalid(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> Su
     inside = (min(max(x, 2.0), width - 20.0), min(max(y, 2.0), height - 12.0))
     return Suspect(
         "raster-invalid",
-        raster,
-        Change(after={str(raster.number): [("glWindowPos2f", inside)]}),
-        91,
-        "GL_CURRENT_RASTER_POSITION_VALID",
-        False,
-        {"call": written(raster), "x": round(float(x), 1), "y": round(float(y), 1)},
+        at=raster,
+        change=Change(after={str(raster.number): [("glWindowPos2f", inside)]}),
+        strength=91,
+        state="GL_CURRENT_RASTER_POSITION_VALID",
+        value=False,
+        values={"call": written(raster), "x": round(float(x), 1), "y": round(float(y), 1)},
         draws=mine,
         source=line_of(survey, draw),
     )
@@ -134,14 +132,13 @@ def _colored(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> It
         color = later[-1]
         yield Suspect(
             "color-after-raster",
-            color,
-            Change(before={str(raster.number): [(color.name, color.args)]}),
-            89,
-            "GL_CURRENT_RASTER_COLOR",
-            [round(float(v), 3) for v in draw.state["GL_CURRENT_RASTER_COLOR"]],
-            {"call": written(color), "raster": raster.site.line},
+            at=color,
+            change=Change(before={str(raster.number): [(color.name, color.args)]}),
+            strength=89,
+            state="GL_CURRENT_RASTER_COLOR",
+            value=[round(float(v), 3) for v in draw.state["GL_CURRENT_RASTER_COLOR"]],
+            values={"call": written(color), "raster": raster.site.line},
             draws=mine,
-            everywhere=True,
         )
         return
 
@@ -149,17 +146,16 @@ def _colored(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> It
         place = str(raster.number)
         yield Suspect(
             "text-lit",
-            raster,
-            Change(
+            at=raster,
+            change=Change(
                 before={place: [("glDisable", (gl.GL_LIGHTING,))]},
                 after={place: [("glEnable", (gl.GL_LIGHTING,))]},
             ),
-            88,
-            "GL_LIGHTING",
-            True,
-            {"raster": raster.site.line},
+            strength=88,
+            state="GL_LIGHTING",
+            value=True,
+            values={"raster": raster.site.line},
             draws=mine,
-            everywhere=True,
         )
 
     if draw.state["GL_TEXTURE0.GL_TEXTURE_2D"]:
@@ -170,14 +166,13 @@ def _colored(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> It
         }
         yield Suspect(
             "text-textured",
-            draw.setter("GL_TEXTURE0.GL_TEXTURE_2D") or raster,
-            Change(**around),  # type: ignore[arg-type]
-            87,
-            "GL_TEXTURE_2D",
-            True,
-            {"raster": raster.site.line},
+            at=draw.setter("GL_TEXTURE0.GL_TEXTURE_2D") or raster,
+            change=Change(**around),  # type: ignore[arg-type]
+            strength=87,
+            state="GL_TEXTURE_2D",
+            value=True,
+            values={"raster": raster.site.line},
             draws=mine,
-            everywhere=True,
         )
 
 

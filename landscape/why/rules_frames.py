@@ -45,11 +45,10 @@ def late_clear(survey: Survey) -> Iterator[Suspect]:
             if wipes and drawn and not read:
                 yield Suspect(
                     "late-clear",
-                    draw.call,
-                    Change(instead={draw.place: ()}),
-                    93,
+                    at=draw.call,
+                    change=Change(instead={draw.place: ()}),
+                    strength=93,
                     values={"draws": drawn},
-                    everywhere=True,
                 )
             if wipes:
                 drawn, read = 0, False
@@ -70,11 +69,10 @@ def no_clear(survey: Survey) -> Iterator[Suspect]:
             continue
         yield Suspect(
             cause,
-            first.call,
-            Change(first=[("glClear", (cap(name),))]),
-            92,
-            "GL_COLOR_CLEAR_VALUE" if bit == "COLOR" else "GL_DEPTH_CLEAR_VALUE",
-            everywhere=True,
+            at=first.call,
+            change=Change(first=[("glClear", (cap(name),))]),
+            strength=92,
+            state="GL_COLOR_CLEAR_VALUE" if bit == "COLOR" else "GL_DEPTH_CLEAR_VALUE",
         )
 
 
@@ -85,25 +83,26 @@ def masked_clear(survey: Survey) -> Iterator[Suspect]:
         if bits & int(gl.GL_DEPTH_BUFFER_BIT) and not draw.state["GL_DEPTH_WRITEMASK"]:
             yield Suspect(
                 "clear-masked",
-                draw.setter("GL_DEPTH_WRITEMASK"),
-                with_state(["DEPTH_BUFFER"], [("glDepthMask", (True,))], [draw]),
-                94,
-                "GL_DEPTH_WRITEMASK",
-                False,
-                {"mask": "glDepthMask(GL_TRUE)", "clear": draw.call.site.line},
-                everywhere=True,
+                at=draw.setter("GL_DEPTH_WRITEMASK"),
+                change=with_state(["DEPTH_BUFFER"], [("glDepthMask", (True,))], [draw]),
+                strength=94,
+                state="GL_DEPTH_WRITEMASK",
+                value=False,
+                values={"mask": "glDepthMask(GL_TRUE)", "clear": draw.call.site.line},
             )
 
         if bits & int(gl.GL_COLOR_BUFFER_BIT) and not all(draw.state["GL_COLOR_WRITEMASK"]):
             yield Suspect(
                 "clear-masked",
-                draw.setter("GL_COLOR_WRITEMASK"),
-                with_state(["COLOR_BUFFER"], [("glColorMask", (True,) * 4)], [draw]),
-                94,
-                "GL_COLOR_WRITEMASK",
-                list(draw.state["GL_COLOR_WRITEMASK"]),
-                {"mask": "glColorMask(True, True, True, True)", "clear": draw.call.site.line},
-                everywhere=True,
+                at=draw.setter("GL_COLOR_WRITEMASK"),
+                change=with_state(["COLOR_BUFFER"], [("glColorMask", (True,) * 4)], [draw]),
+                strength=94,
+                state="GL_COLOR_WRITEMASK",
+                value=list(draw.state["GL_COLOR_WRITEMASK"]),
+                values={
+                    "mask": "glColorMask(True, True, True, True)",
+                    "clear": draw.call.site.line,
+                },
             )
 
 
@@ -157,13 +156,12 @@ def leaks(survey: Survey) -> Iterator[Suspect]:
         setter = past.setters.last.get(name)
         yield Suspect(
             "leak",
-            setter,
-            Change(first=actions(name, past.first[name])),
-            WEAK.get(name, 91),
-            name,
-            past.now[name],
-            {"former": past.first[name], "value": past.now[name]},
-            everywhere=name not in WEAK,
+            at=setter,
+            change=Change(first=actions(name, past.first[name])),
+            strength=WEAK.get(name, 91),
+            state=name,
+            value=past.now[name],
+            values={"former": past.first[name], "value": past.now[name]},
         )
 
 
@@ -209,12 +207,11 @@ def accumulated(survey: Survey) -> Iterator[Suspect]:
             continue
         yield Suspect(
             "accumulated",
-            at,
-            Change(before={str(call.number): [("glLoadIdentity", ())]}),
-            95,
-            name,
+            at=at,
+            change=Change(before={str(call.number): [("glLoadIdentity", ())]}),
+            strength=95,
+            state=name,
             values={"frames": past.frame + 1, "matrix": name},
-            everywhere=True,
         )
 
     yield from _drifted(survey)
@@ -239,10 +236,10 @@ def _drifted(survey: Survey) -> Iterator[Suspect]:
     chain = past.setters.chained.get(name, [])
     yield Suspect(
         "accumulated",
-        chain[-1] if chain else None,
-        Change(first=[load("GL_MODELVIEW", past.first[name])]),
-        80,
-        name,
+        at=chain[-1] if chain else None,
+        change=Change(first=[load("GL_MODELVIEW", past.first[name])]),
+        strength=80,
+        state=name,
         values={"frames": past.frame + 1, "matrix": name},
     )
 

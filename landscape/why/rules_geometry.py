@@ -54,9 +54,9 @@ def shapes(survey: Survey) -> Iterator[Suspect]:
         elif draw.call.name == "glBegin" and 0 < count < LEAST[found.mode]:
             yield Suspect(
                 "too-few-vertices",
-                draw.call,
-                Change(instead={draw.place: [("glBegin", (_fewer(count),))]}),
-                85,
+                at=draw.call,
+                change=Change(instead={draw.place: [("glBegin", (_fewer(count),))]}),
+                strength=85,
                 values={"mode": found.mode, "n": count, "needed": LEAST[found.mode]},
                 draws=[draw],
             )
@@ -76,7 +76,14 @@ def _fewer(count: int) -> Any:
 def _not_numbers(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
     bad = np.flatnonzero(~np.isfinite(found.positions).all(axis=1))
     if not found.places:
-        yield Suspect("nan", draw.call, Change(around=()), 50, values={"n": len(bad)}, draws=[draw])
+        yield Suspect(
+            "nan",
+            at=draw.call,
+            change=Change(around=()),
+            strength=50,
+            values={"n": len(bad)},
+            draws=[draw],
+        )
         return
     place = found.places[int(bad[0])]
     call = next(step.call for step in draw.steps if step.place == place)
@@ -86,7 +93,14 @@ def _not_numbers(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
         ]
         for k in bad
     }
-    yield Suspect("nan", call, Change(instead=fixed), 95, values={"n": len(bad)}, draws=[draw])
+    yield Suspect(
+        "nan",
+        at=call,
+        change=Change(instead=fixed),
+        strength=95,
+        values={"n": len(bad)},
+        draws=[draw],
+    )
 
 
 def _flat(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
@@ -98,12 +112,12 @@ def _flat(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
         args = tuple(float(a) or 1.0 for a in call.args)
         yield Suspect(
             "zero-scale",
-            call,
-            Change(instead={str(call.number): [(call.name, args)]}),
-            94,
-            "GL_MODELVIEW_MATRIX",
-            [float(a) for a in call.args],
-            {"call": written(call)},
+            at=call,
+            change=Change(instead={str(call.number): [(call.name, args)]}),
+            strength=94,
+            state="GL_MODELVIEW_MATRIX",
+            value=[float(a) for a in call.args],
+            values={"call": written(call)},
             draws=[draw],
         )
         return
@@ -117,13 +131,13 @@ def _flat(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
         return
     yield Suspect(
         "no-area",
-        draw.call,
-        with_state(
+        at=draw.call,
+        change=with_state(
             ["POLYGON", "POINT"],
             [("glPolygonMode", (gl.GL_FRONT_AND_BACK, gl.GL_POINT)), ("glPointSize", (9.0,))],
             [draw],
         ),
-        70,
+        strength=70,
         values={"n": len(points)},
         draws=[draw],
     )
@@ -145,9 +159,9 @@ def _crossed(survey: Survey, draw: Drawn, found: Vertices, bad: Sequence[int]) -
                 instead[found.places[k]] = [("glVertex4d", tuple(point.tolist()))]
     return Suspect(
         "crossed-quad",
-        _vertex_call(draw, found, found.faces[bad[0]][2]),
-        Change(instead=instead),
-        90,
+        at=_vertex_call(draw, found, found.faces[bad[0]][2]),
+        change=Change(instead=instead),
+        strength=90,
         values={"n": len(bad)},
         draws=[draw],
         source=line_of(survey, draw),
@@ -187,9 +201,9 @@ def _concave(survey: Survey, draw: Drawn, found: Vertices, bad: Sequence[int]) -
     instead[steps[-1].place] = [act]
     return Suspect(
         "concave",
-        draw.call,
-        Change(instead=instead),
-        90 if not found.colors else 60,
+        at=draw.call,
+        change=Change(instead=instead),
+        strength=90 if not found.colors else 60,
         values={"n": len(bad), "mode": found.mode},
         draws=[draw],
         source=line_of(survey, draw),
@@ -267,37 +281,34 @@ def _of_glu(survey: Survey, note: GluCall) -> Iterator[Suspect]:
                 cause, values = "no-effect", {"call": written(note)}
             yield Suspect(
                 cause,
-                note,
-                _with_projection(survey, lens(*good), state),
-                96,
-                f"{state}_MATRIX",
-                aspect,
-                values,
-                everywhere=True,
+                at=note,
+                change=_with_projection(survey, lens(*good), state),
+                strength=96,
+                state=f"{state}_MATRIX",
+                value=aspect,
+                values=values,
             )
         elif 0 < fovy < 3.5:
             yield Suspect(
                 "fovy-radians",
-                note,
-                _with_projection(
+                at=note,
+                change=_with_projection(
                     survey, lens(math.degrees(fovy), *good[1:]), _mode_at(survey, note)
                 ),
-                93,
-                "GL_PROJECTION_MATRIX",
-                fovy,
-                {"fovy": fovy, "degrees": round(math.degrees(fovy), 1)},
-                everywhere=True,
+                strength=93,
+                state="GL_PROJECTION_MATRIX",
+                value=fovy,
+                values={"fovy": fovy, "degrees": round(math.degrees(fovy), 1)},
             )
         elif fovy >= 170 or aspect < 0 or near < 0 or far < near:
             yield Suspect(
                 "perspective",
-                note,
-                _with_projection(survey, lens(*good), _mode_at(survey, note)),
-                90,
-                "GL_PROJECTION_MATRIX",
-                args,
-                {"call": written(note)},
-                everywhere=True,
+                at=note,
+                change=_with_projection(survey, lens(*good), _mode_at(survey, note)),
+                strength=90,
+                state="GL_PROJECTION_MATRIX",
+                value=args,
+                values={"call": written(note)},
             )
 
     if note.name == "gluLookAt" and len(args) == 9:
@@ -351,13 +362,12 @@ def _look_at(survey: Survey, note: GluCall, args: list[float]) -> Iterator[Suspe
     better = (*eye.tolist(), *center.tolist(), *axis.tolist())
     yield Suspect(
         "look-at-up" if parallel else "look-at-nowhere",
-        note,
-        _instead_of_glu(survey, note, better),
-        95,
-        "GL_MODELVIEW_MATRIX",
-        args[6:],
-        {"call": written(note)},
-        everywhere=True,
+        at=note,
+        change=_instead_of_glu(survey, note, better),
+        strength=95,
+        state="GL_MODELVIEW_MATRIX",
+        value=args[6:],
+        values={"call": written(note)},
     )
 
 
@@ -410,13 +420,16 @@ def _wide(survey: Survey) -> Iterator[Suspect]:
             continue
         yield Suspect(
             "frustum-wide",
-            at_of(survey, call),
-            narrowed(draws, half / near),
-            90,
-            "GL_PROJECTION_MATRIX",
-            [float(a) for a in call.args],
-            {"angle": round(2 * math.degrees(math.atan(half / near))), "half": half, "near": near},
-            everywhere=True,
+            at=at_of(survey, call),
+            change=narrowed(draws, half / near),
+            strength=90,
+            state="GL_PROJECTION_MATRIX",
+            value=[float(a) for a in call.args],
+            values={
+                "angle": round(2 * math.degrees(math.atan(half / near))),
+                "half": half,
+                "near": near,
+            },
             draws=draws,
         )
 
@@ -436,13 +449,12 @@ def _transposed(survey: Survey) -> Iterator[Suspect]:
             other = flat.reshape(4, 4).T.copy()
             yield Suspect(
                 "transposed",
-                call,
-                Change(instead={str(call.number): [(call.name[:-1] + "d", (other,))]}),
-                95,
-                "GL_MODELVIEW_MATRIX",
-                flat.tolist(),
-                {"call": call.name},
-                everywhere=True,
+                at=call,
+                change=Change(instead={str(call.number): [(call.name[:-1] + "d", (other,))]}),
+                strength=95,
+                state="GL_MODELVIEW_MATRIX",
+                value=flat.tolist(),
+                values={"call": call.name},
             )
 
 
@@ -463,17 +475,17 @@ def _radians(survey: Survey) -> Iterator[Suspect]:
     if found:
         yield Suspect(
             "rotate-radians",
-            found[0],
-            Change(
+            at=found[0],
+            change=Change(
                 instead={
                     str(c.number): [(c.name, (math.degrees(float(c.args[0])), *c.args[1:]))]
                     for c in found
                 }
             ),
-            75,
-            "GL_MODELVIEW_MATRIX",
-            float(found[0].args[0]),
-            {
+            strength=75,
+            state="GL_MODELVIEW_MATRIX",
+            value=float(found[0].args[0]),
+            values={
                 "angle": round(float(found[0].args[0]), 4),
                 "degrees": round(math.degrees(float(found[0].args[0])), 1),
             },
@@ -529,13 +541,12 @@ def _wiped(survey: Survey) -> Iterator[Suspect]:
             change = with_matrix("GL_PROJECTION", always(matrix), survey.shapes)
         yield Suspect(
             "projection-wiped" if mode == "GL_PROJECTION" else "projection-on-modelview",
-            note,
-            change,
-            92,
-            "GL_MATRIX_MODE",
-            mode,
-            {"call": written(note), "wiped": call.site.line},
-            everywhere=True,
+            at=note,
+            change=change,
+            strength=92,
+            state="GL_MATRIX_MODE",
+            value=mode,
+            values={"call": written(note), "wiped": call.site.line},
         )
 
 
@@ -595,12 +606,11 @@ def _wrong_stack(survey: Survey) -> Iterator[Suspect]:
             change = moved_camera(draws, matrix)
             yield Suspect(
                 "camera-in-projection",
-                note,
-                change,
-                88,
-                "GL_PROJECTION_MATRIX",
+                at=note,
+                change=change,
+                strength=88,
+                state="GL_PROJECTION_MATRIX",
                 values={"call": written(note)},
-                everywhere=True,
             )
             break
 
@@ -650,13 +660,12 @@ def _left_mode(survey: Survey) -> Iterator[Suspect]:
             place = str(call.number)
             yield Suspect(
                 "matrix-mode",
-                mode_call,
-                Change(before={place: [("glMatrixMode", (gl.GL_MODELVIEW,))]}),
-                82 if mode == "GL_TEXTURE" else 76,
-                "GL_MATRIX_MODE",
-                mode,
-                {"call": written(call), "line": call.site.line, "mode": mode},
-                everywhere=True,
+                at=mode_call,
+                change=Change(before={place: [("glMatrixMode", (gl.GL_MODELVIEW,))]}),
+                strength=82 if mode == "GL_TEXTURE" else 76,
+                state="GL_MATRIX_MODE",
+                value=mode,
+                values={"call": written(call), "line": call.site.line, "mode": mode},
             )
             return
 
@@ -694,12 +703,11 @@ def _scaled_again(survey: Survey) -> Iterator[Suspect]:
         if change is not None:
             yield Suspect(
                 "piled-up",
-                calls[0],
-                change,
-                89,
-                "GL_MODELVIEW_MATRIX",
+                at=calls[0],
+                change=change,
+                strength=89,
+                state="GL_MODELVIEW_MATRIX",
                 values={"function": calls[0].site.function, "times": len(calls)},
-                everywhere=True,
             )
 
         return
@@ -763,11 +771,10 @@ def unbalanced(survey: Survey) -> Iterator[Suspect]:
             elif any("underflow" in said for _, _, said in survey.errors):
                 yield Suspect(
                     "pop-too-many",
-                    call,
-                    Change(instead={str(call.number): ()}),
-                    80,
-                    "GL_MODELVIEW_STACK_DEPTH",
-                    everywhere=True,
+                    at=call,
+                    change=Change(instead={str(call.number): ()}),
+                    strength=80,
+                    state="GL_MODELVIEW_STACK_DEPTH",
                 )
 
     if not pushes:
@@ -779,13 +786,12 @@ def unbalanced(survey: Survey) -> Iterator[Suspect]:
     for index, end in enumerate(dict.fromkeys([*ends, str(survey.calls[-1].number)])):
         yield Suspect(
             "push-without-pop",
-            pushes[-1],
-            Change(after={end: [("glPopMatrix", ())]}),
-            83 - index / 10,
-            "GL_MODELVIEW_STACK_DEPTH",
-            len(pushes),
-            {"n": len(pushes)},
-            everywhere=True,
+            at=pushes[-1],
+            change=Change(after={end: [("glPopMatrix", ())]}),
+            strength=83 - index / 10,
+            state="GL_MODELVIEW_STACK_DEPTH",
+            value=len(pushes),
+            values={"n": len(pushes)},
         )
 
 
@@ -811,10 +817,10 @@ def _infinite(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
             call = mine[0].setter(f"{mode}_MATRIX")
             yield Suspect(
                 "nan-matrix",
-                at_of(survey, call),
-                with_matrix(mode, lambda d: np.eye(4), mine),
-                90,
-                f"{mode}_MATRIX",
+                at=at_of(survey, call),
+                change=with_matrix(mode, lambda d: np.eye(4), mine),
+                strength=90,
+                state=f"{mode}_MATRIX",
                 values={"matrix": f"{mode}_MATRIX"},
                 draws=mine,
             )
@@ -869,12 +875,12 @@ def _behind(
     camera = at_of(survey, chain[-1]) if chain else None
     yield Suspect(
         "behind",
-        camera or mine[0].call,
-        with_matrix("GL_MODELVIEW", lambda d: matrix_of(d, "GL_MODELVIEW") @ moved, mine),
-        80,
-        "GL_MODELVIEW_MATRIX",
-        values["farthest"],
-        values | {"call": written(camera or mine[0].call)},
+        at=camera or mine[0].call,
+        change=with_matrix("GL_MODELVIEW", lambda d: matrix_of(d, "GL_MODELVIEW") @ moved, mine),
+        strength=80,
+        state="GL_MODELVIEW_MATRIX",
+        value=values["farthest"],
+        values=values | {"call": written(camera or mine[0].call)},
         draws=mine,
     )
 
@@ -892,12 +898,12 @@ def _turned_round(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> 
             continue
         yield Suspect(
             "behind",
-            call,
-            Change(instead={str(call.number): [(call.name, (x, y, -z))]}),
-            86,
-            "GL_MODELVIEW_MATRIX",
-            z,
-            values | {"call": written(call)},
+            at=call,
+            change=Change(instead={str(call.number): [(call.name, (x, y, -z))]}),
+            strength=86,
+            state="GL_MODELVIEW_MATRIX",
+            value=z,
+            values=values | {"call": written(call)},
             draws=mine,
             appear=True,
         )
@@ -912,8 +918,8 @@ def _other_plane(
     alike = [d for d in survey.shapes if list(d.state["GL_PROJECTION_MATRIX"]) == projection]
     return Suspect(
         f"beyond-{plane}",
-        at or mine[0].call,
-        with_matrix(
+        at=at or mine[0].call,
+        change=with_matrix(
             "GL_PROJECTION",
             lambda d: with_planes(
                 d.state["GL_PROJECTION_MATRIX"],
@@ -922,10 +928,10 @@ def _other_plane(
             ),
             alike,
         ),
-        84,
-        "GL_PROJECTION_MATRIX",
-        values[plane],
-        values | {"call": written(at) if at else ""},
+        strength=84,
+        state="GL_PROJECTION_MATRIX",
+        value=values[plane],
+        values=values | {"call": written(at) if at else ""},
         draws=mine,
         appear=True,
     )
@@ -942,12 +948,12 @@ def _units(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterato
         project = lens(45.0, width / height, 0.1, 1000.0)
     yield Suspect(
         "no-projection",
-        mine[0].call,
-        with_matrix("GL_PROJECTION", lambda d: project, mine),
-        83,
-        "GL_PROJECTION_MATRIX",
-        "identity",
-        values,
+        at=mine[0].call,
+        change=with_matrix("GL_PROJECTION", lambda d: project, mine),
+        strength=83,
+        state="GL_PROJECTION_MATRIX",
+        value="identity",
+        values=values,
         draws=mine,
     )
 
@@ -966,10 +972,10 @@ def _beside(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterat
             call = next(c for c in chain if c.site.function == name)
             yield Suspect(
                 "not-undone",
-                call,
-                change,
-                72,
-                "GL_MODELVIEW_MATRIX",
+                at=call,
+                change=change,
+                strength=72,
+                state="GL_MODELVIEW_MATRIX",
                 values=values | {"function": name},
                 draws=mine,
                 appear=True,
@@ -985,10 +991,12 @@ def _beside(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterat
         at = at_of(survey, chain[-1]) if chain else mine[0].call
         yield Suspect(
             "beside",
-            at,
-            with_matrix("GL_MODELVIEW", lambda d: matrix_of(d, "GL_MODELVIEW") @ moved, mine),
-            55,
-            "GL_MODELVIEW_MATRIX",
+            at=at,
+            change=with_matrix(
+                "GL_MODELVIEW", lambda d: matrix_of(d, "GL_MODELVIEW") @ moved, mine
+            ),
+            strength=55,
+            state="GL_MODELVIEW_MATRIX",
             values=values | {"sides": ", ".join(_sides(mine))},
             draws=mine,
         )

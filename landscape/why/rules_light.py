@@ -43,13 +43,12 @@ def lights(survey: Survey) -> Iterator[Suspect]:
             set_by = next((c for v, c in setters.items() if v.startswith(f"{name}.")), None)
             yield Suspect(
                 "light-off",
-                set_by or dark[0].setter("GL_LIGHTING"),
-                on(name, dark),
-                90,
-                name,
-                False,
-                {"light": name},
-                everywhere=True,
+                at=set_by or dark[0].setter("GL_LIGHTING"),
+                change=on(name, dark),
+                strength=90,
+                state=name,
+                value=False,
+                values={"light": name},
                 draws=dark,
             )
         return
@@ -61,13 +60,12 @@ def lights(survey: Survey) -> Iterator[Suspect]:
             if set_by is not None and not any(d.state[name] for d in mine):
                 yield Suspect(
                     "light-off",
-                    set_by,
-                    on(name, mine),
-                    72,
-                    name,
-                    False,
-                    {"light": name},
-                    everywhere=True,
+                    at=set_by,
+                    change=on(name, mine),
+                    strength=72,
+                    state=name,
+                    value=False,
+                    values={"light": name},
                     draws=mine,
                 )
 
@@ -85,13 +83,12 @@ def _unlit(survey: Survey) -> Iterator[Suspect]:
         light = next(name for name in LIGHTS if mine[0].state[name])
         yield Suspect(
             "lighting-off",
-            mine[0].setter(light),
-            on("GL_LIGHTING", mine),
-            84,
-            "GL_LIGHTING",
-            False,
-            {"light": light},
-            everywhere=True,
+            at=mine[0].setter(light),
+            change=on("GL_LIGHTING", mine),
+            strength=84,
+            state="GL_LIGHTING",
+            value=False,
+            values={"light": light},
             draws=mine,
         )
 
@@ -122,13 +119,12 @@ def _far_side(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
 
         yield Suspect(
             "light-far-side",
-            set_by or mine[0].setter(name),
-            with_state(["LIGHTING"], [_in_modelview(turned)], mine),
-            78,
-            f"{name}.GL_POSITION",
-            values.get("position"),
-            values,
-            everywhere=True,
+            at=set_by or mine[0].setter(name),
+            change=with_state(["LIGHTING"], [_in_modelview(turned)], mine),
+            strength=78,
+            state=f"{name}.GL_POSITION",
+            value=values.get("position"),
+            values=values,
             draws=mine,
         )
 
@@ -171,13 +167,12 @@ def normals(survey: Survey) -> Iterator[Suspect]:
         change = _with_normals(bare)
         yield Suspect(
             "no-normals",
-            bare[0].call,
-            change,
-            80,
-            "GL_CURRENT_NORMAL",
-            [round(float(v), 3) for v in bare[0].state["GL_CURRENT_NORMAL"]],
-            {"n": sum(d.placed.count for d in bare if d.placed is not None)},
-            everywhere=True,
+            at=bare[0].call,
+            change=change,
+            strength=80,
+            state="GL_CURRENT_NORMAL",
+            value=[round(float(v), 3) for v in bare[0].state["GL_CURRENT_NORMAL"]],
+            values={"n": sum(d.placed.count for d in bare if d.placed is not None)},
             draws=bare,
         )
 
@@ -211,13 +206,12 @@ def normals(survey: Survey) -> Iterator[Suspect]:
         given_call = scaled[0].setter("GL_CURRENT_NORMAL")
         yield Suspect(
             "normals-length",
-            scale or given_call or scaled[0].call,
-            on("GL_NORMALIZE", scaled),
-            82,
-            "GL_NORMALIZE",
-            False,
-            {"length": round(factor, 2)},
-            everywhere=True,
+            at=scale or given_call or scaled[0].call,
+            change=on("GL_NORMALIZE", scaled),
+            strength=82,
+            state="GL_NORMALIZE",
+            value=False,
+            values={"length": round(factor, 2)},
             draws=scaled,
         )
 
@@ -294,12 +288,10 @@ def _inward(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         )
         yield Suspect(
             "normals-away",
-            call,
-            with_state(["LIGHTING"], [_two_sided_turned], wrong),
-            74,
-            "GL_CURRENT_NORMAL",
-            None,
-            everywhere=True,
+            at=call,
+            change=with_state(["LIGHTING"], [_two_sided_turned], wrong),
+            strength=74,
+            state="GL_CURRENT_NORMAL",
             draws=wrong,
         )
 
@@ -383,13 +375,12 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         return
     yield Suspect(
         "no-color-material",
-        colored[0].setter("GL_LIGHTING") or colored[0].setter("GL_CURRENT_COLOR"),
-        on("GL_COLOR_MATERIAL", colored),
-        87,
-        "GL_COLOR_MATERIAL",
-        False,
-        {"color": _line(colored[0].setter("GL_CURRENT_COLOR"))},
-        everywhere=True,
+        at=colored[0].setter("GL_LIGHTING") or colored[0].setter("GL_CURRENT_COLOR"),
+        change=on("GL_COLOR_MATERIAL", colored),
+        strength=87,
+        state="GL_COLOR_MATERIAL",
+        value=False,
+        values={"color": _line(colored[0].setter("GL_CURRENT_COLOR"))},
         draws=colored,
     )
 
@@ -429,17 +420,16 @@ def _emission(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         setter = left[0].setter("GL_FRONT.GL_EMISSION")
         yield Suspect(
             "emission-left",
-            setter,
-            with_state(
+            at=setter,
+            change=with_state(
                 ["LIGHTING"],
                 [("glMaterialfv", (gl.GL_FRONT_AND_BACK, gl.GL_EMISSION, (0.0, 0.0, 0.0, 1.0)))],
                 left,
             ),
-            85,
-            "GL_FRONT.GL_EMISSION",
-            [float(v) for v in left[0].state["GL_FRONT.GL_EMISSION"]],
-            {"later": left[0].call.site.line},
-            everywhere=True,
+            strength=85,
+            state="GL_FRONT.GL_EMISSION",
+            value=[float(v) for v in left[0].state["GL_FRONT.GL_EMISSION"]],
+            values={"later": left[0].call.site.line},
             draws=left,
         )
 
@@ -456,16 +446,15 @@ def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     if dark:
         yield Suspect(
             "material-black",
-            dark[0].setter("GL_FRONT.GL_DIFFUSE"),
-            with_state(
+            at=dark[0].setter("GL_FRONT.GL_DIFFUSE"),
+            change=with_state(
                 ["LIGHTING"],
                 [("glMaterialfv", (gl.GL_FRONT_AND_BACK, gl.GL_DIFFUSE, (0.8, 0.8, 0.8, 1.0)))],
                 dark,
             ),
-            76,
-            "GL_FRONT.GL_DIFFUSE",
-            [float(v) for v in dark[0].state["GL_FRONT.GL_DIFFUSE"]],
-            everywhere=True,
+            strength=76,
+            state="GL_FRONT.GL_DIFFUSE",
+            value=[float(v) for v in dark[0].state["GL_FRONT.GL_DIFFUSE"]],
             draws=dark,
         )
 
@@ -481,13 +470,12 @@ def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
             ]
             yield Suspect(
                 "light-black",
-                mine[0].setter(f"{name}.GL_DIFFUSE"),
-                with_state(["LIGHTING"], actions, mine),
-                80,
-                f"{name}.GL_DIFFUSE",
-                diffuse,
-                {"light": name},
-                everywhere=True,
+                at=mine[0].setter(f"{name}.GL_DIFFUSE"),
+                change=with_state(["LIGHTING"], actions, mine),
+                strength=80,
+                state=f"{name}.GL_DIFFUSE",
+                value=diffuse,
+                values={"light": name},
                 draws=mine,
             )
 
@@ -523,13 +511,12 @@ def moving_light(survey: Survey) -> Iterator[Suspect]:
         end = str(look.end - 1)
         yield Suspect(
             "light-before-camera",
-            call,
-            Change(instead={str(call.number): ()}, after={end: [(call.name, call.args)]}),
-            89,
-            f"{getattr(call.args[0], 'name', 'GL_LIGHT0')}.GL_POSITION",
-            position,
-            {"call": written(call), "camera": look.site.line},
-            everywhere=True,
+            at=call,
+            change=Change(instead={str(call.number): ()}, after={end: [(call.name, call.args)]}),
+            strength=89,
+            state=f"{getattr(call.args[0], 'name', 'GL_LIGHT0')}.GL_POSITION",
+            value=position,
+            values={"call": written(call), "camera": look.site.line},
         )
 
 

@@ -67,12 +67,12 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
         ref = mine[0].state["GL_ALPHA_TEST_REF"]
         yield Suspect(
             "alpha-test",
-            _setter(mine, "GL_ALPHA_TEST"),
-            off("GL_ALPHA_TEST", mine),
-            84,
-            "GL_ALPHA_TEST",
-            True,
-            {"function": mine[0].state["GL_ALPHA_TEST_FUNC"], "reference": ref},
+            at=_setter(mine, "GL_ALPHA_TEST"),
+            change=off("GL_ALPHA_TEST", mine),
+            strength=84,
+            state="GL_ALPHA_TEST",
+            value=True,
+            values={"function": mine[0].state["GL_ALPHA_TEST_FUNC"], "reference": ref},
             draws=mine,
         )
 
@@ -80,24 +80,24 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
         state = mine[0].state
         yield Suspect(
             "stencil-test",
-            _setter(mine, "GL_STENCIL_TEST"),
-            off("GL_STENCIL_TEST", mine),
-            84,
-            "GL_STENCIL_TEST",
-            True,
-            {"function": state["GL_STENCIL_FUNC"], "reference": state["GL_STENCIL_REF"]},
+            at=_setter(mine, "GL_STENCIL_TEST"),
+            change=off("GL_STENCIL_TEST", mine),
+            strength=84,
+            state="GL_STENCIL_TEST",
+            value=True,
+            values={"function": state["GL_STENCIL_FUNC"], "reference": state["GL_STENCIL_REF"]},
             draws=mine,
         )
 
     if mine := _of(group, "GL_SCISSOR_TEST"):
         yield Suspect(
             "scissor-test",
-            _setter(mine, "GL_SCISSOR_TEST"),
-            off("GL_SCISSOR_TEST", mine),
-            86,
-            "GL_SCISSOR_TEST",
-            True,
-            {"box": mine[0].state["GL_SCISSOR_BOX"]},
+            at=_setter(mine, "GL_SCISSOR_TEST"),
+            change=off("GL_SCISSOR_TEST", mine),
+            strength=86,
+            state="GL_SCISSOR_TEST",
+            value=True,
+            values={"box": mine[0].state["GL_SCISSOR_BOX"]},
             draws=mine,
         )
 
@@ -105,34 +105,34 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
         if mine := _of(group, f"GL_CLIP_PLANE{plane}"):
             yield Suspect(
                 "clip-plane",
-                _setter(mine, f"GL_CLIP_PLANE{plane}"),
-                off(f"GL_CLIP_PLANE{plane}", mine),
-                78,
-                f"GL_CLIP_PLANE{plane}",
-                True,
-                {"plane": plane},
+                at=_setter(mine, f"GL_CLIP_PLANE{plane}"),
+                change=off(f"GL_CLIP_PLANE{plane}", mine),
+                strength=78,
+                state=f"GL_CLIP_PLANE{plane}",
+                value=True,
+                values={"plane": plane},
                 draws=mine,
             )
 
     if masked and not any(draw.state["GL_STENCIL_TEST"] for draw in masked):
         yield Suspect(
             "color-mask",
-            _setter(masked, "GL_COLOR_WRITEMASK"),
-            with_state(["COLOR_BUFFER"], [("glColorMask", (True,) * 4)], masked),
-            74,
-            "GL_COLOR_WRITEMASK",
-            [False] * 4,
+            at=_setter(masked, "GL_COLOR_WRITEMASK"),
+            change=with_state(["COLOR_BUFFER"], [("glColorMask", (True,) * 4)], masked),
+            strength=74,
+            state="GL_COLOR_WRITEMASK",
+            value=[False] * 4,
             draws=masked,
         )
 
     if mine := _of(group, "GL_POLYGON_STIPPLE"):
         yield Suspect(
             "stipple",
-            _setter(mine, "GL_POLYGON_STIPPLE"),
-            off("GL_POLYGON_STIPPLE", mine),
-            70,
-            "GL_POLYGON_STIPPLE",
-            True,
+            at=_setter(mine, "GL_POLYGON_STIPPLE"),
+            change=off("GL_POLYGON_STIPPLE", mine),
+            strength=70,
+            state="GL_POLYGON_STIPPLE",
+            value=True,
             draws=mine,
         )
 
@@ -156,22 +156,22 @@ def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Sus
     if state["GL_CULL_FACE_MODE"] != "GL_BACK":
         yield Suspect(
             "cull-front",
-            _setter(mine, "GL_CULL_FACE_MODE"),
-            with_state(["POLYGON"], [("glCullFace", (gl.GL_BACK,))], mine),
-            strength + 6,
-            "GL_CULL_FACE_MODE",
-            state["GL_CULL_FACE_MODE"],
+            at=_setter(mine, "GL_CULL_FACE_MODE"),
+            change=with_state(["POLYGON"], [("glCullFace", (gl.GL_BACK,))], mine),
+            strength=strength + 6,
+            state="GL_CULL_FACE_MODE",
+            value=state["GL_CULL_FACE_MODE"],
             draws=mine,
         )
 
     if state["GL_FRONT_FACE"] != "GL_CCW":
         yield Suspect(
             "front-face",
-            _setter(mine, "GL_FRONT_FACE"),
-            with_state(["POLYGON"], [("glFrontFace", (gl.GL_CCW,))], mine),
-            strength + 5,
-            "GL_FRONT_FACE",
-            state["GL_FRONT_FACE"],
+            at=_setter(mine, "GL_FRONT_FACE"),
+            change=with_state(["POLYGON"], [("glFrontFace", (gl.GL_CCW,))], mine),
+            strength=strength + 5,
+            state="GL_FRONT_FACE",
+            value=state["GL_FRONT_FACE"],
             draws=mine,
         )
 
@@ -181,11 +181,11 @@ def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Sus
         scale = _negative_scale(mine[0])
         yield Suspect(
             "mirrored",
-            scale or mine[0].call,
-            lifted_,
-            strength + 7,
-            "GL_FRONT_FACE",
-            state["GL_FRONT_FACE"],
+            at=scale or mine[0].call,
+            change=lifted_,
+            strength=strength + 7,
+            state="GL_FRONT_FACE",
+            value=state["GL_FRONT_FACE"],
             draws=mine,
         )
         return
@@ -195,24 +195,24 @@ def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Sus
         moves = [call for call in at if call.name.startswith("glTranslate")]
         yield Suspect(
             "inside",
-            moves[-1] if moves else mine[0].call,
-            lifted_,
-            strength + 4,
-            "GL_CULL_FACE",
-            True,
-            {"cull": _line(_setter(mine, "GL_CULL_FACE"))},
+            at=moves[-1] if moves else mine[0].call,
+            change=lifted_,
+            strength=strength + 4,
+            state="GL_CULL_FACE",
+            value=True,
+            values={"cull": _line(_setter(mine, "GL_CULL_FACE"))},
             draws=mine,
         )
         return
 
     yield Suspect(
         "culled",
-        _setter(mine, "GL_CULL_FACE"),
-        lifted_,
-        strength,
-        "GL_CULL_FACE",
-        True,
-        {"winding": state["GL_FRONT_FACE"], "drawn": mine[0].call.site.line},
+        at=_setter(mine, "GL_CULL_FACE"),
+        change=lifted_,
+        strength=strength,
+        state="GL_CULL_FACE",
+        value=True,
+        values={"winding": state["GL_FRONT_FACE"], "drawn": mine[0].call.site.line},
         draws=mine,
     )
 
@@ -250,12 +250,12 @@ def holes(survey: Survey) -> Iterator[Suspect]:
             call = next(step.call for step in draw.steps if step.place == first)
             yield Suspect(
                 "winding",
-                call,
-                off("GL_CULL_FACE", [draw]),
-                92,
-                "GL_CULL_FACE",
-                True,
-                {"faces": len(bad), "face": bad[0] + 1},
+                at=call,
+                change=off("GL_CULL_FACE", [draw]),
+                strength=92,
+                state="GL_CULL_FACE",
+                value=True,
+                values={"faces": len(bad), "face": bad[0] + 1},
                 draws=[draw],
             )
         elif closed(draw) and draw.state["GL_DEPTH_TEST"] and not _inside([draw]):
@@ -300,12 +300,12 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
     if state["GL_DEPTH_FUNC"] in ODD:
         yield Suspect(
             "depth-func",
-            _setter(mine, "GL_DEPTH_FUNC"),
-            with_state(["DEPTH_BUFFER"], [("glDepthFunc", (gl.GL_LEQUAL,))], mine),
-            88,
-            "GL_DEPTH_FUNC",
-            state["GL_DEPTH_FUNC"],
-            {"clear": state["GL_DEPTH_CLEAR_VALUE"]},
+            at=_setter(mine, "GL_DEPTH_FUNC"),
+            change=with_state(["DEPTH_BUFFER"], [("glDepthFunc", (gl.GL_LEQUAL,))], mine),
+            strength=88,
+            state="GL_DEPTH_FUNC",
+            value=state["GL_DEPTH_FUNC"],
+            values={"clear": state["GL_DEPTH_CLEAR_VALUE"]},
             draws=mine,
         )
 
@@ -314,34 +314,34 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
         clear = next(d for d in cleared if d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999)
         yield Suspect(
             "clear-depth",
-            clear.setter("GL_DEPTH_CLEAR_VALUE"),
-            with_state(["DEPTH_BUFFER"], [("glClearDepth", (1.0,))], cleared),
-            90,
-            "GL_DEPTH_CLEAR_VALUE",
-            clear.state["GL_DEPTH_CLEAR_VALUE"],
+            at=clear.setter("GL_DEPTH_CLEAR_VALUE"),
+            change=with_state(["DEPTH_BUFFER"], [("glClearDepth", (1.0,))], cleared),
+            strength=90,
+            state="GL_DEPTH_CLEAR_VALUE",
+            value=clear.state["GL_DEPTH_CLEAR_VALUE"],
             draws=mine,
         )
 
     if list(state["GL_DEPTH_RANGE"]) != [0.0, 1.0]:
         yield Suspect(
             "depth-range",
-            _setter(mine, "GL_DEPTH_RANGE"),
-            with_state(["VIEWPORT"], [("glDepthRange", (0.0, 1.0))], mine),
-            75,
-            "GL_DEPTH_RANGE",
-            list(state["GL_DEPTH_RANGE"]),
+            at=_setter(mine, "GL_DEPTH_RANGE"),
+            change=with_state(["VIEWPORT"], [("glDepthRange", (0.0, 1.0))], mine),
+            strength=75,
+            state="GL_DEPTH_RANGE",
+            value=list(state["GL_DEPTH_RANGE"]),
             draws=mine,
         )
 
     if survey.empty:
         yield Suspect(
             "depth-test",
-            _setter(mine, "GL_DEPTH_TEST"),
-            off("GL_DEPTH_TEST", mine),
-            60,
-            "GL_DEPTH_TEST",
-            True,
-            {"function": state["GL_DEPTH_FUNC"]},
+            at=_setter(mine, "GL_DEPTH_TEST"),
+            change=off("GL_DEPTH_TEST", mine),
+            strength=60,
+            state="GL_DEPTH_TEST",
+            value=True,
+            values={"function": state["GL_DEPTH_FUNC"]},
             draws=mine,
         )
 
@@ -361,18 +361,17 @@ def near_zero(survey: Survey) -> Iterator[Suspect]:
         far = far if np.isfinite(far) and far > 0 else 1000.0
         yield Suspect(
             "near-zero",
-            mine[0].setter("GL_PROJECTION_MATRIX"),
-            with_matrix(
+            at=mine[0].setter("GL_PROJECTION_MATRIX"),
+            change=with_matrix(
                 "GL_PROJECTION",
                 lambda d: with_planes(d.state["GL_PROJECTION_MATRIX"], far / 1000, far),
                 mine,
             ),
-            95,
-            "GL_PROJECTION_MATRIX",
-            near,
-            {"near": near if np.isfinite(near) else 0.0},
+            strength=95,
+            state="GL_PROJECTION_MATRIX",
+            value=near,
+            values={"near": near if np.isfinite(near) else 0.0},
             draws=mine,
-            everywhere=True,
         )
 
 
@@ -384,13 +383,13 @@ def _blended(group: list[Drawn]) -> Iterator[Suspect]:
         clear = alpha < 0.02
         yield Suspect(
             "alpha-zero" if clear else "blend",
-            _setter(mine, "GL_CURRENT_COLOR" if clear else "GL_BLEND_SRC_RGB")
+            at=_setter(mine, "GL_CURRENT_COLOR" if clear else "GL_BLEND_SRC_RGB")
             or _setter(mine, "GL_BLEND"),
-            off("GL_BLEND", mine),
-            80,
-            "GL_CURRENT_COLOR" if clear else "GL_BLEND_SRC_RGB",
-            alpha if clear else mine[0].state["GL_BLEND_SRC_RGB"],
-            {
+            change=off("GL_BLEND", mine),
+            strength=80,
+            state="GL_CURRENT_COLOR" if clear else "GL_BLEND_SRC_RGB",
+            value=alpha if clear else mine[0].state["GL_BLEND_SRC_RGB"],
+            values={
                 "source": mine[0].state["GL_BLEND_SRC_RGB"],
                 "destination": mine[0].state["GL_BLEND_DST_RGB"],
             },
@@ -412,12 +411,12 @@ def _blended(group: list[Drawn]) -> Iterator[Suspect]:
         given = vertices.color_calls if vertices is not None else []
         yield Suspect(
             "same-color",
-            given[0][1] if given else _setter(plain, "GL_CURRENT_COLOR"),
-            change,
-            62,
-            "GL_CURRENT_COLOR",
-            color,
-            {"n": sum(d.passed for d in plain)},
+            at=given[0][1] if given else _setter(plain, "GL_CURRENT_COLOR"),
+            change=change,
+            strength=62,
+            state="GL_CURRENT_COLOR",
+            value=color,
+            values={"n": sum(d.passed for d in plain)},
             draws=plain,
             source="" if given or _setter(plain, "GL_CURRENT_COLOR") else plain[0].call.source,
         )
@@ -432,12 +431,12 @@ def _fogged(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
         span = mine[0].placed.distances if mine[0].placed is not None else (0.0, 0.0)
         yield Suspect(
             "fog",
-            _setter(mine, name) or _setter(mine, "GL_FOG"),
-            off("GL_FOG", mine),
-            82,
-            name,
-            state[name],
-            {"nearest": span[0], "farthest": span[1]},
+            at=_setter(mine, name) or _setter(mine, "GL_FOG"),
+            change=off("GL_FOG", mine),
+            strength=82,
+            state=name,
+            value=state[name],
+            values={"nearest": span[0], "farthest": span[1]},
             draws=mine,
         )
 
@@ -453,9 +452,7 @@ def all_fogged(survey: Survey) -> Iterator[Suspect]:
     mask = changed(survey.base, clear)
     haze = np.rint(np.array(mine[0].state["GL_FOG_COLOR"][:3]) * 255.0)
     if mask.any() and np.abs(survey.base[mask] - haze).max() <= 3:
-        for suspect in _fogged(survey, mine):
-            suspect.everywhere = True
-            yield suspect
+        yield from _fogged(survey, mine)
 
 
 def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
@@ -485,11 +482,11 @@ def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
     area = survey.base.shape[0] * survey.base.shape[1]
     yield Suspect(
         "no-depth-test",
-        None,
-        change,
-        87 if clears else 66,
-        "GL_DEPTH_TEST",
-        False,
+        at=None,
+        change=change,
+        strength=87 if clears else 66,
+        state="GL_DEPTH_TEST",
+        value=False,
         draws=solid,
         source=_opening(survey),
         least=0 if clears else area // 50,
@@ -524,12 +521,12 @@ def translucent_first(survey: Survey) -> Iterator[Suspect]:
             continue
         yield Suspect(
             "translucent-first",
-            glass.call,
-            with_state(["DEPTH_BUFFER"], [("glDepthMask", (False,))], [glass]),
-            86,
-            "GL_DEPTH_WRITEMASK",
-            True,
-            {"alpha": round(_alpha(glass), 3), "later": opaque[0].call.site.line},
+            at=glass.call,
+            change=with_state(["DEPTH_BUFFER"], [("glDepthMask", (False,))], [glass]),
+            strength=86,
+            state="GL_DEPTH_WRITEMASK",
+            value=True,
+            values={"alpha": round(_alpha(glass), 3), "later": opaque[0].call.site.line},
             draws=[glass],
             least=sum(d.passed for d in glasses if d.chain == glass.chain) // share,
         )
@@ -561,12 +558,12 @@ def blend_missing(survey: Survey) -> Iterator[Suspect]:
         actions.append(("glBlendFunc", (gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)))
     yield Suspect(
         "no-blend",
-        setter or mine[0].setter("GL_CURRENT_COLOR") or mine[0].call,
-        with_state(["ENABLE", "COLOR_BUFFER"], actions, mine),
-        88 if setter else 58,
-        "GL_BLEND",
-        False,
-        {"alpha": round(_alpha(mine[0]), 3)},
+        at=setter or mine[0].setter("GL_CURRENT_COLOR") or mine[0].call,
+        change=with_state(["ENABLE", "COLOR_BUFFER"], actions, mine),
+        strength=88 if setter else 58,
+        state="GL_BLEND",
+        value=False,
+        values={"alpha": round(_alpha(mine[0]), 3)},
         draws=mine,
     )
 
@@ -588,9 +585,9 @@ def overdrawn(survey: Survey) -> Iterator[Suspect]:
         )
         yield Suspect(
             "overdrawn",
-            last.call,
-            moved,
-            64,
+            at=last.call,
+            change=moved,
+            strength=64,
             values={"draws": len(before)},
             draws=before,
         )
@@ -632,14 +629,13 @@ def viewports(survey: Survey) -> Iterator[Suspect]:
         box = [int(v) for v in mine[0].state["GL_VIEWPORT"]]
         yield Suspect(
             "viewport",
-            mine[0].setter("GL_VIEWPORT"),
-            with_state(["VIEWPORT"], [("glViewport", (0, 0, width, height))], mine),
-            96,
-            "GL_VIEWPORT",
-            box,
-            {"box": box, "width": width, "height": height},
+            at=mine[0].setter("GL_VIEWPORT"),
+            change=with_state(["VIEWPORT"], [("glViewport", (0, 0, width, height))], mine),
+            strength=96,
+            state="GL_VIEWPORT",
+            value=box,
+            values={"box": box, "width": width, "height": height},
             draws=mine,
-            everywhere=True,
         )
 
 
@@ -649,11 +645,11 @@ def other_target(survey: Survey) -> Iterator[Suspect]:
     if mine:
         yield Suspect(
             "render-mode",
-            mine[0].setter("GL_RENDER_MODE"),
-            Change(before={mine[0].place: [("glRenderMode", (gl.GL_RENDER,))]}),
-            90,
-            "GL_RENDER_MODE",
-            mine[0].state["GL_RENDER_MODE"],
+            at=mine[0].setter("GL_RENDER_MODE"),
+            change=Change(before={mine[0].place: [("glRenderMode", (gl.GL_RENDER,))]}),
+            strength=90,
+            state="GL_RENDER_MODE",
+            value=mine[0].state["GL_RENDER_MODE"],
             draws=mine,
         )
 
@@ -663,8 +659,8 @@ def other_target(survey: Survey) -> Iterator[Suspect]:
     if aside and aside[-1] is survey.draws[-1]:
         yield Suspect(
             "framebuffer",
-            aside[-1].setter(name),
-            Change(
+            at=aside[-1].setter(name),
+            change=Change(
                 around=(
                     Around(
                         0,
@@ -674,11 +670,10 @@ def other_target(survey: Survey) -> Iterator[Suspect]:
                     ),
                 )
             ),
-            72,
-            name,
-            aside[-1].state[name],
+            strength=72,
+            state=name,
+            value=aside[-1].state[name],
             draws=aside,
-            everywhere=True,
         )
 
 
@@ -701,14 +696,14 @@ def wireframe(survey: Survey) -> Iterator[Suspect]:
         if own and others and others[0].index > own[0].index:
             yield Suspect(
                 "wireframe",
-                setter,
-                with_state(
+                at=setter,
+                change=with_state(
                     ["POLYGON"], [("glPolygonMode", (gl.GL_FRONT_AND_BACK, gl.GL_FILL))], others
                 ),
-                76,
-                "GL_POLYGON_MODE",
-                list(others[0].state["GL_POLYGON_MODE"]),
-                {"function": setter.site.function, "later": others[0].call.site.line},
+                strength=76,
+                state="GL_POLYGON_MODE",
+                value=list(others[0].state["GL_POLYGON_MODE"]),
+                values={"function": setter.site.function, "later": others[0].call.site.line},
                 draws=others,
             )
 

@@ -80,25 +80,23 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
             if pixels.size >= row * height:
                 yield Suspect(
                     "unpack-alignment",
-                    call,
-                    Change(first=[_upload_again(call, texture, pixels[: row * height])]),
-                    94,
-                    "GL_UNPACK_ALIGNMENT",
-                    alignment,
-                    {"width": width, "row": row, "padded": padded},
-                    everywhere=True,
+                    at=call,
+                    change=Change(first=[_upload_again(call, texture, pixels[: row * height])]),
+                    strength=94,
+                    state="GL_UNPACK_ALIGNMENT",
+                    value=alignment,
+                    values={"width": width, "row": row, "padded": padded},
                 )
         elif pixels.size < row * height:
             yield Suspect(
                 "image-too-small",
-                call,
-                None,
-                88,
-                "GL_TEXTURE_2D",
-                int(pixels.size),
-                {"given": int(pixels.size), "needed": row * height},
+                at=call,
+                change=None,
+                strength=88,
+                state="GL_TEXTURE_2D",
+                value=int(pixels.size),
+                values={"given": int(pixels.size), "needed": row * height},
                 pixels=1,
-                everywhere=True,
             )
 
         yield from _upside_down(survey, call, texture, image)
@@ -127,13 +125,11 @@ def _upside_down(survey: Survey, call: Call, texture: int, image: Any) -> Iterat
     turned = np.ascontiguousarray(rows[::-1]).reshape(-1)
     suspect = Suspect(
         "upside-down",
-        None,
-        Change(first=[_upload_again(call, texture, turned)]),
-        86,
-        "GL_TEXTURE_2D",
-        None,
-        {"call": how},
-        everywhere=True,
+        at=None,
+        change=Change(first=[_upload_again(call, texture, turned)]),
+        strength=86,
+        state="GL_TEXTURE_2D",
+        values={"call": how},
         draws=upright,
         source=f"{site.file}:{site.line}",
     )
@@ -177,13 +173,12 @@ def incomplete(survey: Survey) -> Iterator[Suspect]:
         )
         yield Suspect(
             "texture-incomplete",
-            setter,
-            with_state(["TEXTURE"], [action], mine),
-            92,
-            state,
-            value,
-            values | {"texture": texture},
-            everywhere=True,
+            at=setter,
+            change=with_state(["TEXTURE"], [action], mine),
+            strength=92,
+            state=state,
+            value=value,
+            values=values | {"texture": texture},
             draws=mine,
         )
 
@@ -214,13 +209,12 @@ def _nothing_bound(survey: Survey, mine: Sequence[Drawn], texture: int) -> Itera
             continue
         yield Suspect(
             "texture-not-bound",
-            given[0].setter(BOUND) or given[0].call,
-            with_state(["TEXTURE"], [("glBindTexture", (gl.GL_TEXTURE_2D, other))], given),
-            84,
-            "GL_TEXTURE_BINDING_2D",
-            texture,
-            {"texture": texture, "other": other, "image": call.site.line},
-            everywhere=True,
+            at=given[0].setter(BOUND) or given[0].call,
+            change=with_state(["TEXTURE"], [("glBindTexture", (gl.GL_TEXTURE_2D, other))], given),
+            strength=84,
+            state="GL_TEXTURE_BINDING_2D",
+            value=texture,
+            values={"texture": texture, "other": other, "image": call.site.line},
             draws=given,
         )
         return
@@ -245,13 +239,12 @@ def not_enabled(survey: Survey) -> Iterator[Suspect]:
     setter = bound[0].setter(BOUND)
     yield Suspect(
         "texture-off",
-        setter or bound[0].call,
-        with_state(["ENABLE"], [("glEnable", (gl.GL_TEXTURE_2D,))], bound),
-        60 if seen else 90,
-        "GL_TEXTURE_2D",
-        False,
-        {"texture": int(bound[0].state[BOUND])},
-        everywhere=True,
+        at=setter or bound[0].call,
+        change=with_state(["ENABLE"], [("glEnable", (gl.GL_TEXTURE_2D,))], bound),
+        strength=60 if seen else 90,
+        state="GL_TEXTURE_2D",
+        value=False,
+        values={"texture": int(bound[0].state[BOUND])},
         draws=bound,
     )
 
@@ -318,13 +311,12 @@ def _in_pixels(survey: Survey, draw: Drawn, texture: int) -> Suspect | None:
 
     return Suspect(
         "coords-in-pixels",
-        call,
-        Change(around=(Around(0, [scale], frozenset(d.place for d in mine), [back]),)),
-        91,
-        "GL_CURRENT_TEXTURE_COORDS",
-        [s, t],
-        {"s": s, "t": t, "width": width, "height": height},
-        everywhere=True,
+        at=call,
+        change=Change(around=(Around(0, [scale], frozenset(d.place for d in mine), [back]),)),
+        strength=91,
+        state="GL_CURRENT_TEXTURE_COORDS",
+        value=[s, t],
+        values={"s": s, "t": t, "width": width, "height": height},
         draws=mine,
     )
 
@@ -357,24 +349,21 @@ def _without(survey: Survey) -> Iterator[Suspect]:
     if mapped:
         yield Suspect(
             "texture-left",
-            setter,
-            off("GL_TEXTURE_2D", bare),
-            79,
-            "GL_TEXTURE_2D",
-            True,
-            {"later": bare[0].call.site.line},
-            everywhere=True,
+            at=setter,
+            change=off("GL_TEXTURE_2D", bare),
+            strength=79,
+            state="GL_TEXTURE_2D",
+            value=True,
+            values={"later": bare[0].call.site.line},
             draws=bare,
         )
     else:
         yield Suspect(
             "no-coords",
-            bare[0].call,
-            _with_coords(bare),
-            77,
-            "GL_CURRENT_TEXTURE_COORDS",
-            None,
-            everywhere=True,
+            at=bare[0].call,
+            change=_with_coords(bare),
+            strength=77,
+            state="GL_CURRENT_TEXTURE_COORDS",
             draws=bare,
         )
 
@@ -414,12 +403,11 @@ def tinted(survey: Survey) -> Iterator[Suspect]:
     if mine:
         yield Suspect(
             "texture-times-black",
-            mine[0].setter("GL_CURRENT_COLOR"),
-            Change(before={d.place: [("glColor4f", (1.0, 1.0, 1.0, 1.0))] for d in mine}),
-            83,
-            "GL_CURRENT_COLOR",
-            [float(v) for v in mine[0].state["GL_CURRENT_COLOR"]],
-            everywhere=True,
+            at=mine[0].setter("GL_CURRENT_COLOR"),
+            change=Change(before={d.place: [("glColor4f", (1.0, 1.0, 1.0, 1.0))] for d in mine}),
+            strength=83,
+            state="GL_CURRENT_COLOR",
+            value=[float(v) for v in mine[0].state["GL_CURRENT_COLOR"]],
             draws=mine,
         )
 

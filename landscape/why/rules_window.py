@@ -52,11 +52,10 @@ def before_context(survey: Survey) -> Iterator[Suspect]:
     name, _, _, site = past.early[0]
     yield Suspect(
         "before-context",
-        None,
-        Change(start=[make], instead=instead),
-        97,
+        at=None,
+        change=Change(start=[make], instead=instead),
+        strength=97,
         values={"call": name, "opening": OPENINGS[past.window.toolkit]},
-        everywhere=True,
         source=f"{site.file}:{past.window.early_line or site.line}",
     )
 
@@ -103,11 +102,10 @@ def begin_and_end(survey: Survey) -> Iterator[Suspect]:
     if begin is not None and last is not None and survey.past and survey.past.error is None:
         yield Suspect(
             "no-end",
-            last.call,
-            Change(after={last.place: [("glEnd", ())]}),
-            96,
+            at=last.call,
+            change=Change(after={last.place: [("glEnd", ())]}),
+            strength=96,
             values={"begin": begin.call.site.line, "function": last.call.site.function},
-            everywhere=True,
         )
 
 
@@ -124,11 +122,10 @@ def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> It
     if not ended or step.call.name == "glBegin":
         yield Suspect(
             "no-end",
-            last.call,
-            Change(after={last.place: [("glEnd", ())]}),
-            96,
+            at=last.call,
+            change=Change(after={last.place: [("glEnd", ())]}),
+            strength=96,
             values={"begin": begin.call.site.line, "function": last.call.site.function},
-            everywhere=True,
         )
         return
 
@@ -143,11 +140,10 @@ def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> It
 
     yield Suspect(
         "inside-begin",
-        step.call,
-        Change(before={begin.place: moved}, instead=instead),
-        96,
+        at=step.call,
+        change=Change(before={begin.place: moved}, instead=instead),
+        strength=96,
         values={"begin": begin.call.site.line, "call": written(step.call)},
-        everywhere=True,
     )
 
 
@@ -161,14 +157,13 @@ def _outside(steps: Any, index: int) -> Iterator[Suspect]:
     for mode in ("GL_POLYGON", "GL_LINE_STRIP"):
         yield Suspect(
             "outside-begin",
-            step.call,
-            Change(
+            at=step.call,
+            change=Change(
                 before={step.place: [("glBegin", (getattr(gl, mode),))]},
                 after={last.place: [("glEnd", ())]} if last.call.name != "glEnd" else {},
             ),
-            94,
+            strength=94,
             values={"call": written(step.call)},
-            everywhere=True,
         )
 
 
@@ -181,21 +176,20 @@ def refused(survey: Survey) -> Iterator[Suspect]:
         said = bytes(getattr(error, "description", b"") or b"").decode(errors="replace")
         yield Suspect(
             "refused",
-            call,
-            None,
-            60,
+            at=call,
+            change=None,
+            strength=60,
             values={"call": written(call), "error": said or type(error).__name__},
             pixels=survey.base.shape[0] * survey.base.shape[1],
-            everywhere=True,
         )
         return
 
     for place, call, said in survey.errors[:3]:
         yield Suspect(
             "refused",
-            call,
-            None if survey.empty else Change(instead={place: ()}),
-            45,
+            at=call,
+            change=None if survey.empty else Change(instead={place: ()}),
+            strength=45,
             values={"call": written(call), "error": said},
             pixels=survey.base.shape[0] * survey.base.shape[1],
         )
@@ -217,26 +211,27 @@ def shown(survey: Survey) -> Iterator[Suspect]:
     elif showing.way == "never" or (showing.way == "callback" and doubled):
         yield Suspect(
             "no-swap",
-            last,
-            None,
-            99,
-            "GL_DOUBLEBUFFER",
-            True,
-            {"function": last.site.function if last else "", "swap": SWAPS[past.window.toolkit]},
-            pixels,
-            True,
+            at=last,
+            change=None,
+            strength=99,
+            state="GL_DOUBLEBUFFER",
+            value=True,
+            values={
+                "function": last.site.function if last else "",
+                "swap": SWAPS[past.window.toolkit],
+            },
+            pixels=pixels,
         )
     elif showing.way == "callback" and not showing.flushed:
         yield Suspect(
             "no-flush",
-            last,
-            None,
-            98,
-            "GL_DOUBLEBUFFER",
-            False,
-            {"function": last.site.function if last else ""},
-            pixels,
-            True,
+            at=last,
+            change=None,
+            strength=98,
+            state="GL_DOUBLEBUFFER",
+            value=False,
+            values={"function": last.site.function if last else ""},
+            pixels=pixels,
         )
 
     setter = past.setters.last.get("GL_DRAW_BUFFER")
@@ -246,27 +241,22 @@ def shown(survey: Survey) -> Iterator[Suspect]:
     if doubled and setter is not None and int(setter.args[0]) in FRONT and showing.way == "swap":
         yield Suspect(
             "front-buffer",
-            setter,
-            None,
-            97,
-            "GL_DRAW_BUFFER",
-            "GL_FRONT",
-            {},
-            pixels or survey.base[..., 0].size,
-            True,
+            at=setter,
+            change=None,
+            strength=97,
+            state="GL_DRAW_BUFFER",
+            value="GL_FRONT",
+            pixels=pixels or survey.base[..., 0].size,
         )
 
     if showing.way == "swap" and showing.again and not survey.draws and survey.tape.before:
         yield Suspect(
             "swapped-twice",
-            None,
-            None,
-            96,
-            "",
-            None,
-            {"line": showing.line, "swap": SWAPS[past.window.toolkit]},
-            survey.base[..., 0].size,
-            True,
+            at=None,
+            change=None,
+            strength=96,
+            values={"line": showing.line, "swap": SWAPS[past.window.toolkit]},
+            pixels=survey.base[..., 0].size,
             source=f"{past.source.rpartition('/')[2]}:{showing.line}",
         )
 
@@ -277,14 +267,11 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             if moved:
                 yield Suspect(
                     "no-redisplay",
-                    last,
-                    None,
-                    95,
-                    "",
-                    None,
-                    {"function": last.site.function if last else ""},
-                    moved,
-                    True,
+                    at=last,
+                    change=None,
+                    strength=95,
+                    values={"function": last.site.function if last else ""},
+                    pixels=moved,
                 )
 
 

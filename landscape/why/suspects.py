@@ -5,7 +5,7 @@ It only suspects: diagnosis.py tries the change, and names no cause whose change
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
 import numpy as np
@@ -26,10 +26,11 @@ class Suspect:
     ``change`` would mend it; None if the window is to blame, and ``pixels`` says how many it does
     not show. ``strength``, 0 to 100, is how likely a fault of this kind is one: the likelier of two
     proven causes comes first. ``state`` is the variable that has a wrong ``value``. ``values`` go
-    into the texts. ``everywhere``: it concerns the whole picture, whatever pixel was asked about.
+    into the texts.
     """
 
     cause: str
+    _: KW_ONLY
     at: At
     change: Change | None
     strength: float
@@ -37,7 +38,6 @@ class Suspect:
     value: Any = None
     values: dict[str, Any] = field(default_factory=dict)
     pixels: int = 0
-    everywhere: bool = False
     draws: Sequence[Drawn] = ()
     source: str = ""  # where the call cannot say it
     least: int = 0  # pixels that must differ, where that is more than usual
