@@ -428,9 +428,10 @@ VIEWS = (
         View(
             "fig35h",
             "an islet with a deer reflected",
-            Pose(33.8, 0.71, 21.2, 40.0, -2.0),
-            70,
+            Pose(34.53, 0.67, 21.05, 344.0, -4.0),
+            150,
             shown=OUTDOORS,
+            settings={"camera.fov": 40.0},
         ),
         View(
             "fig35i", "approaching the dragon, sword in view", walking(13.2, 27.0, 226.0, 0.0), 15
