@@ -14,6 +14,7 @@ from landscape.effects.hall import SCENE, Hall
 from landscape.effects.levels import ALONG, LEVELS, SIMPLIFIED
 from landscape.effects.light import FILE, SIDE, SIZES, light_map, of_plane, on_plane, placed
 from landscape.effects.materials import MATERIALS
+from landscape.effects.ornaments import pillar
 from landscape.effects.room import meshes
 from landscape.effects.settings import Settings
 from landscape.effects.shafts import sheets
@@ -98,6 +99,30 @@ def test_every_line_of_sight_ends_on_the_front_of_stone_or_leaves_by_an_opening(
     met = corners[hit[hit >= 0]]
     facing = np.cross(met[:, 1] - met[:, 0], met[:, 2] - met[:, 0])
     assert ((facing * rays[hit >= 0]).sum(axis=1) < 0).all()
+
+
+@pytest.mark.parametrize("height", [0.06, 0.20, 0.50])
+def test_a_pillar_shows_no_inside_from_any_side(height: float) -> None:
+    corners = triangles(pillar(0.0, 0.0))
+    for turn in np.radians([3.0, 25.0, 48.0]):
+        eye = np.array([0.12 * np.cos(turn), height, 0.12 * np.sin(turn)])
+        rays = all_around(4000)
+        hit = first_hits(corners, eye, rays)
+        met = corners[hit[hit >= 0]]
+        facing = np.cross(met[:, 1] - met[:, 0], met[:, 2] - met[:, 0])
+        assert len(met) > 100
+        assert ((facing * rays[hit >= 0]).sum(axis=1) < 0).all()
+
+
+def test_what_closes_a_joint_is_as_bright_as_the_edge_that_it_begins_at() -> None:
+    lit = {id(each.surface): each for each in placed(hall())}
+    joints = [each for each in lit.values() if each.surface.edge is not None]
+    assert len(joints) == 3 * len(plan.ROWS) * len(plan.BAYS[1:-1])
+    for each in joints:
+        edge = each.surface.edge
+        assert edge is not None
+        row = lit[id(edge.surface)].light[edge.row]
+        np.testing.assert_array_equal(each.light, np.broadcast_to(row, each.light.shape))
 
 
 def test_walls_and_vault_share_their_edges() -> None:

@@ -71,16 +71,25 @@ def of_plane(sheet: str) -> np.ndarray:
 
 
 def placed(surfaces: Sequence[Surface]) -> list[Lit]:
-    """Return each surface with its place in its sheet."""
-    own = iter(charts([each for each in surfaces if each.sheet == "hall"], SIDE, TEXELS))
-    found = []
-    for surface in surfaces:
-        if surface.sheet == "hall":
-            chart = next(own)
-            found.append(Lit(surface, in_chart(surface, chart), chart))
-        else:
-            found.append(Lit(surface, on_plane(surface.sheet, surface.points), None))
-    return found
+    """Return each surface with its place in its sheet.
+
+    One that is joined to an edge takes the texels along that edge, in all its rows.
+    """
+    charted = [each for each in surfaces if each.sheet == "hall" and each.edge is None]
+    by_surface = dict(zip(map(id, charted), charts(charted, SIDE, TEXELS), strict=True))
+
+    def lit(surface: Surface) -> Lit:
+        if surface.edge is not None:
+            neighbour = surface.edge.surface
+            row = in_chart(neighbour, by_surface[id(neighbour)])[surface.edge.row]
+            return Lit(surface, np.broadcast_to(row, (*surface.points.shape[:2], 2)), None)
+
+        chart = by_surface.get(id(surface))
+        if chart is None:
+            return Lit(surface, on_plane(surface.sheet, surface.points), None)
+        return Lit(surface, in_chart(surface, chart), chart)
+
+    return [lit(surface) for surface in surfaces]
 
 
 def coded(light: np.ndarray) -> np.ndarray:

@@ -10,6 +10,7 @@ import numpy as np
 from landscape.effects import plan
 from landscape.effects.shapes import (
     STEPS,
+    Curve,
     Profile,
     across_x,
     across_z,
@@ -23,7 +24,7 @@ from landscape.effects.shapes import (
     sweep,
     turned,
 )
-from landscape.effects.surfaces import Surface
+from landscape.effects.surfaces import Edge, Surface
 
 UP = np.array([0.0, 1.0, 0.0])
 
@@ -66,6 +67,7 @@ BAR: Profile = [
 
 STRAP: Profile = [(-0.006, 0.0), (-0.005, 0.002), (0.005, 0.002), (0.006, 0.0)]
 
+WITHIN = 0.97  # chosen: a ring that closes a joint begins a little inside the other piece
 SHAFT, CORE = 0.34, 0.78  # of a pillar's radius: its four shafts, and the core between them
 
 
@@ -83,12 +85,33 @@ def lobed(turn: np.ndarray) -> np.ndarray:
     return 1.0 + 0.09 * np.abs(np.cos(4 * turn)) - 0.04
 
 
-def pillar(x: float, z: float) -> list[Surface]:
-    """Return a pillar: an octagonal foot, a clustered shaft with rings, and a capital."""
-    r, top = plan.PILLAR, plan.SPRINGING
+def octagon(turn: np.ndarray) -> np.ndarray:
+    """Return the outline of a regular octagon with corners at distance 1, at angles ``turn``."""
+    return np.cos(np.pi / 8) / np.cos(turn % (np.pi / 4) - np.pi / 8)
 
-    def eight(turn: np.ndarray) -> np.ndarray:
-        return 1 / np.cos((turn + np.pi / 8) % (np.pi / 4) - np.pi / 8)
+
+def joint(x: float, z: float, edge: Edge, outline: Curve, radius: float, up: bool) -> Surface:
+    """Return a level ring from an edge of a turned piece to another outline about x, z.
+
+    It closes the hole between two pieces of different outline. ``outline`` times ``radius`` is the
+    other side of the ring; ``up`` says whether it is seen from above, or from below.
+    """
+    rim = edge.surface.points[edge.row]
+    east, south = rim[:, 0] - x, rim[:, 2] - z
+    turn = np.arctan2(south, east)
+    distance = radius * outline(turn)
+    other = np.stack([x + distance * np.cos(turn), rim[:, 1], z + distance * np.sin(turn)], axis=-1)
+    outwards = distance.mean() > np.hypot(east, south).mean()
+    rows = [rim, other] if outwards == up else [other, rim]
+    return Surface(np.stack(rows), "stone", edge=edge)
+
+
+def pillar(x: float, z: float) -> list[Surface]:
+    """Return a pillar: an octagonal foot, a clustered shaft with rings, and a capital.
+
+    Foot, shaft and capital have different outlines; rings close what is open between them.
+    """
+    r, top = plan.PILLAR, plan.SPRINGING
 
     foot = [(r + 0.010, 0.034), (r + 0.016, 0.032), (r + 0.020, 0.0)]
     base = [
@@ -121,14 +144,19 @@ def pillar(x: float, z: float) -> list[Surface]:
         24,
         clustered,
     )
+    under = turned(x, z, base, "stone", 24, clustered)
+    capital = turned(x, z, bell, "stone", 32, lobed)
     return [
-        turned(x, z, foot, "stone", 8, eight),
-        turned(x, z, base, "stone", 24, clustered),
+        turned(x, z, foot, "stone", 8, octagon),
+        under,
         turned(x, z, [(r, top - 0.068), (r, 0.056)], "stone", 24, clustered),
         ring,
-        turned(x, z, bell, "stone", 32, lobed),
-        turned(x, z, slab, "stone", 8, eight),
-        turned(x, z, [(0.0, top + 0.013), (r + 0.020, top + 0.012)], "stone", 8, eight),
+        capital,
+        turned(x, z, slab, "stone", 8, octagon),
+        turned(x, z, [(0.0, top + 0.013), (r + 0.020, top + 0.012)], "stone", 8, octagon),
+        joint(x, z, Edge(under, -1), octagon, r + 0.010, up=True),
+        joint(x, z, Edge(capital, -1), clustered, WITHIN * r, up=False),
+        joint(x, z, Edge(capital, 0), octagon, WITHIN * (r + 0.024), up=True),
     ]
 
 

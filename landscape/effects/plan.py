@@ -60,6 +60,7 @@ MEDALLION = 0.255  # half the side of the medallion in the floor that the statue
 STATUE = (AXIS, 1.2)  # x, z of the plinth's centre
 PLINTH = (0.185, 0.08)  # half its side, and height
 STATUE_SCALE = 0.26  # of the mesh, which is 2 units long
+BALL = 0.62  # radius of the ball that may stand there instead, in the same mesh
 STATUE_SUNK = 0.010  # how deep it is let into the plinth
 # Degrees: in profile from the door, so that its shadow shows the open jaws.
 STATUE_YAW = -165.0

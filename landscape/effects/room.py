@@ -23,9 +23,11 @@ from landscape.effects.levels import ALONG, LEVELS, bay_of, level_for, levels_of
 from landscape.effects.light import FILE, SCALE, SIZES, light_map, placed
 from landscape.effects.materials import MATERIALS
 from landscape.effects.mirror import fading
+from landscape.effects.plinth_light import ball_on_plinth, plinth_light
 from landscape.effects.settings import Settings
 from landscape.effects.surfaces import coarser, mesh
 from landscape.effects.toned_texture import Change, TonedTexture
+from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.files.images import read_image
@@ -43,6 +45,7 @@ FLOOR = "floor", "band", "medallion"
 BASIN = ("pool",)
 APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "torch"): (0.0, 0.0)}
 
+BAKED_SUN = direction(Settings().sun).astype(float)
 BARE = (*FLOOR, *BASIN, "plinth")  # drawn on their own; the rest is drawn by bays
 # Sheet, material, number of the bay, "" for those drawn apart, and number of the level of detail.
 Key = tuple[str, str, str, str]
@@ -131,6 +134,8 @@ class Room:
             key: Texture(image, repeat=False, mipmaps=False)
             for key, image in zip(wanted, images, strict=True)
         }
+        self._hall_light = images[wanted.index(("hall", ()))]
+        self._plinth: dict[tuple[bool, str], Texture] = {}
         parts = kept_meshes(["the hall's stone"], meshes)
         self._lists = {
             (sheet, material): DisplayList(lambda part=part: draw_mesh(part))  # type: ignore[misc]
@@ -204,7 +209,7 @@ class Room:
                     # In Mesa glPopAttrib does not restore a colour that came from an array.
                     gl.glColor3f(1.0, 1.0, 1.0)
             self._draw(("plinth",))
-            self._draw(("wall",), (), ("north",))
+            self._draw(("wall",), () if self._settings.shadow.sunlit else ("sun",), ("north",))
 
     def _bay(self, number: int, level: int, fades: bool) -> DisplayList:
         """Return a bay's list of a level, or of the next coarser one, if it ``fades``."""
@@ -297,6 +302,19 @@ class Room:
             self._light[sheet, without if sheet != "hall" else ()].bind()
             use_unit(0)
 
+    def _lay_plinth_light(self) -> None:
+        """Let unit 1 sample the plinth's own light map, if its light is not the baked one."""
+        sunlit, figure = self._settings.shadow.sunlit, self._settings.statue.figure
+        if not self._lit or (sunlit and figure != "ball"):
+            return
+        if (sunlit, figure) not in self._plinth:
+            ball = ball_on_plinth() if figure == "ball" else None
+            image = plinth_light(self._hall_light, BAKED_SUN, ball, sunlit)
+            self._plinth[sunlit, figure] = Texture(image, repeat=False, mipmaps=False)
+        use_unit(1)
+        self._plinth[sunlit, figure].bind()
+        use_unit(0)
+
     def _draw(
         self,
         materials: Iterable[str],
@@ -313,6 +331,8 @@ class Room:
                     if (sheet, name) not in self._lists:
                         continue
                     self._lay_light(sheet, without)
+                    if name == "plinth":
+                        self._lay_plinth_light()
                     self._lists[sheet, name].call()
 
     def release(self) -> None:
@@ -324,5 +344,5 @@ class Room:
             *(level for bay in (*self._bays, *self._faded) for level in bay),
         ):
             each.release()
-        for texture in (*self._textures.values(), *self._light.values()):
+        for texture in (*self._textures.values(), *self._light.values(), *self._plinth.values()):
             texture.release()

@@ -158,7 +158,7 @@ class Shadow:
     sunlit: bool = setting(
         True,
         "chosen",
-        "the sun shines on the floor; off, torches alone light it, and its shadows show",
+        "the sun shines on floor and plinth; off, torches alone light them, and their shadows show",
     )
     method: str = setting(
         "relight",

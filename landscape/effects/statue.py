@@ -47,7 +47,7 @@ COARSE = 0.025
 COARSEST = 0.045
 COARSER = 0.03
 FROM_AFAR = 0.0125, 0.02  # chosen: the same for the statue itself from afar
-BALL, BALL_GRID = 0.62, (64, 128)  # chosen: the ball's radius, in a mesh of 2; its rows and columns
+BALL_GRID = 64, 128  # chosen: rows and columns of the ball
 SHARP = (
     512  # chosen: texels of what a ball mirrors: a side of a face of the cube map, and of the map
 )
@@ -67,14 +67,14 @@ def standing(unit: Mesh) -> tuple[np.ndarray, np.ndarray, float]:
 
 
 def ball() -> Mesh:
-    """Return a ball of radius BALL around the origin, of as many triangles as its image needs."""
+    """Return a ball around the origin, of as many triangles as its image needs."""
     rows, columns = BALL_GRID
     down, around = np.linspace(0.0, np.pi, rows + 1), np.linspace(0.0, 2 * np.pi, columns + 1)
     theta, phi = (grid.ravel() for grid in np.meshgrid(down, around, indexing="ij"))
     level = np.sin(theta)
     normals = np.stack([level * np.cos(phi), np.cos(theta), -level * np.sin(phi)], axis=1)
     unit = np.ascontiguousarray(normals, np.float32)
-    return Mesh(BALL * unit, unit, grid_triangles(columns + 1, rows + 1))
+    return Mesh(plan.BALL * unit, unit, grid_triangles(columns + 1, rows + 1))
 
 
 def cast_in(mesh: Mesh, metal: tuple[float, ...], shaded: bool) -> Mesh:
@@ -122,8 +122,10 @@ class Statue:
         self._metal: tuple[float, ...] = ()
         self._lists: list[DisplayList] = []
         self._compile()
-        casting = (replace(each, colors=None) for each in (coarser, coarsest))
-        self._coarser, self._coarsest = (DisplayList(partial(draw_mesh, each)) for each in casting)
+        casting = (replace(each, colors=None) for each in (gathered(afar[0]), coarser, coarsest))
+        self._finest, self._coarser, self._coarsest = (
+            DisplayList(partial(draw_mesh, each)) for each in casting
+        )
 
     @property
     def _gilded(self) -> bool:
@@ -229,9 +231,14 @@ class Statue:
         self._send_scaled(self._lists[-1])
 
     def send_shadowing(self, frame: Frame) -> None:
-        """Send the mesh that casts the shadows at its place."""
+        """Send the mesh that casts the shadows at its place.
+
+        A lamp that is carried (``shadow.casters=all``) comes so close that the shadow is much
+        larger than the statue: it needs a finer mesh.
+        """
         near = frame.pose.z < plan.STATUE[1]  # on the side of the wall that it falls on
-        self._send_scaled(self._coarser if near else self._coarsest)
+        mesh = self._coarser if near else self._coarsest
+        self._send_scaled(self._finest if self._settings.shadow.casters == "all" else mesh)
 
     def _send_scaled(self, mesh: DisplayList) -> None:
         with matrix():
@@ -242,7 +249,7 @@ class Statue:
 
     def release(self) -> None:
         """Delete the lists and the maps; may be called twice."""
-        for each in (*self._lists, self._coarser, self._coarsest):
+        for each in (*self._lists, self._finest, self._coarser, self._coarsest):
             each.release()
         if self._environment is not None:
             self._environment.release()

@@ -22,7 +22,7 @@ class Surface:
     Columns run to the right and rows downwards, seen from there. ``material`` names its texture;
     ``plain`` (rows, columns, 2) is where each point lies in it, in units, by default the distances
     along the grid. ``sheet`` names the light map it is in, ``density`` multiplies that map's texels
-    per unit.
+    per unit. One with an ``edge`` has no texels of its own: it is as bright as that edge.
     """
 
     points: np.ndarray
@@ -30,6 +30,7 @@ class Surface:
     plain: np.ndarray | None = None
     density: float = 1.0
     sheet: str = "hall"
+    edge: "Edge | None" = None
 
     @property
     def lengths(self) -> tuple[float, float]:
@@ -52,6 +53,14 @@ class Surface:
         """Return it with its columns in the other order, so that it shows on the other side."""
         plain = None if self.plain is None else self.plain[:, ::-1]
         return replace(self, points=self.points[:, ::-1], plain=plain)
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A row of a surface, by its number, as long as the rows of what is joined to it."""
+
+    surface: Surface
+    row: int
 
 
 @dataclass(frozen=True)

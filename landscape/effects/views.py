@@ -18,7 +18,7 @@ ONE_LAMP = {
     "shadow.light": "torch",
     "shadow.casters": "all",
     "shadow.method": "darken",
-    "shadow.strength": 0.8,
+    "shadow.strength": 0.62,
     "shadow.shine": 1.0,
     "shadow.sunlit": False,
     "mirror.strength": 0.4,
