@@ -69,7 +69,18 @@ def test_a_lesson_is_tagged_and_builds_on_those_before_it(name: str) -> None:
     earlier = NAMES[: NAMES.index(name)]
     assert set(found.needs) <= set(earlier), "it needs a lesson that comes later"
     imported = set(re.findall(r"^(?:import|from) (\w+)", source, re.MULTILINE))
-    allowed = {"glfw", "OpenGL", "math", "pathlib", "random", "numpy", "PIL", "time", "ctypes"}
+    allowed = {
+        "glfw",
+        "OpenGL",
+        "math",
+        "pathlib",
+        "random",
+        "numpy",
+        "PIL",
+        "sys",
+        "time",
+        "ctypes",
+    }
     assert imported <= allowed | {HELPER}, "it imports more than a student has"
     assert "from OpenGL.GL import *" in source
     assert not re.search("OpenGL.GLUT", source), "no lesson needs GLUT, or a screen"

@@ -14,6 +14,7 @@ Keys: Up, Down contrast; Left, Right brightness; D doubling; O order; C copied p
 # picture: frame 0
 # keys: UP DOWN LEFT RIGHT D O C S
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -21,21 +22,25 @@ from OpenGL.GL import *
 from PIL import Image
 from text import _, write
 
-KEYS = glfw.KEY_D, glfw.KEY_O, glfw.KEY_C, glfw.KEY_S
 contrast = 2
 brightness = -0.4
-on = [True] * len(KEYS)
+doubling = True
+brightness_first = True
+blended = True
+whole = True  # the whole picture, not the tree only
 
 
 def load(name, kind):
-    image, texture = Image.open(Path(__file__).parent / "data" / name), glGenTextures(1)
+    image = Image.open(Path(__file__).parent / "data" / name)
+    texture = glGenTextures(1)
     glBindTexture(GL_TEXTURE_2D, texture)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR)
     glTexImage2D(GL_TEXTURE_2D, 0, kind, *image.size, 0, kind, GL_UNSIGNED_BYTE, image.tobytes())
     return texture
 
 
-def draw_quad(texture, x, y, s, t, grey=(1, 1)):  # of each the first and the last
+def draw_quad(texture, x, y, s, t, grey=(1, 1)):
+    """Draw a quad; x, y, s and t: each from the first to the last; grey: at the left and right."""
     glBindTexture(GL_TEXTURE_2D, texture)
     glBegin(GL_QUADS)
     for right, top in ((0, 0), (1, 0), (1, 1), (0, 1)):
@@ -45,82 +50,134 @@ def draw_quad(texture, x, y, s, t, grey=(1, 1)):  # of each the first and the la
     glEnd()
 
 
+def draw_picture(sky, tree, right):
+    """Draw a sky, a ramp of greys below it, and a tree that marks its pixels with 1."""
+    draw_quad(sky, (-right, right), (-0.45, 1), (0.38, 0.6), (0.68, 0.01))
+    draw_quad(0, (0.2, right - 0.07), (-0.74, -0.58), (0, 1), (0, 1), grey=(0, 1))
+    glStencilFunc(GL_ALWAYS, 1, 1)
+    draw_quad(tree, (-0.8, 0.5), (-0.45, 0.85), (0, 1), (1, 0))
+
+
 def cover(level, alpha=1):
+    """Draw a grey quad over everything, by the blending that is set."""
     glColor4f(level, level, level, alpha)
     glRectf(-9, -1, 9, 1)
 
 
-def change_blended(doubling, brightness_first):
+def multiply():
+    """Multiply by the contrast: in one pass below 1, else in one for each doubling."""
+    if contrast < 1:
+        glBlendFunc(GL_ZERO, GL_SRC_ALPHA)
+        cover(0, contrast)
+        return
+
+    glBlendFunc(GL_DST_COLOR, GL_ONE)  # c * level + c
+    for n in range(9 if doubling else 0):
+        cover(max(1, min(contrast / 2**n, 2)) - 1)
+
+
+def add(level):
+    """Add a level, or subtract it where it is negative."""
+    glBlendFunc(GL_ONE, GL_ONE)
+    glBlendEquation(GL_FUNC_ADD if level > 0 else GL_FUNC_REVERSE_SUBTRACT)
+    cover(abs(level))
+    glBlendEquation(GL_FUNC_ADD)
+
+
+def change_blended():
     if contrast <= 1 and brightness >= 0:
         glBlendFunc(GL_ONE, GL_SRC_ALPHA)  # brightness * 1 + contrast * c
         cover(brightness, contrast)
-        return
+    elif brightness_first and contrast >= 1:
+        add(brightness / contrast)
+        multiply()
+    else:  # below 1, nothing leaves 0 to 1 before the brightness is added
+        multiply()
+        add(brightness)
 
-    if contrast < 1:
-        brightness_first = False  # nothing leaves 0 to 1 before the brightness is added
-    for step in "+*" if brightness_first else "*+":
-        if step == "*" and contrast < 1:
-            glBlendFunc(GL_ZERO, GL_SRC_ALPHA)
-            cover(0, contrast)
-        elif step == "*":
-            glBlendFunc(GL_DST_COLOR, GL_ONE)  # c * level + c
-            for n in range(9 if doubling else 0):
-                cover(max(1, min(contrast / 2**n, 2)) - 1)
-        else:
-            glBlendFunc(GL_ONE, GL_ONE)
-            glBlendEquation(GL_FUNC_ADD if brightness > 0 else GL_FUNC_REVERSE_SUBTRACT)
-            cover(abs(brightness) / (contrast if brightness_first else 1))
-            glBlendEquation(GL_FUNC_ADD)
+
+def change_copied(width, height, right):
+    """Copy all pixels onto themselves; on the way, each is scaled and biased."""
+    glPushAttrib(GL_PIXEL_MODE_BIT)
+    for scale in (GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE):
+        glPixelTransferf(scale, contrast)
+    for bias in (GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS):
+        glPixelTransferf(bias, brightness)
+    glRasterPos2f(-right, -1)
+    glCopyPixels(0, 0, width, height, GL_COLOR)
+    glPopAttrib()
+
+
+def draw_unchanged_ramp(right):
+    """Draw the ramp once more below the changed one, to compare."""
+    glStencilFunc(GL_ALWAYS, 0, 1)
+    glBlendFunc(GL_ONE, GL_ZERO)
+    draw_quad(0, (0.2, right - 0.07), (-0.93, -0.77), (0, 1), (0, 1), grey=(0, 1))
+
+
+def change_brightness(step):
+    global brightness
+    brightness = round(brightness + step, 1) + 0.0  # + 0.0 makes 0 of -0
 
 
 def on_key(window, key, scancode, action, mods):
-    global contrast, brightness
-    if action == glfw.PRESS:
-        contrast = max(0, contrast + ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)) / 2)
-        change = ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT)) / 10
-        brightness = round(brightness + change, 1) + 0.0  # + 0.0 makes 0 of -0
-        on[:] = [on[n] ^ (key == KEYS[n]) for n in range(len(KEYS))]
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    global contrast, doubling, brightness_first, blended, whole
+    if action != glfw.PRESS:
+        return
+    if key == glfw.KEY_UP:
+        contrast += 0.5
+    elif key == glfw.KEY_DOWN:
+        contrast = max(0, contrast - 0.5)
+    elif key == glfw.KEY_LEFT:
+        change_brightness(-0.1)
+    elif key == glfw.KEY_RIGHT:
+        change_brightness(0.1)
+    elif key == glfw.KEY_D:
+        doubling = not doubling
+    elif key == glfw.KEY_O:
+        brightness_first = not brightness_first
+    elif key == glfw.KEY_C:
+        blended = not blended
+    elif key == glfw.KEY_S:
+        whole = not whole
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Brightness and contrast"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glAlphaFunc(GL_GREATER, 0.5)
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)
     for cap in (GL_TEXTURE_2D, GL_ALPHA_TEST, GL_STENCIL_TEST, GL_BLEND):
         glEnable(cap)
-    sky, tree = load("sky.jpg", GL_RGB), load("tree.png", GL_RGBA)
+    sky = load("sky.jpg", GL_RGB)
+    tree = load("tree.png", GL_RGBA)
+
     while not glfw.window_should_close(window):
-        doubling, brightness_first, blended, whole = on
         width, height = glfw.get_framebuffer_size(window)
+        right = width / height
         glViewport(0, 0, width, height)
         glLoadIdentity()
-        right = width / height
         glOrtho(-right, right, -1, 1, -1, 1)
         glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
-        draw_quad(sky, (-right, right), (-0.45, 1), (0.38, 0.6), (0.68, 0.01))
-        draw_quad(0, (0.2, right - 0.07), (-0.74, -0.58), (0, 1), (0, 1), (0, 1))
-        glStencilFunc(GL_ALWAYS, 1, 1)  # the tree marks its pixels with 1
-        draw_quad(tree, (-0.8, 0.5), (-0.45, 0.85), (0, 1), (1, 0))
+        draw_picture(sky, tree, right)
+
         glBindTexture(GL_TEXTURE_2D, 0)  # none
         glStencilFunc(GL_ALWAYS if whole else GL_EQUAL, 1, 1)
         if blended:
-            change_blended(doubling, brightness_first)
+            change_blended()
         else:
-            glPushAttrib(GL_PIXEL_MODE_BIT)
-            for scale in (GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE):
-                glPixelTransferf(scale, contrast)
-            for bias in (GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS):
-                glPixelTransferf(bias, brightness)
-            glRasterPos2f(-right, -1)
-            glCopyPixels(0, 0, width, height, GL_COLOR)
-            glPopAttrib()
-        glStencilFunc(GL_ALWAYS, 0, 1)
-        glBlendFunc(GL_ONE, GL_ZERO)
-        draw_quad(0, (0.2, right - 0.07), (-0.93, -0.77), (0, 1), (0, 1), (0, 1))
+            change_copied(width, height, right)
+        draw_unchanged_ramp(right)
+
         write(16, 88, "contrast {c:.1f}, brightness {b:+.1f}", c=contrast, b=brightness)
         write(16, 64, "blended" if blended else "copied pixels")
         write(16, 40, "brightness first" if brightness_first else "contrast first")

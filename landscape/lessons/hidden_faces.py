@@ -12,26 +12,39 @@ Keys: 1 all faces, 2 exposed ones, 3 runs of them; C closes or cuts the hill, B 
 # picture: frame 1
 # keys: 1 3 C B
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 from text import _, write
 
-LABELS = "1 all faces: {n}", "2 exposed faces: {n}", "3 runs of faces: {n}"
+AIR = 0  # the other kinds, from 1, have a colour each
 PALETTE = np.array(((95, 85, 62), (55, 70, 33), (30, 50, 30), (62, 58, 55), (55, 40, 28))) / 100
 # The six directions, each an axis and a step along it, and how bright the faces there are.
 SHADES = {(0, 1): 0.6, (0, -1): 0.7, (1, 1): 1, (1, -1): 0.5, (2, 1): 0.85, (2, -1): 0.75}
-mode = 1
+CORAL = (0.85, 0.35, 0.2)
+BACKGROUND = (0.13, 0.16, 0.21)
+
+ALL, EXPOSED, RUNS = range(3)  # which faces are drawn
+LABELS = "1 all faces: {n}", "2 exposed faces: {n}", "3 runs of faces: {n}"
+mode = EXPOSED
 cut = True
 cull = False
 
 
-def make_blocks():  # of a hill with a cave: the kinds of the voxels, [x, y, z], where 0 is air
+def make_blocks():
+    """Return the kinds of the voxels of a hill with a cave, [x, y, z]."""
     x, y, z = np.mgrid[:36, :20, :36]
     hill = 14 * np.exp(-((x - 15) ** 2 + (z - 14) ** 2) / 110)
-    up = np.round(3 + hill + 1.6 * np.sin(x / 3) * np.sin(z / 4 + 1)) - y  # cubes above it
+    above = np.round(3 + hill + 1.6 * np.sin(x / 3) * np.sin(z / 4 + 1)) - y  # cubes above it
     cave = (x - 16) ** 2 / 50 + (y - 5) ** 2 / 9 + (z - 18) ** 2 / 50 < 1
-    return np.select(((up < 0) | cave, up == 0, up < 3), (0, 1 + np.digitize(y, (4, 7, 11)), 5), 4)
+
+    empty = (above < 0) | cave
+    at_the_top = 1 + np.digitize(y, (4, 7, 11))  # sand, grass, forest or rock, by height
+    earth = 5
+    rock = 4
+    return np.select((empty, above == 0, above < 3), (AIR, at_the_top, earth), rock)
 
 
 def beside(blocks, axis, step):
@@ -39,79 +52,128 @@ def beside(blocks, axis, step):
     return np.roll(np.pad(blocks, 1), -step, axis)[1:-1, 1:-1, 1:-1]
 
 
-def make_mesh(blocks, exposed, runs):
-    """Return the corners of quads, (n, 4, 3), counter-clockwise from outside, and their colors."""
-    corners, colors = [], []
+def find_runs(faces, u):
+    """Return the faces with which runs along the axis u begin, and those with which they end."""
+    first = np.where(beside(faces, u, -1) == faces, 0, faces)
+    last = np.where(beside(faces, u, 1) == faces, 0, faces)
+    return first, last
+
+
+def make_mesh(blocks, mode):
+    """Return the corners of quads, (n, 4, 3), counter-clockwise from outside, and their colours."""
+    corners = []
+    colors = []
     for (axis, step), shade in SHADES.items():
-        faces = np.where(beside(blocks, axis, step) == 0, blocks, 0) if exposed else blocks
-        u, v = (axis + 1) % 3, (axis + 2) % 3  # the directions in the face; runs go along u
-        ends = [np.where(runs & (beside(faces, u, n) == faces), 0, faces) for n in (-1, 1)]
+        air_beside = beside(blocks, axis, step) == AIR
+        faces = blocks if mode == ALL else np.where(air_beside, blocks, AIR)
+        u = (axis + 1) % 3  # the directions in the face; runs go along u
+        v = (axis + 2) % 3
+        first, last = find_runs(faces, u) if mode == RUNS else (faces, faces)
+
         # With u as the fastest axis, the first and the last face of a run have the same number.
-        (a, c, first), (_a, _c, last) = (np.nonzero(e.transpose(axis, v, u)) for e in ends)
-        quads = np.empty((len(a), 4, 3), np.float32)
-        quads[:, :, axis] = a[:, None] + (step == 1)
-        quads[:, :, u] = np.stack((first, last + 1, last + 1, first), 1)
-        quads[:, :, v] = np.stack((c, c, c + 1, c + 1), 1)
-        corners.append(quads[:, ::step])
-        colors.append(shade * PALETTE[faces.transpose(axis, v, u)[a, c, first] - 1])
-    return np.concatenate(corners) - 18, np.float32(np.concatenate(colors).repeat(4, axis=0))
+        layer, line, begin = np.nonzero(first.transpose(axis, v, u))
+        end = np.nonzero(last.transpose(axis, v, u))[2] + 1
+
+        quads = np.empty((len(layer), 4, 3), np.float32)
+        quads[:, :, axis] = layer[:, np.newaxis] + (step == 1)
+        quads[:, :, u] = np.stack((begin, end, end, begin), 1)
+        quads[:, :, v] = np.stack((line, line, line + 1, line + 1), 1)
+        corners.append(quads[:, ::step])  # the other way round on the other side
+        kinds = faces.transpose(axis, v, u)[layer, line, begin]
+        colors.append(shade * PALETTE[kinds - 1])
+
+    corners = np.concatenate(corners) - 18
+    colors = np.concatenate(colors).repeat(4, axis=0)
+    return corners, np.float32(colors)
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 200)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(1, 14, -74)
+    glRotatef(35, 1, 0, 0)
+    glRotatef(-30, 0, 1, 0)
+
+
+def draw_faces(count):
+    """Draw the fronts of the faces in their colours, and their backs in coral unless culled."""
+    glEnable(GL_CULL_FACE)
+    glCullFace(GL_BACK)
+    glEnableClientState(GL_COLOR_ARRAY)
+    glDrawArrays(GL_QUADS, 0, count)
+    glDisableClientState(GL_COLOR_ARRAY)
+    if not cull:
+        glCullFace(GL_FRONT)
+        glColor3f(*CORAL)
+        glDrawArrays(GL_QUADS, 0, count)
+        glDisable(GL_CULL_FACE)
+
+
+def draw_outlines(count):
+    glColor3f(*BACKGROUND)
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
+    glDrawArrays(GL_QUADS, 0, count)
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
+
+
+def write_counts(meshes):
+    for n, (corners, _colors) in enumerate(meshes):
+        color = (0.95, 0.62, 0.35) if n == mode else (1, 1, 1)
+        write(16, 64 - 24 * n, LABELS[n], color, n=len(corners))
+    write(448, 16, "culling on" if cull else "culling off")
 
 
 def on_key(window, key, scancode, action, mods):
     global mode, cut, cull
-    if action != glfw.RELEASE:
-        mode = key - glfw.KEY_1 if key - glfw.KEY_1 in range(3) else mode
-        cut, cull = cut ^ (key == glfw.KEY_C), cull ^ (key == glfw.KEY_B)
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    if action == glfw.RELEASE:
+        return
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
+        mode = key - glfw.KEY_1
+    elif key == glfw.KEY_C:
+        cut = not cut
+    elif key == glfw.KEY_B:
+        cull = not cull
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Hidden faces"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
-    glClearColor(0.13, 0.16, 0.21, 1)
+    glClearColor(*BACKGROUND, 1)
     glEnable(GL_DEPTH_TEST)
     glPolygonOffset(1, 1)  # the outlines lie in front of the faces
     glEnable(GL_POLYGON_OFFSET_FILL)
     glEnableClientState(GL_VERTEX_ARRAY)
-    meshes = [make_mesh(make_blocks(), n > 0, n > 1) for n in range(3)]
+    meshes = [make_mesh(make_blocks(), mode) for mode in (ALL, EXPOSED, RUNS)]
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 200)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(1, 14, -74)
-        glRotatef(35, 1, 0, 0)
-        glRotatef(-30, 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClipPlane(GL_CLIP_PLANE0, (0, 0, -1, 2.5))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-        (glEnable if cut else glDisable)(GL_CLIP_PLANE0)
+        if cut:
+            glEnable(GL_CLIP_PLANE0)
+        else:
+            glDisable(GL_CLIP_PLANE0)
+
         corners, colors = meshes[mode]
         glVertexPointer(3, GL_FLOAT, 0, corners)
         glColorPointer(3, GL_FLOAT, 0, colors)
-        glEnable(GL_CULL_FACE)
-        glCullFace(GL_BACK)
-        glEnableClientState(GL_COLOR_ARRAY)
-        glDrawArrays(GL_QUADS, 0, 4 * len(corners))
-        glDisableClientState(GL_COLOR_ARRAY)
-        if not cull:
-            glCullFace(GL_FRONT)
-            glColor3f(0.85, 0.35, 0.2)
-            glDrawArrays(GL_QUADS, 0, 4 * len(corners))
-            glDisable(GL_CULL_FACE)
-        glColor3f(0.13, 0.16, 0.21)
-        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
-        glDrawArrays(GL_QUADS, 0, 4 * len(corners))
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
+        draw_faces(4 * len(corners))
+        draw_outlines(4 * len(corners))
         glDisable(GL_CLIP_PLANE0)
-        for n in range(3):
-            color = (0.95, 0.62, 0.35) if n == mode else (1, 1, 1)
-            write(16, 64 - 24 * n, LABELS[n], color, n=len(meshes[n][0]))
-        write(448, 16, "culling on" if cull else "culling off")
+        write_counts(meshes)
         glfw.swap_buffers(window)
         glfw.poll_events()
 

@@ -14,34 +14,64 @@ Keys: R reflection, S shadow, D depth test, U under the floor.
 # keys: R S D U
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
-KEYS = glfw.KEY_R, glfw.KEY_S, glfw.KEY_D, glfw.KEY_U
-on = [True, True, True, False]
-angle, height = 2.3, 6.0  # of the light: radians around the dinosaur, and units above the floor
-last, dragging = (0.0, 0.0), False
-ALL, WIDE = 0xFFFFFFFF, 7  # WIDE: half the side of the floor
 SKIN = (0.42, 0.62, 0.25)
 BELLY = (0.75, 0.72, 0.42)
 LEGS = (0.34, 0.5, 0.22)
-PARTS = [((0, 1.8, 0), (1.35, 0.85, 0.75), SKIN), ((-0.05, 1.55, 0), (1.15, 0.7, 0.66), BELLY)]
-PARTS += [((x, 0.65, z), (0.28, 0.66, 0.24), LEGS) for x in (-0.7, 0.75) for z in (-0.4, 0.4)]
-for n in range(9):  # a neck that rises to the right, and a tail that sinks to the left
-    t = n / 8
-    PARTS.append(((1.1 + 1.1 * t, 2.2 + 1.9 * t, 0), (0.42 - 0.2 * t, 0.5 - 0.2 * t, 0.3), SKIN))
-    PARTS.append(
-        ((-1.1 - 2.4 * t, 1.9 - 1.1 * t * t, 0), (0.55 - 0.4 * t, 0.44 - 0.38 * t, 0.3), SKIN)
-    )
-PARTS += [((2.5, 4.25, 0), (0.48, 0.27, 0.25), SKIN), ((2.86, 4.15, 0), (0.25, 0.16, 0.19), BELLY)]
-PARTS += [((2.5, 4.42, z), (0.07, 0.07, 0.05), (0.05, 0.05, 0.05)) for z in (-0.2, 0.2)]
+EYES = (0.05, 0.05, 0.05)
+WIDE = 7  # half the side of the floor
+ALL = 0xFFFFFFFF  # bits of the stencil buffer
+
+reflection = True
+shadow = True
+depth = True
+under = False
+
+# The light: radians around the dinosaur, and units above the floor.
+angle = 2.3
+height = 6.0
+last = 0.0, 0.0  # where the mouse was
+dragging = False
+
+
+def make_dinosaur():
+    """Return the place, size and colour of each sphere that the dinosaur is made of."""
+    parts = [
+        ((0, 1.8, 0), (1.35, 0.85, 0.75), SKIN),
+        ((-0.05, 1.55, 0), (1.15, 0.7, 0.66), BELLY),
+    ]
+    for x in (-0.7, 0.75):
+        for z in (-0.4, 0.4):
+            parts.append(((x, 0.65, z), (0.28, 0.66, 0.24), LEGS))
+
+    # A neck that rises to the right, and a tail that sinks to the left, both ever thinner.
+    for n in range(9):
+        t = n / 8
+        neck = (1.1 + 1.1 * t, 2.2 + 1.9 * t, 0)
+        tail = (-1.1 - 2.4 * t, 1.9 - 1.1 * t * t, 0)
+        parts.append((neck, (0.42 - 0.2 * t, 0.5 - 0.2 * t, 0.3), SKIN))
+        parts.append((tail, (0.55 - 0.4 * t, 0.44 - 0.38 * t, 0.3), SKIN))
+
+    parts.append(((2.5, 4.25, 0), (0.48, 0.27, 0.25), SKIN))  # head
+    parts.append(((2.86, 4.15, 0), (0.25, 0.16, 0.19), BELLY))  # muzzle
+    for z in (-0.2, 0.2):
+        parts.append(((2.5, 4.42, z), (0.07, 0.07, 0.05), EYES))
+    return parts
+
+
+PARTS = make_dinosaur()
 
 
 def make_ball():
+    """Return a display list of a sphere of radius 1, in 12 rings."""
     circle = [(math.cos(n * math.pi / 12), math.sin(n * math.pi / 12)) for n in range(25)]
-    glNewList(ball := glGenLists(1), GL_COMPILE)
+    ball = glGenLists(1)
+    glNewList(ball, GL_COMPILE)
     for row in range(12):
         glBegin(GL_QUAD_STRIP)
         for x, z in circle:
@@ -65,6 +95,7 @@ def draw(ball, parts, shadow=False):
 
 
 def draw_floor(alpha=1.0, color=None):
+    """Draw the floor in a colour, or as a chessboard."""
     glNormal3f(0, 1, 0)
     glBegin(GL_QUADS)
     for x in range(-WIDE, WIDE):
@@ -76,8 +107,29 @@ def draw_floor(alpha=1.0, color=None):
     glEnd()
 
 
-def draw_mirrored(ball, light):
-    """Mark the floor with 1, and draw the mirrored dinosaur there."""
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 60)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, 1.0 if under else -0.6, -18)
+    glRotatef(-18 if under else 20, 1, 0, 0)
+    glRotatef(30 * math.sin(math.pi / 6 * glfw.get_time()), 0, 1, 0)
+
+
+def clear():
+    if depth:
+        glEnable(GL_DEPTH_TEST)
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
+    else:
+        glDisable(GL_DEPTH_TEST)
+        glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
+
+
+def mark_floor():
+    """Set the stencil buffer to 1 where the floor is, and draw nothing."""
     glPushAttrib(GL_ALL_ATTRIB_BITS)
     glDisable(GL_DEPTH_TEST)
     glColorMask(False, False, False, False)
@@ -85,6 +137,10 @@ def draw_mirrored(ball, light):
     glStencilOp(GL_REPLACE, GL_REPLACE, GL_REPLACE)
     draw_floor()
     glPopAttrib()
+
+
+def draw_mirrored(ball, light):
+    """Draw the mirrored dinosaur where the stencil buffer is 1."""
     glPushAttrib(GL_ALL_ATTRIB_BITS)
     glStencilFunc(GL_EQUAL, 1, ALL)
     glPushMatrix()
@@ -96,9 +152,31 @@ def draw_mirrored(ball, light):
     glPopAttrib()
 
 
+def draw_both_floors():
+    """Draw the floor's underside, and its upper side over the image; it leaves 3 where it is."""
+    glStencilFunc(GL_ALWAYS, 3, ALL)
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)
+    glFrontFace(GL_CW)
+    draw_floor(1, (0.1, 0.1, 0.7))
+    glFrontFace(GL_CCW)
+    draw_floor(0.7 if reflection else 1)
+
+
+def draw_dinosaur(ball):
+    """Draw the dinosaur; it takes its own pixels from the floor."""
+    glStencilFunc(GL_ALWAYS, 0, ALL)
+    draw(ball, PARTS)
+
+
 def draw_shadow(ball, light):
     """Flatten the dinosaur onto y = 0, by (p.l) I - l p^T with p = (0, 1, 0, 0)."""
     x, y, z, w = light
+    matrix = (
+        (y, -x, 0, 0),
+        (0, 0, 0, 0),
+        (0, -z, y, 0),
+        (0, -w, 0, y),
+    )
     glPushAttrib(GL_ALL_ATTRIB_BITS)
     glStencilFunc(GL_LESS, 2, ALL)  # passes where 2 < what is there
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)
@@ -106,10 +184,16 @@ def draw_shadow(ball, light):
     glEnable(GL_POLYGON_OFFSET_FILL)
     glColor4f(0, 0, 0, 0.5)
     glPushMatrix()
-    glMultTransposeMatrixf([[y, -x, 0, 0], [0, 0, 0, 0], [0, -z, y, 0], [0, -w, 0, y]])
+    glMultTransposeMatrixf(matrix)
     draw(ball, PARTS, shadow=True)
     glPopMatrix()
     glPopAttrib()
+
+
+def draw_lamp(ball, light):
+    glDisable(GL_LIGHTING)
+    draw(ball, [(light[:3], (0.2, 0.2, 0.2), (1, 0.9, 0.3))])
+    glEnable(GL_LIGHTING)
 
 
 def on_button(window, button, action, mods):
@@ -126,14 +210,29 @@ def on_move(window, x, y):
 
 
 def on_key(window, key, scancode, action, mods):
-    if action == glfw.PRESS:
-        on[:] = [on[n] ^ (key == KEYS[n]) for n in range(len(KEYS))]
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    global reflection, shadow, depth, under
+    if action != glfw.PRESS:
+        return
+    if key == glfw.KEY_R:
+        reflection = not reflection
+    elif key == glfw.KEY_S:
+        shadow = not shadow
+    elif key == glfw.KEY_D:
+        depth = not depth
+    elif key == glfw.KEY_U:
+        under = not under
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Mirror and shadow"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glfw.set_mouse_button_callback(window, on_button)
@@ -145,38 +244,23 @@ def main():
         glEnable(cap)
     glEnable(GL_STENCIL_TEST)
     ball = make_ball()
+
     while not glfw.window_should_close(window):
-        reflection, shadow, depth, under = on
-        width, height_in_pixels = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height_in_pixels)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height_in_pixels / 4, width / height_in_pixels / 4, -0.25, 0.25, 1, 60)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, 1.0 if under else -0.6, -18)
-        glRotatef(-18 if under else 20, 1, 0, 0)
-        glRotatef(30 * math.sin(math.pi / 6 * glfw.get_time()), 0, 1, 0)
-        (glEnable if depth else glDisable)(GL_DEPTH_TEST)
-        buffers = GL_COLOR_BUFFER_BIT | (GL_DEPTH_BUFFER_BIT if depth else 0)
-        glClear(buffers | GL_STENCIL_BUFFER_BIT)
+        look(*glfw.get_framebuffer_size(window))
+        clear()
         light = 5 * math.cos(angle), height, 5 * math.sin(angle), 1
         glLightfv(GL_LIGHT0, GL_POSITION, light)
+
+        # The image first: everything else is drawn over it.
         if reflection and not under:
+            mark_floor()
             draw_mirrored(ball, light)
-        glStencilFunc(GL_ALWAYS, 3, ALL)
-        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)
-        glFrontFace(GL_CW)  # the underside
-        draw_floor(1, (0.1, 0.1, 0.7))
-        glFrontFace(GL_CCW)
-        draw_floor(0.7 if reflection else 1)
-        glStencilFunc(GL_ALWAYS, 0, ALL)
-        draw(ball, PARTS)  # it takes its own pixels from the floor
+        draw_both_floors()
+        draw_dinosaur(ball)
         if shadow:
             draw_shadow(ball, light)
-        glDisable(GL_LIGHTING)
-        draw(ball, [(light[:3], (0.2, 0.2, 0.2), (1, 0.9, 0.3))])
-        glEnable(GL_LIGHTING)
+        draw_lamp(ball, light)
+
         write(16, 88, "reflection on" if reflection else "reflection off")
         write(16, 64, "shadow on" if shadow else "shadow off")
         write(16, 40, "depth test on" if depth else "depth test off")

@@ -13,23 +13,35 @@ Keys: S stencil test, O offset, D light at infinity, L light below the rings' to
 # keys: S O D L N
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
-COLORS = (0.85, 0.35, 0.2, 1), (0.95, 0.62, 0.35, 1), (0.25, 0.6, 0.6, 1)
-PLANES = (  # each a, b, c, d with a x + b y + c z + d = 0; its colour; its corners
-    ((0, 0, 1, 3), (0.36, 0.41, 0.48), ((-4, -2, -3), (4, -2, -3), (4, 3, -3), (-4, 3, -3))),
-    ((0, 1, 0, 2), (0.5, 0.46, 0.4), ((-4, -2, -3), (-4, -2, 4), (4, -2, 4), (4, -2, -3))),
+CORAL = (0.85, 0.35, 0.2, 1)
+AMBER = (0.95, 0.62, 0.35, 1)
+TEAL = (0.25, 0.6, 0.6, 1)
+SHADOW = (0, 0, 0, 0.5)
+WALL = (0, 0, 1, 3)  # the plane a x + b y + c z + d = 0, as a, b, c, d
+FLOOR = (0, 1, 0, 2)
+PLANES = (  # a plane, its colour, its corners
+    (WALL, (0.36, 0.41, 0.48), ((-4, -2, -3), (4, -2, -3), (4, 3, -3), (-4, 3, -3))),
+    (FLOOR, (0.5, 0.46, 0.4), ((-4, -2, -3), (-4, -2, 4), (4, -2, 4), (4, -2, -3))),
 )
-KEYS = glfw.KEY_S, glfw.KEY_O, glfw.KEY_D, glfw.KEY_L, glfw.KEY_N
-on = [True] * len(KEYS)
+
+stencil = True
+offset = True
+point = True  # a point light, not one at infinity
+high = True  # above the rings
+facing = True  # p, not -p
 
 
 def make_ring():
+    """Return a display list of a torus: 32 strips around a tube of radius 0.13."""
     circle = [(math.cos(n * math.pi / 16), math.sin(n * math.pi / 16)) for n in range(33)]
-    glNewList(ring := glGenLists(1), GL_COMPILE)
+    ring = glGenLists(1)
+    glNewList(ring, GL_COMPILE)
     for n in range(32):
         glBegin(GL_QUAD_STRIP)
         for c, s in circle:
@@ -42,6 +54,7 @@ def make_ring():
 
 
 def draw_rings(ring, colors):
+    """Draw three rings, each turning in the one before it, about x and y by turns."""
     glPushMatrix()
     for turn, color in enumerate(colors):
         glColor4f(*color)
@@ -51,65 +64,113 @@ def draw_rings(ring, colors):
     glPopMatrix()
 
 
+def shadow_matrix(p, light):
+    """Return M = (p.l) I - l p^T, row by row."""
+    dot = sum(p[n] * light[n] for n in range(4))
+    matrix = [[-light[i] * p[j] for j in range(4)] for i in range(4)]
+    for i in range(4):
+        matrix[i][i] += dot
+    return [[number + 0 for number in row] for row in matrix]  # -0 becomes 0
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 60)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(-0.3, 1.5, -17.5)
+    glRotatef(22, 1, 0, 0)
+    glRotatef(20, 0, 1, 0)
+
+
+def draw_plane(color, corners):
+    """Draw a plane; its pixels become 1 in the stencil buffer."""
+    glColor3f(*color)
+    glBegin(GL_QUADS)
+    for corner in corners:
+        glVertex3f(*corner)
+    glEnd()
+
+
+def draw_shadow(ring, matrix):
+    """Draw the rings flattened onto a plane, where it has no shadow yet."""
+    glStencilFunc(GL_EQUAL if stencil else GL_ALWAYS, 1, 3)
+    if offset:
+        glEnable(GL_POLYGON_OFFSET_FILL)
+    else:
+        glDisable(GL_POLYGON_OFFSET_FILL)
+    glPushMatrix()
+    glMultTransposeMatrixf(matrix)  # reads it row by row
+    draw_rings(ring, (SHADOW, SHADOW, SHADOW))
+    glPopMatrix()
+    glDisable(GL_POLYGON_OFFSET_FILL)
+    glStencilFunc(GL_ALWAYS, 1, 3)
+
+
+def write_numbers(p, light, matrix):
+    write(16, 40, "stencil test on" if stencil else "stencil test off")
+    write(16, 16, "polygon offset on" if offset else "polygon offset off")
+    write(340, 136, "p = ({p[0]}, {p[1]}, {p[2]}, {p[3]})", p=p)
+    write(340, 112, "l = ({l[0]:.1f}, {l[1]:.1f}, {l[2]:.1f}, {l[3]})", l=light)
+    for line, row in enumerate(matrix):
+        write(340, 88 - 24 * line, "{m[0]:6.2f} {m[1]:6.2f} {m[2]:6.2f} {m[3]:6.2f}", m=row)
+
+
 def on_key(window, key, scancode, action, mods):
-    if action == glfw.PRESS:
-        on[:] = [on[n] ^ (key == KEYS[n]) for n in range(len(KEYS))]
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    global stencil, offset, point, high, facing
+    if action != glfw.PRESS:
+        return
+    if key == glfw.KEY_S:
+        stencil = not stencil
+    elif key == glfw.KEY_O:
+        offset = not offset
+    elif key == glfw.KEY_D:
+        point = not point
+    elif key == glfw.KEY_L:
+        high = not high
+    elif key == glfw.KEY_N:
+        facing = not facing
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Planar shadow"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
-    glPolygonOffset(-2, -4)
+    glPolygonOffset(-2, -4)  # nearer to the eye than the plane
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR)  # pixels of a plane become 1, those in shadow 2
     for n in (GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_NORMALIZE, GL_LIGHT0, GL_COLOR_MATERIAL):
         glEnable(n)
     ring = make_ring()
+
     while not glfw.window_should_close(window):
-        stencil, offset, point, high, facing = on
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 60)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(-0.3, 1.5, -17.5)
-        glRotatef(22, 1, 0, 0)
-        glRotatef(20, 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         light = 2 * math.sin(math.pi / 2 * glfw.get_time()), 3 if high else -1, 1.5, int(point)
         glLightfv(GL_LIGHT0, GL_POSITION, light)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
+
         for plane, color, corners in PLANES:
-            glColor3f(*color)
-            glBegin(GL_QUADS)
-            for corner in corners:
-                glVertex3f(*corner)
-            glEnd()
-            p = [n if facing else -n for n in plane]
-            dot = sum(p[n] * light[n] for n in range(4))
-            m = [[(i == j) * dot - light[i] * p[j] + 0 for j in range(4)] for i in range(4)]
-            glStencilFunc(GL_EQUAL if stencil else GL_ALWAYS, 1, 3)
-            (glEnable if offset else glDisable)(GL_POLYGON_OFFSET_FILL)
-            glPushMatrix()
-            glMultTransposeMatrixf(m)  # reads it row by row
-            draw_rings(ring, [(0, 0, 0, 0.5)] * 3)
-            glPopMatrix()
-            glDisable(GL_POLYGON_OFFSET_FILL)
-            glStencilFunc(GL_ALWAYS, 1, 3)
+            draw_plane(color, corners)
+            p = plane if facing else [-number for number in plane]
+            matrix = shadow_matrix(p, light)
+            draw_shadow(ring, matrix)
+
         glEnable(GL_LIGHTING)
-        draw_rings(ring, COLORS)
+        draw_rings(ring, (CORAL, AMBER, TEAL))
         glDisable(GL_LIGHTING)
-        write(16, 40, "stencil test on" if stencil else "stencil test off")
-        write(16, 16, "polygon offset on" if offset else "polygon offset off")
-        write(340, 136, "p = ({p[0]}, {p[1]}, {p[2]}, {p[3]})", p=p)
-        write(340, 112, "l = ({l[0]:.1f}, {l[1]:.1f}, {l[2]:.1f}, {l[3]})", l=light)
-        for line, row in enumerate(m):
-            write(340, 88 - 24 * line, "{m[0]:6.2f} {m[1]:6.2f} {m[2]:6.2f} {m[3]:6.2f}", m=row)
+
+        write_numbers(p, light, matrix)
         glfw.swap_buffers(window)
         glfw.poll_events()
 

@@ -13,30 +13,33 @@ Keys: Space SQUAD or SLERP; I, J and K turn the aeroplane by i, j and k, half a 
 # loop: 360 frames
 # keys: SPACE I J K
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 from text import _, write
 
-KEYS = dict(zip((glfw.KEY_I, glfw.KEY_J, glfw.KEY_K), np.eye(4)[1:], strict=True))  # i, j and k
+ONE, TURN_I, TURN_J, TURN_K = np.eye(4)  # the quaternions 1, i, j and k
 CORAL = (0.85, 0.35, 0.2)
 AMBER = (0.95, 0.7, 0.35)
 CREAM = (0.95, 0.9, 0.8)
-SECONDS, STEPS = 2, 60  # from attitude to attitude; steps of graph and trail between two
-squad_on, extra = True, np.array((1.0, 0, 0, 0))
+SECONDS = 2  # from attitude to attitude
+STEPS = 60  # of graph and trail between two attitudes
+
+squad_on = True
+extra = ONE  # the turns by i, j and k
 
 
 def product(p, q):
     """Return p q by the rules i i = j j = k k = -1, i j = k, j k = i, k i = j: 16 products."""
-    (a, b, c, d), (e, f, g, h) = p, q
-    return np.array(
-        (
-            a * e - b * f - c * g - d * h,
-            a * f + b * e + c * h - d * g,
-            a * g - b * h + c * e + d * f,
-            a * h + b * g - c * f + d * e,
-        )
-    )
+    p_w, p_x, p_y, p_z = p
+    q_w, q_x, q_y, q_z = q
+    w = p_w * q_w - p_x * q_x - p_y * q_y - p_z * q_z
+    x = p_w * q_x + p_x * q_w + p_y * q_z - p_z * q_y
+    y = p_w * q_y - p_x * q_z + p_y * q_w + p_z * q_x
+    z = p_w * q_z + p_x * q_y - p_y * q_x + p_z * q_w
+    return np.array((w, x, y, z))
 
 
 def inverse(q):
@@ -44,16 +47,20 @@ def inverse(q):
 
 
 def about(axis, degrees):
+    """Return the turn about an axis: cos(a / 2) + v sin(a / 2), where v has the length 1."""
     half = np.radians(degrees) / 2
-    return np.array((np.cos(half), *(np.sin(half) * np.array(axis) / np.linalg.norm(axis))))
+    vector = np.sin(half) * np.array(axis) / np.linalg.norm(axis)
+    return np.array((np.cos(half), *vector))
 
 
-def logarithm(q):  # cos(a) + v sin(a) becomes the vector a v
+def logarithm(q):
+    """Return of cos(a) + v sin(a) the vector a v."""
     sine = np.linalg.norm(q[1:])
     return np.arctan2(sine, q[0]) / max(sine, 1e-12) * q[1:]
 
 
 def exponential(vector):
+    """Return of a vector a v the quaternion cos(a) + v sin(a)."""
     angle = np.linalg.norm(vector)
     return np.array((np.cos(angle), *(np.sin(angle) / max(angle, 1e-12) * vector)))
 
@@ -67,13 +74,13 @@ def slerp(p, q, t):
 
 def control(before, here, after):
     """Return the control point beside ``here``: a quarter of the bend, the other way."""
-    ways = [logarithm(product(inverse(here), each)) for each in (before, after)]
+    ways = [logarithm(product(inverse(here), neighbour)) for neighbour in (before, after)]
     return product(here, exponential(-sum(ways) / 4))
 
 
 def make_attitudes():
-    """Return six attitudes in a circle, each in the half of the sphere of the one before."""
-    found = [about((0, 1, 0), 0)]
+    """Return six attitudes in a circle, each by a turn of the one before."""
+    attitudes = [about((0, 1, 0), 0)]
     for axis, degrees in (
         ((0, 1, 0.3), 110),
         ((1, 0, 0.2), 40),
@@ -81,29 +88,45 @@ def make_attitudes():
         ((0.4, 1, 0), 100),
         ((-1, 0.5, 0), 55),
     ):
-        found.append(product(about(axis, degrees), found[-1]))
-    return found
+        attitudes.append(product(about(axis, degrees), attitudes[-1]))
+    return attitudes
 
 
 ATTITUDES = make_attitudes()
 
 
-def attitude(time):
-    """Return the attitude at a time, in attitudes."""
-    first, t = int(time), time % 1
+def neighbours(first):
+    """Return the attitude before this one, this one, and the two after it."""
     four = [ATTITUDES[(first + n) % len(ATTITUDES)] for n in (-1, 0, 1, 2)]
     for n in (1, 2, 3):  # q and -q are the same attitude: take the nearer
-        four[n] = four[n] if four[n] @ four[n - 1] >= 0 else -four[n]
-    p, q = four[1:3]
+        if four[n] @ four[n - 1] < 0:
+            four[n] = -four[n]
+    return four
+
+
+def attitude(time):
+    """Return the attitude at a time, in attitudes."""
+    t = time % 1
+    before, p, q, after = neighbours(int(time))
     if not squad_on:
         return slerp(p, q, t)
-    return slerp(slerp(p, q, t), slerp(control(*four[:3]), control(*four[1:]), t), 2 * t * (1 - t))
+
+    a = control(before, p, q)
+    b = control(p, q, after)
+    return slerp(slerp(p, q, t), slerp(a, b, t), 2 * t * (1 - t))
 
 
 def noses(turns):
     """Return where each of the turns takes the point (0, 0, -1)."""
     w, x, y, z = np.array(turns).T
     return np.array((-2 * (x * z + w * y), 2 * (w * x - y * z), 2 * (x * x + y * y) - 1)).T
+
+
+def speeds(turns):
+    """Return by how many degrees a second it turns from each of these attitudes to the next."""
+    cosines = np.abs((turns[1:] * turns[:-1]).sum(axis=1))  # of half the angle between neighbours
+    angles = 2 * np.arccos(np.clip(cosines, 0, 1))
+    return np.degrees(angles) * STEPS / SECONDS
 
 
 def draw(mode, points, color):
@@ -113,49 +136,90 @@ def draw(mode, points, color):
 
 
 def draw_aeroplane(turn):
-    glRotatef(2 * np.degrees(np.arccos(np.clip(turn[0], -1, 1))), *turn[1:])
-    for x, shade in ((-1, 0.7), (1, 1)):  # there is no light: each side has its shade
-        for color, *corners in (
-            (CREAM, (0, 0, -1), (0, 0.18, 0), (0, 0.06, 0.6), (0.14 * x, 0, 0.1)),
-            (CORAL, (0.08 * x, 0, -0.3), (0.85 * x, 0, 0.3), (0.1 * x, 0, 0.2)),
-            (CORAL, (0, 0.05, 0.35), (0.35 * x, 0.05, 0.65), (0, 0.05, 0.6)),
-            (AMBER, (0.01 * x, 0.1, 0.25), (0.01 * x, 0.45, 0.65), (0.01 * x, 0.05, 0.6)),
-        ):
-            draw(GL_POLYGON, corners, [shade * channel for channel in color])
-
-
-def speeds(turns):
-    """Return by how many degrees a second it turns from each of these attitudes to the next."""
-    near = np.clip(np.abs((turns[1:] * turns[:-1]).sum(axis=1)), 0, 1)
-    return np.degrees(2 * np.arccos(near)) * STEPS / SECONDS
+    """Draw its two halves; there is no light, so each half has its shade."""
+    w, *axis = turn
+    glRotatef(2 * np.degrees(np.arccos(np.clip(w, -1, 1))), *axis)
+    for side, shade in ((-1, 0.7), (1, 1)):
+        cream, coral, amber = (shade * np.array(color) for color in (CREAM, CORAL, AMBER))
+        body = (0, 0, -1), (0, 0.18, 0), (0, 0.06, 0.6), (0.14 * side, 0, 0.1)
+        wing = (0.08 * side, 0, -0.3), (0.85 * side, 0, 0.3), (0.1 * side, 0, 0.2)
+        tail = (0, 0.05, 0.35), (0.35 * side, 0.05, 0.65), (0, 0.05, 0.6)
+        fin = (0.01 * side, 0.1, 0.25), (0.01 * side, 0.45, 0.65), (0.01 * side, 0.05, 0.6)
+        draw(GL_POLYGON, body, cream)
+        draw(GL_POLYGON, wing, coral)
+        draw(GL_POLYGON, tail, coral)
+        draw(GL_POLYGON, fin, amber)
 
 
 def draw_graph(turns, now):
     """Draw the turning speed over the whole circle, and a line where it is now."""
-    along, high = np.linspace(-0.95, 0.95, len(turns) - 1), -0.95 + 0.006 * speeds(turns)
     for n in range(len(ATTITUDES) + 1):
-        x = -0.95 + 1.9 * n / len(ATTITUDES)
-        draw(GL_LINES, ((x, -0.95, 0), (x, -0.35, 0)), (0.3, 0.36, 0.43))
+        draw_mark(n, (0.3, 0.36, 0.43))
+
+    high = -0.95 + 0.006 * speeds(turns)
+    along = np.linspace(-0.95, 0.95, len(high))
     draw(GL_LINE_STRIP, np.array((along, high, 0 * along)).T, AMBER)
-    x = -0.95 + 1.9 * now / len(ATTITUDES)
-    draw(GL_LINES, ((x, -0.95, 0), (x, -0.35, 0)), CREAM)
+    draw_mark(now, CREAM)
+
+
+def draw_mark(time, color):
+    """Draw a vertical line in the graph."""
+    x = -0.95 + 1.9 * time / len(ATTITUDES)
+    draw(GL_LINES, ((x, -0.95, 0), (x, -0.35, 0)), color)
+
+
+def draw_trail(turns, now):
+    """Draw the way of the nose, and brighter what it has come so far."""
+    draw(GL_LINE_STRIP, 1.2 * noses(turns), (0.4, 0.47, 0.55))
+    so_far = [*turns[: int(now * STEPS) + 1], attitude(now)]
+    draw(GL_LINE_STRIP, 1.2 * noses(so_far), AMBER)
+
+
+def look_flat():
+    """Set both matrices to the identity, for the graph."""
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
+def look_in_space(width, height):
+    glMatrixMode(GL_PROJECTION)
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 20)
+    glMatrixMode(GL_MODELVIEW)
+    glTranslatef(0, 0.62, -5.6)
+    glRotatef(35, 1, 0, 0)
 
 
 def on_key(window, key, scancode, action, mods):
     global squad_on, extra
-    if action == glfw.PRESS:
-        squad_on ^= key == glfw.KEY_SPACE
-        extra = product(extra, KEYS.get(key, (1, 0, 0, 0)))
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    if action != glfw.PRESS:
+        return
+    if key == glfw.KEY_SPACE:
+        squad_on = not squad_on
+    elif key == glfw.KEY_I:
+        extra = product(extra, TURN_I)
+    elif key == glfw.KEY_J:
+        extra = product(extra, TURN_J)
+    elif key == glfw.KEY_K:
+        extra = product(extra, TURN_K)
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("SQUAD"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnableClientState(GL_VERTEX_ARRAY)
+
     while not glfw.window_should_close(window):
         now = glfw.get_time() / SECONDS % len(ATTITUDES)
         turns = np.array([attitude(n / STEPS) for n in range(len(ATTITUDES) * STEPS + 1)])
@@ -163,22 +227,17 @@ def main():
         glViewport(0, 0, width, height)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glLineWidth(max(1, height / 240))
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
+
+        look_flat()
         glDisable(GL_DEPTH_TEST)
         draw_graph(turns, now)
+
         glEnable(GL_DEPTH_TEST)
-        glMatrixMode(GL_PROJECTION)
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 20)
-        glMatrixMode(GL_MODELVIEW)
-        glTranslatef(0, 0.62, -5.6)
-        glRotatef(35, 1, 0, 0)
-        draw(GL_LINE_STRIP, 1.2 * noses(turns), (0.4, 0.47, 0.55))
-        draw(GL_LINE_STRIP, 1.2 * noses([*turns[: int(now * STEPS) + 1], attitude(now)]), AMBER)
+        look_in_space(width, height)
+        draw_trail(turns, now)
         turn = product(attitude(now), extra)
         draw_aeroplane(turn)
+
         w, x, y, z = turn
         write(16, 448, "q = {w:+.2f} {x:+.2f} i {y:+.2f} j {z:+.2f} k", w=w, x=x, y=y, z=z)
         write(16, 424, "SQUAD" if squad_on else "SLERP")
